@@ -108,11 +108,11 @@ class Seen:
 
     def settled(self, state="done"):
         """Wait until an answer is complete, or refused."""
-        self.page.locator(f'.answered[data-state="{state}"]').wait_for(timeout=90_000)
+        self.page.locator(f'.answer-side[data-state="{state}"]').wait_for(timeout=90_000)
 
     def busy(self):
         """Wait until something was asked."""
-        self.page.locator('.answered[data-state="busy"]').wait_for(timeout=20_000)
+        self.page.locator('.answer-side[data-state="busy"]').wait_for(timeout=20_000)
 
     def choose(self, path, name):
         """Choose a kind at a place of the form."""

@@ -39,12 +39,12 @@ def test_from_opening_to_a_result(kind, seen):
     seen.shot(kind)
 
     study = parse_study(seen.taken("study").decode("utf-8"))
-    told = numbers_of(seen.taken("csv"))
+    exported = numbers_of(seen.taken("csv"))
     answers = run(study).points[0].answers
-    assert set(told) == set(answers)
+    assert set(exported) == set(answers)
     assert study.problem == parse_study(whole_text(kind)).problem
     for name, numbers in answers.items():
-        assert [float(item) if item else np.nan for item in told[name]] == pytest.approx(
+        assert [float(item) if item else np.nan for item in exported[name]] == pytest.approx(
             numbers.tolist(), rel=0, abs=0, nan_ok=True
         )
 
@@ -183,12 +183,12 @@ def test_a_measured_profile_is_uploaded(fresh, tmp_path):
     measured = study.problem.bed.profile
     assert isinstance(measured, wk.Measured)
     assert measured.radii.size == 41
-    told = numbers_of(seen.taken("csv"))
-    assert float(told["depth"][0]) == wk.Indentation(study.problem.bed, wk.Force(100.0)).solve().depth
+    exported = numbers_of(seen.taken("csv"))
+    assert float(exported["depth"][0]) == wk.Indentation(study.problem.bed, wk.Force(100.0)).solve().depth
     # a measured parabola answers as the parabola does
     steel = study.problem.bed.medium
     hertz = wk.Indentation(wk.Foundation(wk.Paraboloid(10e-3), steel), wk.Force(100.0)).solve()
-    assert float(told["depth"][0]) == pytest.approx(hertz.depth, rel=1e-6)
+    assert float(exported["depth"][0]) == pytest.approx(hertz.depth, rel=1e-6)
 
 
 STUDY = """
@@ -223,8 +223,8 @@ def test_a_study_is_opened(fresh, tmp_path):
     opened(seen, tmp_path, '{ kind = "cone", half_angle = "80 deg" }')
     seen.page.locator('input[data-path="problem.bed.profile.half_angle"]').wait_for(timeout=20_000)
     seen.settled()
-    told = numbers_of(seen.taken("csv"))
-    assert [float(item) for item in told["force"]] == [1.0, 10.0, 30.0]
+    exported = numbers_of(seen.taken("csv"))
+    assert [float(item) for item in exported["force"]] == [1.0, 10.0, 30.0]
     assert parse_study(seen.taken("study").decode()).title == "From a file"
 
 
@@ -242,4 +242,4 @@ def test_a_formula_is_only_a_formula(fresh):
     seen.page.locator('input[data-path="problem.bed.profile.expression"]').wait_for()
     seen.type("problem.bed.profile.expression", "__import__('os').getcwd()")
     seen.settled("wrong")
-    assert seen.page.locator(".asked").get_by_text("expression", exact=False).count() >= 1
+    assert seen.page.locator(".study-side").get_by_text("expression", exact=False).count() >= 1

@@ -40,7 +40,7 @@ def rows_of(content):
 def test_from_a_curve_to_its_modulus(fresh, tmp_path):
     seen = fresh()
     turned(seen)
-    assert "upload a measured curve" in seen.page.locator(".asked .wrong", has_text="curve").first.inner_text()
+    assert "upload a measured curve" in seen.page.locator(".study-side .wrong", has_text="curve").first.inner_text()
     seen.shot("fit_begun")
     uploaded(seen, EXAMPLES / "data" / "gel_bead.csv")
     seen.settled()
@@ -53,10 +53,10 @@ def test_from_a_curve_to_its_modulus(fresh, tmp_path):
 
     asked = read_fit_study(EXAMPLES / "studies" / "fitting" / "fit_gel.toml")
     fit = fit_study(asked).fitted[0].fit
-    told = rows_of(seen.taken("csv"))
+    exported = rows_of(seen.taken("csv"))
     for free in asked.free:
-        assert float(told[free.key]) == fit.value(free.path)
-        assert float(told[f"{free.key}_error"]) == fit.error(free.path)
+        assert float(exported[free.key]) == fit.value(free.path)
+        assert float(exported[f"{free.key}_error"]) == fit.error(free.path)
     assert seen.card("Young's modulus").startswith("3.99 kPa")
 
     store = tmp_path / "study.zip"
@@ -75,7 +75,7 @@ def test_from_a_curve_to_its_modulus(fresh, tmp_path):
     chooser.value.set_files(store)
     other.page.locator('[data-picture="fit"] .main-svg').first.wait_for(timeout=60_000)
     other.settled()
-    assert rows_of(other.taken("csv")) == told
+    assert rows_of(other.taken("csv")) == exported
 
 
 def test_what_is_wrong_stands_beside_its_field(fresh, tmp_path):
@@ -84,7 +84,7 @@ def test_what_is_wrong_stands_beside_its_field(fresh, tmp_path):
     spoilt = tmp_path / "spoilt.csv"
     spoilt.write_text("piezo [nm], force [nN]\n1, 2\n3, four\n", encoding="utf-8")
     uploaded(seen, spoilt)
-    said = seen.page.locator(".asked .wrong", has_text="spoilt.csv")
+    said = seen.page.locator(".study-side .wrong", has_text="spoilt.csv")
     said.wait_for(timeout=20_000)
     seen.settled("wrong")
     seen.shot("fit_spoilt")
@@ -100,7 +100,7 @@ def test_what_is_wrong_stands_beside_its_field(fresh, tmp_path):
     seen.settled()
     seen.page.locator('[data-choice="fit.free"]').click()
     seen.page.get_by_role("option", name="medium › first › Poisson's ratio", exact=True).click()
-    seen.page.locator(".asked .wrong", has_text="only a combination of them").wait_for(timeout=20_000)
+    seen.page.locator(".study-side .wrong", has_text="only a combination of them").wait_for(timeout=20_000)
     seen.shot("fit_not_identifiable")
     seen.page.get_by_role("button", name="do not fit medium › first › Poisson's ratio").click()
     seen.settled()

@@ -55,9 +55,9 @@ def test_from_a_number_that_varies_to_its_curve(fresh):
     seen.shot("sweep")
     study = parse_study(seen.taken("study").decode("utf-8"))
     assert dict(zip(study.dims, study.shape, strict=True)) == {FORCE: 7, RADIUS: 3}
-    told, expected = rows_of(seen.taken("csv")), run(study)
-    assert len(told) == 21
-    assert [float(row["depth [m]"]) for row in told] == expected.answer("depth").ravel().tolist()
+    exported, expected = rows_of(seen.taken("csv")), run(study)
+    assert len(exported) == 21
+    assert [float(row["depth [m]"]) for row in exported] == expected.answer("depth").ravel().tolist()
     assert seen.taken("netcdf").startswith(b"\x89HDF")
     seen.page.get_by_role("button", name="do not vary profile › curvature radius").click()
     seen.busy()
@@ -81,7 +81,7 @@ def test_which_number_matters(fresh):
     field = seen.page.locator(".q-field", has=seen.page.locator('input[data-path="sweep.design.count"]'))
     field.get_by_text("power of two").wait_for(timeout=20_000)
     seen.type("sweep.design.count", "1024")
-    seen.page.locator(".asked .wrong", has_text="winkler run").wait_for(timeout=20_000)
+    seen.page.locator(".study-side .wrong", has_text="winkler run").wait_for(timeout=20_000)
     seen.type("sweep.design.count", "32")
     seen.settled()
     assert len(rows_of(seen.taken("csv"))) == 32 * 4
@@ -118,7 +118,7 @@ def test_a_study_that_takes_too_long_is_stopped_and_says_so(impatient):
     seen.page.locator(".refused", has_text="took longer than 5 s and was stopped; ask for less").wait_for(
         timeout=60_000
     )
-    assert seen.page.locator('.answered[data-state="wrong"]').count() == 1
+    assert seen.page.locator('.answer-side[data-state="wrong"]').count() == 1
     seen.choose("problem", "indentation")
     seen.settled()
     assert seen.card("depth").endswith("µm")

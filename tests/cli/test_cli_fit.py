@@ -281,14 +281,14 @@ def test_ctrl_c_tells_the_best_numbers_so_far(here, monkeypatch, capsys):
     """The signal comes at the tenth evaluation, as a reader would send it."""
     from winkler.fitting.search import Search
 
-    plain = Search.seen
+    plain = Search.record
 
     def stopped(self, *seen):
         if self.evaluations == 9:
             os.kill(os.getpid(), signal.SIGINT)
         plain(self, *seen)
 
-    monkeypatch.setattr(Search, "seen", stopped)
+    monkeypatch.setattr(Search, "record", stopped)
     one_curve(here)
     assert main(["fit", "gel.toml"]) == 130
     message = capsys.readouterr().err

@@ -54,13 +54,13 @@ def power_law_force(time, turn, speed, shear, exponent, *, held):
 
 
 def loop(seed, *, noise=2e-11, count=301, held=False):
-    """In and out, or in and held, at 1 um/s to 1 um, half a second of free way before."""
+    """In and out, or in and held, at 1 um/s to 1 um, half a second of free travel before."""
     time = np.linspace(-0.5, 2.5, count)
-    way = 1e-6 * np.where(time < 1.0, time, 1.0 if held else 2.0 - time)
+    path = 1e-6 * np.where(time < 1.0, time, 1.0 if held else 2.0 - time)
     direction = np.where(time <= 1.0, 1.0, 0.0 if held else -1.0)
     force = power_law_force(time, 1.0, 1e-6, 500.0, 0.2, held=held) + 3e-11
     force += noise * np.random.default_rng(seed).standard_normal(count)
-    return ForceCurve(way + 4e-7, force, time=time + 0.5, direction=direction, name=f"seed {seed}")
+    return ForceCurve(path + 4e-7, force, time=time + 0.5, direction=direction, name=f"seed {seed}")
 
 
 def creep(seed, *, noise=3e-9, count=301, load=1e-9):
@@ -75,7 +75,7 @@ def creep(seed, *, noise=3e-9, count=301, load=1e-9):
 
 
 def ramp_and_hold(seed, *, offset=5e-11, tilt=2e-5, noise=1e-11, scatter=2e-9, count=1200, load=1e-9):
-    """A bead on a standard solid: a free way of a second, a force that grows evenly for a second, and seven held.
+    """A bead on a standard solid: a second of free travel, a force that grows evenly for a second, and seven held.
 
     While the contact does not shrink, d^(3/2) = 3/(4 sqrt(R)) int C(t-s) dF(s) (Lee and Radok); of a ramp the integral
     of C(t) = 1/(4 G) (1 - G_1/(G + G_1) exp(-t/theta)) is elementary.

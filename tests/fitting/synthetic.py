@@ -43,8 +43,8 @@ def jkr(position, inward, modulus, radius, work, stiffness):
 
 def there_and_back(bottom, top, count):
     """Positions in and out, and whether they go in."""
-    way = np.linspace(bottom, top, count)
-    return np.concatenate([way, way[::-1]]), np.repeat([True, False], count)
+    levels = np.linspace(bottom, top, count)
+    return np.concatenate([levels, levels[::-1]]), np.repeat([True, False], count)
 
 
 def noise(random, count, memory=0.0):

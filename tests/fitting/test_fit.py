@@ -178,7 +178,7 @@ def test_weights():
     assert found.value("baseline") == pytest.approx(np.sum(left / level**2) / np.sum(1.0 / level**2), rel=1e-5)
 
 
-def test_bounds_hold_and_are_told():
+def test_bounds_hold_and_are_flagged():
     position, _ = there_and_back(-1e-6, 1e-6, 200)
     curve = measured(hertz_on_spring(position, MODULUS, R, SPRING), position)
     found = fit(curve, elastic(1.5e4), free={PATH: (1.2e4, 2e4), "contact_point": (), "baseline": ()})
@@ -187,12 +187,12 @@ def test_bounds_hold_and_are_told():
     assert "misfit" in [flag.name for flag in found.flags]
 
 
-def test_two_moduli_of_one_pair_cannot_be_told_apart():
+def test_two_moduli_of_one_pair_cannot_be_distinguished():
     position, _ = there_and_back(-1e-6, 1e-6, 200)
     curve = measured(hertz_on_spring(position, MODULUS, R, SPRING), position)
     pair = wk.HalfSpace.between(wk.Elastic(2e4, POISSON), wk.Elastic(2e4, POISSON))
     model = wk.Indentation(wk.Foundation(wk.Paraboloid(R), pair), wk.Depth(0.0))
-    message = "not identifiable: the curve cannot tell bed.medium.first.young from bed.medium.second.young"
+    message = "not identifiable: the curve does not distinguish bed.medium.first.young from bed.medium.second.young"
     with pytest.raises(OutsideValidity, match=message):
         fit(curve, model, free=[PATH, "bed.medium.second.young", "contact_point", "baseline"])
 
@@ -203,7 +203,7 @@ def test_a_number_that_does_nothing_is_named():
     strong = wk.Indentation(
         wk.Foundation(wk.Paraboloid(R), wk.HalfSpace.between(wk.Elastic(YOUNG, POISSON, strength=1e9))), wk.Depth(0.0)
     )
-    with pytest.raises(OutsideValidity, match="the curve says nothing about bed.medium.first.strength"):
+    with pytest.raises(OutsideValidity, match="the curve does not depend on bed.medium.first.strength"):
         fit(curve, strong, free=[PATH, "bed.medium.first.strength", "contact_point"])
 
 
@@ -215,7 +215,7 @@ def test_a_tip_that_is_known_too_little_of():
         wk.Foundation(wk.Measured(radii, radii**2 / (2.0 * R)), wk.HalfSpace.between(wk.Elastic(YOUNG, POISSON))),
         wk.Depth(0.0),
     )
-    with pytest.raises(OutsideValidity, match="beyond 1e-06 m, where nothing is known of the profile"):
+    with pytest.raises(OutsideValidity, match="beyond 1e-06 m, where the profile is not defined"):
         fit(curve, model, free={PATH: YOUNG, "contact_point": ORIGIN})
 
 
@@ -235,7 +235,7 @@ def test_held_points_are_left_out():
         (["young"], InvalidInput, "'young' is neither a path"),
         (["contact_pont"], InvalidInput, r"did you mean 'contact_point'\?"),
         (["bed.medium.first.yung"], InvalidInput, r"did you mean 'young'\?"),
-        ({PATH: (2.0, 1.0)}, InvalidInput, "mend it"),
+        ({PATH: (2.0, 1.0)}, InvalidInput, "correct it"),
         ({PATH: "large"}, InvalidInput, r"give \(low, high\), a start value"),
     ],
 )
@@ -275,5 +275,5 @@ def test_an_unknown_name_of_an_answer():
     found = fit(curve, elastic(), free=[PATH, "contact_point"])
     with pytest.raises(InvalidInput, match="'tilt' was not free"):
         found.value("tilt")
-    with pytest.raises(InvalidInput, match=r"a confidence of 95 .* between 0 and 1"):
+    with pytest.raises(InvalidInput, match=r"confidence is 95; .* between 0 and 1"):
         found.interval(PATH, 95)

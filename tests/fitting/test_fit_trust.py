@@ -32,7 +32,7 @@ def curve(bottom: float = -1e-6) -> ForceCurve:
     return ForceCurve(position, hertz(position, MODULUS, R) + 2e-11 * noise(np.random.default_rng(0), 600))
 
 
-def told(notes: tuple[Note, ...], topic: str) -> Note:
+def note_on(notes: tuple[Note, ...], topic: str) -> Note:
     return next(note for note in notes if note.statement.startswith(topic))
 
 
@@ -54,7 +54,7 @@ def sticky(law, young: float, radius: float) -> tuple[Note, ...]:
 )
 def test_the_range_of_attraction(law, young, radius, standing):
     """Tabor's parameter from its definition, with a range of 0.3 nm."""
-    note = told(sticky(law, young, radius), "Range")
+    note = note_on(sticky(law, young, radius), "Range")
     tabor = float(re.search(r"Tabor parameter ([-+.e0-9]+)", note.statement)[1])
     assert tabor == pytest.approx(math.cbrt(radius * (law.work / (young / 0.75)) ** 2) / 0.3e-9, rel=0.01)
     assert note.standing is standing
@@ -68,7 +68,7 @@ def test_a_law_with_a_range_needs_no_such_note():
 def coated(thickness: float, names: tuple[str, ...]) -> Note:
     medium = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(YOUNG, 0.5), thickness)], on=wk.Elastic(1e9, 0.2))
     model = wk.Indentation(wk.Foundation(wk.Paraboloid(R), medium), wk.Depth(1e-8))
-    return told(fit_notes(model, curve(), names, curve().position > 0.0, 2e-7, 0.01), "Coating")
+    return note_on(fit_notes(model, curve(), names, curve().position > 0.0, 2e-7, 0.01), "Coating")
 
 
 def test_a_thick_coating_says_nothing_of_what_carries_it():
@@ -77,7 +77,7 @@ def test_a_thick_coating_says_nothing_of_what_carries_it():
     assert coated(2e-4, (film,)).standing is Standing.ASYMPTOTIC
     blind = coated(2e-4, (film, "bed.medium.on.young"))
     assert blind.standing is Standing.OUTSIDE
-    assert "can hardly tell bed.medium.on.young" in blind.statement
+    assert "hardly depends on bed.medium.on.young" in blind.statement
     assert coated(2e-4, (film, "bed.medium.layers[0].thickness")).standing is Standing.OUTSIDE
 
 
@@ -86,7 +86,7 @@ def test_a_thin_coating():
     assert note.standing is Standing.APPROXIMATE
     assert "0.5 of the thickness 4e-07 m" in note.statement
     assert (
-        "told apart by how this grows"
+        "distinguished only by how this grows"
         in coated(4e-7, ("bed.medium.layers[0].solid.young", "bed.medium.on.young")).statement
     )
 
@@ -98,10 +98,10 @@ def test_a_paraboloid_for_a_ball():
     depth, force = 0.5 * a * logarithm, MODULUS * (0.5 * (a**2 + R**2) * logarithm - a * R)
     share = force / hertz(depth, MODULUS, R) - 1.0
     model = wk.Indentation(bed(), wk.Depth(depth))
-    note = told(fit_notes(model, curve(), (PATH,), curve().position > 0.0, a, 0.01), "Tip")
-    assert f"with {share:+.2%} of force" in note.statement
+    note = note_on(fit_notes(model, curve(), (PATH,), curve().position > 0.0, a, 0.01), "Tip")
+    assert f"change the force by {share:+.2%}" in note.statement
     assert note.standing is Standing.APPROXIMATE
-    small = told(
+    small = note_on(
         fit_notes(dataclasses.replace(model, load=wk.Depth(1e-9)), curve(), (), curve().position > 0, 7e-8, 0.0), "Tip"
     )
     assert small.standing is Standing.ASYMPTOTIC
@@ -109,27 +109,27 @@ def test_a_paraboloid_for_a_ball():
 
 def test_a_contact_wider_than_the_tip():
     model = wk.Indentation(bed(), wk.Depth(6e-6))
-    note = told(fit_notes(model, curve(), (PATH,), curve().position > 0.0, 5.5e-6, 0.01), "Tip")
+    note = note_on(fit_notes(model, curve(), (PATH,), curve().position > 0.0, 5.5e-6, 0.01), "Tip")
     assert note.standing is Standing.OUTSIDE
 
 
 def test_a_contact_that_stays_on_the_ball_of_a_cone():
     tip = wk.SpheroConical(curvature_radius=1e-6, half_angle=0.6)
     model = wk.Indentation(wk.Foundation(tip, bed().medium), wk.Depth(1e-8))
-    note = told(fit_notes(model, curve(), (PATH,), curve().position > 0.0, 1e-7, 0.01), "Tip")
-    assert "says nothing about the rest" in note.statement
+    note = note_on(fit_notes(model, curve(), (PATH,), curve().position > 0.0, 1e-7, 0.01), "Tip")
+    assert "does not depend on the rest" in note.statement
 
 
 def test_the_extent_of_the_baseline():
     names = [PATH, "contact_point", "baseline"]
     notes = fit(curve(), wk.Indentation(bed(), wk.Depth(0.0)), free=names).validity
-    note = told(notes, "Baseline")
+    note = note_on(notes, "Baseline")
     assert note.standing is Standing.EXACT
-    assert "50% of the way) on approach and" in note.statement
-    assert told(notes, "Tip")  # the contact's own notes and the fit's
-    short = told(fit(curve(-5e-8), wk.Indentation(bed(), wk.Depth(0.0)), free=names).validity, "Baseline")
+    assert "50% of the travel) on approach and" in note.statement
+    assert note_on(notes, "Tip")  # the contact's own notes and the fit's
+    short = note_on(fit(curve(-5e-8), wk.Indentation(bed(), wk.Depth(0.0)), free=names).validity, "Baseline")
     assert short.standing is Standing.APPROXIMATE
-    assert "leans on the model" in short.statement
+    assert "depends on the model" in short.statement
 
 
 def test_a_real_fit_judges_its_adhesion():
@@ -137,4 +137,4 @@ def test_a_real_fit_judges_its_adhesion():
     force = jkr(position, inward, MODULUS, R, WORK, 0.05) + 2e-11 * noise(np.random.default_rng(1), 600)
     model = AdhesiveIndentation(bed(), ShortRange(1e-3), wk.Depth(0.0))
     found = fit(ForceCurve(position, force, 0.05), model, free=[PATH, "law.work", "contact_point"])
-    assert told(found.validity, "Range").standing is Standing.ASYMPTOTIC
+    assert note_on(found.validity, "Range").standing is Standing.ASYMPTOTIC

@@ -1,4 +1,4 @@
-"""A model that does not explain the contact is told from one that does, however long the curve was out of contact."""
+"""A model that does not explain the contact is detected, however long the curve was out of contact."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ YOUNG = "bed.medium.first.young"
 FREE = [YOUNG, "contact_point", "baseline"]
 LEVEL = 2e-11
 POSITION = np.linspace(-9e-6, 1e-6, 4000)
-"""Nine tenths of the way are free."""
+"""Nine tenths of the travel are free."""
 
 
 def bead():
@@ -79,21 +79,23 @@ def test_a_contact_that_is_few_points_has_its_own_freedom():
     inside = found.touched
     assert found.contact_count == np.count_nonzero(inside)
     assert 380 < found.contact_count < 420
-    chi = np.sum(found.residuals[inside] ** 2) / (found.contact_count - 2) / found.noise**2  # the line is told outside
+    chi = (
+        np.sum(found.residuals[inside] ** 2) / (found.contact_count - 2) / found.noise**2
+    )  # the line follows from the free points
     assert found.chi_square_in_contact == pytest.approx(chi, rel=1e-12)
 
 
 def relaxing(seed, level):
-    """In and held for two seconds after eighteen of free way, on a power-law body of exponent 0.2."""
+    """In and held for two seconds after eighteen of free travel, on a power-law body of exponent 0.2."""
     time = np.linspace(-18.0, 2.0, 2400)
-    way, direction = 1e-6 * np.minimum(time, 1.0), np.where(time <= 1.0, 1.0, 0.0)
+    travel, direction = 1e-6 * np.minimum(time, 1.0), np.where(time <= 1.0, 1.0, 0.0)
     force = power_law_force(time, 1.0, 1e-6, 500.0, 0.2, held=True)
     force = np.where(time > 0.0, force, 0.0) + level * np.random.default_rng(seed).standard_normal(time.size)
-    return ForceCurve(way + 4e-7, force, time=time + 18.0, direction=direction)
+    return ForceCurve(travel + 4e-7, force, time=time + 18.0, direction=direction)
 
 
 def test_a_relaxing_model_that_is_wrong():
-    """The exponent is taken for 0.3 and fixed: seen in contact, and not in nine tenths of free way."""
+    """The exponent is taken for 0.3 and fixed: visible in contact, and not in nine tenths of free travel."""
     wrong = model(PowerLawSolid(2e3, 1.0, 0.3, shortest=1e-3, longest=40.0))
     free = [f"{FIRST}shear", "contact_point", "baseline"]
     found = fit(relaxing(1, 2e-10), wrong, free=free)

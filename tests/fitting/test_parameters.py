@@ -6,7 +6,7 @@ import pytest
 
 import winkler as wk
 from winkler.errors import InvalidInput
-from winkler.fitting.parameters import changed, found, unit_of
+from winkler.fitting.parameters import changed, number_at, unit_of
 from winkler.laws.adhesion import Dugdale, ShortRange
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
 
@@ -15,9 +15,9 @@ MODEL = AdhesiveIndentation(wk.Foundation(wk.Paraboloid(1e-5), COATED), ShortRan
 
 
 def test_numbers_are_found():
-    assert found(MODEL, "bed.medium.layers[0].solid.young") == 1e9
-    assert found(MODEL, "bed.medium.layers[0].thickness") == 1e-6
-    assert found(MODEL, "law.work") == 0.1
+    assert number_at(MODEL, "bed.medium.layers[0].solid.young") == 1e9
+    assert number_at(MODEL, "bed.medium.layers[0].thickness") == 1e-6
+    assert number_at(MODEL, "law.work") == 0.1
 
 
 def test_units_come_from_the_glossary():
@@ -40,7 +40,7 @@ def test_a_change_leaves_the_old_value_alone():
     assert new.bed.medium.on == MODEL.bed.medium.on
     assert new.bed.profile == wk.Paraboloid(2e-5)
     assert new.law == ShortRange(0.2)
-    assert found(MODEL, "bed.medium.layers[0].solid.young") == 1e9
+    assert number_at(MODEL, "bed.medium.layers[0].solid.young") == 1e9
 
 
 def test_both_works_of_a_hysteresis():
@@ -70,4 +70,4 @@ def test_other_laws():
 )
 def test_paths_that_lead_nowhere(path, message):
     with pytest.raises(InvalidInput, match=message):
-        found(MODEL, path)
+        number_at(MODEL, path)

@@ -1,4 +1,4 @@
-"""Fits are streams: the same numbers whether watched or not, states that get better, and an end at the time limit."""
+"""Fits are streams: the same numbers whether observed or not, states that get better, and an end at the time limit."""
 
 from __future__ import annotations
 
@@ -85,8 +85,8 @@ def clocked(monkeypatch, seconds=1.0):
 def test_the_time_limit(kind, monkeypatch):
     one, model, free = KINDS[kind]()
     clocked(monkeypatch)
-    told = r"^fit: .* within the time limit of 6 s, after [1-7] evaluations; give more"
-    with pytest.raises(NotConverged, match=told):
+    message = r"^fit: .* within the time limit of 6 s, after [1-7] evaluations; give more"
+    with pytest.raises(NotConverged, match=message):
         fit(one, model, free=free, time_limit=6.0)
     with pytest.raises(NotConverged, match="time limit"):
         list(fit_steps(one, model, free=free, time_limit=6.0))

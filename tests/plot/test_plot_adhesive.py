@@ -13,7 +13,7 @@ from winkler.errors import InvalidInput
 from winkler.fields import restore
 from winkler.plot import draw, style
 from winkler.plot.adhesion.cycles import contact_of
-from winkler.plot.extent import is_singular, is_torn
+from winkler.plot.extent import has_tensile_singularity, is_singular
 
 RUBBER = wk.HalfSpace.between(wk.Elastic(1e6, 0.5))
 BALL = wk.Foundation(wk.Paraboloid(1e-3), RUBBER)
@@ -72,9 +72,9 @@ def test_every_answer_has_a_picture(name):
 
 def test_the_tension_at_the_edge_is_cut_off_and_said():
     axes = draw(STUCK).axes[2]
-    told = texts(axes.figure)
-    assert "infinite tension at the edge, cut off" in told
-    assert "$K_I$ = 365 Pa" in told  # sqrt(2 E* w) = sqrt(2 (4/3 MPa) 0.05) = 365.1
+    text = texts(axes.figure)
+    assert "infinite tension at the edge, cut off" in text
+    assert "$K_I$ = 365 Pa" in text  # sqrt(2 E* w) = sqrt(2 (4/3 MPa) 0.05) = 365.1
     x, y = numbers(axes.lines[0])
     assert np.min(y) < axes.get_ylim()[0] < 0.0 < axes.get_ylim()[1]
     inside = np.abs(x) < 0.5 * STUCK.radius * 1e6
@@ -93,7 +93,7 @@ def test_what_is_finite_is_drawn_whole():
     ("solution", "torn"), [(STUCK, True), (PULLED, True), (RING, False), (FAR, False)], ids=["a", "b", "c", "d"]
 )
 def test_only_attraction_without_range_tears(solution, torn):
-    assert is_torn(solution.pressed) == is_singular(solution.pressed) == torn
+    assert has_tensile_singularity(solution.pressed) == is_singular(solution.pressed) == torn
 
 
 def test_springs_that_pull_reach_above_the_surface_in_another_colour():
@@ -110,12 +110,12 @@ def test_springs_that_pull_reach_above_the_surface_in_another_colour():
 
 
 def test_a_ring_has_two_radii_in_the_picture_of_the_springs():
-    told = [text.get_text() for text in draw(RING).axes[1].texts]
-    assert {"$a$", "$c$"} <= set(told)
+    text = [text.get_text() for text in draw(RING).axes[1].texts]
+    assert {"$a$", "$c$"} <= set(text)
     assert "$c$" not in [text.get_text() for text in draw(STUCK).axes[1].texts]
 
 
-def test_stable_and_unstable_states_are_told_apart():
+def test_stable_and_unstable_states_are_distinguished():
     curve = wk.Equilibrium(WAVY, LAW, 6e-4).solve()
     lines = draw(curve).axes[0].lines
     solid = [

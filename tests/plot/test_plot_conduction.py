@@ -22,11 +22,11 @@ def labels(figure) -> list[str]:
     return [text for axes in figure.axes for text in (axes.get_xlabel(), axes.get_ylabel()) if text]
 
 
-def test_resistance_is_drawn_over_force_with_what_was_asked():
+def test_resistance_is_drawn_over_force_with_the_requested_points():
     item = wk.Constriction(BALL, PAIR, wk.Force(1.0)).solve()
     figure = draw(item)
     left = figure.axes[0]
-    point = next(line for line in left.lines if line.get_label() == "asked")
+    point = next(line for line in left.lines if line.get_label() == "requested")
     assert "Ω]" in left.get_ylabel()
     factor = {"m": 1e-3, "µ": 1e-6}[left.get_ylabel()[-3]]
     assert point.get_ydata()[0] * factor == pytest.approx(item.resistance, rel=1e-12)
@@ -38,7 +38,7 @@ def test_resistance_is_drawn_over_force_with_what_was_asked():
 def test_parts_of_a_resistance_add_up():
     figure = draw(wk.Constriction(BALL, FILMED, wk.Force(np.geomspace(0.1, 10.0, 5))).solve())
     names = list(figure.axes[0].get_legend_handles_labels()[1])
-    assert names == ["resistance", "constriction", "film", "length of the rods", "asked"]
+    assert names == ["resistance", "constriction", "film", "length of the rods", "requested"]
     assert figure.axes[1].get_ylim() == (0.0, 100.0)
 
 
@@ -75,7 +75,7 @@ def test_fields_are_drawn_on_grids_and_along_lines():
     assert one.axes[0].get_xlim() == turned.axes[0].get_xlim()
     line = draw(wk.restore_conduction(solution, 0.0, z))
     assert any(label.startswith("heat flux") for label in labels(line))
-    with pytest.raises(wk.InvalidInput, match="no curve"):
+    with pytest.raises(wk.InvalidInput, match="does not make a curve"):
         draw(wk.restore_conduction(solution, 0.0, 0.0))
 
 
@@ -94,14 +94,14 @@ def test_spots_and_bounds():
 
 
 @pytest.mark.parametrize(
-    ("item", "told"),
+    ("item", "message"),
     [
         (wk.Constriction(BALL, PAIR, wk.Depth(-1e-6)), "do not touch"),
         (wk.JouleHeating(BALL, PAIR, wk.Force(1.0), wk.Voltage(0.0)), "no current flows"),
     ],
 )
-def test_nothing_is_not_drawn(item, told):
-    with pytest.raises(wk.OutsideValidity, match=told):
+def test_nothing_is_not_drawn(item, message):
+    with pytest.raises(wk.OutsideValidity, match=message):
         draw(item.solve())
     with pytest.raises(wk.InvalidInput, match="extent"):
         draw(item.solve(), extent=1.0)

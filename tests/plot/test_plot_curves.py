@@ -15,7 +15,7 @@ from winkler.plot.families import spans_decades
 from winkler.plot.normal.body import _revolved, _round
 from winkler.plot.normal.curves import force_depth, line_load, load_curves, surface
 from winkler.plot.normal.springs import plane_profile, springs_panel, stretched
-from winkler.plot.normal.stresses import stressed_first
+from winkler.plot.normal.stresses import first_body_deforms
 from winkler.plot.panel import Sheet
 from winkler.plot.render import render
 from winkler.problems.normal.indentation import Indentation
@@ -172,8 +172,8 @@ def test_the_plane_profile_ends_where_the_body_ends():
 
 def test_the_map_shows_the_body_that_deforms():
     soft = Elastic(1e7, 0.49)
-    assert stressed_first(pressed(Sphere(R), Force(1.0), HalfSpace(soft)))
-    assert not stressed_first(pressed(Sphere(R), Force(1.0), HalfSpace(Rigid(), soft)))
+    assert first_body_deforms(pressed(Sphere(R), Force(1.0), HalfSpace(soft)))
+    assert not first_body_deforms(pressed(Sphere(R), Force(1.0), HalfSpace(Rigid(), soft)))
 
 
 def test_logarithmic_axes_are_for_decades():

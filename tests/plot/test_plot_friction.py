@@ -16,7 +16,7 @@ from winkler.laws.friction import Coulomb
 from winkler.loading import Angle, Torque
 from winkler.path import Path
 from winkler.plot import draw, style
-from winkler.plot.friction.curves import lost_words
+from winkler.plot.friction.curves import loss_text
 from winkler.problems.friction.bimodal_damping import BimodalDamping
 from winkler.problems.friction.damping import FrictionDamping
 from winkler.problems.friction.relaxation_damping import RelaxationDamper
@@ -160,7 +160,7 @@ def test_the_loop_is_that_of_the_answer():
     line = next(line for line in titled(figure, "shear").lines if len(line.get_xdata()) == 4)
     np.testing.assert_allclose(np.asarray(line.get_ydata()), item.shear_force)
     np.testing.assert_allclose(np.asarray(line.get_xdata()) * 1e-9, item.shift)
-    assert "lost on the way" in texts(figure)
+    assert "lost along the path" in texts(figure)
 
 
 def test_the_traction_stays_between_the_bounds():
@@ -172,7 +172,7 @@ def test_the_traction_stays_between_the_bounds():
     assert edges == pytest.approx([stick])
 
 
-def test_springs_that_stick_are_told_from_those_that_slide():
+def test_springs_that_stick_differ_from_those_that_slide():
     def colours(state):
         axes = titled(draw(state), "springs")
         found = [
@@ -193,16 +193,16 @@ def _rgb(colour):
     return [int(colour[k : k + 2], 16) / 255.0 for k in (1, 3, 5)]
 
 
-def test_the_greatest_stress_is_told():
+def test_the_greatest_stress_is_written():
     state = loop().at(1)
     peak = wk.peak_stress(state)
-    told = texts(draw(state))
-    assert f"greatest: {peak.von_mises / 1e6:.4g} MPa" in told
+    text = texts(draw(state))
+    assert f"greatest: {peak.von_mises / 1e6:.4g} MPa" in text
 
 
-def test_no_loss_is_told_as_none():
-    assert lost_words(1e-25, np.array([0.0, 1e-7]), np.array([0.0, 20.0])) == "nothing lost"
-    assert lost_words(1e-9, np.array([0.0, 1e-7]), np.array([0.0, 20.0])) == "lost on the way: 1 nJ"
+def test_no_loss_is_written_as_none():
+    assert loss_text(1e-25, np.array([0.0, 1e-7]), np.array([0.0, 20.0])) == "nothing lost"
+    assert loss_text(1e-9, np.array([0.0, 1e-7]), np.array([0.0, 20.0])) == "lost along the path: 1 nJ"
 
 
 def test_the_loop_of_a_damper_encloses_its_loss():

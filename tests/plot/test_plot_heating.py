@@ -45,17 +45,17 @@ def test_many_contacts():
 
 def test_a_contact_that_begins_and_one_that_frets():
     begins = wk.TransientHeating(BED, wk.Coulomb(0.3), wk.Force(20.0), PAIR, speed=0.01, time=[1e-3]).solve()
-    assert titles(draw(begins)) == ["how the contact warms up", "surface of the first body"]
+    assert titles(draw(begins)) == ["temperature of the contact", "surface of the first body"]
     path = wk.Path.oscillation(force=100.0, amplitude=1e-6, cycles=2, count=20)
     frets = wk.FrettingHeat(wk.Tangential(BED, wk.Coulomb(0.5), path), 100.0, PAIR).solve()
-    assert titles(draw(frets)) == ["where the heat is released", "how warm the surfaces get"]
+    assert titles(draw(frets)) == ["heat flux over the radius", "temperature of the surfaces"]
 
 
 def test_what_is_refused():
-    with pytest.raises(wk.OutsideValidity, match="nothing warms up"):
+    with pytest.raises(wk.OutsideValidity, match="no heat is released"):
         draw(rubbing(first_speed=0.0))
     with pytest.raises(wk.InvalidInput, match="no extent"):
         draw(rubbing(), extent=1e-3)
     still = wk.TransientHeating(BED, wk.Coulomb(0.3), wk.Force(20.0), PAIR, speed=0.0, time=[1e-3]).solve()
-    with pytest.raises(wk.OutsideValidity, match="nothing warms up"):
+    with pytest.raises(wk.OutsideValidity, match="no heat is released"):
         draw(still)

@@ -47,12 +47,12 @@ def test_a_medium_has_a_figure(name, tmp_path):
     figure.savefig(tmp_path / "medium.svg")
 
 
-def test_layers_are_told_with_their_numbers_and_stand_at_their_depths():
+def test_layers_are_labelled_and_drawn_at_their_depths():
     figure = draw(STACK)
-    told = texts(figure)
-    assert any("2 µm" in text and "180 GPa" in text and "0.22" in text for text in told)
-    assert any("500 nm" in text and "279 GPa" in text for text in told)
-    assert any(text.startswith("on ") and "210 GPa" in text for text in told)
+    text = texts(figure)
+    assert any("2 µm" in text and "180 GPa" in text and "0.22" in text for text in text)
+    assert any("500 nm" in text and "279 GPa" in text for text in text)
+    assert any(text.startswith("on ") and "210 GPa" in text for text in text)
     assert interfaces(STACK) == pytest.approx((2e-6, 2.5e-6), rel=1e-15)
     assert interfaces(SOIL) == interfaces(wk.HalfSpace(STEEL)) == ()
     assert any("on a rigid base" in text for text in texts(draw(FILM)))
@@ -129,7 +129,7 @@ def test_a_measured_bed_shows_what_was_measured_and_its_springs():
         "its springs",
         "springs under $g(x)$",
     ]
-    given = next(line for line in figure.axes[0].lines if "points given" in str(line.get_label()))
+    given = next(line for line in figure.axes[0].lines if "measured points" in str(line.get_label()))
     assert given.get_xdata() == pytest.approx(RADII * 1e6)
     assert given.get_ydata() == pytest.approx(2e11 * RADII / 1e6)
 

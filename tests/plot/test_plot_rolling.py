@@ -102,5 +102,5 @@ def test_rocking_shows_its_place_below_or_above_the_limit():
     for name, title in (("walks", "creeps on"), ("comes to rest", "comes to rest")):
         figure = draw(ITEMS[name][0]())
         assert figure.axes[0].get_title(loc="left") == title
-        ways, limit = figure.axes[2].lines[0].get_data()
-        np.testing.assert_allclose(limit, 1.0 - 1.5 * ways + 0.5 * ways**3, atol=1e-12)
+        amplitudes, limit = figure.axes[2].lines[0].get_data()
+        np.testing.assert_allclose(limit, 1.0 - 1.5 * amplitudes + 0.5 * amplitudes**3, atol=1e-12)

@@ -9,7 +9,7 @@ import winkler as wk
 from winkler.plot import draw
 from winkler.plot.panel import Sheet
 from winkler.plot.render import render
-from winkler.plot.rough.roughness import SHOWN, heights_of, map_panel
+from winkler.plot.rough.roughness import MOST_PIXELS, heights_of, map_panel
 from winkler.plot.style import RELIEFS
 
 STEEL = wk.HalfSpace(wk.Elastic(210e9, 0.3))
@@ -51,7 +51,7 @@ def test_large_maps_are_shown_with_means():
     large = wk.Topography(np.add.outer(np.arange(1100.0), np.zeros(64)), [1.1, 0.064])
     axes = render(Sheet((map_panel(large, heights_of(large), RELIEFS, lowest=np.inf),))).axes[0]
     shown = np.asarray(axes.images[0].get_array())
-    assert max(shown.shape) <= SHOWN
+    assert max(shown.shape) <= MOST_PIXELS
     assert np.ptp(shown) == pytest.approx(1097.0, abs=3.0)
 
 
@@ -80,8 +80,8 @@ def test_a_contact_under_many_loads():
 def test_conduction_between_its_bounds():
     metal = wk.ElectricalConductor(16e-9)
     contact = wk.SurfaceContact(STAMP, STEEL, wk.Force([1.0, 10.0, 100.0]))
-    asked = wk.SurfaceConduction(contact, wk.ElectricalConductors(metal, metal), realisations=4)
-    found = asked.solve()
+    problem = wk.SurfaceConduction(contact, wk.ElectricalConductors(metal, metal), realisations=4)
+    found = problem.solve()
     picture = draw(found)
     stiffness, conductance, area = picture.axes[:3]
     labels = ["bounds", "eight lines of ten", "boundary elements", "lines of springs"]
@@ -90,7 +90,7 @@ def test_conduction_between_its_bounds():
     unit = found.conductance[0] / conductance.lines[0].get_ydata()[0]
     np.testing.assert_allclose(unit * conductance.lines[1].get_ydata(), 1.0 / found.line_resistance)
     np.testing.assert_allclose(area.lines[1].get_ydata(), 100.0 * found.line.area / STAMP.area)
-    bars = draw(wk.SurfaceConduction(wk.SurfaceContact(STAMP, STEEL, wk.Force(10.0)), asked.conductors).solve())
+    bars = draw(wk.SurfaceConduction(wk.SurfaceContact(STAMP, STEEL, wk.Force(10.0)), problem.conductors).solve())
     assert [text.get_text() for text in bars.axes[0].get_yticklabels()][1:3] == [
         "boundary elements",
         "lines of springs",

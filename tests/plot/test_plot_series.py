@@ -16,7 +16,7 @@ from winkler.plot.series import (
     pretty_unit,
     scale_of,
     series,
-    told,
+    with_unit,
 )
 from winkler.vocabulary import GLOSSARY, OWNED
 
@@ -83,8 +83,8 @@ def test_tables_take_the_middle():
         (math.nan, "Pa", "undefined"),
     ],
 )
-def test_told(number, unit, text):
-    assert told(number, unit) == text
+def test_with_unit(number, unit, text):
+    assert with_unit(number, unit) == text
 
 
 def test_superscripts():

@@ -8,7 +8,7 @@ import pytest
 import winkler as wk
 from winkler.plot.render import render
 from winkler.plot.series import Series
-from winkler.plot.sweeps import Part, cloud_sheet, map_sheet, part_sheet
+from winkler.plot.sweeps import VariancePart, cloud_sheet, map_sheet, part_sheet
 from winkler.study.batch.run import run
 from winkler.study.language.designs import Sensitivity, Sobol, Zipped
 from winkler.study.language.study import Axis, Study
@@ -54,7 +54,7 @@ def test_a_cloud_has_a_panel_for_every_key():
 
 
 def test_bars_show_the_indices_and_their_intervals():
-    part = Part("alone", np.array([0.7, 0.2]), np.array([0.6, 0.1]), np.array([0.8, 0.35]))
+    part = VariancePart("alone", np.array([0.7, 0.2]), np.array([0.6, 0.1]), np.array([0.8, 0.35]))
     sheet = part_sheet(["load.force", "bed.medium.first.young"], [part, part._replace(label="both")])
     (axes,) = render(sheet).axes
     assert [bar.get_width() for bar in axes.patches] == [0.7, 0.2, 0.7, 0.2]
@@ -63,7 +63,7 @@ def test_bars_show_the_indices_and_their_intervals():
     assert [label.get_text() for label in axes.get_yticklabels()] == ["load.force", "bed.medium.first.young"]
 
 
-def test_keys_of_one_name_are_told_apart():
+def test_keys_of_one_name_are_distinguished():
     keys = ("problem.bed.medium.first.young", "problem.bed.medium.second.young", "problem.load.force")
     bed = wk.Foundation(wk.Paraboloid(1e-3), wk.HalfSpace.between(wk.Elastic(1e9, 0.25), wk.Elastic(1e9, 0.25)))
     study = Study("x", wk.Indentation(bed, wk.Force(1.0)), sweep=tuple(Axis(key, (1e9, 2e9)) for key in keys))
@@ -75,7 +75,7 @@ FINE = tuple(np.linspace(1.0, 2.0, 12).tolist())
 
 
 @pytest.mark.parametrize(
-    ("sweep", "design", "told"),
+    ("sweep", "design", "expected"),
     [
         ((Axis("problem.load.force", FINE), Axis("problem.bed.medium.first.young", FINE)), None, True),
         ((Axis("problem.load.force", FINE), Axis("problem.bed.medium.first.young", FINE[:11])), None, False),
@@ -83,8 +83,8 @@ FINE = tuple(np.linspace(1.0, 2.0, 12).tolist())
         ((Axis("problem.load.force", FINE),), None, False),
     ],
 )
-def test_two_long_keys_make_a_map(sweep, design, told):
-    assert mapped(Study("x", PROBLEM, sweep=sweep, **({} if design is None else {"design": design}))) is told
+def test_two_long_keys_make_a_map(sweep, design, expected):
+    assert mapped(Study("x", PROBLEM, sweep=sweep, **({} if design is None else {"design": design}))) is expected
 
 
 @pytest.mark.parametrize(

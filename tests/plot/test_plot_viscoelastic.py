@@ -13,7 +13,7 @@ from winkler.plot import draw
 from winkler.plot.decades import Quantity, decades_panel
 from winkler.plot.panel import Sheet
 from winkler.plot.render import render
-from winkler.plot.series import scale_of, series, told
+from winkler.plot.series import scale_of, series, with_unit
 
 RUBBER = wk.StandardSolid(relaxed_shear=1e6, shear=3e6, relaxation_time=0.1)
 MEDIUM = wk.ViscoelasticHalfSpace(RUBBER)
@@ -101,7 +101,7 @@ def test_the_loop_is_the_answer():
     assert np.max(loop.get_ydata()) == pytest.approx(np.max(answer.force))
 
 
-def test_springs_that_recover_are_told_from_those_that_press():
+def test_springs_that_recover_differ_from_those_in_contact():
     from matplotlib.colors import to_hex
 
     from winkler.plot import style
@@ -120,7 +120,7 @@ def test_measured_points_are_shown_beside_the_series():
     assert len(points[0].get_xdata()) == MOMENTS.size
 
 
-def test_what_was_asked_lies_on_the_curve():
+def test_requested_points_lie_on_the_curve():
     axes = picture("creep").axes[0]
     curve, points = axes.lines[0], axes.lines[1]
     found = np.interp(np.log(points.get_xdata()), np.log(curve.get_xdata()), curve.get_ydata())
@@ -141,7 +141,7 @@ def test_an_extent_has_no_meaning_here(name):
         draw(ITEMS[name][0](), extent=1.0)
 
 
-def test_compliances_are_told_in_their_own_prefixes():
+def test_compliances_have_their_own_prefixes():
     assert scale_of("1/Pa", [2.5e-7]) == (1e-6, "1/MPa")
-    assert told(2.5e-7, "1/Pa") == "0.25 1/MPa"
-    assert told(0.0, "1/Pa") == "0 1/Pa"
+    assert with_unit(2.5e-7, "1/Pa") == "0.25 1/MPa"
+    assert with_unit(0.0, "1/Pa") == "0 1/Pa"

@@ -17,10 +17,10 @@ from winkler.study.language.fit_reading import FITTED, parse_fit_study
 from winkler.study.language.reading import parsed
 from winkler.web.form import fit_form, form
 from winkler.web.form.study_form import StudyForm
-from winkler.web.pictures.answer import AnswerText, Frame
-from winkler.web.pictures.fit_chart import MOST, drawn_points
+from winkler.web.pictures.answer import AnswerText, MomentComplete
+from winkler.web.pictures.fit_chart import MOST_POINTS, drawn_points
 from winkler.web.session.upload_folder import UploadFolder, files_in
-from winkler.web.session.worker import Export, Look, Solve, Wrong, _Bench, beside_the_curve
+from winkler.web.session.worker import Export, Look, Solve, Wrong, _WorkerState, beside_the_curve
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 YOUNG = "problem.bed.medium.first.young"
@@ -28,11 +28,11 @@ YOUNG = "problem.bed.medium.first.young"
 
 @pytest.fixture(scope="module")
 def bench():
-    return _Bench()
+    return _WorkerState()
 
 
 @pytest.fixture
-def room(tmp_path):
+def folder_(tmp_path):
     shutil.copy(EXAMPLES / "data" / "gel_bead.csv", tmp_path / "gel_bead.csv")
     return tmp_path
 
@@ -48,27 +48,27 @@ def solved(bench, table, folder):
     return list(bench.replies(Solve(1, tomli_w.dumps(table), folder, True)))
 
 
-def test_the_app_and_the_command_line_fit_equal_numbers(bench, room, tmp_path):
-    told, *pictures, frame = solved(bench, gel_table(), room)
+def test_the_app_and_the_command_line_fit_equal_numbers(bench, folder_, tmp_path):
+    answer, *pictures, frame = solved(bench, gel_table(), folder_)
     (file,) = bench.replies(Export(2, "csv"))
     plain = {**gel_table(), "output": {"report": False, "figures": []}}
-    (room / "study.toml").write_text(tomli_w.dumps(plain), encoding="utf-8")
+    (folder_ / "study.toml").write_text(tomli_w.dumps(plain), encoding="utf-8")
     folder = tmp_path / "by_command"
-    assert main(["fit", str(room / "study.toml"), "--output", str(folder), "--quiet"]) == 0
+    assert main(["fit", str(folder_ / "study.toml"), "--output", str(folder), "--quiet"]) == 0
     assert file.content == (folder / "fit.csv").read_bytes()
-    assert isinstance(told, AnswerText)
-    assert "3.99 kPa" in told.answers
-    assert told.standing == "approximate"
+    assert isinstance(answer, AnswerText)
+    assert "3.99 kPa" in answer.answers
+    assert answer.standing == "approximate"
     assert [one.name for one in pictures][:2] == ["fit", "shape"]
     assert frame.total == len(pictures) == 7
     assert frame.remark
 
 
-def test_the_picture_holds_the_curve_and_what_is_left_over(bench, room):
-    _, first, *_ = solved(bench, gel_table(), room)
+def test_the_picture_holds_the_curve_and_what_is_left_over(bench, folder_):
+    _, first, *_ = solved(bench, gel_table(), folder_)
     chart = json.loads(first.chart)
     fit = bench.outcome.fitted[0].fit
-    curve = read_curve(room / "gel_bead.csv")
+    curve = read_curve(folder_ / "gel_bead.csv")
     dots, law, left = chart["data"][:3]
     scale = 1e9  # to nN
     assert np.sort(dots["y"]) == pytest.approx(np.sort(curve.force) * scale, rel=1e-6, abs=1e-6)
@@ -90,11 +90,11 @@ def test_the_picture_holds_the_curve_and_what_is_left_over(bench, room):
         ("fit.free", {}, "fit.free", "empty"),
     ],
 )
-def test_every_mistake_names_its_field(bench, room, path, content, owner, part):
-    (room / "spoilt.csv").write_text("nothing to fit", encoding="utf-8")
+def test_every_mistake_names_its_field(bench, folder_, path, content, owner, part):
+    (folder_ / "spoilt.csv").write_text("nothing to fit", encoding="utf-8")
     table = gel_table()
     form.put(table, path, content)
-    (wrong,) = solved(bench, table, room)
+    (wrong,) = solved(bench, table, folder_)
     assert isinstance(wrong, Wrong)
     assert part in wrong.sentences[0]
     assert form.owner_of(wrong.sentences[0]) == owner
@@ -102,31 +102,31 @@ def test_every_mistake_names_its_field(bench, room, path, content, owner, part):
 
 def test_many_curves_are_looked_at_one_by_one(bench, tmp_path):
     for place in (1, 2, 3):
-        lines = (EXAMPLES / "data" / "gel_bead.csv").read_text(encoding="utf-8").splitlines()
-        (tmp_path / f"c{place}.csv").write_text("\n".join(lines[: 4 + 100 * place]), encoding="utf-8")
+        free_numbers = (EXAMPLES / "data" / "gel_bead.csv").read_text(encoding="utf-8").splitlines()
+        (tmp_path / f"c{place}.csv").write_text("\n".join(free_numbers[: 4 + 100 * place]), encoding="utf-8")
     table = gel_table()
     form.put(table, "fit.curve", "c[23].csv")
-    told, first, *_, last = solved(bench, table, tmp_path)
-    assert told.moments == 2
+    answer, first, *_, last = solved(bench, table, tmp_path)
+    assert answer.moments == 2
     assert first.title.endswith("c2.csv")
     looked = next(bench.replies(Look(2, 1)))
     assert looked.title.endswith("c3.csv")
-    assert isinstance(last, Frame)  # no sheets of two curves
+    assert isinstance(last, MomentComplete)  # no sheets of two curves
 
 
 @pytest.mark.parametrize("kind", FITTED)
-def test_what_a_fit_begins_with_can_be_read(kind, room):
-    table = fit_form.begun(kind)
+def test_what_a_fit_begins_with_can_be_read(kind, folder_):
+    table = fit_form.initial_table(kind)
     form.put(table, "fit.curve", "gel_bead.csv")
-    study = parse_fit_study(tomli_w.dumps(table), folder=room)
-    lines, others = fit_form.lines(table)
-    assert [line.key for line in lines] == [free.key for free in study.free]
-    assert all(line.word.meaning for line in lines)
+    study = parse_fit_study(tomli_w.dumps(table), folder=folder_)
+    free_numbers, others = fit_form.free_numbers(table)
+    assert [line.key for line in free_numbers] == [free.key for free in study.free]
+    assert all(line.word.meaning for line in free_numbers)
     assert others
-    assert not set(others) & {line.key for line in lines}
+    assert not set(others) & {line.key for line in free_numbers}
     for key in others:  # whatever may be chosen can be free
         table["fit"]["free"] = {key: True}
-        parse_fit_study(tomli_w.dumps(table), folder=room)
+        parse_fit_study(tomli_w.dumps(table), folder=folder_)
 
 
 @pytest.mark.parametrize(
@@ -147,7 +147,7 @@ def test_both_studies_are_kept_while_one_turns():
     calls = []
     entered = StudyForm(lambda: calls.append("form"), lambda: calls.append("solve"))
     entered.change("problem.load.force", "3 N", "quantity [N]")
-    entered.turn("fit")
+    entered.switch_task("fit")
     entered.bound(YOUNG, "1 Pa", "1 MPa", "Pa")
     entered.free("problem.bed.profile.curvature_radius")
     entered.fix("baseline")
@@ -155,15 +155,15 @@ def test_both_studies_are_kept_while_one_turns():
     assert form.at(entered.table, "fit.free") == {**free, "problem.bed.profile.curvature_radius": True}
     entered.choose("problem.bed.profile", "cone")  # has no radius
     assert form.at(entered.table, "fit.free") == free
-    entered.turn("solve")
+    entered.switch_task("solve")
     assert form.at(entered.table, "problem.load.force") == "3 N"
-    entered.turn("solve")
+    entered.switch_task("solve")
     assert calls == ["solve", "form", "solve", "form", "form", "form", "form"]
 
 
 def test_the_curve_is_kept_when_the_model_changes():
     entered = StudyForm(lambda: None, lambda: None)
-    entered.turn("fit")
+    entered.switch_task("fit")
     entered.read("fit.curve", "gel.csv")
     entered.choose("problem", "adhesive_indentation")
     assert form.at(entered.table, "fit.curve") == "gel.csv"
@@ -171,10 +171,10 @@ def test_the_curve_is_kept_when_the_model_changes():
     assert list(files_in(entered.table)) == [("fit.curve", "gel.csv")]
 
 
-def test_a_study_and_its_curve_travel_together(room):
+def test_a_study_and_its_curve_travel_together(folder_):
     kept = UploadFolder()
     text = tomli_w.dumps(gel_table())
-    kept.keep("gel_bead.csv", (room / "gel_bead.csv").read_bytes())
+    kept.keep("gel_bead.csv", (folder_ / "gel_bead.csv").read_bytes())
     store = kept.packed(text, "study.toml", ("gel_bead.csv",))
     other = UploadFolder()
     assert other.unpack(store, "study.toml").decode() == text
@@ -195,7 +195,7 @@ def test_a_study_and_its_curve_travel_together(room):
 def test_only_so_many_points_are_drawn():
     assert drawn_points(10).tolist() == list(range(10))
     some = drawn_points(100_000)
-    assert some.size == MOST
+    assert some.size == MOST_POINTS
     assert some[-1] == 99_999
 
 

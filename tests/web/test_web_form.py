@@ -9,13 +9,13 @@ from winkler.study.language.catalogue import CATALOGUE
 from winkler.study.language.reading import parse_study
 from winkler.study.language.template import whole_text
 from winkler.web.form import form
-from winkler.web.form.form import Entry, Many, Slot
+from winkler.web.form.form import FormEntry, Many, Slot
 from winkler.web.form.typed import typed
 
 
 def entries(part):
     for child in part.children:
-        if isinstance(child, Entry):
+        if isinstance(child, FormEntry):
             yield child
         elif isinstance(child, Slot) and child.part:
             yield from entries(child.part)
@@ -27,7 +27,7 @@ def entries(part):
 @pytest.mark.parametrize("kind", list(CATALOGUE["problem"]))
 def test_what_a_form_shows_is_the_study(kind):
     """Typing every text of a form anew gives the study that the command line begins with."""
-    table = form.begun(kind)
+    table = form.initial_table(kind)
     shown = list(entries(form.part_of(table)))
     for entry in shown:
         if entry.text:
@@ -40,23 +40,23 @@ def test_what_a_form_shows_is_the_study(kind):
 
 @pytest.mark.parametrize("kind", list(CATALOGUE["profile"]))
 def test_every_profile_can_be_chosen(kind):
-    table = form.begun("indentation")
-    form.chosen(table, "problem.bed.profile", kind)
+    table = form.initial_table("indentation")
+    form.choose_kind(table, "problem.bed.profile", kind)
     assert form.at(table, "problem.bed.profile.kind") == kind
     assert form.part_of(table, "problem.bed.profile").kind == kind
 
 
 def test_numbers_with_the_same_name_are_kept():
-    table = form.begun("indentation")
+    table = form.initial_table("indentation")
     form.put(table, "problem.bed.profile.curvature_radius", "3 mm")
-    form.chosen(table, "problem.bed.profile", "paraboloid")
+    form.choose_kind(table, "problem.bed.profile", "paraboloid")
     assert form.at(table, "problem.bed.profile") == {"kind": "paraboloid", "curvature_radius": "3 mm"}
-    form.chosen(table, "problem.bed.profile", "cone")
+    form.choose_kind(table, "problem.bed.profile", "cone")
     assert set(form.at(table, "problem.bed.profile")) == {"kind", "half_angle"}
 
 
 def test_a_file_stands_for_the_numbers():
-    table = form.begun("indentation")
+    table = form.initial_table("indentation")
     form.put(table, "problem.bed.profile", {"kind": "measured", "file": "tip.csv"})
     part = form.part_of(table, "problem.bed.profile")
     assert part.takes_file
@@ -65,7 +65,7 @@ def test_a_file_stands_for_the_numbers():
 
 
 def test_parts_of_lists_are_added_and_taken_away():
-    table = form.begun("tangential")
+    table = form.initial_table("tangential")
     assert [step["kind"] for step in form.at(table, "problem.path.steps")] == ["start", "ramp", "oscillate", "hold"]
     form.drop(table, "problem.path.steps.1")
     assert [step["kind"] for step in form.at(table, "problem.path.steps")] == ["start", "oscillate", "hold"]

@@ -9,8 +9,8 @@ import pytest
 
 from winkler.errors import InvalidInput
 from winkler.web.form.sliders import STEPS, span_of
-from winkler.web.form.typed import shown, typed
-from winkler.web.session.upload_folder import LARGEST, TOTAL, UploadFolder, files_in, plain_name
+from winkler.web.form.typed import field_text, typed
+from winkler.web.session.upload_folder import LARGEST, MOST_BYTES, UploadFolder, files_in, plain_name
 
 
 @pytest.mark.parametrize(
@@ -45,7 +45,7 @@ def test_typed(text, takes, content):
 @pytest.mark.parametrize("content", ["10 mm", 0.3, 200, ["1 N", "2 N"], {"from": "0 N", "to": "1 N", "count": 3}])
 def test_what_is_shown_can_be_typed(content):
     takes = "number" if isinstance(content, int | float) else "quantity [N], list or range"
-    assert typed(shown(content), takes) == content
+    assert typed(field_text(content), takes) == content
 
 
 def test_a_slider_goes_a_decade_to_either_side():
@@ -66,7 +66,7 @@ def test_a_slider_of_poissons_ratio_stays_within_it():
 
 
 @pytest.mark.parametrize("text", ["", "0 N", "many", "nan N", "1 N, 2 N", "1e999 N"])
-def test_no_slider_where_it_tells_nothing(text):
+def test_no_slider_without_a_number(text):
     assert span_of("force", text) is None
 
 
@@ -89,59 +89,59 @@ def test_names_of_uploads(name, plain):
 
 
 @pytest.fixture
-def room():
-    held = UploadFolder()
-    yield held
-    held.close()
-    assert not held.folder.exists()
+def folder():
+    uploads = UploadFolder()
+    yield uploads
+    uploads.close()
+    assert not uploads.folder.exists()
 
 
-def test_an_upload_lies_in_the_room(room):
-    assert room.keep("../tip.csv", b"1 2") == "tip.csv"
-    assert room.names == ("tip.csv",)
-    assert (room.folder / "tip.csv").read_bytes() == b"1 2"
-    room.check({"problem": {"bed": {"profile": {"kind": "measured", "file": "tip.csv"}}}})
+def test_an_upload_lies_in_its_folder(folder):
+    assert folder.keep("../tip.csv", b"1 2") == "tip.csv"
+    assert folder.names == ("tip.csv",)
+    assert (folder.folder / "tip.csv").read_bytes() == b"1 2"
+    folder.check({"problem": {"bed": {"profile": {"kind": "measured", "file": "tip.csv"}}}})
 
 
-def test_uploads_are_limited(room):
+def test_uploads_are_limited(folder):
     with pytest.raises(InvalidInput, match="20 MB are taken"):
-        room.keep("large.csv", b"0" * (LARGEST + 1))
+        folder.keep("large.csv", b"0" * (LARGEST + 1))
     with pytest.raises(InvalidInput, match="is empty"):
-        room.keep("none.csv", b"")
+        folder.keep("none.csv", b"")
     for number in range(50):
-        room.keep(f"{number}.csv", b"1")
-    room.keep("7.csv", b"again")
+        folder.keep(f"{number}.csv", b"1")
+    folder.keep("7.csv", b"again")
     with pytest.raises(InvalidInput, match="50 files already"):
-        room.keep("one_more.csv", b"1")
+        folder.keep("one_more.csv", b"1")
 
 
-def test_all_uploads_of_a_page_have_a_limit(room):
-    for number in range(TOTAL // LARGEST):
-        room.keep(f"{number}.csv", bytes(LARGEST))
+def test_all_uploads_of_a_page_have_a_limit(folder):
+    for number in range(MOST_BYTES // LARGEST):
+        folder.keep(f"{number}.csv", bytes(LARGEST))
     with pytest.raises(InvalidInput, match=r"^'more\.csv': .* more than 100 MB, .*; reload the page"):
-        room.keep("more.csv", b"1")
-    room.keep("0.csv", b"1")  # in place of the first
-    room.keep("more.csv", b"1")
-    assert sum(path.stat().st_size for path in room.folder.iterdir()) == TOTAL - LARGEST + 2
+        folder.keep("more.csv", b"1")
+    folder.keep("0.csv", b"1")  # in place of the first
+    folder.keep("more.csv", b"1")
+    assert sum(path.stat().st_size for path in folder.folder.iterdir()) == MOST_BYTES - LARGEST + 2
 
 
-def test_an_upload_that_cannot_be_written_is_one_sentence(room, monkeypatch):
+def test_an_upload_that_cannot_be_written_is_one_sentence(folder, monkeypatch):
     def full(self, content):
         self.touch()
         raise OSError(errno.ENOSPC, "No space left on device")
 
     monkeypatch.setattr(pathlib.Path, "write_bytes", full)
-    with pytest.raises(InvalidInput, match=r"^'tip\.csv' cannot be kept \(no space left on device\); make room"):
-        room.keep("tip.csv", b"1 2")
-    assert room.names == ()
+    with pytest.raises(InvalidInput, match=r"^'tip\.csv' cannot be stored \(no space left on device\); free space"):
+        folder.keep("tip.csv", b"1 2")
+    assert folder.names == ()
 
 
 @pytest.mark.parametrize(
     "name", ["../../etc/passwd", "/etc/passwd", "sub/tip.csv", "..", "tip.csv/../../x", "other.csv"]
 )
-def test_no_other_file_is_read(room, name):
-    room.keep("tip.csv", b"1 2")
+def test_no_other_file_is_read(folder, name):
+    folder.keep("tip.csv", b"1 2")
     table = {"problem": {"path": {"steps": [{"kind": "follow", "path": {"kind": "path", "file": name}}]}}}
     assert files_in(table) == [("problem.path.steps[0].path.file", name)]
     with pytest.raises(InvalidInput, match=r"problem\.path\.steps\[0\]\.path\.file is .*uploaded files only"):
-        room.check(table)
+        folder.check(table)

@@ -90,14 +90,14 @@ def opened(browser, tab=None, origin=HOME, client=None):
     with browser.websocket_connect(path, headers={"origin": origin, "upgrade": "websocket"}) as socket:
         assert socket.receive_text().startswith("0{")
         socket.send_text("40")
-        heard(socket, "40{")
+        wait_for_text(socket, "40{")
         socket.client = client
         yield socket
         socket.close()
         until(lambda: not (client in Client.instances and Client.instances[client].has_socket_connection))
 
 
-def heard(socket, text):
+def wait_for_text(socket, text):
     """Wait for a message that has some text."""
     for _ in range(20):
         message = socket.receive_text()
@@ -133,13 +133,16 @@ def test_pages_are_counted_and_end(browser, workers):
     with contextlib.ExitStack() as pages:
         for number in range(1, MOST + 1):
             socket = pages.enter_context(opened(browser))
-            heard(socket, "Contact mechanics")
+            wait_for_text(socket, "Contact mechanics")
             assert len(workers.alive) == number
             assert len(list(browser.folder.iterdir())) == number
         with opened(browser) as beyond:
-            told = heard(beyond, "pages of the app are open")
-            assert f"{MOST} pages of the app are open, each with a process of its own, and no more are allowed" in told
-            assert "Contact mechanics" not in told
+            page_text = wait_for_text(beyond, "pages of the app are open")
+            assert (
+                f"{MOST} pages of the app are open, each with a process of its own, and no more are allowed"
+                in page_text
+            )
+            assert "Contact mechanics" not in page_text
         assert len(workers.alive) == MOST
     until(lambda: not workers.alive)
     assert list(browser.folder.iterdir()) == []
@@ -149,15 +152,15 @@ def test_a_page_that_was_left_gives_its_place(browser, workers, monkeypatch):
     monkeypatch.setattr(core.app.config, "reconnect_timeout", 60.0)
     with contextlib.ExitStack() as pages:
         with opened(browser, tab="first") as first:
-            heard(first, "Contact mechanics")
+            wait_for_text(first, "Contact mechanics")
             mine = workers.alive[0]
         for _ in range(MOST - 1):
-            heard(pages.enter_context(opened(browser)), "Contact mechanics")
+            wait_for_text(pages.enter_context(opened(browser)), "Contact mechanics")
         assert mine in workers.alive  # it may come back
-        heard(pages.enter_context(opened(browser)), "Contact mechanics")
+        wait_for_text(pages.enter_context(opened(browser)), "Contact mechanics")
         assert mine not in workers.alive
         with opened(browser, tab="first", client=first.client) as back:
-            heard(back, "history.go(0)")  # it is loaded again
+            wait_for_text(back, "history.go(0)")  # it is loaded again
         assert len(workers.alive) == MOST
         monkeypatch.setattr(core.app.config, "reconnect_timeout", LEFT)
     until(lambda: not workers.alive)
@@ -167,11 +170,11 @@ def test_a_tab_that_is_reloaded_has_one_worker(browser, workers, monkeypatch):
     monkeypatch.setattr(core.app.config, "reconnect_timeout", 60.0)
     for _ in range(3):
         with opened(browser, tab="one") as page:
-            heard(page, "Contact mechanics")
+            wait_for_text(page, "Contact mechanics")
             assert len(workers.alive) == 1
     monkeypatch.setattr(core.app.config, "reconnect_timeout", LEFT)
     with opened(browser, tab="one") as page:
-        heard(page, "Contact mechanics")
+        wait_for_text(page, "Contact mechanics")
     until(lambda: not workers.alive)
 
 
@@ -181,7 +184,7 @@ def test_no_process_can_be_started(browser, workers, monkeypatch):
 
     monkeypatch.setattr(solver, "started", refused)
     with opened(browser) as page:
-        heard(page, "gets no folder or no process (resource temporarily unavailable); close other programs")
+        wait_for_text(page, "gets no folder or no process (resource temporarily unavailable); close other programs")
     assert list(browser.folder.iterdir()) == []
 
 
@@ -194,16 +197,16 @@ def test_a_process_that_ends_or_cannot_be_started_again(browser, workers, monkey
         raise BlockingIOError(errno.EAGAIN, "Resource temporarily unavailable")
 
     with opened(browser) as socket:
-        heard(socket, "Contact mechanics")
+        wait_for_text(socket, "Contact mechanics")
         page = page_of(browser, socket)
         workers.ends[-1].close()
-        heard(socket, "The process of this page ended before it was ready. Change the study to try again.")
+        wait_for_text(socket, "The process of this page ended before it was ready. Change the study to try again.")
         assert workers.alive == []
         with monkeypatch.context() as patch:
             patch.setattr(solver, "started", refused)
             for ask, why in ((page.stop, "Stopped. No process"), (page.solve, "No process")):
                 browser.portal.call(ask)
-                heard(socket, f"{why} can be started (resource temporarily unavailable); close other programs")
+                wait_for_text(socket, f"{why} can be started (resource temporarily unavailable); close other programs")
             assert not page.solver.starting
         browser.portal.call(page.solve)
         assert len(workers.alive) == 1
@@ -211,7 +214,9 @@ def test_a_process_that_ends_or_cannot_be_started_again(browser, workers, monkey
         workers.ends[-1].send((0, None))
         until(lambda: page.solver.ready)
         workers.ends[-1].close()
-        heard(socket, "The process of this page ended, perhaps for want of memory; ask for less. Change the study")
+        wait_for_text(
+            socket, "The process of this page ended, perhaps for want of memory; ask for less. Change the study"
+        )
     until(lambda: not browser.visitors._open)
 
 
@@ -220,16 +225,16 @@ def test_no_thread_can_be_started(browser, workers, monkeypatch):
         raise RuntimeError("can't start new thread")
 
     with opened(browser) as socket:
-        heard(socket, "Contact mechanics")
+        wait_for_text(socket, "Contact mechanics")
         page = page_of(browser, socket)
         with monkeypatch.context() as patch:
             patch.setattr(solver.threading.Thread, "start", refused)
             browser.portal.call(page.stop)
-        heard(socket, "Stopped. No process can be started (can't start new thread); close other programs")
+        wait_for_text(socket, "Stopped. No process can be started (can't start new thread); close other programs")
         assert workers.alive == []
 
 
-def test_an_unexpected_error_is_told(browser):
+def test_an_unexpected_error_is_shown(browser):
     def boom():
         raise KeyError("<b>boom</b>")
 
@@ -239,9 +244,9 @@ def test_an_unexpected_error_is_told(browser):
         client.handle_event({"id": button.id, "listener_id": next(iter(button._event_listeners)), "args": []})
 
     with opened(browser) as socket:
-        heard(socket, "Contact mechanics")
+        wait_for_text(socket, "Contact mechanics")
         browser.portal.call(click, Client.instances[socket.client])
-        heard(socket, "winkler made a mistake (KeyError: '<b>boom</b>'); report it with this study.")
+        wait_for_text(socket, "winkler made a mistake (KeyError: '<b>boom</b>'); report it with this study.")
 
 
 def upload_address(message):
@@ -250,7 +255,7 @@ def upload_address(message):
 
 def test_uploads(browser, workers):
     with opened(browser) as page:
-        address = upload_address(heard(page, "Contact mechanics"))
+        address = upload_address(wait_for_text(page, "Contact mechanics"))
         file = {"file": ("mine.toml", b"title = 1", "text/plain")}
         assert browser.post(address, files=file).status_code == 403
         for origin in ("http://evil.example", "null", "http://127.0.0.1:80"):

@@ -9,25 +9,25 @@ import pytest
 import tomli_w
 
 from winkler.web.form import form
-from winkler.web.pictures.answer import Frame
-from winkler.web.session.worker import Look, Solve, _Bench
+from winkler.web.pictures.answer import MomentComplete
+from winkler.web.session.worker import Look, Solve, _WorkerState
 
 
 @pytest.fixture(scope="module")
 def history():
     """A worn contact of the catalogue, and who answers for it."""
-    bench = _Bench()
-    text = tomli_w.dumps(form.begun("fretting_wear"))
+    bench = _WorkerState()
+    text = tomli_w.dumps(form.initial_table("fretting_wear"))
     replies = bench.replies(Solve(1, text, "", True))
-    told = next(replies)
-    return bench, told, charts(replies)
+    answer = next(replies)
+    return bench, answer, charts(replies)
 
 
 def charts(replies):
     """Return the interactive pictures up to the end of their frame."""
     found = {}
     for reply in replies:
-        if isinstance(reply, Frame):
+        if isinstance(reply, MomentComplete):
             break
         found[reply.name] = json.loads(reply.chart)
     return found
@@ -38,9 +38,9 @@ def numbers(line, name):
 
 
 def test_the_profile_is_that_of_the_moment(history):
-    bench, told, _ = history
+    bench, answer, _ = history
     states = bench.moments.states
-    assert told.moments == len(states) > 2
+    assert answer.moments == len(states) > 2
     chart = charts(bench.replies(Look(2, 2)))["worn_profile"]
     curves = [one for one in chart["data"] if "name" in one]  # beside them stands the shaded area
     end, before, now = curves
@@ -63,8 +63,8 @@ def test_the_frame_stays_while_the_film_plays(history):
     for moment in (0, 3):
         looked = charts(bench.replies(Look(2, moment)))
         for name in ("worn_profile", "worn_pressure"):
-            for way in ("xaxis", "yaxis"):
-                assert looked[name]["layout"][way]["range"] == first[name]["layout"][way]["range"]
+            for axis in ("xaxis", "yaxis"):
+                assert looked[name]["layout"][axis]["range"] == first[name]["layout"][axis]["range"]
 
 
 def test_the_pressure_bears_the_load(history):
@@ -79,9 +79,9 @@ def test_the_pressure_bears_the_load(history):
 
 
 def test_the_last_state_is_shown_first_and_what_was_lost_is_told(history):
-    bench, told, first = history
+    bench, answer, first = history
     states = bench.moments.states
-    assert told.moment == len(states) - 1
+    assert answer.moment == len(states) - 1
     end, now = first["worn_depth"]["data"]
     assert now["y"] == end["y"]
     early = charts(bench.replies(Look(2, 2)))["worn_depth"]["data"][1]

@@ -1,1 +1,1 @@
-"""Fits: measured force curves, what they say about a contact, and how surely."""
+"""Fits of contact models to measured force curves, with errors and validity."""

@@ -1,4 +1,7 @@
-"""How sure the numbers of a fit are, and what its own algebra says against them."""
+"""Uncertainty of the parameters of a fit, and doubts that follow from its algebra.
+
+The covariance is that of least squares under autocorrelated noise (`winkler.fitting.curves.noise`).
+"""
 
 from __future__ import annotations
 
@@ -10,26 +13,26 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.fitting.curves.checks import Flag
 from winkler.fitting.curves.noise import memory, memory_of_fit, spread
-from winkler.fitting.estimate import Estimate
+from winkler.fitting.estimate import FitEstimate
 from winkler.fitting.varied import Parameter
 from winkler.numerics.types import Array
 
 __all__ = ["Certainty", "certainty", "doubts", "refuse_singular"]
 
-SINGULAR = 1e-7
-ALIKE = 0.99
-MISFIT = 2.0
-"""Squared misfit over the noise, per degree of freedom, that no model that explains a curve leaves."""
-SURE = 0.999
-"""Of so many right models, the contact part stays below its own limit, however few points it has."""
-QUIET = 20
-"""Fewest free points that tell how far the noise remembers."""
-FEW_EACH = 10
-"""Fewest independent points for each number."""
+SINGULAR_RATIO = 1e-7
+CORRELATION_LIMIT = 0.99
+MISFIT_LIMIT = 2.0
+"""Squared misfit over the noise, per degree of freedom, from which on a model does not explain a curve."""
+MISFIT_CONFIDENCE = 0.999
+"""Part of correct models whose misfit in contact stays below its limit."""
+FEWEST_FREE_POINTS = 20
+"""Fewest free points for the autocorrelation of the noise."""
+POINTS_PER_PARAMETER = 10
+"""Fewest independent points for each parameter."""
 
 
 class Certainty(NamedTuple):
-    """What residuals say about the numbers that left them.
+    """Uncertainty of parameters from the residuals of their fit.
 
     Parameters
     ----------
@@ -40,7 +43,7 @@ class Certainty(NamedTuple):
     scatter : float
         Standard deviation of the residuals.
     effective_count : float
-        How many independent points they are worth.
+        Equivalent number of independent points.
     """
 
     errors: Array
@@ -50,7 +53,7 @@ class Certainty(NamedTuple):
 
 
 def certainty(residuals: Array, jacobian: Array) -> Certainty:
-    """Return how sure the numbers of a fit are.
+    """Return the uncertainty of the parameters of a fit.
 
     Parameters
     ----------
@@ -59,86 +62,95 @@ def certainty(residuals: Array, jacobian: Array) -> Certainty:
     jacobian : ndarray, (n, p)
         Weighted derivatives of the prediction.
     """
-    kept = memory_of_fit(residuals, jacobian)
-    covariance, used = spread(jacobian, kept.correlations)
+    noise_memory = memory_of_fit(residuals, jacobian)
+    covariance, used = spread(jacobian, noise_memory.correlations)
     scatter = math.sqrt(float(residuals @ residuals) / max(residuals.size - used, 1.0))
     variances = np.diag(covariance)
     correlation = np.clip(covariance / np.sqrt(np.outer(variances, variances)), -1.0, 1.0)
-    return Certainty(scatter * np.sqrt(variances), correlation, scatter, kept.effective_count)
+    return Certainty(scatter * np.sqrt(variances), correlation, scatter, noise_memory.effective_count)
 
 
 def refuse_singular(parameters: tuple[Parameter, ...], jacobian: Array, largest: float) -> None:
-    """Refuse numbers that the curve cannot tell.
+    """Raise OutsideValidity for parameters that the curve does not determine.
 
     Parameters
     ----------
     parameters : tuple of Parameter, (p,)
     jacobian : ndarray, (n, p)
     largest : float
-        Norm of what was measured.
+        Norm of the measured quantity.
 
     Raises
     ------
     OutsideValidity
-        If a number changes nothing, or only a combination of some matters.
+        If a parameter has no effect, or only a combination of several has.
     """
     size = np.linalg.norm(jacobian, axis=0)
     names = [p.name for p in parameters]
-    blind = [name for name, own in zip(names, size, strict=True) if own <= SINGULAR * largest * 1e-3]
-    if blind:
+    insensitive = [name for name, norm in zip(names, size, strict=True) if norm <= SINGULAR_RATIO * largest * 1e-3]
+    if insensitive:
         raise OutsideValidity(
-            f"fit: the curve says nothing about {', '.join(blind)}; leave it fixed.{_fewer_terms(blind)}"
+            f"fit: the curve does not depend on {', '.join(insensitive)}; leave it fixed.{_fewer_terms(insensitive)}"
         )
     _, values, rows = np.linalg.svd(jacobian / size, full_matrices=False)
-    if values[-1] <= SINGULAR * values[0]:
-        mixed = [name for name, part in zip(names, rows[-1], strict=True) if abs(part) > 0.1]
+    if values[-1] <= SINGULAR_RATIO * values[0]:
+        combined = [name for name, part in zip(names, rows[-1], strict=True) if abs(part) > 0.1]
         raise OutsideValidity(
-            f"fit: not identifiable: the curve cannot tell {' from '.join(mixed)}, only a combination of them; fix all "
-            f"but one.{_fewer_terms(mixed)}"
+            f"fit: not identifiable: the curve does not distinguish {' from '.join(combined)}, "
+            f"only a combination of them; fix all but one.{_fewer_terms(combined)}"
         )
 
 
 def _fewer_terms(names: list[str]) -> str:
-    return " One term less may do." if any("shears[" in name or "relaxation_times[" in name for name in names) else ""
+    return (
+        " One term fewer may suffice."
+        if any("shears[" in name or "relaxation_times[" in name for name in names)
+        else ""
+    )
 
 
-def doubts(parameters: tuple[Parameter, ...], coordinates: Array, found: Estimate, sure: Certainty) -> list[Flag]:
-    """Return what speaks against the numbers of a fit.
+def doubts(
+    parameters: tuple[Parameter, ...], coordinates: Array, estimate: FitEstimate, uncertainty: Certainty
+) -> list[Flag]:
+    """Return the doubts about the parameters of a fit.
 
     Parameters
     ----------
     parameters : tuple of Parameter, (p,)
     coordinates : ndarray, (p,)
-    found : Estimate
+    estimate : FitEstimate
         The fit, flags of its own not yet among them.
-    sure : Certainty
+    uncertainty : Certainty
     """
-    values, errors = found.values, found.standard_errors
+    values, errors = estimate.values, estimate.standard_errors
     flags = []
     for index, parameter in enumerate(parameters):
-        here = float(coordinates[index])
-        walls = parameter.inward(parameter.low), parameter.inward(parameter.high)
-        if any(abs(here - wall) <= 1e-6 * (1.0 + abs(here)) for wall in walls):
-            flags.append(Flag("at_bound", f"{parameter.name} has come to its bound; its error means nothing."))
+        coordinate = float(coordinates[index])
+        bounds = parameter.inward(parameter.low), parameter.inward(parameter.high)
+        if any(abs(coordinate - bound) <= 1e-6 * (1.0 + abs(coordinate)) for bound in bounds):
+            flags.append(Flag("at_bound", f"{parameter.name} has reached its bound; its error has no meaning."))
         elif parameter.logarithmic and errors[index] > values[index]:
-            flags.append(Flag("undetermined", f"{parameter.name} is less than its own error; it may be anything."))
+            flags.append(Flag("undetermined", f"{parameter.name} is smaller than its error and remains undetermined."))
     names = [p.name for p in parameters]
     for i, first in enumerate(names):
         for j, second in enumerate(names[:i]):
-            if abs(sure.correlation[i, j]) > ALIKE:
+            if abs(uncertainty.correlation[i, j]) > CORRELATION_LIMIT:
                 flags.append(
-                    Flag("correlated", f"{second} and {first} go together (correlation {sure.correlation[i, j]:.4f}).")
+                    Flag(
+                        "correlated",
+                        f"{second} and {first} go together (correlation {uncertainty.correlation[i, j]:.4f}).",
+                    )
                 )
-    if sure.effective_count < FEW_EACH * len(names):
+    if uncertainty.effective_count < POINTS_PER_PARAMETER * len(names):
         flags.append(
             Flag(
                 "memory",
-                f"The curve is worth no more than {sure.effective_count:.3g} independent points: the noise drifts, or "
-                "the model misses the course of the curve; the errors are rough.",
+                f"The curve has the information of {uncertainty.effective_count:.3g} independent points: the noise "
+                "drifts, or the model misses the course of the curve; the errors are rough.",
             )
         )
-    whole, contact = found.chi_square, found.chi_square_in_contact
-    if whole > MISFIT or contact > _limit(found):
+    whole, contact = estimate.chi_square, estimate.chi_square_in_contact
+    if whole > MISFIT_LIMIT or contact > _limit(estimate):
         flags.append(
             Flag(
                 "misfit",
@@ -149,11 +161,15 @@ def doubts(parameters: tuple[Parameter, ...], coordinates: Array, found: Estimat
     return flags
 
 
-def _limit(found: Estimate) -> float:
-    """Return the squared misfit of the contact part over the noise that chance alone hardly reaches."""
+def _limit(estimate: FitEstimate) -> float:
+    """Return the limit of the squared misfit in contact over the noise, from its chi-square distribution."""
     from scipy.special import gammaincinv
 
-    quiet = (found.weights * found.residuals)[~found.touched & (found.weights > 0.0)]
-    share = memory(quiet).effective_count / quiet.size if quiet.size >= QUIET else 1.0
-    half = 0.5 * max(found.contact_freedom * share, 1.0)
-    return max(MISFIT, float(gammaincinv(half, SURE)) / half)
+    free_residuals = (estimate.weights * estimate.residuals)[~estimate.touched & (estimate.weights > 0.0)]
+    share = (
+        memory(free_residuals).effective_count / free_residuals.size
+        if free_residuals.size >= FEWEST_FREE_POINTS
+        else 1.0
+    )
+    half = 0.5 * max(estimate.contact_freedom * share, 1.0)
+    return max(MISFIT_LIMIT, float(gammaincinv(half, MISFIT_CONFIDENCE)) / half)

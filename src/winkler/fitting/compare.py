@@ -1,6 +1,6 @@
-r"""Which of several models a curve speaks for.
+r"""Comparison of several models of one curve.
 
-Every model is fitted; Akaike's and Schwarz' criteria weigh the misfit S against the number p of free numbers,
+Every model is fitted; Akaike's and Schwarz' criteria weigh the misfit S against the number p of free parameters,
 
 .. math:: \mathrm{AIC} = n_\mathrm{eff}\ln\frac Sn + 2p, \qquad
           \mathrm{BIC} = n_\mathrm{eff}\ln\frac Sn + p\ln n_\mathrm{eff} .
@@ -43,7 +43,7 @@ class Comparison:
     aic, bic : ndarray, (m,)
         Akaike's and Schwarz' criterion [-]; only differences mean something.
     refused : tuple of str
-        Models that could not be fitted, each with the reason.
+        Models that could not be fitted, with their reasons.
     """
 
     models: tuple[str, ...]
@@ -71,13 +71,13 @@ def compare(
     noise: Quantity = 0.0,
     time_limit: float = math.inf,
 ) -> Comparison:
-    """Fit several models to a curve, and tell which one it speaks for.
+    """Fit several models to a curve, and rank them by Akaike's criterion.
 
     Parameters
     ----------
     curve : ForceCurve
     models : mapping of str to (model, free)
-        For every name the model and its free numbers, as `fit` takes them.
+        Name, model and free parameters as for `fit`.
     noise : float or ndarray, optional
         As in `fit`.
     time_limit : float, optional
@@ -105,12 +105,12 @@ def compare(
             refused.append(f"{name}: {error}")
     if not fits:
         raise OutsideValidity(f"compare: no model can be fitted; {' '.join(refused)}")
-    independent = min(fits.values(), key=lambda found: found.misfit).effective_count
+    independent = min(fits.values(), key=lambda result: result.misfit).effective_count
     aic, bic = {}, {}
-    for name, found in fits.items():
-        weight = independent * math.log(found.misfit / found.count)
-        aic[name] = weight + 2.0 * len(found.names)
-        bic[name] = weight + math.log(independent) * len(found.names)
+    for name, result in fits.items():
+        weight = independent * math.log(result.misfit / result.count)
+        aic[name] = weight + 2.0 * len(result.names)
+        bic[name] = weight + math.log(independent) * len(result.names)
     order = sorted(fits, key=lambda name: aic[name])
     return Comparison(
         tuple(order),

@@ -1,4 +1,4 @@
-"""What all fits have: numbers, their errors and intervals, and the criteria that weigh a fit against others."""
+"""Common part of all fits: parameters, errors and intervals, and criteria of model selection."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ import numpy as np
 from winkler.errors import InvalidInput, suggest
 from winkler.numerics.types import Array
 
-__all__ = ["Estimate"]
+__all__ = ["FitEstimate"]
 
-LARGEST = math.log(np.finfo(float).max)
-OF_THE_LINE = ("baseline", "tilt", "drag")
-"""Numbers that follow from the free points."""
+LARGEST_EXPONENT = math.log(np.finfo(float).max)
+LINE_PARAMETERS = ("baseline", "tilt", "drag")
+"""Parameters that follow from the free points."""
 
 
-class Estimate:
-    """Numbers with their errors, which a fit has found; a fit says what was measured, predicted and varied."""
+class FitEstimate:
+    """Fitted parameters with their errors; subclasses define measured and predicted quantities."""
 
     names: tuple[str, ...]
     values: Array
@@ -29,26 +29,26 @@ class Estimate:
 
     @property
     def residuals(self) -> Array:
-        """What was measured less what is fitted ``(n,)``."""
+        """Measured less fitted quantity ``(n,)``."""
         raise NotImplementedError
 
     @property
     def touched(self) -> Array:
-        """Which points are in contact ``(n,)``."""
+        """Points in contact ``(n,)``."""
         raise NotImplementedError
 
     @property
     def _on_logarithm(self) -> tuple[bool, ...]:
-        """Of which numbers the logarithm was varied ``(p,)``."""
+        """Parameters of which the logarithm was varied ``(p,)``."""
         raise NotImplementedError
 
     def index(self, name: str) -> int:
-        """Return which of the numbers has a name.
+        """Return the index of a parameter.
 
         Raises
         ------
         InvalidInput
-            If none has.
+            If it was not free.
         """
         if name not in self.names:
             raise InvalidInput(f"fit: '{name}' was not free{suggest(name, self.names)}; {', '.join(self.names)} were.")
@@ -65,7 +65,7 @@ class Estimate:
     def interval(self, name: str, confidence: float = 0.95) -> tuple[float, float]:
         """Return the interval of Wald: estimate and error, on the logarithm of positive quantities.
 
-        It ends at zero and infinity where the error is so much greater than the number that no float holds it.
+        It ends at zero and infinity where it exceeds the range of floats.
 
         Parameters
         ----------
@@ -78,15 +78,15 @@ class Estimate:
         width = self.quantile(confidence)
         if self._on_logarithm[index]:
             part = width * error / number if number > 0.0 else math.inf
-            return number * math.exp(-part), number * math.exp(part) if part < LARGEST else math.inf
+            return number * math.exp(-part), number * math.exp(part) if part < LARGEST_EXPONENT else math.inf
         return number - width * error, number + width * error
 
     def quantile(self, confidence: float) -> float:
-        """Return how many standard errors wide an interval is on either side, by Student's t."""
+        """Return the half-width of an interval in standard errors, by Student's t."""
         from scipy.special import stdtrit
 
         if not 0.0 < confidence < 1.0:
-            raise InvalidInput(f"fit: a confidence of {confidence!r} was asked for; give a number between 0 and 1.")
+            raise InvalidInput(f"fit: confidence is {confidence!r}; give a number between 0 and 1.")
         return float(stdtrit(max(self.effective_count - len(self.names), 1.0), 0.5 + 0.5 * confidence))
 
     @property
@@ -106,13 +106,13 @@ class Estimate:
 
     @property
     def contact_count(self) -> int:
-        """How many of the fitted points are in contact."""
+        """Number of fitted points in contact."""
         return int(np.count_nonzero(self.weights * self.touched))
 
     @property
     def contact_freedom(self) -> int:
-        """How many of them are left over when the numbers of the contact are known."""
-        return max(self.contact_count - sum(name not in OF_THE_LINE for name in self.names), 1)
+        """Degrees of freedom of the fitted points in contact."""
+        return max(self.contact_count - sum(name not in LINE_PARAMETERS for name in self.names), 1)
 
     @property
     def chi_square_in_contact(self) -> float:
@@ -121,20 +121,20 @@ class Estimate:
 
     @property
     def aic(self) -> float:
-        """Akaike's criterion, of as many points as the curve is worth; models of one curve compare by `compare`."""
+        """Akaike's criterion, with the effective number of points; `compare` ranks models of one curve."""
         return _likelihood(self) + 2.0 * len(self.names)
 
     @property
     def bic(self) -> float:
-        """Schwarz' criterion, of as many points as the curve is worth."""
+        """Schwarz' criterion, with the effective number of points."""
         return _likelihood(self) + math.log(self.effective_count) * len(self.names)
 
     @property
     def count(self) -> int:
-        """How many points were fitted."""
+        """Number of fitted points."""
         return int(np.count_nonzero(self.weights))
 
 
-def _likelihood(fit: Estimate) -> float:
-    """Return minus twice the logarithm of the likelihood, but for a constant."""
+def _likelihood(fit: FitEstimate) -> float:
+    """Return minus twice the logarithm of the likelihood, up to a constant."""
     return fit.effective_count * math.log(fit.misfit / fit.count)

@@ -1,13 +1,13 @@
-r"""A model fitted to a measured force curve: numbers, how sure they are, and what speaks against them.
+r"""Fit of a model to a measured force curve: parameters, their uncertainty, and doubts.
 
 .. math:: F_i = F_\mathrm{model}(D_i - D_0) + F_0 + t\,(D_i-D_0) + e_i
 
 with the contact point :math:`D_0`, the baseline :math:`F_0` and its tilt t.  The whole curve counts, in contact or not.
-Least squares give the numbers; the noise's own memory (`winkler.fitting.curves.noise`) gives their covariance.
+Least squares give the parameters; the autocorrelation of the noise (`winkler.fitting.curves.noise`) their covariance.
 
-The engine here is the same for all models.  A response model (`winkler.fitting.task.Task`) says what is predicted.  Of
-a body that relaxes the placeholder path of the model says what drives: `Depth`, and the measured motion drives while
-forces are fitted; `Force`, and the measured forces drive while positions are.
+The algorithm is the same for all models.  A response model (`winkler.fitting.task.FitTask`) defines the prediction.
+For a body that relaxes, the placeholder path of the model defines the input: with `Depth`, forces are fitted along the
+measured motion; with `Force`, positions are fitted under the measured forces.
 """
 
 from __future__ import annotations
@@ -21,14 +21,14 @@ import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.fitting.certainty import certainty, doubts, refuse_singular
-from winkler.fitting.curves.checks import Flag, Outline, outline, refuse
+from winkler.fitting.curves.checks import CurveOutline, Flag, outline, refuse
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.elastic.task import elastic_task
 from winkler.fitting.least_squares import solved
 from winkler.fitting.outcome import AnyFit, CreepFit, Fit, ViscoelasticFit
 from winkler.fitting.search import FitState, Search
 from winkler.fitting.start import best_start
-from winkler.fitting.task import Prediction, Task
+from winkler.fitting.task import FitTask, Prediction
 from winkler.fitting.validity import Model
 from winkler.fitting.viscoelastic.drive import driven_task, examined_stroke
 from winkler.loading import Depth
@@ -38,10 +38,10 @@ from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 
 __all__ = ["Fit", "fit", "fit_steps"]
 
-QUIET = 20
-"""Fewest free points from which the noise is read."""
-REWEIGHED = 2
-"""How often the points are weighed anew, by the noise that the last fit suggests."""
+FEWEST_FREE_POINTS = 20
+"""Fewest free points for an estimate of the noise."""
+MOST_REWEIGHTINGS = 2
+"""Most changes of the weights by the noise of the last fit."""
 
 
 @overload
@@ -74,25 +74,25 @@ def fit(
     noise: Quantity = 0.0,
     time_limit: float = math.inf,
 ) -> AnyFit:
-    """Fit numbers of a model to a curve.
+    """Fit parameters of a model to a curve.
 
     Parameters
     ----------
     curve : ForceCurve
-        One way in, one way out, or both; points that are held are left out, unless the model relaxes.
+        One approach, one retraction, or both; points of holds are left out, unless the model relaxes.
     model : Indentation, AdhesiveIndentation or ViscoelasticIndentation
-        The problem; its load is only a placeholder, Depth(0.0).  Numbers that are free begin at the model's own.  The
-        path of a body that relaxes says what drives: Path([0.0], Depth(0.0)), and forces are fitted along the measured
+        The problem; its load is only a placeholder, Depth(0.0).  Free parameters begin at the values of the model.  The
+        path of a body that relaxes defines the input: Path([0.0], Depth(0.0)), and forces are fitted along the measured
         motion; Path([0.0], Force(0.0)), and positions under the measured forces.
     free : mapping or iterable of str
-        Paths into the model ("bed.medium.first.young", "law.work") and what the curve leaves open ("contact_point",
+        Paths into the model ("bed.medium.first.young", "law.work") and parameters of the curve ("contact_point",
         "baseline", "tilt", with times also "drift" of the position [m/s] and "drag" [N s/m] of a liquid on the
         cantilever); a mapping gives (low, high), a start value, or () for neither.
     noise : float or ndarray, optional
-        Standard deviation of what is fitted, forces [N] or positions [m], one for all or ``(n,)``; zero (unless given):
-        read from the free points.
+        Standard deviation of the fitted quantity, forces [N] or positions [m], one for all or ``(n,)``; zero (unless
+        given): estimated from the free points.
     time_limit : float, optional
-        The longest that it may take [s]; looked at after every prediction of the curve.
+        Time limit [s], checked after each prediction of the curve.
 
     Returns
     -------
@@ -102,11 +102,11 @@ def fit(
     Raises
     ------
     InvalidInput
-        If the curve is refused (see `winkler.fitting.curves.checks`), or a path leads nowhere.
+        If the curve is refused (see `winkler.fitting.curves.checks`), or a path does not exist.
     OutsideValidity
-        If the curve cannot tell the free numbers apart, or leads beyond the reach of the profile.
+        If the curve does not determine the free parameters, or leads beyond the reach of the profile.
     NotConverged
-        If least squares do not settle, or not within the time limit.
+        If least squares do not converge, or not within the time limit.
 
     Examples
     --------
@@ -117,11 +117,11 @@ def fit(
     >>> force = Indentation(bed, Depth(position)).solve().force
     >>> gel = ForceCurve(position + 3e-6, force + 1e-13 * np.sin(1e3 * np.arange(200)))
     >>> model = Indentation(Foundation(Paraboloid(5e-6), HalfSpace.between(Elastic(1e6, 0.5))), Depth(0.0))
-    >>> found = fit(gel, model, free=["bed.medium.first.young", "contact_point"])
-    >>> round(found.value("bed.medium.first.young"), -1), round(found.value("contact_point"), 9)
+    >>> result = fit(gel, model, free=["bed.medium.first.young", "contact_point"])
+    >>> round(result.value("bed.medium.first.young"), -1), round(result.value("contact_point"), 9)
     (10000.0, 3e-06)
     """
-    return _searched(curve, model, free, noise, Search(time_limit))
+    return _fit(curve, model, free, noise, Search(time_limit))
 
 
 def fit_steps(
@@ -132,9 +132,9 @@ def fit_steps(
     noise: Quantity = 0.0,
     time_limit: float = math.inf,
 ) -> Iterator[FitState | AnyFit]:
-    """Yield how far a fit has come after each of its evaluations, and last what it has found.
+    """Yield the state of a fit after each of its evaluations, and last its result.
 
-    Parameters and errors are those of `fit`, and so are the numbers.  A stream that is left early ends the fit.
+    Parameters, errors and results are those of `fit`.  Closing the iterator ends the fit.
 
     Yields
     ------
@@ -147,67 +147,74 @@ def fit_steps(
     >>> model = Indentation(Foundation(Paraboloid(5e-6), HalfSpace.between(Elastic(1e6, 0.5))), Depth(0.0))
     >>> position = np.linspace(-1e-6, 1e-6, 50)
     >>> gel = ForceCurve(position, 0.04 * np.maximum(position, 0.0) ** 1.5)
-    >>> *states, found = fit_steps(gel, model, free=["bed.medium.first.young"])
-    >>> states[-1].values == found.values
+    >>> *states, result = fit_steps(gel, model, free=["bed.medium.first.young"])
+    >>> states[-1].values == result.values
     array([ True])
     """
 
-    def searched(hand_over: Callable[[FitState], None]) -> AnyFit:
-        return _searched(curve, model, free, noise, Search(time_limit, hand_over))
+    def run(on_state: Callable[[FitState], None]) -> AnyFit:
+        return _fit(curve, model, free, noise, Search(time_limit, on_state))
 
-    yield from streamed(searched)
+    yield from streamed(run)
 
 
-def _searched(
+def _fit(
     curve: ForceCurve,
     model: Model | ViscoelasticIndentation,
     free: Mapping[str, Any] | Iterable[str],
     noise: Quantity,
     search: Search,
 ) -> AnyFit:
-    given = dict.fromkeys(free, ()) if not isinstance(free, Mapping) else dict(free)
-    task: Task
+    stated = dict.fromkeys(free, ()) if not isinstance(free, Mapping) else dict(free)
+    task: FitTask
     if isinstance(model, ViscoelasticIndentation):
-        strokes, flags = examined_stroke(curve)
+        rough_outline, flags = examined_stroke(curve)
         deviation = _deviation(curve, noise, "N" if isinstance(model.path.normal, Depth) else "m")
-        task = driven_task(curve, model, given, deviation, strokes)
+        task = driven_task(curve, model, stated, deviation, rough_outline)
     else:
         moving = curve.chosen(curve.direction != 0.0) if np.any(curve.direction == 0.0) else curve
-        flags, strokes = refuse(moving), outline(moving)
+        flags, rough_outline = refuse(moving), outline(moving)
         deviation = _deviation(curve, noise, "N")
         deviation = deviation[curve.direction != 0.0] if deviation.ndim else deviation
-        task = elastic_task(moving, model, given, deviation)
-    count, many = np.count_nonzero(task.weights), len(task.parameters)
-    if count < 3 * many:
-        raise InvalidInput(f"fit: {count} points cannot tell {many} numbers; give more, or free fewer.")
+        task = elastic_task(moving, model, stated, deviation)
+    count, free_count = np.count_nonzero(task.weights), len(task.parameters)
+    if count < 3 * free_count:
+        raise InvalidInput(
+            f"fit: {count} points do not determine {free_count} parameters; give more points, or free fewer."
+        )
     try:
-        return _best(task, strokes, deviation, float(np.mean(noise)), flags, search)
+        return _best(task, rough_outline, deviation, float(np.mean(noise)), flags, search)
     except NotConverged as error:
         raise NotConverged(" ".join([str(error), *map(str, flags)])) from None
 
 
 def _deviation(curve: ForceCurve, noise: Quantity, unit: str) -> Array:
-    """Return the standard deviation of what is fitted, ``()`` or ``(n,)``; zero if it is not known."""
-    given = np.asarray(noise, dtype=float)
-    if given.ndim and given.shape != curve.position.shape:
+    """Return the standard deviation of the fitted quantity, ``()`` or ``(n,)``; zero if unknown."""
+    stated = np.asarray(noise, dtype=float)
+    if stated.ndim and stated.shape != curve.position.shape:
         raise InvalidInput(
-            f"fit: noise has the shape {given.shape}, the curve {curve.position.shape}; give one number."
+            f"fit: noise has the shape {stated.shape}, the curve {curve.position.shape}; give one number."
         )
-    if not np.all(np.isfinite(given)) or np.any(given < 0.0) or (given.ndim and np.any(given == 0.0)):
-        raise InvalidInput(f"fit: noise must be positive, in {unit} (or zero for all, to be read from the curve).")
-    return given if given.any() else np.zeros(())
+    if not np.all(np.isfinite(stated)) or np.any(stated < 0.0) or (stated.ndim and np.any(stated == 0.0)):
+        raise InvalidInput(f"fit: noise must be positive, in {unit} (or zero for all, to be estimated from the curve).")
+    return stated if stated.any() else np.zeros(())
 
 
 def _best(
-    task: Task, strokes: Outline | None, deviation: Array, noise: float, flags: tuple[Flag, ...], search: Search
+    task: FitTask,
+    rough_outline: CurveOutline | None,
+    deviation: Array,
+    noise: float,
+    flags: tuple[Flag, ...],
+    search: Search,
 ) -> AnyFit:
     """Return the fit with the least squares."""
-    coordinates, _ = solved(task, best_start(task, strokes, search), search)
-    for _ in range(REWEIGHED):
-        again = task.reweighed(coordinates, strokes, deviation)
-        if again is None:
+    coordinates, _ = solved(task, best_start(task, rough_outline, search), search)
+    for _ in range(MOST_REWEIGHTINGS):
+        reweighed = task.reweighed(coordinates, rough_outline, deviation)
+        if reweighed is None:
             break
-        task = again
+        task = reweighed
         coordinates, _ = solved(task, coordinates, search)
     prediction = task.prediction(coordinates)
     if not prediction.touched.any():
@@ -222,33 +229,33 @@ def _best(
 
 
 def _with_errors(
-    task: Task, coordinates: Array, prediction: Prediction, jacobian: Array, noise: float, flags: tuple[Flag, ...]
+    task: FitTask, coordinates: Array, prediction: Prediction, jacobian: Array, noise: float, flags: tuple[Flag, ...]
 ) -> AnyFit:
     """Return the fit at its final coordinates, with errors and doubts."""
     numbers = task.numbers(coordinates)
     residuals = (task.measured - prediction.fitted) * task.weights
-    sure = certainty(residuals, jacobian)
+    uncertainty = certainty(residuals, jacobian)
     values = np.array(list(numbers.values()))
-    errors = sure.errors * np.abs([p.change(n) for p, n in zip(task.parameters, values.tolist(), strict=True)])
-    quiet = residuals[task.quiet(prediction)]
+    errors = uncertainty.errors * np.abs([p.change(n) for p, n in zip(task.parameters, values.tolist(), strict=True)])
+    free_residuals = residuals[task.quiet(prediction)]
     if noise == 0.0:
-        noise = float(np.std(quiet)) if quiet.size >= QUIET else sure.scatter
+        noise = float(np.std(free_residuals)) if free_residuals.size >= FEWEST_FREE_POINTS else uncertainty.scatter
     shared = {
         "curve": task.curve,
         "model": task.model_of(numbers, prediction),
         "names": tuple(numbers),
         "values": values,
         "standard_errors": errors,
-        "correlation": sure.correlation,
+        "correlation": uncertainty.correlation,
         "lows": np.array([p.low for p in task.parameters]),
         "highs": np.array([p.high for p in task.parameters]),
-        "noise": noise or sure.scatter or np.finfo(float).tiny,
+        "noise": noise or uncertainty.scatter or np.finfo(float).tiny,
         "weights": task.weights,
-        "scatter": sure.scatter,
-        "effective_count": sure.effective_count,
+        "scatter": uncertainty.scatter,
+        "effective_count": uncertainty.effective_count,
         "predicted": prediction.fitted,
         "flags": (*flags, *task.doubts(numbers, errors)),
     }
     result = task.outcome(numbers, prediction, shared)
-    against = doubts(task.parameters, coordinates, result, sure)
-    return dataclasses.replace(result, flags=(*result.flags, *against))
+    further = doubts(task.parameters, coordinates, result, uncertainty)
+    return dataclasses.replace(result, flags=(*result.flags, *further))

@@ -1,11 +1,11 @@
-r"""Intervals by profile likelihood: how far a number may go before the curve objects.
+r"""Intervals by profile likelihood.
 
-A number is held at a value and all others are fitted again; the interval ends where the sum of squares has grown by
+A parameter is fixed at a value and all others are fitted again; the interval ends where the sum of squares has grown by
 
 .. math:: \Delta = \sigma^2\,\frac{\mathrm{var}}{\mathrm{var}_0}\,t^2 ,
 
-with the variance of the number with and without the noise's memory, and Student's t.  Unlike Wald's interval it follows
-a bent valley of the misfit, and is the same for a number and its logarithm.
+with the variance of the parameter with and without autocorrelation of the noise, and Student's t.  Unlike Wald's
+interval it follows a curved valley of the misfit, and is the same for a parameter and its logarithm.
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ from winkler.numerics.types import Array
 
 __all__ = ["profile_interval"]
 
-SWEEPS = 40
-CLOSE = 2e-3
-ALREADY = 1e-10
+MOST_STEPS = 40
+INTERVAL_TOLERANCE = 2e-3
+LEAST_GROWTH = 1e-10
 
 
 def profile_interval(found: Fit, name: str, confidence: float = 0.95) -> tuple[float, float]:
@@ -34,21 +34,21 @@ def profile_interval(found: Fit, name: str, confidence: float = 0.95) -> tuple[f
     ----------
     found : Fit
     name : str
-        Which number.
+        Name of the parameter.
     confidence : float
         Between 0 and 1.
 
     Returns
     -------
     tuple of float
-        Lower and upper end; a bound that was met ends it.
+        Lower and upper end; limited by its bounds.
 
     Raises
     ------
     InvalidInput
         If the number was not free.
     NotConverged
-        If a fit of the other numbers does not settle.
+        If a fit of the other parameters does not converge.
 
     References
     ----------
@@ -66,21 +66,21 @@ def profile_interval(found: Fit, name: str, confidence: float = 0.95) -> tuple[f
     allowed = error**2 / plain * width**2  # scatter^2 (var / var_0) t^2
     low, high = bounds(task.parameters, best)
     ends = []
-    for side, wall in ((-1.0, float(low[index])), (1.0, float(high[index]))):
-        end = _end(task, best, index, side * width * error, wall, found.misfit, allowed)
+    for side, bound in ((-1.0, float(low[index])), (1.0, float(high[index]))):
+        end = _end(task, best, index, side * width * error, bound, found.misfit, allowed)
         ends.append(parameter.outward(end))
     return ends[0], ends[1]
 
 
-def _end(task: ElasticTask, best: Array, index: int, step: float, wall: float, least: float, allowed: float) -> float:
+def _end(task: ElasticTask, best: Array, index: int, step: float, bound: float, least: float, allowed: float) -> float:
     """Return the coordinate at which the sum of squares has grown by what is allowed, or the wall before."""
     parameter = task.parameters[index]
     rest = task._replace(parameters=task.parameters[:index] + task.parameters[index + 1 :])
     others = np.delete(best, index)
-    limit = abs(wall - best[index])
+    limit = abs(bound - best[index])
 
     def excess(distance: float, begin: Array) -> tuple[float, Array]:
-        """Return by how much the root of the growth exceeds the allowed one; nearly linear in the distance."""
+        """Return the excess of the root of the growth over the allowed one; nearly linear in the distance."""
         number = parameter.outward(float(best[index]) + math.copysign(distance, step))
         fixed = rest._replace(fixed=((parameter.name, number),))
         if begin.size:
@@ -92,23 +92,23 @@ def _end(task: ElasticTask, best: Array, index: int, step: float, wall: float, l
     near, below = 0.0, -1.0
     far = min(abs(step), limit)
     above, others = excess(far, others)
-    for _ in range(SWEEPS):
+    for _ in range(MOST_STEPS):
         if above >= 0.0:
             break
         if far >= limit:
-            return wall
+            return bound
         near, below = far, above
-        far = min(far * min(max(1.3 / (above + 1.0 + ALREADY), 1.2), 4.0), limit)
+        far = min(far * min(max(1.3 / (above + 1.0 + LEAST_GROWTH), 1.2), 4.0), limit)
         above, others = excess(far, others)
-    for _ in range(SWEEPS):
+    for _ in range(MOST_STEPS):
         middle = near + (far - near) * float(np.clip(-below / (above - below), 0.05, 0.95))
-        here, others = excess(middle, others)
-        if abs(here) <= CLOSE:
+        growth, others = excess(middle, others)
+        if abs(growth) <= INTERVAL_TOLERANCE:
             return float(best[index]) + math.copysign(middle, step)
-        if here < 0.0:
-            near, below = middle, here
+        if growth < 0.0:
+            near, below = middle, growth
         else:
-            far, above = middle, here
-        if far - near <= CLOSE * far:
+            far, above = middle, growth
+        if far - near <= INTERVAL_TOLERANCE * far:
             break
     return float(best[index]) + math.copysign(0.5 * (near + far), step)

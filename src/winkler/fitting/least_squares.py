@@ -6,7 +6,7 @@ import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.fitting.search import Search
-from winkler.fitting.task import Prediction, Task
+from winkler.fitting.task import FitTask, Prediction
 from winkler.fitting.varied import Parameter
 from winkler.numerics.types import Array
 
@@ -14,29 +14,29 @@ __all__ = ["bounds", "solved"]
 
 MOST_PREDICTIONS = 200
 COARSE_PREDICTIONS, COARSELY_SETTLED = 25, 1e-3
-FARTHEST = 30.0
-"""How far a logarithm may stray from its start."""
-HOPELESS = 10.0
-"""Residual of numbers that the theory refuses, in the norm of what was measured."""
+LOGARITHM_RANGE = 30.0
+"""Greatest distance of a logarithm from its start."""
+REFUSED_RESIDUAL = 10.0
+"""Residual outside the validity of the theory, relative to the norm of the measured quantity."""
 
 
-def solved(task: Task, coordinates: Array, search: Search, *, coarse: bool = False) -> tuple[Array, float]:
+def solved(task: FitTask, coordinates: Array, search: Search, *, coarse: bool = False) -> tuple[Array, float]:
     """Return the coordinates of least squares, and the sum there.
 
     Parameters
     ----------
-    task : Task
+    task : FitTask
     coordinates : ndarray, (p,)
-        Where to begin.
+        Start.
     search : Search
         Counts the predictions.
     coarse : bool
-        Whether a few predictions do.
+        Whether a few predictions suffice.
 
     Raises
     ------
     NotConverged
-        If the predictions do not suffice and the task must settle, or the time of the search is over.
+        If the predictions do not suffice and the task must converge, or the time limit is reached.
     """
     from scipy.optimize import least_squares
 
@@ -59,13 +59,13 @@ def solved(task: Task, coordinates: Array, search: Search, *, coarse: bool = Fal
 
     def misfit(at: Array) -> Array:
         try:
-            left = np.asarray((predicted(at).fitted - measured) * weights / size)
+            residuals = np.asarray((predicted(at).fitted - measured) * weights / size)
         except OutsideValidity:
             if np.array_equal(at, inside):
                 raise
-            left = np.full(measured.size, HOPELESS)  # where the theory does not reach, nothing is explained
-        search.seen(task.numbers(at), float(left @ left) * size**2, count)
-        return left
+            residuals = np.full(measured.size, REFUSED_RESIDUAL)  # outside the validity of the theory
+        search.record(task.numbers(at), float(residuals @ residuals) * size**2, count)
+        return residuals
 
     def slopes(at: Array) -> Array:
         search.check()
@@ -94,5 +94,5 @@ def bounds(parameters: tuple[Parameter, ...], coordinates: Array) -> tuple[Array
     """Return the lowest and highest coordinates, logarithms not too far from where they begin."""
     low = np.array([parameter.inward(parameter.low) for parameter in parameters])
     high = np.array([parameter.inward(parameter.high) for parameter in parameters])
-    wide = np.array([FARTHEST if parameter.logarithmic else np.inf for parameter in parameters])
+    wide = np.array([LOGARITHM_RANGE if parameter.logarithmic else np.inf for parameter in parameters])
     return np.maximum(low, coordinates - wide), np.minimum(high, coordinates + wide)

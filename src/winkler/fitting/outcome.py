@@ -1,4 +1,4 @@
-"""What fits have found: of a contact with or without adhesion, of a contact that relaxes by forces or by positions."""
+"""Results of fits: contacts with or without adhesion, and relaxing contacts by forces or by positions."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ import numpy as np
 from winkler.fitting.curves.checks import Flag
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.outline import FEWEST, outline
-from winkler.fitting.estimate import Estimate
+from winkler.fitting.estimate import FitEstimate
 from winkler.fitting.validity import Model, fit_notes, free_notes
-from winkler.fitting.varied import FREELY, OF_THE_CURVE, parameters_of
+from winkler.fitting.varied import CURVE_PARAMETERS, NATURAL_BOUNDS, parameters_of
 from winkler.numerics.types import Array
 from winkler.problems.normal.validity import contact_notes
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
@@ -24,15 +24,15 @@ __all__ = ["AnyFit", "CreepFit", "Fit", "ViscoelasticFit"]
 QUASISTATIC = Note(
     Assumption.CURVE,
     Standing.APPROXIMATE,
-    "Machine and liquid: the cantilever follows without inertia, and what a liquid drags at it is proportional to the "
+    "Machine and liquid: the cantilever has no inertia, and the drag of a liquid is proportional to the "
     "velocity of its base, if drag is free; an adhesive pull is no part of the model.",
     "assumptions of the fit",
 )
 
 
 @value
-class _Found(Estimate):
-    """What all fits have found."""
+class _FitResult(FitEstimate):
+    """Common fields of all fits."""
 
     curve: ForceCurve
     model: Any
@@ -57,26 +57,26 @@ class _Found(Estimate):
 
     @property
     def touched(self) -> Array:
-        """Where the tip is in contact ``(n,)``."""
+        """Points in contact ``(n,)``."""
         return np.asarray(self.radius > 0.0)
 
 
 @value
-class Fit(_Found):
-    """What a curve says about a model.
+class Fit(_FitResult):
+    """Parameters of a model fitted to a curve.
 
     Parameters
     ----------
     curve : ForceCurve
-        The points that were fitted, held ones left out.
+        The fitted points, without holds.
     model : Indentation or AdhesiveIndentation
         The model with the fitted numbers; its load is the largest depth.
     names : tuple of str, (p,)
-        What was varied.
+        Names of the parameters.
     values : ndarray, (p,)
-        The fitted numbers, in SI units.
+        Values of the parameters, in SI units.
     standard_errors : ndarray, (p,)
-        In the same units; the noise's memory is counted in.
+        In the same units, with the autocorrelation of the noise.
     correlation : ndarray, (p, p)
         Of the numbers' errors.
     lows, highs : ndarray, (p,)
@@ -84,19 +84,19 @@ class Fit(_Found):
     noise : float
         Standard deviation of the forces [N]: as given, else of the free points.
     weights : ndarray, (n,)
-        What the residuals were multiplied with; 1 for even noise.
+        Factors of the residuals; 1 for uniform noise.
     scatter : float
         Standard deviation of the weighted residuals [N].
     effective_count : float
-        Number of independent points that the curve is worth.
+        Equivalent number of independent points of the curve.
     predicted : ndarray, (n,)
         Fitted forces with the baseline [N].
     radius : ndarray, (n,)
         Fitted contact radii [m].
     flags : tuple of Flag
-        What speaks against the numbers.
+        Doubts about the parameters.
     contact : ndarray of bool, (n,)
-        Where the tip is in contact.
+        Points in contact.
     """
 
     model: Model
@@ -106,12 +106,12 @@ class Fit(_Found):
     def _on_logarithm(self) -> tuple[bool, ...]:
         """Of which numbers the logarithm was varied ``(p,)``."""
         free = {name: (low, high) for name, low, high in zip(self.names, self.lows, self.highs, strict=True)}
-        scales = dict.fromkeys(OF_THE_CURVE, 1.0)
-        return tuple(parameter.logarithmic for parameter in parameters_of(self.model, free, scales, FREELY))
+        scales = dict.fromkeys(CURVE_PARAMETERS, 1.0)
+        return tuple(parameter.logarithmic for parameter in parameters_of(self.model, free, scales, NATURAL_BOUNDS))
 
     @property
     def touched(self) -> Array:
-        """Where the tip is in contact ``(n,)``."""
+        """Points in contact ``(n,)``."""
         return self.contact
 
     @property
@@ -124,15 +124,15 @@ class Fit(_Found):
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """How far the fitted contact can be trusted at its largest depth, and whether the curve could tell it."""
+        """How far the fitted contact can be trusted at its largest depth, and whether the curve determines it."""
         error = self.scatter / float(np.ptp(self.curve.force))
         own = fit_notes(self.model, self.curve, self.names, self.contact, float(self.radius.max()), error)
         return (*self.model.solve().validity, *own)
 
 
 @value
-class _RelaxingFit(_Found):
-    """What the fit of a contact that relaxes has found, whether forces or positions were fitted."""
+class _RelaxingFit(_FitResult):
+    """Fit of a relaxing contact, by forces or positions."""
 
     model: ViscoelasticIndentation
     logarithmic: tuple[bool, ...]
@@ -150,20 +150,20 @@ class _RelaxingFit(_Found):
 
 @value
 class ViscoelasticFit(_RelaxingFit):
-    """What the forces along a measured motion say about a solid that relaxes.
+    """Fit of forces along a measured motion of a solid that relaxes.
 
     Parameters
     ----------
     curve : ForceCurve
-        The points that were fitted.
+        The fitted points.
     model : ViscoelasticIndentation
         With the fitted numbers, along the fitted depths.
     names : tuple of str, (p,)
-        What was varied.
+        Names of the parameters.
     values : ndarray, (p,)
-        The fitted numbers, in SI units.
+        Values of the parameters, in SI units.
     standard_errors : ndarray, (p,)
-        In the same units; the noise's memory is counted in.
+        In the same units, with the autocorrelation of the noise.
     correlation : ndarray, (p, p)
         Of the numbers' errors.
     lows, highs : ndarray, (p,)
@@ -171,17 +171,17 @@ class ViscoelasticFit(_RelaxingFit):
     noise : float
         Standard deviation of the forces [N]: as given, else of the free points, else the scatter.
     weights : ndarray, (n,)
-        What the residuals were multiplied with; 1 for even noise.
+        Factors of the residuals; 1 for uniform noise.
     scatter : float
         Standard deviation of the weighted residuals [N].
     effective_count : float
-        Number of independent points that the curve is worth.
+        Equivalent number of independent points of the curve.
     predicted : ndarray, (n,)
         Fitted forces with the baseline [N].
     radius : ndarray, (n,)
         Fitted a [m].
     flags : tuple of Flag
-        What speaks against the numbers.
+        Doubts about the parameters.
     logarithmic : tuple of bool, (p,)
         Of which numbers the logarithm was varied.
     depth : ndarray, (n,)
@@ -199,20 +199,20 @@ class ViscoelasticFit(_RelaxingFit):
 
 @value
 class CreepFit(_RelaxingFit):
-    """What the positions under measured forces say about a solid that creeps.
+    """Fit of positions under measured forces of a solid that creeps.
 
     Parameters
     ----------
     curve : ForceCurve
-        Its forces drive and the positions were fitted; on the way to a tenth of the greatest force, the forces.
+        Positions are fitted under its forces; during approach, up to a tenth of the greatest force, forces are fitted.
     model : ViscoelasticIndentation
         With the fitted numbers, under the forces of the contact.
     names : tuple of str, (p,)
-        What was varied.
+        Names of the parameters.
     values : ndarray, (p,)
-        The fitted numbers, in SI units.
+        Values of the parameters, in SI units.
     standard_errors : ndarray, (p,)
-        In the same units; the noise's memory is counted in.
+        In the same units, with the autocorrelation of the noise.
     correlation : ndarray, (p, p)
         Of the numbers' errors.
     lows, highs : ndarray, (p,)
@@ -224,14 +224,14 @@ class CreepFit(_RelaxingFit):
     scatter : float
         Standard deviation of the weighted residuals [m].
     effective_count : float
-        Number of independent points that the curve is worth.
+        Equivalent number of independent points of the curve.
     predicted : ndarray, (n,)
         Fitted positions [m]; where the force was fitted, the measured ones less its misfit, a standard deviation of
         the force for one of the position.
     radius : ndarray, (n,)
         Fitted a [m].
     flags : tuple of Flag
-        What speaks against the numbers.
+        Doubts about the parameters.
     logarithmic : tuple of bool, (p,)
         Of which numbers the logarithm was varied.
     depth : ndarray, (n,)
@@ -253,4 +253,4 @@ class CreepFit(_RelaxingFit):
 
 
 AnyFit = Fit | ViscoelasticFit | CreepFit
-"""What a fit may have found."""
+"""Any fit."""

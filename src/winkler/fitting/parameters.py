@@ -1,4 +1,4 @@
-"""What a fit may vary: a number inside a value, named by the path that leads to it.
+"""Parameters of a fit: a number inside a value, named by its path.
 
 ``"bed.medium.first.young"`` is the field `young` of `first` of `medium` of `bed`, and
 ``"bed.medium.layers[0].solid.young"`` goes through a tuple.  A value is never changed: `changed` returns a new one.
@@ -19,7 +19,7 @@ from winkler.laws.adhesion import ShortRange
 from winkler.limits import KEY_LETTERS
 from winkler.vocabulary import word
 
-__all__ = ["changed", "each", "found", "unit_of"]
+__all__ = ["changed", "each", "number_at", "unit_of"]
 
 STEP = re.compile(r"([A-Za-z_]\w*)|\[(\d+)\]")
 
@@ -48,24 +48,24 @@ def _next(owner: Any, step: str | int, path: str) -> Any:
         row = isinstance(owner, tuple | np.ndarray)
         if not row or step >= len(owner):
             length = len(owner) if row else 0
-            raise InvalidInput(f"free: '{path}' asks for item {step} of {length}; counting begins at 0.")
+            raise InvalidInput(f"free: '{path}' names item {step} of {length}; counting begins at 0.")
         return owner[step]
-    known = [field.name for field in dataclasses.fields(owner)] if dataclasses.is_dataclass(owner) else []
-    if step not in known:
+    fields = [field.name for field in dataclasses.fields(owner)] if dataclasses.is_dataclass(owner) else []
+    if step not in fields:
         raise InvalidInput(
-            f"free: '{path}' leads nowhere: {type(owner).__name__} has no {step}{suggest(step, known)}; it has "
-            f"{', '.join(known) or 'nothing'}."
+            f"free: '{path}' leads nowhere: {type(owner).__name__} has no {step}{suggest(step, fields)}; it has "
+            f"{', '.join(fields) or 'nothing'}."
         )
     return getattr(owner, step)
 
 
-def found(model: Any, path: str) -> float:
-    """Return the number that a path leads to.
+def number_at(model: Any, path: str) -> float:
+    """Return the number at a path.
 
     Raises
     ------
     InvalidInput
-        If the path leads nowhere, or not to a finite number.
+        If the path does not exist, or holds no finite number.
     """
     owner = model
     for step in _steps(path):
@@ -76,7 +76,7 @@ def found(model: Any, path: str) -> float:
 
 
 def each(model: Any, path: str) -> tuple[str, ...]:
-    """Return the paths of all numbers of a row, or the path itself where it leads to no row.
+    """Return the paths of all numbers of an array, or the path itself for a single number.
 
     Raises
     ------
@@ -92,7 +92,7 @@ def each(model: Any, path: str) -> tuple[str, ...]:
 
 
 def unit_of(model: Any, path: str) -> str:
-    """Return the SI unit of the number that a path leads to, empty for a pure number."""
+    """Return the SI unit of the number at a path, empty for a pure number."""
     owner, unit = model, ""
     for step in _steps(path):
         if isinstance(step, str) and dataclasses.is_dataclass(owner):

@@ -1,4 +1,4 @@
-"""How many relaxation times a curve can tell: fits of one term, two, and so on, weighed against each other."""
+"""Number of relaxation times that a curve determines: fits of one, two and more terms, compared."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 
 __all__ = ["compare_terms"]
 
-MOST = 8
+MOST_TERMS = 8
 
 
 def compare_terms(
@@ -31,7 +31,7 @@ def compare_terms(
     noise: Quantity = 0.0,
     time_limit: float = math.inf,
 ) -> Comparison:
-    """Fit solids of one to `most` relaxation times to a curve, and tell which one it speaks for.
+    """Fit solids of one to `most` relaxation times to a curve, and rank them.
 
     Times begin evenly in their logarithm, between the shortest step of the curve's time and its whole length, and stay
     there unless they are free.
@@ -65,11 +65,11 @@ def compare_terms(
     medium = model.bed.medium
     if not isinstance(medium, ViscoelasticHalfSpace) or not isinstance(medium.first, Prony):
         raise InvalidInput("compare_terms: the first body is no Prony; give Prony(...), whose terms are counted.")
-    if isinstance(most, bool) or not isinstance(most, int) or not 1 <= most <= MOST:
-        raise InvalidInput(f"compare_terms: most is {most!r}; give a whole number from 1 to {MOST}.")
+    if isinstance(most, bool) or not isinstance(most, int) or not 1 <= most <= MOST_TERMS:
+        raise InvalidInput(f"compare_terms: most is {most!r}; give a whole number from 1 to {MOST_TERMS}.")
     if not curve.timed or not np.ptp(curve.time) > 0.0:
         raise InvalidInput(f"compare_terms: curve '{curve.name}' has no times, and a solid that relaxes needs them.")
-    kept = free if isinstance(free, Mapping) else tuple(free)
+    free_names = free if isinstance(free, Mapping) else tuple(free)
     steps = np.diff(curve.time)
     shortest, longest = 3.0 * float(np.median(steps[steps > 0.0])), float(np.ptp(curve.time))
     solid = medium.first
@@ -79,5 +79,5 @@ def compare_terms(
         inner = np.geomspace(shortest, longest, count + 2)[1:-1]
         one = dataclasses.replace(solid, shears=np.full(count, whole / count), relaxation_times=inner)
         bed: Any = dataclasses.replace(model.bed, medium=dataclasses.replace(medium, first=one))  # type: ignore[type-var]
-        models[f"{count} term{'s' * (count > 1)}"] = (dataclasses.replace(model, bed=bed), kept)
+        models[f"{count} term{'s' * (count > 1)}"] = (dataclasses.replace(model, bed=bed), free_names)
     return compare(curve, models, noise=noise, time_limit=time_limit)

@@ -17,18 +17,18 @@ __all__ = ["FitState", "Search"]
 
 @value
 class FitState:
-    """How far a fit has come.
+    """State of a running fit.
 
     Parameters
     ----------
     evaluations : int
-        How often the curve was predicted.
+        Number of predictions of the curve.
     names : tuple of str, (p,)
-        What is varied.
+        Names of the parameters.
     values : ndarray, (p,)
         The best numbers so far, in SI units.
     scatter : float
-        Standard deviation of the weighted residuals there, in units of what is fitted.
+        Standard deviation of the weighted residuals there, in units of the fitted quantity.
     """
 
     evaluations: int
@@ -38,61 +38,61 @@ class FitState:
 
 
 class Search:
-    """Counts the evaluations of one fit, and ends it when its time is over.
+    """Counts the evaluations of one fit, and ends it at its time limit.
 
     Parameters
     ----------
     time_limit : float, optional
         From now on [s].
-    hand_over : callable, optional
-        Is given a `FitState` after every evaluation.
+    on_state : callable, optional
+        Called with a `FitState` after each evaluation.
 
     Raises
     ------
     InvalidInput
-        If the limit is no positive time.
+        If the limit is not a positive time.
     """
 
-    def __init__(self, time_limit: float = math.inf, hand_over: Callable[[FitState], None] | None = None) -> None:
+    def __init__(self, time_limit: float = math.inf, on_state: Callable[[FitState], None] | None = None) -> None:
         if not isinstance(time_limit, int | float) or not time_limit > 0.0:
             raise InvalidInput(f"fit: time_limit is {time_limit!r}; give a positive time in s.")
         self.time_limit = time_limit
         self.end = time.monotonic() + time_limit
-        self.hand_over = hand_over
+        self.on_state = on_state
         self.evaluations = 0
         self.scatter = math.inf
         self.best: dict[str, float] = {}
 
     def begin(self) -> None:
-        """Forget what was best: other points are looked at from now on, or other weights taken."""
+        """Reset the best scatter, for other points or weights."""
         self.scatter = math.inf
 
-    def seen(self, numbers: dict[str, float], squares: float, count: int) -> None:
-        """Count an evaluation, and hand over the state.
+    def record(self, numbers: dict[str, float], squares: float, count: int) -> None:
+        """Count an evaluation, and pass on the state.
 
         Parameters
         ----------
         numbers : dict of str to float
-            What was tried.
+            Parameters of the evaluation.
         squares : float
             Sum of the squared weighted residuals of `count` points.
 
         Raises
         ------
         NotConverged
-            If the time is over.
+            If the time limit is reached.
         """
         self.evaluations += 1
         scatter = math.sqrt(squares / max(count, 1))
         if scatter < self.scatter or not self.best:
             self.scatter, self.best = scatter, numbers
         self.check()
-        if self.hand_over is not None:
+        if self.on_state is not None:
             values = np.array(list(self.best.values()))
-            self.hand_over(FitState(self.evaluations, tuple(self.best), values, self.scatter))
+            self.on_state(FitState(self.evaluations, tuple(self.best), values, self.scatter))
 
     def check(self) -> None:
-        """Raise NotConverged if the time is over."""
+        """Raise NotConverged if the time limit is reached."""
         if time.monotonic() > self.end:
             many = f"{self.evaluations} evaluation{'s' * (self.evaluations != 1)}"
             raise NotConverged(

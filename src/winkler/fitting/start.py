@@ -1,57 +1,57 @@
-"""Where a fit begins: every start is tried on a part of the points, and a coarse fit improves the best of them."""
+"""Start of a fit: candidates are evaluated on a part of the points, and a coarse fit improves the best of them."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.fitting.curves.checks import Outline
+from winkler.fitting.curves.checks import CurveOutline
 from winkler.fitting.least_squares import solved
 from winkler.fitting.search import Search
-from winkler.fitting.task import Task
+from winkler.fitting.task import FitTask
 from winkler.fitting.varied import Parameter
 from winkler.numerics.types import Array
 
 __all__ = ["best_start", "contact_points"]
 
-SHARES = (0.0, 0.1, 0.3, -0.1)
-"""How far before the rough contact point a start lies, in parts of the rest."""
+CONTACT_POINT_SHARES = (0.0, 0.1, 0.3, -0.1)
+"""Distances of trial contact points before the rough one, relative to the remaining travel."""
 
 
-def best_start(task: Task, strokes: Outline | None, search: Search) -> Array:
+def best_start(task: FitTask, rough_outline: CurveOutline | None, search: Search) -> Array:
     """Return the coordinates from which a fit should begin.
 
     Parameters
     ----------
-    task : Task
-    strokes : Outline or None
-        What the approach looks like; none where there is no approach.
+    task : FitTask
+    rough_outline : CurveOutline or None
+        Rough outline of the approach; None without an approach.
     search : Search
         Counts the evaluations.
     """
-    begins = task.starts(strokes)
+    candidates = task.starts(rough_outline)
     if not task.starts_are_trials:
-        begins = list(begins)
-        if len(begins) == 1:
-            return begins[0]
+        candidates = list(candidates)
+        if len(candidates) == 1:
+            return candidates[0]
     coarse, starts = task.coarse, []
-    for begin in begins:
+    for candidate in candidates:
         try:
-            starts.append((begin, float(np.sum(coarse.residuals(begin) ** 2))))
+            starts.append((candidate, float(np.sum(coarse.residuals(candidate) ** 2))))
         except OutsideValidity:
             if not task.starts_are_trials:
                 raise
             search.check()
             continue
-        search.seen(coarse.numbers(begin), starts[-1][1], int(np.count_nonzero(coarse.weights)))
+        search.record(coarse.numbers(candidate), starts[-1][1], int(np.count_nonzero(coarse.weights)))
     if not starts:
         raise OutsideValidity("fit: none of the starts is within the reach of the model; give starts or bounds.")
     starts.sort(key=lambda start: start[1])
-    improved = [solved(coarse, begin, search, coarse=True) for begin, _ in starts[: task.starts_improved]]
+    improved = [solved(coarse, candidate, search, coarse=True) for candidate, _ in starts[: task.starts_improved]]
     return min(improved, key=lambda start: start[1])[0]
 
 
-def contact_points(task: Task, parameter: Parameter, strokes: Outline) -> list[float]:
+def contact_points(task: FitTask, parameter: Parameter, rough_outline: CurveOutline) -> list[float]:
     """Return contact points [m] at which a fit may begin, from the outline of the approach."""
-    rest = max(float(task.curve.position.max()) - strokes.contact_point, 1e-3 * parameter.scale)
-    return [strokes.contact_point - share * rest for share in SHARES]
+    rest = max(float(task.curve.position.max()) - rough_outline.contact_point, 1e-3 * parameter.scale)
+    return [rough_outline.contact_point - share * rest for share in CONTACT_POINT_SHARES]

@@ -1,7 +1,7 @@
 r"""A fit as a problem of least squares: numbers in, residuals and their derivatives out.
 
-Positive quantities are varied by their logarithm.  What a model predicts at given numbers, and where its fit begins, a
-response model says, a subclass of `Task`: `winkler.fitting.elastic.task` for contacts with or without adhesion,
+Positive quantities are varied by their logarithm.  Predictions and starts are defined by a
+response model, a subclass of `FitTask`: `winkler.fitting.elastic.task` for contacts with or without adhesion,
 `winkler.fitting.viscoelastic.motion` and `winkler.fitting.viscoelastic.creep` for bodies that relax.  In all of them
 
 .. math:: F_i = F_\mathrm{contact} + F_0 + t\,(D_i-D_0) + c_v\,\dot D_i + e_i
@@ -17,28 +17,28 @@ from typing import Any, ClassVar, NamedTuple, Self
 
 import numpy as np
 
-from winkler.fitting.curves.checks import Flag, Outline
+from winkler.fitting.curves.checks import CurveOutline, Flag
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.outcome import AnyFit
 from winkler.fitting.parameters import changed
-from winkler.fitting.varied import OF_THE_CURVE, Parameter
+from winkler.fitting.varied import CURVE_PARAMETERS, Parameter
 from winkler.numerics.types import Array
 
-__all__ = ["STEP", "Prediction", "Task", "even_weights", "moved"]
+__all__ = ["DIFFERENCE_STEP", "FitTask", "Prediction", "even_weights", "moved"]
 
-STEP = 1e-5
+DIFFERENCE_STEP = 1e-5
 
 
 class Prediction(NamedTuple):
-    """The fitted quantity at all points ``(n,)``, where the tip is in contact ``(n,)``, and the contact behind them."""
+    """The fitted quantity at all points ``(n,)``, the points in contact ``(n,)``, and the contact."""
 
     fitted: Array
     touched: Array
     contact: Any
 
 
-class _Fields(NamedTuple):
-    """What a fit is about.
+class _TaskFields(NamedTuple):
+    """Data of a fit.
 
     Parameters
     ----------
@@ -48,14 +48,14 @@ class _Fields(NamedTuple):
         With a placeholder for its load.
     parameters : tuple of Parameter, (p,)
     weights : ndarray, (n,)
-        What residuals are multiplied with.
+        Factors of the residuals.
     velocity : ndarray, (n,)
-        Of the machine [m/s]; zero where no liquid drags.
+        Of the machine [m/s]; zero without drag.
     per_force : ndarray, (n,)
-        Where positions are fitted: the position [m/N] that counts as much as a misfit of force, at points whose force
-        is fitted instead; zero at all others.
+        For fits of positions: the position per force [m/N] of equal weight, at points whose force is fitted
+        instead; zero at all others.
     fixed : tuple of (str, float)
-        Numbers that are not varied, other than the model's own.
+        Fixed numbers that differ from those of the model.
     """
 
     curve: ForceCurve
@@ -67,52 +67,52 @@ class _Fields(NamedTuple):
     fixed: tuple[tuple[str, float], ...] = ()
 
 
-class Task(_Fields):
-    """Everything that a fit needs to know; the subclasses say how a model responds."""
+class FitTask(_TaskFields):
+    """A least-squares problem; the subclasses define the response of a model."""
 
     settled: ClassVar[float]
     """Relative change of sum and coordinates at which least squares stop."""
     must_settle: ClassVar[bool]
-    """Whether numbers that have not settled are refused."""
+    """Whether missing convergence is an error."""
     coarse_count: ClassVar[int]
-    """How many points choose between the starts."""
+    """Number of points for the choice between starts."""
     starts_improved: ClassVar[int]
-    """How many starts a coarse fit improves."""
+    """Number of starts that a coarse fit improves."""
     starts_are_trials: ClassVar[bool]
-    """Whether starts are guesses, of which some may lead out of the model's reach and a single one is improved too."""
+    """Whether some starts may lie outside the validity of the model, and a single one is improved too."""
 
     @property
     def measured(self) -> Array:
-        """The quantity that is fitted ``(n,)``: the forces [N], unless a subclass says otherwise."""
+        """The fitted quantity ``(n,)``: forces [N], unless a subclass overrides it."""
         return self.curve.force
 
     @property
     def size(self) -> float:
-        """Norm of what was measured, weighted."""
+        """Weighted norm of the measured quantity."""
         raise NotImplementedError
 
-    def starts(self, strokes: Outline | None) -> Iterable[Array]:
+    def starts(self, rough_outline: CurveOutline | None) -> Iterable[Array]:
         """Return coordinates from which a fit may begin."""
         raise NotImplementedError
 
-    def some_of(self, stretch: Array) -> Array:
+    def sample_of(self, stretch: Array) -> Array:
         """Return a part of the points of one direction, as indices."""
         raise NotImplementedError
 
     def prediction(self, coordinates: Array) -> Prediction:
-        """Return what the model says at coordinates."""
+        """Return the prediction of the model at coordinates."""
         raise NotImplementedError
 
     def quiet(self, prediction: Prediction) -> Array:
-        """Return at which points the residuals are noise alone ``(n,)``: out of contact."""
+        """Return the points whose residuals are noise alone ``(n,)``: out of contact."""
         return ~prediction.touched
 
-    def reweighed(self, coordinates: Array, strokes: Outline | None, noise: Array) -> Self | None:
-        """Return the task with the weights that coordinates near the answer suggest; none if they stay."""
+    def reweighed(self, coordinates: Array, rough_outline: CurveOutline | None, noise: Array) -> Self | None:
+        """Return the task with new weights from nearly converged coordinates; None if they stay."""
         return None
 
     def final(self, coordinates: Array) -> Array:
-        """Return the coordinates that are reported, from those of least squares."""
+        """Return the reported coordinates from those of least squares."""
         return coordinates
 
     def model_of(self, numbers: dict[str, float], prediction: Prediction) -> Any:
@@ -120,16 +120,16 @@ class Task(_Fields):
         raise NotImplementedError
 
     def doubts(self, numbers: dict[str, float], errors: Array) -> list[Flag]:
-        """Return what this kind of model says against its own numbers."""
+        """Return doubts specific to this kind of model."""
         return []
 
     def outcome(self, numbers: dict[str, float], prediction: Prediction, shared: dict[str, Any]) -> AnyFit:
-        """Return the fit; `shared` are the fields that all fits have."""
+        """Return the fit; `shared` are the common fields of all fits."""
         raise NotImplementedError
 
     @property
     def turn(self) -> int:
-        """The first point on the way out; n if there is none."""
+        """The first point of the retraction; n if there is none."""
         out = np.flatnonzero(self.curve.direction < 0.0)
         return int(out[0]) if out.size else self.curve.count
 
@@ -140,7 +140,7 @@ class Task(_Fields):
 
     def with_numbers(self, numbers: dict[str, float]) -> Any:
         """Return the model with its numbers."""
-        own = {name: number for name, number in numbers.items() if name not in OF_THE_CURVE}
+        own = {name: number for name, number in numbers.items() if name not in CURVE_PARAMETERS}
         return changed(self.model, own) if own else self.model
 
     def along(self, numbers: dict[str, float]) -> Array:
@@ -153,7 +153,7 @@ class Task(_Fields):
         return np.asarray(self.along(numbers) - numbers.get("drift", 0.0) * since)
 
     def line(self, numbers: dict[str, float]) -> Array:
-        """Return the part of the force that the contact does not bear [N]."""
+        """Return the part of the force outside the contact [N]."""
         drag = numbers.get("drag", 0.0) * self.velocity
         return np.asarray(numbers.get("baseline", 0.0) + numbers.get("tilt", 0.0) * self.along(numbers) + drag)
 
@@ -162,17 +162,19 @@ class Task(_Fields):
         return np.asarray((self.measured - self.prediction(coordinates).fitted) * self.weights)
 
     def jacobian(self, coordinates: Array, prediction: Prediction) -> Array:
-        """Return the derivatives ``(n, p)`` of what is predicted at coordinates, weighted."""
+        """Return the weighted derivatives ``(n, p)`` of the prediction at coordinates."""
         numbers = self.numbers(coordinates)
         columns = []
         for index, parameter in enumerate(self.parameters):
             column = self.slope(parameter.name, numbers, prediction)
-            known = column is not None
-            columns.append(column * parameter.scale if known else self.difference(coordinates, index, prediction))
+            is_closed_form = column is not None
+            columns.append(
+                column * parameter.scale if is_closed_form else self.difference(coordinates, index, prediction)
+            )
         return np.stack(columns, axis=1) * self.weights[:, None]
 
     def slope(self, name: str, numbers: dict[str, float], prediction: Prediction) -> Any:
-        """Return the derivative with respect to a number if it is known in closed form, ``(n,)``, else None."""
+        """Return the derivative with respect to a number in closed form ``(n,)``, else None."""
         match name:
             case "baseline":
                 return np.ones(self.curve.count)
@@ -187,18 +189,18 @@ class Task(_Fields):
         """Return the derivative with respect to a coordinate as a quotient of differences ``(n,)``."""
         raise NotImplementedError
 
-    def step(self, coordinates: Array, index: int, size: float = STEP) -> float:
+    def step(self, coordinates: Array, index: int, size: float = DIFFERENCE_STEP) -> float:
         """Return a step of a coordinate that stays within its bounds."""
         parameter = self.parameters[index]
         return -size if coordinates[index] + size > parameter.inward(parameter.high) else size
 
-    def chosen(self, kept: Array) -> Self:
+    def chosen(self, indices: Array) -> Self:
         """Return the task of some of the points, given as indices."""
         return self._replace(
-            curve=self.curve.chosen(kept),
-            weights=self.weights[kept],
-            velocity=self.velocity[kept],
-            per_force=self.per_force[kept],
+            curve=self.curve.chosen(indices),
+            weights=self.weights[indices],
+            velocity=self.velocity[indices],
+            per_force=self.per_force[indices],
         )
 
     @functools.cached_property
@@ -208,7 +210,7 @@ class Task(_Fields):
             return self
         turns = np.flatnonzero(np.diff(self.curve.direction)) + 1
         stretches = np.split(np.arange(self.curve.count), turns)
-        return self.chosen(np.unique(np.concatenate([self.some_of(stretch) for stretch in stretches])))
+        return self.chosen(np.unique(np.concatenate([self.sample_of(stretch) for stretch in stretches])))
 
 
 def moved(coordinates: Array, index: int, step: float) -> Array:
@@ -219,5 +221,5 @@ def moved(coordinates: Array, index: int, step: float) -> Array:
 
 
 def even_weights(curve: ForceCurve, noise: Array) -> Array:
-    """Return the weights ``(n,)`` of points by their noise, of which only the course matters; zero: all alike."""
+    """Return the weights ``(n,)`` of points by their noise, of which only the course matters; zero: uniform."""
     return np.array(np.broadcast_to(np.mean(noise) / noise if noise.any() else 1.0, curve.position.shape))

@@ -1,6 +1,6 @@
-"""What a fit says about its own validity: range of adhesion, coating and substrate, shape of the tip, free points.
+"""Validity of a fit: range of adhesion, coating and substrate, shape of the tip, free points.
 
-The notes of the contact itself hold for given numbers; these ask whether the curve could tell the fitted ones.
+The notes of the contact hold for given parameters; these state whether the curve determines the fitted ones.
 """
 
 from __future__ import annotations
@@ -30,16 +30,16 @@ from winkler.validity import Assumption, Note, Standing
 __all__ = ["Model", "fit_notes", "free_notes"]
 
 Model = Indentation | AdhesiveIndentation
-"""What may be fitted without relaxation: a problem, whose load is only a placeholder."""
+"""Models of fits without relaxation: a problem, whose load is a placeholder."""
 
-SEEN = 0.01
-"""A body that changes the stiffness by less is as good as unseen."""
-TOP, BELOW = "bed.medium.layers[0].solid.", ("bed.medium.on.", "bed.medium.layers[")
+LEAST_STIFFNESS_CHANGE = 0.01
+"""Least relative change of stiffness by a body that affects the curve."""
+TOP_LAYER, LOWER_SOLIDS = "bed.medium.layers[0].solid.", ("bed.medium.on.", "bed.medium.layers[")
 FEW_FREE = 20
-SMALL_SHARE = 0.1
-"""Free part of a way below which its zero of force leans on the model."""
-BALL = 0.01
-"""Difference between ball and paraboloid that is worth a word."""
+LEAST_FREE_SHARE = 0.1
+"""Least free part of a direction for a zero of force independent of the model."""
+BALL_TOLERANCE = 0.01
+"""Greatest negligible difference between ball and paraboloid."""
 PUNCHES = "stiffness of flat punches of the same width"
 POINTS = "count of the points in and out of contact"
 BALLS = "force of a ball and of a paraboloid at the same depth, without adhesion"
@@ -48,7 +48,7 @@ BALLS = "force of a ball and of a paraboloid at the same depth, without adhesion
 def fit_notes(
     model: Model, curve: ForceCurve, names: tuple[str, ...], contact: Array, widest: float, error: float
 ) -> tuple[Note, ...]:
-    """Return what a fit says about its own validity.
+    """Return the notes on the validity of a fit.
 
     Parameters
     ----------
@@ -56,7 +56,7 @@ def fit_notes(
         With the fitted numbers, at the largest depth.
     curve : ForceCurve
     names : tuple of str
-        What was free.
+        Free parameters.
     contact : ndarray of bool, (n,)
         Where the tip is in contact.
     widest : float
@@ -71,7 +71,7 @@ def fit_notes(
 
 
 def _coating_notes(bed: Bed, names: tuple[str, ...], widest: float) -> list[Note]:
-    """Return how much coating and substrate each have to say, by the stiffness of the widest contact."""
+    """Return the note on coating and substrate, by the stiffness of the widest contact."""
     medium = bed.medium
     if not isinstance(medium, CoatedHalfSpace):
         return []
@@ -84,22 +84,24 @@ def _coating_notes(bed: Bed, names: tuple[str, ...], widest: float) -> list[Note
         f"Coating: the widest contact is {widest / thickness:.3g} of the thickness {thickness:.3g} m, and what lies "
         f"below the top layer changes its stiffness by {below:+.2%}"
     )
-    deep = [name for name in names if name.startswith(BELOW) and not name.startswith(TOP)]
-    if abs(below) < SEEN:
+    deep = [name for name in names if name.startswith(LOWER_SOLIDS) and not name.startswith(TOP_LAYER)]
+    if abs(below) < LEAST_STIFFNESS_CHANGE:
         standing = Standing.OUTSIDE if deep else Standing.ASYMPTOTIC
-        verdict = f"the curve can hardly tell {', '.join(deep)}" if deep else "it was measured as if it had no end"
-        return [Note(Assumption.CURVE, standing, f"{fact}: {verdict}.", PUNCHES)]
-    both = bool(deep) and any(name.startswith(TOP) for name in names)
-    verdict = (
-        "coating and substrate are told apart by how this grows with the depth alone"
+        conclusion = (
+            f"the curve hardly depends on {', '.join(deep)}" if deep else "the coating was measured like a half-space"
+        )
+        return [Note(Assumption.CURVE, standing, f"{fact}: {conclusion}.", PUNCHES)]
+    both = bool(deep) and any(name.startswith(TOP_LAYER) for name in names)
+    conclusion = (
+        "coating and substrate are distinguished only by how this grows with the depth"
         if both
-        else "the fitted numbers rest on what is known of coating and substrate"
+        else "the fitted parameters depend on the fixed ones of coating and substrate"
     )
-    return [Note(Assumption.CURVE, Standing.APPROXIMATE, f"{fact}: {verdict}.", PUNCHES)]
+    return [Note(Assumption.CURVE, Standing.APPROXIMATE, f"{fact}: {conclusion}.", PUNCHES)]
 
 
 def _tip_notes(model: Model, names: tuple[str, ...], widest: float) -> list[Note]:
-    """Return what the width of the contact means for the tip."""
+    """Return the notes on the shape of the tip."""
     notes: list[Note] = []
     bed = model.bed
     if not isinstance(bed, Foundation):
@@ -111,7 +113,7 @@ def _tip_notes(model: Model, names: tuple[str, ...], widest: float) -> list[Note
                 Assumption.SHAPE,
                 Standing.EXACT,
                 f"Tip: the widest contact, {widest:.3g} m, stays within the first part of the tip, which ends at "
-                f"{corners[0]:.3g} m; the curve says nothing about the rest.",
+                f"{corners[0]:.3g} m; the curve does not depend on the rest.",
                 "corners of the profile",
             )
         )
@@ -122,25 +124,25 @@ def _tip_notes(model: Model, names: tuple[str, ...], widest: float) -> list[Note
     fact = f"Tip: the widest contact is {widest / radius:.3g} of the tip's radius {radius:.3g} m"
     depth = model.load.depth if isinstance(model.load, Depth) else 0.0
     if widest >= radius:
-        verdict = "a paraboloid is no ball there; if the tip is one, give Sphere"
-        return [*notes, Note(Assumption.SHAPE, Standing.OUTSIDE, f"{fact}: {verdict}.", BALLS)]
+        conclusion = "there a paraboloid differs from a ball; if the tip is one, give Sphere"
+        return [*notes, Note(Assumption.SHAPE, Standing.OUTSIDE, f"{fact}: {conclusion}.", BALLS)]
     if not float(np.max(depth)) > 0.0:
         return notes
     load = Depth(float(np.max(depth)))
     ball = Foundation(Sphere(radius), bed.medium)
     share = float(Indentation(ball, load).solve().force / Indentation(bed, load).solve().force) - 1.0
-    good = abs(share) < BALL
-    verdict = f"a ball of that radius would answer with {share:+.2%} of force" + (
+    good = abs(share) < BALL_TOLERANCE
+    conclusion = f"a ball of that radius would change the force by {share:+.2%}" + (
         "" if good else "; if it is one, give Sphere"
     )
     notes.append(
-        Note(Assumption.SHAPE, Standing.ASYMPTOTIC if good else Standing.APPROXIMATE, f"{fact}: {verdict}.", BALLS)
+        Note(Assumption.SHAPE, Standing.ASYMPTOTIC if good else Standing.APPROXIMATE, f"{fact}: {conclusion}.", BALLS)
     )
     return notes
 
 
 def _range_notes(model: AdhesiveIndentation) -> list[Note]:
-    """Return whether the law's idea of the range of attraction agrees with the fitted numbers."""
+    """Return the note on the range of attraction of the law with the fitted parameters."""
     law = model.law
     if isinstance(law, Dugdale):
         return []
@@ -151,7 +153,7 @@ def _range_notes(model: AdhesiveIndentation) -> list[Note]:
             Note(
                 Assumption.ADHESION,
                 Standing.APPROXIMATE,
-                f"Range: no pull-off is known to judge it by. {error}",
+                f"Range: it cannot be assessed without a pull-off. {error}",
                 GREENWOOD,
             )
         ]
@@ -160,7 +162,7 @@ def _range_notes(model: AdhesiveIndentation) -> list[Note]:
 
 
 def free_notes(curve: ForceCurve, contact: Array, error: float) -> list[Note]:
-    """Return how much of each way is out of contact.
+    """Return the note on the points out of contact.
 
     Parameters
     ----------
@@ -170,22 +172,22 @@ def free_notes(curve: ForceCurve, contact: Array, error: float) -> list[Note]:
     error : float
         Standard deviation of the forces over their range [-].
     """
-    told, poor = [], False
+    parts, is_poor = [], False
     for word, direction in (("approach", 1.0), ("retract", -1.0)):
-        mine = curve.direction == direction
-        if not mine.any():
+        selected = curve.direction == direction
+        if not selected.any():
             continue
-        free = mine & ~contact
+        free = selected & ~contact
         count = int(np.count_nonzero(free))
         along = float(np.ptp(curve.position[free])) if count else 0.0
-        share = along / max(float(np.ptp(curve.position[mine])), 1e-300)
-        told.append(f"{count} points over {along:.3g} m ({share:.0%} of the way) on {word}")
-        poor |= count < FEW_FREE or share < SMALL_SHARE
-    verdict = (
-        "too few to tell the zero of force by themselves; it leans on the model"
-        if poor
-        else "enough for the zero of force"
+        share = along / max(float(np.ptp(curve.position[selected])), 1e-300)
+        parts.append(f"{count} points over {along:.3g} m ({share:.0%} of the travel) on {word}")
+        is_poor |= count < FEW_FREE or share < LEAST_FREE_SHARE
+    conclusion = (
+        "too few for the zero of force, which depends on the model" if is_poor else "enough for the zero of force"
     )
-    where = " and ".join(told)
-    statement = f"Baseline: out of contact are {where}; the scatter is {error:.2g} of the range of forces: {verdict}."
-    return [Note(Assumption.CURVE, Standing.APPROXIMATE if poor else Standing.EXACT, statement, POINTS)]
+    where = " and ".join(parts)
+    statement = (
+        f"Baseline: out of contact are {where}; the scatter is {error:.2g} of the range of forces: {conclusion}."
+    )
+    return [Note(Assumption.CURVE, Standing.APPROXIMATE if is_poor else Standing.EXACT, statement, POINTS)]

@@ -1,4 +1,4 @@
-"""The numbers that a fit varies: where each begins, how far it may go, and by what coordinate."""
+"""Free parameters of a fit: start, bounds, and coordinate."""
 
 from __future__ import annotations
 
@@ -7,45 +7,45 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from winkler.errors import InvalidInput, suggest
-from winkler.fitting.parameters import found, unit_of
+from winkler.fitting.parameters import number_at, unit_of
 
-__all__ = ["FREELY", "OF_THE_CURVE", "Parameter", "parameters_of"]
+__all__ = ["CURVE_PARAMETERS", "NATURAL_BOUNDS", "Parameter", "parameters_of"]
 
-OF_THE_CURVE = ("contact_point", "baseline", "tilt", "drift", "drag")
-"""Names of what a curve itself leaves open; the last two need times."""
-FREELY = {"poisson": (-0.99, 0.5), "half_angle": (1e-3, 0.5 * np.pi - 1e-3)}
-"""Bounds of numbers that are no positive quantities without end."""
+CURVE_PARAMETERS = ("contact_point", "baseline", "tilt", "drift", "drag")
+"""Parameters of the curve itself; the last two need times."""
+NATURAL_BOUNDS = {"poisson": (-0.99, 0.5), "half_angle": (1e-3, 0.5 * np.pi - 1e-3)}
+"""Bounds of parameters that are not arbitrary positive numbers."""
 
 
 class Parameter(NamedTuple):
-    """One number that is varied.
+    """One free parameter.
 
     Parameters
     ----------
     name : str
-        Its path, or one of `OF_THE_CURVE`.
+        Its path, or one of `CURVE_PARAMETERS`.
     low, high : float
         Bounds.
     start : float
-        Where to begin.
-    given : bool
-        Whether the start was given.
+        Start value.
+    has_start : bool
+        Whether a start was stated.
     logarithmic : bool
         Whether its logarithm is varied.
     scale : float
-        What it is measured in, if not by its logarithm.
+        Its scale, unless the logarithm is varied.
     """
 
     name: str
     low: float
     high: float
     start: float
-    given: bool
+    has_start: bool
     logarithmic: bool
     scale: float
 
     def inward(self, number: float) -> float:
-        """Return the coordinate that is varied."""
+        """Return the varied coordinate."""
         if self.logarithmic:
             return float(np.log(number)) if number > 0.0 else -np.inf
         return number / self.scale
@@ -55,37 +55,37 @@ class Parameter(NamedTuple):
         return float(np.exp(coordinate)) if self.logarithmic else coordinate * self.scale
 
     def change(self, number: float) -> float:
-        """Return by how much the number changes with the coordinate."""
+        """Return the derivative of the number with respect to the coordinate."""
         return number if self.logarithmic else self.scale
 
     def inside(self, number: float) -> float:
-        """Return the number within the bounds that is nearest to one."""
+        """Return the nearest number within the bounds."""
         return float(np.clip(number, self.low, self.high))
 
 
 def parameters_of(
-    model: Any, free: dict[str, Any], scales: dict[str, float], freely: dict[str, tuple[float, float]]
+    model: Any, free: dict[str, Any], scales: dict[str, float], natural_bounds: dict[str, tuple[float, float]]
 ) -> tuple[Parameter, ...]:
-    """Return the numbers that are varied.
+    """Return the free parameters.
 
     Parameters
     ----------
     model : value
         The paths lead into it.
     free : dict
-        Name and (low, high), or a start value, or nothing in particular (an empty tuple).
+        Name and (low, high), or a start value, or neither (an empty tuple).
     scales : dict of str to float
-        Names of what the curve itself leaves open, and what they are measured in.
-    freely : dict of str to (float, float)
-        Paths, or last names, of numbers that are no positive quantities without end, and their bounds.
+        Parameters of the curve itself, with their scales.
+    natural_bounds : dict of str to (float, float)
+        Paths, or last names, of parameters with natural bounds.
 
     Raises
     ------
     InvalidInput
-        If a name leads nowhere, or its bounds contradict themselves.
+        If a path does not exist, or its bounds are inconsistent.
     """
     parameters = []
-    for name, given in free.items():
+    for name, stated in free.items():
         if name in scales:
             scale, low, high, start, logarithmic = scales[name], -np.inf, np.inf, 0.0, False
         else:
@@ -94,21 +94,21 @@ def parameters_of(
                     f"free: '{name}' is neither a path into the model nor one of {', '.join(scales)}"
                     f"{suggest(name, scales)}."
                 )
-            start = found(model, name)
+            start = number_at(model, name)
             usual = (0.0, np.inf) if start > 0.0 else (-np.inf, np.inf)
-            low, high = freely.get(name, freely.get(name.rpartition(".")[2], usual))
+            low, high = natural_bounds.get(name, natural_bounds.get(name.rpartition(".")[2], usual))
             logarithmic = low == 0.0
             scale = 1.0 if unit_of(model, name) == "" else max(abs(start), 1e-300)
         own_start = False
-        if isinstance(given, tuple | list) and len(given) == 2:
-            low, high = max(low, float(given[0])), min(high, float(given[1]))
+        if isinstance(stated, tuple | list) and len(stated) == 2:
+            low, high = max(low, float(stated[0])), min(high, float(stated[1]))
             start = start if low < start < high else _between(low, high, logarithmic)
-        elif isinstance(given, int | float) and not isinstance(given, bool):
-            start, own_start = float(given), True
-        elif not (isinstance(given, tuple | list) and len(given) == 0):
-            raise InvalidInput(f"free: '{name}' is {given!r}; give (low, high), a start value, or () for neither.")
+        elif isinstance(stated, int | float) and not isinstance(stated, bool):
+            start, own_start = float(stated), True
+        elif not (isinstance(stated, tuple | list) and len(stated) == 0):
+            raise InvalidInput(f"free: '{name}' is {stated!r}; give (low, high), a start value, or () for neither.")
         if not (low < high and low <= start <= high):
-            raise InvalidInput(f"free: '{name}' starts at {start:.6g} between {low:.6g} and {high:.6g}; mend it.")
+            raise InvalidInput(f"free: '{name}' starts at {start:.6g} between {low:.6g} and {high:.6g}; correct it.")
         parameters.append(Parameter(name, low, high, start, own_start, logarithmic, scale))
     return tuple(parameters)
 

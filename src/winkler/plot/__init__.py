@@ -1,7 +1,7 @@
 """Figures: ``draw(anything)`` returns a matplotlib figure.
 
-``draw`` is loaded with all pictures that it knows when it is first used; a report that draws single pictures starts
-without them.
+``draw`` and the modules that register pictures are imported at the first use; a report of single pictures does not
+load them.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""One side of a picture: what it shows, in which unit, between which ends."""
+"""One axis of a panel: quantity, unit, limits, scale and ticks."""
 
 from __future__ import annotations
 
@@ -14,32 +14,32 @@ __all__ = ["Axis", "plane"]
 
 @value
 class Axis:
-    """One side of a panel.
+    """One axis of a panel.
 
     Parameters
     ----------
     label
-        What it shows, without the unit.
+        Label without the unit.
     scale
-        In which unit it is shown; limits and marks are SI.
+        Unit of the displayed numbers; limits and marks are SI.
     low, high
-        Where it begins and ends [SI]; fitted to the marks if left out. It may begin with the greater one.
+        Limits [SI]; fitted to the marks if left out.  `low` may be the greater one.
     margin
-        Part of the range that is left free at fitted ends.
+        Part of the range left free at fitted limits.
     headroom
-        Further part of the range above, left free for words.
+        Further part of the range left free above for text.
     log, plain
-        Whether it is logarithmic, and whether its numbers are written out then.
+        Whether the axis is logarithmic, and whether its numbers are then written without powers of ten.
     falling
-        Whether a fitted axis begins with the greatest number.
+        Whether a fitted axis is inverted.
     ticks, names
-        Where ticks stand [SI], and what is written there; chosen if left out.
+        Positions of ticks [SI] and their labels; chosen if left out.
     colour
         Of the label.
     parts
-        About so many whole numbers are marked; zero: as suits.
+        Approximate number of integer ticks; zero: automatic.
     sparse
-        Whether a logarithmic axis numbers its decades alone.
+        Whether a logarithmic axis labels decades only.
     """
 
     label: str = ""

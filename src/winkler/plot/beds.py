@@ -1,4 +1,4 @@
-"""Sheets of beds and media: the body over its springs, stiffnesses, and what a medium is made of."""
+"""Sheets of beds and media: body and springs, stiffness of the springs, and composition of the medium."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.plot.drawing import sheet_of
 from winkler.plot.extent import checked_extent, typical
 from winkler.plot.medium import (
-    body_is_known,
+    body_is_defined,
     makeup_panel,
     spring_stiffness_panel,
     stiffness_panel,
-    stiffness_words,
+    stiffness_text,
     typical_width,
 )
 from winkler.plot.method import bed_panels
@@ -36,20 +36,20 @@ __all__: list[str] = []
 @sheet_of.register(PlaneFoundation)
 def _bed(item: Any, *, extent: float | None = None) -> Sheet:
     end = checked_extent(extent) or (1.6 if item.rim <= item.reach else 1.0) * typical(item)
-    if not body_is_known(item):
-        return _outlined(item, extent)
+    if not body_is_defined(item):
+        return _general_body(item, extent)
     shape = item.profile if isinstance(item, Foundation) else item.plane_profile
     name = type(shape).__name__ if isinstance(item, Foundation) else "the body that belongs to $g(x)$"
     bed = _elastic(item)
-    return _over_springs(item, body_panel(bed, end).plus(title=name), bed, end)
+    return _beside_springs(item, body_panel(bed, end).plus(title=name), bed, end)
 
 
 @sheet_of.register(EllipticFoundation)
-def _outlined(item: Any, extent: float | None = None) -> Sheet:
-    """Draw springs that stand for a body that is none of revolution: their load gives no pressure."""
+def _general_body(item: Any, extent: float | None = None) -> Sheet:
+    """Draw the bed of a body that is not axisymmetric, whose line load gives no pressure."""
     bed = _elastic(item)
     end = checked_extent(extent) or typical(bed)
-    return _over_springs(item, stiffness_panel(bed, end).plus(title="stiffness"), bed, end)
+    return _beside_springs(item, stiffness_panel(bed, end).plus(title="stiffness"), bed, end)
 
 
 def _elastic(item: Any) -> Any:
@@ -57,8 +57,8 @@ def _elastic(item: Any) -> Any:
     return dataclasses.replace(item, medium=item.medium.elastic) if relaxes else item
 
 
-def _over_springs(item: Any, left: Panel, bed: Any, end: float) -> Sheet:
-    kind = "that relax" if isinstance(item.medium, RelaxingMedium) else stiffness_words(bed, end)
+def _beside_springs(item: Any, left: Panel, bed: Any, end: float) -> Sheet:
+    kind = "that relax" if isinstance(item.medium, RelaxingMedium) else stiffness_text(bed, end)
     return Sheet((left, springs_panel(at_first_touch(bed), end).plus(title=f"springs {kind} under $g(x)$")), height=3.3)
 
 

@@ -1,4 +1,4 @@
-"""Quantities over many decades of time or frequency: lines on logarithmic axes, and the points behind them."""
+"""Quantities over many decades of time or frequency: lines on logarithmic axes, with measured or requested points."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ from winkler.plot.series import Series, middle_scale
 
 __all__ = ["Quantity", "decades_panel"]
 
-FEW = 60
-"""More points than these are not shown one by one."""
-CROWDED = 5.0
+MOST_MARKED_POINTS = 60
+"""Points are marked individually up to this number."""
+MOST_LABELLED_DECADES = 5.0
 """Over more decades than these not each of them is labelled."""
 MARGIN = 0.08
-LEAST = 1e-4
-"""A logarithmic axis ends at this part of the greatest number."""
+LEAST_SHARE = 1e-4
+"""Lower limit of a logarithmic axis, relative to the greatest number."""
 
 
 class Quantity(NamedTuple):
-    """One quantity, its name for the legend, and points of it that were measured or asked for."""
+    """One quantity, its name for the legend, and its measured or requested points."""
 
     of: Series
     name: str = ""
@@ -42,22 +42,22 @@ def decades_panel(along: Series, quantities: Sequence[Quantity], label: str = ""
     quantities : sequence of Quantity
         Over these.
     label : str
-        What they are together, without a unit; the label of the first one if empty.
+        Common label without a unit; that of the first quantity if empty.
     """
     contents = np.concatenate([np.ravel(one.of.content) for one in quantities])
     marks = []
     for place, one in enumerate(quantities):
         colour, dash = style.CYCLE[place], style.DASHES[place % len(style.DASHES)]
         marks.append(Line(along.content, one.of.content, colour, dash=dash, name=one.name))
-        if 0 < one.points[0].size <= FEW:
+        if 0 < one.points[0].size <= MOST_MARKED_POINTS:
             marks.append(Line(*one.points, colour, width=0.0, marker="o", size=4.0, order=5.0))
-    crowded = np.ptp(np.log10(along.content)) > CROWDED
+    crowded = np.ptp(np.log10(along.content)) > MOST_LABELLED_DECADES
     across = Axis.of(along, margin=0.04, log=True, plain=True, parts=5 if crowded else 0)
     greatest = float(np.max(contents))
     fitted = float(np.min(contents)) - MARGIN * float(np.ptp(contents))
     ends: dict[str, Any] = {"low": 0.0} if fitted > 0.0 else {}
     if spans_decades(contents):
-        lowest = max(0.7 * float(np.min(contents)), LEAST * greatest)
+        lowest = max(0.7 * float(np.min(contents)), LEAST_SHARE * greatest)
         ends = {"low": lowest, "high": 1.5 * greatest, "log": True, "plain": True}
     upright = Axis.of(quantities[0].of, middle_scale(quantities[0].of.word.unit, contents), margin=MARGIN, **ends)
     upright = dataclasses.replace(upright, label=label) if label else upright

@@ -1,6 +1,6 @@
 """``draw(anything)``: a figure of a shape, a bed, a contact, its fields, or Jaeger's staircase.
 
-Figures are made without pyplot, so nothing is shown or kept behind the scenes: save the figure with ``savefig``, or
+Figures are made without pyplot, without global state: save the figure with ``savefig``, or
 let a notebook show it.
 """
 
@@ -35,7 +35,7 @@ from winkler.plot.friction.sheets import (
 )
 from winkler.plot.impact.impact import adhesive_impact_sheet, impact_sheet
 from winkler.plot.medium import (
-    body_is_known,
+    body_is_defined,
     stiffness_panel,
 )
 from winkler.plot.method import Contact
@@ -78,12 +78,12 @@ if TYPE_CHECKING:
 
 __all__ = ["draw", "sheet_of"]
 
-DRAWN = (
+DRAWABLE = (
     "a profile, a Foundation, PlaneFoundation or MeasuredBed, a coated, graded or viscoelastic half-space, a solid "
     "that relaxes, a height map or a spectrum, a solution of a problem, restored fields, a Staircase, a ForceCurve, or "
     "a Fit"
 )
-CONTRACT = ("height", "gap", "reach", "rim", "size", "kinks")
+SHAPE_ATTRIBUTES = ("height", "gap", "reach", "rim", "size", "kinks")
 
 
 def draw(item: Any, *, extent: float | None = None) -> Picture:
@@ -109,18 +109,18 @@ def draw(item: Any, *, extent: float | None = None) -> Picture:
         - solutions of ``FrictionDamping``, ``BimodalDamping``, ``RelaxationDamper``: the loss over amplitude or phase
         - solutions of ``Impact`` and ``AdhesiveImpact``: forces, velocities, contact and energies over time
         - a solution of ``ElasticPlasticParticle``: force and contact radius over the depth, and where yield begins
-        - solutions of ``Rolling``, ``SimplifiedRolling``: creep forces, and what springs or the surface bear
-        - solutions of ``RollingStart``, ``OscillatingRolling``: force on the way, shift over cycles, and the springs
+        - solutions of ``Rolling``, ``SimplifiedRolling``: creep forces, loads of the springs or tractions
+        - solutions of ``RollingStart``, ``OscillatingRolling``: force over distance, shift over cycles, and the springs
         - a solid that relaxes, ``ViscoelasticHalfSpace``, ``RelaxingInProportion``: relaxation, creep, storage and loss
-        - answers for them: loops, forces and energies over time, springs that press or recover, curves over frequency
+        - solutions for them: loops, forces and energies over time, springs that press or recover, curves over frequency
         - a solution of ``YieldOnset``: the stress where yielding begins, and F(d) up to there
-        - ``SurfaceFields``, ``SubsurfaceFields``, ``ShearedFields``, ``BodyFields``: what was restored
+        - ``SurfaceFields``, ``SubsurfaceFields``, ``ShearedFields``, ``BodyFields``: restored fields
         - ``Staircase``: Jaeger's picture of flat punches
-        - ``Topography``, spectra, answers for rough surfaces: maps, cuts, spectra, what they bear over the load
-        - a ``ForceCurve``: its segments with their names; a solution of ``OliverPharr``: the unloading that was read
+        - ``Topography``, spectra, solutions for rough surfaces: maps, sections, spectra, results over the load
+        - a ``ForceCurve``: its segments with their names; a solution of ``OliverPharr``: the evaluated unloading
         - a ``Fit``: the curve with its model, and the residuals
     extent : float, optional
-        Distance from the axis up to which is drawn [m]; chosen to show what matters if left out.
+        Distance from the axis up to which is drawn [m]; chosen automatically if left out.
 
     Returns
     -------
@@ -146,9 +146,9 @@ def draw(item: Any, *, extent: float | None = None) -> Picture:
 @functools.singledispatch
 def sheet_of(item: Any, *, extent: float | None = None) -> Sheet:
     """Return the panels that show `item`, as plain data; parameters and errors as for `draw`."""
-    if all(hasattr(item, name) for name in CONTRACT):
+    if all(hasattr(item, name) for name in SHAPE_ATTRIBUTES):
         return _profile(item, extent=extent)
-    raise InvalidInput(f"draw: there is no picture of a {type(item).__name__}; give {DRAWN}.")
+    raise InvalidInput(f"draw: there is no picture of a {type(item).__name__}; give {DRAWABLE}.")
 
 
 @sheet_of.register(Shape)
@@ -162,23 +162,23 @@ def _profile(item: Shape, *, extent: float | None = None) -> Sheet:
 
 @sheet_of.register(IndentationSolution)
 def _indentation(item: IndentationSolution, *, extent: float | None = None) -> Sheet:
-    return _one_load(item, extent) if np.ndim(item.depth) == 0 else _many_loads(item, extent)
+    return _single_load_sheet(item, extent) if np.ndim(item.depth) == 0 else _curves_sheet(item, extent)
 
 
-def _one_load(item: IndentationSolution, extent: float | None) -> Sheet:
+def _single_load_sheet(item: IndentationSolution, extent: float | None) -> Sheet:
     end, bed = around(item.pressed, extent), item.pressed.bed
-    known = body_is_known(bed)
+    defined = body_is_defined(bed)
     panels = titled(
         (
-            contact_panel(item, end) if known else stiffness_panel(bed, end, float(item.radius)),
+            contact_panel(item, end) if defined else stiffness_panel(bed, end, float(item.radius)),
             springs_panel(item.pressed, end),
             line_load_panel(item, end, float(item.force)),
-            pressure_panel(item, end, float(item.mean_pressure)) if known else _force_curve(item),
+            pressure_panel(item, end, float(item.mean_pressure)) if defined else _force_curve(item),
         ),
-        "the contact" if known else "measured stiffness" if isinstance(bed, MeasuredBed) else "stiffness",
+        "the contact" if defined else "measured stiffness" if isinstance(bed, MeasuredBed) else "stiffness",
         "springs under $g(x) − d$",
         "load of the springs $q(x)$",
-        "pressure $p(r)$" if known else "force over depth",
+        "pressure $p(r)$" if defined else "force over depth",
     )
     return Sheet(panels, 2, height=3.2, title=headline(item))
 
@@ -190,7 +190,7 @@ def _force_curve(item: IndentationSolution) -> Panel:
     return loaded_so_far(item.pressed, float(item.force))
 
 
-def _many_loads(item: Contact, extent: float | None) -> Sheet:
+def _curves_sheet(item: Contact, extent: float | None) -> Sheet:
     if extent is not None:
         raise InvalidInput(
             "draw: curves over many loads have no extent; leave it out, or pick one load: solution.at(0)."
@@ -206,7 +206,7 @@ def _many_loads(item: Contact, extent: float | None) -> Sheet:
 
 @sheet_of.register(AdhesiveSolution)
 def _adhesive(item: AdhesiveSolution, *, extent: float | None = None) -> Sheet:
-    return contact_sheet(item, extent) if np.ndim(item.depth) == 0 else _many_loads(item, extent)
+    return contact_sheet(item, extent) if np.ndim(item.depth) == 0 else _curves_sheet(item, extent)
 
 
 WITHOUT_EXTENT: dict[type, Callable[[Any], Sheet]] = {
@@ -240,7 +240,7 @@ for _kind in WITHOUT_EXTENT:
 
 @sheet_of.register(TangentialState)
 @sheet_of.register(SpringState)
-def _dragged(item: TangentialState | SpringState, *, extent: float | None = None) -> Sheet:
+def _sheared_state(item: TangentialState | SpringState, *, extent: float | None = None) -> Sheet:
     return tangential_state_sheet(item, checked_extent(extent))
 
 
@@ -263,9 +263,9 @@ def _onset(item: YieldOnsetSolution, *, extent: float | None = None) -> Sheet:
 
 
 @sheet_of.register(Staircase)
-def _stairs(item: Staircase, *, extent: float | None = None) -> Sheet:
+def _staircase(item: Staircase, *, extent: float | None = None) -> Sheet:
     if item.radii.size == 0:
-        raise InvalidInput("draw: the bodies do not touch, so there are no punches to show; give more load.")
+        raise InvalidInput("draw: the bodies do not touch, so there are no punches to show; increase the load.")
     end = checked_extent(extent) or 1.25 * item.pressed.radius
     panels = steps_panel(item, end), pressures_panel(item, end)
     return Sheet(titled(panels, "a staircase of flat punches", "their pressures add up"), height=3.3)

@@ -1,4 +1,4 @@
-"""Families of curves: an answer over one varied quantity, one curve for each value of another."""
+"""Families of curves: a result over one varied quantity, one curve for each value of another."""
 
 from __future__ import annotations
 
@@ -12,24 +12,24 @@ from winkler.plot.series import Scale, Series, common_scale, middle_scale
 
 __all__ = ["bar_sheet", "family_sheet", "spans_decades"]
 
-TELLABLE = len(style.CYCLE)
-"""So many curves can be seen apart by colour; more take the shades of a map."""
-DECADES = 1.5
+MOST_COLOURS = len(style.CYCLE)
+"""Greatest number of curves with distinct colours; more take the shades of a colour map."""
+LEAST_DECADES = 1.5
 """Values that span more decades than this are shown on a logarithmic axis."""
 
 
 def spans_decades(content: np.ndarray) -> bool:
-    """Return whether numbers are positive and better seen on a logarithmic axis."""
-    known = content[np.isfinite(content)]
-    if known.size < 3 or known.min() <= 0.0:
+    """Return whether numbers are positive and span more than `LEAST_DECADES` decades."""
+    finite = content[np.isfinite(content)]
+    if finite.size < 3 or finite.min() <= 0.0:
         return False
-    return bool(np.log10(known.max() / known.min()) > DECADES)
+    return bool(np.log10(finite.max() / finite.min()) > LEAST_DECADES)
 
 
 def family_sheet(
     along: Sequence[Series], of: Sequence[Series], labels: Sequence[str], *, ordered: bool = True
 ) -> Sheet:
-    """Return one answer over one varied quantity.
+    """Return one result over one varied quantity.
 
     Parameters
     ----------
@@ -38,11 +38,11 @@ def family_sheet(
     labels : sequence of str
         One for each curve; a legend is shown if there are several.
     ordered : bool, optional
-        Whether points are joined by their place along the axis; if not, in the order in which they are given.
+        Whether points are joined in ascending order; if not, in the given order.
     """
-    steep = spans_decades(np.concatenate([one.content.ravel() for one in along]))
-    steeper = steep and spans_decades(np.concatenate([one.content.ravel() for one in of]))
-    many = len(of) > TELLABLE
+    logarithmic = spans_decades(np.concatenate([one.content.ravel() for one in along]))
+    logarithmic_upright = logarithmic and spans_decades(np.concatenate([one.content.ravel() for one in of]))
+    many = len(of) > MOST_COLOURS
     lines = []
     for place, (x, y) in enumerate(zip(along, of, strict=True)):
         order = np.argsort(x.content, kind="stable") if ordered else np.arange(x.content.size)
@@ -56,23 +56,25 @@ def family_sheet(
             name=labels[place] if not many or place in (0, len(of) // 2, len(of) - 1) else "",
         )
         lines.append(line)
-    across = Axis.of(along[0], _scale(along, steep), margin=0.04, log=steep, plain=steep)
-    upright = Axis.of(of[0], _scale(of, steeper), margin=0.06, log=steeper, plain=steeper)
+    across = Axis.of(along[0], _scale(along, logarithmic), margin=0.04, log=logarithmic, plain=logarithmic)
+    upright = Axis.of(
+        of[0], _scale(of, logarithmic_upright), margin=0.06, log=logarithmic_upright, plain=logarithmic_upright
+    )
     names = [line.name for line in lines if line.name]
     below = 0 if len(labels) < 2 else 1 if max(map(len, names)) > 28 else 2
     panel = Panel(tuple(lines), across, upright)
     return Sheet((panel,), width=4.6, height=3.3 if len(labels) < 2 else 3.9, below=below)
 
 
-def _scale(many: Sequence[Series], steep: bool) -> Scale:
+def _scale(many: Sequence[Series], logarithmic: bool) -> Scale:
     """Return one scale for all: by the greatest number, or on a logarithmic axis by the middle one."""
-    if steep:
+    if logarithmic:
         return middle_scale(many[0].word.unit, np.concatenate([one.content.ravel() for one in many]))
     return common_scale(*many)
 
 
 def bar_sheet(names: Sequence[str], of: Series) -> Sheet:
-    """Return one answer for things that are no numbers, shapes or solids: one bar each.
+    """Return one result for varied items that are not numbers, such as shapes or solids: one bar each.
 
     Parameters
     ----------

@@ -1,6 +1,6 @@
-"""What is drawn in a picture: curves, points, areas, lines, words, maps; places are SI numbers.
+"""Elements of a picture: curves, points, areas, lines, text, maps; coordinates are SI numbers.
 
-Words may hold symbols in LaTeX between dollars.
+Text may contain LaTeX symbols between dollars.
 """
 
 from __future__ import annotations
@@ -37,19 +37,19 @@ class Line:
     Parameters
     ----------
     x, y
-        Places [SI]; a curve is interrupted where one is NaN.
+        Coordinates [SI]; a curve is interrupted at NaN.
     colour, width, dash, alpha
-        Of the curve; the colour is ``#rrggbb``, or a colour map and a place on it from 0 to 1; width zero: points
+        Of the curve; the colour is ``#rrggbb``, or a colour map and a position on it from 0 to 1; width zero: points
         alone. Dashes are lengths of strokes and gaps in line widths.
     marker, size, hollow
         Of the points, as matplotlib names them; empty for none.
     name
         In the legend; empty for none.
     order
-        What has the greater number is drawn over what has the smaller one.
+        Drawing order: greater numbers are drawn later.
     clipped, beside, coarse
-        Whether it ends at the frame; whether it belongs to the second upright axis; whether vector formats store it
-        as pixels.
+        Whether it is clipped at the frame; whether it belongs to the second upright axis; whether vector formats
+        store it as pixels.
     edge, blunt
         Colour around points; whether the curve ends without round caps.
     error_x, error_y
@@ -107,7 +107,7 @@ class Strokes:
 
 @value
 class Area:
-    """What is shaded between two curves over x; `across`: between two curves over y, given as x."""
+    """Shaded area between two curves over x; `across`: between two curves over y, given as x."""
 
     x: Array
     low: Any
@@ -150,7 +150,7 @@ class Rule:
 
 @value
 class Band:
-    """All places between two, shaded."""
+    """A shaded vertical band between two abscissae."""
 
     low: float
     high: float
@@ -161,7 +161,7 @@ class Band:
 
 @value
 class Text:
-    """Words at a place [SI], or in parts of the frame where `framed` says so for either direction."""
+    """Text at a position [SI], or in parts of the frame where `framed` is true for that direction."""
 
     x: float
     y: float
@@ -181,7 +181,7 @@ class Text:
 
 @value
 class Arrow:
-    """An arrow from one place to another; `both`: with a head at either end."""
+    """An arrow between two points; `both`: with a head at either end."""
 
     start: tuple[float, float]
     stop: tuple[float, float]
@@ -194,7 +194,7 @@ class Arrow:
 
 @value
 class Bars:
-    """Lying bars: how long each is, and where it begins."""
+    """Horizontal bars with their lengths and starts."""
 
     places: Array
     lengths: Array
@@ -212,9 +212,9 @@ class Map:
     Parameters
     ----------
     x, y
-        Places [SI]: of the points, ``(n, m)`` or ``(m,)`` and ``(n,)``; of cells their edges.
+        Coordinates [SI]: of the points, ``(n, m)`` or ``(m,)`` and ``(n,)``; of cells their edges.
     z
-        The quantity [SI], NaN where it is not known.
+        The quantity [SI], NaN where it is undefined.
     bar
         Label, unit, ends and scale of the colours.
     kind
@@ -222,17 +222,17 @@ class Map:
     colours
         A colour map, or single colours for contours.
     levels
-        Of the contours [SI]; one number: about so many.
+        Of the contours [SI]; one number: their approximate count.
     lines, line_width, line_alpha
-        Of the contours; the first of them is left out where `lines` is ``"inner"``.
+        Of the contour lines.
     extend
-        Which ends of the colours stand for all beyond: ``min``, ``max``, ``both``, ``neither``.
+        Ends of the colours that include all values beyond: ``min``, ``max``, ``both``, ``neither``.
     place
         Of the colour bar: ``inset`` beside the panel, ``beside``, or none.
     shrink, pad
         Height of the colour bar in that of the panel, and its distance.
     ground
-        Colour where nothing is known.
+        Colour where the quantity is undefined.
     centres
         x and y of the middles of cells, for lines between them.
     """
@@ -270,7 +270,7 @@ class Vectors:
 
 @value
 class Facets:
-    """Many polygons ``(n, corners, 2)``, each in its colour ``(n, 3)``, drawn in their order."""
+    """Polygons ``(n, corners, 2)`` with colours ``(n, 3)``, drawn in order."""
 
     corners: Array
     colours: Array

@@ -1,6 +1,6 @@
-"""The pictures of the method, one by one: the body, its springs, their load, the pressure, the stress, the force.
+"""The single pictures of the method: body, springs, line load, pressure, stress, force.
 
-`winkler.plot.draw` puts them on one sheet, a report shows each with its own words, the browser moves them.
+`winkler.plot.draw` combines them on one sheet, a report shows each with a caption, the browser animates them.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
 from winkler.foundation.measured import MeasuredBed
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.plot.adhesion.cycles import intensity_words
+from winkler.plot.adhesion.cycles import intensity_note
 from winkler.plot.adhesion.equilibria import around_panel
 from winkler.plot.extent import around
 from winkler.plot.friction.stress import dragged_stress_panel
@@ -42,11 +42,11 @@ __all__ = ["PICTURES", "Contact", "bed_panels", "line_load", "method_sheet", "pi
 
 
 Contact = IndentationSolution | AdhesiveSolution
-"""What the pictures show: a solution for one load."""
+"""The drawn object: a solution for one load."""
 
 
 def bed_panels(bed: Bed, to: float, radius: float = 0.0) -> tuple[Panel, Panel]:
-    """Return what a bed rests on: E(z), or the measured k(a), and the stiffness of the springs.
+    """Return E(z), or the measured k(a), and the stiffness of the springs.
 
     Parameters
     ----------
@@ -62,7 +62,7 @@ def bed_panels(bed: Bed, to: float, radius: float = 0.0) -> tuple[Panel, Panel]:
 
 
 def line_load(solution: Contact, to: float) -> Panel:
-    """Return q(x) of a contact, and what the area below it is."""
+    """Return the line load q(x) of a contact, with its integral."""
     pull = 0.0
     if isinstance(solution, AdhesiveSolution):
         states = states_of(solution.problem.bed, solution.problem.law)
@@ -71,15 +71,15 @@ def line_load(solution: Contact, to: float) -> Panel:
 
 
 def pressure(solution: Contact, to: float) -> Panel:
-    """Return p(r) of a contact, with its mean, or with what the tension at its edge is."""
+    """Return p(r) of a contact, with its mean, or with the stress intensity at its edge."""
     if isinstance(solution, AdhesiveSolution):
-        return pressure_panel(solution, to, remark=intensity_words(solution))
+        return pressure_panel(solution, to, remark=intensity_note(solution))
     radius = float(solution.pressed.radius)
     return pressure_panel(solution, to, float(solution.force) / (np.pi * radius**2) if radius > 0.0 else None)
 
 
 def stress(solution: Contact, to: float, *, coarse: bool = False) -> Panel:
-    """Return the map of the stress below the surface; `coarse`: in fewer places, without its greatest value."""
+    """Return the map of the stress below the surface; `coarse`: at fewer points, without its maximum."""
     if solution.radius == 0.0:
         raise InvalidInput(
             "draw: the bodies do not touch under this load, so there is no stress to show; give more load."
@@ -90,7 +90,7 @@ def stress(solution: Contact, to: float, *, coarse: bool = False) -> Panel:
 
 
 def force(solution: Contact, _: float = 0.0) -> Panel:
-    """Return F(d) up to this load, or around it where the bodies stick, and the load itself as a point."""
+    """Return F(d) up to this load, or around it with adhesion, and the load itself as a point."""
     if isinstance(solution, AdhesiveSolution):
         return around_panel(solution)
     depth = float(solution.depth)
@@ -114,11 +114,11 @@ PICTURES: dict[str, Callable[[Any, float], Panel | tuple[Panel, ...]]] = {
     "stress": stress,
     "force": force,
 }
-"""Name -> function of a solution for one load and of how far is drawn [m]; the order of the method."""
+"""Name -> function of a solution for one load and of the extent [m]; in the order of the method."""
 
 
 def pictures_of(solution: Contact) -> tuple[str, ...]:
-    """Return the names of the pictures that have something to show: a homogeneous medium needs none of its own."""
+    """Return the names of the pictures of a solution; a homogeneous medium has no picture of its own."""
     homogeneous = isinstance(solution.pressed.bed.medium, HomogeneousMedium)
     return tuple(name for name in PICTURES if not (name == "medium" and homogeneous))
 
@@ -138,7 +138,7 @@ def method_sheet(name: str, solution: Contact, extent: float | None = None) -> S
     Raises
     ------
     OutsideValidity
-        If what the picture shows is not known for this contact.
+        If the drawn field cannot be computed for this contact.
     """
     panels = PICTURES[name](solution, around(solution.pressed, extent))
     if isinstance(panels, Panel):

@@ -1,6 +1,6 @@
-"""A picture as plain data: marks between axes, drawn by matplotlib or by the browser.
+"""A picture as plain data: marks and axes, drawn by matplotlib or by the browser.
 
-A chapter says what is seen, in SI numbers; `winkler.plot.render` draws a `Panel` with matplotlib,
+The drawing functions return marks in SI numbers; `winkler.plot.render` draws a `Panel` with matplotlib,
 `winkler.web.pictures.chart` turns it into a figure of plotly.js.
 """
 
@@ -60,7 +60,7 @@ class Panel:
     Parameters
     ----------
     marks
-        What is drawn.
+        Drawn elements.
     across, upright
         The axes.
     title
@@ -68,17 +68,17 @@ class Panel:
     beside
         A second upright axis at the right; empty for none.
     equal
-        Whether lengths look alike in both directions.
+        Whether lengths have one scale in both directions.
     grid
         ``both``, ``x`` or nothing.
     legend
-        Where the names of the marks stand, as matplotlib says it; empty for none.
+        Position of the legend in the terms of matplotlib; empty for none.
     columns
         Of the legend.
     legend_title, spaced, outside, marker_scale
-        Of the legend: its title, whether columns stand close, whether it stands right of the frame, how large points.
+        Of the legend: title, reduced column spacing, position right of the frame, size of points.
     bare
-        Whether neither frame nor axes are drawn.
+        Whether frame and axes are left out.
     boxed
         Whether the frame is closed.
     """
@@ -112,9 +112,9 @@ class Sheet:
     Parameters
     ----------
     panels
-        None leaves a place empty; a sheet in a sheet has a grid of its own.
+        None leaves a cell empty; a sheet in a sheet has a grid of its own.
     columns
-        So many stand in a row; zero: all.
+        Panels in a row; zero: all.
     width, height
         Of one panel [inch].
     title
@@ -122,9 +122,9 @@ class Sheet:
     below
         Columns of a common legend below the panels; zero for none.
     widths, heights
-        Of the columns and of the rows, as parts.
+        Relative, of the columns and rows.
     shared
-        Which axis the panels share: ``x``, ``y``, or nothing.
+        The axis that the panels share: ``x``, ``y``, or nothing.
     """
 
     panels: tuple[Any, ...]

@@ -1,4 +1,4 @@
-"""A figure of matplotlib that shows itself in notebooks and in the gallery, without pyplot and its global state."""
+"""A figure of matplotlib that notebooks and the gallery display, without pyplot and its global state."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ SETTINGS: Any = {
 
 @contextlib.contextmanager
 def styled() -> Iterator[None]:
-    """Use one look for what is drawn inside, and leave the reader's own settings as they were."""
+    """Apply the package's matplotlib settings within the context, and restore the previous ones."""
     with matplotlib.rc_context(SETTINGS):
         yield
 
@@ -92,7 +92,7 @@ class Picture(Figure):
 
 
 def empty_figure(width: float, height: float) -> Picture:
-    """Return an empty figure of so many inches; call it, and draw, inside `styled`."""
+    """Return an empty figure of a size in inches; call it, and draw, inside `styled`."""
     empty = Picture(figsize=(width, height), dpi=144, layout="constrained")
     FigureCanvasAgg(empty)  # so that it can be drawn and measured without a window
     return empty

@@ -1,4 +1,4 @@
-"""``draw`` with every picture: the modules that are imported here tell it what they draw."""
+"""``draw`` with every picture: the modules imported here register their pictures."""
 
 from __future__ import annotations
 

@@ -17,10 +17,10 @@ __all__ = ["fill_axes", "render"]
 
 def render(sheet: Sheet) -> Picture:
     """Return the figure of a sheet."""
-    columns, rows = _counts(sheet)
+    columns, rows = _grid_size(sheet)
     with styled():
         figure = empty_figure(sheet.width * columns, sheet.height * rows)
-        for axes, panel in _laid(figure, figure.add_gridspec, sheet):
+        for axes, panel in _axes_of_panels(figure, figure.add_gridspec, sheet):
             fill_axes(axes, panel)
         if sheet.title:
             figure.suptitle(sheet.title)
@@ -30,30 +30,30 @@ def render(sheet: Sheet) -> Picture:
     return figure
 
 
-def _counts(sheet: Sheet) -> tuple[int, int]:
+def _grid_size(sheet: Sheet) -> tuple[int, int]:
     columns = sheet.columns or len(sheet.panels)
     return columns, -(-len(sheet.panels) // columns)
 
 
-def _laid(figure: Picture, divided: Callable[..., Any], sheet: Sheet) -> list[tuple[Axes, Panel]]:
+def _axes_of_panels(figure: Picture, make_grid: Callable[..., Any], sheet: Sheet) -> list[tuple[Axes, Panel]]:
     """Return empty axes on a grid for the panels of a sheet, and of the sheets inside it."""
-    columns, rows = _counts(sheet)
-    grid = divided(rows, columns, width_ratios=sheet.widths or None, height_ratios=sheet.heights or None)
-    found: list[tuple[Axes, Panel]] = []
+    columns, rows = _grid_size(sheet)
+    grid = make_grid(rows, columns, width_ratios=sheet.widths or None, height_ratios=sheet.heights or None)
+    placed: list[tuple[Axes, Panel]] = []
     for number, panel in enumerate(sheet.panels):
-        here = grid[number // columns, number % columns]
+        cell = grid[number // columns, number % columns]
         if isinstance(panel, Sheet):
-            found += _laid(figure, here.subgridspec, panel)
+            placed += _axes_of_panels(figure, cell.subgridspec, panel)
         elif panel is not None:
-            share = {f"share{sheet.shared}": found[0][0]} if sheet.shared and found else {}
-            found.append((figure.add_subplot(here, **share), panel))
+            share = {f"share{sheet.shared}": placed[0][0]} if sheet.shared and placed else {}
+            placed.append((figure.add_subplot(cell, **share), panel))
             if sheet.shared == "y" and number % columns:
-                found[-1][0].tick_params(labelleft=False)
+                placed[-1][0].tick_params(labelleft=False)
     if sheet.shared == "x":
-        for axes, _ in found[:-1]:
+        for axes, _ in placed[:-1]:
             axes.tick_params(labelbottom=False)
-        figure.align_ylabels([axes for axes, _ in found])
-    return found
+        figure.align_ylabels([axes for axes, _ in placed])
+    return placed
 
 
 def fill_axes(axes: Axes, panel: Panel) -> None:
@@ -66,8 +66,8 @@ def fill_axes(axes: Axes, panel: Panel) -> None:
         elif mark not in sloped:
             draw_mark(axes, mark, panel.across.scale.factor, panel.upright.scale.factor)
     margins: Any = {"x": panel.across.margin, "y": panel.upright.margin}
-    axes.margins(**{way: margin for way, margin in margins.items() if margin is not None})
-    for mark in sloped:  # it goes through the whole panel, whose limits it leaves alone
+    axes.margins(**{direction: margin for direction, margin in margins.items() if margin is not None})
+    for mark in sloped:  # crosses the whole panel and keeps its limits
         draw_mark(axes, mark, panel.across.scale.factor, panel.upright.scale.factor)
     if panel.equal:
         axes.set_aspect("equal")

@@ -28,8 +28,8 @@ def set_axis(axes: Axes, side: str, one: Axis) -> None:
         axis.set_inverted(True)
     if one.log and one.plain:
         low, high = axis.get_view_interval()
-        few = np.log10(high / low) < 2.5
-        axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0) if few else (1.0,), numticks=12))
+        is_narrow = np.log10(high / low) < 2.5
+        axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0) if is_narrow else (1.0,), numticks=12))
         axis.set_major_formatter(FuncFormatter(lambda number, _: f"{number:g}"))
         axis.set_minor_formatter(NullFormatter())
     if one.log and one.sparse:

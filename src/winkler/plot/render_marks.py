@@ -37,11 +37,11 @@ __all__ = ["draw_mark"]
 
 def draw_mark(axes: Axes, mark: Mark, across: float, upright: float) -> None:
     """Draw a mark, whose SI numbers are divided by the factors of both axes."""
-    DRAWN[type(mark)](axes, mark, across, upright)
+    DRAWING_FUNCTIONS[type(mark)](axes, mark, across, upright)
 
 
-def _seen(colour: Any) -> Any:
-    """Return a colour as matplotlib knows it."""
+def _colour(colour: Any) -> Any:
+    """Return a colour in the form of matplotlib."""
     return colormaps[colour[0]](colour[1]) if isinstance(colour, tuple) and isinstance(colour[0], str) else colour
 
 
@@ -51,7 +51,7 @@ def _dashed(dash: tuple[float, ...]) -> Any:
 
 def _line(axes: Axes, mark: Line, across: float, upright: float) -> None:
     look: dict[str, Any] = {
-        "color": _seen(mark.colour),
+        "color": _colour(mark.colour),
         "linewidth": mark.width,
         "linestyle": _dashed(mark.dash) if mark.width else "none",
         "marker": mark.marker,
@@ -98,7 +98,7 @@ def _strokes(axes: Axes, mark: Strokes, across: float, upright: float) -> None:
 
 
 def _area(axes: Axes, mark: Area, across: float, upright: float) -> None:
-    look: dict[str, Any] = {"color": _seen(mark.colour), "linewidth": 0.0, "label": mark.name or None}
+    look: dict[str, Any] = {"color": _colour(mark.colour), "linewidth": 0.0, "label": mark.name or None}
     if mark.hatch:
         look = {"facecolor": mark.colour, "edgecolor": style.MUTED, "hatch": mark.hatch, "linewidth": 0.0}
     look |= {"zorder": mark.order, "alpha": None if mark.alpha == 1.0 else mark.alpha}
@@ -112,9 +112,9 @@ def _polygon(axes: Axes, mark: Polygon, across: float, upright: float) -> None:
     axes.fill(
         mark.x / across,
         mark.y / upright,
-        facecolor=_seen(mark.colour),
+        facecolor=_colour(mark.colour),
         alpha=None if mark.alpha == 1.0 else mark.alpha,
-        edgecolor=_seen(mark.edge) if mark.edge else "none",
+        edgecolor=_colour(mark.edge) if mark.edge else "none",
         linewidth=mark.width,
         zorder=mark.order,
     )
@@ -196,45 +196,45 @@ def _map(axes: Axes, mark: Map, across: float, upright: float) -> None:
     colours = colormaps[mark.colours] if isinstance(mark.colours, str) else None
     low, high = (None if end is None else end / factor for end in (mark.bar.low, mark.bar.high))
     norm = (LogNorm if mark.bar.log else Normalize)(low, high)
-    shown: Any
+    drawn: Any
     if mark.kind == "contours":
         levels = mark.levels / factor if isinstance(mark.levels, np.ndarray) else mark.levels
         single = {"colors": mark.colours} if colours is None else {"cmap": colours}
-        shown = axes.contourf(x, y, z, levels=levels, extend=mark.extend, alpha=mark.alpha, **single)
+        drawn = axes.contourf(x, y, z, levels=levels, extend=mark.extend, alpha=mark.alpha, **single)
     elif mark.kind == "pixels":
-        paint: Any = colours or ListedColormap(list(mark.colours))
+        colour_map: Any = colours or ListedColormap(list(mark.colours))
         ends = (x[0], x[-1], y[0], y[-1])
-        shown = axes.imshow(z.T, origin="lower", extent=ends, cmap=paint, norm=norm, interpolation="nearest")
+        drawn = axes.imshow(z.T, origin="lower", extent=ends, cmap=colour_map, norm=norm, interpolation="nearest")
     elif mark.kind == "discs":
         discs = [Circle((x[i], y[i]), radius) for i, radius in enumerate(mark.z / across)]
-        shown = PatchCollection(discs, cmap=colours, edgecolor=style.INK, linewidth=0.6)
-        shown.set_array(mark.levels)
-        axes.add_collection(shown)
+        drawn = PatchCollection(discs, cmap=colours, edgecolor=style.INK, linewidth=0.6)
+        drawn.set_array(mark.levels)
+        axes.add_collection(drawn)
         axes.autoscale_view()
     else:
         shading: Any = "gouraud" if mark.kind == "smooth" else "nearest" if z.shape[-1] == x.shape[-1] else "flat"
         content = np.ma.masked_invalid(z)
-        shown = axes.pcolormesh(x, y, content, cmap=colours, norm=norm, shading=shading, rasterized=True)
+        drawn = axes.pcolormesh(x, y, content, cmap=colours, norm=norm, shading=shading, rasterized=True)
     if mark.line_width:
-        levels = mark.lines / factor if isinstance(mark.lines, np.ndarray) else shown.levels[0 if mark.lines else 1 :]
+        levels = mark.lines / factor if isinstance(mark.lines, np.ndarray) else drawn.levels[0 if mark.lines else 1 :]
         look: Any = {"colors": mark.line_colour, "linewidths": mark.line_width, "alpha": mark.line_alpha}
         x, y = (mark.centres[0] / across, mark.centres[1] / upright) if mark.centres else (x, y)
         axes.contour(x, y, z, levels=levels, **look)
     if mark.ground:
         axes.set_facecolor(mark.ground)
     if mark.place:
-        _colour_bar(axes, mark, shown)
+        _colour_bar(axes, mark, drawn)
 
 
-def _colour_bar(axes: Axes, mark: Map, shown: Any) -> None:
+def _colour_bar(axes: Axes, mark: Map, drawn: Any) -> None:
     figure: Any = axes.figure
     if mark.place == "inset":
-        bar = figure.colorbar(shown, cax=axes.inset_axes((1.025, 0.0, 0.035, 1.0)))
+        bar = figure.colorbar(drawn, cax=axes.inset_axes((1.025, 0.0, 0.035, 1.0)))
         bar.set_ticks(bar.get_ticks()[:: max(1, round(len(bar.get_ticks()) / 8))])
     else:
         pad = {} if mark.pad is None else {"pad": mark.pad}
         beyond = {} if mark.kind == "contours" else {"extend": mark.extend}
-        bar = figure.colorbar(shown, ax=axes, shrink=mark.shrink, **pad, **beyond)
+        bar = figure.colorbar(drawn, ax=axes, shrink=mark.shrink, **pad, **beyond)
     if mark.place == "inset" or mark.kind == "pixels":
         bar.outline.set_visible(False)
     bar.set_label(mark.bar.title)
@@ -255,7 +255,7 @@ def _facets(axes: Axes, mark: Facets, across: float, upright: float) -> None:
     axes.autoscale_view()
 
 
-DRAWN: dict[type, Callable[[Axes, Any, float, float], None]] = {
+DRAWING_FUNCTIONS: dict[type, Callable[[Axes, Any, float, float], None]] = {
     Line: _line,
     Dots: _dots,
     Strokes: _strokes,

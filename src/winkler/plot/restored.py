@@ -1,4 +1,4 @@
-"""Sheets of restored fields: what happens on the surface, and the stresses below it."""
+"""Sheets of restored fields: on the surface, and stresses below it."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ __all__ = ["subsurface_sheet", "surface_sheet"]
 @sheet_of.register(SurfaceFields)
 def surface_sheet(item: SurfaceFields, *, extent: float | None = None) -> Sheet:
     """Return pressure and displacement of a surface."""
-    shown = _cropped(item, extent)
-    return Sheet(titled((surface_pressure_panel(shown), surface_panel(shown)), "pressure", "surface"))
+    cropped = _cropped(item, extent)
+    return Sheet(titled((surface_pressure_panel(cropped), surface_panel(cropped)), "pressure", "surface"))
 
 
 def _cropped(item: SurfaceFields, extent: float | None) -> SurfaceFields:
     r = np.ravel(item.r)
-    kept = r <= (np.inf if checked_extent(extent) is None else extent)
-    if not kept.any():
+    within = r <= (np.inf if checked_extent(extent) is None else extent)
+    if not within.any():
         raise InvalidInput(f"draw: there is nothing within the extent of {extent} m; give a greater one.")
-    return SurfaceFields(*(np.ravel(part)[kept] for part in (item.r, item.pressure, item.displacement, item.gap)))
+    return SurfaceFields(*(np.ravel(part)[within] for part in (item.r, item.pressure, item.displacement, item.gap)))
 
 
 @sheet_of.register(SubsurfaceFields)

@@ -1,4 +1,4 @@
-"""What a picture is made of: arrays with a name, a symbol and a unit, made once, whatever draws them afterwards.
+"""Data of pictures: arrays with name, symbol and unit, independent of the drawing library.
 
 Contents are SI.  A `Scale` is chosen by the range of the data, so that an axis reads 187 µm and not 0.000187 m; names,
 symbols and units come from the glossary.
@@ -13,8 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from winkler.numerics.types import Array, ArrayLike
-from winkler.readable import Scale, middle_scale, pretty_unit, scale_of
-from winkler.readable import with_unit as told
+from winkler.readable import Scale, middle_scale, pretty_unit, scale_of, with_unit
 from winkler.values import value
 from winkler.vocabulary import Word, word
 
@@ -25,6 +24,7 @@ __all__ = [
     "common_scale",
     "headline",
     "middle_scale",
+    "name_in_words",
     "places",
     "pretty_unit",
     "round_numbers",
@@ -32,9 +32,10 @@ __all__ = [
     "series",
     "spoken",
     "told",
+    "with_unit",
 ]
 
-SPOKEN = {
+NAMES_IN_WORDS = {
     "r": "distance from the axis",
     "x": "place along the springs",
     "z": "depth below the surface",
@@ -48,21 +49,21 @@ SPOKEN = {
     "modulus": "effective modulus",
     "shear": "shear modulus",
 }
-"""Names that are spoken otherwise than they are written."""
+"""Names in words that differ from the field names."""
 
 
 def headline(solution: Any) -> str:
     """Return depth, force and contact radius in one line."""
     parts = [
-        f"${symbol}$ = {told(float(getattr(solution, name)), unit)}"
+        f"${symbol}$ = {with_unit(float(getattr(solution, name)), unit)}"
         for name, symbol, unit in (("force", "F_N", "N"), ("depth", "d", "m"), ("radius", "a", "m"))
     ]
     return "   ".join(parts)
 
 
-def spoken(name: str) -> str:
-    """Return a name of the glossary as it is spoken: ``line_load`` is the load of the springs."""
-    return SPOKEN.get(name, name.replace("_", " "))
+def name_in_words(name: str) -> str:
+    """Return a field name in words: ``line_load`` is the load of the springs."""
+    return NAMES_IN_WORDS.get(name, name.replace("_", " "))
 
 
 @value
@@ -85,14 +86,14 @@ class Series:
 
     @property
     def scale(self) -> Scale:
-        """The scale that fits these numbers alone."""
+        """The scale of these numbers."""
         return scale_of(self.word.unit, self.content)
 
     def label(self, scale: Scale | None = None) -> str:
         """Return the label of an axis that shows these numbers: name, symbol, unit."""
         unit = (scale or self.scale).unit
         symbol = f" ${self.word.symbol}$" if self.word.symbol else ""
-        return f"{spoken(self.name)}{symbol}" + (f" [{unit}]" if unit else "")
+        return f"{name_in_words(self.name)}{symbol}" + (f" [{unit}]" if unit else "")
 
     def shown(self, scale: Scale | None = None) -> Array:
         """Return the numbers in the unit of the label."""
@@ -108,8 +109,8 @@ class Curve(NamedTuple):
 
 def series(owner: type[Any] | str, name: str, content: ArrayLike) -> Series:
     """Return the numbers of the field `name` of `owner`, with its entry of the glossary."""
-    told_by = owner if isinstance(owner, str) else owner.__name__
-    return Series(name, word(told_by, name), np.asarray(content, dtype=float))
+    owner_name = owner if isinstance(owner, str) else owner.__name__
+    return Series(name, word(owner_name, name), np.asarray(content, dtype=float))
 
 
 def common_scale(*many: Series) -> Scale:
@@ -118,16 +119,16 @@ def common_scale(*many: Series) -> Scale:
 
 
 def places(end: float, marks: tuple[float, ...] = (), *, count: int = 240, start: float = 0.0) -> Array:
-    """Return places from `start` to `end`, denser towards the marks, where curves have kinks or poles.
+    """Return points from `start` to `end`, denser towards the marks, where curves have kinks or poles.
 
     Parameters
     ----------
     end : float
         [m].
     marks : tuple of float
-        Places that are approached from both sides to about 1e-4 of a piece, but never met.
+        Points approached from both sides to about 1e-4 of an interval, but left out.
     count : int
-        How many, about.
+        Approximate number.
     start : float
         [m].
 
@@ -139,17 +140,20 @@ def places(end: float, marks: tuple[float, ...] = (), *, count: int = 240, start
     bounds = [start, *sorted({mark for mark in marks if start < mark < end}), end]
     pieces = []
     for low, high in itertools.pairwise(bounds):
-        share = max(24, round(count * (high - low) / (end - start)))
-        turn = (np.arange(share) + 0.5) / share
-        pieces.append(low + (high - low) * np.sin(0.5 * np.pi * turn) ** 2)
+        part = max(24, round(count * (high - low) / (end - start)))
+        phase = (np.arange(part) + 0.5) / part
+        pieces.append(low + (high - low) * np.sin(0.5 * np.pi * phase) ** 2)
     return np.concatenate(pieces)
 
 
-STEPS = (1.0, 2.0, 2.5, 5.0, 10.0)
+spoken, told = name_in_words, with_unit
+"""Earlier names."""
+
+ROUND_STEPS = (1.0, 2.0, 2.5, 5.0, 10.0)
 
 
 def round_numbers(low: float, high: float, parts: int) -> Array:
-    """Return round numbers that enclose a range, about so many parts apart.
+    """Return round numbers that enclose a range, divided into about `parts` intervals.
 
     Examples
     --------
@@ -158,6 +162,6 @@ def round_numbers(low: float, high: float, parts: int) -> Array:
     """
     least = (high - low) / parts
     power = 10.0 ** math.floor(math.log10(least))
-    step = power * next((one for one in STEPS if one * power >= least * (1.0 - 1e-12)), STEPS[-1])
+    step = power * next((one for one in ROUND_STEPS if one * power >= least * (1.0 - 1e-12)), ROUND_STEPS[-1])
     first, last = math.floor(low / step * (1.0 + 1e-12)), math.ceil(high / step * (1.0 - 1e-12))
     return step * np.arange(first, last + 1)

@@ -1,4 +1,4 @@
-"""Sheets of adhesive answers: a contact that sticks, its equilibria, a cycle, a pull-off, a contact that is sheared."""
+"""Sheets of adhesive solutions: one contact, its equilibria, a cycle, a pull-off, a sheared contact."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from winkler.loading import Force
 from winkler.plot.adhesion.cycles import cycle_panels, sheared_panels
 from winkler.plot.adhesion.equilibria import around_panel, equilibrium_panel, pull_off_panel, radii_panel
 from winkler.plot.extent import around
-from winkler.plot.medium import body_is_known, stiffness_panel
+from winkler.plot.medium import body_is_defined, stiffness_panel
 from winkler.plot.method import line_load, pressure
 from winkler.plot.normal.body import contact_panel
 from winkler.plot.normal.springs import springs_panel
 from winkler.plot.panel import Panel, Sheet, note, titled
-from winkler.plot.series import headline, told
+from winkler.plot.series import headline, with_unit
 from winkler.problems.adhesion.cycle import AdhesiveCycleSolution
 from winkler.problems.adhesion.equilibrium import EquilibriumCurve
 from winkler.problems.adhesion.indentation import AdhesiveSolution
@@ -27,7 +27,7 @@ __all__ = ["SHEETS", "contact_sheet", "cycle_sheet", "equilibrium_sheet", "pull_
 
 
 def contact_sheet(item: AdhesiveSolution, extent: float | None = None) -> Sheet:
-    """Return body, springs, pressure and equilibria of one contact; of a measured bed what is known of it.
+    """Return body, springs, pressure and equilibria of one contact; of a measured bed its stiffness and line load.
 
     Parameters
     ----------
@@ -37,17 +37,17 @@ def contact_sheet(item: AdhesiveSolution, extent: float | None = None) -> Sheet:
         [m].
     """
     end, bed = around(item.pressed, extent), item.pressed.bed
-    known = body_is_known(bed)
+    defined = body_is_defined(bed)
     panels = titled(
         (
-            contact_panel(item, end) if known else stiffness_panel(bed, end, float(item.radius)),
+            contact_panel(item, end) if defined else stiffness_panel(bed, end, float(item.radius)),
             springs_panel(item.pressed, end),
-            pressure(item, end) if known else line_load(item, end),
+            pressure(item, end) if defined else line_load(item, end),
             around_panel(item) if item.radius > 0.0 else Panel((note("no contact", "upper centre"),)),
         ),
-        "the contact" if known else "measured stiffness",
+        "the contact" if defined else "measured stiffness",
         "springs under $g(x) − d$",
-        "pressure $p(r)$" if known else "load of the springs $q(x)$",
+        "pressure $p(r)$" if defined else "load of the springs $q(x)$",
         "force over depth: states of equilibrium",
     )
     return Sheet(panels, 2, height=3.2, title=headline(item))
@@ -56,14 +56,14 @@ def contact_sheet(item: AdhesiveSolution, extent: float | None = None) -> Sheet:
 def equilibrium_sheet(item: EquilibriumCurve) -> Sheet:
     """Return force and contact radius over the depth, with branches and jumps."""
     panels = titled((equilibrium_panel(item), radii_panel(item)), "force over depth", "contact radius over depth")
-    return Sheet(panels, height=3.5, title=f"equilibria under {_machine(item.problem.machine_stiffness)}")
+    return Sheet(panels, height=3.5, title=f"equilibria under {_machine_text(item.problem.machine_stiffness)}")
 
 
 def cycle_sheet(item: AdhesiveCycleSolution) -> Sheet:
-    """Return force and contact radius along a cycle, with its jumps and what is lost."""
+    """Return force and contact radius along a cycle, with its jumps and the dissipated energy."""
     dead = isinstance(item.problem.path, Force)
     over = f"force over {'depth' if dead else 'position of the machine'}"
-    machine = "a dead load" if dead else _machine(item.problem.machine_stiffness)
+    machine = "a dead load" if dead else _machine_text(item.problem.machine_stiffness)
     count = len(item.jumps)
     title = f"slow cycle under {machine}: {count} jump{'' if count == 1 else 's'}"
     return Sheet(titled(cycle_panels(item), over, "contact radius"), height=3.5, title=title)
@@ -75,15 +75,15 @@ def shear_sheet(item: AdhesiveShearSolution) -> Sheet:
 
 
 def pull_off_sheet(item: PullOffSolution) -> Sheet:
-    """Return where on the curve of equilibria the machine lets go."""
-    title = f"pull-off under {_machine(item.problem.machine_stiffness)}"
+    """Return the pull-off on the curve of equilibria."""
+    title = f"pull-off under {_machine_text(item.problem.machine_stiffness)}"
     return Sheet((pull_off_panel(item).plus(title=title),), width=5.2, height=3.5, title=headline(item))
 
 
-def _machine(stiffness: float) -> str:
+def _machine_text(stiffness: float) -> str:
     if stiffness == 0.0:
         return "a dead load"
-    return "fixed grips" if np.isinf(stiffness) else f"a machine of {told(stiffness, 'N/m')}"
+    return "fixed grips" if np.isinf(stiffness) else f"a machine of {with_unit(stiffness, 'N/m')}"
 
 
 SHEETS: dict[type, Callable[[Any], Sheet]] = {
@@ -92,4 +92,4 @@ SHEETS: dict[type, Callable[[Any], Sheet]] = {
     AdhesiveShearSolution: shear_sheet,
     PullOffSolution: pull_off_sheet,
 }
-"""What draws an answer that is a curve."""
+"""Drawing functions of solutions that are curves."""

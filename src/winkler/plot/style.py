@@ -1,4 +1,4 @@
-"""One look for all figures: colours that colour-blind readers can tell apart, thin frames, readable letters."""
+"""Common style of all figures: colours that colour-blind readers can distinguish."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ CYCLE = (BLUE, RED, GREEN, ORANGE, PURPLE, SKY, INK)
 """After Okabe and Ito (2008), the purple a little darker."""
 
 DASHES: tuple[tuple[float, ...], ...] = ((), (5.0, 2.0), (1.2, 1.2), (6.0, 2.0, 1.2, 2.0))
-"""Lengths of strokes and gaps in line widths, so that curves can be told apart in print without colour."""
+"""Lengths of strokes and gaps in line widths, so that curves can be distinguished in print without colour."""
 DOTTED, DASHED = (1.0, 1.65), (4.0, 3.0)
 
 SHADES, RELIEFS, TENSIONS, HEATS = "viridis_r", "cividis", "Reds", "YlOrRd"
@@ -67,7 +67,7 @@ MAPS = {
 
 
 def channels(colour: str | tuple[str, float]) -> Array:
-    """Return red, green and blue from 0 to 1 of ``#rrggbb``, or of a place on a colour map."""
+    """Return red, green and blue from 0 to 1 of ``#rrggbb``, or of a position on a colour map."""
     if isinstance(colour, str):
         return np.array([int(colour[place : place + 2], 16) for place in (1, 3, 5)]) / 255.0
     stops = np.array([channels(f"#{stop}") for stop in MAPS[colour[0]].split()])
@@ -81,11 +81,11 @@ def pressure_colour(share: float) -> tuple[str, float]:
 
 
 def shade(share: float) -> tuple[str, float]:
-    """Return a colour of the map of stresses and pressures, by a place on it from 0 to 1."""
+    """Return a colour of the map of stresses and pressures, by a position on it from 0 to 1."""
     return SHADES, share
 
 
 def mirrored(along: Array, of: Array, *, odd: bool = False) -> tuple[Array, Array]:
-    """Return a curve over positive places together with its mirror image."""
+    """Return a curve over positive abscissae together with its mirror image."""
     sign = -1.0 if odd else 1.0
     return np.concatenate([-along[::-1], along]), np.concatenate([sign * of[::-1], of])

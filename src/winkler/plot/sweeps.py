@@ -1,4 +1,4 @@
-"""Pictures of sweeps with many points: maps over two keys, points over each key, and how much each key explains."""
+"""Pictures of sweeps: maps over two keys, points over each key, and the part of the variance of each key."""
 
 from __future__ import annotations
 
@@ -14,34 +14,34 @@ from winkler.plot.families import spans_decades
 from winkler.plot.panel import Axis, Bars, Dots, Map, Panel, Sheet
 from winkler.plot.series import Scale, Series, common_scale, middle_scale
 
-__all__ = ["Part", "cloud_sheet", "map_sheet", "part_sheet"]
+__all__ = ["VariancePart", "cloud_sheet", "map_sheet", "part_sheet"]
 
-ACROSS = 3
-"""Panels side by side."""
+MOST_COLUMNS = 3
+"""Most panels side by side."""
 
 
 def _axis(one: Series, **more: Any) -> Axis:
     """Return an axis, logarithmic where the numbers span decades."""
-    steep = spans_decades(one.content)
-    scale = middle_scale(one.word.unit, one.content) if steep else common_scale(one)
-    return Axis.of(one, scale, log=steep, plain=steep, **more)
+    logarithmic = spans_decades(one.content)
+    scale = middle_scale(one.word.unit, one.content) if logarithmic else common_scale(one)
+    return Axis.of(one, scale, log=logarithmic, plain=logarithmic, **more)
 
 
 def map_sheet(along: Series, up: Series, of: Series) -> Sheet:
-    """Return a map of one answer over two varied quantities.
+    """Return a map of one result over two varied quantities.
 
     Parameters
     ----------
     along, up : Series
-        What was varied, ``(n,)`` and ``(m,)``.
+        Varied quantities, ``(n,)`` and ``(m,)``.
     of : Series
-        The answer, ``(n, m)``; places where it is NaN stay white.
+        The result, ``(n, m)``; white where it is NaN.
     """
     across, above = np.argsort(along.content, kind="stable"), np.argsort(up.content, kind="stable")
     x, y, bar = _axis(along), _axis(up), dataclasses.replace(_axis(of), plain=True)
     content = of.content[np.ix_(across, above)].T
     varies = bool(np.nanmin(content) < np.nanmax(content))
-    shown = Map(
+    drawn = Map(
         _edges(along.content[across], x.log),
         _edges(up.content[above], y.log),
         content,
@@ -52,34 +52,34 @@ def map_sheet(along: Series, up: Series, of: Series) -> Sheet:
         line_width=0.5 if varies else 0.0,
         centres=(along.content[across], up.content[above]),
     )
-    return Sheet((Panel((shown,), x, y, grid=""),), width=4.8, height=3.9)
+    return Sheet((Panel((drawn,), x, y, grid=""),), width=4.8, height=3.9)
 
 
 def _edges(places: Array, decades: bool) -> Array:
     """Return the ends of cells around rising places."""
     along = np.log(places) if decades else places
     middle = 0.5 * (along[1:] + along[:-1])
-    found = np.concatenate([[2.0 * along[0] - middle[0]], middle, [2.0 * along[-1] - middle[-1]]])
-    return np.asarray(np.exp(found) if decades else found)
+    edges = np.concatenate([[2.0 * along[0] - middle[0]], middle, [2.0 * along[-1] - middle[-1]]])
+    return np.asarray(np.exp(edges) if decades else edges)
 
 
-def _levels(content: Array, steep: bool) -> Array:
+def _levels(content: Array, logarithmic: bool) -> Array:
     low, high = float(np.nanmin(content)), float(np.nanmax(content))
-    ends = np.geomspace(low, high, 9) if steep else np.linspace(low, high, 9)
+    ends = np.geomspace(low, high, 9) if logarithmic else np.linspace(low, high, 9)
     return np.asarray(ends[1:-1])
 
 
 def cloud_sheet(along: Sequence[Series], of: Series) -> Sheet:
-    """Return one panel for every varied quantity: all points of a design, one answer over it.
+    """Return one panel for every varied quantity: one result at all points of a design over it.
 
     Parameters
     ----------
     along : sequence of Series
-        What was varied, each ``(points,)``.
+        Varied quantities, each ``(points,)``.
     of : Series
-        The answer, ``(points,)``.
+        The result, ``(points,)``.
     """
-    columns = min(ACROSS, len(along))
+    columns = min(MOST_COLUMNS, len(along))
     rows = -(-len(along) // columns)
     size = float(np.clip(200.0 / np.sqrt(of.content.size), 1.0, 12.0))
     upright = _axis(of, margin=0.06)
@@ -97,7 +97,7 @@ def cloud_sheet(along: Sequence[Series], of: Series) -> Sheet:
     return Sheet(tuple(panels), columns, width=width / columns, height=height / rows, shared="y")
 
 
-class Part(NamedTuple):
+class VariancePart(NamedTuple):
     """Parts of a variance, one number for each varied key, with the ends of their intervals."""
 
     label: str
@@ -106,8 +106,8 @@ class Part(NamedTuple):
     high: Array
 
 
-def part_sheet(names: Sequence[str], parts: Sequence[Part]) -> Sheet:
-    """Return bars of how much of the scatter of an answer each key makes.
+def part_sheet(names: Sequence[str], parts: Sequence[VariancePart]) -> Sheet:
+    """Return bars of the parts of the variance of a result that each key explains.
 
     Parameters
     ----------

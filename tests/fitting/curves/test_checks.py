@@ -29,18 +29,18 @@ def test_a_good_curve_has_no_flag():
 
 
 def test_the_outline_of_a_good_curve():
-    strokes = outline(good())
-    assert strokes.contact_point == pytest.approx(0.0, abs=1e-7)
-    assert strokes.noise == pytest.approx(1e-11, rel=0.3)
-    assert strokes.top == pytest.approx(hertz(1e-6, 1e4, 5e-6), rel=0.02)
-    assert strokes.pull == 0.0
+    rough_outline = outline(good())
+    assert rough_outline.contact_point == pytest.approx(0.0, abs=1e-7)
+    assert rough_outline.noise == pytest.approx(1e-11, rel=0.3)
+    assert rough_outline.top == pytest.approx(hertz(1e-6, 1e4, 5e-6), rel=0.02)
+    assert rough_outline.pull == 0.0
 
 
 def test_no_contact():
     position = np.linspace(0.0, 1e-6, 300)
     noise = np.random.default_rng(2).standard_normal(300)
     assert names(ForceCurve(position, 1e-11 * noise)) == ["no_contact"]
-    with pytest.raises(InvalidInput, match="curve 'air': no_contact: .* the tip has not touched"):
+    with pytest.raises(InvalidInput, match="curve 'air': no_contact: .* there is no contact"):
         refuse(ForceCurve(position, 1e-11 * noise, name="air"))
 
 
@@ -105,7 +105,7 @@ def test_the_way_that_lacks_a_baseline_is_named(make, word, direction):
     assert [flag.name for flag in flags] == ["no_baseline"]
     assert f"n {word} " in flags[0].statement
     other = {"approach": "retract", "retract": "approach"}[word]
-    assert other not in flags[0].statement.partition(";")[0] or "before the tip has come off" in flags[0].statement
+    assert other not in flags[0].statement.partition(";")[0] or "ends before pull-off" in flags[0].statement
 
 
 def test_a_curve_that_ends_before_the_tip_has_come_off():

@@ -92,7 +92,7 @@ def test_drag_pushes_against_the_motion():
     np.testing.assert_allclose(corrections.without_drag(dragged, found).force, curve.force, atol=1e-20)
 
 
-def test_drag_needs_both_ways():
+def test_drag_needs_both_directions():
     with pytest.raises(InvalidInput, match="drag: curve 'clean' has 0 free points on retract"):
         corrections.drag_force(clean().approach)
 

@@ -30,16 +30,16 @@ def driven_by_force(steps, creep=0.02):
             force += [force[-1]] * content
             extra += creep
         else:
-            way = ramp(force[-1], content)
-            peaks = np.maximum(np.maximum.accumulate(way), peak)
+            path = ramp(force[-1], content)
+            peaks = np.maximum(np.maximum.accumulate(path), peak)
             peak = float(peaks[-1])
-            depth += list(np.sqrt(peaks) * (0.85 + 0.15 * (way / peaks) ** (2.0 / 3.0)) + extra)
-            force += list(way)
+            depth += list(np.sqrt(peaks) * (0.85 + 0.15 * (path / peaks) ** (2.0 / 3.0)) + extra)
+            force += list(path)
         kinds += [kind] * (len(force) - len(kinds))
     return np.array(depth), np.array(force), kinds
 
 
-def told(curve):
+def segments(curve):
     return [(segment.kind.value, segment.count) for segment in curve.segments]
 
 
@@ -85,7 +85,7 @@ def test_a_program_is_found_again(name, noise):
     depth, force, kinds = driven_by_force(PROGRAMS[name])
     rng = np.random.default_rng(1)
     depth, force = (column + noise * rng.standard_normal(column.size) for column in (depth, force))
-    found, stated = told(ForceCurve(depth, force)), runs(kinds)
+    found, stated = segments(ForceCurve(depth, force)), runs(kinds)
     assert [kind for kind, _ in found] == [kind for kind, _ in stated]
     counts = np.array([[a for _, a in found], [b for _, b in stated]])
     assert np.abs(np.diff(counts, axis=0)).max() <= (16 if noise else 4)
@@ -108,12 +108,12 @@ def test_no_scale_is_absolute(length, load):
 def test_few_points_a_leg(count):
     up = np.linspace(0.0, 1.0, count)
     depth = np.concatenate([up, up[-2::-1]])
-    assert told(ForceCurve(depth, depth**1.5)) == [("loading", count), ("last unloading", count - 1)]
+    assert segments(ForceCurve(depth, depth**1.5)) == [("loading", count), ("last unloading", count - 1)]
 
 
 def test_a_smooth_turn_is_no_hold():
     swing = 0.5 - 0.5 * np.cos(np.linspace(0.0, 2.0 * np.pi, 1001))
-    assert told(ForceCurve(swing, swing**1.5)) == [("loading", 501), ("last unloading", 500)]
+    assert segments(ForceCurve(swing, swing**1.5)) == [("loading", 501), ("last unloading", 500)]
 
 
 def relaxing(position, held):
@@ -126,7 +126,7 @@ STAGE = np.concatenate([np.linspace(-3.0, 1.0, 1000), np.full(1500, 1.0), np.lin
 
 
 def test_a_stage_that_is_held_while_the_force_relaxes():
-    found = told(ForceCurve(STAGE, relaxing(STAGE, 1500)))
+    found = segments(ForceCurve(STAGE, relaxing(STAGE, 1500)))
     assert [kind for kind, _ in found] == ["loading", "hold", "last unloading"]
     assert abs(found[1][1] - 1500) <= 6
 
@@ -136,7 +136,7 @@ def test_a_stage_that_creeps_under_a_held_force():
     position[1000:2500] += 0.3 * (1.0 - np.exp(-np.arange(1500) / 400.0))
     position[2500:] += 0.3
     force = np.concatenate([np.maximum(STAGE[:1000], 0.0) ** 1.5, np.ones(1500), np.maximum(STAGE[2500:], 0.0) ** 1.5])
-    found = told(ForceCurve(position, force + 0.005 * np.random.default_rng(3).standard_normal(force.size)))
+    found = segments(ForceCurve(position, force + 0.005 * np.random.default_rng(3).standard_normal(force.size)))
     assert [kind for kind, _ in found] == ["loading", "hold", "last unloading"]
     assert abs(found[1][1] - 1500) <= 40
 
@@ -147,13 +147,13 @@ def test_adhesion_and_a_free_way_are_no_segments():
     sticking = (np.arange(3000) > 1500) & (stage < 0.0) & (stage > -0.8)
     force[sticking] = 1.5 * stage[sticking]
     noisy = force + 0.02 * np.random.default_rng(2).standard_normal(3000)
-    assert told(ForceCurve(stage, noisy)) == [("loading", 1500), ("last unloading", 1500)]
+    assert segments(ForceCurve(stage, noisy)) == [("loading", 1500), ("last unloading", 1500)]
 
 
 def test_stated_segments_overrule_what_was_found():
     depth, force, _ = driven_by_force(PROGRAMS["hold"])
     curve = ForceCurve(depth, force).with_segments([("loading", 0), ("unloading", 301)])
-    assert told(curve) == [("loading", 301), ("last unloading", depth.size - 301)]
+    assert segments(curve) == [("loading", 301), ("last unloading", depth.size - 301)]
     assert curve.retract.count == depth.size - 301
 
 
@@ -187,6 +187,6 @@ def test_the_unloading_of_a_metal_in_a_column_of_segments_is_one():
 def test_the_segments_of_a_real_curve(shared_data):
     """Steel by a Hysitron, 10 s in, 5 s held at 3 mN, 10 s out, after 2 s of waiting: the file does not say so."""
     curve = read_curve(shared_data / "nanoindentation" / "RobinSteel0000LC.txt")
-    assert [kind for kind, _ in told(curve)] == ["hold", "loading", "hold", "last unloading"]
+    assert [kind for kind, _ in segments(curve)] == ["hold", "loading", "hold", "last unloading"]
     starts = [curve.time[segment.first] for segment in curve.segments]
     np.testing.assert_allclose(starts, [0.0, 2.03, 12.03, 17.06], atol=0.05)

@@ -111,12 +111,12 @@ def test_what_cannot_be_read_is_refused():
         OliverPharr(curve, wk.Cone(half_angle=1.2), shape_factor=0.0)
     with pytest.raises(InvalidInput, match="has no unloading of at least 10 points"):
         OliverPharr(ForceCurve(DEPTH[::-1], cone(DEPTH[::-1])), wk.Cone(half_angle=1.2)).solve()
-    with pytest.raises(InvalidInput, match="look at signs and contact_point"):
+    with pytest.raises(InvalidInput, match="check signs and contact_point"):
         OliverPharr(dataclasses.replace(curve, force=-curve.force), wk.Cone(half_angle=1.2)).solve()
     with pytest.raises(InvalidInput, match="points lie between 0.4 and 0.98"):
         OliverPharr(curve.chosen(np.arange(0, 400, 35)), wk.Cone(half_angle=1.2)).solve()
     small = wk.Measured(np.linspace(0.0, 1e-8, 50), np.linspace(0.0, 1e-8, 50) / math.tan(1.2))
-    with pytest.raises(OutsideValidity, match="beyond the tip, which is known up to a radius of 1e-08 m"):
+    with pytest.raises(OutsideValidity, match="beyond the tip, which is defined up to a radius of 1e-08 m"):
         OliverPharr(curve, small).solve()
 
 
@@ -131,13 +131,13 @@ PAIR = 0.5 * math.sqrt(math.pi) * STIFFNESS / (math.sqrt(math.pi) * TANGENT * CO
 
 
 def played(*, noise=0.0, leg=400, held=200, partial=True, rest=300, timed=True, drift=0.0):
-    """Return a test under a driven force: partial unloadings on the way in, a hold that creeps, a hold at a tenth."""
+    """Return a test under a driven force: partial unloadings during loading, a hold that creeps, a hold at a tenth."""
     inward, depth, force = np.linspace(0.0, 1.0, leg), [], []
     for low, high in ((0.0, 0.4), (0.04, 0.7), (0.07, 1.0)) if partial else ((0.0, 1.0),):
-        way = low + (high - low) * inward
-        peaks = np.maximum(way, low * 10.0)  # below the peak before, the same unloading is gone back
-        depth.append(200e-9 * np.sqrt(peaks) * (0.9 + 0.1 * (way / np.maximum(peaks, 1e-9)) ** (2.0 / 3.0)))
-        force.append(way)
+        path = low + (high - low) * inward
+        peaks = np.maximum(path, low * 10.0)  # below the peak before, the same unloading is gone back
+        depth.append(200e-9 * np.sqrt(peaks) * (0.9 + 0.1 * (path / np.maximum(peaks, 1e-9)) ** (2.0 / 3.0)))
+        force.append(path)
         if high < 1.0:
             down = high * (1.0 - 0.9 * inward[1:])
             depth.append(200e-9 * math.sqrt(high) * (0.9 + 0.1 * (down / high) ** (2.0 / 3.0)))
@@ -266,16 +266,16 @@ def said(found, word):
 
 def impression(share, exponent=1.5, points=400, creep=0.0):
     """Return a loading, a hold of 5 s, and an unloading in 5 s with h_f/h and m as given; creep in m/s while held."""
-    way = np.linspace(1.0, 0.0, points)[1:]
+    path = np.linspace(1.0, 0.0, points)[1:]
     deep = 2e-7
     depth = np.concatenate(
         [
-            deep * np.sqrt(way[::-1]),
+            deep * np.sqrt(path[::-1]),
             deep + creep * np.linspace(0.0, 5.0, points),
-            deep + 5.0 * creep - deep * (1.0 - share) * (1.0 - way ** (1.0 / exponent)),
+            deep + 5.0 * creep - deep * (1.0 - share) * (1.0 - path ** (1.0 / exponent)),
         ]
     )
-    force = PEAK * np.concatenate([way[::-1], np.ones(points), way])
+    force = PEAK * np.concatenate([path[::-1], np.ones(points), path])
     return ForceCurve(depth, force, time=np.linspace(0.0, 15.0, force.size))
 
 
@@ -307,9 +307,9 @@ def test_creep_is_judged_by_the_rates(creep, standing):
 def test_without_times_or_hold_creep_is_not_known():
     (without,) = said(read(dataclasses.replace(impression(0.6), time=np.zeros(0))), "Creep")
     assert without[0] is Standing.APPROXIMATE
-    assert "cannot be judged" in without[1]
+    assert "cannot be assessed" in without[1]
     (still,) = said(read(ForceCurve(DEPTH, cone(DEPTH), time=np.linspace(0.0, 1.0, 400))), "Creep")
-    assert "cannot be judged" in still[1]
+    assert "cannot be assessed" in still[1]
 
 
 @pytest.mark.parametrize(
@@ -336,7 +336,7 @@ def test_what_is_known_of_the_area():
     polynomial = (math.pi * TANGENT**2,)
     for tip, standing, words in [
         (wk.Cone(half_angle=1.2), Standing.APPROXIMATE, "ideal Cone"),
-        (wk.AreaFunction(polynomial), Standing.APPROXIMATE, "not known at which depths"),
+        (wk.AreaFunction(polynomial), Standing.APPROXIMATE, "depths of its calibration are not stated"),
         (CalibratedArea(polynomial, 1e-8, 1e-6), Standing.ASYMPTOTIC, "was calibrated from 1e-08 to 1e-06 m"),
         (CalibratedArea(polynomial, 1e-8, 1e-7), Standing.OUTSIDE, "is extrapolated"),
         (CalibratedArea(polynomial, 2e-7, 1e-6), Standing.OUTSIDE, "is extrapolated"),

@@ -1,4 +1,4 @@
-"""The free way tells the baseline of creep and relaxation alike, in the same fit; intervals hold the truth."""
+"""The free points give the baseline of creep and relaxation alike, in the same fit; intervals hold the truth."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def test_a_line_that_is_subtracted_first_changes_nothing():
     assert abs(free.value(SHEAR) - known.value(SHEAR)) < 2.0 * free.error(SHEAR)
 
 
-def test_a_baseline_that_is_not_free_is_told():
+def test_a_fixed_baseline_is_noted():
     """Before, the points that say so had no weight, and the modulus was 2 % and seven errors off without a word."""
     found = fit(ramp_and_hold(0, tilt=0.0), start("creep"), free=NAMES[:4])
     assert "misfit" in {flag.name for flag in found.flags}
@@ -69,9 +69,9 @@ def test_what_is_said_about_creep_stands_along_the_whole_curve():
     assert found.count == one.count
     assert np.all(found.depth[before] < 0.0)
     assert not found.radius[before].any()
-    told = [note.statement for note in found.validity if note.statement.startswith("Baseline")]
-    assert len(told) == 1
-    assert re.search(r"on approach; the scatter is 0\.0(08|09|1)\d* of the range of forces: enough", told[0])
+    statements = [note.statement for note in found.validity if note.statement.startswith("Baseline")]
+    assert len(statements) == 1
+    assert re.search(r"on approach; the scatter is 0\.0(08|09|1)\d* of the range of forces: enough", statements[0])
     assert np.std(found.residuals[before]) == pytest.approx(found.noise, rel=0.3)
 
 

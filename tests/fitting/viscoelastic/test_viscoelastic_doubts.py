@@ -1,4 +1,4 @@
-"""Warnings of fits of bodies that relax: they come where the curve cannot tell, and nowhere else."""
+"""Warnings of fits of bodies that relax: they come where the curve lacks information, and nowhere else."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def test_a_time_longer_than_the_curve():
     found = fit(held(StandardSolid(300.0, 700.0, 40.0)), model(StandardSolid(1e3, 1e3, 1.0)), free=STANDARD)
     assert "too_slow" in names(found)
     flag = next(flag for flag in found.flags if flag.name == "too_slow")
-    assert "watched for 10 s only" in flag.statement
+    assert "observed for 10 s only" in flag.statement
     well = fit(held(StandardSolid(300.0, 700.0, 2.0)), model(StandardSolid(1e3, 1e3, 1.0)), free=STANDARD)
     assert not names(well) & UNSURE
 
@@ -65,10 +65,12 @@ def test_a_time_shorter_than_the_sampling():
 
 
 def test_terms_that_are_one():
-    """Two terms where there is one: they fall together, vanish, or cannot be told apart."""
+    """Two terms where there is one: they coincide, vanish, or cannot be distinguished."""
     one = held(StandardSolid(300.0, 700.0, 1.0), noise=3e-11)
-    told = outcome(one, model(Prony(1e3, [1e3, 1e3], [0.5, 2.0])), ROWS)
-    assert told & {"collapsed", "vanished", "undetermined"} or any("One term less may do" in word for word in told)
+    flags = outcome(one, model(Prony(1e3, [1e3, 1e3], [0.5, 2.0])), ROWS)
+    assert flags & {"collapsed", "vanished", "undetermined"} or any(
+        "One term fewer may suffice" in word for word in flags
+    )
     two = held(Prony(300.0, [300.0, 400.0], [0.1, 3.0]), noise=3e-12)
     assert not names(fit(two, model(Prony(1e3, [1e3, 1e3], [0.5, 2.0])), free=ROWS)) & UNSURE
 
@@ -86,15 +88,15 @@ def test_a_wrong_solid_does_not_explain_the_curve():
 
 
 def test_modulus_and_time_of_a_hold_that_is_too_short():
-    """Of an exponential that has hardly begun only its slope is told."""
+    """Of an exponential that has hardly begun only its slope is determined."""
     one = held(StandardSolid(300.0, 700.0, 200.0), lasting=10.0)
-    told = outcome(one, model(StandardSolid(1e3, 1e3, 1.0)), STANDARD)
-    assert "correlated" in told or any("not identifiable" in word for word in told)
+    flags = outcome(one, model(StandardSolid(1e3, 1e3, 1.0)), STANDARD)
+    assert "correlated" in flags or any("not identifiable" in word for word in flags)
 
 
 def test_notes_say_what_is_assumed():
     found = fit(loop(1), start("loop"), free=FREE["loop"])
-    told = " ".join(note.statement for note in found.validity)
-    for words in ("Linear viscoelastic", "Baseline", "cantilever follows without inertia"):
-        assert words in told
+    flags = " ".join(note.statement for note in found.validity)
+    for words in ("Linear viscoelastic", "Baseline", "cantilever has no inertia"):
+        assert words in flags
     assert bed(start("loop").bed.medium.first).medium.span == (1e-3, 20.0)

@@ -29,7 +29,7 @@ def measured():
 
 
 def test_creep_of_a_polymer_gel(measured, shared_data):
-    """The free way tells 0.43 nN, and the modulus does not depend on when it is subtracted; a bead's first touch is
+    """The free points give 0.43 nN, and the modulus does not depend on when it is subtracted; a bead's first touch is
     sharper than this one, and the flags say that.  Above a tenth of the force alone it was 413 Pa with 1.04 nN.
     """
     curve = measured(shared_data, "fmt-jpk-cc_pr14-polymergel-2021.06.30.jpk-force")
@@ -69,7 +69,7 @@ def test_relaxation_of_cells(measured, shared_data):
 
 
 def test_a_loop_as_a_power_law(measured, shared_data):
-    """A weak power law through a liquid that drags; what sticks on the way out is not explained, and is told."""
+    """A weak power law through a liquid that drags; what sticks during unloading is not explained, and is flagged."""
     curve = measured(shared_data, "fmt-jpk-fd_spot3-0192.jpk-force")
     far = model(PowerLawSolid(1e3, 1.0, 0.2, shortest=1e-4, longest=20.0))
     found = fit(curve, far, free=[f"{FIRST}shear", f"{FIRST}exponent", *IN, "tilt", "drag"])

@@ -15,7 +15,7 @@ from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit
 from winkler.fitting.outcome import CreepFit, ViscoelasticFit
 from winkler.fitting.relaxation_terms import compare_terms
-from winkler.fitting.viscoelastic.band import relaxation_band, watched
+from winkler.fitting.viscoelastic.band import observed_times, relaxation_band
 from winkler.materials.fractional import FractionalZener, PowerLawSolid
 from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
 from winkler.materials.viscoelastic import GeneralisedKelvin, Prony
@@ -68,8 +68,8 @@ def by_springs(solid, *, count=400, hold=0.0, spring=0.05, noise_=1e-11, seed=1)
     direction = np.where(time <= 1.0, 1.0, np.where(time < 1.0 + hold, 0.0, -1.0))
     force = ViscoelasticIndentation(bed(solid), Path(time, wk.Depth(depth)), count=1000).solve().force
     random = np.random.default_rng(seed)
-    told = force + 3e-11 + noise_ * random.standard_normal(count)
-    return ForceCurve(depth + force / spring + 4e-7, told, spring, time, direction, "springs")
+    measured = force + 3e-11 + noise_ * random.standard_normal(count)
+    return ForceCurve(depth + force / spring + 4e-7, measured, spring, time, direction, "springs")
 
 
 SOLIDS = {
@@ -95,7 +95,7 @@ SOLIDS = {
     "name", [pytest.param(name, marks=[pytest.mark.slow] * (name == "fractional Zener")) for name in SOLIDS]
 )
 def test_every_solid_comes_back(name):
-    """From far off, through a cantilever that gives way, with a hold or none: within four errors."""
+    """From far off, through an elastic cantilever, with a hold or none: within four errors."""
     solid, far, fields, hold = SOLIDS[name]
     found = fit(by_springs(solid, hold=hold), model(far), free=[f"{FIRST}{field}" for field in fields] + [*IN_AND_OUT])
     assert isinstance(found, ViscoelasticFit)
@@ -157,7 +157,7 @@ def test_terms_are_sorted_and_counted():
 
 def test_the_band_of_the_relaxation_holds_the_truth():
     found = fit(loop(8), start("loop"), free=FREE["loop"])
-    time = np.geomspace(*watched(found), 30)
+    time = np.geomspace(*observed_times(found), 30)
     band = relaxation_band(found, time)
     truth = 4.0 * 500.0 * time**-0.2
     width = band.high - band.low
@@ -193,7 +193,7 @@ def test_another_shape_and_a_free_radius():
     ("change", "why"),
     [
         (lambda c: ForceCurve(c.position, c.force, direction=c.direction), "has no times"),
-        (lambda c: ForceCurve(c.position, c.force, time=c.time, direction=-c.direction), "begins on the way out"),
+        (lambda c: ForceCurve(c.position, c.force, time=c.time, direction=-c.direction), "begins with the retraction"),
         (lambda c: ForceCurve(c.position, -c.force, time=c.time, direction=c.direction), "reversed"),
     ],
 )
@@ -216,8 +216,8 @@ def test_numbers_that_cannot_be_free(free, why):
         fit(loop(1), start("loop"), free=free)
 
 
-def test_a_way_out_is_not_told_from_forces():
-    with pytest.raises(wk.InvalidInput, match="only while it grows"):
+def test_a_retraction_is_not_fitted_under_forces():
+    with pytest.raises(wk.InvalidInput, match="only while a contact grows"):
         fit(loop(1), model(start("loop").bed.medium.first, wk.Force), free=FREE["loop"])
 
 

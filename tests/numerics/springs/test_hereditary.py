@@ -164,5 +164,5 @@ def test_no_profile_is_followed_beyond_what_is_known_of_it():
     table_of = FilePath(__file__).parents[3] / "examples" / "data" / "measured_tip.csv"
     tip = wk.read_profile(table_of)
     one = wk.Foundation(tip, ViscoelasticHalfSpace(SLS))
-    with pytest.raises(wk.OutsideValidity, match="nothing is known of the profile"):
+    with pytest.raises(wk.OutsideValidity, match="the profile is not defined"):
         elastic_table(elastic_like(one), 1.0)

@@ -1,8 +1,8 @@
-r"""From what a machine reads to force and travel of the tip.
+r"""Force and travel of the tip from the readings of a machine.
 
 A cantilever of the spring constant :math:`k_c` bends by the deflection :math:`\delta = sV`, with the sensitivity s of
-its detector; the force is :math:`F = k_c\,\delta` and the tip travels :math:`D-\delta`.  On a sample that does not give
-way :math:`\delta = D`, which is how s is found.  The frame of a nanoindenter gives way like a spring, too.
+its detector; the force is :math:`F = k_c\,\delta` and the tip travels :math:`D-\delta`.  On a rigid
+sample :math:`\delta = D`, which calibrates s.  The frame of a nanoindenter is elastic, too.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ def force_from_deflection(deflection: ArrayLike, sensitivity: float, spring_cons
 
 
 def deflection_sensitivity(position: ArrayLike, deflection: ArrayLike) -> float:
-    """Return the sensitivity of a detector from contact with a sample that does not give way.
+    """Return the sensitivity of a detector from contact with a rigid sample.
 
     Parameters
     ----------
@@ -71,8 +71,8 @@ def deflection_sensitivity(position: ArrayLike, deflection: ArrayLike) -> float:
         raise InvalidInput(
             f"sensitivity: positions have the shape {x.shape}, signals {y.shape}; give at least {FEWEST} of each."
         )
-    about = x - x.mean()
-    slope = float(about @ y) / max(float(about @ about), 1e-300)
+    centred = x - x.mean()
+    slope = float(centred @ y) / max(float(centred @ centred), 1e-300)
     if not slope > 0.0:
         raise InvalidInput(f"reversed: the signal changes by {slope:.3g} V/m; in contact it must rise: change a sign.")
     return 1.0 / slope
@@ -81,14 +81,14 @@ def deflection_sensitivity(position: ArrayLike, deflection: ArrayLike) -> float:
 def tip_travel(curve: ForceCurve) -> ForceCurve:
     """Return the curve over the travel of the tip, the deflection of the machine subtracted.
 
-    The noise of the force then is in the position, too: fits do better with the curve as it was measured.
+    The noise of the force then enters the position, too: the curve as measured is better for fits.
     """
     position = curve.position - curve.compliance * curve.force
     return dataclasses.replace(curve, position=position, machine_stiffness=math.inf)
 
 
 def on_frame(curve: ForceCurve, frame_compliance: float) -> ForceCurve:
-    """Return the curve with the compliance of the frame that holds indenter and sample, added to what is known of it.
+    """Return the curve with the compliance of the frame added to its compliance.
 
     Parameters
     ----------

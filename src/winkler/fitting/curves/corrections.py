@@ -1,7 +1,6 @@
-r"""Corrections of a force curve: baseline, drift, drag.  Each is one step that is taken on purpose.
+r"""Corrections of a force curve: baseline, drift, drag.  Each is an explicit step.
 
-Functions that look (`free_line`, `drift_rate`, `drag_force`) return a number; functions that correct (`without_...`)
-return a new curve.
+`free_line`, `drift_rate` and `drag_force` estimate a correction; functions `without_...` return a corrected curve.
 """
 
 from __future__ import annotations
@@ -27,8 +26,8 @@ __all__ = [
 ]
 
 FEWEST = 10
-MARGIN = 0.1
-"""Part of the way before contact that is not counted as free: attraction may begin there."""
+EXCLUDED_SHARE = 0.1
+"""Part of the approach before contact that is not counted as free, because of attraction."""
 
 
 @value
@@ -58,7 +57,7 @@ class FreeLine:
 
 
 def free_part(curve: ForceCurve) -> ForceCurve:
-    """Return the points that are surely out of contact: before first touch, a tenth of the way kept clear.
+    """Return the points out of contact: before first touch, less a tenth of that distance.
 
     Raises
     ------
@@ -67,17 +66,20 @@ def free_part(curve: ForceCurve) -> ForceCurve:
     """
     free = np.zeros(curve.count, dtype=bool)
     for direction in (1.0, -1.0):
-        mine = curve.direction == direction
-        if np.count_nonzero(mine) < FEWEST:
+        selected = curve.direction == direction
+        if np.count_nonzero(selected) < FEWEST:
             continue
-        way = curve.chosen(mine)
-        strokes = outline(way)
-        end = strokes.contact_point
-        if strokes.pull > 0.0:  # a sticky tip stays in contact beyond first touch
-            end = min(end, float(way.position[way.force < strokes.baseline - 0.5 * strokes.pull].min(initial=end)))
-        start = float(way.position.min())
-        if strokes.before >= FEWEST:
-            free |= mine & (curve.position < start + (1.0 - MARGIN) * (end - start))
+        part = curve.chosen(selected)
+        rough_outline = outline(part)
+        end = rough_outline.contact_point
+        if rough_outline.pull > 0.0:  # an adhesive contact extends beyond first touch
+            end = min(
+                end,
+                float(part.position[part.force < rough_outline.baseline - 0.5 * rough_outline.pull].min(initial=end)),
+            )
+        start = float(part.position.min())
+        if rough_outline.before >= FEWEST:
+            free |= selected & (curve.position < start + (1.0 - EXCLUDED_SHARE) * (end - start))
     if np.count_nonzero(free) < FEWEST:
         raise InvalidInput(
             f"no_baseline: curve '{curve.name}' has {int(np.count_nonzero(free))} points out of contact; at least "
@@ -100,8 +102,8 @@ def free_line(curve: ForceCurve) -> FreeLine:
     spread = float(along @ along)
     tilt = float(along @ free.force) / spread if spread > 0.0 else 0.0
     baseline = float(free.force.mean())
-    left = free.force - baseline - tilt * along
-    return FreeLine(origin, baseline, tilt, float(np.sqrt(left @ left / (free.count - 2))))
+    residuals = free.force - baseline - tilt * along
+    return FreeLine(origin, baseline, tilt, float(np.sqrt(residuals @ residuals / (free.count - 2))))
 
 
 def without_baseline(curve: ForceCurve, line: FreeLine) -> ForceCurve:
@@ -127,7 +129,7 @@ def without_drift(curve: ForceCurve, rate: float) -> ForceCurve:
     ----------
     curve : ForceCurve
     rate : float
-        [m/s], as `drift_rate` finds it.
+        [m/s], as from `drift_rate`.
 
     Raises
     ------
@@ -155,26 +157,26 @@ def without_force_drift(curve: ForceCurve, rate: float) -> ForceCurve:
 
 
 def drag_force(curve: ForceCurve) -> float:
-    """Return the force of the liquid on the moving tip [N]: half of what approach and retraction differ by when free.
+    """Return the force of the liquid on the moving tip [N]: half the difference between approach and retraction.
 
-    Both ways must have the same speed.  Positive: it pushes against the motion.
+    Both must have the same speed.  Positive: against the motion.
 
     Raises
     ------
     InvalidInput
-        If one way is missing, or has too few free points.
+        If one direction is missing, or has too few free points.
     """
     free = free_part(curve)
-    ways = []
+    mean_forces = []
     for word, inward in (("approach", 1.0), ("retract", -1.0)):
-        mine = free.direction == inward
-        if np.count_nonzero(mine) < FEWEST:
+        selected = free.direction == inward
+        if np.count_nonzero(selected) < FEWEST:
             raise InvalidInput(
-                f"drag: curve '{curve.name}' has {int(np.count_nonzero(mine))} free points on {word}; at least "
-                f"{FEWEST} are needed on either way."
+                f"drag: curve '{curve.name}' has {int(np.count_nonzero(selected))} free points on {word}; at least "
+                f"{FEWEST} are needed in either direction."
             )
-        ways.append(float(np.median(free.force[mine])))
-    return 0.5 * (ways[0] - ways[1])
+        mean_forces.append(float(np.median(free.force[selected])))
+    return 0.5 * (mean_forces[0] - mean_forces[1])
 
 
 def without_drag(curve: ForceCurve, drag: float) -> ForceCurve:
@@ -184,7 +186,7 @@ def without_drag(curve: ForceCurve, drag: float) -> ForceCurve:
     ----------
     curve : ForceCurve
     drag : float
-        [N], as `drag_force` finds it.
+        [N], as from `drag_force`.
     """
     return _with(curve, curve.position, curve.force - drag * curve.direction)
 
@@ -201,8 +203,8 @@ def _elapsed(curve: ForceCurve) -> Array:
 
 def _rate(curve: ForceCurve, column: Array) -> float:
     elapsed = _elapsed(curve)
-    about = elapsed - elapsed.mean()
-    spread = float(about @ about)
+    centred = elapsed - elapsed.mean()
+    spread = float(centred @ centred)
     if spread == 0.0:
-        raise InvalidInput(f"drift: all times of curve '{curve.name}' are the same; a rate needs a stretch of time.")
-    return float(about @ column) / spread
+        raise InvalidInput(f"drift: all times of curve '{curve.name}' are the same; a rate needs a range of times.")
+    return float(centred @ column) / spread

@@ -1,11 +1,11 @@
-r"""A measured force curve: where the machine stood, and with what force it was pressed back.
+r"""A measured force curve: position of the machine, and force.
 
-The machine moves towards the sample by D; its cantilever or frame of the stiffness :math:`k_m` gives way, and so the
-depth is
+The machine moves towards the sample by D; its cantilever or frame has the stiffness :math:`k_m`, so that
+the depth is
 
 .. math:: d = D - D_0 - F/k_m
 
-with the contact point :math:`D_0`.  A curve is kept as it was measured; `winkler.fitting.curves.corrections` returns
+with the contact point :math:`D_0`.  A curve is stored as measured; `winkler.fitting.curves.corrections` returns
 corrected ones.
 """
 
@@ -30,14 +30,14 @@ __all__ = ["ForceCurve"]
 FEWEST = 2
 
 
-def _nothing() -> Array:
+def _empty() -> Array:
     return np.zeros(0)
 
 
-LEAVE_OUT = Advice("give the points as they were taken, and leave out those without numbers")
+POINTS_ADVICE = Advice("give the points as they were taken, and leave out those without numbers")
 
 
-HELD = POSITIVE_OR_INFINITE._replace(
+STIFFNESS_RANGE = POSITIVE_OR_INFINITE._replace(
     demand="it must be positive{unit}, or infinite where the position already is the travel of the tip"
 )
 
@@ -57,10 +57,10 @@ class ForceCurve:
     time : ndarray, (n,) or (0,), optional
         [s], never falling; empty (unless given) where it is unknown.
     direction : ndarray, (n,), optional
-        +1 where the tip goes in, -1 where it comes out, 0 where it is held.  Unless given, it is found from position
-        and force: turns, holds and partial unloadings.  `segments` shows the result, `with_segments` overrules it.
+        +1 where the tip goes in, -1 where it comes out, 0 where it is held.  Unless given, it follows from position
+        and force: turns, holds and partial unloadings.  `segments` shows the result, `with_segments` replaces it.
     name : str, optional
-        Where the curve comes from.
+        Origin of the curve.
 
     Raises
     ------
@@ -77,13 +77,13 @@ class ForceCurve:
     5e-10
     """
 
-    position: Annotated[Array, Numbers(fewest=FEWEST), LEAVE_OUT]
-    force: Annotated[Array, Numbers(fewest=FEWEST), LEAVE_OUT]
-    machine_stiffness: Annotated[float, HELD] = math.inf
-    time: Annotated[Array, Numbers(fewest=0, order="never falling"), LEAVE_OUT] = dataclasses.field(
-        default_factory=_nothing
+    position: Annotated[Array, Numbers(fewest=FEWEST), POINTS_ADVICE]
+    force: Annotated[Array, Numbers(fewest=FEWEST), POINTS_ADVICE]
+    machine_stiffness: Annotated[float, STIFFNESS_RANGE] = math.inf
+    time: Annotated[Array, Numbers(fewest=0, order="never falling"), POINTS_ADVICE] = dataclasses.field(
+        default_factory=_empty
     )
-    direction: Annotated[Array, Numbers(fewest=0), LEAVE_OUT] = dataclasses.field(default_factory=_nothing)
+    direction: Annotated[Array, Numbers(fewest=0), POINTS_ADVICE] = dataclasses.field(default_factory=_empty)
     name: str = ""
 
     def __post_init__(self) -> None:
@@ -134,7 +134,7 @@ class ForceCurve:
         which = np.flatnonzero(which) if np.asarray(which).dtype == bool else np.asarray(which, dtype=int)
         if which.size < FEWEST:
             raise InvalidInput(f"curve '{self.name}': {which.size} points are chosen; at least {FEWEST} make a curve.")
-        time = self.time[which] if self.timed else _nothing()
+        time = self.time[which] if self.timed else _empty()
         return ForceCurve(
             self.position[which], self.force[which], self.machine_stiffness, time, self.direction[which], self.name
         )
@@ -145,7 +145,7 @@ class ForceCurve:
         return segments_of(self.direction, self.force)
 
     def with_segments(self, stated: Sequence[tuple[str, int]]) -> ForceCurve:
-        """Return the curve with the segments that are stated, whatever was found.
+        """Return the curve with stated segments in place of the detected ones.
 
         Parameters
         ----------
@@ -160,8 +160,8 @@ class ForceCurve:
         Examples
         --------
         >>> curve = ForceCurve([0.0, 1.0, 2.0, 2.0, 1.0, 0.0], [0.0, 1.0, 2.0, 1.9, 0.9, 0.0])
-        >>> told = curve.with_segments([("loading", 0), ("hold", 2), ("unloading", 4)])
-        >>> [(segment.kind.value, segment.first, segment.last) for segment in told.segments]
+        >>> corrected = curve.with_segments([("loading", 0), ("hold", 2), ("unloading", 4)])
+        >>> [(segment.kind.value, segment.first, segment.last) for segment in corrected.segments]
         [('loading', 0, 1), ('hold', 2, 3), ('last unloading', 4, 5)]
         """
         return dataclasses.replace(self, direction=stated_directions(stated, self.count))
@@ -199,7 +199,7 @@ class ForceCurve:
 
 
 def _directions(position: Array, force: Array) -> Array:
-    """Return the directions that position and force show; nothing where they do not belong together."""
+    """Return the directions from position and force; zero if their lengths differ."""
     direction = found_directions(position, force) if position.size == force.size else np.zeros(position.size)
     direction.flags.writeable = False
     return direction

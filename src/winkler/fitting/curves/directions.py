@@ -1,14 +1,14 @@
-r"""On which parts of a force curve the tip goes in, is held, and comes out: found from the curve itself.
+r"""Detection of the parts of a force curve in which the tip goes in, is held, and comes out.
 
-One of position and force is driven by the machine, and its rate is the steadier one: the samples lie evenly over its
-levels.  The driven signal turns where it comes back from an extreme by more than its noise; it is held where far more
-samples gather about one level than a steady motion leaves there,
+One of position and force is driven by the machine, and its rate is steadier: its samples are evenly distributed
+over its levels.  The driven signal turns where it returns from an extreme by more than its noise; it is held where far
+more samples lie about one level than during a steady motion,
 
 .. math:: n(L,\,2w) > K\,\nu\,2w, \qquad n(L,\,8w) < 1.7\,n(L,\,2w),
 
-with the samples :math:`\nu` per unit of level while it moves.  The second condition tells a hold, which ends sharply,
-from a smooth turn, where four times the band holds twice the samples.  All widths are parts of the whole span, or
-multiples of the noise; times are not needed.
+with the samples :math:`\nu` per unit of level while it moves.  The second condition separates a hold, which ends
+sharply, from a smooth turn, where four times the band holds twice the samples.  All widths are parts of the whole
+span, or multiples of the noise; times are not needed.
 """
 
 from __future__ import annotations
@@ -22,25 +22,25 @@ from winkler.numerics.types import Array
 __all__ = ["HELD", "IN", "OUT", "found_directions"]
 
 IN, HELD, OUT = 1.0, 0.0, -1.0
-CELLS = 2000
-"""Most averages of neighbouring samples among which turns are sought."""
-TURN, NOISES = 0.01, 8.0
-"""A signal turns where it comes back by this part of its span, and by so many times its noise."""
-BANDS = (5e-4, 1.5e-3, 5e-3)
+MOST_CELLS = 2000
+"""Most block averages in the search for turns."""
+TURN_SHARE, TURN_TO_NOISE = 0.01, 8.0
+"""Least return at a turn, in parts of the span and in multiples of the noise."""
+HOLD_BANDS = (5e-4, 1.5e-3, 5e-3)
 """Widths of a hold about its level, in parts of the span."""
-GATHERED, FEWEST, SHARP = 6.0, 5, 1.7
-"""A hold has so many times the samples of a motion, at least so many, and less than so many times in a wide band."""
-AVERAGED, MANY = 5, 60
-"""Most neighbours that are averaged where there is noise, and samples for each of them."""
-LEVELS = 25
-FREE = 0.05
-"""Part of the span of the force below which the tip may be free."""
-SLOW = 1.0 / 3.0
-"""A tip that is held under a steady force creeps at less than this part of its usual speed."""
+HOLD_DENSITY_RATIO, FEWEST_HOLD_POINTS, WIDE_BAND_RATIO = 6.0, 5, 1.7
+"""Least density of samples in a hold over that of a motion, fewest samples, and greatest ratio in a wider band."""
+MOST_AVERAGED, POINTS_PER_AVERAGED = 5, 60
+"""Most averaged neighbours under noise, and samples required for each."""
+LEVEL_COUNT = 25
+FREE_FORCE_SHARE = 0.05
+"""Part of the span of the force below which the tip may be out of contact."""
+CREEP_SPEED_RATIO = 1.0 / 3.0
+"""Greatest speed during a hold under a steady force, relative to the usual speed."""
 
 
 class _Signal(NamedTuple):
-    """Samples in parts of their span, the noise of neighbouring ones, and where they turn."""
+    """Samples in parts of their span, their noise, and the indices of turns."""
 
     level: Array
     noise: float
@@ -55,7 +55,7 @@ class _Plateau(NamedTuple):
 def found_directions(position: Array, force: Array) -> Array:
     """Return +1 where the tip goes in, 0 where it is held and -1 where it comes out ``(n,)``.
 
-    A point at which the tip turns without a hold belongs to the way before it.
+    A point at which the tip turns without a hold belongs to the part before it.
 
     Parameters
     ----------
@@ -67,39 +67,41 @@ def found_directions(position: Array, force: Array) -> Array:
         return np.full(position.size, HELD if spans[1] > 0.0 else OUT)
     place = _signal(position, spans[0])
     if not spans[1] > 0.0:
-        return _with_holds(_ways(place), _plateaus(place))
+        return _with_holds(_directions_between_turns(place), _plateaus(place))
     load = _signal(force, spans[1])
-    base = float(np.median(load.level[place.level <= np.quantile(place.level, FREE)]))
-    raised = load.level > base + FREE
+    base = float(np.median(load.level[place.level <= np.quantile(place.level, FREE_FORCE_SHARE)]))
+    is_loaded = load.level > base + FREE_FORCE_SHARE
     if _unevenness(place) <= _unevenness(load):
-        speed, still = 1.0 / _samples_per_level(place), _plateaus(place)
+        speed, holds = 1.0 / _samples_per_level(place), _plateaus(place)
         for part in _plateaus(load):
-            apart = all(part.last < other.first or other.last < part.first for other in still)
-            if apart and _held_by_force(part, place.level, raised, speed):
-                still.append(part)
-        return _with_holds(_ways(place), still)
-    return _by_force(place.level, load, raised)
+            is_separate = all(part.last < other.first or other.last < part.first for other in holds)
+            if is_separate and _held_by_force(part, place.level, is_loaded, speed):
+                holds.append(part)
+        return _with_holds(_directions_between_turns(place), holds)
+    return _by_force(place.level, load, is_loaded)
 
 
-def _held_by_force(part: _Plateau, place: Array, raised: Array, speed: float) -> bool:
-    """Return whether a steady force is that of a hold: in contact, and the position does not travel on."""
+def _held_by_force(part: _Plateau, place: Array, is_loaded: Array, speed: float) -> bool:
+    """Return whether a steady force belongs to a hold: in contact, at a nearly constant position."""
     travel = abs(place[part.last] - place[part.first])
-    return bool(np.mean(raised[part.first : part.last + 1]) > 0.5) and travel < SLOW * speed * (part.last - part.first)
+    return bool(np.mean(is_loaded[part.first : part.last + 1]) > 0.5) and travel < CREEP_SPEED_RATIO * speed * (
+        part.last - part.first
+    )
 
 
-def _by_force(place: Array, load: _Signal, raised: Array) -> Array:
-    """Return the directions of a curve whose force is driven."""
-    direction = _ways(load)
+def _by_force(place: Array, load: _Signal, is_loaded: Array) -> Array:
+    """Return the directions of a force-controlled curve."""
+    direction = _directions_between_turns(load)
     edges = [0, *(turn + 1 for turn in load.turns[1:-1]), place.size]
     for first, end in zip(edges[:-1], edges[1:], strict=True):
         travel = place[end - 1] - place[first]
-        if abs(travel) > TURN and travel * direction[first] < 0.0:  # snapped in, or pulled off
+        if abs(travel) > TURN_SHARE and travel * direction[first] < 0.0:  # snapped in, or pulled off
             direction[first:end] = np.sign(travel)
     for part in _plateaus(load):
-        mine = slice(part.first, part.last + 1)
+        own_points = slice(part.first, part.last + 1)
         travel = place[part.last] - place[part.first]
-        free = np.mean(raised[mine]) <= 0.5 and abs(travel) > FREE
-        direction[mine] = np.sign(travel) if free else HELD
+        free = np.mean(is_loaded[own_points]) <= 0.5 and abs(travel) > FREE_FORCE_SHARE
+        direction[own_points] = np.sign(travel) if free else HELD
     return direction
 
 
@@ -110,50 +112,50 @@ def _with_holds(direction: Array, holds: list[_Plateau]) -> Array:
 
 
 def _trimmed(level: Array, parts: list[_Plateau]) -> list[_Plateau]:
-    """Return holds that end where the signal leaves their own scatter; those that overlap become one."""
-    held = np.zeros(level.size, dtype=bool)
+    """Return holds limited to their own scatter; overlapping ones are merged."""
+    is_held = np.zeros(level.size, dtype=bool)
     for part in parts:
-        held[part.first : part.last + 1] = True
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], held, [False]]).astype(int)))
-    found = []
+        is_held[part.first : part.last + 1] = True
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], is_held, [False]]).astype(int)))
+    result = []
     for first, end in edges.reshape(-1, 2):
-        away = np.abs(level[first:end] - np.median(level[first:end]))
-        (close,) = np.nonzero(away <= max(2.0 * BANDS[0], 9.0 * float(np.median(away))))
-        found.append(_Plateau(int(first + close[0]), int(first + close[-1])))
-    return found
+        deviation = np.abs(level[first:end] - np.median(level[first:end]))
+        (within,) = np.nonzero(deviation <= max(2.0 * HOLD_BANDS[0], 9.0 * float(np.median(deviation))))
+        result.append(_Plateau(int(first + within[0]), int(first + within[-1])))
+    return result
 
 
 def _signal(samples: Array, span: float) -> _Signal:
     level = (samples - samples.min()) / span
     bends = np.abs(np.diff(level, 2))
-    noise = float(np.median(bends)) / (0.6745 * np.sqrt(6.0)) if bends.size > FEWEST else 0.0
-    return _Signal(level, noise, _turns(level, max(TURN, NOISES * noise)))
+    noise = float(np.median(bends)) / (0.6745 * np.sqrt(6.0)) if bends.size > FEWEST_HOLD_POINTS else 0.0
+    return _Signal(level, noise, _turns(level, max(TURN_SHARE, TURN_TO_NOISE * noise)))
 
 
 def _turns(level: Array, least: float) -> list[int]:
-    """Return the ends, and the extremes from which the signal comes back by more than `least`."""
-    size = -(-level.size // CELLS)
+    """Return the ends, and the extremes from which the signal returns by more than `least`."""
+    size = -(-level.size // MOST_CELLS)
     starts = np.arange(0, level.size, size)
     cells = np.add.reduceat(level, starts) / np.diff(np.append(starts, level.size))
-    found: list[tuple[int, float]] = []
-    highest = lowest = way = 0
+    result: list[tuple[int, float]] = []
+    highest = lowest = trend = 0
     for index in range(1, cells.size):
         highest = index if cells[index] > cells[highest] else highest
         lowest = index if cells[index] < cells[lowest] else lowest
-        if way >= 0 and cells[index] < cells[highest] - least:
-            found, lowest, way = [*found, (highest, IN)], index, -1
-        elif way <= 0 and cells[index] > cells[lowest] + least:
-            found, highest, way = [*found, (lowest, OUT)], index, 1
+        if trend >= 0 and cells[index] < cells[highest] - least:
+            result, lowest, trend = [*result, (highest, IN)], index, -1
+        elif trend <= 0 and cells[index] > cells[lowest] + least:
+            result, highest, trend = [*result, (lowest, OUT)], index, 1
     turns = [0]
-    for cell, sign in found:
+    for cell, sign in result:
         first = max(int(starts[cell]) - size, turns[-1])
         turn = first + int(np.argmax(sign * level[first : starts[cell] + 2 * size]))
         turns += [turn] if turns[-1] < turn < level.size - 1 else []
     return [*turns, level.size - 1]
 
 
-def _ways(signal: _Signal) -> Array:
-    """Return the direction between turns; a turn belongs to the way before it."""
+def _directions_between_turns(signal: _Signal) -> Array:
+    """Return the direction between turns; a turn belongs to the part before it."""
     level, turns = signal.level, signal.turns
     direction = np.empty(level.size)
     for first, last in zip(turns[:-1], turns[1:], strict=True):
@@ -165,88 +167,99 @@ def _stretches(signal: _Signal) -> list[Array]:
     return [signal.level[a : b + 1] for a, b in zip(signal.turns[:-1], signal.turns[1:], strict=True) if b > a]
 
 
-def _counts(way: Array) -> Array:
-    """Return how many samples of a way lie in each of its levels."""
-    return np.asarray(np.histogram(way, bins=LEVELS)[0])
+def _counts(samples: Array) -> Array:
+    """Return the number of samples in each level."""
+    return np.asarray(np.histogram(samples, bins=LEVEL_COUNT)[0])
 
 
 def _unevenness(signal: _Signal) -> float:
-    """Return how unevenly the samples lie over the levels: quartiles of their number, over the median."""
-    ways = [way for way in _stretches(signal) if way.size >= 2 * FEWEST]
-    travels = np.array([np.ptp(way) for way in ways])
+    """Return the unevenness of samples over the levels: interquartile range over median."""
+    parts = [samples for samples in _stretches(signal) if samples.size >= 2 * FEWEST_HOLD_POINTS]
+    travels = np.array([np.ptp(samples) for samples in parts])
     if not travels.size or not travels.sum() > 0.0:
         return 0.0
-    quartiles = np.array([np.quantile(_counts(way), (0.25, 0.5, 0.75)) for way in ways])
+    quartiles = np.array([np.quantile(_counts(samples), (0.25, 0.5, 0.75)) for samples in parts])
     spread = (quartiles[:, 2] - quartiles[:, 0]) / np.maximum(quartiles[:, 1], 1.0)
     return float(spread @ travels / travels.sum())
 
 
-def _density(way: Array) -> float:
+def _density(samples: Array) -> float:
     """Return the samples per unit of level while the signal moves."""
-    travel = float(np.ptp(way))
-    return max(float(np.median(_counts(way))), 0.5 * way.size / LEVELS / LEVELS) * LEVELS / travel if travel else 0.0
+    travel = float(np.ptp(samples))
+    return (
+        max(float(np.median(_counts(samples))), 0.5 * samples.size / LEVEL_COUNT / LEVEL_COUNT) * LEVEL_COUNT / travel
+        if travel
+        else 0.0
+    )
 
 
 def _samples_per_level(signal: _Signal) -> float:
-    ways = _stretches(signal)
-    return max(float(np.median([_density(way) for way in ways])), 1e-300)
+    parts = _stretches(signal)
+    return max(float(np.median([_density(samples) for samples in parts])), 1e-300)
 
 
 def _averaged(signal: _Signal) -> int:
-    """Return of how many neighbouring samples the average is taken, an odd number, so that noise hides no hold."""
-    return max(1, min(AVERAGED, signal.level.size // MANY) // 2 * 2 + 1) if 4.0 * signal.noise > BANDS[0] else 1
+    """Return the odd number of averaged neighbours that reduces the noise enough to detect holds."""
+    return (
+        max(1, min(MOST_AVERAGED, signal.level.size // POINTS_PER_AVERAGED) // 2 * 2 + 1)
+        if 4.0 * signal.noise > HOLD_BANDS[0]
+        else 1
+    )
 
 
 def _plateaus(signal: _Signal) -> list[_Plateau]:
-    """Return where a signal is held, at its turns and between them."""
+    """Return the holds of a signal, at its turns and between them."""
     turns, size = signal.turns, _averaged(signal)
     level = np.convolve(np.pad(signal.level, size // 2, mode="edge"), np.full(size, 1.0 / size), mode="valid")
     least = 4.0 * signal.noise / float(np.sqrt(size))
     densities = [0.0, *(_density(level[a : b + 1]) for a, b in zip(turns[:-1], turns[1:], strict=True)), 0.0]
-    found: list[_Plateau] = []
-    for width in dict.fromkeys(max(band, least) for band in BANDS):
+    result: list[_Plateau] = []
+    for width in dict.fromkeys(max(band, least) for band in HOLD_BANDS):
         for place, turn in enumerate(turns):
             rate = densities[place] + densities[place + 1]
             part = _run(level, turn, width, *_reach(turns, place))
             wide = _run(level, turn, 4.0 * width, *_reach(turns, place))
-            if _gathers(part, wide, rate * 2.0 * width):
-                found.append(part)
+            if _is_hold(part, wide, rate * 2.0 * width):
+                result.append(part)
         for place, (first, last) in enumerate(zip(turns[:-1], turns[1:], strict=True)):
-            found += _within(level, first, last, width, densities[place + 1])
-    return _trimmed(level, found)
+            result += _within(level, first, last, width, densities[place + 1])
+    return _trimmed(level, result)
 
 
 def _reach(turns: list[int], place: int) -> tuple[int, int]:
     return turns[max(place - 1, 0)], turns[min(place + 1, len(turns) - 1)]
 
 
-def _gathers(part: _Plateau, wide: _Plateau, expected: float) -> bool:
+def _is_hold(part: _Plateau, wide: _Plateau, expected: float) -> bool:
     count = part.last - part.first + 1
-    return count >= max(FEWEST, GATHERED * expected) and wide.last - wide.first + 1 < SHARP * count
+    return (
+        count >= max(FEWEST_HOLD_POINTS, HOLD_DENSITY_RATIO * expected)
+        and wide.last - wide.first + 1 < WIDE_BAND_RATIO * count
+    )
 
 
 def _run(level: Array, turn: int, width: float, first: int, last: int) -> _Plateau:
     """Return the samples about a turn that stay within 2 `width` of it."""
-    away = np.flatnonzero(np.abs(level[first : last + 1] - level[turn]) > 2.0 * width) + first
-    before, behind = away[away < turn], away[away > turn]
+    deviation = np.flatnonzero(np.abs(level[first : last + 1] - level[turn]) > 2.0 * width) + first
+    before, behind = deviation[deviation < turn], deviation[deviation > turn]
     return _Plateau(int(before[-1]) + 1 if before.size else first, int(behind[0]) - 1 if behind.size else last)
 
 
 def _within(level: Array, first: int, last: int, width: float, density: float) -> list[_Plateau]:
-    """Return the holds between two turns: where many samples lie within one band."""
-    way = level[first : last + 1]
-    ordered = np.sort(way)
+    """Return the holds between two turns: bands with many samples."""
+    samples = level[first : last + 1]
+    ordered = np.sort(samples)
     counts = np.searchsorted(ordered, ordered + 2.0 * width, side="right") - np.arange(ordered.size)
     counts[(ordered - ordered[0] < 3.0 * width) | (ordered[-1] - ordered < 5.0 * width)] = 0  # near a turn
-    found: list[_Plateau] = []
+    result: list[_Plateau] = []
     while True:
         start = int(np.argmax(counts))
-        if counts[start] < max(FEWEST, GATHERED * density * 2.0 * width):
-            return found
+        if counts[start] < max(FEWEST_HOLD_POINTS, HOLD_DENSITY_RATIO * density * 2.0 * width):
+            return result
         low = ordered[start]
-        inside = np.flatnonzero((way >= low) & (way <= low + 2.0 * width)) + first
-        near = np.flatnonzero((way >= low - 3.0 * width) & (way <= low + 5.0 * width)) + first
+        inside = np.flatnonzero((samples >= low) & (samples <= low + 2.0 * width)) + first
+        near = np.flatnonzero((samples >= low - 3.0 * width) & (samples <= low + 5.0 * width)) + first
         part = _Plateau(int(inside[0]), int(inside[-1]))
-        if _gathers(part, _Plateau(int(near[0]), int(near[-1])), density * 2.0 * width):
-            found.append(part)
+        if _is_hold(part, _Plateau(int(near[0]), int(near[-1])), density * 2.0 * width):
+            result.append(part)
         counts[np.abs(ordered - low) <= 4.0 * width] = 0

@@ -1,4 +1,4 @@
-"""A curve in rough strokes, before any model: where contact begins, how strong the noise is, how far it goes."""
+"""Rough outline of a curve without a model: onset of contact, noise, greatest force and tension."""
 
 from __future__ import annotations
 
@@ -10,25 +10,25 @@ import numpy as np
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.numerics.types import Array
 
-__all__ = ["BASELINE_POINTS", "FEWEST", "STANDS_OUT", "Outline", "far_force", "one_way", "outline"]
+__all__ = ["BASELINE_POINTS", "FEWEST", "SIGNAL_TO_NOISE", "CurveOutline", "far_force", "outline", "single_direction"]
 
 FEWEST = 10
-"""Points of one way, at least."""
-STANDS_OUT = 5.0
-"""Force in contact over noise, at least."""
+"""Fewest points of one direction."""
+SIGNAL_TO_NOISE = 5.0
+"""Least force in contact over the noise."""
 BASELINE_POINTS = 10
-FAR = 0.03
-"""Part of the points, the farthest from the sample, that are taken for free at first."""
-MEDIAN_OF = 5
+FAR_SHARE = 0.03
+"""Part of the points, farthest from the sample, initially assumed free."""
+FEWEST_FAR_POINTS = 5
 
 
-class Outline(NamedTuple):
-    """A curve in rough strokes.
+class CurveOutline(NamedTuple):
+    """Rough outline of a curve.
 
     Parameters
     ----------
     contact_point : float
-        Position below which no force stands out of the noise [m].
+        Position below which the force stays within the noise [m].
     baseline : float
         Force of the line through the free points there [N].
     noise : float
@@ -36,7 +36,7 @@ class Outline(NamedTuple):
     top : float
         Force at the largest position, above the baseline [N].
     pull : float
-        Largest tension below the baseline [N], zero if it does not stand out of the noise.
+        Largest tension below the baseline [N], zero if it is within the noise.
     before : int
         Number of points before contact.
     """
@@ -49,54 +49,54 @@ class Outline(NamedTuple):
     before: int
 
 
-def one_way(curve: ForceCurve) -> tuple[Array, Array]:
-    """Return position and force going in, or coming out where nothing goes in, from afar to the sample."""
+def single_direction(curve: ForceCurve) -> tuple[Array, Array]:
+    """Return position and force of the approach, or else of the retraction, sorted towards the sample."""
     inward = curve.direction > 0.0
-    way = inward if np.count_nonzero(inward) >= FEWEST else curve.direction < 0.0
-    chosen = np.flatnonzero(way) if np.count_nonzero(way) >= FEWEST else np.arange(curve.count)
+    selected = inward if np.count_nonzero(inward) >= FEWEST else curve.direction < 0.0
+    chosen = np.flatnonzero(selected) if np.count_nonzero(selected) >= FEWEST else np.arange(curve.count)
     chosen = chosen[np.argsort(curve.position[chosen], kind="stable")]
     return curve.position[chosen], curve.force[chosen]
 
 
-def outline(curve: ForceCurve) -> Outline:
-    """Return a curve in rough strokes: where contact begins, how strong the noise is, how far it goes."""
-    position, force = one_way(curve)
+def outline(curve: ForceCurve) -> CurveOutline:
+    """Return the rough outline of a curve."""
+    position, force = single_direction(curve)
     base = np.full(force.shape, far_force(force))
     noise = float(np.median(np.abs(np.diff(force, 2)))) / (0.6745 * math.sqrt(6.0))
     tip = max(3, force.size // 200)
     for _ in range(2):
         top = float(np.median(force[-tip:] - base[-tip:]))
         pull = _pull(curve, noise, abs(top))
-        quiet = np.flatnonzero(force <= base + max(4.0 * noise, 1e-3 * abs(top)))
-        last = int(quiet[-1]) if quiet.size and top > 0.0 else int(0.5 * force.size)
-        tense = np.flatnonzero(force < base - 0.5 * pull) if pull > 0.0 else quiet[:0]
-        free = int(0.9 * min([last, *tense[:1].tolist()]))
+        within_noise = np.flatnonzero(force <= base + max(4.0 * noise, 1e-3 * abs(top)))
+        last = int(within_noise[-1]) if within_noise.size and top > 0.0 else int(0.5 * force.size)
+        in_tension = np.flatnonzero(force < base - 0.5 * pull) if pull > 0.0 else within_noise[:0]
+        free = int(0.9 * min([last, *in_tension[:1].tolist()]))
         if free < BASELINE_POINTS:
             break
-        about = position[:free] - position[:free].mean()
-        slope = float(about @ force[:free]) / max(float(about @ about), 1e-300)
+        centred = position[:free] - position[:free].mean()
+        slope = float(centred @ force[:free]) / max(float(centred @ centred), 1e-300)
         base = force[:free].mean() + slope * (position - position[:free].mean())
         noise = math.sqrt(float(np.sum((force - base)[:free] ** 2)) / (free - 2))
-    return Outline(float(position[last]), float(base[last]), noise, top, pull, last)
+    return CurveOutline(float(position[last]), float(base[last]), noise, top, pull, last)
 
 
 def far_force(force: Array) -> float:
     """Return the force far from the sample, of forces in the order of positions."""
-    return float(np.median(force[: max(MEDIAN_OF, int(FAR * force.size))]))
+    return float(np.median(force[: max(FEWEST_FAR_POINTS, int(FAR_SHARE * force.size))]))
 
 
 def _pull(curve: ForceCurve, noise: float, top: float) -> float:
-    """Return the largest tension of either way, against its own far end."""
+    """Return the largest tension of either direction, relative to its far end."""
     largest = 0.0
     for direction in (1.0, -1.0):
-        mine = curve.direction == direction
-        if np.count_nonzero(mine) < FEWEST:
+        own_points = curve.direction == direction
+        if np.count_nonzero(own_points) < FEWEST:
             continue
-        order = np.argsort(curve.position[mine], kind="stable")
-        force = curve.force[mine][order]
+        order = np.argsort(curve.position[own_points], kind="stable")
+        force = curve.force[own_points][order]
         window = max(1, min(5, force.size // 50))
         smooth = np.convolve(force, np.ones(window) / window, mode="valid")
         pull = far_force(force) - float(smooth.min())
-        if pull > STANDS_OUT * noise / math.sqrt(window) and pull > 1e-3 * top:
+        if pull > SIGNAL_TO_NOISE * noise / math.sqrt(window) and pull > 1e-3 * top:
             largest = max(largest, pull)
     return largest

@@ -1,4 +1,4 @@
-"""The segments of a force curve: loading, holds, partial unloadings, and the last unloading, which is read."""
+"""The segments of a force curve: loading, holds, partial unloadings, and the last unloading, which is evaluated."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from winkler.values import value
 
 __all__ = ["Segment", "SegmentKind", "segments_of", "stated_directions"]
 
-GREATEST = 0.9
-"""The last unloading starts at this part of the greatest force, at least."""
+LEAST_PEAK_SHARE = 0.9
+"""Least force at the start of the last unloading, relative to the greatest."""
 
 
 class SegmentKind(Enum):
-    """What the tip does in a segment."""
+    """Kinds of segments."""
 
     LOADING = "loading"
     HOLD = "hold"
@@ -27,17 +27,17 @@ class SegmentKind(Enum):
     LAST_UNLOADING = "last unloading"
 
 
-STATED = {"loading": IN, "hold": HELD, "unloading": OUT, "partial unloading": OUT, "last unloading": OUT}
+KIND_DIRECTIONS = {"loading": IN, "hold": HELD, "unloading": OUT, "partial unloading": OUT, "last unloading": OUT}
 
 
 @value
 class Segment:
-    """A stretch of one direction.
+    """A part of one direction.
 
     Parameters
     ----------
     kind : SegmentKind
-        loading, hold, partial unloading, or last unloading: the last way out from (nearly) the greatest force.  A hold
+        loading, hold, partial unloading, or last unloading: the last one from (nearly) the greatest force.  A hold
         within it does not end it, and what comes after that hold belongs to it.
     first, last : int
         Indices of its first and last point in the curve.
@@ -65,24 +65,26 @@ def segments_of(direction: Array, force: Array) -> tuple[Segment, ...]:
     """
     turns = np.flatnonzero(np.diff(direction)) + 1
     ends = [(int(part[0]), int(part[-1])) for part in np.split(np.arange(direction.size), turns)]
-    ways = [float(direction[first]) for first, _ in ends]
+    directions = [float(direction[first]) for first, _ in ends]
     tops: dict[int, float] = {}
-    """First segment of every way out, and the force from which it starts."""
+    """First segment of each unloading, and the force at its start."""
     start = -1
-    for place, way in enumerate(ways):
-        if way == IN:
+    for place, sign in enumerate(directions):
+        if sign == IN:
             start = -1
-        elif way == OUT and start < 0:
+        elif sign == OUT and start < 0:
             start = place
             first = ends[place][0]
             tops[place] = float(force[max(first - 1, 0) : first + 1].max())
     greatest = max(tops.values(), default=0.0)
-    last = max((place for place, top in tops.items() if top >= GREATEST * greatest), default=max(tops, default=-1))
-    after = next((place for place in range(max(last, 0), len(ways)) if ways[place] == IN), len(ways))
+    last = max(
+        (place for place, top in tops.items() if top >= LEAST_PEAK_SHARE * greatest), default=max(tops, default=-1)
+    )
+    after = next((place for place in range(max(last, 0), len(directions)) if directions[place] == IN), len(directions))
     kinds = {IN: SegmentKind.LOADING, HELD: SegmentKind.HOLD, OUT: SegmentKind.PARTIAL_UNLOADING}
     return tuple(
-        Segment(SegmentKind.LAST_UNLOADING if way == OUT and last <= place < after else kinds[way], *ends[place])
-        for place, way in enumerate(ways)
+        Segment(SegmentKind.LAST_UNLOADING if sign == OUT and last <= place < after else kinds[sign], *ends[place])
+        for place, sign in enumerate(directions)
     )
 
 
@@ -110,17 +112,18 @@ def stated_directions(stated: Sequence[tuple[str, int]], count: int) -> Array:
             raise InvalidInput(
                 f"segments: line {place} is {line!r}; give a kind and its first point, as ('hold', 120)."
             ) from None
-        if kind not in STATED:
+        if kind not in KIND_DIRECTIONS:
             raise InvalidInput(
-                f"segments: line {place} is a '{kind}'{suggest(str(kind), STATED)}; give loading, hold or unloading."
+                f"segments: line {place} is a '{kind}'{suggest(str(kind), KIND_DIRECTIONS)}; give loading, hold or "
+                "unloading."
             )
-        whole = not isinstance(first, bool) and isinstance(first, int | np.integer)
-        if not whole or not before < first < count or (place == 0 and first != 0):
+        is_integer = not isinstance(first, bool) and isinstance(first, int | np.integer)
+        if not is_integer or not before < first < count or (place == 0 and first != 0):
             raise InvalidInput(
                 f"segments: line {place} begins at the point {first!r}; begin at 0, and give growing indices below "
                 f"{count}, the number of points."
             )
-        direction[first:] = STATED[kind]
+        direction[first:] = KIND_DIRECTIONS[kind]
         before = int(first)
     if before < 0:
         raise InvalidInput("segments: none are given; state them as ('loading', 0), ('hold', 120), ('unloading', 180).")

@@ -1,9 +1,9 @@
-r"""What a model says about a measured curve: the force at every position, in contact and out of it.
+r"""Predicted force of a model at all positions of a measured curve, in contact and out of it.
 
-The model gives the force of a contact that holds.  Without adhesion it holds where D > 0.  With adhesion, where the tip
-jumps in and where it comes off is read from the curve: vibration and noise part a contact before its limit, and forces
-of long range close one before first touch.  So in every run the two stretches are told apart where the squared misfit
-is least, the branch of the contact going on a little beyond its limit, as if its edge were held.
+The model gives the force in contact.  Without adhesion there is contact where D > 0.  With adhesion, jump-in and
+pull-off are taken from the curve: vibration and noise separate a contact before its limit, and forces of long range
+close one before first touch.  In each run the transition is therefore placed at the least squared misfit, and the
+branch of the contact is continued a little beyond its limit, as if its edge were pinned.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
-from winkler.fitting.elastic.response import Answer, Response, response
+from winkler.fitting.elastic.response import MachineResponse, ResponseValues, response
 from winkler.fitting.validity import Model
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import ShortRange
@@ -35,12 +35,12 @@ __all__ = [
     "states_for",
 ]
 
-FARTHEST_HELD = 2.0
-"""So many of its greatest pulls a contact may reach beyond its limit; without end, any tension would pass for one."""
+MOST_PULLS_BEYOND = 2.0
+"""Greatest tension of the continued branch, in multiples of the pull-off force."""
 
 
 class Run(NamedTuple):
-    """Points from `start` to `stop` of one direction; `turn` is the largest position [m] before it came out."""
+    """Points from `start` to `stop` of one direction; `turn` is the largest position [m] before the retraction."""
 
     start: int
     stop: int
@@ -49,26 +49,26 @@ class Run(NamedTuple):
 
 
 class HeldContact(NamedTuple):
-    """The contact as if it held at every point.
+    """The contact continued to all points.
 
     Parameters
     ----------
     force, slope, radius : ndarray, (n,)
         [N], dF/dD [N/m], a [m].
     balanced : ndarray of bool, (n,)
-        Where the edge is in the equilibrium of `response`; elsewhere it is held.
-    response : Response
+        Where the edge is in the equilibrium of `response`; elsewhere it is pinned.
+    response : MachineResponse
         Of the receding contact.
     sticky : bool
-        Whether it holds under tension.
+        Whether it is adhesive.
     """
 
     force: Array
     slope: Array
     radius: Array
     balanced: Array
-    response: Response
-    sticky: bool
+    response: MachineResponse
+    adhesive: bool
 
 
 def runs_of(curve: ForceCurve) -> tuple[Run, ...]:
@@ -91,7 +91,7 @@ def states_for(model: Model) -> EdgeStates:
     Raises
     ------
     InvalidInput
-        If the model is of a kind that cannot be fitted.
+        If this kind of model cannot be fitted.
     """
     match model:
         case Indentation():
@@ -106,7 +106,7 @@ def states_for(model: Model) -> EdgeStates:
 
 
 def held_contact(model: Model, compliance: float, position: Array, runs: tuple[Run, ...], origin: float) -> HeldContact:
-    """Return the contact at positions D from first touch, as if it held at all of them.
+    """Return the contact continued to all positions D from first touch.
 
     Parameters
     ----------
@@ -129,7 +129,7 @@ def held_contact(model: Model, compliance: float, position: Array, runs: tuple[R
         closing = law.work_closing
         states = ShortStates(model.bed, closing) if closing > 0.0 else FarStates(model.bed, 0.0)
         advancing = response(states, compliance, highest)
-    sticky = isinstance(model, AdhesiveIndentation)
+    adhesive = isinstance(model, AdhesiveIndentation)
     if hysteresis:
         columns = np.empty((4, position.size))
         for run in runs:
@@ -150,58 +150,58 @@ def held_contact(model: Model, compliance: float, position: Array, runs: tuple[R
             places = position[part]
             which[part] = receding.narrowest(places) if run.inward else receding.widest(places, run.turn - origin)
         columns = np.array(receding.on(which, position))
-    if not sticky:
+    if not adhesive:
         columns[:3, position <= 0.0] = 0.0
     force, slope, radius, balanced = columns
-    return HeldContact(force, slope, radius, balanced > 0.0, receding, sticky)
+    return HeldContact(force, slope, radius, balanced > 0.0, receding, adhesive)
 
 
 def moved_force(held: HeldContact, other: Model, compliance: float, where: Array) -> Array:
-    r"""Return by how much the force of nearly the same model differs, at the same positions ``(m,)``.
+    r"""Return the difference of force of a slightly changed model at the same positions ``(m,)``.
 
     With D(a) and F(a) of both, at the radius of the first, :math:`\delta F|_D = \delta F|_a - F'(D)\,\delta D|_a`.
 
     Parameters
     ----------
     held : HeldContact
-        What the model says.
+        Prediction of the model.
     other : Indentation or AdhesiveIndentation
         The other model, `comparable` with the one of `held`.
     compliance : float
         Of the machine [m/N].
     where : ndarray of bool, (n,)
-        Which points, m of them, all balanced.
+        The m points, all balanced.
     """
-    level, force = held.response.beside(states_for(other), compliance, held.radius[where])
+    level, force = held.response.differences(states_for(other), compliance, held.radius[where])
     return np.asarray(force - held.slope[where] * level)
 
 
 def comparable(model: Model, other: Model) -> bool:
-    """Return whether `moved_force` may compare two models: shapes with the same corners, known equally far."""
-    bed, moved = model.bed, other.bed
-    return (bed.kinks, bed.reach, bed.rim) == (moved.kinks, moved.reach, moved.rim)
+    """Return whether `moved_force` may compare two models: equal kinks, reach and rim."""
+    bed, other_bed = model.bed, other.bed
+    return (bed.kinks, bed.reach, bed.rim) == (other_bed.kinks, other_bed.reach, other_bed.rim)
 
 
 def _unloaded(
-    bed: Bed, advancing: Response, receding: Response, compliance: float, position: Array, turn: float
-) -> Answer:
-    """Return the answers of a contact whose edge rests after the turn until opening takes it."""
+    bed: Bed, advancing: MachineResponse, receding: MachineResponse, compliance: float, position: Array, turn: float
+) -> ResponseValues:
+    """Return the response of a contact whose edge is at rest after the turn until it recedes."""
     top = advancing.closing(np.array([turn]))
     stiffness = bed.stiffness(top.radius)
     stiffness = stiffness / (1.0 + compliance * stiffness)
     pinned = top.force + stiffness * (position - turn)
-    open_ = receding.opening(position, turn)
-    rests = open_.radius > top.radius
-    return Answer(
-        np.where(rests, pinned, open_.force),
-        np.where(rests, stiffness, open_.slope),
-        np.where(rests, top.radius, open_.radius),
-        open_.balanced,
+    opened = receding.opening(position, turn)
+    rests = opened.radius > top.radius
+    return ResponseValues(
+        np.where(rests, pinned, opened.force),
+        np.where(rests, stiffness, opened.slope),
+        np.where(rests, top.radius, opened.radius),
+        opened.balanced,
     )
 
 
 def attached(held: HeldContact, measured: Array, runs: tuple[Run, ...], weights: Array) -> Array:
-    """Return at which points the contact holds.
+    """Return the points in contact.
 
     Parameters
     ----------
@@ -215,11 +215,11 @@ def attached(held: HeldContact, measured: Array, runs: tuple[Run, ...], weights:
     -------
     ndarray of bool, (n,)
     """
-    if not held.sticky:
+    if not held.adhesive:
         return np.asarray(held.radius > 0.0)
-    gain = measured**2 - (measured - weights * held.force) ** 2  # what holding explains
+    gain = measured**2 - (measured - weights * held.force) ** 2  # misfit explained by contact
     pull = min(held.response.least(), 0.0)
-    gain[~held.balanced & (held.force < FARTHEST_HELD * pull)] = -np.inf
+    gain[~held.balanced & (held.force < MOST_PULLS_BEYOND * pull)] = -np.inf
     result = np.zeros(measured.shape, dtype=bool)
     for run in runs:
         part = gain[run.start : run.stop]

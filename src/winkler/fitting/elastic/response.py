@@ -1,11 +1,11 @@
-r"""The force that a machine reads at every position, of a contact with or without adhesion.
+r"""Force over the position of a machine, for a contact with or without adhesion.
 
 Depth and force are explicit functions of the contact radius a, and so is the position of the machine
 
 .. math:: D(a) = d(a) + F(a)/k_m .
 
-Stable are the stretches where D rises.  An advancing contact stands on the first of them that reaches D, a receding one
-on the last that does; where a stretch ends it leaps to the next.
+Stable are the branches on which D rises.  An advancing contact follows the first of them that reaches D, a receding one
+the last; at the end of a branch it jumps to the next.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
-from winkler.fitting.elastic.rising import Pair, Piece, Tabulated, tabulated
+from winkler.fitting.elastic.rising import Pair, RadiusTable, RisingPiece, tabulated
 from winkler.media.body_of import thickness_of
 from winkler.numerics.equations.roots import rough_root
 from winkler.numerics.types import Array
@@ -25,28 +25,28 @@ from winkler.problems.adhesion.stability import least_radius
 from winkler.problems.normal.length_scale import own_length
 from winkler.problems.normal.solve_contact import flat_radius
 
-__all__ = ["Answer", "Response", "response"]
+__all__ = ["MachineResponse", "ResponseValues", "response"]
 
-STEEPEST = 100.0
-"""Greatest slope of a force, in stiffnesses of a contact whose edge is held: at the end of a stretch it has none.
+MOST_RELATIVE_SLOPE = 100.0
+"""Greatest slope of a force relative to the stiffness with a pinned edge; it diverges at the end of a branch.
 
-From where it is reached the force goes straight on, so that a fit meets no corner.  Of the last of a pull-off, less
-than one part in 1e4 of the way, this tells the force up to a hundredth wrong."""
-HALVES = 0.5 ** np.arange(1.0, 40.0)
-NOTHING = 1e-2
-"""Part of the widest contact below which one is as good as nothing."""
-OCTAVES = 400
-ROUNDING = 1e-9
-STEPS_TO_END = 50
-TIGHTER = 2
-"""How often the stretch beyond what is asked for is halved."""
-ALONE, UPWARDS, DOWNWARDS = np.ones(1), 2.0 ** np.arange(8), 0.5 ** np.arange(8)
+Beyond it the force is continued linearly, so that a fit meets no kink.  In the last part of 1e-4 before pull-off the
+force is wrong by up to a hundredth."""
+HALVED_STEPS = 0.5 ** np.arange(1.0, 40.0)
+NEGLIGIBLE_RADIUS_SHARE = 1e-2
+"""Contact radius below which a contact is negligible, relative to the widest."""
+MOST_DOUBLINGS = 400
+PULL_TOLERANCE = 1e-9
+MOST_BISECTIONS = 50
+FEWEST_BISECTIONS = 2
+"""Fewest bisections of the range beyond the requested position."""
+SINGLE_RADIUS, GROWING_RADII, SHRINKING_RADII = np.ones(1), 2.0 ** np.arange(8), 0.5 ** np.arange(8)
 
 
-class Answer(NamedTuple):
+class ResponseValues(NamedTuple):
     """Forces [N] at positions, what they change by per length [N/m], and the contact radii [m].
 
-    `balanced` marks with 1 where the edge is in equilibrium, with 0 where it is held: at an end, or beyond a limit.
+    `balanced` is 1 where the edge is in equilibrium, 0 where it is pinned: at an end, or beyond a limit.
     """
 
     force: Array
@@ -56,57 +56,57 @@ class Answer(NamedTuple):
 
 
 class Continuation(NamedTuple):
-    """From the position `level` [m] on downwards a force goes straight on, from `force` [N] with `slope` [N/m]."""
+    """Linear continuation of a force below the position `level` [m], from `force` [N] with `slope` [N/m]."""
 
     level: float
     force: float
     slope: float
 
 
-class Response(NamedTuple):
-    """What a contact answers to its machine.
+class MachineResponse(NamedTuple):
+    """Response of a contact to its machine.
 
     Parameters
     ----------
-    table : Tabulated
+    table : RadiusTable
         D [m] and F [N] over the contact radius.
     end : tuple of float
         D [m], F [N], dF/dD [N/m] and a [m] at the last radius; where the profile ends, the contact is pinned there.
     held : tuple of Continuation
-        How each stretch goes on below.
+        Continuation of each branch below its start.
     """
 
-    table: Tabulated
+    table: RadiusTable
     end: tuple[float, float, float, float]
     held: tuple[Continuation, ...]
 
     def loss(self) -> tuple[float, float]:
-        """Return D [m] and F [N] at which a receding contact comes off."""
+        """Return D [m] and F [N] at pull-off of a receding contact."""
         if not self.table.pieces:
             return self.end[0], self.end[1]
         first = min(self.table.pieces, key=lambda piece: float(piece.levels[0]))
         return float(first.levels[0]), float(self.table.read(self.table.start(first))[0][0])
 
     def least(self) -> float:
-        """Return the least force of all stable states [N], of the greatest pull."""
+        """Return the least force of all stable states [N], at the greatest tension."""
         table = self.table
         forces = [float(table.read(table.places(piece.places))[0].min()) for piece in table.pieces]
         return min(forces, default=self.end[1])
 
-    def closing(self, position: Array) -> Answer:
-        """Return what an advancing contact answers: of several states the narrowest."""
+    def closing(self, position: Array) -> ResponseValues:
+        """Return the response of an advancing contact: the narrowest of several states."""
         return self.on(self.narrowest(position), position)
 
-    def opening(self, position: Array, turn: float) -> Answer:
-        """Return what a receding contact answers, which turned at the position `turn`: of several states the widest."""
+    def opening(self, position: Array, turn: float) -> ResponseValues:
+        """Return the response of a receding contact that turned at `turn` [m]: the widest of several states."""
         return self.on(self.widest(position, turn), position)
 
     def narrowest(self, position: Array) -> Array:
-        """Return on which stretch an advancing contact stands."""
+        """Return the index of the branch of an advancing contact."""
         return np.searchsorted(self._tops(), position, side="right")
 
     def widest(self, position: Array, turn: float) -> Array:
-        """Return on which stretch a receding contact stands, which turned at the position `turn`."""
+        """Return the index of the branch of a receding contact that turned at the position `turn`."""
         bottoms = np.array([piece.levels[0] for piece in self.table.pieces])
         reached = int(np.searchsorted(self._tops(), turn, side="right"))
         bottoms = bottoms[: reached + 1]
@@ -121,37 +121,37 @@ class Response(NamedTuple):
     def _tops(self) -> Array:
         return np.maximum.accumulate(np.array([piece.levels[-1] for piece in self.table.pieces]))
 
-    def on(self, which: Array, position: Array) -> Answer:
-        """Return the answers of given stretches; past the last one those of the pinned contact."""
-        answers = np.empty((4, position.size))
+    def on(self, which: Array, position: Array) -> ResponseValues:
+        """Return the response on branches given by index; past the last one that of the pinned contact."""
+        columns = np.empty((4, position.size))
         for index in np.flatnonzero(np.bincount(which)):
-            mine = which == index
-            answers[:, mine] = self._on(int(index), position[mine])
-        return Answer(*answers)
+            own_points = which == index
+            columns[:, own_points] = self._on(int(index), position[own_points])
+        return ResponseValues(*columns)
 
-    def beside(self, states: EdgeStates, compliance: float, radius: Array) -> Array:
-        """Return by how much D [m] and F [N] of nearly the same states differ from these ``(2, m)``, at radii [m]."""
-        return self.table.beside(_curves(states, compliance), self.table.places_of(radius))
+    def differences(self, states: EdgeStates, compliance: float, radius: Array) -> Array:
+        """Return the differences of D [m] and F [N] of slightly changed states ``(2, m)``, at radii [m]."""
+        return self.table.differences(_curves(states, compliance), self.table.places_of(radius))
 
-    def _on(self, index: int, position: Array) -> Answer:
-        """Return the answers of one stretch; below it the force goes on as if the edge were held."""
+    def _on(self, index: int, position: Array) -> ResponseValues:
+        """Return the response on one branch, with its continuation below."""
         level, force, stiffness, radius = self.end
         if index >= len(self.table.pieces):
-            answer = np.full(position.shape, stiffness), np.full(position.shape, radius), np.zeros(position.shape)
-            return Answer(force + stiffness * (position - level), *answer)
+            constants = np.full(position.shape, stiffness), np.full(position.shape, radius), np.zeros(position.shape)
+            return ResponseValues(force + stiffness * (position - level), *constants)
         piece, held = self.table.pieces[index], self.held[index]
-        begun = position > piece.levels[0]
-        answers = np.empty((4, position.size))
-        answers[:, ~begun] = self.table.radius(self.table.start(piece))
-        places = self.table.where(piece, np.minimum(position[begun], piece.levels[-1]))
+        above_start = position > piece.levels[0]
+        columns = np.empty((4, position.size))
+        columns[:, ~above_start] = self.table.radius(self.table.start(piece))
+        places = self.table.where(piece, np.minimum(position[above_start], piece.levels[-1]))
         forces, slopes = self.table.read(places)
-        slopes = np.clip(slopes, -STEEPEST * stiffness, STEEPEST * stiffness)
-        answers[:, begun] = forces, slopes, self.table.radius(places), np.ones(forces.shape)
-        below = (position < held.level) | ~begun
-        answers[0, below] = held.force + held.slope * (position[below] - held.level)
-        answers[1, below] = held.slope
-        answers[3, below | (position > piece.levels[-1])] = 0.0
-        return Answer(*answers)
+        slopes = np.clip(slopes, -MOST_RELATIVE_SLOPE * stiffness, MOST_RELATIVE_SLOPE * stiffness)
+        columns[:, above_start] = forces, slopes, self.table.radius(places), np.ones(forces.shape)
+        below = (position < held.level) | ~above_start
+        columns[0, below] = held.force + held.slope * (position[below] - held.level)
+        columns[1, below] = held.slope
+        columns[3, below | (position > piece.levels[-1])] = 0.0
+        return ResponseValues(*columns)
 
 
 def _curves(states: EdgeStates, compliance: float) -> Pair:
@@ -165,8 +165,8 @@ def _curves(states: EdgeStates, compliance: float) -> Pair:
     return curves
 
 
-def response(states: EdgeStates, compliance: float, highest: float) -> Response:
-    """Return what a contact answers to a machine, up to a position.
+def response(states: EdgeStates, compliance: float, highest: float) -> MachineResponse:
+    """Return the response of a contact to a machine, up to a position.
 
     Parameters
     ----------
@@ -175,7 +175,7 @@ def response(states: EdgeStates, compliance: float, highest: float) -> Response:
     compliance : float
         1/k_m [m/N].
     highest : float
-        The largest position D that is asked for, from first touch [m].
+        The largest requested position D, from first touch [m].
 
     Raises
     ------
@@ -190,35 +190,35 @@ def response(states: EdgeStates, compliance: float, highest: float) -> Response:
         table = tabulated(curves, low, high, np.array([b for b, _ in bed.kinks if low <= b < high]))
     else:
         nothing = np.zeros(0)
-        table = Tabulated(nothing, nothing, nothing, np.zeros((1, 2, 0)), ())
+        table = RadiusTable(nothing, nothing, nothing, np.zeros((1, 2, 0)), ())
     place = np.array([high])
     level, force = (float(column[0]) for column in curves(place))
     stiffness = float(bed.stiffness(place)[0])
     stiffness /= 1.0 + compliance * stiffness
     held = tuple(_held(table, piece, states, compliance, stiffness) for piece in table.pieces)
-    return Response(table, (level, force, stiffness, high), held)
+    return MachineResponse(table, (level, force, stiffness, high), held)
 
 
-def _held(table: Tabulated, piece: Piece, states: EdgeStates, compliance: float, widest: float) -> Continuation:
-    """Return from where on the force of a stretch is continued."""
+def _held(table: RadiusTable, piece: RisingPiece, states: EdgeStates, compliance: float, widest: float) -> Continuation:
+    """Return the continuation of the force of a branch."""
     start = table.start(piece)
     radius = table.radius(start)
-    if states.from_nothing() and radius[0] <= NOTHING * table.right[-1]:
+    if states.from_nothing() and radius[0] <= NEGLIGIBLE_RADIUS_SHARE * table.right[-1]:
         pull = float(table.read(start)[0][0])
-        # without attraction there is nothing below; with it, a plateau would pass for a contact that goes on for ever
+        # without attraction the force is constant below; with it, a constant force would never end the contact
         pressed = float(table.read(table.where(piece, piece.levels[-1:]))[0][0])
-        attracted = pull < -ROUNDING * abs(pressed)
+        attracted = pull < -PULL_TOLERANCE * abs(pressed)
         return Continuation(float(piece.levels[0]), pull, widest if attracted else 0.0)
     stiffness = float(states.bed.stiffness(radius)[0])
-    steepest = STEEPEST * stiffness / (1.0 + compliance * stiffness)
-    steps = (piece.places[-1] - piece.places[0]) * HALVES
+    steepest = MOST_RELATIVE_SLOPE * stiffness / (1.0 + compliance * stiffness)
+    steps = (piece.places[-1] - piece.places[0]) * HALVED_STEPS
     slopes = np.abs(table.read(table.places(piece.places[0] + steps))[1])
     steep = int(np.argmax(slopes > steepest)) if np.any(slopes > steepest) else steps.size - 1
-    # D rises like the square of the way from its least value, so the slope falls like the inverse of the way
-    way = min(float(steps[steep]) * float(slopes[steep]) / steepest, float(piece.places[-1] - piece.places[0]))
-    there = table.places(piece.places[:1] + way)
-    force, slope = table.read(there)
-    return Continuation(float(table.level(there)[0]), float(force[0]), float(slope[0]))
+    # D rises like the square of the distance from its least value, so the slope falls like its inverse
+    distance = min(float(steps[steep]) * float(slopes[steep]) / steepest, float(piece.places[-1] - piece.places[0]))
+    transition = table.places(piece.places[:1] + distance)
+    force, slope = table.read(transition)
+    return Continuation(float(table.level(transition)[0]), float(force[0]), float(slope[0]))
 
 
 def _last_radius(states: EdgeStates, compliance: float, highest: float, low: float) -> float:
@@ -229,26 +229,26 @@ def _last_radius(states: EdgeStates, compliance: float, highest: float, low: flo
         return end
 
     curves = _curves(states, compliance)
-    known: dict[float, float] = {}
+    levels_by_radius: dict[float, float] = {}
 
     def level(radius: float, ahead: Array) -> float:
-        """Return D at a radius; what may be asked for next is computed with it."""
-        if radius not in known:
+        """Return D at a radius; values that may be needed next are computed with it."""
+        if radius not in levels_by_radius:
             places = np.minimum(radius * ahead, end)
-            known.update(zip(places.tolist(), _levels(curves, places).tolist(), strict=True))
-        return known[radius]
+            levels_by_radius.update(zip(places.tolist(), _levels(curves, places).tolist(), strict=True))
+        return levels_by_radius[radius]
 
     length = own_length(bed)
     high = max(length if math.isfinite(length) else rough_root(bed.gap, highest), 2.0 * low)
-    # layers are not asked for contacts far wider than needed: these take long
-    upwards = UPWARDS if math.isinf(thickness_of(bed.medium)) else ALONE
+    # on layers contacts far wider than needed are expensive
+    upwards = GROWING_RADII if math.isinf(thickness_of(bed.medium)) else SINGLE_RADIUS
     below, narrowest = low, 2.0**-100 * high
     if high < end and not level(high, upwards) <= highest:
-        while high > 4.0 * low and high > narrowest and not level(0.5 * high, DOWNWARDS) <= highest:
+        while high > 4.0 * low and high > narrowest and not level(0.5 * high, SHRINKING_RADII) <= highest:
             high *= 0.5
         below = 0.5 * high
     else:
-        for _ in range(OCTAVES):
+        for _ in range(MOST_DOUBLINGS):
             below, high = min(high, end), min(2.0 * high, end)
             if high == end or not level(high, upwards) <= highest:
                 break
@@ -257,13 +257,13 @@ def _last_radius(states: EdgeStates, compliance: float, highest: float, low: flo
                 f"The contact closes without end before the position {highest:.4g} m is reached; give a profile that "
                 "rises."
             )
-    if level(high, ALONE) <= highest:
+    if level(high, SINGLE_RADIUS) <= highest:
         return high
-    for sweep in range(STEPS_TO_END):
-        if sweep >= TIGHTER and np.isfinite(level(high, ALONE)):
+    for sweep in range(MOST_BISECTIONS):
+        if sweep >= FEWEST_BISECTIONS and np.isfinite(level(high, SINGLE_RADIUS)):
             break
         middle = 0.5 * (below + high)
-        below, high = (middle, high) if level(middle, ALONE) <= highest else (below, middle)
+        below, high = (middle, high) if level(middle, SINGLE_RADIUS) <= highest else (below, middle)
     return high
 
 
@@ -272,7 +272,7 @@ def _levels(curves: Pair, radii: Array) -> Array:
     try:
         with np.errstate(all="ignore"):
             return curves(radii)[0]
-    except (NotConverged, OutsideValidity):  # a cohesive zone that leaves the profile, or its end on layers
+    except (NotConverged, OutsideValidity):  # a cohesive zone beyond the profile, or its end on layers
         if radii.size == 1:
             return np.array([np.nan])
         return np.concatenate([_levels(curves, radii[i : i + 1]) for i in range(radii.size)])

@@ -1,8 +1,8 @@
-r"""Two functions of the contact radius, resolved once, so that one can be read as a function of the other.
+r"""Two functions of the contact radius, resolved once, so that one can be evaluated as a function of the other.
 
 Both are Chebyshev polynomials on panels that double in size from the axis on; above a kink b their variable is
 :math:`y = \sqrt{a^2-b^2}`.  Where the first function rises it is inverted, for thousands of values at once, by Newton's
-method on its polynomials; the functions themselves are called some hundred times.
+method on its polynomials; the functions themselves are evaluated some hundred times.
 """
 
 from __future__ import annotations
@@ -16,38 +16,38 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["Pair", "Piece", "Places", "Tabulated", "tabulated"]
+__all__ = ["Pair", "PanelPlaces", "RadiusTable", "RisingPiece", "tabulated"]
 
 DEGREE = 14
-RESOLVED = 1e-10
-DEEPEST = 6
-OCTAVES = 10
+RESOLUTION = 1e-10
+MOST_HALVINGS = 6
+PANEL_DOUBLINGS = 10
 SAMPLES = 8
-SWEEPS = 5
-CLOSE = 1e-9
-"""A step of Newton's method, on panels from -1 to 1, after which the next one would be less than rounding."""
-NOISE = 1e-9
-"""Part of the largest value by which a function must fall for a turn to be believed."""
+MOST_NEWTON_STEPS = 5
+NEWTON_TOLERANCE = 1e-9
+"""Step of Newton's method on panels from -1 to 1, below which the next one is rounding error."""
+FALL_TOLERANCE = 1e-9
+"""Least fall of a function at a turn, relative to its largest value."""
 
 Pair = Callable[[Array], tuple[Array, Array]]
 
 
-class Piece(NamedTuple):
-    """A stretch where the first function rises: places s on it, its values there, rising."""
+class RisingPiece(NamedTuple):
+    """An interval on which the first function rises: coordinates s and increasing values."""
 
     places: Array
     levels: Array
 
 
-class Places(NamedTuple):
-    """Places on the panels: which one, and where on it, from -1 to 1."""
+class PanelPlaces(NamedTuple):
+    """Positions on the panels: index and coordinate from -1 to 1."""
 
     panel: Array
     t: Array
 
 
-class Tabulated(NamedTuple):
-    """Two functions, panel by panel, over a place s that counts panels.
+class RadiusTable(NamedTuple):
+    """Two functions, panel by panel, over a coordinate s that counts panels.
 
     Parameters
     ----------
@@ -55,7 +55,7 @@ class Tabulated(NamedTuple):
         The kink [m] from which y counts, and y where the panel begins and ends [m].
     series : ndarray, (degree + 1, 2, panels)
         Power series of the two functions in the panel's own variable, from -1 to 1.
-    pieces : tuple of Piece
+    pieces : tuple of RisingPiece
         Where the first function rises, in the order of growing radii.
     """
 
@@ -63,47 +63,47 @@ class Tabulated(NamedTuple):
     left: Array
     right: Array
     series: Array
-    pieces: tuple[Piece, ...]
+    pieces: tuple[RisingPiece, ...]
 
-    def radius(self, places: Places) -> Array:
+    def radius(self, places: PanelPlaces) -> Array:
         """Return the contact radii a [m]."""
         base, left, right = (column[places.panel] for column in (self.base, self.left, self.right))
         y = 0.5 * (left + right) + 0.5 * (right - left) * places.t
         return np.asarray(np.where(base > 0.0, np.hypot(base, y), y))
 
-    def start(self, piece: Piece) -> Places:
+    def start(self, piece: RisingPiece) -> PanelPlaces:
         """Return the place where a piece begins."""
         return self.places(piece.places[:1])
 
-    def places(self, s: Array) -> Places:
+    def places(self, s: Array) -> PanelPlaces:
         """Return the places of numbers that count panels."""
         panel = np.minimum(s.astype(int), self.base.size - 1)
-        return Places(panel, 2.0 * (s - panel) - 1.0)
+        return PanelPlaces(panel, 2.0 * (s - panel) - 1.0)
 
-    def places_of(self, radius: Array) -> Places:
+    def places_of(self, radius: Array) -> PanelPlaces:
         """Return the places of contact radii within the table [m]."""
         panel = np.searchsorted(np.hypot(self.base, self.right), radius, side="left")
         panel = np.minimum(panel, self.base.size - 1)
         base, left, right = self.base[panel], self.left[panel], self.right[panel]
         y = np.sqrt(np.maximum((radius - base) * (radius + base), 0.0))
-        return Places(panel, np.clip((2.0 * y - left - right) / (right - left), -1.0, 1.0))
+        return PanelPlaces(panel, np.clip((2.0 * y - left - right) / (right - left), -1.0, 1.0))
 
-    def where(self, piece: Piece, target: Array) -> Places:
-        """Return where on a piece the first function takes values within it."""
+    def where(self, piece: RisingPiece, target: Array) -> PanelPlaces:
+        """Return the positions on a piece at which the first function takes target values."""
         right = np.clip(np.searchsorted(piece.levels, target, side="left"), 1, len(piece.levels) - 1)
         low, high = piece.places[right - 1], piece.places[right]
         bottom, top = piece.levels[right - 1], piece.levels[right]
         share = np.clip((target - bottom) / (top - bottom), 0.0, 1.0)
-        share = np.where(right == 1, np.sqrt(share), share)  # most stretches begin like a square
+        share = np.where(right == 1, np.sqrt(share), share)  # most pieces begin like a square
         panel = np.minimum((0.5 * (low + high)).astype(int), self.base.size - 1)
         start, stop = 2.0 * (low - panel) - 1.0, 2.0 * (high - panel) - 1.0
         t = start + share * (stop - start)
         series = self.series[:, 0, panel]
-        exact = 4.0 * np.finfo(float).eps * float(np.abs(piece.levels).max())
-        for _ in range(SWEEPS):
+        tolerance = 4.0 * np.finfo(float).eps * float(np.abs(piece.levels).max())
+        for _ in range(MOST_NEWTON_STEPS):
             value, rise = _horner(series, t)
-            met = np.abs(value - target) <= exact  # where a stretch begins, the next step would be noise over nothing
-            if met.all():
+            converged = np.abs(value - target) <= tolerance  # at the start of a piece the next step would be 0/0
+            if converged.all():
                 break
             over = value > target
             start, stop = np.where(over, start, t), np.where(over, t, stop)
@@ -111,26 +111,26 @@ class Tabulated(NamedTuple):
                 new = t - (value - target) / rise
             inside = (new >= start) & (new <= stop)
             last = t
-            t = np.where(met, t, np.where(inside, new, 0.5 * (start + stop)))
-            if np.all(met | (inside & (np.abs(t - last) <= CLOSE))):
+            t = np.where(converged, t, np.where(inside, new, 0.5 * (start + stop)))
+            if np.all(converged | (inside & (np.abs(t - last) <= NEWTON_TOLERANCE))):
                 break
-        return Places(panel, t)
+        return PanelPlaces(panel, t)
 
-    def read(self, places: Places) -> tuple[Array, Array]:
+    def read(self, places: PanelPlaces) -> tuple[Array, Array]:
         """Return the second function, and its derivative with respect to the first; zero where that does not rise."""
         value, (rise, gain) = _horner(self.series[:, :, places.panel], places.t)
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             slope = gain / rise
         return value[1], np.where((rise > 0.0) & np.isfinite(slope), slope, 0.0)
 
-    def level(self, places: Places) -> Array:
+    def level(self, places: PanelPlaces) -> Array:
         """Return the first function."""
         return _horner(self.series[:, 0, places.panel], places.t)[0]
 
-    def beside(self, function: Pair, places: Places) -> Array:
-        """Return by how much two other functions differ from these ``(2, m)``, at places.
+    def differences(self, function: Pair, places: PanelPlaces) -> Array:
+        """Return the differences of two other functions from these ``(2, m)``, at positions.
 
-        Both must be nearly the same: they are resolved on the same panels.
+        They must be close to these, as they use the same panels.
         """
         nodes, matrix, powers = _nodes()
         y = 0.5 * (self.left + self.right)[:, None] + 0.5 * (self.right - self.left)[:, None] * nodes
@@ -140,7 +140,7 @@ class Tabulated(NamedTuple):
         return _horner(change[:, :, places.panel], places.t)[0]
 
 
-def tabulated(function: Pair, low: float, high: float, kinks: Array) -> Tabulated:
+def tabulated(function: Pair, low: float, high: float, kinks: Array) -> RadiusTable:
     """Return two functions of the radius as a table.
 
     Parameters
@@ -148,14 +148,14 @@ def tabulated(function: Pair, low: float, high: float, kinks: Array) -> Tabulate
     function
         Takes radii ``(m,)`` [m], returns both values, ``(m,)`` each.
     low, high : float
-        From where to where [m].
+        Range of radii [m].
     kinks : ndarray
         Radii from `low` on, below `high`, where the functions are not smooth [m].
     """
     base, left, right, levels, others = _resolved(function, *_panels(low, high, kinks), high)
     powers = _nodes()[2]
     series = np.stack([(levels @ powers).T, (others @ powers).T], axis=1)
-    return Tabulated(base, left, right, series, _pieces(levels))
+    return RadiusTable(base, left, right, series, _pieces(levels))
 
 
 def _horner(series: Array, t: Array) -> tuple[Array, Array]:
@@ -196,7 +196,7 @@ def _panels(low: float, high: float, kinks: Array) -> tuple[Array, Array, Array]
         if end == low:
             continue
         stop = math.sqrt((end - base) * (end + base))
-        first = low if base == 0.0 and low > 0.0 else (stop * 2.0**-OCTAVES if base == 0.0 else 0.25 * base)
+        first = low if base == 0.0 and low > 0.0 else (stop * 2.0**-PANEL_DOUBLINGS if base == 0.0 else 0.25 * base)
         doubled = first * 2.0 ** np.arange(max(0, math.ceil(math.log2(stop / first) - 1e-9)))
         edges = np.append(doubled[doubled < stop * (1.0 - 1e-9)], stop)
         if base > 0.0 or low == 0.0:  # from the kink, or from the axis, on
@@ -212,20 +212,20 @@ def _resolved(function: Pair, base: Array, left: Array, right: Array, high: floa
     nodes, matrix, _ = _nodes()
     order = np.arange(base.size, dtype=float)
     done: list[tuple[Array, ...]] = []
-    for depth in range(DEEPEST + 1):
+    for depth in range(MOST_HALVINGS + 1):
         y = 0.5 * (left + right)[:, None] + 0.5 * (right - left)[:, None] * nodes
         radius = np.minimum(np.where(base[:, None] > 0.0, np.hypot(base[:, None], y), y), high)
         rows = [np.asarray(column).reshape(radius.shape) @ matrix.T for column in function(radius.ravel())]
-        good = np.ones(base.size, dtype=bool)
+        is_resolved = np.ones(base.size, dtype=bool)
         for row in rows:
             size = np.abs(row).max(axis=1)
-            good &= np.abs(row[:, -2:]).sum(axis=1) <= RESOLVED * np.maximum(size, 1e-6 * size.max())
-        if depth == DEEPEST:
-            good[:] = True
-        done.append(tuple(column[good] for column in (order, base, left, right, *rows)))
-        if good.all():
+            is_resolved &= np.abs(row[:, -2:]).sum(axis=1) <= RESOLUTION * np.maximum(size, 1e-6 * size.max())
+        if depth == MOST_HALVINGS:
+            is_resolved[:] = True
+        done.append(tuple(column[is_resolved] for column in (order, base, left, right, *rows)))
+        if is_resolved.all():
             break
-        bad = ~good
+        bad = ~is_resolved
         middle = 0.5 * (left[bad] + right[bad])
         base, order = np.tile(base[bad], 2), np.concatenate([order[bad], order[bad] + 0.5 ** (depth + 1)])
         left, right = np.concatenate([left[bad], middle]), np.concatenate([middle, right[bad]])
@@ -234,8 +234,8 @@ def _resolved(function: Pair, base: Array, left: Array, right: Array, high: floa
     return tuple(column[rank] for column in columns[1:])
 
 
-def _pieces(rows: Array) -> tuple[Piece, ...]:
-    """Return the stretches of rising D, from the Chebyshev coefficients of all panels."""
+def _pieces(rows: Array) -> tuple[RisingPiece, ...]:
+    """Return the intervals of rising D, from the Chebyshev coefficients of all panels."""
     count = rows.shape[0]
     derivative, samples = _grids()
     derived = rows @ derivative
@@ -252,27 +252,28 @@ def _pieces(rows: Array) -> tuple[Piece, ...]:
     s = (np.arange(count)[:, None] + np.arange(SAMPLES) / SAMPLES).ravel()
     s, grid = np.append(s, count), np.append(grid, rows[-1].sum())
     if turns:
-        at = np.array(turns)
-        panel = np.minimum(at.astype(int), count - 1)
-        there = [
-            float(np.polynomial.chebyshev.chebval(2.0 * (x - k) - 1.0, rows[k])) for x, k in zip(at, panel, strict=True)
+        turn_places = np.array(turns)
+        panel = np.minimum(turn_places.astype(int), count - 1)
+        levels_at_turns = [
+            float(np.polynomial.chebyshev.chebval(2.0 * (x - k) - 1.0, rows[k]))
+            for x, k in zip(turn_places, panel, strict=True)
         ]
-        s, grid = np.append(s, at), np.append(grid, there)
+        s, grid = np.append(s, turn_places), np.append(grid, levels_at_turns)
         rank = np.argsort(s, kind="stable")
         s, grid = s[rank], grid[rank]
-    noise = NOISE * float(np.abs(grid).max())
+    noise = FALL_TOLERANCE * float(np.abs(grid).max())
     return _rising(s, grid, noise)
 
 
-def _rising(s: Array, level: Array, noise: float) -> tuple[Piece, ...]:
-    """Return the stretches along which samples rise, falls within the noise passed over."""
-    found: list[Piece] = []
+def _rising(s: Array, level: Array, noise: float) -> tuple[RisingPiece, ...]:
+    """Return the intervals on which samples rise; falls within the tolerance are ignored."""
+    pieces: list[RisingPiece] = []
     start = 0
     falls = np.flatnonzero(np.diff(level) < 0.0)
     for stop in [*falls.tolist(), level.size - 1]:
         if stop > start and level[stop] - level[start] > noise:
-            climbed = np.maximum.accumulate(level[start : stop + 1])
-            rises = np.concatenate([[True], np.diff(climbed) > 0.0])
-            found.append(Piece(s[start : stop + 1][rises], climbed[rises]))
+            rising_level = np.maximum.accumulate(level[start : stop + 1])
+            rises = np.concatenate([[True], np.diff(rising_level) > 0.0])
+            pieces.append(RisingPiece(s[start : stop + 1][rises], rising_level[rises]))
         start = stop + 1
-    return tuple(found)
+    return tuple(pieces)

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.fitting.curves.checks import Outline
+from winkler.fitting.curves.checks import CurveOutline
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.elastic.contact import (
     HeldContact,
@@ -29,17 +29,17 @@ from winkler.fitting.elastic.contact import (
 )
 from winkler.fitting.elastic.start import starts
 from winkler.fitting.outcome import Fit
-from winkler.fitting.task import Prediction, Task, even_weights, moved
+from winkler.fitting.task import FitTask, Prediction, even_weights, moved
 from winkler.fitting.validity import Model
-from winkler.fitting.varied import FREELY, parameters_of
+from winkler.fitting.varied import NATURAL_BOUNDS, parameters_of
 from winkler.loading import Depth
 from winkler.numerics.types import Array
 
 __all__ = ["ElasticTask", "elastic_task"]
 
 
-class ElasticTask(Task):
-    """A contact without memory but that of its edge; nothing relaxes."""
+class ElasticTask(FitTask):
+    """A contact without relaxation, with the hysteresis of its edge."""
 
     settled = 1e-10
     must_settle = True
@@ -57,18 +57,18 @@ class ElasticTask(Task):
         """The parts of the curve of one direction."""
         return runs_of(self.curve)
 
-    def starts(self, strokes: Outline | None) -> Iterable[Array]:
-        """Return coordinates for some contact points, moduli and works of adhesion of the right size."""
-        assert strokes is not None
-        return starts(self, strokes)
+    def starts(self, rough_outline: CurveOutline | None) -> Iterable[Array]:
+        """Return coordinates for some contact points, moduli and works of adhesion of the right magnitude."""
+        assert rough_outline is not None
+        return starts(self, rough_outline)
 
-    def some_of(self, stretch: Array) -> Array:
+    def sample_of(self, stretch: Array) -> Array:
         """Return points evenly spaced."""
-        many = max(3, round(self.coarse_count * stretch.size / self.curve.count))
-        return np.linspace(stretch[0], stretch[-1], min(many, stretch.size)).astype(int)
+        count = max(3, round(self.coarse_count * stretch.size / self.curve.count))
+        return np.linspace(stretch[0], stretch[-1], min(count, stretch.size)).astype(int)
 
     def held(self, numbers: dict[str, float]) -> HeldContact:
-        """Return the contact as if it held everywhere."""
+        """Return the contact continued to all points."""
         origin = numbers.get("contact_point", 0.0)
         return held_contact(self.with_numbers(numbers), self.curve.compliance, self.along(numbers), self.runs, origin)
 
@@ -80,7 +80,7 @@ class ElasticTask(Task):
         return Prediction(np.where(holds, held.force, 0.0) + line, holds, held)
 
     def slope(self, name: str, numbers: dict[str, float], prediction: Prediction) -> Any:
-        """Return the derivative with respect to a number if it is known in closed form, ``(n,)``, else None."""
+        """Return the derivative with respect to a number in closed form ``(n,)``, else None."""
         if name == "contact_point":
             return -np.where(prediction.touched, prediction.contact.slope, 0.0) - numbers.get("tilt", 0.0)
         return super().slope(name, numbers, prediction)
@@ -106,8 +106,8 @@ class ElasticTask(Task):
         beyond = widest >= bed.reach and bed.reach < bed.rim
         if beyond and depth > float(states_for(model).depth(np.array([bed.reach]))[0]):
             raise OutsideValidity(
-                f"fit: the curve leads to contact radii beyond {bed.reach:.4g} m, where nothing is known of the "
-                "profile; cut the curve off before, or give a profile that is known farther out."
+                f"fit: the curve leads to contact radii beyond {bed.reach:.4g} m, where the profile is not "
+                "defined; cut the curve off before, or give a profile that extends farther."
             )
         return dataclasses.replace(model, load=Depth(depth))
 
@@ -118,22 +118,22 @@ class ElasticTask(Task):
 
 
 def elastic_task(curve: ForceCurve, model: Model, free: dict[str, Any], noise: Array) -> ElasticTask:
-    """Return a fit as a task.
+    """Return the task of a fit.
 
     Parameters
     ----------
     curve : ForceCurve
-        Without held points.
+        Without points of holds.
     model : Indentation or AdhesiveIndentation
     free : dict
-        Name and (low, high), or a start value, or nothing in particular (an empty tuple).
+        Name and (low, high), or a start value, or neither (an empty tuple).
     noise : ndarray
-        Standard deviation of the forces [N], ``()`` or ``(n,)``; only its course matters here; zero: all alike.
+        Standard deviation of the forces [N], ``()`` or ``(n,)``; only its course matters here; zero: uniform.
 
     Raises
     ------
     InvalidInput
-        If a name leads nowhere, or its bounds contradict themselves.
+        If a path does not exist, or its bounds are inconsistent.
     """
     if not free:
         raise InvalidInput("fit: nothing is free; name at least one number, as 'bed.medium.first.young'.")
@@ -141,6 +141,6 @@ def elastic_task(curve: ForceCurve, model: Model, free: dict[str, Any], noise: A
     if span == 0.0 or strength == 0.0:
         raise InvalidInput(f"fit: the curve '{curve.name}' has no range of positions or forces; nothing can be fitted.")
     scales = {"contact_point": span, "baseline": strength, "tilt": strength / span}
-    still = np.zeros(curve.count)
-    parameters = parameters_of(model, free, scales, FREELY)
-    return ElasticTask(curve, model, parameters, even_weights(curve, noise), still, still)
+    zeros = np.zeros(curve.count)
+    parameters = parameters_of(model, free, scales, NATURAL_BOUNDS)
+    return ElasticTask(curve, model, parameters, even_weights(curve, noise), zeros, zeros)

@@ -1,4 +1,4 @@
-r"""What stiffness, force and depth of an indentation tell, with the area of the tip at the contact depth.
+r"""Modulus and hardness from stiffness, force and depth of an indentation, with the area of the tip.
 
 .. math:: h_c = h - \epsilon\,\frac FS, \qquad E_r = \frac{\sqrt\pi}{2\beta}\,\frac S{\sqrt{A(h_c)}}, \qquad
           H = \frac F{A(h_c)}
@@ -53,7 +53,7 @@ class CalibratedArea:
     """Cross-section of a calibrated tip, A(h) = C0 h^2 + C1 h + C2 h^(1/2) + C3 h^(1/4) + ..., where it was calibrated.
 
     `AreaFunction` is the body of revolution with this area, which must grow from the apex on; a `CalibratedArea` needs
-    not, because a reading asks for one depth alone.
+    not, because a reading needs one depth alone.
 
     Parameters
     ----------
@@ -95,7 +95,7 @@ class CalibratedArea:
 
 
 Tip = Profile | CalibratedArea
-"""What has a cross-section at the contact depth."""
+"""A tip with a cross-section at the contact depth."""
 
 
 def polynomial(coefficients: tuple[float, ...], height: float) -> float:
@@ -105,7 +105,7 @@ def polynomial(coefficients: tuple[float, ...], height: float) -> float:
 
 @value
 class ContactReading:
-    """What one stiffness tells.
+    """Result of the evaluation of one stiffness.
 
     Parameters
     ----------
@@ -128,7 +128,7 @@ class ContactReading:
 def contact_reading(
     stiffness: float, force: float, depth: float, tip: Tip, *, intercept: float = 0.75, shape_factor: float = 1.0
 ) -> ContactReading:
-    """Return what stiffness, force and depth tell: of an unloading, or of a small oscillation while loading.
+    """Return contact depth, area, modulus and hardness, from an unloading or a small oscillation during loading.
 
     Parameters
     ----------
@@ -139,7 +139,7 @@ def contact_reading(
     depth : float
         h [m].
     tip : Profile or CalibratedArea
-        What has the cross-section A.
+        Its cross-section is A.
     intercept : float, optional
         epsilon [-]; 0.75 unless given, that of a paraboloid, which most programs take.
     shape_factor : float, optional
@@ -197,21 +197,21 @@ def _radius(profile: Profile, height: float) -> float:
     """Return the radius of a profile's cross-section at a height [m]."""
     end = min(profile.reach, profile.rim)
 
-    def high(radius: float) -> float:
+    def height_above(radius: float) -> float:
         return float(profile.height(np.array([radius]))[0]) - height
 
-    low = min(height, 0.5 * end)
-    while high(low) > 0.0 and low > 1e-9 * height:
-        low *= 0.5
-    far = low
-    while far < end and high(far) < 0.0:
-        far = min(2.0 * far, end)
-    if high(far) < 0.0:
+    inner = min(height, 0.5 * end)
+    while height_above(inner) > 0.0 and inner > 1e-9 * height:
+        inner *= 0.5
+    outer = inner
+    while outer < end and height_above(outer) < 0.0:
+        outer = min(2.0 * outer, end)
+    if height_above(outer) < 0.0:
         raise OutsideValidity(
-            f"OliverPharr: the contact depth {height:.3g} m is beyond the tip, which is known up to a radius of "
+            f"OliverPharr: the contact depth {height:.3g} m is beyond the tip, which is defined up to a radius of "
             f"{end:.3g} m."
         )
-    return between(high, low, far, relative=1e-14)
+    return between(height_above, inner, outer, relative=1e-14)
 
 
 def sample_young(modulus: float, poisson: float, indenter: Solid) -> float:
@@ -236,10 +236,10 @@ def sample_young(modulus: float, poisson: float, indenter: Solid) -> float:
     OutsideValidity
         If the pair is as stiff as the indenter alone, or stiffer.
     """
-    own = 0.0 if isinstance(indenter, Rigid) else (1.0 - indenter.poisson**2) / indenter.young
-    left = 1.0 / modulus - own
-    if not isinstance(indenter, Elastic | Rigid) or not left > 0.0:
+    indenter_compliance = 0.0 if isinstance(indenter, Rigid) else (1.0 - indenter.poisson**2) / indenter.young
+    sample_compliance = 1.0 / modulus - indenter_compliance
+    if not isinstance(indenter, Elastic | Rigid) or not sample_compliance > 0.0:
         raise OutsideValidity(
             f"sample_young: the pair's modulus {modulus:.4g} Pa leaves nothing for the sample; the indenter is softer."
         )
-    return (1.0 - poisson**2) / left
+    return (1.0 - poisson**2) / sample_compliance

@@ -1,4 +1,4 @@
-r"""Oliver and Pharr's reading of an unloading curve: stiffness, contact depth, area, modulus, hardness.
+r"""Oliver and Pharr's evaluation of an unloading curve: stiffness, contact depth, area, modulus, hardness.
 
 The upper part of the unloading is fitted by :math:`F = B(h-h_f)^m`; its slope at the greatest depth is the stiffness S.
 The contact depth and the modulus are
@@ -40,19 +40,19 @@ from winkler.values import value
 __all__ = ["OliverPharr", "OliverPharrSolution"]
 
 FEWEST = 10
-STEP = 1e-6
-END_OF_HOLD = 0.1
-"""Part of a hold at whose end the peak is read."""
+DIFFERENCE_STEP = 1e-6
+HOLD_END_SHARE = 0.1
+"""Last part of a hold that defines the peak."""
 
 
 @value
 class OliverPharr:
-    """An unloading curve and the tip that made it.
+    """An unloading curve and its tip.
 
     Parameters
     ----------
     curve : ForceCurve
-        What was measured; the last unloading of its `segments` is read.  Where these were found wrongly, state them:
+        The measured curve; the last unloading of its `segments` is evaluated.  Wrong segments can be stated:
         ``curve.with_segments([("loading", 0), ("hold", 120), ("unloading", 180)])``.
     profile : Profile or CalibratedArea
         The tip: CalibratedArea(coefficients) or AreaFunction(coefficients), of which A(h_c) is all that is needed, or
@@ -92,29 +92,29 @@ class OliverPharr:
         Raises
         ------
         InvalidInput
-            If nothing comes out, or too few points lie between the limits.
+            If there is no unloading, or too few points lie between the limits.
         OutsideValidity
             If the contact depth is not positive, or beyond the profile.
         NotConverged
             If no power law fits the unloading.
         """
-        way = self._unloading()
-        law = fitted_power_law(way.depth, way.force, self._between(way.force))
+        path = self._unloading()
+        law = fitted_power_law(path.depth, path.force, self._between(path.force))
         chosen = self._between(law.fitted / math.exp(law.numbers[0]))
-        law = fitted_power_law(way.depth, way.force, chosen)
-        numbers = self._read(law.numbers, way)
-        turned = np.empty((numbers.size, law.numbers.size))
+        law = fitted_power_law(path.depth, path.force, chosen)
+        numbers = self._evaluate(law.numbers, path)
+        jacobian = np.empty((numbers.size, law.numbers.size))
         for i in range(law.numbers.size):
             step = np.zeros(law.numbers.size)
-            step[i] = STEP
-            ahead, behind = (self._read(law.numbers + sign * step, way) for sign in (1.0, -1.0))
-            turned[:, i] = (ahead - behind) / (2.0 * STEP)
-        errors = np.sqrt(np.maximum(np.einsum("ij,jk,ik->i", turned, law.covariance, turned), 0.0))
-        fitted = math.exp(law.numbers[0]) * way.highest
+            step[i] = DIFFERENCE_STEP
+            ahead, behind = (self._evaluate(law.numbers + sign * step, path) for sign in (1.0, -1.0))
+            jacobian[:, i] = (ahead - behind) / (2.0 * DIFFERENCE_STEP)
+        errors = np.sqrt(np.maximum(np.einsum("ij,jk,ik->i", jacobian, law.covariance, jacobian), 0.0))
+        fitted = math.exp(law.numbers[0]) * path.highest
         return OliverPharrSolution(
             self,
-            way.highest if way.held else fitted,
-            way.deepest,
+            path.highest if path.held else fitted,
+            path.deepest,
             exponent=float(numbers[0]),
             final_depth=float(numbers[1]),
             stiffness=float(numbers[2]),
@@ -123,9 +123,9 @@ class OliverPharr:
             modulus=float(numbers[5]),
             hardness=float(numbers[6]),
             standard_errors=errors,
-            scatter=law.scatter * way.highest,
+            scatter=law.scatter * path.highest,
             fitted_force=fitted,
-            fitted_points=way.points[chosen],
+            fitted_points=path.points[chosen],
         )
 
     @property
@@ -136,9 +136,9 @@ class OliverPharr:
 
     @property
     def peak_hold(self) -> Array:
-        """Indices of the points at which the tip was held just before the last unloading; empty if it was not."""
-        way = self.unloading
-        held = [part for part in self.curve.segments if way.size and part.last == way[0] - 1]
+        """Indices of the points of the hold just before the last unloading; empty without a hold."""
+        path = self.unloading
+        held = [part for part in self.curve.segments if path.size and part.last == path[0] - 1]
         hold = [part for part in held if part.kind is SegmentKind.HOLD]
         return np.arange(hold[0].first, hold[0].last + 1) if hold else np.arange(0)
 
@@ -147,18 +147,18 @@ class OliverPharr:
         points, hold = self.unloading, self.peak_hold
         if points.size < FEWEST:
             raise InvalidInput(
-                f"OliverPharr: curve '{self.curve.name}' has no unloading of at least {FEWEST} points; look at its "
-                "segments, and state them by with_segments where they were found wrongly."
+                f"OliverPharr: curve '{self.curve.name}' has no unloading of at least {FEWEST} points; check its "
+                "segments, and state them by with_segments if they are wrong."
             )
         depth, force = self.curve.depth(self.contact_point), self.curve.force
-        end = hold[-max(1, int(END_OF_HOLD * hold.size)) :] if hold.size else np.array([max(points[0] - 1, 0)])
+        end = hold[-max(1, int(HOLD_END_SHARE * hold.size)) :] if hold.size else np.array([max(points[0] - 1, 0)])
         if not hold.size:
             points = np.union1d(end, points)
         deepest, highest = float(np.median(depth[end])), float(np.median(force[end]))
         if not highest > 0.0 or not deepest > 0.0:
             raise InvalidInput(
                 f"OliverPharr: at the peak, {deepest:.3g} m deep, the force is {highest:.3g} N; both must be positive: "
-                "look at signs and contact_point."
+                "check signs and contact_point."
             )
         return _Unloading(points, depth[points] / deepest, force[points] / highest, deepest, highest, bool(hold.size))
 
@@ -172,28 +172,28 @@ class OliverPharr:
             )
         return np.asarray(chosen)
 
-    def _read(self, law: Array, way: _Unloading) -> Array:
+    def _evaluate(self, law: Array, path: _Unloading) -> Array:
         """Return m, h_f, S, h_c, A, E_r and H from the numbers of the power law."""
-        top, final, exponent = math.exp(law[0]) * way.highest, float(law[1]), 1.0 + math.exp(law[2])
-        slope = exponent * top / ((1.0 - final) * way.deepest)
-        force = way.highest if way.held else top
-        found = contact_reading(
+        top, final, exponent = math.exp(law[0]) * path.highest, float(law[1]), 1.0 + math.exp(law[2])
+        slope = exponent * top / ((1.0 - final) * path.deepest)
+        force = path.highest if path.held else top
+        reading = contact_reading(
             slope,
             force,
-            way.deepest,
+            path.deepest,
             self.profile,
             intercept=intercept_factor(exponent),
             shape_factor=self.shape_factor,
         )
-        read = (found.contact_depth, found.area, found.modulus, found.hardness)
-        return np.array([exponent, final * way.deepest, slope, *read])
+        read = (reading.contact_depth, reading.area, reading.modulus, reading.hardness)
+        return np.array([exponent, final * path.deepest, slope, *read])
 
 
 def _rate(time: Array, column: Array) -> float:
     """Return the slope of a straight line through a column over time."""
-    about = time - time.mean()
-    spread = float(about @ about)
-    return float(about @ column) / spread if spread else 0.0
+    centred = time - time.mean()
+    spread = float(centred @ centred)
+    return float(centred @ column) / spread if spread else 0.0
 
 
 class _Unloading(NamedTuple):
@@ -209,12 +209,12 @@ class _Unloading(NamedTuple):
 
 @value
 class OliverPharrSolution:
-    """What an unloading curve says.
+    """Evaluation of an unloading curve.
 
     Parameters
     ----------
     problem : OliverPharr
-        What was asked.
+        The problem.
     force : float
         Force at the peak [N], where the unloading begins: measured at the end of a hold, or that of the fitted law.
     depth : float
@@ -241,7 +241,7 @@ class OliverPharrSolution:
     fitted_force : float
         Force of the fitted law at the peak's depth [N].
     fitted_points : ndarray
-        Indices of the points of the curve that were fitted.
+        Indices of the fitted points of the curve.
     """
 
     problem: OliverPharr
@@ -261,7 +261,7 @@ class OliverPharrSolution:
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """How far the reading can be trusted: pile-up, creep, exponent, area, number of points."""
+        """Validity of the evaluation: pile-up, creep, exponent, area, number of points."""
         return unloading_notes(
             UnloadingFacts(
                 final_share=self.final_depth / self.depth,

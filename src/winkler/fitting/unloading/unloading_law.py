@@ -1,6 +1,6 @@
 r"""The power law of an unloading, F = T ((h - h_f)/(1 - h_f))^m, fitted with its covariance.
 
-Depths are counted in parts of the greatest depth and forces in parts of the greatest force.  Noise with a memory makes
+Depths are counted in parts of the greatest depth and forces in parts of the greatest force.  Autocorrelated noise makes
 the covariance larger, see `winkler.fitting.curves.noise`.
 """
 
@@ -15,12 +15,12 @@ from winkler.errors import NotConverged
 from winkler.fitting.curves.noise import memory, spread
 from winkler.numerics.types import Array
 
-__all__ = ["PowerLaw", "fitted_power_law"]
+__all__ = ["UnloadingLaw", "fitted_power_law"]
 
-LONGEST = 200
+MOST_EVALUATIONS = 200
 
 
-class PowerLaw(NamedTuple):
+class UnloadingLaw(NamedTuple):
     """Numbers (ln of the force at the top, h_f, ln(m - 1)), their covariance, scatter, and the force at all depths."""
 
     numbers: Array
@@ -29,7 +29,7 @@ class PowerLaw(NamedTuple):
     fitted: Array
 
 
-def fitted_power_law(all_depths: Array, forces: Array, chosen: Array) -> PowerLaw:
+def fitted_power_law(all_depths: Array, forces: Array, chosen: Array) -> UnloadingLaw:
     """Return the fitted law F = T ((h - h_f)/(1 - h_f))^m, everything in parts of the greatest."""
     from scipy.optimize import least_squares
 
@@ -47,22 +47,22 @@ def fitted_power_law(all_depths: Array, forces: Array, chosen: Array) -> PowerLa
     best = None
     for share in (0.0, 0.5, 0.9):
         start = np.array([0.0, min(share * least, least - 1e-6), math.log(0.5)])
-        found = least_squares(
+        result = least_squares(
             lambda at: law(at)[0] - force,
             start,
             jac=lambda at: law(at)[1],
             bounds=([-5.0, -10.0, -12.0], [5.0, least - 1e-9, 3.0]),
             x_scale="jac",
-            max_nfev=LONGEST,
+            max_nfev=MOST_EVALUATIONS,
             ftol=1e-14,
             xtol=1e-14,
             gtol=1e-15,
         )
-        if best is None or found.cost < best.cost:
-            best = found
+        if best is None or result.cost < best.cost:
+            best = result
     if best is None or not best.success:
         raise NotConverged("OliverPharr: no power law fits the unloading; fit another part of it (upper, lower).")
-    kept = memory(best.fun)
-    covariance, used = spread(law(best.x)[1], kept.correlations)
+    noise_memory = memory(best.fun)
+    covariance, used = spread(law(best.x)[1], noise_memory.correlations)
     scatter = math.sqrt(2.0 * best.cost / max(depth.size - used, 1.0))
-    return PowerLaw(best.x, scatter**2 * covariance, scatter, law(best.x, all_depths)[0])
+    return UnloadingLaw(best.x, scatter**2 * covariance, scatter, law(best.x, all_depths)[0])

@@ -1,8 +1,8 @@
-r"""How far Oliver and Pharr's reading of an unloading can be trusted.
+r"""Validity of Oliver and Pharr's evaluation of an unloading.
 
-Each note compares one number with its limit: the depth that remains with the greatest (pile-up), the creep at the end
-of the hold with the unloading, the exponent with what effective indenter shapes give, the fitted law with the measured
-peak, the contact depth with the calibration of the tip, and the number of points with what a fit needs.
+Each note compares one number with its limit: residual over greatest depth (pile-up), the creep at the end
+of the hold with the unloading, the exponent with that of effective indenter shapes, the fitted law with the measured
+peak, the contact depth with the calibration of the tip, and the number of points.
 
 Creep adds to the apparent compliance: with its rate :math:`\dot h_c` at the end of the hold, and the unloading rate
 :math:`\dot F` there,
@@ -29,21 +29,21 @@ PILE_UP = "A. Bolshakov, G. M. Pharr, J. Mater. Res. 13 (1998) 1049-1058, doi:10
 CREEP = "G. Feng, A. H. W. Ngan, J. Mater. Res. 17 (2002) 660-668, doi:10.1557/JMR.2002.0094"
 SHAPES = "G. M. Pharr, A. Bolshakov, J. Mater. Res. 17 (2002) 2660-2671, doi:10.1557/JMR.2002.0386"
 
-PILED = 0.7
-"""Share of the greatest depth that remains, above which pile-up may hide in the area."""
+PILE_UP_LIMIT = 0.7
+"""Residual over greatest depth above which pile-up may affect the area."""
 LEAST_CREEP, MOST_CREEP = 0.01, 0.1
-EXPONENTS = (1.2, 1.6)
-POSSIBLE = (1.0 + 1e-3, 2.2)
-"""Exponents beyond these belong to no indenter: a flat punch has 1, a cone 2."""
-PEAK = 0.02
-"""Part by which the fitted law may miss the measured peak."""
+USUAL_EXPONENTS = (1.2, 1.6)
+POSSIBLE_EXPONENTS = (1.0 + 1e-3, 2.2)
+"""Range of exponents of indenters: a flat punch has 1, a cone 2."""
+PEAK_TOLERANCE = 0.02
+"""Greatest relative deviation of the fitted law from the measured peak."""
 FEW_POINTS = 50
-LOOKED_AT = np.geomspace(1e-6, 1.0, 2000)
-"""Parts of the contact depth at which the area function is looked at."""
+AREA_DEPTHS = np.geomspace(1e-6, 1.0, 2000)
+"""Relative depths at which the area function is checked."""
 
 
 class UnloadingFacts(NamedTuple):
-    """What the notes compare.
+    """Numbers compared in the notes.
 
     Parameters
     ----------
@@ -52,7 +52,7 @@ class UnloadingFacts(NamedTuple):
     exponent : float
         m [-].
     creep_share : float
-        Part by which creep makes the stiffness too large [-]; nan where hold or times are missing.
+        Relative error of the stiffness by creep [-]; nan without hold or times.
     force, fitted_force : float
         At the peak, as reported and by the fitted law [N].
     points : int
@@ -79,7 +79,7 @@ class UnloadingFacts(NamedTuple):
 
 
 def unloading_notes(facts: UnloadingFacts) -> tuple[Note, ...]:
-    """Return the notes of a reading."""
+    """Return the notes of an evaluation."""
     return (
         _pile_up(facts),
         _creep(facts),
@@ -93,19 +93,19 @@ def unloading_notes(facts: UnloadingFacts) -> tuple[Note, ...]:
 
 def _pile_up(facts: UnloadingFacts) -> Note:
     share = facts.final_share
-    said = f"Pile-up: {share:.2f} of the greatest depth remains after unloading"
-    if share < PILED:
+    statement = f"Pile-up: {share:.2f} of the greatest depth remains after unloading"
+    if share < PILE_UP_LIMIT:
         return Note(
             Assumption.RESPONSE,
             Standing.ASYMPTOTIC,
-            f"{said}; below {PILED:g} little piles up, however the material hardens.",
+            f"{statement}; below {PILE_UP_LIMIT:g} little piles up, however the material hardens.",
             PILE_UP,
         )
     return Note(
         Assumption.RESPONSE,
         Standing.OUTSIDE,
-        f"{said}; above {PILED:g} material that hardens little piles up at the edge, the area may be up to 60 % too "
-        "small, and hardness and modulus too large: measure the area of the impression.",
+        f"{statement}; above {PILE_UP_LIMIT:g} material that hardens little piles up at the edge, the area may be up "
+        "to 60 % too small, and hardness and modulus too large: measure the area of the impression.",
         PILE_UP,
     )
 
@@ -116,8 +116,8 @@ def _creep(facts: UnloadingFacts) -> Note:
         return Note(
             Assumption.CURVE,
             Standing.APPROXIMATE,
-            "Creep: there is no hold before the unloading, or no times, so creep and drift cannot be judged; they add "
-            "the ratio of their rate to that of the unloading to the compliance.",
+            "Creep: there is no hold before the unloading, or no times, so creep and drift cannot be assessed; they "
+            "add the ratio of their rate to that of the unloading to the compliance.",
             CREEP,
         )
     size = abs(share)
@@ -135,24 +135,24 @@ def _creep(facts: UnloadingFacts) -> Note:
 
 
 def _exponent(facts: UnloadingFacts) -> Note:
-    low, high = EXPONENTS
-    said = f"Exponent: the unloading has m = {facts.exponent:.3g}"
+    low, high = USUAL_EXPONENTS
+    statement = f"Exponent: the unloading has m = {facts.exponent:.3g}"
     if low <= facts.exponent <= high:
         return Note(
             Assumption.CURVE,
             Standing.ASYMPTOTIC,
-            f"{said}, within {low:g} to {high:g} as impressions of sharp tips give.",
+            f"{statement}, within {low:g} to {high:g} as impressions of sharp tips give.",
             SHAPES,
         )
-    possible = POSSIBLE[0] < facts.exponent < POSSIBLE[1]
+    possible = POSSIBLE_EXPONENTS[0] < facts.exponent < POSSIBLE_EXPONENTS[1]
     return Note(
         Assumption.CURVE,
         Standing.APPROXIMATE if possible else Standing.OUTSIDE,
-        f"{said}, where impressions of sharp tips give {low:g} to {high:g}: "
+        f"{statement}, where impressions of sharp tips give {low:g} to {high:g}: "
         + (
-            "a wholly elastic contact may, otherwise look at drift, adhesion, contact point and frame."
+            "a wholly elastic contact may, otherwise check drift, adhesion, contact point and frame."
             if possible
-            else "no shape of a tip unloads like that; look at drift, creep, contact point and segments."
+            else "no shape of a tip has such an unloading; check drift, creep, contact point and segments."
         ),
         SHAPES,
     )
@@ -160,14 +160,14 @@ def _exponent(facts: UnloadingFacts) -> Note:
 
 def _peak(facts: UnloadingFacts) -> tuple[Note, ...]:
     miss = facts.fitted_force / facts.force - 1.0
-    if abs(miss) <= PEAK:
+    if abs(miss) <= PEAK_TOLERANCE:
         return ()
     return (
         Note(
             Assumption.CURVE,
             Standing.OUTSIDE,
             f"Peak: the fitted law misses the force measured at the peak by {miss:+.1%}; creep, drift or a wrong "
-            "segment bends the unloading: look at the segments, or fit another part (upper, lower).",
+            "segment distorts the unloading: check the segments, or fit another part (upper, lower).",
             READING,
         ),
     )
@@ -185,7 +185,7 @@ def _area(facts: UnloadingFacts) -> tuple[Note, ...]:
                 REVIEW,
             ),
         )
-    heights = depth * np.append(LOOKED_AT, 1.0 + 1e-6)
+    heights = depth * np.append(AREA_DEPTHS, 1.0 + 1e-6)
     areas = np.array([polynomial(tip.coefficients, float(height)) for height in heights])
     falling = heights[1:][np.diff(areas) <= 0.0]
     notes = []
@@ -210,13 +210,13 @@ def _area(facts: UnloadingFacts) -> tuple[Note, ...]:
         )
     low, high = (tip.shallowest, tip.deepest) if isinstance(tip, CalibratedArea) else (0.0, math.inf)
     if low == 0.0 and high == math.inf:
-        said, standing = "it is not known at which depths the area function was calibrated", Standing.APPROXIMATE
+        statement, standing = "the depths of its calibration are not stated", Standing.APPROXIMATE
     elif low <= depth <= high:
-        said, standing = f"the area function was calibrated from {low:.3g} to {high:.3g} m", Standing.ASYMPTOTIC
+        statement, standing = f"the area function was calibrated from {low:.3g} to {high:.3g} m", Standing.ASYMPTOTIC
     else:
-        said = f"the area function was calibrated from {low:.3g} to {high:.3g} m only, and is extrapolated"
+        statement = f"the area function was calibrated from {low:.3g} to {high:.3g} m only, and is extrapolated"
         standing = Standing.OUTSIDE
-    notes.append(Note(Assumption.SHAPE, standing, f"Area: at the contact depth, {depth:.3g} m: {said}.", READING))
+    notes.append(Note(Assumption.SHAPE, standing, f"Area: at the contact depth, {depth:.3g} m: {statement}.", READING))
     return tuple(notes)
 
 
@@ -236,5 +236,5 @@ def _points(facts: UnloadingFacts) -> Note:
         Standing.ASYMPTOTIC if facts.points >= FEW_POINTS else Standing.APPROXIMATE,
         f"Points: {facts.points} were fitted, and scatter alone makes the modulus uncertain by {facts.error_share:.2%}"
         + ("." if facts.points >= FEW_POINTS else f"; below {FEW_POINTS} that error itself is rough."),
-        "covariance of the fit, with the memory of the noise",
+        "covariance of the fit, with the autocorrelation of the noise",
     )

@@ -1,4 +1,4 @@
-"""What a fit says about the relaxation G(t) itself, with the interval that the numbers' errors leave it."""
+"""The relaxation function of a fit, with its interval from the errors of the parameters."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ import numpy as np
 
 from winkler.fitting.outcome import CreepFit, ViscoelasticFit
 from winkler.fitting.parameters import changed
-from winkler.fitting.varied import OF_THE_CURVE
+from winkler.fitting.varied import CURVE_PARAMETERS
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.viscoelastic.march import relaxation_of
 
-__all__ = ["Band", "relaxation_band", "watched"]
+__all__ = ["RelaxationBand", "observed_times", "relaxation_band"]
 
-STEP = 1e-3
+RELATIVE_STEP = 1e-3
 
 
-class Band(NamedTuple):
+class RelaxationBand(NamedTuple):
     """A modulus over time, and the ends of its interval [Pa], each ``(m,)``."""
 
     modulus: Array
@@ -25,18 +25,18 @@ class Band(NamedTuple):
     high: Array
 
 
-def watched(found: ViscoelasticFit | CreepFit) -> tuple[float, float]:
-    """Return the sampling interval and the time in contact [s], outside of which a curve tells nothing."""
+def observed_times(found: ViscoelasticFit | CreepFit) -> tuple[float, float]:
+    """Return the sampling interval and the time in contact [s], outside of which the curve has no information."""
     time = found.curve.time
     steps = np.diff(time)
     touched = np.flatnonzero(found.radius > 0.0)
     return float(np.median(steps[steps > 0.0])), float(time[touched[-1]] - time[touched[0]])
 
 
-def relaxation_band(found: ViscoelasticFit | CreepFit, time: ArrayLike, confidence: float = 0.95) -> Band:
+def relaxation_band(found: ViscoelasticFit | CreepFit, time: ArrayLike, confidence: float = 0.95) -> RelaxationBand:
     """Return E*(t) of the fitted contact, phi(t) of a medium that relaxes in proportion, with its interval.
 
-    The errors of the numbers are carried on to first order, in the logarithm of the modulus.
+    The errors of the parameters are propagated to first order, in the logarithm of the modulus.
 
     Parameters
     ----------
@@ -48,17 +48,19 @@ def relaxation_band(found: ViscoelasticFit | CreepFit, time: ArrayLike, confiden
 
     Returns
     -------
-    Band
+    RelaxationBand
     """
     t = np.asarray(time, dtype=float)
-    here = relaxation_of("relaxation_band", found.model.bed).at(t)
-    own = [index for index, name in enumerate(found.names) if name not in OF_THE_CURVE]
+    relaxation = relaxation_of("relaxation_band", found.model.bed).at(t)
+    own = [index for index, name in enumerate(found.names) if name not in CURVE_PARAMETERS]
     slopes = np.zeros((t.size, len(found.names)))
     for index in own:
         number = float(found.values[index])
-        step = STEP * min(abs(number) or 1.0, float(found.standard_errors[index]) / STEP or STEP)
+        step = RELATIVE_STEP * min(
+            abs(number) or 1.0, float(found.standard_errors[index]) / RELATIVE_STEP or RELATIVE_STEP
+        )
         moved = changed(found.model, {found.names[index]: number - step})
-        slopes[:, index] = (np.log(here) - np.log(relaxation_of("relaxation_band", moved.bed).at(t))) / step
+        slopes[:, index] = (np.log(relaxation) - np.log(relaxation_of("relaxation_band", moved.bed).at(t))) / step
     variance = np.einsum("ti,ij,tj->t", slopes, found.covariance, slopes)
     width = found.quantile(confidence) * np.sqrt(np.maximum(variance, 0.0))
-    return Band(here, here * np.exp(-width), here * np.exp(width))
+    return RelaxationBand(relaxation, relaxation * np.exp(-width), relaxation * np.exp(width))

@@ -1,12 +1,12 @@
-r"""Forces drive a relaxing contact, and positions are fitted; on the way to the contact, forces.
+r"""Fit of the positions of a relaxing contact under measured forces; of forces during approach.
 
-Out of contact a force tells no position, but it tells the baseline; near first touch a little noise of the force is a
-long way.  So of the points on the way in that bear less than a tenth of the greatest force, the force at the measured
-position is fitted, and of all others the position under the measured force.  Both misfits count by the noise they have,
+Out of contact a force determines the baseline, but no position; near first touch a little noise of the force is a
+large distance.  At points of the approach with less than a tenth of the greatest force, the force at the measured
+position is therefore fitted, and at all others the position under the measured force.  Both are weighted by the noise,
 
 .. math:: \sigma_{D,i}^2 = \sigma_D^2 + (\sigma_F/k_i)^2, \qquad \sigma_{F,i}^2 = \sigma_F^2 + (k_i\,\sigma_D)^2 ,
 
-with the stiffness :math:`k_i` of contact and machine in a row: a point weighs the same either way.
+with the stiffness :math:`k_i` of contact and machine in series: a point has the same weight in either form.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.fitting.curves.checks import Outline
+from winkler.fitting.curves.checks import CurveOutline
 from winkler.fitting.outcome import CreepFit
 from winkler.fitting.task import Prediction
 from winkler.fitting.viscoelastic.response import ContactHistory, ElasticTable, elastic_table, forces, positions
@@ -30,22 +30,22 @@ from winkler.path import Path
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
 
-__all__ = ["LEAST_NOISE", "SHARE", "UnderForce"]
+__all__ = ["FORCE_FIT_SHARE", "LEAST_NOISE", "UnderForce"]
 
-SHARE = 0.1
+FORCE_FIT_SHARE = 0.1
 """Part of the greatest force from which on positions are fitted."""
 LEAST_NOISE = 1e-6
-"""Noise is not taken for less than this part of the range."""
-SMOOTH = 100
-"""Depths are smoothed over this part of the points at either side."""
-UNBIASED = 2
-"""Steps that take the lean of least squares away."""
-REST = 0.1
-"""Part of the scatter of positions that is theirs at least, whatever the noise of the force explains."""
+"""Least noise relative to the range."""
+SMOOTHING_DIVISOR = 100
+"""Points over the half-width of smoothing."""
+BIAS_STEPS = 2
+"""Steps of the correction of bias."""
+LEAST_POSITION_SHARE = 0.1
+"""Least noise of positions relative to their scatter."""
 
 
 class UnderForce(RelaxingTask):
-    """The forces drive, positions are fitted; forces on the way to the contact."""
+    """Positions fitted under measured forces; forces during approach."""
 
     @property
     def measured(self) -> Array:
@@ -54,15 +54,15 @@ class UnderForce(RelaxingTask):
 
     @property
     def by_force(self) -> Array:
-        """At which points the force is fitted ``(n,)``."""
+        """Points at which the force is fitted ``(n,)``."""
         return np.asarray(self.per_force > 0.0)
 
     def slope(self, name: str, numbers: dict[str, float], prediction: Prediction) -> Any:
-        """Return None: no derivative of a position is known in closed form."""
+        """Return None: no derivative of a position has a closed form."""
         return None
 
     def quiet(self, prediction: Prediction) -> Array:
-        """Return at which points positions are fitted ``(n,)``."""
+        """Return the points at which positions are fitted ``(n,)``."""
         return ~self.by_force
 
     def prediction(self, coordinates: Array) -> Prediction:
@@ -74,17 +74,17 @@ class UnderForce(RelaxingTask):
         borne, place = self.curve.force - self.line(numbers), self.place(numbers)
         table, creep = self._table(numbers), self._creep(numbers)
         contact, early = ContactHistory(borne, borne, borne), self.by_force
-        if early.any():  # the motion drives so far
+        if early.any():  # driven by the motion up to here
             last = int(np.flatnonzero(early)[-1]) + 1
             series = relaxation_of("fit", self.with_numbers(numbers).bed)
             contact = forces(table, series, self.curve.time[:last], place[:last], last, self.curve.compliance)
             contact = ContactHistory(*(np.concatenate([part, borne[last:]]) for part in contact))
-        most = float(np.max(borne, where=early, initial=0.0))  # no trial presses harder than what was measured there
+        most = float(np.max(borne, where=early, initial=0.0))  # at most the measured force
         driving = np.where(early, np.minimum(contact.force, most), borne)
         depth = positions(table, creep, self.curve.time, driving)
         if not np.all(np.isfinite(depth)):
             raise OutsideValidity(
-                "fit: the solid sinks in farther than twice the way of the machine; give bounds or starts nearer to "
+                "fit: the solid sinks in farther than twice the travel of the machine; give bounds or starts nearer to "
                 "the answer."
             )
         beyond = self.curve.position - place
@@ -96,54 +96,56 @@ class UnderForce(RelaxingTask):
         contact = ContactHistory(driving, np.where(early, contact.depth, depth), np.where(early, contact.edge, depth))
         return Prediction(fitted, driving > 0.0, contact)
 
-    def reweighed(self, coordinates: Array, strokes: Outline | None, noise: Array) -> UnderForce | None:
-        """Return the task with weights by the noise of positions and forces, at coordinates near the answer.
+    def reweighed(self, coordinates: Array, rough_outline: CurveOutline | None, noise: Array) -> UnderForce | None:
+        """Return the task with weights by the noise of positions and forces, at nearly converged coordinates.
 
         Parameters
         ----------
         coordinates : ndarray, (p,)
-        strokes : Outline or None
-            What the approach looks like; its noise is that of the force out of contact [N].
+        rough_outline : CurveOutline or None
+            Rough outline of the approach; its noise is that of the force out of contact [N].
         noise : ndarray
-            Standard deviation of the positions [m], ``()`` or ``(n,)``; zero: read from the residuals.
+            Standard deviation of the positions [m], ``()`` or ``(n,)``; zero: estimated from the residuals.
         """
-        if strokes is None:
+        if rough_outline is None:
             return None
-        force_noise, early = strokes.noise, self.by_force
+        force_noise, early = rough_outline.noise, self.by_force
         if not early.any():
             return self
         numbers = self.numbers(coordinates)
         prediction = self.prediction(coordinates)
-        # weights that follow the noise would favour one side of it
+        # weights must not follow the noise, which would bias the fit
         depth = _smooth(np.maximum(prediction.contact.depth, 0.0))
-        give = self.curve.compliance + self._creep(numbers).glassy * _give(self._table(numbers), depth)
-        own = np.asarray(noise, dtype=float)
-        if not own.any():
+        compliance = self.curve.compliance + self._creep(numbers).glassy * _contact_compliance(
+            self._table(numbers), depth
+        )
+        position_noise = np.asarray(noise, dtype=float)
+        if not position_noise.any():
             counted = ~early & (self.weights > 0.0)
             whole = np.mean((self.curve.position - prediction.fitted)[counted] ** 2)
-            of_forces = np.mean((force_noise * give[counted]) ** 2)
-            own = np.sqrt(np.maximum(whole - of_forces, REST**2 * whole))
-            own = np.maximum(own, LEAST_NOISE * np.ptp(self.curve.position))
-        own = np.broadcast_to(own, early.shape)
-        typical = float(np.mean(own))
+            of_forces = np.mean((force_noise * compliance[counted]) ** 2)
+            position_noise = np.sqrt(np.maximum(whole - of_forces, LEAST_POSITION_SHARE**2 * whole))
+            position_noise = np.maximum(position_noise, LEAST_NOISE * np.ptp(self.curve.position))
+        position_noise = np.broadcast_to(position_noise, early.shape)
+        typical = float(np.mean(position_noise))
         with np.errstate(divide="ignore"):
-            stiffness = 1.0 / give
-        late = typical / np.hypot(own, force_noise * np.where(early, 0.0, give))
-        per_force = typical / np.hypot(force_noise, own * np.where(early, stiffness, 0.0))
+            stiffness = 1.0 / compliance
+        late = typical / np.hypot(position_noise, force_noise * np.where(early, 0.0, compliance))
+        per_force = typical / np.hypot(force_noise, position_noise * np.where(early, stiffness, 0.0))
         return self._replace(
             weights=np.where(self.weights > 0.0, np.where(early, 1.0, late), 0.0),
             per_force=np.where(early, per_force, 0.0),
         )
 
     def final(self, coordinates: Array) -> Array:
-        """Return coordinates that are not biased, their terms sorted by their times."""
+        """Return unbiased coordinates, with terms sorted by their times."""
         return super().final(self._unbiased(coordinates))
 
     def _unbiased(self, coordinates: Array) -> Array:
-        """Return coordinates that do not follow the noise of what drives, from those of least squares.
+        """Return coordinates without the bias by the noise of the input, from those of least squares.
 
         The noise of a force is in the position that it predicts and in its derivatives alike; their product does not
-        vanish in the mean, and least squares lean to one side.  With the derivatives J' along the smoothed curve
+        vanish in the mean, and least squares are biased.  With the derivatives J' along the smoothed curve
         instead, :math:`J'^T r = 0` holds in the mean at the truth (an instrumental variable).
         """
         curve = self.curve
@@ -151,13 +153,13 @@ class UnderForce(RelaxingTask):
         steady = self._replace(curve=smooth)
         low = np.array([parameter.inward(parameter.low) for parameter in self.parameters])
         high = np.array([parameter.inward(parameter.high) for parameter in self.parameters])
-        for _ in range(UNBIASED):
+        for _ in range(BIAS_STEPS):
             instrument = steady.jacobian(coordinates, steady.prediction(coordinates))
             here = self.prediction(coordinates)
             inner = instrument.T @ self.jacobian(coordinates, here)
-            goal = instrument.T @ ((self.measured - here.fitted) * self.weights)
+            right_side = instrument.T @ ((self.measured - here.fitted) * self.weights)
             size = np.sqrt(np.maximum(np.abs(np.diag(inner)), np.finfo(float).tiny))
-            step = np.linalg.lstsq(inner / np.outer(size, size), goal / size, rcond=None)[0] / size
+            step = np.linalg.lstsq(inner / np.outer(size, size), right_side / size, rcond=None)[0] / size
             coordinates = np.clip(coordinates + step, low, high)
         return coordinates
 
@@ -183,13 +185,13 @@ class UnderForce(RelaxingTask):
 
 
 def _smooth(numbers: Array) -> Array:
-    wide = 1 + 2 * (numbers.size // SMOOTH)
+    wide = 1 + 2 * (numbers.size // SMOOTHING_DIVISOR)
     padded = np.pad(numbers, wide // 2, mode="edge")
     return np.convolve(padded, np.full(wide, 1.0 / wide), mode="valid")
 
 
-def _give(table: ElasticTable, depth: Array) -> Array:
-    """Return by how much a contact at E* = 1 Pa gives way to a little force [m/N]; without end out of contact."""
+def _contact_compliance(table: ElasticTable, depth: Array) -> Array:
+    """Return the compliance of a contact at E* = 1 Pa [m/N]; infinite out of contact."""
     root = np.sqrt(np.maximum(depth, 0.0) / table.deepest)
     slope = np.interp(root, np.linspace(0.0, 1.0, table.slope.size), table.slope)
     with np.errstate(divide="ignore", invalid="ignore"):

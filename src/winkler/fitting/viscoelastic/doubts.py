@@ -1,15 +1,15 @@
-"""What a curve cannot tell about a relaxing solid: times outside of what was watched, terms that fall together.
+"""Doubts about a fitted relaxing solid: times outside the observed range, coinciding terms.
 
 too_slow, too_fast
-    A time is longer than the contact was watched, or shorter than the sampling.
+    A time is longer than the observed contact, or shorter than the sampling.
 collapsed
-    Two times cannot be told apart; fewer terms say the same.
+    Two times cannot be distinguished; fewer terms suffice.
 vanished
-    A term bears hardly anything.
+    A term is negligible.
 span
-    The series of a power law does not cover what was measured.
+    The series of a power law does not cover the measured times.
 drag
-    Both ways differ out of contact: a liquid drags at the cantilever, and nothing that is free describes it.
+    Approach and retraction differ out of contact: the drag of a liquid, without a free parameter for it.
 """
 
 from __future__ import annotations
@@ -21,28 +21,28 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.checks import Flag
 from winkler.fitting.curves.corrections import drag_force, free_line
-from winkler.fitting.task import Task
+from winkler.fitting.task import FitTask
 from winkler.fitting.viscoelastic.start import TIMES, window
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 
 __all__ = ["unidentified"]
 
-APART = 1.5
-"""Times that differ by less are one."""
-LITTLE = 5e-3
-"""Part of all moduli below which a term bears nothing."""
-STANDS_OUT = 3.0
-FEW = 10
-SLIGHT = 1e-3
-"""Part of the range of forces below which a drag changes nothing."""
+LEAST_TIME_RATIO = 1.5
+"""Least ratio of distinct times."""
+LEAST_TERM_SHARE = 5e-3
+"""Least modulus of a term relative to the sum."""
+SIGNAL_TO_NOISE = 3.0
+FEWEST_POINTS = 10
+LEAST_DRAG_SHARE = 1e-3
+"""Least drag relative to the range of forces."""
 
 
-def unidentified(task: Task, numbers: dict[str, float], errors: dict[str, float]) -> list[Flag]:
-    """Return what a curve cannot tell about the fitted solid.
+def unidentified(task: FitTask, numbers: dict[str, float], errors: dict[str, float]) -> list[Flag]:
+    """Return the doubts about the fitted solid.
 
     Parameters
     ----------
-    task : Task
+    task : FitTask
     numbers, errors : dict of str to float
         The fitted numbers, and their standard errors.
     """
@@ -54,16 +54,16 @@ def _times(numbers: dict[str, float]) -> dict[str, float]:
     return {name: n for name, n in numbers.items() if name.rpartition(".")[2].partition("[")[0] in TIMES}
 
 
-def _outside(task: Task, numbers: dict[str, float]) -> list[Flag]:
-    sampling, watched = window(task)
+def _outside(task: FitTask, numbers: dict[str, float]) -> list[Flag]:
+    sampling, contact_time = window(task)
     flags = []
     for name, time in _times(numbers).items():
-        if time > watched:
+        if time > contact_time:
             flags.append(
                 Flag(
                     "too_slow",
-                    f"{name} is {time:.3g} s, but the contact was watched for {watched:.3g} s only: its time and "
-                    "modulus are guesses, and what relaxes later is counted as elastic.",
+                    f"{name} is {time:.3g} s, but the contact was observed for {contact_time:.3g} s only: its time and "
+                    "modulus are uncertain, and what relaxes later is counted as elastic.",
                 )
             )
         elif time < sampling:
@@ -71,7 +71,7 @@ def _outside(task: Task, numbers: dict[str, float]) -> list[Flag]:
                 Flag(
                     "too_fast",
                     f"{name} is {time:.3g} s, shorter than the {sampling:.3g} s between two points: only the product "
-                    "of time and modulus, a viscosity, is told.",
+                    "of time and modulus, a viscosity, is determined.",
                 )
             )
     return flags
@@ -81,13 +81,13 @@ def _together(numbers: dict[str, float], errors: dict[str, float]) -> list[Flag]
     rows = sorted(((n, name) for name, n in _times(numbers).items() if name.endswith("]")))
     flags = []
     for (short, first), (long, second) in zip(rows[:-1], rows[1:], strict=True):
-        unsure = 2.0 * math.hypot(errors[first] / short, errors[second] / long)
-        if math.log(long / short) < max(math.log(APART), unsure):
+        error = 2.0 * math.hypot(errors[first] / short, errors[second] / long)
+        if math.log(long / short) < max(math.log(LEAST_TIME_RATIO), error):
             flags.append(
                 Flag(
                     "collapsed",
-                    f"{first} and {second} are {short:.3g} s and {long:.3g} s, one time within their errors; take one "
-                    "term less.",
+                    f"{first} and {second} are {short:.3g} s and {long:.3g} s, one time within their errors; use one "
+                    "term fewer.",
                 )
             )
     return flags
@@ -97,43 +97,45 @@ def _vanished(numbers: dict[str, float]) -> list[Flag]:
     moduli = {name: n for name, n in numbers.items() if name.rpartition(".")[2].startswith("shears[")}
     whole = sum(moduli.values())
     return [
-        Flag("vanished", f"{name} is {n / whole:.2g} of all of them; take one term less.")
+        Flag("vanished", f"{name} is {n / whole:.2g} of their sum; use one term fewer.")
         for name, n in moduli.items()
-        if n < LITTLE * whole
+        if n < LEAST_TERM_SHARE * whole
     ]
 
 
-def _span(task: Task, numbers: dict[str, float]) -> list[Flag]:
+def _span(task: FitTask, numbers: dict[str, float]) -> list[Flag]:
     medium = task.with_numbers(numbers).bed.medium
     assert isinstance(medium, RelaxingMedium)
     shortest, longest = medium.span
-    sampling, watched = window(task)
-    if shortest == 0.0 or (shortest <= sampling and longest >= watched):
+    sampling, contact_time = window(task)
+    if shortest == 0.0 or (shortest <= sampling and longest >= contact_time):
         return []
     return [
         Flag(
             "span",
-            f"The solid is known between {shortest:.3g} s and {longest:.3g} s, the curve tells of {sampling:.3g} s to "
-            f"{watched:.3g} s; widen shortest and longest.",
+            f"The solid is defined between {shortest:.3g} s and {longest:.3g} s, the curve covers {sampling:.3g} s to "
+            f"{contact_time:.3g} s; widen shortest and longest.",
         )
     ]
 
 
-def _drag(task: Task, numbers: dict[str, float]) -> list[Flag]:
+def _drag(task: FitTask, numbers: dict[str, float]) -> list[Flag]:
     curve = task.curve
-    ways = [np.count_nonzero(curve.direction == way) >= FEW for way in (1.0, -1.0)]
-    if "drag" in numbers or not all(ways):
+    has_direction = [np.count_nonzero(curve.direction == direction) >= FEWEST_POINTS for direction in (1.0, -1.0)]
+    if "drag" in numbers or not all(has_direction):
         return []
     try:
         half, noise = drag_force(curve), free_line(curve.approach).noise
-    except InvalidInput:  # too few free points to tell
+    except InvalidInput:  # too few free points
         return []
-    if abs(half) < STANDS_OUT * noise / math.sqrt(FEW) or abs(half) < SLIGHT * float(np.ptp(curve.force)):
+    if abs(half) < SIGNAL_TO_NOISE * noise / math.sqrt(FEWEST_POINTS) or abs(half) < LEAST_DRAG_SHARE * float(
+        np.ptp(curve.force)
+    ):
         return []
     return [
         Flag(
             "drag",
-            f"Out of contact both ways differ by {2.0 * half:.3g} N: a liquid drags at the cantilever; free drag, or "
+            f"Out of contact approach and retraction differ by {2.0 * half:.3g} N, the drag of a liquid; free drag, or "
             "correct it.",
         )
     ]

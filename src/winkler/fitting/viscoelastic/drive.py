@@ -1,4 +1,4 @@
-"""What is free in the fit of a relaxing contact, what drives it, and what every point weighs."""
+"""Setup of the fit of a relaxing contact: free parameters, input, and weights."""
 
 from __future__ import annotations
 
@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.fitting.curves.checks import Flag, Outline, outline, refuse
+from winkler.fitting.curves.checks import CurveOutline, Flag, outline, refuse
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.outline import FEWEST
 from winkler.fitting.parameters import each
 from winkler.fitting.task import even_weights
-from winkler.fitting.varied import FREELY, parameters_of
-from winkler.fitting.viscoelastic.creep import LEAST_NOISE, SHARE, UnderForce
+from winkler.fitting.varied import NATURAL_BOUNDS, parameters_of
+from winkler.fitting.viscoelastic.creep import FORCE_FIT_SHARE, LEAST_NOISE, UnderForce
 from winkler.fitting.viscoelastic.motion import UnderMotion
 from winkler.fitting.viscoelastic.task import RelaxingTask
 from winkler.loading import Depth
@@ -22,18 +22,18 @@ from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 
 __all__ = ["driven_task", "examined_stroke"]
 
-STEADY = 0.05
-"""A force that changes by less of itself is held."""
-ALPHA = (1e-3, 0.999)
+STEADY_CHANGE = 0.05
+"""Greatest relative change of a constant force."""
+EXPONENT_BOUNDS = (1e-3, 0.999)
 """Bounds of the exponent of a solid."""
-SMOOTH = 100
+SMOOTHING_DIVISOR = 100
 """The velocity is smoothed over this part of the points."""
-STANDS_OUT = 5.0
-"""Positions are fitted from a force on that is so many times its noise, at least."""
+SIGNAL_TO_NOISE = 5.0
+"""Least force over its noise from which on positions are fitted."""
 
 
-def examined_stroke(curve: ForceCurve) -> tuple[Outline | None, tuple[Flag, ...]]:
-    """Return what the approach looks like, if there is one, and what is wrong with it.
+def examined_stroke(curve: ForceCurve) -> tuple[CurveOutline | None, tuple[Flag, ...]]:
+    """Return the rough outline of the approach, if there is one, and its flags.
 
     Raises
     ------
@@ -42,31 +42,31 @@ def examined_stroke(curve: ForceCurve) -> tuple[Outline | None, tuple[Flag, ...]
     """
     if not curve.timed:
         raise InvalidInput(f"fit: curve '{curve.name}' has no times, and a solid that relaxes needs them.")
-    strokes = curve.direction[np.concatenate([[True], np.diff(curve.direction) != 0.0])]
-    out = np.flatnonzero(strokes < 0.0)
-    if out.size and (out[0] == 0 or np.any(strokes[out[0] :] > 0.0)):
-        how = "begins on the way out" if out[0] == 0 else "goes in again after it came out"
-        raise InvalidInput(f"fit: curve '{curve.name}' {how}; fit one way in, with its hold and its way out.")
+    rough_outline = curve.direction[np.concatenate([[True], np.diff(curve.direction) != 0.0])]
+    out = np.flatnonzero(rough_outline < 0.0)
+    if out.size and (out[0] == 0 or np.any(rough_outline[out[0] :] > 0.0)):
+        how = "begins with the retraction" if out[0] == 0 else "goes in again after the retraction"
+        raise InvalidInput(f"fit: curve '{curve.name}' {how}; fit one approach, with its hold and its retraction.")
     inward = curve.direction > 0.0
     if np.count_nonzero(inward) < FEWEST:
         return None, ()
     force = curve.force[inward]
-    if np.ptp(force) < STEADY * np.abs(force).max():  # a weight that stands and sinks in
+    if np.ptp(force) < STEADY_CHANGE * np.abs(force).max():  # a constant weight
         return None, ()
     approach = curve.chosen(inward)
-    flags = refuse(approach, but=("saturated",))  # a held force is no end of a detector
+    flags = refuse(approach, but=("saturated",))  # a constant force is not a saturated detector
     return outline(approach), flags
 
 
 def _velocity(curve: ForceCurve) -> Array:
-    """Return the velocity of the machine [m/s], smoothed within each stretch of one direction, zero while held."""
+    """Return the velocity of the machine [m/s], smoothed within each part of one direction, zero during holds."""
     velocity = np.zeros(curve.count)
     turns = np.flatnonzero(np.diff(curve.direction)) + 1
     for stretch in np.split(np.arange(curve.count), turns):
         time, position = curve.time[stretch], curve.position[stretch]
         if curve.direction[stretch[0]] == 0.0 or stretch.size < 3 or not np.all(np.diff(time) > 0.0):
             continue
-        wide = max(1, stretch.size // SMOOTH)
+        wide = max(1, stretch.size // SMOOTHING_DIVISOR)
         high = np.minimum(np.arange(stretch.size) + wide, stretch.size - 1)
         low = np.maximum(np.arange(stretch.size) - wide, 0)
         velocity[stretch] = (position[high] - position[low]) / (time[high] - time[low])
@@ -74,70 +74,78 @@ def _velocity(curve: ForceCurve) -> Array:
 
 
 def driven_task(
-    curve: ForceCurve, model: ViscoelasticIndentation, free: dict[str, Any], noise: Array, strokes: Outline | None
+    curve: ForceCurve,
+    model: ViscoelasticIndentation,
+    free: dict[str, Any],
+    noise: Array,
+    rough_outline: CurveOutline | None,
 ) -> RelaxingTask:
-    """Return a fit as a task.
+    """Return the task of a fit.
 
     Parameters
     ----------
     curve : ForceCurve
-        With times, one way in, held or not, and at most one way out.
+        With times, one approach, an optional hold, and at most one retraction.
     model : ViscoelasticIndentation
-        Its path is only a placeholder: of depths, and forces are fitted; of forces, and positions are.
+        Its path is a placeholder: of depths for a fit of forces; of forces for a fit of positions.
     free : dict
-        As for `winkler.fitting.elastic.task.elastic_task`; the name of a row means each of its numbers.
+        As for `winkler.fitting.elastic.task.elastic_task`; the name of an array means each of its numbers.
     noise : ndarray
-        Standard deviation of what is fitted, ``()`` or ``(n,)``; zero if it is not known.
-    strokes : Outline or None
-        What the approach looks like; none where there is no approach.
+        Standard deviation of the fitted quantity, ``()`` or ``(n,)``; zero if unknown.
+    rough_outline : CurveOutline or None
+        Rough outline of the approach; None without an approach.
 
     Raises
     ------
     InvalidInput
-        If a name leads nowhere, its bounds contradict themselves, or the way out is to be told from forces.
+        If a path does not exist, its bounds are inconsistent, or a retraction is to be fitted under forces.
     """
     if not free:
         raise InvalidInput("fit: nothing is free; name at least one number, as 'bed.medium.first.relaxed_shear'.")
     strength = float(np.ptp(curve.force))
     span = float(np.ptp(curve.position)) or float(np.abs(curve.position).max())
-    lasting = float(np.ptp(curve.time))
-    if not (strength > 0.0 or span > 0.0) or not lasting > 0.0:
+    duration = float(np.ptp(curve.time))
+    if not (strength > 0.0 or span > 0.0) or not duration > 0.0:
         raise InvalidInput(f"fit: the curve '{curve.name}' has no range of forces or times; nothing can be fitted.")
     strength = strength or float(np.abs(curve.force).max())
     velocity = _velocity(curve)
-    fastest = float(np.abs(velocity).max()) or span / lasting
+    fastest = float(np.abs(velocity).max()) or span / duration
     scales = {
         "contact_point": 0.1 * span,
         "baseline": strength,
         "tilt": strength / span,
-        "drift": span / lasting,
+        "drift": span / duration,
         "drag": strength / fastest,
     }
-    wanted = {path: given for name, given in free.items() for path in (each(model, name) if "." in name else (name,))}
+    free_paths = {
+        path: stated for name, stated in free.items() for path in (each(model, name) if "." in name else (name,))
+    }
     weights = even_weights(curve, noise)
-    exponents = {name: ALPHA for name in wanted if name.startswith("bed.medium.") and name.endswith(".exponent")}
-    parameters = parameters_of(model, wanted, scales, FREELY | exponents)
-    nothing = np.zeros(curve.count)
+    exponents = {
+        name: EXPONENT_BOUNDS for name in free_paths if name.startswith("bed.medium.") and name.endswith(".exponent")
+    }
+    parameters = parameters_of(model, free_paths, scales, NATURAL_BOUNDS | exponents)
+    zeros = np.zeros(curve.count)
     if isinstance(model.path.normal, Depth):
-        return UnderMotion(curve, model, parameters, weights, velocity, nothing)
+        return UnderMotion(curve, model, parameters, weights, velocity, zeros)
     if np.any(curve.direction < 0.0):
         raise InvalidInput(
-            "fit: forces drive a contact only while it grows; leave out the points that come out, or fit forces."
+            "fit: positions follow from forces only while a contact grows; leave out the retraction, or fit forces."
         )
-    task = UnderForce(curve, model, parameters, weights, velocity, nothing)
-    return task if strokes is None else _with_approach(task, strokes, noise)
+    task = UnderForce(curve, model, parameters, weights, velocity, zeros)
+    return task if rough_outline is None else _with_approach(task, rough_outline, noise)
 
 
-def _with_approach(task: UnderForce, strokes: Outline, noise: Array) -> UnderForce:
-    """Return the task with forces fitted where the contact bears little, roughly weighed."""
+def _with_approach(task: UnderForce, rough_outline: CurveOutline, noise: Array) -> UnderForce:
+    """Return the task with forces fitted at small loads, with approximate weights."""
     curve = task.curve
-    borne = curve.force - strokes.baseline
-    little = borne < max(SHARE * float(borne.max()), STANDS_OUT * strokes.noise)
-    many = np.count_nonzero(little[: 1 + int(np.argmax(borne))])  # as many as bear little, whatever their own noise
+    borne = curve.force - rough_outline.baseline
+    little = borne < max(FORCE_FIT_SHARE * float(borne.max()), SIGNAL_TO_NOISE * rough_outline.noise)
+    many = np.count_nonzero(little[: 1 + int(np.argmax(borne))])  # their number, independent of their noise
     early = np.arange(curve.count) < many
     late = np.flatnonzero(~early)
     rough = np.abs(np.diff(curve.position[late], 2)) if late.size > 2 else np.zeros(1)
     own = float(np.mean(noise)) or float(np.median(rough)) / (0.6745 * np.sqrt(6.0))
     own = max(own, LEAST_NOISE * float(np.ptp(curve.position)))
-    of_force = max(strokes.noise, LEAST_NOISE * float(np.ptp(curve.force)))
+    of_force = max(rough_outline.noise, LEAST_NOISE * float(np.ptp(curve.force)))
     return task._replace(weights=np.where(early, 1.0, task.weights), per_force=np.where(early, own / of_force, 0.0))

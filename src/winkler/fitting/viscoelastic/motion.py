@@ -1,4 +1,4 @@
-"""The motion of the machine drives a relaxing contact, and forces are fitted."""
+"""Fit of the forces of a relaxing contact along the measured motion."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ __all__ = ["UnderMotion"]
 
 
 class UnderMotion(RelaxingTask):
-    """The motion drives, forces are fitted."""
+    """Forces fitted along the measured motion."""
 
     def prediction(self, coordinates: Array) -> Prediction:
-        """Return the forces [N] with everything that is not contact."""
+        """Return the forces [N] with baseline and drag."""
         numbers = self.numbers(coordinates)
         model, place = self.with_numbers(numbers), self.place(numbers)
         highest = float(place.max())

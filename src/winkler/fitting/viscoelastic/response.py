@@ -1,6 +1,7 @@
 """How a viscoelastic contact responds along a measured motion, or under measured forces, fast enough for a fit.
 
-The elastic answer of the bed at E* = 1 is laid into a table once; `winkler.numerics.springs.hereditary` does the rest.
+The elastic response of the bed at E* = 1 is tabulated once; `winkler.numerics.springs.hereditary` applies the
+relaxation.
 """
 
 from __future__ import annotations
@@ -21,13 +22,13 @@ from winkler.problems.normal.solve_contact import at_end
 
 __all__ = ["ContactHistory", "ElasticTable", "elastic_table", "forces", "positions"]
 
-PIECES = 800
-STEPS = 1.25
-"""Tables end at powers of it, so that one serves many contact points."""
+TABLE_INTERVALS = 800
+TABLE_RATIO = 1.25
+"""Tables end at powers of it, so that one table serves many contact points."""
 
 
 class ElasticTable(NamedTuple):
-    """The elastic answer of a bed, over roots of d / deepest evenly spaced from 0 to 1.
+    """The elastic response of a bed, over roots of d / deepest evenly spaced from 0 to 1.
 
     Parameters
     ----------
@@ -58,7 +59,7 @@ class ContactHistory(NamedTuple):
 
 
 def elastic_table(bed: Bed, deepest: float) -> ElasticTable:
-    """Return the elastic answer of a bed, at least as far as a depth [m].
+    """Return the elastic response of a bed, at least up to a depth [m].
 
     Parameters
     ----------
@@ -70,16 +71,16 @@ def elastic_table(bed: Bed, deepest: float) -> ElasticTable:
     Raises
     ------
     OutsideValidity
-        If the profile is not known so far out, or a contact there is no disc.
+        If the profile ends before, or a contact there is no disc.
     """
     end = at_end(bed)[0]
-    step = float(np.ceil(np.log(max(deepest, 1e-30)) / np.log(STEPS)))
-    rounded = STEPS**step
+    step = float(np.ceil(np.log(max(deepest, 1e-30)) / np.log(TABLE_RATIO)))
+    rounded = TABLE_RATIO**step
     if bed.reach < bed.rim and rounded > end:
         if deepest > end:
             raise OutsideValidity(
-                f"fit: the curve leads to depths of {deepest:.4g} m, beyond {end:.4g} m, where nothing is known of the "
-                "profile; cut the curve off before, or give a profile that is known farther out."
+                f"fit: the curve leads to depths of {deepest:.4g} m, beyond {end:.4g} m, where the profile is not "
+                "defined; cut the curve off before, or give a profile that extends farther."
             )
         rounded = end
     return _table(bed, rounded)
@@ -87,7 +88,7 @@ def elastic_table(bed: Bed, deepest: float) -> ElasticTable:
 
 @functools.lru_cache(maxsize=64)
 def _table(bed: Bed, deepest: float) -> ElasticTable:
-    root = np.linspace(0.0, 1.0, PIECES + 1)
+    root = np.linspace(0.0, 1.0, TABLE_INTERVALS + 1)
     depth = deepest * root**2
     solved = Indentation(bed, Depth(depth[1:])).solve()
     force = np.concatenate([[0.0], np.asarray(solved.force)])
@@ -99,28 +100,28 @@ def _table(bed: Bed, deepest: float) -> ElasticTable:
 def forces(
     table: ElasticTable, series: RelaxationSeries, time: Array, place: Array, turn: int, compliance: float
 ) -> ContactHistory:
-    """Return the answers of a contact along a motion.
+    """Return the response of a contact along a motion.
 
     Parameters
     ----------
     table : ElasticTable
-        At least as far as the greatest place.
+        At least up to the greatest position.
     series : RelaxationSeries
         E*(t).
     time, place : ndarray, (n,)
         [s] and D [m] from first touch; a first place beyond it is reached suddenly.
     turn : int
-        The first moment of the way out; n if there is none.
+        The first index of the retraction; n if there is none.
     compliance : float
         Of the machine [m/N].
     """
-    begun = np.concatenate([time[:1], time])
+    times = np.concatenate([time[:1], time])
     driven = np.concatenate([np.minimum(place[:1], 0.0), place])
-    count = begun.size
+    count = times.size
     force, depth, edge, phi = (np.empty(count) for _ in range(4))
     drift, load = np.empty((count, series.times.size)), np.empty((count, series.times.size))
     forces_of_motion(
-        begun, driven, turn + 1, compliance, series.relaxed, series.viscosity, series.moduli, series.times,
+        times, driven, turn + 1, compliance, series.relaxed, series.viscosity, series.moduli, series.times,
         table.deepest, table.force, table.slope, force, depth, edge, drift, load, phi,
     )  # fmt: skip
     return ContactHistory(force[1:], depth[1:], edge[1:])

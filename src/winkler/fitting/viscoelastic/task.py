@@ -1,7 +1,7 @@
-r"""The fit of a relaxing contact: what its machine does, and the derivatives of what is predicted.
+r"""The fit of a relaxing contact: common part of fits of forces and of positions.
 
-The motion drives, :math:`D_i-D_0-u\,t_i`, and forces are fitted (`winkler.fitting.viscoelastic.motion`); or the forces
-drive, and the positions are fitted (`winkler.fitting.viscoelastic.creep`).
+Forces are fitted along the motion :math:`D_i-D_0-u\,t_i` (`winkler.fitting.viscoelastic.motion`), or positions under
+the measured forces (`winkler.fitting.viscoelastic.creep`).
 """
 
 from __future__ import annotations
@@ -11,9 +11,9 @@ from typing import Any
 
 import numpy as np
 
-from winkler.fitting.curves.checks import Flag, Outline
+from winkler.fitting.curves.checks import CurveOutline, Flag
 from winkler.fitting.parameters import each
-from winkler.fitting.task import STEP, Prediction, Task, moved
+from winkler.fitting.task import DIFFERENCE_STEP, FitTask, Prediction, moved
 from winkler.fitting.viscoelastic.doubts import unidentified
 from winkler.fitting.viscoelastic.response import elastic_table
 from winkler.fitting.viscoelastic.start import starts
@@ -23,12 +23,12 @@ from winkler.problems.viscoelastic.march import elastic_like
 __all__ = ["RelaxingTask"]
 
 COARSE_STEP = 1e-3
-"""Step of numbers that change the number of terms of a series, whose error jumps there."""
-SHAPES = ("exponent", "relaxation_time")
+"""Step of parameters that change the number of terms of a series, whose error is then discontinuous."""
+ROUGH_NUMBERS = ("exponent", "relaxation_time")
 
 
-class RelaxingTask(Task):
-    """A contact that relaxes, held points included; its subclasses say what drives, and what is fitted."""
+class RelaxingTask(FitTask):
+    """A relaxing contact, including holds; subclasses define the input and the fitted quantity."""
 
     settled = 1e-9
     must_settle = False
@@ -38,44 +38,44 @@ class RelaxingTask(Task):
 
     @property
     def size(self) -> float:
-        """Norm of what was measured about its mean, weighted."""
+        """Weighted norm of the measured quantity about its mean."""
         measured = self.measured * self.weights
         return float(np.linalg.norm(measured - measured.mean()))
 
     def difference(self, coordinates: Array, index: int, prediction: Prediction) -> Array:
         """Return the derivative with respect to a coordinate, central where the number of terms may change."""
         parameter = self.parameters[index]
-        rough = parameter.name.startswith("bed.medium.") and parameter.name.rpartition(".")[2] in SHAPES
-        step = self.step(coordinates, index, COARSE_STEP if rough else STEP)
+        rough = parameter.name.startswith("bed.medium.") and parameter.name.rpartition(".")[2] in ROUGH_NUMBERS
+        step = self.step(coordinates, index, COARSE_STEP if rough else DIFFERENCE_STEP)
         ahead = self.prediction(moved(coordinates, index, step)).fitted
         if rough and coordinates[index] - step > parameter.inward(parameter.low):
             behind = self.prediction(moved(coordinates, index, -step)).fitted
             return np.asarray((ahead - behind) / (2.0 * step))
         return np.asarray((ahead - prediction.fitted) / step)
 
-    def some_of(self, stretch: Array) -> Array:
-        """Return points evenly spaced, and more of them where the contact has just begun to rest or is deepest."""
+    def sample_of(self, stretch: Array) -> Array:
+        """Return evenly spaced points, and more at the start of a hold or a retraction and at the deepest contact."""
         share = max(self.coarse_count // (2 * self._stretches), 10)
         last = stretch.size - 1
-        near = np.geomspace(1.0, max(last, 1), min(share, stretch.size)) - 1.0  # what is fast happens at once
-        turned = last - near if self.curve.direction[stretch[0]] > 0.0 else near
+        near = np.geomspace(1.0, max(last, 1), min(share, stretch.size)) - 1.0  # fast relaxation occurs at once
+        dense = last - near if self.curve.direction[stretch[0]] > 0.0 else near
         even = np.linspace(0, last, min(share, stretch.size))
-        return np.asarray(stretch[np.concatenate([even, turned]).astype(int)])
+        return np.asarray(stretch[np.concatenate([even, dense]).astype(int)])
 
     @property
     def _stretches(self) -> int:
         return 1 + int(np.count_nonzero(np.diff(self.curve.direction)))
 
-    def starts(self, strokes: Outline | None) -> Iterable[Array]:
+    def starts(self, rough_outline: CurveOutline | None) -> Iterable[Array]:
         """Yield coordinates for some contact points, times and exponents, moduli by linear least squares."""
-        return starts(self, strokes)
+        return starts(self, rough_outline)
 
     def doubts(self, numbers: dict[str, float], errors: Array) -> list[Flag]:
-        """Return what the curve cannot tell about the solid."""
+        """Return the doubts about the solid."""
         return unidentified(self, numbers, dict(zip(numbers, errors.tolist(), strict=True)))
 
     def final(self, coordinates: Array) -> Array:
-        """Return coordinates whose terms are sorted by their times, where nothing but their order would change."""
+        """Return coordinates with terms sorted by their times, if only their order changes."""
         rows: dict[str, list[int]] = {}
         for index, parameter in enumerate(self.parameters):
             if parameter.name.endswith("]"):
@@ -85,15 +85,15 @@ class RelaxingTask(Task):
             partner = name.replace("relaxation_times", "shears").replace("retardation_times", "compliances")
             if partner == name or len(rows.get(partner, ())) != len(places):
                 continue
-            alike = all(len({self.parameters[i][1:3] for i in row}) == 1 for row in (places, rows[partner]))
-            if alike and len(places) == len(each(self.model, name)):
+            interchangeable = all(len({self.parameters[i][1:3] for i in row}) == 1 for row in (places, rows[partner]))
+            if interchangeable and len(places) == len(each(self.model, name)):
                 turn = np.argsort(coordinates[places])
                 for row in (places, rows[partner]):
                     ordered[row] = coordinates[row][turn]
         return coordinates if np.array_equal(ordered, coordinates) else ordered
 
     def relaxing_fields(self, numbers: dict[str, float], prediction: Prediction) -> dict[str, Any]:
-        """Return what is found about the contact: which numbers are logarithmic, depths and radii [m]."""
+        """Return fields of the contact: logarithmic parameters, depths and radii [m]."""
         contact = prediction.contact
         table = elastic_table(elastic_like(self.with_numbers(numbers).bed), float(contact.edge.max()))
         return {

@@ -14,7 +14,7 @@ from winkler.loading import Depth, Force, ShearForce, Shift
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.panel import Arrow, Axis, Line, Panel, Polygon, note, zero
-from winkler.plot.series import series, told
+from winkler.plot.series import series, with_unit
 from winkler.problems.adhesion.cycle import AdhesiveCycle, AdhesiveCycleSolution
 from winkler.problems.adhesion.cycle_states import AdhesiveState, EdgeState
 from winkler.problems.adhesion.equilibrium import EquilibriumCurve
@@ -22,34 +22,34 @@ from winkler.problems.adhesion.indentation import AdhesiveIndentation, AdhesiveS
 from winkler.problems.adhesion.pull_off import PullOffSolution
 from winkler.problems.adhesion.shear import AdhesiveShear, AdhesiveShearSolution
 
-__all__ = ["contact_of", "cycle_panels", "intensity_words", "sheared_panels"]
+__all__ = ["contact_of", "cycle_panels", "intensity_note", "sheared_panels"]
 
-FINE, NEAR = 300, 201
-"""A cycle is drawn through about so many states, however few the path has, and so many on both sides of each jump."""
-SHEARED = 161
+CYCLE_STATES, STATES_AT_JUMP = 300, 201
+"""Number of states along a drawn cycle, and of additional states around each jump."""
+SHEAR_STATES = 161
 MARGIN = 0.05
-BESIDE = 0.3
-"""Of the way on which the bodies are apart so much is shown, in terms of the rest."""
-MARKED = 40
-"""Paths of at most so many points show each of them."""
+SEPARATED_SHARE = 0.3
+"""Part of the drawn range in which the bodies are separated, relative to the range in contact."""
+MOST_MARKED_POINTS = 40
+"""Points of a path are marked individually up to this number."""
 
 
-def intensity_words(solution: AdhesiveSolution) -> str:
-    """Return what a picture of the pressure says about the edge: the stress intensity, where it is known."""
+def intensity_note(solution: AdhesiveSolution) -> str:
+    """Return the stress intensity factor at the edge as text; empty if the law has none."""
     try:
-        return f"\n$K_I$ = {told(float(solution.stress_intensity), 'Pa', 3)} m$^{{1/2}}$"
+        return f"\n$K_I$ = {with_unit(float(solution.stress_intensity), 'Pa', 3)} m$^{{1/2}}$"
     except OutsideValidity:
         return ""
 
 
 def contact_of(solution: Any) -> AdhesiveSolution | None:
-    """Return one state of an adhesive answer as a contact with fields; None if none of its states has a contact.
+    """Return one state of an adhesive solution as a contact with fields; None if no state has a contact.
 
     Parameters
     ----------
     solution
-        An answer to a problem of adhesion; of a cycle its widest contact is taken, of a curve its widest stable one, of
-        a sheared contact that of the last load.
+        Solution of a problem of adhesion.  The widest contact of a cycle is taken, the widest stable one of a curve,
+        and that of the last load of a sheared contact.
     """
     problem = solution.problem
     if isinstance(solution, AdhesiveSolution):
@@ -71,7 +71,7 @@ def contact_of(solution: Any) -> AdhesiveSolution | None:
 
 
 def cycle_panels(solution: AdhesiveCycleSolution) -> tuple[Panel, Panel]:
-    """Return force and contact radius over the position of the machine, with every jump; what is lost is shaded.
+    """Return force and contact radius over the position of the machine, with jumps and the dissipated energy shaded.
 
     Parameters
     ----------
@@ -79,30 +79,35 @@ def cycle_panels(solution: AdhesiveCycleSolution) -> tuple[Panel, Panel]:
     """
     by_depth = isinstance(solution.problem.path, Depth)
     name = "position" if by_depth else "depth"
-    path = _followed(solution)
+    path = _detailed_path(solution)
     along = series("AdhesiveCycleSolution", name, path.place)
-    felt = path.place[(path.force != 0.0) | (path.radius > 0.0)]
+    interacting = path.place[(path.force != 0.0) | (path.radius > 0.0)]
     low, margin = float(np.min(path.place)), MARGIN * float(np.ptp(path.place))
-    if felt.size:  # not the whole path along which the bodies are apart
-        low = max(low - margin, float(np.min(felt)) - BESIDE * float(np.max(path.place) - np.min(felt)))
-    across = Axis.of(along, margin=MARGIN, low=low if felt.size else None)
+    if interacting.size:  # leave out most of the path on which the bodies are separated
+        low = max(
+            low - margin, float(np.min(interacting)) - SEPARATED_SHARE * float(np.max(path.place) - np.min(interacting))
+        )
+    across = Axis.of(along, margin=MARGIN, low=low if interacting.size else None)
     panels = []
     for what, content in (("force", path.force), ("radius", path.radius)):
         of = series("AdhesiveCycleSolution", what, content)
-        marks: list[Any] = [Line(*_broken(path.place, content, path.leaps))]
-        for leap in np.flatnonzero(path.leaps):
-            start, stop = ((float(path.place[at]), float(content[at])) for at in (leap, leap + 1))
+        marks: list[Any] = [Line(*_with_gaps(path.place, content, path.is_jump))]
+        for index in np.flatnonzero(path.is_jump):
+            start, stop = ((float(path.place[at]), float(content[at])) for at in (index, index + 1))
             marks.append(Arrow(start, stop, width=1.2))
-        if solution.depth.size <= MARKED:
+        if solution.depth.size <= MOST_MARKED_POINTS:
             points = getattr(solution, name), getattr(solution, what)
             marks.append(Line(*points, width=0.0, marker="o", size=4.0))
         upright = Axis.of(of, margin=0.08, low=0.0 if what == "radius" else None)
         panels.append(Panel(tuple(marks), across, upright))
-    lost, closed = told(float(solution.dissipation[-1]), "J"), bool(solution.radius[-1] == solution.force[-1] == 0.0)
+    lost, closed = (
+        with_unit(float(solution.dissipation[-1]), "J"),
+        bool(solution.radius[-1] == solution.force[-1] == 0.0),
+    )
     shaded = by_depth and closed
     area = (Polygon(path.place, path.force, style.RED, 0.14),) if shaded else ()
-    words = note(f"{'shaded: lost,' if shaded else 'lost so far:'} {lost}", "upper left")
-    return panels[0].plus(zero(), *area, words), panels[1]
+    text = note(f"{'shaded: lost,' if shaded else 'lost so far:'} {lost}", "upper left")
+    return panels[0].plus(zero(), *area, text), panels[1]
 
 
 class _Path(NamedTuple):
@@ -111,43 +116,45 @@ class _Path(NamedTuple):
     place: Array
     force: Array
     radius: Array
-    leaps: Array
+    is_jump: Array
 
 
-def _followed(solution: AdhesiveCycleSolution) -> _Path:
-    """Return a cycle through many states; the answer depends on the turning points alone."""
+def _detailed_path(solution: AdhesiveCycleSolution) -> _Path:
+    """Return the cycle with intermediate states; the solution depends on the turning points alone."""
     places: list[EdgeState | AdhesiveState] = []
-    leaps: list[bool] = []
+    is_jump: list[bool] = []
     for state in _refined(solution).steps():
         for jump in state.jumps:
             places += [jump.before, jump.after]
-            leaps += [True, False]
+            is_jump += [True, False]
         places.append(state)
-        leaps.append(False)
-        # leaps[i] belongs to the step from state i to the next one
+        is_jump.append(False)
+        # is_jump[i] belongs to the step from state i to the next one
     numbers = np.array([(state.position, state.force, state.radius) for state in places])
-    return _Path(numbers[:, 0], numbers[:, 1], numbers[:, 2], np.array(leaps))
+    return _Path(numbers[:, 0], numbers[:, 1], numbers[:, 2], np.array(is_jump))
 
 
 def _refined(solution: AdhesiveCycleSolution) -> AdhesiveCycle:
-    """Return the same cycle, as far as the answer goes, in small steps, from where the bodies are apart."""
+    """Return the same cycle up to the last solved state in small steps, beginning with separated bodies."""
     problem, reached = solution.problem, solution.depth.size
     match problem.path:
         case Depth(levels):
-            row = np.asarray(levels, dtype=float)[:reached]
-            apart = min(float(row[0]), -0.1 * float(np.ptp(np.append(row, 0.0))))
+            reached_levels = np.asarray(levels, dtype=float)[:reached]
+            separated = min(float(reached_levels[0]), -0.1 * float(np.ptp(np.append(reached_levels, 0.0))))
             jumps = [jump.before.position for jump in solution.jumps]
-            return dataclasses.replace(problem, path=Depth(_steps(np.append(apart, row), jumps)))
+            return dataclasses.replace(problem, path=Depth(_steps(np.append(separated, reached_levels), jumps)))
         case Force(levels):
             jumps = [jump.before.force for jump in solution.jumps]
-            row = np.asarray(levels, dtype=float)[:reached]
-            return dataclasses.replace(problem, path=Force(_steps(row, jumps)))
+            reached_levels = np.asarray(levels, dtype=float)[:reached]
+            return dataclasses.replace(problem, path=Force(_steps(reached_levels, jumps)))
 
 
 def _steps(levels: Array, jumps: list[float]) -> Array:
-    """Return the levels with others in between; at a jump curves leave with the root of the distance."""
-    share = max(1, math.ceil(FINE / levels.size))
-    beside = float(np.ptp(levels)) * np.linspace(-1.0, 1.0, NEAR) * np.abs(np.linspace(-1.0, 1.0, NEAR))
+    """Return the levels with intermediate ones, dense at jumps, where curves begin like a square root."""
+    share = max(1, math.ceil(CYCLE_STATES / levels.size))
+    beside = (
+        float(np.ptp(levels)) * np.linspace(-1.0, 1.0, STATES_AT_JUMP) * np.abs(np.linspace(-1.0, 1.0, STATES_AT_JUMP))
+    )
     dense = (np.array(jumps)[:, None] + beside).ravel()
     parts = [levels[:1]]
     for start, stop in itertools.pairwise(levels):
@@ -157,33 +164,33 @@ def _steps(levels: Array, jumps: list[float]) -> Array:
     return np.concatenate(parts)
 
 
-def _broken(x: Array, y: Array, leaps: Array) -> tuple[Array, Array]:
-    """Return a line that is interrupted where there is a jump."""
-    after = np.flatnonzero(leaps) + 1
+def _with_gaps(x: Array, y: Array, is_jump: Array) -> tuple[Array, Array]:
+    """Return a line interrupted at jumps."""
+    after = np.flatnonzero(is_jump) + 1
     return np.insert(x, after, np.nan), np.insert(y, after, np.nan)
 
 
 def sheared_panels(solution: AdhesiveShearSolution) -> tuple[Panel, Panel]:
-    """Return shear force and contact radius over the shift, up to where the contact loses its hold.
+    """Return shear force and contact radius over the shift, up to the loss of stability.
 
     Parameters
     ----------
     solution : AdhesiveShearSolution
     """
     problem, limit = solution.problem, solution.limit
-    share = 1.0 - (1.0 - np.linspace(0.0, 1.0, SHEARED)) ** 2  # dense where the radius falls steeply
+    share = 1.0 - (1.0 - np.linspace(0.0, 1.0, SHEAR_STATES)) ** 2  # dense where the radius falls steeply
     most = Shift(limit.shift * share) if isinstance(problem.lateral, Shift) else ShearForce(limit.shear_force * share)
     whole = AdhesiveShear(problem.bed, problem.law, problem.normal, most).solve()
     shift = series("AdhesiveShearSolution", "shift", whole.shift)
     panels = []
     for name, last in (("shear_force", limit.shear_force), ("radius", limit.radius)):
         of = series("AdhesiveShearSolution", name, getattr(whole, name))
-        given = np.abs(np.ravel(solution.shift)), np.abs(np.ravel(getattr(solution, name)))
+        requested = np.abs(np.ravel(solution.shift)), np.abs(np.ravel(getattr(solution, name)))
         end = np.array([float(limit.shift)]), np.array([float(last)])
         marks = (
             Line(shift.content, of.content),
-            Line(*given, width=0.0, marker="o", name="asked", clipped=False),
-            Line(*end, style.RED, width=0.0, marker="o", name="loses its hold"),
+            Line(*requested, width=0.0, marker="o", name="requested", clipped=False),
+            Line(*end, style.RED, width=0.0, marker="o", name="instability"),
         )
         panels.append(Panel(marks, Axis.of(shift, margin=MARGIN), Axis.of(of, low=0.0)))
     return panels[0].plus(note("approximate", "upper left")), panels[1].plus(legend="lower left")

@@ -22,9 +22,8 @@ from winkler.problems.adhesion.pull_off import PullOffSolution
 
 __all__ = ["around_panel", "curve_around", "equilibrium_panel", "pull_off_panel", "radii_panel"]
 
-WIDER, WIDER_PULLED = 1.4, 2.2
-"""The curve around a state goes to so many contact radii; around one under tension further, to where the force is zero
-or not far from it."""
+RADII_DRAWN, RADII_DRAWN_IN_TENSION = 1.4, 2.2
+"""Largest contact radius of the drawn curve, relative to that of the state; larger under tension."""
 POINTS = 400
 MARGIN = 0.05
 
@@ -36,7 +35,7 @@ def equilibrium_panel(curve: EquilibriumCurve, *, jumps: bool = True) -> Panel:
     ----------
     curve : EquilibriumCurve
     jumps : bool, optional
-        Whether to draw where the edge runs to from the ends of branches.
+        Whether to draw the jumps from the ends of branches.
     """
     panel = _over(curve, "force")
     left = float(np.min(curve.depth)) - MARGIN * float(np.ptp(curve.depth))
@@ -58,12 +57,12 @@ def _over(curve: EquilibriumCurve, name: str) -> Panel:
     x, y = (series("EquilibriumCurve", one, getattr(curve, one)) for one in ("depth", name))
     unstable = "" if curve.stable.all() else "unstable"
     lines = [Line(x.content, y.content, style.MUTED, width=1.2, dash=style.DASHES[1], name=unstable)]
-    for place, inside in enumerate(_stretches(curve)):
+    for place, inside in enumerate(_stable_branches(curve)):
         lines.append(Line(x.content[inside], y.content[inside], width=2.0, name="" if place else "stable"))
     return Panel(tuple(lines), Axis.of(x, margin=MARGIN), Axis.of(y, margin=0.08))
 
 
-def _stretches(curve: EquilibriumCurve) -> list[Array]:
+def _stable_branches(curve: EquilibriumCurve) -> list[Array]:
     pairs = zip(curve.starts, curve.stops, strict=True)
     return [np.flatnonzero((curve.radius >= start) & (curve.radius <= stop)) for start, stop in pairs]
 
@@ -74,7 +73,7 @@ def curve_around(solution: AdhesiveSolution) -> EquilibriumCurve:
     Parameters
     ----------
     solution : AdhesiveSolution
-        For one load, with a contact; a force, or a radius, is a dead load, a depth fixed grips.
+        For one load, with a contact.  A prescribed force or radius counts as dead load, a depth as fixed grips.
 
     Raises
     ------
@@ -85,7 +84,9 @@ def curve_around(solution: AdhesiveSolution) -> EquilibriumCurve:
     if radius == 0.0:
         raise InvalidInput("draw: the bodies do not touch under this load, so there is no F(d) around it.")
     machine = math.inf if isinstance(problem.load, Depth) else 0.0
-    return _curve(problem.bed, problem.law, (WIDER if solution.force >= 0.0 else WIDER_PULLED) * radius, machine)
+    return _curve(
+        problem.bed, problem.law, (RADII_DRAWN if solution.force >= 0.0 else RADII_DRAWN_IN_TENSION) * radius, machine
+    )
 
 
 def around_panel(solution: AdhesiveSolution) -> Panel:
@@ -99,13 +100,13 @@ def around_panel(solution: AdhesiveSolution) -> Panel:
     problem, radius, curve = solution.problem, float(solution.radius), curve_around(solution)
     depth, force = float(solution.depth), float(solution.force)
     marks: list[Any] = []
-    if radius >= problem.bed.rim:  # the edge is held there: the springs go on together
+    if radius >= problem.bed.rim:  # the edge is pinned: constant stiffness
         ends = np.array([curve.depth[-1], depth]), np.array([curve.force[-1], force])
         marks.append(Line(*ends, width=2.0))
     law = problem.law
     receding = isinstance(law, ShortRange) and law.work_closing < law.work_opening
-    words = f"judged under {'fixed grips' if isinstance(problem.load, Depth) else 'a dead load'}"
-    marks.append(note(f"the edge about to recede,\n{words}" if receding else words, "lower right"))
+    text = f"stability under {'fixed grips' if isinstance(problem.load, Depth) else 'a dead load'}"
+    marks.append(note(f"the edge about to recede,\n{text}" if receding else text, "lower right"))
     return equilibrium_panel(curve, jumps=False).plus(*marks, _point(depth, force, clipped=False))
 
 
@@ -114,7 +115,7 @@ def _point(depth: float, force: float, **more: Any) -> Line:
 
 
 def pull_off_panel(solution: PullOffSolution) -> Panel:
-    """Return F(d) around a pull-off, the state itself, and along which line the machine lets go.
+    """Return F(d) around a pull-off, the state itself, and the unloading line of the machine.
 
     Parameters
     ----------
@@ -122,9 +123,9 @@ def pull_off_panel(solution: PullOffSolution) -> Panel:
     """
     problem = solution.problem
     machine = float(problem.machine_stiffness)
-    pressed_on = Force(max(abs(solution.force), 1e-300))
-    wide = float(AdhesiveIndentation(problem.bed, problem.law, pressed_on).solve().radius)
-    curve = _curve(problem.bed, problem.law, wide, machine)
+    compressive = Force(max(abs(solution.force), 1e-300))
+    widest = float(AdhesiveIndentation(problem.bed, problem.law, compressive).solve().radius)
+    curve = _curve(problem.bed, problem.law, widest, machine)
     place = float(solution.depth), float(solution.force)
     look: dict[str, Any] = {"colour": style.RED, "width": 1.0, "dash": style.DASHES[2], "name": "the machine"}
     line = Rule(place[0], upright=True, **look) if math.isinf(machine) else Rule(point=place, slope=-machine, **look)

@@ -1,4 +1,4 @@
-"""Sheets of contacts that conduct: resistance over force, temperature around the contact, what a voltage heats."""
+"""Sheets of contacts that conduct: resistance over force, temperature around the contact, heating by a voltage."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from winkler.plot import style
 from winkler.plot.conduction.fields import conduction_map, crossing_panel
 from winkler.plot.drawing import sheet_of
 from winkler.plot.panel import Area, Axis, Line, Panel, Sheet
-from winkler.plot.series import Series, common_scale, middle_scale, series, told
+from winkler.plot.series import Series, common_scale, middle_scale, series, with_unit
 from winkler.problems.conduction.constriction import ConstrictionSolution
 from winkler.problems.conduction.joule_heating import JouleHeatingSolution
 from winkler.problems.conduction.thermal_constriction import ThermalConstrictionSolution
@@ -24,10 +24,10 @@ from winkler.problems.conduction.thermal_constriction import ThermalConstriction
 __all__ = ["constriction_sheet", "joule_sheet", "thermal_sheet"]
 
 POINTS = 49
-DECADES = 1.5
-"""Curves go so far below and beyond what was asked."""
-HOTTEST = 4.0
-"""Voltages are drawn up to where the contact has so many times the temperature of the bodies."""
+DECADES_BEYOND = 1.5
+"""Decades drawn below and above a single requested force."""
+GREATEST_TEMPERATURE_RATIO = 4.0
+"""Greatest drawn temperature of the contact over that of the bodies."""
 Steady = ConstrictionSolution | ThermalConstrictionSolution
 PARTS = {
     ConstrictionSolution: (
@@ -52,68 +52,70 @@ def _refuse(item: Any, extent: float | None) -> None:
         raise OutsideValidity("draw: the bodies do not touch, so there is nothing to show; press harder.")
 
 
-def _pressed_around(item: Any) -> Any:
-    """Return the answers around the forces that were asked, as far as the bed knows them."""
+def _curve_over_force(item: Any) -> Any:
+    """Return the solution over a range of forces around the requested ones, within the reach of the bed."""
     force = np.ravel(np.asarray(item.force, dtype=float))
     force = force[force > 0.0]
     low, high = np.log10(np.min(force)), np.log10(np.max(force))
-    wide = DECADES if high == low else 0.0
+    wide = DECADES_BEYOND if high == low else 0.0
     for less in (1.0, 0.3, 0.0):
         many = np.logspace(low - wide, high + less * wide, POINTS)
         try:
             return dataclasses.replace(item.problem, load=Force(many)).solve()
         except WinklerError:
             continue
-    raise OutsideValidity("draw: no curve through this contact is known; ask for one load and its numbers.")
+    raise OutsideValidity(
+        "draw: no curve of forces can be solved around this contact; solve for one load and use its numbers."
+    )
 
 
 @sheet_of.register(ConstrictionSolution)
 def constriction_sheet(item: ConstrictionSolution, *, extent: float | None = None) -> Sheet:
-    """Return the resistance over the force, and what makes it."""
+    """Return the resistance over the force, and its parts."""
     _refuse(item, extent)
-    curve = _pressed_around(item)
+    curve = _curve_over_force(item)
     return Sheet((_resistance_panel(curve, item), _parts_panel(curve)), height=3.2)
 
 
-def _parts_of(curve: Steady) -> list[tuple[str, Array]]:
-    """Return the names and numbers of what makes the resistance, where it is not zero."""
+def _resistance_parts(curve: Steady) -> list[tuple[str, Array]]:
+    """Return names and values of the nonzero parts of the resistance."""
     shape = np.shape(curve.force)
-    found = [(label, np.broadcast_to(np.asarray(getattr(curve, name)), shape)) for name, label in PARTS[type(curve)]]
-    return [(label, part) for label, part in found if np.max(part) > 0.0]
+    parts = [(label, np.broadcast_to(np.asarray(getattr(curve, name)), shape)) for name, label in PARTS[type(curve)]]
+    return [(label, part) for label, part in parts if np.max(part) > 0.0]
 
 
 def _resistance_panel(curve: Steady, item: Steady) -> Panel:
-    """Return the resistance over the force, its parts, and what was asked."""
+    """Return the resistance over the force, its parts, and the requested points."""
     owner = type(curve)
     along, whole = series(owner, "force", curve.force), series(owner, "resistance", curve.resistance)
     marks = [Line(along.content, whole.content, style.INK, name="resistance")]
-    parts = _parts_of(curve)
+    parts = _resistance_parts(curve)
     for place, (label, part) in enumerate(parts if len(parts) > 1 else []):
         marks.append(Line(along.content, part, style.CYCLE[place], dash=style.DASHES[1 + place], name=label))
-    force, asked = (np.ravel(np.asarray(one, dtype=float)) for one in (item.force, item.resistance))
-    touching = np.isfinite(asked)
+    force, requested = (np.ravel(np.asarray(one, dtype=float)) for one in (item.force, item.resistance))
+    touching = np.isfinite(requested)
     if touching.sum() <= POINTS:
-        marks.append(Line(force[touching], asked[touching], style.RED, width=0.0, marker="o", name="asked"))
+        marks.append(Line(force[touching], requested[touching], style.RED, width=0.0, marker="o", name="requested"))
     low = (0.3 if len(parts) > 1 else 0.7) * float(np.min(whole.content))
-    few = bool(np.ptp(np.log10(whole.content)) > 0.8)
+    is_sparse = bool(np.ptp(np.log10(whole.content)) > 0.8)
     upright = Axis.of(
         whole,
         middle_scale(whole.word.unit, whole.content),
         low=low,
         high=1.6 * float(np.max(whole.content)),
         log=True,
-        sparse=few,
+        sparse=is_sparse,
     )
     across = Axis.of(along, middle_scale("N", along.content), log=True)
     return Panel(tuple(marks), across, upright, legend="upper right", title="resistance over force")
 
 
 def _parts_panel(curve: Steady) -> Panel:
-    """Return which part of the resistance comes from what."""
+    """Return the parts of the resistance in per cent."""
     owner = type(curve)
     along = series(owner, "force", curve.force)
     across = Axis.of(along, middle_scale("N", along.content), log=True)
-    parts = _parts_of(curve)
+    parts = _resistance_parts(curve)
     if len(parts) == 1:
         radius = series(owner, "radius", curve.radius)
         title = "springs in contact conduct: $R\\propto1/a$"
@@ -124,20 +126,20 @@ def _parts_panel(curve: Steady) -> Panel:
         for low, high, colour, (label, _) in zip(rows, rows[1:], style.CYCLE, parts, strict=False)
     ]
     upright = Axis("part of the resistance [%]", low=0.0, high=100.0)
-    return Panel(tuple(areas), across, upright, legend="lower left", title="what makes it")
+    return Panel(tuple(areas), across, upright, legend="lower left", title="parts of the resistance")
 
 
 @sheet_of.register(ThermalConstrictionSolution)
 def thermal_sheet(item: ThermalConstrictionSolution, *, extent: float | None = None) -> Sheet:
     """Return the temperature around the contact and over its surface, and the resistance over the force."""
     _refuse(item, extent)
-    curve = _pressed_around(item)
+    curve = _curve_over_force(item)
     return _with_fields(item, _resistance_panel(curve, item), lambda: _parts_panel(curve))
 
 
 @sheet_of.register(JouleHeatingSolution)
 def joule_sheet(item: JouleHeatingSolution, *, extent: float | None = None) -> Sheet:
-    """Return the temperature around the contact, voltage and density of the current, and what other voltages heat."""
+    """Return the temperature around the contact, current density, and the temperature over the voltage."""
     _refuse(item, extent)
     if np.ndim(item.radius) != 0:
         return _heated_over_force(item)
@@ -145,7 +147,7 @@ def joule_sheet(item: JouleHeatingSolution, *, extent: float | None = None) -> S
 
 
 def _with_fields(item: Any, curve: Panel, instead: Callable[[], Panel]) -> Sheet:
-    """Return a map, a cut and a curve; where the field is not known, the curve and what stands instead."""
+    """Return a map, a section and a curve; without a field solution the curve and a replacement."""
     try:
         if np.ndim(item.radius) != 0:
             raise OutsideValidity("of one load")
@@ -155,55 +157,59 @@ def _with_fields(item: Any, curve: Panel, instead: Callable[[], Panel]) -> Sheet
 
 
 def _voltages(item: JouleHeatingSolution) -> Array:
-    """Return voltages from nothing to far beyond the one that was asked, or to where the metal glows."""
+    """Return voltages from zero to beyond the requested one, or to `GREATEST_TEMPERATURE_RATIO`."""
     ambient = item.problem.temperature
-    most = max(float(item.problem.law.voltage_at(HOTTEST * ambient, ambient)), 1.2 * float(item.voltage))
-    return np.linspace(0.0, most, POINTS)
+    hottest = max(
+        float(item.problem.law.voltage_at(GREATEST_TEMPERATURE_RATIO * ambient, ambient)), 1.2 * float(item.voltage)
+    )
+    return np.linspace(0.0, hottest, POINTS)
 
 
-def _at_voltages(item: JouleHeatingSolution) -> tuple[JouleHeatingSolution, ...]:
+def _solved_at_voltages(item: JouleHeatingSolution) -> tuple[JouleHeatingSolution, ...]:
     return tuple(dataclasses.replace(item.problem, drive=Voltage(float(one))).solve() for one in _voltages(item))
 
 
-def _gathered(solutions: tuple[JouleHeatingSolution, ...], name: str) -> Series:
+def _collected(solutions: tuple[JouleHeatingSolution, ...], name: str) -> Series:
     return series(JouleHeatingSolution, name, np.array([getattr(one, name) for one in solutions]))
 
 
 def _voltages_panel(item: JouleHeatingSolution) -> Panel:
     """Return the temperature of the contact over the voltage, and of its hottest place."""
-    solutions = _at_voltages(item)
-    along, most, touch = (_gathered(solutions, name) for name in ("voltage", "max_temperature", "contact_temperature"))
-    marks = [Line(along.content, most.content, style.RED, name="hottest place")]
-    if np.max(most.content - touch.content) > 1e-9 * np.max(most.content):
-        marks.append(Line(along.content, touch.content, dash=style.DASHES[1], name="contact"))
+    solutions = _solved_at_voltages(item)
+    along, hottest, contact = (
+        _collected(solutions, name) for name in ("voltage", "max_temperature", "contact_temperature")
+    )
+    marks = [Line(along.content, hottest.content, style.RED, name="hottest place")]
+    if np.max(hottest.content - contact.content) > 1e-9 * np.max(hottest.content):
+        marks.append(Line(along.content, contact.content, dash=style.DASHES[1], name="contact"))
     point = np.array([float(item.voltage)]), np.array([float(item.max_temperature)])
-    name = told(float(item.current), "A")
+    name = with_unit(float(item.current), "A")
     marks.append(Line(*point, style.RED, width=0.0, marker="o", clipped=False, name=name))
-    upright = Axis("temperature $T$", common_scale(most, touch))
-    return Panel(tuple(marks), Axis.of(along), upright, legend="upper left", title="what other voltages heat")
+    upright = Axis("temperature $T$", common_scale(hottest, contact))
+    return Panel(tuple(marks), Axis.of(along), upright, legend="upper left", title="temperature over voltage")
 
 
 def _current_panel(item: JouleHeatingSolution) -> Panel:
     """Return the current over the voltage."""
-    solutions = _at_voltages(item)
-    along, of = _gathered(solutions, "voltage"), _gathered(solutions, "current")
+    solutions = _solved_at_voltages(item)
+    along, of = _collected(solutions, "voltage"), _collected(solutions, "current")
     point = np.array([float(item.voltage)]), np.array([float(item.current)])
     marks = Line(along.content, of.content), Line(*point, style.RED, width=0.0, marker="o")
     return Panel(marks, Axis.of(along), Axis.of(of), title="current over voltage")
 
 
 def _heated_over_force(item: JouleHeatingSolution) -> Sheet:
-    """Return temperature and voltage over the force, of many loads at once."""
-    curve = _pressed_around(item)
+    """Return temperature and voltage over the force, for many loads."""
+    curve = _curve_over_force(item)
     along = series(JouleHeatingSolution, "force", curve.force)
     across = Axis.of(along, middle_scale("N", along.content), log=True)
     panels = []
     for name in ("max_temperature", "resistance"):
         of = series(JouleHeatingSolution, name, getattr(curve, name))
         marks = [Line(along.content, of.content, name="hot" if name == "resistance" else "")]
-        force, asked = (np.ravel(np.asarray(part, dtype=float)) for part in (item.force, getattr(item, name)))
-        if asked.size <= POINTS:
-            marks.append(Line(force, asked, style.RED, width=0.0, marker="o"))
+        force, requested = (np.ravel(np.asarray(part, dtype=float)) for part in (item.force, getattr(item, name)))
+        if requested.size <= POINTS:
+            marks.append(Line(force, requested, style.RED, width=0.0, marker="o"))
         upright = Axis.of(of, middle_scale(of.word.unit, of.content), log=name == "resistance")
         panels.append(Panel(tuple(marks), across, upright, title=f"{name.removeprefix('max_')} over force"))
     cold = Line(along.content, np.asarray(curve.cold_resistance), style.MUTED, dash=style.DASHES[1], name="cold")

@@ -1,4 +1,4 @@
-"""Maps and cuts of the fields of current and heat through a contact."""
+"""Maps and sections of the fields of current and heat through a contact."""
 
 from __future__ import annotations
 
@@ -19,23 +19,23 @@ from winkler.problems.conduction.thermal_constriction import ThermalConstriction
 
 __all__ = ["conduction_map", "crossing_panel", "fields_sheet"]
 
-FAR = 3.0
-"""How far from the contact is drawn, in contact radii."""
+EXTENT_IN_RADII = 3.0
+"""Extent of the map in contact radii."""
 GRID = 121
 LEVELS = 14
-AROUND = "temperature around the contact"
-HIGHEST = 6.0
-"""Densities end at so many times that in the middle: at the edge they are infinite."""
+MAP_TITLE = "temperature around the contact"
+DENSITY_CEILING = 6.0
+"""Greatest drawn density over that in the middle; at the edge it is infinite."""
 
 
-class _Names(NamedTuple):
-    warm: str
+class _FieldNames(NamedTuple):
+    temperature: str
     density: str
 
 
-NAMES = {
-    CurrentFields: _Names("temperature", "axial_current_density"),
-    HeatFields: _Names("excess_temperature", "axial_heat_flux"),
+FIELD_NAMES = {
+    CurrentFields: _FieldNames("temperature", "axial_current_density"),
+    HeatFields: _FieldNames("excess_temperature", "axial_heat_flux"),
 }
 
 
@@ -48,21 +48,23 @@ def conduction_map(item: JouleHeatingSolution | ThermalConstrictionSolution) -> 
         Of one load.
     """
     a = float(item.radius)
-    r = np.linspace(0.0, FAR * a, GRID)
-    z = np.concatenate([-np.linspace(FAR * a, 1e-9 * a, GRID), np.linspace(0.0, FAR * a, GRID)])
+    r = np.linspace(0.0, EXTENT_IN_RADII * a, GRID)
+    z = np.concatenate([-np.linspace(EXTENT_IN_RADII * a, 1e-9 * a, GRID), np.linspace(0.0, EXTENT_IN_RADII * a, GRID)])
     fields: Any = restore_conduction(item, r[:, None], z[None, :])
     return _map(fields, a)
 
 
 def _map(fields: CurrentFields | HeatFields, radius: float | None = None) -> Panel:
-    warm = series(type(fields), NAMES[type(fields)].warm, getattr(fields, NAMES[type(fields)].warm))
+    temperature = series(
+        type(fields), FIELD_NAMES[type(fields)].temperature, getattr(fields, FIELD_NAMES[type(fields)].temperature)
+    )
     x = np.concatenate([-fields.r[:0:-1], fields.r])
-    y, c = (np.concatenate([part[:0:-1], part]) for part in (fields.z, warm.content))
+    y, c = (np.concatenate([part[:0:-1], part]) for part in (fields.z, temperature.content))
     if np.ptp(c) <= 1e-12 * max(1.0, float(np.max(np.abs(c)))):
-        return Panel((note("the same everywhere", "upper centre"),), title=AROUND)
+        return Panel((note("the same everywhere", "upper centre"),), title=MAP_TITLE)
     look: dict[str, Any] = {"colours": style.HEATS, "levels": LEVELS, "shrink": 0.8}
     marks: list[Any] = [
-        Map(x, y, c, Axis.of(warm), line_width=0.5, line_alpha=0.8, lines="all", **look),
+        Map(x, y, c, Axis.of(temperature), line_width=0.5, line_alpha=0.8, lines="all", **look),
         Rule(0.0, colour=style.INK),
     ]
     if radius is not None:
@@ -71,11 +73,11 @@ def _map(fields: CurrentFields | HeatFields, radius: float | None = None) -> Pan
     across = Axis.of(series(type(fields), "r", fields.r), scale)
     upright = Axis.of(series(type(fields), "z", fields.z), scale, falling=True)
     upright = dataclasses.replace(upright, label=upright.label.replace("depth below the surface", "depth"))
-    return Panel(tuple(marks), across, upright, equal=True, grid="", title=AROUND)
+    return Panel(tuple(marks), across, upright, equal=True, grid="", title=MAP_TITLE)
 
 
 def crossing_panel(item: JouleHeatingSolution | ThermalConstrictionSolution) -> Panel:
-    """Return how fast current or heat crosses the contact, and the temperature of the surface, over the radius.
+    """Return the normal density of current or heat and the surface temperature over the radius.
 
     Parameters
     ----------
@@ -83,29 +85,29 @@ def crossing_panel(item: JouleHeatingSolution | ThermalConstrictionSolution) -> 
         Of one load.
     """
     a = float(item.radius)
-    r = places(FAR * a, (a,))
+    r = places(EXTENT_IN_RADII * a, (a,))
     fields: Any = restore_conduction(item, r, 0.0)
     return _line_panel(fields, series(type(fields), "r", r)).plus(title="over the surface of the first body")
 
 
 def _line_panel(fields: CurrentFields | HeatFields, along: Series) -> Panel:
-    names = NAMES[type(fields)]
+    names = FIELD_NAMES[type(fields)]
     density = series(type(fields), names.density, np.abs(getattr(fields, names.density)))
-    warm = series(type(fields), names.warm, getattr(fields, names.warm))
+    temperature = series(type(fields), names.temperature, getattr(fields, names.temperature))
     finite = density.content[np.isfinite(density.content)]
     positive = finite[finite > 0.0]
     top = 1.05 * float(np.max(positive)) if positive.size else 1.0
     if along.name == "r" and np.ptp(fields.z) == 0.0 and fields.z.flat[0] == 0.0 and positive.size:
-        top = HIGHEST * float(np.min(positive))
-    shown = np.minimum(np.where(np.isfinite(density.content), density.content, np.inf), 2.0 * top)
+        top = DENSITY_CEILING * float(np.min(positive))
+    drawn = np.minimum(np.where(np.isfinite(density.content), density.content, np.inf), 2.0 * top)
     kind = "current density" if isinstance(fields, CurrentFields) else "heat flux"
     label, scale = f"{kind} $|{density.word.symbol}|$", scale_of(density.word.unit, top)
-    heat = Line(along.content, warm.content, style.RED, dash=style.DASHES[1], beside=True)
+    heat = Line(along.content, temperature.content, style.RED, dash=style.DASHES[1], beside=True)
     return Panel(
-        (Line(along.content, shown), heat),
+        (Line(along.content, drawn), heat),
         Axis.of(along),
         Axis(label, scale, low=0.0, high=top, colour=style.BLUE),
-        beside=(Axis(f"temperature ${warm.word.symbol}$", warm.scale, colour=style.RED),),
+        beside=(Axis(f"temperature ${temperature.word.symbol}$", temperature.scale, colour=style.RED),),
     )
 
 
@@ -120,10 +122,10 @@ def fields_sheet(item: CurrentFields | HeatFields, *, extent: float | None = Non
         elif np.ptp(item.z, axis=0).max() > 0.0 and np.ptp(item.z, axis=1).max() == 0.0:
             panel = _map(type(item)(*(np.asarray(getattr(item, name)).T for name in item.__dataclass_fields__)))
         else:
-            raise InvalidInput("draw: these places are no grid; restore on r[:, None] and z[None, :].")
+            raise InvalidInput("draw: these points do not form a grid; restore on r[:, None] and z[None, :].")
     else:
         if np.size(item.r) < 2:
-            raise InvalidInput("draw: one place is no curve; restore along a line or on a grid.")
+            raise InvalidInput("draw: one point does not make a curve; restore along a line or on a grid.")
         name = "r" if np.ptp(item.r) >= np.ptp(item.z) else "z"
         panel = _line_panel(item, series(type(item), name, getattr(item, name))).plus(title="along a line")
     if extent is not None:

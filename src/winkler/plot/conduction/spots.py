@@ -12,7 +12,7 @@ from winkler.loading import Depth, Force
 from winkler.plot import style
 from winkler.plot.drawing import sheet_of
 from winkler.plot.panel import Area, Axis, Bars, Line, Map, Panel, Rule, Sheet, plane
-from winkler.plot.series import scale_of, series, told
+from winkler.plot.series import scale_of, series, with_unit
 from winkler.problems.conduction.bounds import ConductanceBoundsSolution
 from winkler.problems.conduction.spots import SpotClusterSolution
 from winkler.problems.normal.indentation import Indentation
@@ -29,12 +29,12 @@ def _refuse(item: Any, extent: float | None) -> None:
 
 @sheet_of.register(SpotClusterSolution)
 def spots_sheet(item: SpotClusterSolution, *, extent: float | None = None) -> Sheet:
-    """Return the spots from above, shaded by their current density, and what every spot carries."""
+    """Return the spots from above, shaded by their current density, and the current of each spot."""
     _refuse(item, extent)
     problem = item.problem
     reach = np.hypot(problem.x - np.mean(problem.x), problem.y - np.mean(problem.y)) + problem.radii
     scale = scale_of("m", reach)
-    # current over radius, against that of all spots together: how much the others take away from it
+    # current over radius, against that of all spots together: the reduction by the other spots
     load = item.shares / problem.radii * np.sum(problem.radii)
     bar = Axis("current over that of its radius' part")
     marks: list[Any] = [Map(problem.x, problem.y, problem.radii, bar, kind="discs", levels=load, shrink=0.8)]
@@ -47,23 +47,23 @@ def spots_sheet(item: SpotClusterSolution, *, extent: float | None = None) -> Sh
     left = Panel(tuple(marks), *axes, equal=True, title="the spots; red: Holm radius of their cluster")
     parts = (
         ("spots on their own", item.alone, 1.0, style.BLUE, 0.0),
-        ("their crowding", item.resistance - item.alone, 1.0, style.ORANGE, item.alone),
+        ("their interaction", item.resistance - item.alone, 1.0, style.ORANGE, item.alone),
         ("Greenwood's estimate", item.greenwood, 0.0, style.MUTED, 0.0),
     )
     bars = [
         Bars(np.array([row]), np.array([length]), colour, 0.5, start, name)
         for name, length, row, colour, start in parts
     ]
-    most = max(item.greenwood, item.resistance)
-    across = Axis("resistance $R$", scale_of("ohm", [one[1] for one in parts]), low=0.0, high=1.08 * most)
+    greatest = max(item.greenwood, item.resistance)
+    across = Axis("resistance $R$", scale_of("ohm", [one[1] for one in parts]), low=0.0, high=1.08 * greatest)
     upright = Axis(low=-0.6, high=2.3, ticks=np.array([0.0, 1.0]), names=("Greenwood", "one voltage"))
-    title = f"$R$ = {told(item.resistance, 'ohm')}"
+    title = f"$R$ = {with_unit(item.resistance, 'ohm')}"
     return Sheet((left, Panel(tuple(bars), across, upright, title, grid="x", legend="upper left")), height=3.3)
 
 
 @sheet_of.register(ConductanceBoundsSolution)
 def bounds_sheet(item: ConductanceBoundsSolution, *, extent: float | None = None) -> Sheet:
-    """Return the force curves between which a rough one must lie, and the steepest and flattest slopes there."""
+    """Return the force curves that bound a rough contact, and the bounds of its incremental stiffness."""
     _refuse(item, extent)
     problem = item.problem
     bed, rough = problem.bed, problem.roughness
@@ -89,10 +89,8 @@ def bounds_sheet(item: ConductanceBoundsSolution, *, extent: float | None = None
     slopes = ((item.least_stiffness, style.GREEN, "flattest"), (item.greatest_stiffness, style.RED, "steepest"))
     for slope, colour, name in slopes:
         line = np.array([-0.6, 0.6]) * depth0
-        words = f"{name}: {told(slope, 'N/m')}"
-        marks.append(
-            Line(depth0 + rough + line, problem.force + slope * line, colour, dash=style.DASHES[3], name=words)
-        )
+        text = f"{name}: {with_unit(slope, 'N/m')}"
+        marks.append(Line(depth0 + rough + line, problem.force + slope * line, colour, dash=style.DASHES[3], name=text))
     across, upright = Axis.of(along, low=0.0, high=float(shifted[-1])), Axis.of(of, low=0.0, high=float(np.max(force)))
-    title = f"conductance from {told(item.least_conductance, 'S')} to {told(item.greatest_conductance, 'S')}"
+    title = f"conductance from {with_unit(item.least_conductance, 'S')} to {with_unit(item.greatest_conductance, 'S')}"
     return Sheet((Panel(tuple(marks), across, upright, title, legend="upper left"),), width=5.2, height=3.4)

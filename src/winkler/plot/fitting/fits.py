@@ -1,4 +1,4 @@
-"""Pictures of fits: the curve with its model and what is left over, the numbers of many curves, and their maps."""
+"""Pictures of fits: the curve with its model and residuals, parameters of many curves, and their maps."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ __all__ = [
     "origin_of",
 ]
 
-BINS = 40
-DENSE = 400
+MOST_BINS = 40
+MOST_OUTLINED_DOTS = 400
 """More points are drawn as dots without an outline."""
 DIRECTIONS = (
     (1.0, style.BLUE, "measured, going in"),
@@ -52,22 +52,22 @@ def fit_panels(fit: AnyFit, some: Array | None = None) -> tuple[Panel, Panel]:
     Parameters
     ----------
     fit
-        What was found.
+        A fit.
     some : ndarray, optional
-        Which points are drawn; all if left out.
+        Indices of the drawn points; all if left out.
     """
     some = np.arange(fit.curve.count) if some is None else some
     along, measured, model = _series(fit, some)
-    seen = fit.radius[some] > 0.0 if isinstance(fit, CreepFit) else np.ones(some.size, dtype=bool)
-    counted = seen if isinstance(fit, Fit) else fit.weights[some] > 0.0
+    in_contact = fit.radius[some] > 0.0 if isinstance(fit, CreepFit) else np.ones(some.size, dtype=bool)
+    counted = in_contact if isinstance(fit, Fit) else fit.weights[some] > 0.0
     left = Series("residual", Word("", measured.word.unit, "measured less fitted"), fit.residuals[some] * counted)
-    upright = common_scale(*(Series(one.name, one.word, one.content[seen]) for one in (measured, model)))
+    upright = common_scale(*(Series(one.name, one.word, one.content[in_contact]) for one in (measured, model)))
     directions = fit.curve.direction[some]
-    above: list[Any] = measured_dots(fit, along.content, measured.content, directions, seen)
+    above: list[Any] = measured_dots(fit, along.content, measured.content, directions, in_contact)
     below: list[Any] = measured_dots(fit, along.content, left.content, directions, counted, named=False)
-    for number, mine in enumerate(_lines(fit, directions, along.content)):
-        content = np.where(seen, model.content, np.nan)[mine]
-        above.append(Line(along.content[mine], content, style.RED, width=1.4, name="" if number else "fitted"))
+    for number, chosen in enumerate(_lines(fit, directions, along.content)):
+        content = np.where(in_contact, model.content, np.nan)[chosen]
+        above.append(Line(along.content[chosen], content, style.RED, width=1.4, name="" if number else "fitted"))
     below.append(Rule(0.0, colour=style.INK))
     if isinstance(fit, Fit) and origin_of(fit):
         first_touch = Rule(0.0, upright=True, dash=style.DASHED, order=0.0)
@@ -85,24 +85,24 @@ def fit_panels(fit: AnyFit, some: Array | None = None) -> tuple[Panel, Panel]:
 
 
 def origin_of(fit: AnyFit) -> float:
-    """Return the position of first touch, where it was fitted [m]; else zero."""
+    """Return the fitted position of first touch [m]; zero if it was not fitted."""
     return fit.value("contact_point") if "contact_point" in fit.names else 0.0
 
 
 def measured_dots(
-    fit: AnyFit, x: Array, y: Array, directions: Array, which: Array, *, named: bool = True
+    fit: AnyFit, x: Array, y: Array, directions: Array, marked: Array, *, named: bool = True
 ) -> list[Dots]:
-    """Return measured points in the colours of the direction of motion, those that `which` marks."""
-    dense = fit.curve.count > DENSE
+    """Return measured points in the colours of the direction of motion, those that `marked` marks."""
+    dense = fit.curve.count > MOST_OUTLINED_DOTS
     return [
-        Dots(x[mine], y[mine], colour, 5.0 if dense else 12.0, 0.45, name if named else "", dense)
+        Dots(x[chosen], y[chosen], colour, 5.0 if dense else 12.0, 0.45, name if named else "", dense)
         for direction, colour, name in DIRECTIONS
-        if (mine := (directions == direction) & which).any()
+        if (chosen := (directions == direction) & marked).any()
     ]
 
 
 def _series(fit: AnyFit, some: Array) -> tuple[Series, Series, Series]:
-    """Return along what the curve is drawn, what was measured, and what is fitted."""
+    """Return abscissa, measured quantity and fitted quantity of the curve."""
     curve, origin = fit.curve, origin_of(fit)
     name = "position from first touch" if origin or isinstance(fit, CreepFit) else "position"
     place, force = Word("D - D_0" if name != "position" else "D", "m", name), Word("F_N", "N", "force")
@@ -118,46 +118,46 @@ def _series(fit: AnyFit, some: Array) -> tuple[Series, Series, Series]:
 
 
 def _lines(fit: AnyFit, directions: Array, x: Array) -> list[Any]:
-    """Return the points of each line of the fitted law, in their order."""
+    """Return the indices of each line of the fitted law, sorted."""
     if not isinstance(fit, Fit):
         return [np.arange(x.size)]
-    found = [
+    lines = [
         np.flatnonzero(directions == direction) for direction, _, _ in DIRECTIONS if np.any(directions == direction)
     ]
-    return [mine[np.argsort(x[mine], kind="stable")] for mine in found]
+    return [chosen[np.argsort(x[chosen], kind="stable")] for chosen in lines]
 
 
 def numbers_sheet(of: Series, errors: Array) -> Sheet:
-    """Return a fitted number of many curves: one by one with its error, and how often it occurs.
+    """Return a fitted parameter of many curves with standard errors, and its histogram.
 
     Parameters
     ----------
     of : Series
-        One number for each curve, NaN where there is none.
+        One value for each curve, NaN where there is none.
     errors : ndarray
         Their standard errors.
     """
-    known = np.isfinite(of.content)
+    finite = np.isfinite(of.content)
     scale = middle_scale(of.word.unit, np.fmax(np.abs(of.content), errors))
-    number, content = np.arange(1.0, known.size + 1.0)[known], of.content[known]
-    many = known.size > 60
+    number, content = np.arange(1.0, finite.size + 1.0)[finite], of.content[finite]
+    many = finite.size > 60
     points = Line(
         number,
         content,
         width=0.6 if many else 1.0,
         marker="o",
         size=2.0 if many else 4.0,
-        error_y=np.stack([errors[known]] * 2),
+        error_y=np.stack([errors[finite]] * 2),
         error_colour=style.MUTED,
     )
     median = float(np.median(content))
     middle = Rule(median, colour=style.RED, width=1.2)
-    counts, edges = np.histogram(content, bins=min(BINS, max(5, int(np.sqrt(content.size)))))
+    counts, edges = np.histogram(content, bins=min(MOST_BINS, max(5, int(np.sqrt(content.size)))))
     places, thick = 0.5 * (edges[1:] + edges[:-1]), float(edges[1] - edges[0])
     left = Panel((points, middle), Axis("number of the curve", margin=0.03, parts=6), Axis.of(of, scale, margin=0.08))
     right = Panel((Bars(places, counts, thick=thick), middle), Axis("curves", parts=3), Axis(scale=scale))
-    shown = f"{median / scale.factor:.4g}{f' {scale.unit}' if scale.unit else ''}"
-    return Sheet((left, right.plus(title=f"median {shown}")), width=3.2, height=2.9, widths=(2.6, 1.0), shared="y")
+    drawn = f"{median / scale.factor:.4g}{f' {scale.unit}' if scale.unit else ''}"
+    return Sheet((left, right.plus(title=f"median {drawn}")), width=3.2, height=2.9, widths=(2.6, 1.0), shared="y")
 
 
 class Grid:
@@ -174,11 +174,11 @@ class Grid:
     def __init__(self, x: Array, y: Array, index: Array) -> None:
         self.x, self.y, self.index = x, y, index
 
-    def laid(self, numbers: Array) -> Array:
+    def arranged(self, numbers: Array) -> Array:
         """Return numbers of the curves on the grid ``(rows, columns)``, NaN where there is none."""
         result = np.full((self.y.size, self.x.size), np.nan)
-        known = np.isfinite(numbers)
-        result[tuple(self.index[known].T)] = numbers[known]
+        finite = np.isfinite(numbers)
+        result[tuple(self.index[finite].T)] = numbers[finite]
         return result
 
 
@@ -190,8 +190,8 @@ def grid_of(x: Array, y: Array) -> Grid | tuple[()]:
     x, y : ndarray, (curves,)
         Places [m]; nan where unknown.
     """
-    known = np.isfinite(x) & np.isfinite(y)
-    if np.count_nonzero(known) < 4 or not known.all():
+    finite = np.isfinite(x) & np.isfinite(y)
+    if np.count_nonzero(finite) < 4 or not finite.all():
         return ()
     columns, rows = _levels(x), _levels(y)
     if columns.size < 2 or rows.size < 2 or columns.size * rows.size > 2 * x.size:
@@ -228,6 +228,6 @@ def map_sheet(grid: Grid, of: Series) -> Sheet:
     """
     bar = Axis.of(of, middle_scale(of.word.unit, of.content))
     look: dict[str, Any] = {"kind": "cells", "colours": "viridis", "ground": style.PALE}
-    shown = Map(grid.x - grid.x.min(), grid.y - grid.y.min(), grid.laid(of.content), bar, **look)
+    drawn = Map(grid.x - grid.x.min(), grid.y - grid.y.min(), grid.arranged(of.content), bar, **look)
     axes = Axis("x", Scale(1e-6, "µm")), Axis("y", Scale(1e-6, "µm"))
-    return Sheet((Panel((shown,), *axes, equal=True, grid=""),), width=4.8, height=3.9)
+    return Sheet((Panel((drawn,), *axes, equal=True, grid=""),), width=4.8, height=3.9)

@@ -1,4 +1,4 @@
-"""Pictures of a measured indentation: its segments as they were found, and how its last unloading was read."""
+"""Pictures of a measured indentation: its segments, and the evaluation of its last unloading."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ COLOURS = {
     SegmentKind.PARTIAL_UNLOADING: style.SKY,
     SegmentKind.LAST_UNLOADING: style.GREEN,
 }
-NAMED = 0.03
-"""Part of the axis from which on a segment has room for its name."""
+LEAST_LABELLED_SHARE = 0.03
+"""Least part of the axis over which a segment is labelled."""
 HEADROOM = 0.45
-"""Part of the forces that is left above them for the names."""
+"""Part of the range of forces left free above for the labels."""
 
 
 def segments_sheet(curve: ForceCurve) -> Sheet:
@@ -39,12 +39,12 @@ def segments_sheet(curve: ForceCurve) -> Sheet:
     curve : ForceCurve
     """
     position = Series("position", Word("D", "m", "position"), curve.position)
-    panels = _in_order(curve, curve.segments), _over_depth(position, curve, curve.segments)
+    panels = _over_time(curve, curve.segments), _over_depth(position, curve, curve.segments)
     return Sheet(titled(panels, "segments", "force over position"), width=4.6, height=3.4)
 
 
 def unloading_sheet(item: OliverPharrSolution) -> Sheet:
-    """Return a reading: the segments, the fitted unloading, its slope at the peak, and the contact depth.
+    """Return an evaluation: the segments, the fitted unloading, its slope at the peak, and the contact depth.
 
     Parameters
     ----------
@@ -66,12 +66,12 @@ def unloading_sheet(item: OliverPharrSolution) -> Sheet:
         Line(np.array([item.depth]), np.array([item.force]), style.INK, **peak),
         Rule(item.contact_depth, upright=True, width=0.9, name="contact depth $h_c$"),
     )
-    panels = _in_order(curve, segments), _over_depth(depth, curve, segments).plus(*marks)
+    panels = _over_time(curve, segments), _over_depth(depth, curve, segments).plus(*marks)
     return Sheet(titled(panels, "segments", "the unloading and its stiffness"), width=4.6, height=3.6)
 
 
-def _in_order(curve: ForceCurve, segments: tuple[Segment, ...]) -> Panel:
-    """Return the force over time, or over the number of the point, with the segments behind it."""
+def _over_time(curve: ForceCurve, segments: tuple[Segment, ...]) -> Panel:
+    """Return the force over time, or over the number of the point, with its segments shaded."""
     order = (
         Series("time", Word("t", "s", "time"), curve.time)
         if curve.timed
@@ -81,12 +81,12 @@ def _in_order(curve: ForceCurve, segments: tuple[Segment, ...]) -> Panel:
     along = order.content
     span = float(np.ptp(along)) or 1.0
     marks: list[Any] = []
-    words: dict[str, Any] = {"upright": "top", "size": 8.0, "turned": True, "framed": (False, True)}
+    look: dict[str, Any] = {"upright": "top", "size": 8.0, "turned": True, "framed": (False, True)}
     for part in segments:
         start, end = along[part.first], along[min(part.last + 1, curve.count - 1)]
         marks.append(Band(start, end, COLOURS[part.kind], 0.14))
-        if end - start > NAMED * span:
-            marks.append(Text(0.5 * (start + end), 0.98, part.kind.value, **words))
+        if end - start > LEAST_LABELLED_SHARE * span:
+            marks.append(Text(0.5 * (start + end), 0.98, part.kind.value, **look))
     marks.append(Line(along, force.content, style.INK, width=1.2))
     return Panel(tuple(marks), Axis.of(order), Axis.of(force, headroom=HEADROOM))
 
@@ -96,13 +96,13 @@ def _over_depth(depth: Series, curve: ForceCurve, segments: tuple[Segment, ...])
     force = Series("force", Word("F", "N", "force"), curve.force)
     lines = []
     for kind, colour in COLOURS.items():
-        mine = [_with_start(part, depth.content, force.content) for part in segments if part.kind is kind]
+        own = [_with_start(part, depth.content, force.content) for part in segments if part.kind is kind]
         look: dict[str, Any] = {"width": 0.8, "marker": ".", "size": 2.5, "coarse": curve.count > 4000}
-        lines += [Line(*points, colour, name="" if place else kind.value, **look) for place, points in enumerate(mine)]
+        lines += [Line(*points, colour, name="" if place else kind.value, **look) for place, points in enumerate(own)]
     return Panel(tuple(lines), Axis.of(depth, margin=0.02), Axis.of(force, margin=0.04), legend="upper left")
 
 
 def _with_start(part: Segment, x: Array, y: Array) -> tuple[Array, Array]:
     """Return a segment joined to the last point of the one before."""
-    mine = slice(max(part.first - 1, 0), part.last + 1)
-    return x[mine], y[mine]
+    own = slice(max(part.first - 1, 0), part.last + 1)
+    return x[own], y[own]

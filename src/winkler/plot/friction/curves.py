@@ -13,43 +13,43 @@ from winkler.foundation.sheared_fields import ShearedFields
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.panel import Area, Axis, Band, Line, Panel, Rule, note, zero
-from winkler.plot.series import Series, common_scale, places, scale_of, series, told
+from winkler.plot.series import Series, common_scale, places, scale_of, series, with_unit
 
 __all__ = [
-    "Restored",
+    "RestorableSprings",
     "around_contact",
     "bounds",
     "energies_panel",
     "lines_panel",
     "loop_panel",
-    "lost_words",
+    "loss_text",
     "mirrored_bounds",
     "slip_panel",
     "stick_band",
     "traction_panel",
 ]
 
-MARKED = 40
-"""Paths of at most so many points show each of them."""
-ROUNDING = 1e-12
-"""Losses below this part of the greatest load times the longest way are none."""
-FEW = 24
-"""Corners of a traction are approached closely if there are no more of them."""
-LETTERS = 32
-"""Legends with more letters stand in two columns."""
-CEILING = 3.0
-"""Where a traction is infinite, its axis ends at so many mean ones."""
+MOST_MARKED_POINTS = 40
+"""Points of a path are marked individually up to this number."""
+LOSS_TOLERANCE = 1e-12
+"""Relative rounding error of a loss, in the greatest load times the greatest displacement."""
+MOST_CORNERS = 24
+"""Points are clustered at the corners of a traction up to this number of corners."""
+MOST_LEGEND_LETTERS = 32
+"""Legends with more letters have two columns."""
+TRACTION_CEILING = 3.0
+"""Greatest drawn traction over its mean where it is infinite."""
 
 
-class Restored:
-    """Springs whose fields are wanted, as `restore` takes them."""
+class RestorableSprings:
+    """Sheared springs as the argument of `restore`."""
 
     def __init__(self, sheared: ShearedSprings) -> None:
         self.sheared = sheared
 
 
 def loop_panel(along: Series, of: Series, lost: float | None = None) -> Panel:
-    """Return a load over the motion that goes with it, from the first point (open) to the last (full).
+    """Return a load over its conjugate displacement, from the first point (open) to the last (full).
 
     Parameters
     ----------
@@ -61,24 +61,24 @@ def loop_panel(along: Series, of: Series, lost: float | None = None) -> Panel:
     x, y = along.content, of.content
     marks: list[Any] = [
         zero(),
-        Line(x, y, marker="o" if x.size <= MARKED else "", size=3.5),
+        Line(x, y, marker="o" if x.size <= MOST_MARKED_POINTS else "", size=3.5),
         Line(x[:1], y[:1], width=0.0, marker="o", hollow=True, order=5.0),
         Line(x[-1:], y[-1:], style.RED, width=0.0, marker="o", order=6.0),
     ]
-    marks += [] if lost is None else [note(lost_words(lost, x, y), "upper left")]
+    marks += [] if lost is None else [note(loss_text(lost, x, y), "upper left")]
     return Panel(tuple(marks), Axis.of(along, margin=0.06), Axis.of(of, margin=0.12))
 
 
-def lost_words(lost: float, path: Array, load: Array) -> str:
-    """Return what a picture says about the energy lost along a path; what is less than rounding is nothing."""
-    most = float(np.max(np.abs(path)) * np.max(np.abs(load)))
-    return f"lost on the way: {told(lost, 'J')}" if lost > ROUNDING * most else "nothing lost"
+def loss_text(lost: float, path: Array, load: Array) -> str:
+    """Return the energy lost along a path as text; a loss below rounding counts as zero."""
+    greatest = float(np.max(np.abs(path)) * np.max(np.abs(load)))
+    return f"lost along the path: {with_unit(lost, 'J')}" if lost > LOSS_TOLERANCE * greatest else "nothing lost"
 
 
 def lines_panel(
     along: Series, lines: list[tuple[Series, str]], label: str, low: float | None = None, *, log: bool = False
 ) -> Panel:
-    """Return several quantities of one unit over one, told apart by colour and dashes.
+    """Return several quantities of one unit over one, distinguished by colour and dashes.
 
     Parameters
     ----------
@@ -86,7 +86,7 @@ def lines_panel(
     lines : list of (Series, str)
         With their names for the legend; bounds, as `bounds` returns them, are drawn alike.
     label : str
-        What they are, without a unit.
+        Common label, without a unit.
     low : float, optional
         Where the upright axis begins [SI].
     log : bool, optional
@@ -101,14 +101,20 @@ def lines_panel(
             look = {"colour": style.MUTED, "dash": style.DASHES[1], "width": 1.1}
         marks.append(Line(along.content, content, name=name if len(lines) > 1 else "", **look))
     names = [name for _, name in lines if not name.startswith("_")]
-    columns = 3 if bounded else len(names) if sum(map(len, names)) <= LETTERS else 2
-    room = 0.2 if len(lines) > 1 else 0.0
-    upright = Axis(label, common_scale(*(line for line, _ in lines)), low=low, margin=0.08, headroom=room, log=log)
+    columns = 3 if bounded else len(names) if sum(map(len, names)) <= MOST_LEGEND_LETTERS else 2
+    upright = Axis(
+        label,
+        common_scale(*(line for line, _ in lines)),
+        low=low,
+        margin=0.08,
+        headroom=0.2 if len(lines) > 1 else 0.0,
+        log=log,
+    )
     legend: dict[str, Any] = {"legend": "upper center" if len(lines) > 1 else "", "columns": columns, "spaced": True}
     return Panel(tuple(marks), Axis.of(along, margin=0.0), upright, **legend)
 
 
-BOUNDS = (r"$\pm\mu F_N$", "what friction bears")
+BOUNDS = (r"$\pm\mu F_N$", "bound of friction")
 """Names of bounds in a legend."""
 
 
@@ -117,31 +123,31 @@ def bounds(owner: type[Any] | str, field: str, limit: Array, name: str = BOUNDS[
     return [(series(owner, field, sign * limit), name if sign > 0.0 else "_") for sign in (1.0, -1.0)]
 
 
-def energies_panel(solution: Any, names: dict[str, str], along: str = "time", room: float = 1.0) -> Panel:
-    """Return energies of an answer on top of each other, over time.
+def energies_panel(solution: Any, names: dict[str, str], along: str = "time", height_factor: float = 1.0) -> Panel:
+    """Return stacked energies of a solution over time.
 
     Parameters
     ----------
     solution
         With arrays over the steps.
     names : dict of str
-        Fields of the answer, and their names for the legend, from the bottom up.
+        Fields of the solution and their names in the legend, from the bottom up.
     along : str
-        Field of the answer along which is drawn.
-    room : float
-        The upright axis ends at so many times what the energies alone need.
+        Field of the solution for the abscissa.
+    height_factor : float
+        Height of the upright axis, relative to what the energies need.
     """
     owner = type(solution)
     across = series(owner, along, getattr(solution, along))
     rows = np.cumsum([np.zeros(across.content.shape), *(getattr(solution, name) for name in names)], axis=0)
-    scale, most = scale_of("J", rows[-1]), float(np.max(rows[-1]))
+    scale, greatest = scale_of("J", rows[-1]), float(np.max(rows[-1]))
     areas = [
         Area(across.content, low, high, colour, 0.55, name)
         for low, high, colour, name in zip(
             rows, rows[1:], (style.RED, style.BLUE, style.GREEN, style.ORANGE), names.values(), strict=False
         )
     ]
-    upright = Axis("energy", scale, low=0.0, high=room * (1.15 * most if most > 0.0 else scale.factor))
+    upright = Axis("energy", scale, low=0.0, high=height_factor * (1.15 * greatest if greatest > 0.0 else scale.factor))
     line = Line(across.content, rows[-1], style.INK, width=1.0)
     return Panel((*areas, line), Axis.of(across, margin=0.0), upright, legend="upper left")
 
@@ -154,7 +160,7 @@ def traction_panel(fields: ShearedFields, coefficient: float, stick: float) -> P
     fields : ShearedFields
         Over the contact and beside it, from the axis on.
     coefficient : float
-        mu [-]; infinite if nothing slides: then there are no bounds.
+        mu [-]; infinite without sliding: then there are no bounds.
     stick : float
         Radius of the part that sticks [m].
     """
@@ -163,7 +169,7 @@ def traction_panel(fields: ShearedFields, coefficient: float, stick: float) -> P
     rows = _rows(fields.traction)
     mean = coefficient * _mean(fields) if math.isfinite(coefficient) else float(np.max(np.abs(rows[0][:1])))
     greatest = float(np.max([np.max(np.where(np.isfinite(row), np.abs(row), 0.0)) for row in (*rows, bound)]))
-    top = min(greatest, CEILING * mean) if mean > 0.0 else greatest
+    top = min(greatest, TRACTION_CEILING * mean) if mean > 0.0 else greatest
     scale = scale_of("Pa", [top])
     marks: list[Any] = [*stick_band(stick), *mirrored_bounds(fields.r, bound, r"$\pm\mu p$")]
     names = [r"$\tau$"] if len(rows) == 1 else [r"$\tau_x$", r"$\tau_y$"]
@@ -187,7 +193,7 @@ def mirrored_bounds(along: Array, bound: Array, name: str) -> list[Line]:
 
 
 def slip_panel(fields: ShearedFields, radius: float, stick: float) -> Panel:
-    """Return how far the surface is dragged along, and how far it slips, over the distance from the axis.
+    """Return tangential displacement and slip of the surface over the distance from the axis.
 
     Parameters
     ----------
@@ -209,32 +215,34 @@ def slip_panel(fields: ShearedFields, radius: float, stick: float) -> Panel:
     scale = scale_of("m", *moved, *slips)
     upright = Axis("along the surface", scale, margin=0.08, headroom=0.35 if len(moved) == 1 else 0.5)
     letters = sum(len(mark.name) for mark in marks if isinstance(mark, Line | Band))
-    columns = sum(bool(mark.name) for mark in marks if isinstance(mark, Line | Band)) if letters <= LETTERS else 2
+    columns = (
+        sum(bool(mark.name) for mark in marks if isinstance(mark, Line | Band)) if letters <= MOST_LEGEND_LETTERS else 2
+    )
     return Panel(tuple(marks), across, upright, legend="upper center", columns=columns, spaced=True)
 
 
 def stick_band(stick: float, *, mirrored: bool = True) -> list[Any]:
-    """Return the zone that sticks, shaded up to a radius [m]; nothing if all slides."""
+    """Return the zone that sticks, shaded up to a radius [m]; empty if the whole contact slides."""
     return [Band(-stick if mirrored else 0.0, stick, name="stick")] if stick > 0.0 else []
 
 
 def around_contact(sheared: ShearedSprings, extent: float) -> ShearedFields:
-    """Return the fields on the surface at places that suit a picture, up to an extent [m]."""
-    corners = [float(b) for b in sheared.radii] if sheared.radii.size <= FEW else []
+    """Return the fields on the surface at points suited to a picture, up to an extent [m]."""
+    corners = [float(b) for b in sheared.radii] if sheared.radii.size <= MOST_CORNERS else []
     marks = (*(b for b, _ in sheared.pressed.bed.kinks), *corners, sheared.pressed.radius)
-    return restore(Restored(sheared), places(extent, marks, count=300))
+    return restore(RestorableSprings(sheared), places(extent, marks, count=300))
 
 
 def _rows(content: Array) -> list[Array]:
     """Return the components of a field along the surface, those that are not finite as nan."""
-    known = np.where(np.isfinite(content), content, np.nan)
-    return [known] if content.ndim == 1 else [known[:, i] for i in range(content.shape[1])]
+    finite = np.where(np.isfinite(content), content, np.nan)
+    return [finite] if content.ndim == 1 else [finite[:, i] for i in range(content.shape[1])]
 
 
 def _mean(fields: ShearedFields) -> float:
     """Return a pressure that is typical of the contact [Pa]."""
-    felt = (fields.pressure > 0.0) & np.isfinite(fields.pressure)
-    if not felt.any():
+    loaded = (fields.pressure > 0.0) & np.isfinite(fields.pressure)
+    if not loaded.any():
         return 0.0
-    r = fields.r[felt]
-    return float(np.interp(0.5 * r[-1], r, fields.pressure[felt]))
+    r = fields.r[loaded]
+    return float(np.interp(0.5 * r[-1], r, fields.pressure[loaded]))

@@ -1,4 +1,4 @@
-"""Sheets of damping: what a contact loses per cycle, and how stiff it is, over amplitude or phase."""
+"""Sheets of damping: loss per cycle and loss factor of a contact, over amplitude or phase."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.friction.curves import lines_panel
 from winkler.plot.panel import Axis, Line, Panel, Polygon, Rule, Sheet, note, titled, zero
-from winkler.plot.series import Series, middle_scale, series, told
+from winkler.plot.series import Series, middle_scale, series, with_unit
 from winkler.problems.friction.bimodal_damping import BimodalDampingSolution
 from winkler.problems.friction.damping import FrictionDamping, FrictionDampingSolution
 from winkler.problems.friction.relaxation_damping import RelaxationDamperSolution
@@ -21,10 +21,10 @@ from winkler.problems.friction.relaxation_damping import RelaxationDamperSolutio
 __all__ = ["bimodal_sheet", "damping_sheet", "relaxation_sheet"]
 
 POINTS = 73
-LOOP = 101
-LEAST, GREATEST = 0.02, 4.0
-"""Curves go so far below and beyond the shift at which all slides."""
-PHASES = 19
+LOOP_POINTS = 101
+LEAST_SHIFT_SHARE, GREATEST_SHIFT_SHARE = 0.02, 4.0
+"""Range of the curves relative to the shift at full sliding."""
+PHASE_POINTS = 19
 
 
 def damping_sheet(item: FrictionDampingSolution) -> Sheet:
@@ -37,16 +37,16 @@ def damping_sheet(item: FrictionDampingSolution) -> Sheet:
     problem = item.problem
     slides = problem.law.coefficient * float(item.contact.force)
     reach = float(dataclasses.replace(problem, amplitude=ShearForce(slides)).solve().shift)
-    asked = np.ravel(np.asarray(item.shift, dtype=float))
-    asked = asked[asked > 0.0]
-    low = min(LEAST * reach, 0.5 * float(np.min(asked, initial=reach)))
-    high = max(GREATEST * reach, 1.5 * float(np.max(asked, initial=reach)))
+    requested = np.ravel(np.asarray(item.shift, dtype=float))
+    requested = requested[requested > 0.0]
+    low = min(LEAST_SHIFT_SHARE * reach, 0.5 * float(np.min(requested, initial=reach)))
+    high = max(GREATEST_SHIFT_SHARE * reach, 1.5 * float(np.max(requested, initial=reach)))
     curve = dataclasses.replace(problem, amplitude=Shift(np.geomspace(low, high, POINTS))).solve()
     panels = titled(
         (
             _over(curve, item, "loss_per_cycle", reach, log=True),
             _over(curve, item, "loss_factor", reach, low=0.0, high=1.2 * 4.0 / math.pi),
-            _cycle_panel(problem, float(np.max(asked, initial=0.0)) or reach),
+            _cycle_panel(problem, float(np.max(requested, initial=0.0)) or reach),
         ),
         "loss per cycle",
         "loss factor",
@@ -56,14 +56,14 @@ def damping_sheet(item: FrictionDampingSolution) -> Sheet:
 
 
 def _over(curve: FrictionDampingSolution, item: FrictionDampingSolution, name: str, reach: float, **ends: Any) -> Panel:
-    """Return one quantity over the amplitude of the shift, with what was asked."""
+    """Return one quantity over the amplitude of the shift, with the requested points."""
     along = series("FrictionDampingSolution", "shift", np.asarray(curve.shift))
     of = series("FrictionDampingSolution", name, np.asarray(getattr(curve, name)))
-    shift, asked = (np.ravel(np.asarray(part, dtype=float)) for part in (item.shift, getattr(item, name)))
+    shift, requested = (np.ravel(np.asarray(part, dtype=float)) for part in (item.shift, getattr(item, name)))
     moving = shift > 0.0
     marks = (
         Line(along.content, of.content),
-        Line(shift[moving], asked[moving], style.RED, width=0.0, marker="o", name="asked"),
+        Line(shift[moving], requested[moving], style.RED, width=0.0, marker="o", name="requested"),
         Rule(reach, upright=True, width=0.9, dash=style.DOTTED, name="all slides"),
     )
     across = Axis("amplitude of the shift $U$", middle_scale("m", along.content), log=True)
@@ -73,7 +73,7 @@ def _over(curve: FrictionDampingSolution, item: FrictionDampingSolution, name: s
 
 def _cycle_panel(problem: FrictionDamping, amplitude: float) -> Panel:
     """Return the closed loop: either half is the first loading, twice as large (Masing)."""
-    share = np.linspace(0.0, 1.0, LOOP)
+    share = np.linspace(0.0, 1.0, LOOP_POINTS)
     first = np.asarray(dataclasses.replace(problem, amplitude=Shift(amplitude * share)).solve().shear_force)
     shift, force = amplitude * (2.0 * share - 1.0), 2.0 * first - first[-1]
     along = series("FrictionDampingSolution", "shift", np.concatenate([shift, -shift]))
@@ -84,35 +84,37 @@ def _cycle_panel(problem: FrictionDamping, amplitude: float) -> Panel:
         Line(along.content, of.content),
         Line(amplitude * share, first, style.MUTED, width=1.0, dash=style.DASHES[1]),
         zero(),
-        note(f"shaded: {told(float(loss), 'J')}", "upper left"),
+        note(f"shaded: {with_unit(float(loss), 'J')}", "upper left"),
     )
     return Panel(marks, Axis.of(along, margin=0.06), Axis.of(of, margin=0.12))
 
 
 def bimodal_sheet(item: BimodalDampingSolution) -> Sheet:
-    """Return the closed cycle of depth and shift, and the loss over what was varied, or over the phase."""
+    """Return the closed cycle of depth and shift, and the loss over the varied quantity, or over the phase."""
     problem = item.problem
-    pushed, ahead = np.broadcast_arrays(
+    amplitudes_along, phase_angle = np.broadcast_arrays(
         np.asarray(problem.shift_amplitude, dtype=float), np.asarray(problem.phase, dtype=float)
     )
     place = int(np.argmax(np.ravel(item.loss_per_cycle)))
-    path = problem.path(float(ahead.ravel()[place]), float(pushed.ravel()[place]), cycles=1)
+    path = problem.path(float(phase_angle.ravel()[place]), float(amplitudes_along.ravel()[place]), cycles=1)
     depth, shift = series("BimodalDamping", "depth", path.across), series("TangentialSolution", "shift", path.along)
     across, upright = Axis.of(shift, margin=0.08), Axis.of(depth, margin=0.08, falling=True)
     left = Panel((Line(shift.content, depth.content), zero()), across, upright)
-    by_amplitude = bool(np.ptp(pushed) > 0.0)
-    curve = item if pushed.size > 1 else _over_phase(item)
+    by_amplitude = bool(np.ptp(amplitudes_along) > 0.0)
+    curve = item if amplitudes_along.size > 1 else _over_phase(item)
     along = _varied(curve, "shift_amplitude" if by_amplitude else "phase")
     loss = np.ravel(np.asarray(curve.loss_per_cycle))
     order = np.argsort(along.content, kind="stable")
     of = series("BimodalDampingSolution", "loss_per_cycle", loss[order])
-    marks = [Line(along.content[order], of.content, marker="o" if pushed.size > 1 and loss.size <= 40 else "")]
-    if pushed.size == 1:
-        marks.append(Line(ahead.ravel(), np.ravel(item.loss_per_cycle), style.RED, width=0.0, marker="o"))
+    marks = [
+        Line(along.content[order], of.content, marker="o" if amplitudes_along.size > 1 and loss.size <= 40 else "")
+    ]
+    if amplitudes_along.size == 1:
+        marks.append(Line(phase_angle.ravel(), np.ravel(item.loss_per_cycle), style.RED, width=0.0, marker="o"))
     right = Panel(tuple(marks), Axis.of(along, margin=0.04), Axis.of(of, low=0.0))
     panels = titled(
         (left, right),
-        "the closed cycle" + (" of the greatest loss" if pushed.size > 1 else ""),
+        "the closed cycle" + (" of the greatest loss" if amplitudes_along.size > 1 else ""),
         f"loss per cycle over {'amplitude' if by_amplitude else 'phase'}",
     )
     return Sheet(panels, height=3.2)
@@ -120,7 +122,7 @@ def bimodal_sheet(item: BimodalDampingSolution) -> Sheet:
 
 def _over_phase(item: BimodalDampingSolution) -> BimodalDampingSolution:
     phase = float(np.ravel(np.asarray(item.problem.phase))[0])
-    around = np.union1d(np.linspace(0.0, math.pi, PHASES), [phase] if 0.0 <= phase <= math.pi else [])
+    around = np.union1d(np.linspace(0.0, math.pi, PHASE_POINTS), [phase] if 0.0 <= phase <= math.pi else [])
     return dataclasses.replace(
         item.problem, phase=around, shift_amplitude=float(np.ravel(np.asarray(item.problem.shift_amplitude))[0])
     ).solve()
@@ -134,14 +136,14 @@ def _varied(item: BimodalDampingSolution, name: str) -> Series:
 def relaxation_sheet(item: RelaxationDamperSolution) -> Sheet:
     """Return the viscous damper over the amplitude of the depth."""
     problem = item.problem
-    most = float(problem.depth_amplitude)
-    amplitudes: Array = np.geomspace(0.05 * most, 4.0 * most, 33)
+    greatest = float(problem.depth_amplitude)
+    amplitudes: Array = np.geomspace(0.05 * greatest, 4.0 * greatest, 33)
     damping = [
         float(dataclasses.replace(problem, depth_amplitude=float(amplitude)).solve().damping)
         for amplitude in amplitudes
     ]
     along = series("RelaxationDamper", "depth_amplitude", amplitudes)
     of = series("RelaxationDamperSolution", "damping", np.array(damping))
-    point = Line(np.array([most]), np.array([float(item.damping)]), style.RED, width=0.0, marker="o")
+    point = Line(np.array([greatest]), np.array([float(item.damping)]), style.RED, width=0.0, marker="o")
     panel = lines_panel(along, [(of, "damping")], f"damping ${of.word.symbol}$", low=0.0).plus(point)
     return Sheet((panel.plus(title="viscous damper that the contact amounts to"),), width=4.8, height=3.2)

@@ -1,4 +1,4 @@
-"""Sheets of answers with friction: a path of shifts or shear forces, one state of it, a path of twists."""
+"""Sheets of solutions with friction: a path of shifts or shear forces, one state of it, a path of twists."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from winkler.plot.friction.curves import (
     energies_panel,
     lines_panel,
     loop_panel,
-    lost_words,
+    loss_text,
     slip_panel,
     stick_band,
     traction_panel,
@@ -31,7 +31,7 @@ from winkler.plot.friction.curves import (
 from winkler.plot.friction.springs import dragged_panel
 from winkler.plot.friction.stress import body_stress_panel, dragged_stress_panel
 from winkler.plot.panel import Axis, Line, Panel, Sheet, note, titled, zero
-from winkler.plot.series import Series, headline, places, scale_of, series, told
+from winkler.plot.series import Series, headline, places, scale_of, series, with_unit
 from winkler.problems.friction.spring_states import SpringState
 from winkler.problems.friction.tangential import TangentialSolution
 from winkler.problems.friction.tangential_states import TangentialState
@@ -40,9 +40,9 @@ from winkler.problems.friction.torsion_states import TorsionState
 
 __all__ = ["body_sheet", "sheared_sheet", "tangential_sheet", "tangential_state_sheet", "torsion_sheet", "twist_sheet"]
 
-AROUND = 1.35
-"""Pictures of a traction go to so many contact radii."""
-KEPT = {"dissipation": "lost", "stored_energy": "stored"}
+RADII_DRAWN = 1.35
+"""Extent of the picture of a traction in contact radii."""
+ENERGY_NAMES = {"dissipation": "lost", "stored_energy": "stored"}
 
 
 def tangential_sheet(item: TangentialSolution) -> Sheet:
@@ -58,11 +58,11 @@ def tangential_sheet(item: TangentialSolution) -> Sheet:
     panels: tuple[Panel, ...] = (
         _path_panel(item),
         _forces_panel(item).plus(title="forces over time"),
-        energies_panel(item, KEPT).plus(title="energy of the tangential motion"),
+        energies_panel(item, ENERGY_NAMES).plus(title="energy of the tangential motion"),
     )
     if sheared:
         stick, radius = float(item.stick_radius[last]), sheared.pressed.radius
-        fields = around_contact(sheared, AROUND * radius)
+        fields = around_contact(sheared, RADII_DRAWN * radius)
         below = (
             dragged_panel(sheared, stick, around(sheared.pressed, None)),
             traction_panel(fields, _coefficient(item.problem.law), stick),
@@ -74,7 +74,7 @@ def tangential_sheet(item: TangentialSolution) -> Sheet:
 
 
 def tangential_state_sheet(item: TangentialState | SpringState, extent: float | None = None) -> Sheet:
-    """Return springs, traction, slip and, where it is known, the stress below one state of a path.
+    """Return springs, traction, slip and, where it can be computed, the stress below one state of a path.
 
     Parameters
     ----------
@@ -86,7 +86,7 @@ def tangential_state_sheet(item: TangentialState | SpringState, extent: float | 
     if item.radius == 0.0:
         return Sheet((Panel((note("no contact", "upper centre"),), title="no contact", bare=True),))
     end, stick = around(sheared.pressed, extent), float(item.stick_radius)
-    near = AROUND * sheared.pressed.radius if extent is None else extent
+    near = RADII_DRAWN * sheared.pressed.radius if extent is None else extent
     panels: list[Panel | None] = [dragged_panel(sheared, stick, end).plus(title="springs")]
     try:
         fields = around_contact(sheared, near)
@@ -96,7 +96,11 @@ def tangential_state_sheet(item: TangentialState | SpringState, extent: float | 
     except OutsideValidity:
         panels += [None] * (4 - len(panels))
     shear = np.asarray(item.shear_force, dtype=float)
-    pull = f"$F_x$ = {told(float(shear), 'N')}" if shear.ndim == 0 else f"$|F|$ = {told(float(np.hypot(*shear)), 'N')}"
+    pull = (
+        f"$F_x$ = {with_unit(float(shear), 'N')}"
+        if shear.ndim == 0
+        else f"$|F|$ = {with_unit(float(np.hypot(*shear)), 'N')}"
+    )
     return Sheet(tuple(panels), 2, height=3.3, width=4.8, title=f"{headline(item)}   {pull}")
 
 
@@ -106,14 +110,14 @@ def sheared_sheet(item: ShearedFields) -> Sheet:
     r = series("ShearedFields", "r", np.ravel(item.r)[order])
 
     def lines(*words: str) -> list[tuple[Series, str]]:
-        found = []
+        quantities = []
         for word in words:
             content = np.asarray(getattr(item, word)).reshape(order.size, -1)[order]
             for place in range(content.shape[1]):
                 one = series("ShearedFields", word, content[:, place])
                 mark = "" if content.shape[1] == 1 else f", {'xy'[place]}"
-                found.append((one, one.label().partition(" [")[0] + mark))
-        return found
+                quantities.append((one, one.label().partition(" [")[0] + mark))
+        return quantities
 
     left = lines_panel(r, lines("traction", "pressure"), "on the surface")
     right = lines_panel(r, lines("tangential_displacement", "slip"), "along the surface")
@@ -134,7 +138,7 @@ def torsion_sheet(item: TorsionSolution) -> Sheet:
         (
             loop_panel(angle, torque, float(item.dissipation[-1])),
             lines_panel(time, lines, "torque"),
-            energies_panel(item, KEPT),
+            energies_panel(item, ENERGY_NAMES),
             _twist_panel(item.states[int(touching[-1])]) if touching.size else NO_CONTACT,
         ),
         "torque over angle",
@@ -148,7 +152,7 @@ def torsion_sheet(item: TorsionSolution) -> Sheet:
 def twist_sheet(item: TorsionState) -> Sheet:
     """Return the traction of a twisted contact."""
     panel = _twist_panel(item) if item.radius > 0.0 else NO_CONTACT
-    title = f"{headline(item)}   $M_z$ = {told(item.torque, 'N m')}"
+    title = f"{headline(item)}   $M_z$ = {with_unit(item.torque, 'N m')}"
     return Sheet((panel.plus(title="traction around the axis"),), width=5.0, title=title)
 
 
@@ -189,18 +193,18 @@ def _coefficient(law: Any) -> float:
 
 
 def _sheared(item: TangentialSolution, index: int) -> ShearedSprings | None:
-    """Return the springs at one point; None where tractions cannot be restored."""
+    """Return the springs at one point; None if tractions cannot be restored."""
     try:
-        found = item.at(index).sheared
-        refuse_unless_round(found.pressed, "draw", "the traction")
-        found.pressed.bed.medium.pressure(found.pressed, np.array([0.5 * found.pressed.radius]))
+        state = item.at(index).sheared
+        refuse_unless_round(state.pressed, "draw", "the traction")
+        state.pressed.bed.medium.pressure(state.pressed, np.array([0.5 * state.pressed.radius]))
     except OutsideValidity:
         return None
-    return found
+    return state
 
 
 def _path_panel(item: TangentialSolution) -> Panel:
-    """Return the shear force over the shift; in the plane its path, within what friction bears at the end."""
+    """Return the shear force over the shift; in the plane its path, within the bound of friction at the end."""
     lost = float(item.dissipation[-1])
     if item.shear_force.ndim == 1:
         shift, force = (series("TangentialSolution", name, getattr(item, name)) for name in ("shift", "shear_force"))
@@ -218,9 +222,9 @@ def _path_panel(item: TangentialSolution) -> Panel:
         circle = bound * np.cos(turn), bound * np.sin(turn)
         marks.append(Line(*circle, style.MUTED, width=1.1, dash=style.DASHES[1]))
         marks.append(note(r"dashed: $\mu F_N$ at the end", "lower left"))
-    marks.append(note(lost_words(lost, item.shift, item.shear_force), "upper left"))
+    marks.append(note(loss_text(lost, item.shift, item.shear_force), "upper left"))
     axes = Axis("shear force $F_x$", scale, margin=0.08), Axis("shear force $F_y$", scale, margin=0.08)
-    return Panel(tuple(marks), *axes, title="the way of the shear force", equal=True)
+    return Panel(tuple(marks), *axes, title="path of the shear force", equal=True)
 
 
 def _forces_panel(item: TangentialSolution) -> Panel:

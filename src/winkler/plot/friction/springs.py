@@ -6,7 +6,7 @@ import numpy as np
 
 from winkler.foundation.sheared import ShearedSprings
 from winkler.plot import style
-from winkler.plot.normal.springs import Frame, Row, row_panel, spring_places
+from winkler.plot.normal.springs import SpringFrame, SpringRow, row_panel, spring_places
 from winkler.plot.panel import Line, Panel, note
 
 __all__ = ["dragged_panel"]
@@ -14,7 +14,7 @@ __all__ = ["dragged_panel"]
 NOTHING = np.empty(0)
 
 
-def dragged_panel(sheared: ShearedSprings, stick: float, extent: float, frame: Frame | None = None) -> Panel:
+def dragged_panel(sheared: ShearedSprings, stick: float, extent: float, frame: SpringFrame | None = None) -> Panel:
     """Return the springs under the plane profile, leaning as far as they are stretched; in the plane along x.
 
     Parameters
@@ -26,7 +26,7 @@ def dragged_panel(sheared: ShearedSprings, stick: float, extent: float, frame: F
     extent : float
         [m].
     frame : Frame, optional
-        What is shown, where it must not depend on this contact alone.
+        Fixed frame, for animations.
     """
     pressed = sheared.pressed
     place = spring_places(extent)
@@ -35,22 +35,24 @@ def dragged_panel(sheared: ShearedSprings, stick: float, extent: float, frame: F
     for part in sheared.components[0]:
         within = np.abs(place) < part.radius
         aside[within] += part.value(np.abs(place[within]))
-    most = float(np.max(np.abs(aside)))
-    lean = (place[1] - place[0]) / most if most > 0.0 else 0.0  # so far leans the one that is stretched most
+    greatest = float(np.max(np.abs(aside)))
+    lean = (place[1] - place[0]) / greatest if greatest > 0.0 else 0.0  # lean of the most stretched spring
     sunk[touching] = pressed.value(np.abs(place[touching]))
     sticks = touching & (stick > 0.0) & (np.abs(place) <= stick)
     colours = [
-        style.MUTED if not hit else style.GREEN if held else style.RED
-        for hit, held in zip(touching, sticks, strict=True)
+        style.MUTED if not touches else style.GREEN if sticking else style.RED
+        for touches, sticking in zip(touching, sticks, strict=True)
     ]
     strength = np.where(touching, 0.9, 0.5)
-    row = Row(place, sunk, lean * aside, tuple(colours), np.full(place.shape, 1.1), strength)
+    springs = SpringRow(place, sunk, lean * aside, tuple(colours), np.full(place.shape, 1.1), strength)
     depth = float(pressed.depth)
-    shift = float(np.clip(np.ravel(sheared.shift)[0], -most, most)) * lean
-    panel = row_panel(row, pressed.bed, depth, frame or Frame(extent, depth, -2.4 * depth, 1.3 * depth), shift)
+    shift = float(np.clip(np.ravel(sheared.shift)[0], -greatest, greatest)) * lean
+    panel = row_panel(
+        springs, pressed.bed, depth, frame or SpringFrame(extent, depth, -2.4 * depth, 1.3 * depth), shift
+    )
     names = (Line(NOTHING, NOTHING, style.GREEN, name="sticks"), Line(NOTHING, NOTHING, style.RED, name="slides"))
-    remark = (note(f"sideways {_round(lean)} times", "upper right"),) if most > 0.0 else ()
-    return panel.plus(*names, *remark, legend="upper left")
+    magnification = (note(f"sideways {_round(lean)} times", "upper right"),) if greatest > 0.0 else ()
+    return panel.plus(*names, *magnification, legend="upper left")
 
 
 def _round(number: float) -> str:

@@ -1,4 +1,4 @@
-"""The stress below a sheared contact, which is not symmetric any more: a map of the plane along the motion."""
+"""The stress below a sheared contact: a map of the plane of the motion."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ from winkler.foundation.sheared_fields import BodyFields
 from winkler.materials.elastic import Rigid
 from winkler.peaks import peak_stress
 from winkler.plot import style
-from winkler.plot.friction.curves import Restored
+from winkler.plot.friction.curves import RestorableSprings
 from winkler.plot.normal.stresses import stress_map
 from winkler.plot.panel import Line, Panel, note
-from winkler.plot.series import series, told
+from winkler.plot.series import series, with_unit
 
 __all__ = ["body_stress_panel", "dragged_stress_panel"]
 
-ACROSS, DOWN = 113, 49
-FEW_ACROSS, FEW_DOWN = 61, 25
-"""Places of a coarse map."""
-DEEP = 1.6
+POINTS_ACROSS, POINTS_DOWN = 113, 49
+COARSE_POINTS_ACROSS, COARSE_POINTS_DOWN = 61, 25
+"""Points of a coarse map."""
+DEPTH_IN_RADII = 1.6
 """Depth of the map in contact radii."""
 
 
@@ -37,18 +37,18 @@ def dragged_stress_panel(sheared: ShearedSprings, extent: float, *, coarse: bool
     extent : float
         [m].
     coarse : bool, optional
-        In fewer places, and without the search for the greatest stress: for pictures that move.
+        At fewer points and without the search for the maximum: for animations.
 
     Raises
     ------
     OutsideValidity
-        If the stresses inside this medium are not known.
+        If the stresses inside this medium cannot be computed.
     """
-    solution, radius = Restored(sheared), sheared.pressed.radius
+    solution, radius = RestorableSprings(sheared), sheared.pressed.radius
     sign = -1.0 if isinstance(getattr(sheared.pressed.bed.medium, "first", None), Rigid) else 1.0
-    across, down = (FEW_ACROSS, FEW_DOWN) if coarse else (ACROSS, DOWN)
+    across, down = (COARSE_POINTS_ACROSS, COARSE_POINTS_DOWN) if coarse else (POINTS_ACROSS, POINTS_DOWN)
     x = np.linspace(-extent, extent, across)
-    z = DEEP * radius * (np.linspace(0.0, 1.0, down) ** 1.6 + 1e-3)
+    z = DEPTH_IN_RADII * radius * (np.linspace(0.0, 1.0, down) ** 1.6 + 1e-3)
     fields = restore_body(solution, x[:, None], 0.0, sign * z[None, :])
     edge = Line(np.array([-radius, radius]), np.zeros(2), style.INK, width=3.0, clipped=False, blunt=True, order=8.0)
     if coarse:
@@ -58,11 +58,11 @@ def dragged_stress_panel(sheared: ShearedSprings, extent: float, *, coarse: bool
     marks: list[Any] = [note("infinite at a sharp edge, kink or tip", corner)]
     if np.isfinite(peak.von_mises):
         look: dict[str, Any] = {"marker": "P", "size": 9.0, "edge": "white", "clipped": False, "order": 9.0}
-        beside = f"$y$ = {told(peak.y, 'm', 3)}, " if abs(peak.y) > 1e-3 * radius else ""
-        where = f"$x$ = {told(peak.x, 'm', 3)}, {beside}$z$ = {told(peak.z, 'm', 3)}"
+        off_plane = f"$y$ = {with_unit(peak.y, 'm', 3)}, " if abs(peak.y) > 1e-3 * radius else ""
+        position = f"$x$ = {with_unit(peak.x, 'm', 3)}, {off_plane}$z$ = {with_unit(peak.z, 'm', 3)}"
         marks = [
             Line(np.array([peak.x]), np.array([peak.z]), style.RED, width=0.0, **look),
-            note(f"greatest: {told(peak.von_mises, 'Pa')} at {where}", corner),
+            note(f"greatest: {with_unit(peak.von_mises, 'Pa')} at {position}", corner),
         ]
     return body_stress_panel(fields).plus(*marks, edge)
 
@@ -78,7 +78,7 @@ def body_stress_panel(fields: BodyFields) -> Panel:
     Raises
     ------
     InvalidInput
-        If they are no such grid.
+        If they do not form such a grid.
     """
     if fields.x.ndim != 2 or min(fields.x.shape) < 2:
         raise InvalidInput(

@@ -12,7 +12,7 @@ from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.drawing import sheet_of
 from winkler.plot.panel import Area, Arrow, Axis, Band, Line, Map, Panel, Rule, Sheet, note, plane, titled
-from winkler.plot.series import common_scale, middle_scale, scale_of, series, told
+from winkler.plot.series import common_scale, middle_scale, scale_of, series, with_unit
 from winkler.plot.viscoelastic.contacts import refuse_extent
 from winkler.problems.heating.fretting import FrettingHeatSolution
 from winkler.problems.heating.heated_body import HeatedBody
@@ -21,37 +21,42 @@ from winkler.problems.heating.transient import TransientHeatingSolution
 
 __all__ = ["fretting_heat_sheet", "heating_sheet", "transient_heating_sheet"]
 
-BEFORE, BEHIND, BESIDE = 1.8, 3.2, 1.7
-"""How far the map reaches, in contact radii."""
-COLUMNS, ROWS, FINE = 49, 15, 4
-"""Places of the map where the temperature is computed, and how many times finer it is drawn."""
-ALONG = 121
-SPEEDS, DECADES = 25, 1.5
-"""Speeds at which the flash temperature is drawn, and how far below and above the one that was asked."""
+RADII_AHEAD, RADII_BEHIND, RADII_BESIDE = 1.8, 3.2, 1.7
+"""Extent of the map in contact radii."""
+COLUMNS, ROWS, REFINEMENT = 49, 15, 4
+"""Points of the map at which the temperature is computed, and refinement of the drawing."""
+POINTS_ALONG = 121
+SPEEDS, DECADES_BEYOND = 25, 1.5
+"""Number of speeds of the flash temperature curve, and decades below and above the requested one."""
 LEVELS = 12
 ESTIMATES = (
     ("stationary_temperature", "at rest", style.GREEN, style.DASHES[1]),
     ("fast_temperature", "fast", style.ORANGE, style.DASHES[3]),
     ("tian_kennedy_temperature", "Tian, Kennedy", style.PURPLE, style.DASHES[2]),
 )
-MOMENTS = 6
-FAR = 2.5
+MOMENTS_DRAWN = 6
+RADII_DRAWN = 2.5
 
 
 @sheet_of.register(FrictionHeatingSolution)
 def heating_sheet(item: FrictionHeatingSolution, *, extent: float | None = None) -> Sheet:
-    """Return the map of the warmer wake, both bodies along their middle line, and the flash temperature over speed.
+    """Return the temperature map of the body with the higher Peclet number, the centre line of both bodies, and the
+    flash temperature over speed.
 
-    Of many loads or speeds at once: the flash temperature and the share, over what was varied.
+    For many loads or speeds: flash temperature and heat partition over the varied quantity.
     """
     refuse_extent(item, extent)
     if not np.any(np.asarray(item.flash_temperature) > 0.0):
-        raise OutsideValidity("draw: nothing warms up, so there is nothing to show; press and slide.")
+        raise OutsideValidity(
+            "draw: no heat is released, so there is nothing to show; give a load and a sliding speed."
+        )
     if np.ndim(item.heat_rate) != 0:
-        return _many(item)
-    told_heat = f"   heat {told(float(item.heat_rate), 'W')}   first body takes {told(float(item.first_share), '')}"
-    fastest = told(float(max(item.first_peclet, item.second_peclet)), "", 3)
-    flash = told(float(item.flash_temperature), "K")
+        return _curves_sheet(item)
+    heat_text = (
+        f"   heat {with_unit(float(item.heat_rate), 'W')}   first body takes {with_unit(float(item.first_share), '')}"
+    )
+    fastest = with_unit(float(max(item.first_peclet, item.second_peclet)), "", 3)
+    flash = with_unit(float(item.flash_temperature), "K")
     faster = item.first if item.first_peclet >= item.second_peclet else item.second
     panels = titled(
         (_map_panel(faster), _wake_panel(item), _speeds_panel(item)),
@@ -59,19 +64,19 @@ def heating_sheet(item: FrictionHeatingSolution, *, extent: float | None = None)
         "along the middle, contact shaded",
         "flash temperature over the speed",
     )
-    return Sheet(panels, width=4.1, height=3.2, title=f"$T_\\mathrm{{flash}}$ = {flash}{told_heat}   Pe = {fastest}")
+    return Sheet(panels, width=4.1, height=3.2, title=f"$T_\\mathrm{{flash}}$ = {flash}{heat_text}   Pe = {fastest}")
 
 
 def _map_panel(body: HeatedBody) -> Panel:
-    """Return lines of equal temperature around the contact, the wake to the right of a body that moves forwards."""
+    """Return isotherms around the contact; the wake lies at the right if the body moves forwards."""
     from scipy.interpolate import RectBivariateSpline
 
     a = body.pressed.radius
-    forth = -1.0 if body.speed < 0.0 else 1.0
-    x = np.sort(forth * np.linspace(-BEFORE, BEHIND, COLUMNS)) * a
-    y = np.linspace(0.0, BESIDE, ROWS) * a
+    direction = -1.0 if body.speed < 0.0 else 1.0
+    x = np.sort(direction * np.linspace(-RADII_AHEAD, RADII_BEHIND, COLUMNS)) * a
+    y = np.linspace(0.0, RADII_BESIDE, ROWS) * a
     rise = body.temperature(x[:, None], y[None, :])
-    fine_x, fine_y = (np.linspace(line[0], line[-1], FINE * line.size) for line in (x, y))
+    fine_x, fine_y = (np.linspace(line[0], line[-1], REFINEMENT * line.size) for line in (x, y))
     fine = np.maximum(RectBivariateSpline(x, np.concatenate([-y[:0:-1], y]), _mirror(rise))(fine_x, fine_y), 0.0)
     along, of = series("HeatedBody", "x", fine_x), series("FrictionHeatingSolution", "temperature", _mirror(fine))
     bar = Axis("rise of temperature", of.scale)
@@ -84,7 +89,7 @@ def _map_panel(body: HeatedBody) -> Panel:
         Line(*peak, style.INK, width=0.0, marker="+"),
     ]
     if body.speed != 0.0:
-        ends = (forth * 1.7 * a, 1.45 * a), (forth * 2.9 * a, 1.45 * a)
+        ends = (direction * 1.7 * a, 1.45 * a), (direction * 2.9 * a, 1.45 * a)
         marks.append(Arrow(*ends, style.INK))
     return Panel(tuple(marks), *plane(along.scale), equal=True, grid="")
 
@@ -96,13 +101,13 @@ def _mirror(half: Array) -> Array:
 def _wake_panel(item: FrictionHeatingSolution) -> Panel:
     """Return the temperature of both surfaces along the middle line."""
     a = float(item.contact.radius)
-    x = np.linspace(-BEHIND, BEHIND, ALONG) * a
+    x = np.linspace(-RADII_BEHIND, RADII_BEHIND, POINTS_ALONG) * a
     marks: list[Any] = []
     for body, name, colour, dash in (
         (item.first, "first", style.RED, style.DASHES[0]),
         (item.second, "second", style.BLUE, style.DASHES[1]),
     ):
-        moves = f"moves, Pe = {told(body.peclet, '', 3)}" if body.speed else "rests"
+        moves = f"moves, Pe = {with_unit(body.peclet, '', 3)}" if body.speed else "rests"
         marks.append(Line(x, body.temperature(x), colour, dash=dash, name=f"{name}: {moves}"))
     marks.append(Band(-a, a, style.MUTED, 0.12))
     rises = [series("FrictionHeatingSolution", "temperature", line.y) for line in marks[:2]]
@@ -113,8 +118,8 @@ def _wake_panel(item: FrictionHeatingSolution) -> Panel:
 
 
 def _speeds_panel(item: FrictionHeatingSolution) -> Panel:
-    """Return the flash temperature over the speed of sliding, as a part of what the rule for bodies at rest gives."""
-    factors = np.geomspace(10.0**-DECADES, 10.0**DECADES, SPEEDS)
+    """Return the flash temperature over the speed of sliding, relative to that of bodies at rest."""
+    factors = np.geomspace(10.0**-DECADES_BEYOND, 10.0**DECADES_BEYOND, SPEEDS)
     problem = item.problem
     curve = dataclasses.replace(
         problem, first_speed=factors * problem.first_speed, second_speed=factors * problem.second_speed
@@ -123,32 +128,33 @@ def _speeds_panel(item: FrictionHeatingSolution) -> Panel:
     speed, rest = factors * sliding, np.asarray(curve.stationary_temperature)
     marks = [Line(speed, curve.flash_temperature / rest, name="flash temperature")]
     for name, label, colour, dash in ESTIMATES:
-        guess = np.asarray(getattr(curve, name)) / rest
-        if np.all(np.isfinite(guess)):
-            marks.append(Line(speed, guess, colour, width=1.2, dash=dash, name=label))
-    asked = np.array([float(item.flash_temperature) / float(item.stationary_temperature)])
-    marks.append(Line(np.array([sliding]), asked, style.RED, width=0.0, marker="o", name="asked", order=5.0))
+        estimate = np.asarray(getattr(curve, name)) / rest
+        if np.all(np.isfinite(estimate)):
+            marks.append(Line(speed, estimate, colour, width=1.2, dash=dash, name=label))
+    requested = np.array([float(item.flash_temperature) / float(item.stationary_temperature)])
+    marks.append(Line(np.array([sliding]), requested, style.RED, width=0.0, marker="o", name="requested", order=5.0))
     across = Axis("speed of sliding $v$", middle_scale("m/s", speed), log=True)
     upright = Axis("over that of bodies at rest [-]", low=0.0, high=1.7)
     return Panel(tuple(marks), across, upright, legend="upper right", columns=2)
 
 
-def _many(item: FrictionHeatingSolution) -> Sheet:
-    """Return flash temperature and share over what was varied: the Peclet number, or else the force."""
+def _curves_sheet(item: FrictionHeatingSolution) -> Sheet:
+    """Return flash temperature and heat partition over the varied quantity: Peclet number or heat rate."""
     pe = np.maximum(np.asarray(item.first_peclet), np.asarray(item.second_peclet))
-    warm = np.ravel(np.asarray(item.heat_rate)) > 0.0
+    is_heated = np.ravel(np.asarray(item.heat_rate)) > 0.0
     along = series("FrictionHeatingSolution", "heat_rate", np.ravel(np.asarray(item.heat_rate)))
     if np.ptp(pe) > 0.0:
         along = series("HeatedBody", "peclet", np.ravel(pe))
-    kept = dataclasses.replace(along, content=along.content[warm])
-    order = np.argsort(kept.content, kind="stable")
-    steep = bool(np.min(kept.content) > 0.0 and np.max(kept.content) > 20.0 * np.min(kept.content))
-    label = Axis.of(kept).label.replace("peclet", "Peclet number")
-    across = Axis(label, middle_scale(kept.word.unit, kept.content), margin=0.03, log=steep)
+    heated = dataclasses.replace(along, content=along.content[is_heated])
+    order = np.argsort(heated.content, kind="stable")
+    logarithmic = bool(np.min(heated.content) > 0.0 and np.max(heated.content) > 20.0 * np.min(heated.content))
+    label = Axis.of(heated).label.replace("peclet", "Peclet number")
+    across = Axis(label, middle_scale(heated.word.unit, heated.content), margin=0.03, log=logarithmic)
     panels = []
     for names in (("first_max_temperature", "second_max_temperature", "stationary_temperature"), ("first_share",)):
         many = [
-            series("FrictionHeatingSolution", name, np.ravel(np.asarray(getattr(item, name)))[warm]) for name in names
+            series("FrictionHeatingSolution", name, np.ravel(np.asarray(getattr(item, name)))[is_heated])
+            for name in names
         ]
         scale = scale_of(many[0].word.unit, *(one.content for one in many))
         looks = zip(
@@ -156,7 +162,7 @@ def _many(item: FrictionHeatingSolution) -> Sheet:
         )
         lines = [
             Line(
-                kept.content[order],
+                heated.content[order],
                 one.content[order],
                 colour,
                 dash=dash,
@@ -169,18 +175,20 @@ def _many(item: FrictionHeatingSolution) -> Sheet:
         share = names == ("first_share",)
         upright = Axis.of(many[0], scale, low=0.0, high=1.0)
         if not share:
-            upright = Axis("greatest rise of temperature", scale, low=None if steep else 0.0, log=steep)
+            upright = Axis("greatest rise of temperature", scale, low=None if logarithmic else 0.0, log=logarithmic)
         panels.append(Panel(tuple(lines), across, upright, legend="" if share else "upper left"))
-    titles = ("how warm the bodies get", "part of the heat for the first body")
+    titles = ("temperature of the bodies", "part of the heat for the first body")
     return Sheet(titled(panels, *titles), width=4.6, height=3.3)
 
 
 @sheet_of.register(TransientHeatingSolution)
 def transient_heating_sheet(item: TransientHeatingSolution, *, extent: float | None = None) -> Sheet:
-    """Return how the contact warms up over time, and the surface of the first body at some moments."""
+    """Return the temperature of the contact over time, and along the surface of the first body at some times."""
     refuse_extent(item, extent)
     if item.stationary_temperature == 0.0:
-        raise OutsideValidity("draw: nothing warms up, so there is nothing to show; press and slide.")
+        raise OutsideValidity(
+            "draw: no heat is released, so there is nothing to show; give a load and a sliding speed."
+        )
     low, high = float(np.min(item.time)), float(np.max(item.time))
     if high <= 10.0 * low:
         low, high = low / 30.0, high * 30.0
@@ -190,7 +198,7 @@ def transient_heating_sheet(item: TransientHeatingSolution, *, extent: float | N
     of = series("TransientHeatingSolution", "flash_temperature", curve.flash_temperature)
     mean = np.maximum(curve.first_mean_temperature, curve.second_mean_temperature)
     final = item.stationary_temperature
-    look: dict[str, Any] = {"width": 0.0, "marker": "o", "size": 3.5, "name": "asked"}
+    look: dict[str, Any] = {"width": 0.0, "marker": "o", "size": 3.5, "name": "requested"}
     marks = (
         Line(time.content, of.content, name="flash temperature"),
         Line(time.content, mean, style.ORANGE, dash=style.DASHES[1], name="mean"),
@@ -199,42 +207,42 @@ def transient_heating_sheet(item: TransientHeatingSolution, *, extent: float | N
     )
     across = Axis.of(time, middle_scale("s", time.content), log=True)
     left = Panel(marks, across, Axis.of(of, low=0.0, high=1.15 * final), legend="lower right")
-    r = np.linspace(0.0, FAR, 61) * a
-    moments = dataclasses.replace(item.problem, time=np.geomspace(low, high, MOMENTS)).solve()
+    r = np.linspace(0.0, RADII_DRAWN, 61) * a
+    moments = dataclasses.replace(item.problem, time=np.geomspace(low, high, MOMENTS_DRAWN)).solve()
     rows = moments.first_temperature(r)
     lines = [
-        Line(r, row, (style.HEATS, float(share)), name=told(float(moment), "s", 3))
-        for row, moment, share in zip(rows, moments.time, np.linspace(0.1, 0.9, MOMENTS), strict=True)
+        Line(r, row, (style.HEATS, float(share)), name=with_unit(float(moment), "s", 3))
+        for row, moment, share in zip(rows, moments.time, np.linspace(0.1, 0.9, MOMENTS_DRAWN), strict=True)
     ]
     rise = series("FrictionHeatingSolution", "temperature", rows)
     edge = Rule(a, upright=True, width=0.9, dash=style.DOTTED)
     upright = Axis("rise of temperature $T$", rise.scale, low=0.0)
     right = Panel((*lines, edge), Axis.of(series("HeatedBody", "r", r)), upright, legend="upper right")
-    titles = ("how the contact warms up", "surface of the first body")
+    titles = ("temperature of the contact", "surface of the first body")
     return Sheet(titled((left, right), *titles), width=4.6, height=3.3)
 
 
 @sheet_of.register(FrettingHeatSolution)
 def fretting_heat_sheet(item: FrettingHeatSolution, *, extent: float | None = None) -> Sheet:
-    """Return where the heat of a cycle is released, and the mean temperature of the surface."""
+    """Return the heat flux of a cycle over the radius, and the mean temperature of the surface."""
     refuse_extent(item, extent)
     a = item.source.radius
-    stick = a * float(item.source.joints[1])  # what does not slip ends there; at the rim if all slips
-    places = np.linspace(0.0, 1.8, 3 * ALONG) * a
+    stick = a * float(item.source.joints[1])  # radius of the stick zone
+    places = np.linspace(0.0, 1.8, 3 * POINTS_ALONG) * a
     along, of = series("HeatedBody", "r", places), series("RoundFlux", "flux", item.flux.at(places))
     marks: list[Any] = [Area(places, of.content, 0.0, style.RED), Line(places, of.content, style.RED)]
     if 0.0 < stick < a:
         marks.append(Rule(stick, upright=True, width=0.9, dash=style.DOTTED))
-        marks.append(note(f"sticks within {told(stick, 'm', 3)}", "upper left"))
+        marks.append(note(f"sticks within {with_unit(stick, 'm', 3)}", "upper left"))
     left = Panel(tuple(marks), Axis.of(along), Axis("mean heat flux $q$", of.scale, low=0.0))
-    r = np.linspace(0.0, 1.8, ALONG) * a
+    r = np.linspace(0.0, 1.8, POINTS_ALONG) * a
     rise = series("FrettingHeatSolution", "temperature", item.temperature(r))
-    warm = (
+    is_heated = (
         Line(r, rise.content),
         Rule(a, upright=True, width=0.9, dash=style.DOTTED),
-        note(f"swings by about ±{told(item.swing, 'K', 2)}"),
+        note(f"swings by about ±{with_unit(item.swing, 'K', 2)}"),
     )
-    right = Panel(warm, Axis.of(along), Axis("mean rise of temperature", rise.scale, low=0.0))
-    title = f"{told(item.loss_per_cycle, 'J')} in every cycle, {told(item.heat_rate, 'W')}"
-    titles = ("where the heat is released", "how warm the surfaces get")
+    right = Panel(is_heated, Axis.of(along), Axis("mean rise of temperature", rise.scale, low=0.0))
+    title = f"{with_unit(item.loss_per_cycle, 'J')} in every cycle, {with_unit(item.heat_rate, 'W')}"
+    titles = ("heat flux over the radius", "temperature of the surfaces")
     return Sheet(titled((left, right), *titles), width=4.6, height=3.3, title=title)

@@ -18,11 +18,11 @@ from winkler.problems.impact.impact import ImpactSolution
 __all__ = ["adhesive_impact_sheet", "impact_sheet"]
 
 
-STOPPED = "stopped before the bodies part"
+STOPPED_IN_CONTACT = "stopped before the bodies part"
 
 
 def impact_sheet(item: ImpactSolution) -> Sheet:
-    """Return forces, velocities, the contact and the energies over time; shaded while the edge slides."""
+    """Return forces, velocities, the contact and the energies over time; phases of edge sliding are shaded."""
     time = _series(item, "time")
     mu = float(item.problem.law.coefficient)
     forces = [(_series(item, "force"), "$F_N$"), (_series(item, "shear_force"), "$F_x$")]
@@ -46,7 +46,7 @@ def impact_sheet(item: ImpactSolution) -> Sheet:
             lines_panel(time, forces, "force"),
             lines_panel(time, speeds, "velocity"),
             _with_slip(lines_panel(time, radii, "radius", low=0.0), item),
-            energies_panel(item, names, room=1.55 / 1.15),
+            energies_panel(item, names, height_factor=1.55 / 1.15),
         ),
         "forces",
         "velocities",
@@ -57,7 +57,7 @@ def impact_sheet(item: ImpactSolution) -> Sheet:
 
 
 def adhesive_impact_sheet(item: AdhesiveImpactSolution) -> Sheet:
-    """Return the force over the depth, velocity and energies over time, of an impact of a sticky body."""
+    """Return the force over the depth, velocity and energies over time, of an adhesive impact."""
     time = _series(item, "time")
     energies = [
         (_series(item, "kinetic_energy"), "kinetic"),
@@ -76,7 +76,7 @@ def adhesive_impact_sheet(item: AdhesiveImpactSolution) -> Sheet:
         "contact",
         "energy",
     )
-    left = STOPPED if math.isnan(item.restitution) else f"restitution $e$ = {item.restitution:.4g}"
+    left = STOPPED_IN_CONTACT if math.isnan(item.restitution) else f"restitution $e$ = {item.restitution:.4g}"
     return Sheet(panels, 2, height=3.1, title="the body stays" if item.captured else left)
 
 
@@ -86,7 +86,7 @@ def _series(item: Any, name: str) -> Series:
 
 def _restitution(item: ImpactSolution) -> str:
     if math.isnan(item.restitution):
-        return STOPPED
+        return STOPPED_IN_CONTACT
     text = f"restitution $e$ = {item.restitution:.4g}"
     if item.problem.sliding_velocity != 0.0:
         text += f"   of the touching points $e_x$ = {item.lateral_restitution:.4g}"
@@ -95,14 +95,14 @@ def _restitution(item: ImpactSolution) -> str:
 
 def _with_slip(panel: Panel, item: ImpactSolution) -> Panel:
     """Return a panel over time with shades while the edge of the contact slides, forwards or backwards."""
-    named: set[int] = set()
+    labelled: set[int] = set()
     bands = []
     for stage in item.stages:
         if stage.side == 0:
             continue
-        name = "" if stage.side in named else f"edge slides {'forwards' if stage.side > 0 else 'backwards'}"
+        name = "" if stage.side in labelled else f"edge slides {'forwards' if stage.side > 0 else 'backwards'}"
         bands.append(Band(stage.start, stage.end, style.RED if stage.side > 0 else style.ORANGE, 0.12, name))
-        named.add(stage.side)
-    room = 1.5 * (1.0 + panel.upright.headroom) - 1.0
-    upright = dataclasses.replace(panel.upright, headroom=room)
+        labelled.add(stage.side)
+    headroom = 1.5 * (1.0 + panel.upright.headroom) - 1.0
+    upright = dataclasses.replace(panel.upright, headroom=headroom)
     return panel.plus(*bands, upright=upright, legend="upper right", columns=1, spaced=False)

@@ -1,4 +1,4 @@
-"""The curves of a contact: load of the springs, pressure, displacement of the surface, and answers over many loads."""
+"""The curves of a contact: load of the springs, pressure, displacement of the surface, and results over many loads."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from winkler.fields import SurfaceFields, restore
 from winkler.foundation.bed import PressedSprings
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.extent import is_singular, is_torn, marks_of
-from winkler.plot.medium import OFF_AXIS
+from winkler.plot.extent import has_tensile_singularity, is_singular, marks_of
+from winkler.plot.medium import OFFSET_FROM_AXIS
 from winkler.plot.panel import Area, Axis, Line, Panel, Text, note, zero
-from winkler.plot.series import Curve, Series, places, scale_of, series, told
+from winkler.plot.series import Curve, Series, places, scale_of, series, with_unit
 from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.answer import Restorable
 from winkler.problems.normal.indentation import IndentationSolution
@@ -31,12 +31,12 @@ __all__ = [
     "surface_pressure_panel",
 ]
 
-MARKED = 40
-"""Curves of at most so many points show each of them."""
+MOST_MARKED_POINTS = 40
+"""Points of a curve are marked individually up to this number."""
 POINTS = 121
 """Points of F(d)."""
-CEILING = 3.0
-"""Where a pressure is infinite, its axis ends at so many mean pressures."""
+PRESSURE_CEILING = 3.0
+"""Greatest drawn pressure over its mean where it is infinite."""
 
 
 def line_load(solution: Restorable, extent: float) -> Curve:
@@ -51,7 +51,7 @@ def line_load(solution: Restorable, extent: float) -> Curve:
     """
     pressed = solution.pressed
     a = pressed.radius
-    x = np.concatenate([[OFF_AXIS * a], places(a, marks_of(pressed)), [a]]) if a > 0.0 else np.zeros(1)
+    x = np.concatenate([[OFFSET_FROM_AXIS * a], places(a, marks_of(pressed)), [a]]) if a > 0.0 else np.zeros(1)
     q = pressed.bed.normal_stiffness(x) * pressed.value(x) if a > 0.0 else np.zeros(1)
     x, q = np.append(x, [a, max(extent, a)]), np.append(q, [0.0, 0.0])
     both = style.mirrored(x, q)
@@ -59,7 +59,7 @@ def line_load(solution: Restorable, extent: float) -> Curve:
 
 
 def surface(solution: Restorable, extent: float) -> SurfaceFields:
-    """Return the fields on the surface at places that suit a picture: dense towards kinks and edge, never on them.
+    """Return the fields on the surface at points dense towards kinks and edge, but not on them.
 
     Parameters
     ----------
@@ -74,7 +74,7 @@ def surface(solution: Restorable, extent: float) -> SurfaceFields:
 def load_curves(solution: IndentationSolution | AdhesiveSolution) -> dict[str, Curve]:
     """Return force, contact radius and stiffness over the depth, of a solution for many loads.
 
-    Not the stiffness of bodies that stick: it has no bounds where they come apart.
+    The stiffness is left out for adhesive contacts, where it diverges at pull-off.
     """
     order = np.argsort(np.ravel(solution.depth), kind="stable")
 
@@ -87,12 +87,12 @@ def load_curves(solution: IndentationSolution | AdhesiveSolution) -> dict[str, C
 
 
 def force_depth(pressed: PressedSprings) -> Curve:
-    """Return F(d) from first touch to a contact, NaN where the contact cannot be one disc on the way.
+    """Return F(d) from first touch to a contact, NaN where the contact area is not a single disc.
 
     Parameters
     ----------
-    pressed : Pressed
-        Where the curve ends.
+    pressed : PressedSprings
+        Last point of the curve.
 
     Notes
     -----
@@ -109,7 +109,7 @@ def force_depth(pressed: PressedSprings) -> Curve:
 
 
 def curve_panel(curve: Curve, colour: str = style.BLUE, **look: Any) -> Panel:
-    """Return one quantity over another; every point too where they are few.
+    """Return one quantity over another, with markers up to `MOST_MARKED_POINTS` points.
 
     Parameters
     ----------
@@ -118,9 +118,9 @@ def curve_panel(curve: Curve, colour: str = style.BLUE, **look: Any) -> Panel:
     look
         Of the `Line`.
     """
-    few = curve.along.content.size <= MARKED
-    line = Line(curve.along.content, curve.of.content, colour, **({"marker": "o" if few else ""} | look))
-    return Panel((line,), Axis.of(curve.along, margin=0.03 if few else 0.0), Axis.of(curve.of))
+    is_sparse = curve.along.content.size <= MOST_MARKED_POINTS
+    line = Line(curve.along.content, curve.of.content, colour, **({"marker": "o" if is_sparse else ""} | look))
+    return Panel((line,), Axis.of(curve.along, margin=0.03 if is_sparse else 0.0), Axis.of(curve.of))
 
 
 def loaded_so_far(pressed: PressedSprings, force: float) -> Panel:
@@ -144,7 +144,7 @@ def line_load_panel(solution: Restorable, extent: float, force: float | None = N
     force : float, optional
         [N], written into the picture.
     pull : float, optional
-        What attraction from afar adds to the pull [N]: the springs bear it beside the force.
+        Long-range attraction [N], borne by the springs in addition to the force.
     """
     curve = line_load(solution, extent)
     x, q = curve.along.content, curve.of.content
@@ -158,17 +158,17 @@ def line_load_panel(solution: Restorable, extent: float, force: float | None = N
         return Panel(
             (*marks, note("no contact", "upper centre")), across, Axis.of(curve.of, low=0.0, high=curve.of.scale.factor)
         )
-    away = q[np.abs(x) >= 0.03 * solution.pressed.radius]
-    top, bottom = 1.12 * max(float(np.max(away)), 0.0), 1.12 * min(float(np.min(away)), 0.0)
+    off_axis = q[np.abs(x) >= 0.03 * solution.pressed.radius]
+    top, bottom = 1.12 * max(float(np.max(off_axis)), 0.0), 1.12 * min(float(np.min(off_axis)), 0.0)
     marks += [zero()] if bottom < 0.0 else []
     if force is not None:
-        words = f"area = {'$F_N$' if pull == 0.0 else '$F_N + F_w$'}\n= {told(force + pull, 'N')}"
-        marks.append(Text(0.0, 0.36 * (top if q[q.size // 2] > 0.0 else bottom), words, spacing=1.5))
+        text = f"area = {'$F_N$' if pull == 0.0 else '$F_N + F_w$'}\n= {with_unit(force + pull, 'N')}"
+        marks.append(Text(0.0, 0.36 * (top if q[q.size // 2] > 0.0 else bottom), text, spacing=1.5))
     return Panel(tuple(marks), across, Axis.of(curve.of, low=bottom, high=top))
 
 
 def pressure_panel(solution: Restorable, extent: float, mean: float | None = None, remark: str = "") -> Panel:
-    """Return p(r), mirrored at the axis; where it is infinite, the picture ends and says so.
+    """Return p(r), mirrored at the axis; an infinite pressure is cut off, with a note.
 
     Parameters
     ----------
@@ -179,20 +179,20 @@ def pressure_panel(solution: Restorable, extent: float, mean: float | None = Non
     mean : float, optional
         Mean pressure [Pa], drawn as a line.
     remark : str, optional
-        Added to what is said where the edge pulls with infinite tension.
+        Added to the note on infinite tension at the edge.
     """
     fields, pressed = surface(solution, extent), solution.pressed
-    radius, singular, torn = pressed.radius, is_singular(pressed), is_torn(pressed)
+    radius, singular, in_tension = pressed.radius, is_singular(pressed), has_tensile_singularity(pressed)
     r, p = series("SurfaceFields", "r", fields.r), series("SurfaceFields", "pressure", fields.pressure)
     finite = p.content[np.isfinite(p.content)]
     top = 1.12 * float(np.max(finite, initial=0.0))
     if singular and mean:
-        top = min(top, CEILING * mean)
+        top = min(top, PRESSURE_CEILING * mean)
     bottom = 1.12 * float(np.min(finite, initial=0.0))
-    if torn:
-        usual = float(np.median(np.abs(finite[fields.r[np.isfinite(p.content)] < pressed.radius])))
-        top = min(top, CEILING * usual)
-        bottom = max(bottom, -2.0 * max(top, usual))
+    if in_tension:
+        typical_pressure = float(np.median(np.abs(finite[fields.r[np.isfinite(p.content)] < pressed.radius])))
+        top = min(top, PRESSURE_CEILING * typical_pressure)
+        bottom = max(bottom, -2.0 * max(top, typical_pressure))
     scale = scale_of("Pa", [top, bottom])
     x, y = style.mirrored(r.content, p.content)
     marks: list[Any] = [Area(x, y, 0.0), Line(x, y)]
@@ -200,9 +200,9 @@ def pressure_panel(solution: Restorable, extent: float, mean: float | None = Non
     if mean:
         ends = np.array([-radius, 1.06 * radius])
         marks.append(Line(ends, np.full(2, mean), style.INK, width=1.0, dash=style.DASHED))
-        marks.append(Text(1.1 * ends[1], mean, f"mean\n{told(mean, 'Pa')}", across="left"))
+        marks.append(Text(1.1 * ends[1], mean, f"mean\n{with_unit(mean, 'Pa')}", across="left"))
     marks += [note("no contact", "upper centre")] if radius == 0.0 else []
-    if torn:
+    if in_tension:
         marks.append(note(f"infinite tension at the edge, cut off{remark}", "lower centre"))
     elif singular:
         marks.append(note("infinite where\nthe curve leaves", "upper centre" if pressed.edge > 0.0 else "upper right"))
@@ -231,12 +231,12 @@ def surface_panel(fields: SurfaceFields) -> Panel:
     order = np.argsort(fields.r, kind="stable")
     r, sunk = (np.asarray(part, dtype=float)[order] for part in (fields.r, fields.displacement))
     gap = np.where(np.isfinite(fields.gap), fields.gap, np.nan)[order]
-    known: Array = gap[np.isfinite(gap)]
-    top = 1.6 * float(np.max(np.abs(sunk), initial=0.0)) or 1.1 * float(np.max(known, initial=0.0)) or 1.0
-    few = "o" if order.size <= MARKED else ""
+    finite_gap: Array = gap[np.isfinite(gap)]
+    top = 1.6 * float(np.max(np.abs(sunk), initial=0.0)) or 1.1 * float(np.max(finite_gap, initial=0.0)) or 1.0
+    is_sparse = "o" if order.size <= MOST_MARKED_POINTS else ""
     lines = (
-        Line(r, sunk, marker=few, name="displacement $u_z$"),
-        Line(r, gap, style.GREEN, marker=few, dash=style.DASHES[1], name="separation $h$"),
+        Line(r, sunk, marker=is_sparse, name="displacement $u_z$"),
+        Line(r, gap, style.GREEN, marker=is_sparse, dash=style.DASHES[1], name="separation $h$"),
     )
     low = 1.2 * min(float(np.min(sunk, initial=0.0)), 0.0)
     upright = Axis("along the axis", scale_of("m", [top]), low=low, high=top)

@@ -1,11 +1,11 @@
-"""The outline of a shape: its height f(r), what becomes of it in the row of springs, g(x), and what was measured."""
+"""The outline of a shape: its height f(r), the equivalent plane profile g(x), and measured points."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from winkler.plot import style
-from winkler.plot.extent import solid_until
+from winkler.plot.extent import outline_end
 from winkler.plot.panel import Axis, Line, Panel
 from winkler.plot.series import places, scale_of
 from winkler.profiles.measured import Measured
@@ -23,13 +23,13 @@ def profile_panel(profile: Profile, extent: float) -> Panel:
     extent : float
         Drawn up to this distance [m].
     """
-    end = min(extent, solid_until(profile))
+    end = min(extent, outline_end(profile))
     r = np.concatenate([[0.0], places(end, tuple(b for b, _ in profile.kinks)), [end]])
     f, g = (np.asarray(part, dtype=float) for part in (profile.height(r), profile.gap(r)))
     g = np.where(np.isfinite(g), g, np.nan)
     top = 1.25 * max(float(np.max(f)), min(float(np.nanmax(g)), 2.2 * float(np.max(f)))) or 0.3 * extent
-    wall = profile.rim <= end
-    r, f, g = np.append(r, r[-1]), np.append(f, top if wall else f[-1]), np.append(g, g[-1])
+    has_wall = profile.rim <= end
+    r, f, g = np.append(r, r[-1]), np.append(f, top if has_wall else f[-1]), np.append(g, g[-1])
     marks = []
     if isinstance(profile, Measured):
         points = Line(
@@ -46,6 +46,6 @@ def profile_panel(profile: Profile, extent: float) -> Panel:
         marks.append(points)
     marks.append(Line(r, f, style.INK, name="shape $f(r)$"))
     marks.append(Line(r, g, dash=style.DASHES[1], name="equivalent profile $g(x)$"))
-    across = Axis("$r$, $x$", scale_of("m", [extent]), low=0.0, high=(1.25 if wall else 1.0) * extent)
+    across = Axis("$r$, $x$", scale_of("m", [extent]), low=0.0, high=(1.25 if has_wall else 1.0) * extent)
     upright = Axis("height", scale_of("m", [top]), low=-0.02 * top, high=top)
     return Panel(tuple(marks), across, upright, legend="upper left")

@@ -1,4 +1,4 @@
-"""Jaeger's picture drawn: the staircase of flat punches, and the pressures that add up."""
+"""Jaeger's construction: the staircase of flat punches, and the superposition of their pressures."""
 
 from __future__ import annotations
 
@@ -13,26 +13,28 @@ from winkler.punch_staircase import Staircase
 __all__ = ["pressures_panel", "steps_panel"]
 
 
-class _Contact:
-    """What `restore` needs of a solution."""
+class _StaircaseContact:
+    """A staircase as the argument of `restore`."""
 
-    def __init__(self, stairs: Staircase) -> None:
-        self.pressed = stairs.pressed
+    def __init__(self, staircase: Staircase) -> None:
+        self.pressed = staircase.pressed
 
 
-def steps_panel(stairs: Staircase, extent: float) -> Panel:
-    """Return the punches as slabs under the plane profile that they approach.
+def steps_panel(staircase: Staircase, extent: float) -> Panel:
+    """Return the punches as slabs under the plane profile that they approximate.
 
     Parameters
     ----------
-    stairs : Staircase
+    staircase : Staircase
     extent : float
         Drawn up to this x on both sides [m].
     """
-    pressed = stairs.pressed
-    below = np.cumsum(stairs.increments[::-1])[::-1]
+    pressed = staircase.pressed
+    below = np.cumsum(staircase.increments[::-1])[::-1]
     marks: list[Line | Polygon | Rule] = []
-    for radius, thick, bottom, colour in zip(stairs.radii, stairs.increments, below, _colours(stairs), strict=True):
+    for radius, thick, bottom, colour in zip(
+        staircase.radii, staircase.increments, below, _colours(staircase), strict=True
+    ):
         x = radius * np.array([-1.0, 1.0, 1.0, -1.0])
         y = np.array([-bottom, -bottom, thick - bottom, thick - bottom])
         marks.append(Polygon(x, y, colour, edge="white", width=0.8, order=3.0))
@@ -47,32 +49,32 @@ def steps_panel(stairs: Staircase, extent: float) -> Panel:
     return Panel(tuple(marks), across, upright, grid="", legend="upper right", columns=2, unframed=True)
 
 
-def pressures_panel(stairs: Staircase, extent: float) -> Panel:
+def pressures_panel(staircase: Staircase, extent: float) -> Panel:
     """Return the pressure of every punch, their sum, and the pressure of the contact itself.
 
     Parameters
     ----------
-    stairs : Staircase
+    staircase : Staircase
     extent : float
         Drawn up to this distance from the axis [m].
     """
-    r = places(extent, tuple(stairs.radii), count=600)
-    exact = restore(_Contact(stairs), r).pressure
+    r = places(extent, tuple(staircase.radii), count=600)
+    exact = restore(_StaircaseContact(staircase), r).pressure
     middle = exact[np.isfinite(exact) & (exact > 0.0)]
     top = 1.9 * float(np.percentile(middle, 90.0)) if middle.size else 1.0
     marks = []
-    for radius, increment, colour in zip(stairs.radii, stairs.increments, _colours(stairs), strict=True):
+    for radius, increment, colour in zip(staircase.radii, staircase.increments, _colours(staircase), strict=True):
         inside = r[r < radius]
-        own = stairs.modulus * increment / (np.pi * np.sqrt((radius - inside) * (radius + inside)))
+        own = staircase.modulus * increment / (np.pi * np.sqrt((radius - inside) * (radius + inside)))
         marks.append(Line(inside, own, colour, width=1.1, order=3.0))
-    name = f"sum of {stairs.radii.size} punches" if stairs.radii.size > 1 else "one punch"
-    marks.append(Line(r, stairs.pressure(r), style.RED, width=1.1, order=4.0, name=name))
+    name = f"sum of {staircase.radii.size} punches" if staircase.radii.size > 1 else "one punch"
+    marks.append(Line(r, staircase.pressure(r), style.RED, width=1.1, order=4.0, name=name))
     marks.append(Line(r, exact, style.INK, width=2.0, dash=style.DASHES[1], order=5.0, name="infinitely many"))
     across = Axis.of(series("SurfaceFields", "r", r), scale_of("m", [extent]), low=0.0, high=extent)
     upright = Axis.of(series("SurfaceFields", "pressure", exact), scale_of("Pa", [top]), low=0.0, high=top)
     return Panel(tuple(marks), across, upright, legend="upper right")
 
 
-def _colours(stairs: Staircase) -> list[tuple[str, float]]:
+def _colours(staircase: Staircase) -> list[tuple[str, float]]:
     """Return one colour for every punch, from the narrowest to the widest."""
-    return [style.shade(float(tone)) for tone in np.linspace(0.9, 0.25, stairs.radii.size)]
+    return [style.shade(float(tone)) for tone in np.linspace(0.9, 0.25, staircase.radii.size)]

@@ -16,30 +16,30 @@ from winkler.plot import style
 from winkler.plot.extent import is_singular
 from winkler.plot.medium import interfaces
 from winkler.plot.panel import Axis, Line, Map, Panel, Rule, note
-from winkler.plot.series import Series, common_scale, round_numbers, scale_of, series, told
+from winkler.plot.series import Series, common_scale, round_numbers, scale_of, series, with_unit
 from winkler.problems.answer import Restorable
 
 __all__ = [
     "along_panel",
     "field_panel",
+    "first_body_deforms",
     "interface_rules",
     "stress_map",
     "stress_panel",
-    "stressed_first",
 ]
 
-ACROSS, DOWN = 57, 49
-FEW_ACROSS, FEW_DOWN, NEAR = 31, 25, 2.2
-"""Places of a coarse map, and its end in contact radii."""
-DEEP = 2.0
+POINTS_ACROSS, POINTS_DOWN = 57, 49
+COARSE_POINTS_ACROSS, COARSE_POINTS_DOWN, COARSE_EXTENT_IN_RADII = 31, 25, 2.2
+"""Points of a coarse map, and its extent in contact radii."""
+DEPTH_IN_RADII = 2.0
 """Depth of the map in contact radii."""
 LEVELS = 20
-NEXT_TO = 1e-9
-"""How far beside an interface its two sides are shown, relative to its depth."""
+INTERFACE_OFFSET = 1e-9
+"""Relative distance of the rows of points on either side of an interface."""
 
 
-def stressed_first(solution: Restorable) -> bool:
-    """Return whether the first body (z > 0) deforms; if it is rigid, the second one is shown."""
+def first_body_deforms(solution: Restorable) -> bool:
+    """Return whether the first body (z > 0) deforms; if it is rigid, the second one is drawn."""
     return not isinstance(getattr(solution.pressed.bed.medium, "first", None), Rigid)
 
 
@@ -55,21 +55,25 @@ def stress_panel(solution: Restorable, extent: float, radius: float, *, coarse: 
     radius : float
         Contact radius [m].
     coarse : bool, optional
-        In fewer places, up to less far, and without the search for the greatest stress: for pictures that move.
+        At fewer points, over a smaller extent, and without the search for the maximum: for animations.
 
     Raises
     ------
     OutsideValidity
-        If the stresses inside this medium are not known.
+        If the stresses inside this medium cannot be computed.
     """
-    below = stressed_first(solution)
+    below = first_body_deforms(solution)
     sign, corner = (1.0, "lower centre") if below else (-1.0, "upper centre")
-    r = np.linspace(0.0, min(extent, NEAR * radius) if coarse else extent, FEW_ACROSS if coarse else ACROSS)
+    r = np.linspace(
+        0.0,
+        min(extent, COARSE_EXTENT_IN_RADII * radius) if coarse else extent,
+        COARSE_POINTS_ACROSS if coarse else POINTS_ACROSS,
+    )
     # denser towards the surface; the last bit above zero is enough to stay off the poles of sharp edges
-    z = DEEP * radius * (np.linspace(0.0, 1.0, FEW_DOWN if coarse else DOWN) ** 1.6 + 1e-3)
+    z = DEPTH_IN_RADII * radius * (np.linspace(0.0, 1.0, COARSE_POINTS_DOWN if coarse else POINTS_DOWN) ** 1.6 + 1e-3)
     borders = np.array([h for h in interfaces(solution.pressed.bed.medium) if below and h < z[-1]])
-    if borders.size:  # stresses jump there: one row of places on either side
-        z = np.unique(np.concatenate([z, borders * (1.0 - NEXT_TO), borders * (1.0 + NEXT_TO)]))
+    if borders.size:  # stresses jump there: one row of points on either side
+        z = np.unique(np.concatenate([z, borders * (1.0 - INTERFACE_OFFSET), borders * (1.0 + INTERFACE_OFFSET)]))
     fields = restore(solution, r[:, None], sign * z[None, :])
     marks: list[Any] = list(interface_rules(fields, solution.pressed.bed.medium))
     if is_singular(solution.pressed):
@@ -77,14 +81,16 @@ def stress_panel(solution: Restorable, extent: float, radius: float, *, coarse: 
     elif not coarse:
         peak = _peak(solution, fields, below=below)
         marks.append(Line(np.array([peak.r]), np.array([peak.z]), "white", width=0.0, marker="+", size=9.0))
-        beside = f", $r$ = {told(peak.r, 'm', 3)}" if peak.r > 1e-3 * radius else ""
-        marks.append(note(f"greatest: {told(peak.von_mises, 'Pa')} at $z$ = {told(peak.z, 'm', 3)}{beside}", corner))
+        off_axis = f", $r$ = {with_unit(peak.r, 'm', 3)}" if peak.r > 1e-3 * radius else ""
+        marks.append(
+            note(f"greatest: {with_unit(peak.von_mises, 'Pa')} at $z$ = {with_unit(peak.z, 'm', 3)}{off_axis}", corner)
+        )
     edge = Line(np.array([-radius, radius]), np.zeros(2), style.RED, width=3.0, clipped=False, blunt=True, order=8.0)
     return field_panel(fields).plus(*marks, edge)
 
 
 def interface_rules(fields: SubsurfaceFields, medium: Medium) -> tuple[Rule, ...]:
-    """Return the interfaces of a coating in the map of a stress; none if there are none, or above the surface.
+    """Return the interfaces of a coating in the map of a stress.
 
     Parameters
     ----------
@@ -97,7 +103,7 @@ def interface_rules(fields: SubsurfaceFields, medium: Medium) -> tuple[Rule, ...
 
 
 def _peak(solution: Restorable, fields: SubsurfaceFields, *, below: bool) -> PeakStress:
-    """Return the greatest stress: searched for where it is smooth, among the drawn places where layers make it jump."""
+    """Return the greatest stress: by a search where it is smooth, from the map where layers make it discontinuous."""
     if not interfaces(solution.pressed.bed.medium):
         return peak_stress(solution, below=below)
     place = np.unravel_index(np.nanargmax(fields.von_mises), fields.r.shape)
@@ -129,29 +135,29 @@ def field_panel(fields: SubsurfaceFields) -> Panel:
 
 
 def stress_map(along: Series, down: Series, stress: Series, label: str = "") -> Panel:
-    """Return the map of a stress over two series of places ``(n, m)``, depth downwards, between round levels.
+    """Return the map of a stress over two series of coordinates ``(n, m)``, depth downwards, between round levels.
 
     Parameters
     ----------
     along, down, stress : Series
-        The stress may be infinite, or unknown, in places.
+        The stress may be infinite or NaN at some points.
     label : str, optional
         Of the axis across, without a unit.
     """
-    known = stress.content[np.isfinite(stress.content)]
-    top, most = float(np.percentile(known, 99.5)), float(np.max(known))
-    levels = round_numbers(0.0, most if most < 1.25 * top else top, LEVELS)
-    shown = np.where(np.isfinite(stress.content), stress.content, 10.0 * levels[-1])
+    finite = stress.content[np.isfinite(stress.content)]
+    top, greatest = float(np.percentile(finite, 99.5)), float(np.max(finite))
+    levels = round_numbers(0.0, greatest if greatest < 1.25 * top else top, LEVELS)
+    clipped_stress = np.where(np.isfinite(stress.content), stress.content, 10.0 * levels[-1])
     drawn = Map(
         along.content,
         down.content,
-        shown,
+        clipped_stress,
         Axis.of(stress, scale_of("Pa", [levels[-1]])),
         levels=levels,
         lines=levels[1:],
         line_width=0.4,
         line_alpha=0.7,
-        extend="max" if float(np.max(shown)) > levels[-1] else "neither",
+        extend="max" if float(np.max(clipped_stress)) > levels[-1] else "neither",
         place="inset",
     )
     scale, z = common_scale(along, down), down.content
@@ -167,7 +173,7 @@ def _ordered(r: Array, z: Array, stress: Array) -> tuple[Array, Array, Array]:
 
 
 def along_panel(fields: SubsurfaceFields) -> Panel:
-    """Return all stresses along a line of places, over the coordinate that varies more.
+    """Return all stresses along a line, over the coordinate that varies more.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""An elastic-plastic particle along its path: force and contact radius over the depth, loaded and let go."""
+"""An elastic-plastic particle along its path: force and contact radius over the depth, loading and unloading."""
 
 from __future__ import annotations
 
@@ -12,19 +12,19 @@ import numpy as np
 from winkler.loading import Depth, Force
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.friction.curves import lost_words
+from winkler.plot.friction.curves import loss_text
 from winkler.plot.panel import Axis, Line, Panel, Rule, Sheet, note, titled, zero
-from winkler.plot.series import series, told
+from winkler.plot.series import series, with_unit
 from winkler.problems.particles.elastic_plastic import ParticleSolution
 
 __all__ = ["particle_sheet"]
 
-FINE = 120
-"""Every leg of the path is drawn through so many states."""
-BESIDE = 1e-9
-"""Part of a depth by which the curve is looked at before and after a jump."""
-MARKED = 40
-"""Paths of at most so many points show each of them."""
+STATES_PER_LEG = 120
+"""Number of states on each leg of the path."""
+JUMP_OFFSET = 1e-9
+"""Relative distance in depth of the states before and after a jump."""
+MOST_MARKED_POINTS = 40
+"""Points of a path are marked individually up to this number."""
 
 
 class _Leg(NamedTuple):
@@ -40,7 +40,7 @@ def particle_sheet(item: ParticleSolution) -> Sheet:
     """Return force and contact radius over the depth: going in, coming out, and where yield begins."""
     legs = _legs(item)
     force, radius = _panel(item, legs, "force"), _panel(item, legs, "radius")
-    lost = lost_words(float(item.dissipation[-1]), item.depth, item.force)
+    lost = loss_text(float(item.dissipation[-1]), item.depth, item.force)
     panels = titled(
         (
             force.plus(zero(), legend="upper left"),
@@ -56,25 +56,26 @@ def _headline(item: ParticleSolution) -> str:
     deepest, onset = float(np.max(item.depth)), item.yield_depth
     if deepest <= onset:
         return "an elastic particle: it does not yield along this path"
-    kept = float(item.residual_depth[-1])
-    return f"yields from $d_Y$ = {told(onset, 'm')} on; let go, it would just touch at $d_0$ = {told(kept, 'm')}"
+    residual = float(item.residual_depth[-1])
+    touching = f"after unloading it would just touch at $d_0$ = {with_unit(residual, 'm')}"
+    return f"yields from $d_Y$ = {with_unit(onset, 'm')} on; {touching}"
 
 
 def _panel(item: ParticleSolution, legs: list[_Leg], name: str) -> Panel:
     """Return one quantity over the depth."""
     along = series("ParticleSolution", "depth", np.concatenate([leg.depth for leg in legs]))
     of = series("ParticleSolution", name, np.concatenate([getattr(leg, name) for leg in legs]))
-    named: set[bool] = set()
+    labelled: set[bool] = set()
     marks: list[Line | Rule] = []
     for leg in legs:
         colour, dash = (style.BLUE, style.DASHES[0]) if leg.deeper else (style.RED, style.DASHES[1])
-        words = "" if leg.deeper in named else "loading" if leg.deeper else "unloading"
-        marks.append(Line(leg.depth, getattr(leg, name), colour, dash=dash, name=words))
-        named.add(leg.deeper)
+        text = "" if leg.deeper in labelled else "loading" if leg.deeper else "unloading"
+        marks.append(Line(leg.depth, getattr(leg, name), colour, dash=dash, name=text))
+        labelled.add(leg.deeper)
     if float(np.max(along.content)) > item.yield_depth:
         look: dict[str, Any] = {"colour": style.GREEN, "width": 1.8, "dash": style.DASHES[2]}
         marks.append(Rule(item.yield_depth, upright=True, name="yield begins", **look))
-    if item.depth.size <= MARKED:
+    if item.depth.size <= MOST_MARKED_POINTS:
         look = {"colour": style.INK, "width": 0.0, "marker": "o", "size": 4.0, "order": 5.0}
         marks.append(Line(item.depth, getattr(item, name), name="points of the path", **look))
     across = Axis(along.label().partition(" [")[0].replace("depth", "depth (overlap)", 1), along.scale, margin=0.04)
@@ -82,27 +83,27 @@ def _panel(item: ParticleSolution, legs: list[_Leg], name: str) -> Panel:
 
 
 def _legs(item: ParticleSolution) -> list[_Leg]:
-    """Return the whole path through many states, as far as the answer goes."""
+    """Return the whole path through many states, up to the last solved state."""
     problem, by_depth = item.problem, isinstance(item.problem.path, Depth)
     levels = item.depth if by_depth else item.force
     row = np.append(min(0.0, float(levels[0])), levels)
     jump = item.yield_depth if by_depth else math.inf
     parts = [_between(low, high, jump) for low, high in itertools.pairwise(row)]
     dense = np.concatenate([row[:1], *parts])
-    found = dataclasses.replace(problem, path=Depth(dense) if by_depth else Force(dense)).solve()
+    states = dataclasses.replace(problem, path=Depth(dense) if by_depth else Force(dense)).solve()
     legs, start = [], 0
     for one, (low, high) in zip(parts, itertools.pairwise(row), strict=True):
         part = slice(start, start + one.size + 1)
         start += one.size
         if high != low:
-            legs.append(_Leg(high > low, found.depth[part], found.force[part], found.radius[part]))
+            legs.append(_Leg(high > low, states.depth[part], states.force[part], states.radius[part]))
     return legs
 
 
 def _between(low: float, high: float, jump: float) -> Array:
-    """Return places after one and up to another, with both sides of a jump between them."""
-    found = np.linspace(low, high, FINE + 1)[1:]
-    beside = np.array([jump * (1.0 - BESIDE), jump * (1.0 + BESIDE)])
+    """Return levels in (low, high], with both sides of a jump between them."""
+    states = np.linspace(low, high, STATES_PER_LEG + 1)[1:]
+    beside = np.array([jump * (1.0 - JUMP_OFFSET), jump * (1.0 + JUMP_OFFSET)])
     inside = beside[(beside > min(low, high)) & (beside < max(low, high))]
-    found = np.unique(np.append(found, inside))
-    return found if low < high else found[::-1]
+    states = np.unique(np.append(states, inside))
+    return states if low < high else states[::-1]

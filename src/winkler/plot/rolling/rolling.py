@@ -1,4 +1,4 @@
-"""Sheets of rolling: creep curves, where the contact sticks and slides, how rolling begins, and rocking to and fro."""
+"""Sheets of rolling: creep curves, where the contact sticks and slides, onset of rolling, and oscillating rolling."""
 
 from __future__ import annotations
 
@@ -21,33 +21,33 @@ from winkler.problems.rolling.steady import RollingSolution
 __all__: list[str] = []
 
 POINTS = 121
-BEYOND = 1.35
-"""Creep curves go so far beyond the creepage from which all slides."""
-SHOWN = 5
-"""States of a march that are drawn."""
-STRIPS = 160
+CREEPAGE_BEYOND_SLIDING = 1.35
+"""Range of a creep curve relative to the creepage at full sliding."""
+STATES_DRAWN = 5
+"""Number of drawn states of a history."""
+STRIPS_DRAWN = 160
 """Strips of a map of tractions."""
-ARROWS = 13
-GROWTHS = 40
-"""How often a creep curve grows longer by a third in search of its end."""
-UNSEEN = 1e-9
-"""A smaller part of the sliding force is not drawn."""
-WORDS = ("longitudinal", "lateral", "spin")
+ARROWS_ACROSS = 13
+MOST_EXTENSIONS = 40
+"""Most extensions, by 1.3 each, in the search for the end of a creep curve."""
+LEAST_FORCE_SHARE = 1e-9
+"""Force components below this part of the sliding force are not drawn."""
+CREEPAGES = ("longitudinal", "lateral", "spin")
 
 
 def _solved_at(item: Any, factor: Array) -> Any:
-    """Return the answers to so many times the creepage of `item`, each one array."""
-    given = item.problem.creepage
-    creepage = Creepage(*(factor * float(part) for part in (given.longitudinal, given.lateral, given.spin)))
-    return dataclasses.replace(item.problem, creepage=creepage).solve()
+    """Return the solution for multiples of the creepage of `item`."""
+    creepage = item.problem.creepage
+    scaled = Creepage(*(factor * float(part) for part in (creepage.longitudinal, creepage.lateral, creepage.spin)))
+    return dataclasses.replace(item.problem, creepage=scaled).solve()
 
 
-def _most(problem: Any, force: float) -> float:
+def _friction_bound(problem: Any, force: float) -> float:
     return float(problem.friction.coefficient) * force
 
 
 def _strongest(item: Any) -> Any:
-    """Return the answer with the greatest shear force, to one creepage."""
+    """Return the solution for the one creepage with the greatest shear force."""
     creepage = item.problem.creepage
     if creepage.shape == ():
         return item
@@ -57,36 +57,39 @@ def _strongest(item: Any) -> Any:
 
 
 def _creep_panel(item: Any, force: float) -> Panel:
-    """Return the force over the creepage: of many what was asked, of one all creepages in its proportion."""
+    """Return the force over the creepage: over the requested ones, or over multiples of a single one."""
     single = item.problem.creepage.shape == ()
-    given = item.problem.creepage
-    spread = {name: float(np.ptp(np.asarray(getattr(given, name), dtype=float))) for name in WORDS}
-    moved = {name: float(np.max(np.abs(getattr(given, name)))) for name in WORDS}
-    names = [name for name in WORDS if (moved[name] if single else spread[name]) > 0.0]
-    if not names:
-        words = "no creepage, no force" if single else "one creepage, many times"
-        return Panel((note(words, "upper centre"),), title="creep force")
-    curve = _solved_at(item, np.linspace(0.0, _far(item), POINTS)) if single else item
-    along = _along(curve, names[0])
+    creepage = item.problem.creepage
+    spread = {name: float(np.ptp(np.asarray(getattr(creepage, name), dtype=float))) for name in CREEPAGES}
+    greatest = {name: float(np.max(np.abs(getattr(creepage, name)))) for name in CREEPAGES}
+    varied = [name for name in CREEPAGES if (greatest[name] if single else spread[name]) > 0.0]
+    if not varied:
+        text = "no creepage, no force" if single else "one creepage, many times"
+        return Panel((note(text, "upper centre"),), title="creep force")
+    curve = _solved_at(item, np.linspace(0.0, _end_factor(item), POINTS)) if single else item
+    along = _along(curve, varied[0])
     order = np.argsort(along.content, kind="stable")
-    most = _most(item.problem, force)
+    bound_force = _friction_bound(item.problem, force)
     marks: list[Any] = []
     for part, colour in (("longitudinal_force", style.BLUE), ("lateral_force", style.RED)):
-        content = np.ravel(np.asarray(getattr(curve, part))) / most
-        if np.max(np.abs(content)) < UNSEEN:
+        content = np.ravel(np.asarray(getattr(curve, part))) / bound_force
+        if np.max(np.abs(content)) < LEAST_FORCE_SHARE:
             continue
         marker = "" if single or content.size > 40 else "o"
         name = part.removesuffix("_force")
         marks.append(Line(along.content[order], content[order], colour, marker=marker, name=name))
         if single:
-            point = np.array([float(getattr(given, names[0]))]), np.array([float(getattr(item, part)) / most])
+            point = (
+                np.array([float(getattr(creepage, varied[0]))]),
+                np.array([float(getattr(item, part)) / bound_force]),
+            )
             marks.append(Line(*point, colour, width=0.0, marker="o"))
         if np.max(np.abs(content)) > 0.8:
             marks.append(Rule(float(np.sign(content[np.argmax(np.abs(content))])), width=0.9, dash=style.DOTTED))
     lines = sum(isinstance(mark, Line) and bool(mark.name) for mark in marks)
-    others = ", the others in proportion" if single and len(names) > 1 else ""
+    others = ", the others in proportion" if single and len(varied) > 1 else ""
     unit = f" [{along.scale.unit}]" if along.scale.unit else ""
-    label = f"{names[0]}{' creepage' if names[0] != 'spin' else ''} ${along.word.symbol}${unit}{others}"
+    label = f"{varied[0]}{' creepage' if varied[0] != 'spin' else ''} ${along.word.symbol}${unit}{others}"
     across = Axis(label, along.scale._replace(unit=""))
     upright = Axis(r"creep force $F/(\mu F_N)$", margin=0.1)
     return Panel((*marks, zero()), across, upright, title="creep force", legend="best" if lines > 1 else "")
@@ -98,20 +101,20 @@ def _along(curve: Any, name: str) -> Series:
     return series(Creepage, name, np.ravel(content))
 
 
-def _far(item: Any) -> float:
-    """Return how many times its creepage a curve goes: until all slides, or well beyond the greatest force."""
+def _end_factor(item: Any) -> float:
+    """Return the greatest multiple of the creepage: at full sliding, or well beyond the greatest force."""
     limit, reached = 1.0, 0.0
-    for _ in range(GROWTHS):
+    for _ in range(MOST_EXTENSIONS):
         saturation = float(_solved_at(item, np.array([limit])).saturation[0])
         if saturation > 0.995 or saturation < reached:
             break
         limit, reached = 1.3 * limit, saturation
-    return (BEYOND if item.problem.creepage.spin == 0.0 else 2.0 * BEYOND) * limit
+    return (CREEPAGE_BEYOND_SLIDING if item.problem.creepage.spin == 0.0 else 2.0 * CREEPAGE_BEYOND_SLIDING) * limit
 
 
 @sheet_of.register(RollingSolution)
 def rolling_sheet(item: RollingSolution, *, extent: float | None = None) -> Sheet:
-    """Return the creep curve, and what the springs bear at the greatest creepage that was asked for."""
+    """Return the creep curve, and the load of the springs at the creepage of the greatest force."""
     one = _strongest(item)
     a = float(item.contact.radius) if extent is None else extent
     x = a * np.linspace(-1.0, 1.0, 801)
@@ -138,20 +141,20 @@ def _line_panel(x: Array, load: Array, bound: Array) -> Panel:
 
 @sheet_of.register(SimplifiedRollingSolution)
 def simplified_sheet(item: SimplifiedRollingSolution, *, extent: float | None = None) -> Sheet:
-    """Return the creep curve, the tractions over the contact, and where it sticks and slides."""
+    """Return the creep curve, the tractions over the contact, and the zones of stick and slip."""
     one = _strongest(item)
-    fine = dataclasses.replace(one.problem, count=max(STRIPS, one.problem.count)).solve()
+    fine = dataclasses.replace(one.problem, count=max(STRIPS_DRAWN, one.problem.count)).solve()
     panels = _creep_panel(item, float(item.problem.load.force)), _traction_panel(fine), _zones_panel(fine)
     titles = ("creep force", "traction, rolling to the right", "where it sticks and slides")
     return Sheet(titled(panels, *titles), width=3.9, height=3.3)
 
 
-def _outlined(item: SimplifiedRollingSolution, *marks: Any, room: float = 0.05) -> Panel:
-    """Return the ellipse with further marks, both axes alike."""
+def _ellipse_panel(item: SimplifiedRollingSolution, *marks: Any, margin_across: float = 0.05) -> Panel:
+    """Return the contour ellipse with further marks, on equal axes."""
     a, b = item.longitudinal_semi_axis, item.lateral_semi_axis
     scale, turn = middle_scale("m", np.array([a, b])), np.linspace(0.0, 2.0 * np.pi, 181)
     outline = Line(a * np.cos(turn), b * np.sin(turn), style.INK, width=1.0)
-    axes = Axis("$x$", scale, margin=0.05), Axis("$y$", scale, margin=room)
+    axes = Axis("$x$", scale, margin=0.05), Axis("$y$", scale, margin=margin_across)
     return Panel((outline, *marks), *axes, equal=True, grid="")
 
 
@@ -159,11 +162,11 @@ def _traction_panel(item: SimplifiedRollingSolution) -> Panel:
     field = item.traction
     across = field.y[:, :1] * np.ones_like(field.x)
     size = series("RollingTraction", "traction", field.traction)
-    rows = np.unique(np.linspace(2, field.x.shape[0] - 3, ARROWS).round().astype(int))
-    columns = np.unique(np.linspace(3, field.x.shape[1] - 4, ARROWS).round().astype(int))
+    rows = np.unique(np.linspace(2, field.x.shape[0] - 3, ARROWS_ACROSS).round().astype(int))
+    columns = np.unique(np.linspace(3, field.x.shape[1] - 4, ARROWS_ACROSS).round().astype(int))
     place = np.ix_(rows, columns)
     arrows = Vectors(field.x[place], across[place], field.longitudinal[place], field.lateral[place])
-    return _outlined(item, Map(field.x, across, size.content, Axis.of(size), kind="smooth", shrink=0.85), arrows)
+    return _ellipse_panel(item, Map(field.x, across, size.content, Axis.of(size), kind="smooth", shrink=0.85), arrows)
 
 
 def _zones_panel(item: SimplifiedRollingSolution) -> Panel:
@@ -175,27 +178,27 @@ def _zones_panel(item: SimplifiedRollingSolution) -> Panel:
         Area(nothing, nothing, nothing, colour, 0.55, name)
         for colour, name in zip(colours, ("sticks", "slides"), strict=True)
     )
-    panel = _outlined(item, Map(field.x, across, field.sliding.astype(float), **look), *zones, room=0.28)
+    panel = _ellipse_panel(item, Map(field.x, across, field.sliding.astype(float), **look), *zones, margin_across=0.28)
     return panel.plus(legend="upper right", columns=2)
 
 
 @sheet_of.register(RollingStartSolution)
 def start_sheet(item: RollingStartSolution, *, extent: float | None = None) -> Sheet:
-    """Return the force over the distance rolled, and the springs at some places along it."""
+    """Return the force over the distance rolled, and the springs at some distances."""
     along, force = series("RollingStartSolution", "distance", item.distance), r"shear force $F_x/(\mu F_N)$"
     steady = float(item.steady.saturation)
     marks: list[Any] = [
-        Line(along.content, item.shear_force / _most(item.problem, float(item.contact.force)), name="$F_x$"),
+        Line(along.content, item.shear_force / _friction_bound(item.problem, float(item.contact.force)), name="$F_x$"),
         Rule(steady, width=1.1, dash=style.DASHES[1], name="steady"),
         zero(),
     ]
     width = 2.0 * float(item.contact.radius)
     if width < float(item.distance[-1]):
-        words: dict[str, Any] = {"across": "left", "upright": "baseline", "colour": style.MUTED, "size": 9.0}
+        look: dict[str, Any] = {"across": "left", "upright": "baseline", "colour": style.MUTED, "size": 9.0}
         marks.append(Rule(width, upright=True, width=0.9, dash=style.DOTTED))
-        marks.append(Text(width, 0.5, " $2a$", framed=(False, True), **words))
+        marks.append(Text(width, 0.5, " $2a$", framed=(False, True), **look))
     left = Panel(tuple(marks), Axis.of(along), Axis(force), legend="lower right", title="from rest to steady rolling")
-    places = np.unique(np.linspace(0, len(item.states) - 1, SHOWN).round().astype(int))
+    places = np.unique(np.linspace(0, len(item.states) - 1, STATES_DRAWN).round().astype(int))
     right = _states_panel(item, [(int(k), _rolled_so_far(item, int(k))) for k in places])
     return Sheet((left, right.plus(title=TO_THE_RIGHT)), height=3.3)
 
@@ -205,7 +208,7 @@ def _rolled_so_far(item: RollingStartSolution, index: int) -> str:
 
 
 def _states_panel(item: RollingStartSolution | OscillatingRollingSolution, chosen: list[tuple[int, str]]) -> Panel:
-    """Return what springs bear in some states, and what they can bear."""
+    """Return the loads of the springs in some states, and their bounds."""
     states, x = item.states, item.states[0].x
     bound = item.problem.friction.coefficient * item.contact.line_load(x)
     signs = (1.0, -1.0) if min(float(np.min(state.shear_load)) for state in states) < 0.0 else (1.0,)
@@ -219,31 +222,31 @@ def _states_panel(item: RollingStartSolution | OscillatingRollingSolution, chose
 
 @sheet_of.register(OscillatingRollingSolution)
 def rocking_sheet(item: OscillatingRollingSolution, *, extent: float | None = None) -> Sheet:
-    """Return the shift over the cycles, the springs after some of them, and where the force lies to the limit."""
+    """Return the shift over the cycles, the springs after some of them, and the load in the shakedown diagram."""
     problem, radius = item.problem, float(item.contact.radius)
-    most = _most(problem, float(item.contact.force))
+    bound_force = _friction_bound(problem, float(item.contact.force))
     shift = Line(item.cycle, item.shift, marker="o" if item.cycle.size < 40 else "", size=3.5)
     upright = Axis.of(series("OscillatingRollingSolution", "shift", item.shift), low=0.0)
     last = len(item.states) - 1
     after = sorted({0, 1, min(4, last), last})
-    names = [(k, "at rest" if k == 0 else f"{k} cycles" if k > 1 else "1 cycle") for k in after]
+    labels = [(k, "at rest" if k == 0 else f"{k} cycles" if k > 1 else "1 cycle") for k in after]
     shares = np.linspace(0.0, 1.0, 61)[1:]
-    limits = [dataclasses.replace(problem, amplitude=float(w) * radius).shakedown_force / most for w in shares]
+    limits = [dataclasses.replace(problem, amplitude=float(w) * radius).shakedown_force / bound_force for w in shares]
     shares, limit = np.concatenate([[0.0], shares]), np.concatenate([[1.0], limits])
-    words: dict[str, Any] = {"across": "left", "upright": "baseline", "size": 9.0}
+    look: dict[str, Any] = {"across": "left", "upright": "baseline", "size": 9.0}
     colour = style.RED if item.ratchets else style.GREEN
-    here = np.array([min(problem.amplitude / radius, 1.0)]), np.array([problem.shear_force / most])
+    this_load = np.array([min(problem.amplitude / radius, 1.0)]), np.array([problem.shear_force / bound_force])
     marks = (
         Area(shares, limit, 1.0, style.RED),
         Area(shares, 0.0, limit, style.GREEN),
         Line(shares, limit, style.INK),
-        Text(0.1, 0.25, "comes to rest", **words),
-        Text(0.55, 0.75, "creeps on", **words),
-        Line(*here, colour, width=0.0, marker="o", clipped=False),
+        Text(0.1, 0.25, "comes to rest", **look),
+        Text(0.55, 0.75, "creeps on", **look),
+        Line(*this_load, colour, width=0.0, marker="o", clipped=False),
     )
     axes = Axis("amplitude $W/a$", low=0.0, high=1.0), Axis(r"shear force $F_x/(\mu F_N)$", low=0.0, high=1.0)
     panels = titled(
-        (Panel((shift,), Axis("cycles $n$", margin=0.03), upright), _states_panel(item, names), Panel(marks, *axes)),
+        (Panel((shift,), Axis("cycles $n$", margin=0.03), upright), _states_panel(item, labels), Panel(marks, *axes)),
         "creeps on" if item.ratchets else "comes to rest",
         "load of the springs, in the middle",
         "limit of shakedown",

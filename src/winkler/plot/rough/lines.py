@@ -1,4 +1,4 @@
-"""Sheets of what stands beside the boundary elements: rough lines, nearly round and elliptic contacts, rubber."""
+"""Sheets of rough line ensembles, nearly circular and elliptic contacts, and friction of rubber."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from winkler.plot import style
 from winkler.plot.drawing import sheet_of
 from winkler.plot.panel import Axis, Line, Panel, Sheet, plane, titled
 from winkler.plot.rough.roughness import Bounds, framed, image_of, models_panel, spectrum_panel
-from winkler.plot.series import Series, scale_of, series, told
+from winkler.plot.series import Series, scale_of, series, with_unit
 from winkler.plot.viscoelastic.contacts import refuse_extent
 from winkler.problems.normal.elliptic import EllipticSolution
 from winkler.problems.normal.near_round import NearlyRoundSolution
@@ -24,18 +24,18 @@ from winkler.profiles.rough.topography import Topography
 
 __all__ = ["contour_sheet", "elastomer_sheet", "ellipse_sheet", "lines_sheet"]
 
-PIXELS = 201
-MOST = 6
-"""Contours shown."""
-TURNS = 256
-"""Directions in which they are drawn."""
+PIXELS_ACROSS = 201
+MOST_CONTOURS = 6
+"""Most contours drawn."""
+CONTOUR_DIRECTIONS = 256
+"""Directions in which a contour is drawn."""
 
 
 def _flat(item: Any, name: str) -> Series:
     return series(type(item), name, np.ravel(np.asarray(getattr(item, name), dtype=float)))
 
 
-def _banded(item: Any, name: str) -> Bounds:
+def _band_of(item: Any, name: str) -> Bounds:
     low, high = np.asarray(getattr(item, f"{name}_band"), dtype=float).reshape(2, -1)
     return Bounds(low, high, "eight lines of ten", style.BLUE)
 
@@ -52,8 +52,8 @@ def lines_sheet(item: RoughContactSolution | RoughIndentationSolution, *, extent
     if isinstance(item, RoughIndentationSolution):
         stiffness.append((_flat(item, "smooth_stiffness"), "smooth body"))
     panels = (
-        models_panel(force, [(_flat(item, "depth"), "median")], [_banded(item, "depth")]),
-        models_panel(force, stiffness, [_banded(item, "stiffness")]),
+        models_panel(force, [(_flat(item, "depth"), "median")], [_band_of(item, "depth")]),
+        models_panel(force, stiffness, [_band_of(item, "stiffness")]),
         models_panel(force, [(_flat(item, "area"), "Persson")]),
     )
     titles = (f"{name} over force" for name in ("depth", "stiffness", "true contact area"))
@@ -69,18 +69,18 @@ def _single_panel(item: Any, name: str) -> Panel:
     errors = np.array([[middle - low], [high - middle]])
     point = Line(np.zeros(1), np.array([middle]), marker="o", error_y=errors, cap=6.0)
     across = Axis(low=-1.0, high=1.0, ticks=np.empty(0))
-    title = f"{name} under {told(float(np.ravel(item.force)[0]), 'N')}"
+    title = f"{name} under {with_unit(float(np.ravel(item.force)[0]), 'N')}"
     return Panel((point,), across, Axis.of(of, low=0.0, high=1.3 * max(high, middle)), title)
 
 
-def _rounded(contour: Array) -> Array:
-    """Return a contour in many directions, by the harmonics of the given ones."""
-    if contour.size >= TURNS:
+def _interpolated_contour(contour: Array) -> Array:
+    """Return a contour in `CONTOUR_DIRECTIONS` directions by trigonometric interpolation."""
+    if contour.size >= CONTOUR_DIRECTIONS:
         return contour
     waves = np.fft.rfft(contour)
     if contour.size % 2 == 0:
         waves[-1] *= 0.5
-    return np.asarray(np.fft.irfft(waves, TURNS) * TURNS / contour.size)
+    return np.asarray(np.fft.irfft(waves, CONTOUR_DIRECTIONS) * CONTOUR_DIRECTIONS / contour.size)
 
 
 @sheet_of.register(NearlyRoundSolution)
@@ -88,14 +88,14 @@ def contour_sheet(item: NearlyRoundSolution, *, extent: float | None = None) -> 
     """Return the contour of the contact, and the force over the depth."""
     refuse_extent(item, extent)
     contours = np.reshape(item.contour, (-1, np.shape(item.contour)[-1]))
-    shown = contours[np.unique(np.linspace(0, len(contours) - 1, min(MOST, len(contours))).astype(int))]
+    drawn = contours[np.unique(np.linspace(0, len(contours) - 1, min(MOST_CONTOURS, len(contours))).astype(int))]
     lines = []
-    for place, contour in enumerate(shown):
-        colour = style.shade(0.25 + 0.7 * (place + 1) / len(shown))
-        lines.append(Line(*_places(_rounded(contour), closed=True), colour))
-        if contour.size <= TURNS // 8:
+    for place, contour in enumerate(drawn):
+        colour = style.shade(0.25 + 0.7 * (place + 1) / len(drawn))
+        lines.append(Line(*_places(_interpolated_contour(contour), closed=True), colour))
+        if contour.size <= CONTOUR_DIRECTIONS // 8:
             lines.append(Line(*_places(contour), colour, width=0.0, marker="o", size=3.5))
-    scale = scale_of("m", shown)
+    scale = scale_of("m", drawn)
     axes = plane(scale, margin=0.08)
     panels = [Panel(tuple(lines), *axes, title="contour of the contact", equal=True)]
     if len(contours) > 1:
@@ -112,10 +112,10 @@ def _places(radii: Array, *, closed: bool = False) -> tuple[Array, Array]:
 
 @sheet_of.register(EllipticSolution)
 def ellipse_sheet(item: EllipticSolution, *, extent: float | None = None) -> Sheet:
-    """Return the pressure over the ellipse; of many loads force and semi-axes over the depth."""
+    """Return the pressure over the ellipse; for many loads force and semi-axes over the depth."""
     refuse_extent(item, extent)
     if np.ndim(item.depth) == 0:
-        title = f"{told(float(item.force), 'N')} at a depth of {told(float(item.depth), 'm')}"
+        title = f"{with_unit(float(item.force), 'N')} at a depth of {with_unit(float(item.depth), 'm')}"
         return Sheet((_ellipse_panel(item),), width=4.8, height=3.4, title=title)
     depth = _flat(item, "depth")
     semi_axes = [(_flat(item, f"{name}_semi_axis"), f"${a}$") for name, a in (("longitudinal", "a"), ("lateral", "b"))]
@@ -124,20 +124,20 @@ def ellipse_sheet(item: EllipticSolution, *, extent: float | None = None) -> She
 
 
 def _ellipse_panel(item: EllipticSolution) -> Panel:
-    wide = 1.2 * max(float(item.longitudinal_semi_axis), float(item.lateral_semi_axis))
-    step = 2.0 * wide / PIXELS
-    x = (np.arange(PIXELS) + 0.5) * step - wide
+    half_width = 1.2 * max(float(item.longitudinal_semi_axis), float(item.lateral_semi_axis))
+    step = 2.0 * half_width / PIXELS_ACROSS
+    x = (np.arange(PIXELS_ACROSS) + 0.5) * step - half_width
     pressure = item.pressure(x[:, None], x[None, :])
-    shown = series("SurfaceFields", "pressure", np.where(pressure > 0.0, pressure, np.nan))
-    square = Topography(np.zeros((PIXELS, PIXELS)), np.array([2.0 * wide, 2.0 * wide]))
-    ends = np.array([-wide, wide])
-    image = dataclasses.replace(image_of(square, shown, style.SHADES), x=ends, y=ends)
+    drawn = series("SurfaceFields", "pressure", np.where(pressure > 0.0, pressure, np.nan))
+    square = Topography(np.zeros((PIXELS_ACROSS, PIXELS_ACROSS)), np.array([2.0 * half_width, 2.0 * half_width]))
+    ends = np.array([-half_width, half_width])
+    image = dataclasses.replace(image_of(square, drawn, style.SHADES), x=ends, y=ends)
     return framed(image, scale_of("m", square.lengths)).plus(title="pressure over the ellipse")
 
 
 @sheet_of.register(ElastomerFrictionSolution)
 def elastomer_sheet(item: ElastomerFrictionSolution, *, extent: float | None = None) -> Sheet:
-    """Return the coefficient of friction over the velocity, and the spectrum behind it."""
+    """Return the coefficient of friction over the velocity, and the spectrum of the surface."""
     refuse_extent(item, extent)
     velocity = series("ElastomerFriction", "velocity", np.ravel(item.problem.velocity))
     panels = models_panel(velocity, [(_flat(item, "coefficient"), "")]), spectrum_panel([(item.problem.spectrum, "")])

@@ -1,4 +1,4 @@
-"""Rough surfaces: maps with their colour bars, cuts through them, power spectra; and what is drawn over a load."""
+"""Rough surfaces: maps with colour bars, sections, power spectra; and curves of several models over a load."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from winkler.plot import style
 from winkler.plot.drawing import sheet_of
 from winkler.plot.families import spans_decades
 from winkler.plot.panel import Area, Axis, Line, Map, Panel, Sheet, note, plane
-from winkler.plot.series import Scale, Series, middle_scale, scale_of, series, told
+from winkler.plot.series import Scale, Series, middle_scale, scale_of, series, with_unit
 from winkler.plot.viscoelastic.contacts import refuse_extent
 from winkler.profiles.rough.map_spectrum import spectrum_of
 from winkler.profiles.rough.spectrum import PowerSpectrum, SelfAffine, Spectrum
@@ -30,21 +30,21 @@ __all__ = [
     "topography_sheet",
 ]
 
-SHOWN = 512
-"""Pixels along a side of a picture; larger maps are shown with means."""
-WAVES = 300
-FEW_PIXELS = 0.002
-"""Part of the pixels that may lie far beyond the colours: a pit, a spike."""
-FADED = 1e-14
-"""Part of the greatest density below which nothing but the window of the transform is left."""
-FEW = 40
-WIDER = 3.0
-"""Logarithmic axes show so many times more than the models."""
+MOST_PIXELS = 512
+"""Most pixels along a side; larger maps are averaged over blocks."""
+WAVE_NUMBERS_DRAWN = 300
+CLIPPED_SHARE = 0.002
+"""Part of the pixels that may lie beyond the range of colours, as pits and spikes."""
+LEAST_DENSITY_SHARE = 1e-14
+"""Relative spectral density below which only leakage of the window is left."""
+MOST_MARKED_POINTS = 40
+AXIS_FACTOR = 3.0
+"""Range of logarithmic axes beyond that of the models, as a factor."""
 
 
-def _fewer(content: Array) -> Array:
-    """Return a map with means over blocks, small enough for a picture."""
-    times = max(1, -(-max(content.shape) // SHOWN))
+def _block_means(content: Array) -> Array:
+    """Return a map reduced by means over blocks."""
+    times = max(1, -(-max(content.shape) // MOST_PIXELS))
     if times == 1:
         return content
     nx, ny = (n // times for n in content.shape)
@@ -55,16 +55,16 @@ def _fewer(content: Array) -> Array:
     return np.where(number > 0, sums / np.maximum(number, 1), np.nan)
 
 
-def _limits(known: Array) -> tuple[float, float, str]:
-    """Return between which numbers colours change, and which ends of them a few pixels lie beyond."""
-    if not known.size:
+def _limits(finite: Array) -> tuple[float, float, str]:
+    """Return the range of colours, and the ends beyond which a few pixels lie."""
+    if not finite.size:
         return 0.0, 1.0, "neither"
-    ends = float(known.min()), float(known.max())
-    low, high = (float(part) for part in np.quantile(known, (FEW_PIXELS, 1.0 - FEW_PIXELS)))
+    ends = float(finite.min()), float(finite.max())
+    low, high = (float(part) for part in np.quantile(finite, (CLIPPED_SHARE, 1.0 - CLIPPED_SHARE)))
     wide = high - low
-    deep, steep = low - ends[0] > wide, ends[1] - high > wide
-    beyond = {(True, True): "both", (True, False): "min", (False, True): "max"}.get((deep, steep), "neither")
-    return low if deep else ends[0], high if steep else ends[1], beyond
+    deep, clips_high = low - ends[0] > wide, ends[1] - high > wide
+    beyond = {(True, True): "both", (True, False): "min", (False, True): "max"}.get((deep, clips_high), "neither")
+    return low if deep else ends[0], high if clips_high else ends[1], beyond
 
 
 def image_of(item: Topography, of: Series, colours: Any, *, label: str = "", lowest: float = 0.0) -> Map:
@@ -75,19 +75,19 @@ def image_of(item: Topography, of: Series, colours: Any, *, label: str = "", low
     item : Topography
         Gives the size of the pixels.
     of : Series
-        The quantity; white where it is not known.
+        The quantity; white where it is undefined.
     colours : str or tuple of str
     label : str
         Of the colour bar, without a unit; the name of the quantity if empty.
     lowest : float
-        Where the colours begin, if nothing is lower.
+        Lower end of the colours, unless a value is lower.
     """
-    shown = _fewer(of.content)
-    low, high, beyond = _limits(shown[np.isfinite(shown)])
+    reduced = _block_means(of.content)
+    low, high, beyond = _limits(reduced[np.isfinite(reduced)])
     ends: dict[str, Any] = {"low": min(lowest, low), "high": high}
     bar = Axis(label, of.scale, **ends) if label else Axis.of(of, **ends)
     x, y = (np.array([0.0, float(length)]) for length in item.lengths)
-    return Map(x, y, shown, bar, kind="pixels", colours=colours, extend=beyond, shrink=0.9, pad=0.02)
+    return Map(x, y, reduced, bar, kind="pixels", colours=colours, extend=beyond, shrink=0.9, pad=0.02)
 
 
 def map_panel(item: Topography, of: Series, colours: Any, **more: Any) -> Panel:
@@ -96,7 +96,7 @@ def map_panel(item: Topography, of: Series, colours: Any, **more: Any) -> Panel:
 
 
 def framed(image: Map, scale: Scale) -> Panel:
-    """Return an image in a closed frame, lengths alike in both directions."""
+    """Return an image in a closed frame with equal axes."""
     return Panel((image,), *plane(scale), equal=True, grid="", boxed=True)
 
 
@@ -130,7 +130,7 @@ def spectrum_panel(spectra: Sequence[tuple[Spectrum, str]]) -> Panel:
     lines = []
     for place, (spectrum, name) in enumerate(spectra):
         measured = isinstance(spectrum, PowerSpectrum)
-        q: Array = np.geomspace(spectrum.smallest, spectrum.greatest, WAVES)
+        q: Array = np.geomspace(spectrum.smallest, spectrum.greatest, WAVE_NUMBERS_DRAWN)
         if isinstance(spectrum, PowerSpectrum):
             q = spectrum.wave_numbers
         line = Line(
@@ -138,26 +138,26 @@ def spectrum_panel(spectra: Sequence[tuple[Spectrum, str]]) -> Panel:
             spectrum.at(q),
             style.CYCLE[place],
             dash=style.DASHES[place % len(style.DASHES)],
-            marker="o" if measured and q.size <= WAVES else "",
+            marker="o" if measured and q.size <= WAVE_NUMBERS_DRAWN else "",
             size=3.0,
             name=name,
         )
         lines.append(line)
     contents = np.concatenate([line.y for line in lines])
     positive, most = contents[contents > 0.0], float(np.max(contents))
-    faint = bool(np.min(positive) * (np.min(positive) / most) ** 0.08 < FADED * most)
+    has_window_floor = bool(np.min(positive) * (np.min(positive) / most) ** 0.08 < LEAST_DENSITY_SHARE * most)
     across = Axis("wave number $q$ [1/m]", margin=0.05, log=True)
-    low = FADED * most if faint else None
+    low = LEAST_DENSITY_SHARE * most if has_window_floor else None
     upright = Axis("spectral density $C$ [m⁴]", margin=0.08, log=True, low=low)
     return Panel(tuple(lines), across, upright, legend="lower left")
 
 
-def _words_of(item: Topography) -> str:
-    """Return what a map is, in one line."""
+def _map_text(item: Topography) -> str:
+    """Return a description of a map in one line."""
     nx, ny = item.heights.shape
     parts = [
-        f"{nx} × {ny} pixels of {told(item.pixel[0], 'm', 3)} × {told(item.pixel[1], 'm', 3)}",
-        f"height {told(item.rms_height, 'm', 3)} and slope {item.rms_slope:.2g} (root mean squares)",
+        f"{nx} × {ny} pixels of {with_unit(item.pixel[0], 'm', 3)} × {with_unit(item.pixel[1], 'm', 3)}",
+        f"height {with_unit(item.rms_height, 'm', 3)} and slope {item.rms_slope:.2g} (root mean squares)",
     ]
     if item.missing:
         parts.append(f"{item.missing} missing")
@@ -173,7 +173,7 @@ def topography_sheet(item: Topography, *, extent: float | None = None) -> Sheet:
     panels = [heights.plus(title="heights"), cuts_panel(item).plus(title="cuts through the middle")]
     if rough:
         panels.append(spectrum_panel([(spectrum_of(item), "")]).plus(title="power spectrum, all directions"))
-    return Sheet(tuple(panels), width=4.0, height=3.3, title=_words_of(item))
+    return Sheet(tuple(panels), width=4.0, height=3.3, title=_map_text(item))
 
 
 @sheet_of.register(SelfAffine)
@@ -186,7 +186,7 @@ def spectrum_sheet(item: Spectrum, *, extent: float | None = None) -> Sheet:
 
 
 class Bounds(NamedTuple):
-    """What is shaded between two curves."""
+    """A shaded band between two curves."""
 
     low: Array
     high: Array
@@ -197,12 +197,12 @@ class Bounds(NamedTuple):
 def models_panel(
     along: Series, lines: Sequence[tuple[Series, str]], bounds: Sequence[Bounds] = (), *, label: str = ""
 ) -> Panel:
-    """Return what several models say of one quantity, and between which bounds.
+    """Return one quantity by several models, with bounds.
 
     Parameters
     ----------
     along : Series
-        What they are drawn over; in any order.
+        Abscissa, in any order.
     lines : sequence of (Series, str)
         One curve for each model, and its name; empty for a single one.
     bounds : sequence of Bounds
@@ -211,8 +211,8 @@ def models_panel(
     """
     order = np.argsort(along.content, kind="stable")
     contents = np.concatenate([of.content for of, _ in lines])
-    steep = spans_decades(along.content)
-    steeper = steep and (spans_decades(contents) or (bool(bounds) and bool(np.min(contents) > 0.0)))
+    clips_high = spans_decades(along.content)
+    steeper = clips_high and (spans_decades(contents) or (bool(bounds) and bool(np.min(contents) > 0.0)))
     x = along.content[order]
     marks: list[Any] = []
     for one in bounds:
@@ -223,21 +223,21 @@ def models_panel(
             of.content[order],
             style.CYCLE[place],
             dash=style.DASHES[place % len(style.DASHES)],
-            marker="o" if order.size <= FEW else "",
+            marker="o" if order.size <= MOST_MARKED_POINTS else "",
             size=4.0,
             name=name,
         )
         marks.append(line)
     most = float(np.max(contents[np.isfinite(contents)]))
-    if steeper:  # bounds may lie far off, or be infinite
-        low, high = float(np.min(contents[contents > 0.0])) / WIDER, most * WIDER
+    if steeper:  # bounds may be far away or infinite
+        low, high = float(np.min(contents[contents > 0.0])) / AXIS_FACTOR, most * AXIS_FACTOR
     else:
         shaded = [one.high[np.isfinite(one.high)] for one in bounds]
-        top = max([most, *(float(np.max(part)) for part in shaded if part.size and np.max(part) < WIDER * most)])
+        top = max([most, *(float(np.max(part)) for part in shaded if part.size and np.max(part) < AXIS_FACTOR * most)])
         low, high = 0.0, 1.15 * top
     first = lines[0][0]
-    scale = middle_scale(along.word.unit, along.content) if steep else along.scale
-    across = Axis.of(along, scale, margin=0.04, log=steep, plain=steep)
+    scale = middle_scale(along.word.unit, along.content) if clips_high else along.scale
+    across = Axis.of(along, scale, margin=0.04, log=clips_high, plain=clips_high)
     scale = (middle_scale if steeper else scale_of)(first.word.unit, contents)
     upright = Axis.of(first, scale, low=low, high=high, log=steeper, plain=steeper)
     upright = dataclasses.replace(upright, label=label) if label else upright

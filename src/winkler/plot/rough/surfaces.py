@@ -1,4 +1,4 @@
-"""Sheets of contacts of height maps: where they touch, how hard, and what force, stiffness and resistance do."""
+"""Sheets of contacts of height maps: contact area, pressure, separation, force, stiffness and resistance."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from winkler.plot.drawing import sheet_of
 from winkler.plot.normal.springs import at_first_touch, springs_panel
 from winkler.plot.panel import Axis, Bars, Line, Panel, Sheet, titled
 from winkler.plot.rough.roughness import Bounds, heights_of, image_of, map_panel, models_panel
-from winkler.plot.series import Series, series, told
+from winkler.plot.series import Series, series, with_unit
 from winkler.plot.viscoelastic.contacts import refuse_extent
 from winkler.problems.rough.reduce import ReductionSolution
 from winkler.problems.rough.surface_conduction import SurfaceConductionSolution
@@ -25,13 +25,13 @@ from winkler.vocabulary import Word
 
 __all__ = ["conduction_sheet", "contact_maps", "reduction_sheet", "surface_sheet"]
 
-FEWEST = 2
-ELEMENTS, LINES, PART = "boundary elements", "lines of springs", "part of the map in contact [%]"
+FEWEST_LOADS = 2
+ELEMENTS_NAME, LINES_NAME, AREA_LABEL = "boundary elements", "lines of springs", "part of the map in contact [%]"
 """Loads from which there are curves."""
 
 
 def _map_panels(item: Topography, state: SurfaceState) -> tuple[Panel, ...]:
-    """Return contact, pressure and distance."""
+    """Return contact area, pressure and separation."""
     touching = series("SurfaceState", "pressure", np.where(state.pressure > 0.0, 1.0, np.nan))
     contact = dataclasses.replace(image_of(item, touching, (style.RED,)), place="")
     relief = map_panel(item, heights_of(item), style.RELIEFS, label="height $z$", lowest=np.inf)
@@ -46,21 +46,21 @@ def _map_panels(item: Topography, state: SurfaceState) -> tuple[Panel, ...]:
 
 
 def contact_maps(item: SurfaceContactSolution) -> Sheet:
-    """Return contact, pressure and distance under the last load."""
+    """Return contact area, pressure and separation under the last load."""
     panels = _map_panels(item.problem.topography, item.last)
     return Sheet(panels, width=4.0, height=3.3, title=_headline(item.last))
 
 
 def _headline(state: SurfaceState) -> str:
-    parts = [f"{told(state.force, 'N')} at a depth of {told(state.depth, 'm')}"]
+    parts = [f"{with_unit(state.force, 'N')} at a depth of {with_unit(state.depth, 'm')}"]
     if math.isfinite(state.stiffness):
-        parts.append(f"stiffness {told(state.stiffness, 'N/m')}")
-    parts.append(f"mean distance {told(state.mean_gap, 'm', 3)}")
+        parts.append(f"stiffness {with_unit(state.stiffness, 'N/m')}")
+    parts.append(f"mean distance {with_unit(state.mean_gap, 'm', 3)}")
     return ";  ".join(parts)
 
 
 def _share(area: ArrayLike, item: SurfaceContactSolution) -> Series:
-    """Return which part of the map touches, in per cent."""
+    """Return the contact area in per cent of the map."""
     part = 100.0 * np.ravel(np.asarray(area, dtype=float)) / item.problem.topography.area
     return Series("area", Word("", "", "part of the map in contact"), part)
 
@@ -71,9 +71,9 @@ def _along(item: SurfaceContactSolution | SurfaceConductionSolution, name: str) 
 
 @sheet_of.register(SurfaceContactSolution)
 def surface_sheet(item: SurfaceContactSolution, *, extent: float | None = None) -> Sheet:
-    """Return the maps of the last load; of many loads also force, stiffness and area."""
+    """Return the maps of the last load; for many loads also force, stiffness and area."""
     refuse_extent(item, extent)
-    if np.size(item.force) < FEWEST:
+    if np.size(item.force) < FEWEST_LOADS:
         return contact_maps(item)
     panels = list(_map_panels(item.problem.topography, item.last))
     for over, what in (("depth", "force"), ("force", "stiffness"), ("force", "area")):
@@ -81,7 +81,7 @@ def surface_sheet(item: SurfaceContactSolution, *, extent: float | None = None) 
         finite, panel = np.isfinite(of.content), Panel()
         if finite.any():
             along, of = (dataclasses.replace(one, content=one.content[finite]) for one in (along, of))
-            panel = models_panel(along, [(of, "")], label=PART if what == "area" else "")
+            panel = models_panel(along, [(of, "")], label=AREA_LABEL if what == "area" else "")
         panels.append(panel.plus(title=f"{'contact area' if what == 'area' else what} over {over}"))
     title = f"{'greatest' if _rises(item) else 'last'} load: {_headline(item.last)}"
     return Sheet(tuple(panels), 3, width=4.0, height=3.2, title=title)
@@ -93,9 +93,9 @@ def _rises(item: SurfaceContactSolution) -> bool:
 
 @sheet_of.register(SurfaceConductionSolution)
 def conduction_sheet(item: SurfaceConductionSolution, *, extent: float | None = None) -> Sheet:
-    """Return stiffness, conductance and area over the force, by boundary elements and by the line, and the bounds."""
+    """Return stiffness, conductance and area over the force, by boundary elements and springs, with bounds."""
     refuse_extent(item, extent)
-    if np.size(item.force) < FEWEST:
+    if np.size(item.force) < FEWEST_LOADS:
         return Sheet((_single_panel(item),), width=5.4, height=3.0)
     force, conductance = _along(item, "force"), _along(item, "conductance")
     band = item.line.stiffness_band.reshape(2, -1)
@@ -110,12 +110,12 @@ def conduction_sheet(item: SurfaceConductionSolution, *, extent: float | None = 
             Bounds(factor * band[0], factor * band[1], "eight lines of ten", style.RED),
         ]
 
-    stiffness = [(_along(item, "stiffness"), ELEMENTS), (_along(item, "line_stiffness"), LINES)]
+    stiffness = [(_along(item, "stiffness"), ELEMENTS_NAME), (_along(item, "line_stiffness"), LINES_NAME)]
     touched, persson = (_share(part, item.contact) for part in (item.contact.area, item.line.area))
     panels = (
         models_panel(force, stiffness, between(1.0)),
-        models_panel(force, [(conductance, ELEMENTS), (line, LINES)], between(factor)),
-        models_panel(force, [(touched, ELEMENTS), (persson, "Persson, same spectrum")], label=PART),
+        models_panel(force, [(conductance, ELEMENTS_NAME), (line, LINES_NAME)], between(factor)),
+        models_panel(force, [(touched, ELEMENTS_NAME), (persson, "Persson, same spectrum")], label=AREA_LABEL),
     )
     titles = ("stiffness over force", "conductance over force", "contact area over force")
     return Sheet(titled(panels, *titles), width=4.0, height=3.3)
@@ -124,12 +124,12 @@ def conduction_sheet(item: SurfaceConductionSolution, *, extent: float | None = 
 def _single_panel(item: SurfaceConductionSolution) -> Panel:
     """Return the resistance of one load between its bounds."""
     names = ("least_resistance", "resistance", "line_resistance", "greatest_resistance")
-    labels = ("lower bound", ELEMENTS, LINES, "upper bound")
+    labels = ("lower bound", ELEMENTS_NAME, LINES_NAME, "upper bound")
     of = series(type(item), "resistance", np.array([float(np.ravel(getattr(item, name))[0]) for name in names]))
     places = np.arange(4.0)
     bars = Bars(places, of.content, (style.MUTED, style.BLUE, style.RED, style.MUTED))
     upright = Axis(ticks=places, names=labels, falling=True)
-    title = f"resistance under {told(float(np.ravel(np.asarray(item.force))[0]), 'N')}"
+    title = f"resistance under {with_unit(float(np.ravel(np.asarray(item.force))[0]), 'N')}"
     return Panel((bars,), Axis.of(of), upright, title, grid="x")
 
 
@@ -144,7 +144,7 @@ def reduction_sheet(item: ReductionSolution, *, extent: float | None = None) -> 
     panels = []
     for (name, content), corner in zip(curves.items(), ("upper left", "lower right"), strict=True):
         along, of = series("ReductionSolution", "depth", d), series("ReductionSolution", name, content)
-        look: dict[str, Any] = {"width": 0.0, "marker": "o", "size": 4.0, "name": ELEMENTS}
+        look: dict[str, Any] = {"width": 0.0, "marker": "o", "size": 4.0, "name": ELEMENTS_NAME}
         marks = Line(d, content, name="springs"), Line(item.depth, getattr(item, name), style.RED, **look)
         axes = Axis.of(along, low=0.0), Axis.of(of, low=0.0)
         panels.append(Panel(marks, *axes, title=f"{name} over depth", legend=corner))

@@ -1,4 +1,4 @@
-"""Sheets of viscoelastic contacts: along a path, at one moment of it, and in an impact."""
+"""Sheets of viscoelastic contacts: along a path, at one time of it, and in an impact."""
 
 from __future__ import annotations
 
@@ -12,20 +12,20 @@ from winkler.plot import style
 from winkler.plot.drawing import sheet_of
 from winkler.plot.friction.curves import energies_panel, lines_panel, loop_panel
 from winkler.plot.panel import Axis, Line, Panel, Sheet, titled
-from winkler.plot.series import Series, series, told
+from winkler.plot.series import Series, series, with_unit
 from winkler.plot.viscoelastic.springs import pressure_panel, recovering_panel
 from winkler.problems.viscoelastic.impact import ViscoelasticImpactSolution
 from winkler.problems.viscoelastic.indentation import ViscoelasticSolution
 from winkler.problems.viscoelastic.states import ViscoelasticState
 
-__all__ = ["TELLING", "depth_and_radius", "impact_sheet", "path_sheet", "refuse_extent", "state_sheet"]
+__all__ = ["LEAST_FORCE_SHARE", "depth_and_radius", "impact_sheet", "path_sheet", "refuse_extent", "state_sheet"]
 
-TELLING = 0.1
-"""Shown is the last contact under this part of the greatest force."""
+LEAST_FORCE_SHARE = 0.1
+"""The last contact under at least this part of the greatest force is drawn."""
 
 
 def refuse_extent(item: Any, extent: float | None) -> None:
-    """Refuse an extent for pictures that have none."""
+    """Raise InvalidInput if an extent is given for a picture without one."""
     if extent is not None:
         raise InvalidInput(f"draw: the curves of a {type(item).__name__} have no extent; leave it out.")
 
@@ -34,25 +34,25 @@ def refuse_extent(item: Any, extent: float | None) -> None:
 def path_sheet(item: ViscoelasticSolution, *, extent: float | None = None) -> Sheet:
     """Return the loop, force, depth and contact over time, energies; below springs and pressure of a late contact."""
     refuse_extent(item, extent)
-    state = _late(item)
+    state = _late_state(item)
     time = _series(item, "time")
     force = _series(item, "force")
     panels = (
         loop_panel(_series(item, "depth"), force, float(item.dissipation[-1])),
         lines_panel(time, [(force, "force")], "force $F_N$"),
         depth_and_radius(item),
-        energies_panel(item, {"dissipation": "lost", "stored_energy": "stored"}, room=1.2),
+        energies_panel(item, {"dissipation": "lost", "stored_energy": "stored"}, height_factor=1.2),
         recovering_panel(state, item.problem.bed),
         pressure_panel(state),
     )
-    when = f" at {told(state.time, 's', 3)}"
+    when = f" at {with_unit(state.time, 's', 3)}"
     titles = ("force over depth", "force", "depth and contact", "energy", f"springs{when}", f"pressure{when}")
     return Sheet(titled(panels, *titles), 3, width=3.9)
 
 
-def _late(item: ViscoelasticSolution) -> ViscoelasticState:
-    """Return the last state under a force that matters; the springs are marched there once more."""
-    bearing = np.flatnonzero(item.force >= TELLING * np.max(item.force))
+def _late_state(item: ViscoelasticSolution) -> ViscoelasticState:
+    """Return the last state under at least `LEAST_FORCE_SHARE` of the greatest force, by marching again."""
+    bearing = np.flatnonzero(item.force >= LEAST_FORCE_SHARE * np.max(item.force))
     last = int(bearing[-1]) if bearing.size else 0
     return next(itertools.islice(item.problem.steps(), last, None))
 
@@ -76,10 +76,10 @@ def depth_and_radius(item: Any) -> Panel:
 
 @sheet_of.register(ViscoelasticState)
 def state_sheet(item: ViscoelasticState, *, extent: float | None = None) -> Sheet:
-    """Return the springs at one moment, those that recover as well, and the pressure."""
+    """Return the springs at one time, including those that recover, and the pressure."""
     refuse_extent(item, extent)
     parts = (("t", item.time, "s"), ("F_N", item.force, "N"), ("d", item.depth, "m"), ("a", item.radius, "m"))
-    title = "   ".join(f"${symbol}$ = {told(number, unit)}" for symbol, number, unit in parts)
+    title = "   ".join(f"${symbol}$ = {with_unit(number, unit)}" for symbol, number, unit in parts)
     panels = titled((recovering_panel(item), pressure_panel(item)), "springs", "pressure $p(r)$")
     return Sheet(panels, height=3.3, title=title)
 
@@ -96,7 +96,7 @@ def impact_sheet(item: ViscoelasticImpactSolution, *, extent: float | None = Non
         lines_panel(time, [(_series(item, "velocity"), "velocity")], "velocity of approach $v$"),
         depth_and_radius(item),
     )
-    title = f"restitution $e$ = {item.restitution:.4g}   contact for {told(item.duration, 's')}"
+    title = f"restitution $e$ = {item.restitution:.4g}   contact for {with_unit(item.duration, 's')}"
     titles = ("force over depth", "force", "velocity", "depth and contact")
     return Sheet(titled(panels, *titles), 2, height=3.1, title=title)
 

@@ -1,4 +1,4 @@
-"""Pictures of fits of relaxing contacts: the curve over time and over depth, what is left over, and the relaxation."""
+"""Pictures of fits of relaxing contacts: the curve over time and over depth, residuals, and the relaxation."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from winkler.fitting.outcome import AnyFit, CreepFit, ViscoelasticFit
-from winkler.fitting.viscoelastic.band import relaxation_band, watched
+from winkler.fitting.viscoelastic.band import observed_times, relaxation_band
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.types import Array
 from winkler.plot import style
@@ -20,10 +20,10 @@ from winkler.vocabulary import Word
 
 __all__ = ["relaxing_fit_sheet", "relaxing_loop"]
 
-BEYOND = 3.0
-"""The relaxation is shown this much beyond what was watched, at either side."""
-NARROW = 1e3
-"""A modulus whose interval is wider than this is neither given nor drawn."""
+TIME_FACTOR_BEYOND = 3.0
+"""Factor by which the drawn times extend beyond the observed ones."""
+WIDEST_INTERVAL_RATIO = 1e3
+"""Intervals with a greater ratio of their ends are not drawn."""
 
 
 @sheet_of.register(ViscoelasticFit)
@@ -46,18 +46,18 @@ def relaxing_loop(item: AnyFit, some: Array | None = None) -> Panel:
     Parameters
     ----------
     item
-        What was found.
+        A fit.
     some : ndarray, optional
-        Which points are drawn; all if left out.
+        Indices of the drawn points; all if left out.
     """
     creep = isinstance(item, CreepFit)
-    borne = item.curve.force - _outside(item)
+    borne = item.curve.force - _constant_force(item)
     force = Series("force", Word("F_N", "N", "force"), borne if creep else item.curve.force)
-    gone = item.curve.compliance * borne
-    deep = Series("depth", Word("d", "m", "depth"), item.curve.position - origin_of(item) - gone)
+    deflection = item.curve.compliance * borne
+    deep = Series("depth", Word("d", "m", "depth"), item.curve.position - origin_of(item) - deflection)
     model = Series("force", force.word, item.model.path.across if isinstance(item, CreepFit) else item.predicted)
     near = item.depth > -0.3 * float(item.depth.max())
-    near &= item.radius > 0.0 if creep else True  # a free tip may be anywhere
+    near &= item.radius > 0.0 if creep else True  # the depth of a free tip is arbitrary
     drawn = np.arange(near.size) if some is None else some
     measured = (part[drawn] for part in (deep.content, force.content, item.curve.direction, near))
     marks: list[Any] = measured_dots(item, *measured, named=False)
@@ -67,21 +67,21 @@ def relaxing_loop(item: AnyFit, some: Array | None = None) -> Panel:
     return Panel(tuple(marks), across, Axis.of(force, common_scale(_of(force, near), _of(model, near)), margin=0.06))
 
 
-def _outside(item: AnyFit) -> Array:
-    """Return the part of the force that the contact does not bear, as far as it is one number [N]."""
+def _constant_force(item: AnyFit) -> Array:
+    """Return the constant part of the force that the contact does not bear [N]."""
     return np.full(item.curve.count, item.value("baseline") if "baseline" in item.names else 0.0)
 
 
 def _relaxation(item: ViscoelasticFit | CreepFit) -> Panel:
-    """Return E*(t) with its interval, what lies outside of the time that was watched in grey, and the single terms."""
-    shortest, longest = watched(item)
-    t = np.geomspace(shortest / BEYOND, longest * BEYOND, 160)
+    """Return E*(t) with its interval, times outside the observed range in grey, and the single terms."""
+    shortest, longest = observed_times(item)
+    t = np.geomspace(shortest / TIME_FACTOR_BEYOND, longest * TIME_FACTOR_BEYOND, 160)
     band = relaxation_band(item, t)
     half_space = isinstance(item.model.bed.medium, ViscoelasticHalfSpace)
     symbol, unit = ("E^*(t)", "Pa") if half_space else (r"\varphi(t)", "")
     time = Series("time", Word("t", "s", "time"), t)
     modulus = Series("relaxation", Word(symbol, unit, "relaxation of the contact"), band.modulus)
-    narrow = band.high < NARROW * band.low
+    narrow = band.high < WIDEST_INTERVAL_RATIO * band.low
     marks = (
         Area(t[narrow], band.low[narrow], band.high[narrow], alpha=0.25),
         Line(t, band.modulus, name=f"${symbol}$, 95 %"),
@@ -99,11 +99,11 @@ def _terms(item: ViscoelasticFit | CreepFit) -> list[Line]:
     pairs = [pair for pair in [*pairs, (f"{lead}shear", f"{lead}relaxation_time")] if set(pair) <= set(item.names)]
     poisson = getattr(getattr(item.model.bed.medium, "first", None), "poisson", 0.5)
     contact = 2.0 / (1.0 - poisson)
-    found = []
+    lines = []
     for number, (shear, time) in enumerate(pairs):
         (low, high), (early, late) = item.interval(shear), item.interval(time)
         middle, at = item.value(shear), item.value(time)
-        if high > NARROW * low or late > NARROW * early:
+        if high > WIDEST_INTERVAL_RATIO * low or late > WIDEST_INTERVAL_RATIO * early:
             continue
         term = Line(
             np.array([at]),
@@ -116,5 +116,5 @@ def _terms(item: ViscoelasticFit | CreepFit) -> list[Line]:
             error_x=np.array([[at - early], [late - at]]),
             error_y=contact * np.array([[middle - low], [high - middle]]),
         )
-        found.append(term)
-    return found
+        lines.append(term)
+    return lines

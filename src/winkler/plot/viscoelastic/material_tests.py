@@ -10,55 +10,55 @@ from winkler.numerics.types import Array
 from winkler.plot.decades import Quantity, decades_panel
 from winkler.plot.drawing import sheet_of
 from winkler.plot.panel import Sheet, titled
-from winkler.plot.series import series, told
+from winkler.plot.series import series, with_unit
 from winkler.plot.viscoelastic.contacts import refuse_extent
 from winkler.problems.viscoelastic.material_tests import CreepTest, HarmonicSolution, StepSolution
 
 __all__ = ["harmonic_sheet", "step_sheet"]
 
 POINTS = 121
-AROUND = 100.0
-"""One moment, or one frequency, is shown within so many times more and less."""
-TITLES = {"depth": "the body sinks", "radius": "the contact widens", "force": "the force falls"}
+FACTOR_AROUND = 100.0
+"""Range drawn around a single time or frequency, as a factor."""
+PANEL_TITLES = {"depth": "depth over time", "radius": "contact radius over time", "force": "force over time"}
 
 
 @sheet_of.register(StepSolution)
 def step_sheet(item: StepSolution, *, extent: float | None = None) -> Sheet:
-    """Return how a body sinks under a force that stays, or how the force falls at a depth that stays."""
+    """Return depth and contact radius under a constant force, or the force at a constant depth."""
     refuse_extent(item, extent)
     names = ("depth", "radius") if isinstance(item.problem, CreepTest) else ("force",)
-    asked = np.asarray(item.time)
-    along = series("StepSolution", "time", _between(asked))
+    requested = np.asarray(item.time)
+    along = series("StepSolution", "time", _between(requested))
     curve = dataclasses.replace(item.problem, time=along.content).solve()
     panels = []
     for name in names:
         of = series("StepSolution", name, getattr(curve, name))
-        panel = decades_panel(along, [Quantity(of, points=(asked, np.asarray(getattr(item, name))))])
-        panels.append(panel.plus(title=TITLES[name]))
+        panel = decades_panel(along, [Quantity(of, points=(requested, np.asarray(getattr(item, name))))])
+        panels.append(panel.plus(title=PANEL_TITLES[name]))
     return Sheet(tuple(panels), width=4.6, height=3.3)
 
 
 @sheet_of.register(HarmonicSolution)
 def harmonic_sheet(item: HarmonicSolution, *, extent: float | None = None) -> Sheet:
-    """Return storage and loss stiffness over the frequency, and the tangent of loss; what was asked as points."""
+    """Return storage and loss stiffness over the frequency, and the tangent of loss; requested points marked."""
     refuse_extent(item, extent)
-    asked = np.ravel(np.asarray(item.problem.angular_frequency, dtype=float))
-    along = series("HarmonicIndentation", "angular_frequency", _between(asked))
+    requested = np.ravel(np.asarray(item.problem.angular_frequency, dtype=float))
+    along = series("HarmonicIndentation", "angular_frequency", _between(requested))
     curve = dataclasses.replace(item.problem, angular_frequency=along.content).solve()
 
     def quantity(name: str, label: str = "") -> Quantity:
-        points = (asked, np.ravel(np.asarray(getattr(item, name), dtype=float)))
+        points = (requested, np.ravel(np.asarray(getattr(item, name), dtype=float)))
         return Quantity(series("HarmonicSolution", name, np.asarray(getattr(curve, name))), label, points)
 
     pair = [quantity("storage_stiffness", "storage $k'$"), quantity("loss_stiffness", "loss $k''$")]
     panels = decades_panel(along, pair, "stiffness"), decades_panel(along, [quantity("loss_tangent")])
-    title = f"about $d$ = {told(item.depth, 'm')}   $a$ = {told(item.radius, 'm')}"
+    title = f"about $d$ = {with_unit(item.depth, 'm')}   $a$ = {with_unit(item.radius, 'm')}"
     return Sheet(titled(panels, "storage and loss stiffness", "loss over storage"), width=4.6, height=3.3, title=title)
 
 
-def _between(asked: Array) -> Array:
-    """Return numbers across the decades that were asked about, or around the only one."""
-    low, high = float(np.min(asked)), float(np.max(asked))
+def _between(requested: Array) -> Array:
+    """Return numbers across the requested range, or around a single one."""
+    low, high = float(np.min(requested)), float(np.max(requested))
     if high <= low * (1.0 + 1e-12):
-        low, high = low / AROUND, high * AROUND
+        low, high = low / FACTOR_AROUND, high * FACTOR_AROUND
     return np.geomspace(low, high, POINTS)

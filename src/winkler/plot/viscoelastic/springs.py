@@ -7,7 +7,7 @@ import numpy as np
 from winkler.foundation.bed import Bed
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.normal.springs import Frame, Row, row_panel, spring_places
+from winkler.plot.normal.springs import SpringFrame, SpringRow, row_panel, spring_places
 from winkler.plot.panel import Area, Axis, Line, Panel, note
 from winkler.plot.series import places, series
 from winkler.problems.viscoelastic.states import ViscoelasticState
@@ -15,56 +15,56 @@ from winkler.problems.viscoelastic.tangential_states import ViscoelasticTangenti
 
 __all__ = ["no_contact", "pressure_panel", "recovering_panel", "width_of"]
 
-Springy = ViscoelasticState | ViscoelasticTangentialState
+RecoveringState = ViscoelasticState | ViscoelasticTangentialState
 
-WIDER = 1.35
-"""A picture goes to so many radii of what has been pressed."""
-LITTLE = 1e-3
-"""Springs that are nearer to their rest than this part of the deepest count as recovered."""
-NOTHING = np.empty(0)
+RADII_DRAWN = 1.35
+"""Extent of a picture relative to the deformed region."""
+RECOVERED_SHARE = 1e-3
+"""Springs compressed by less than this part of the greatest compression count as recovered."""
+NO_POINTS = np.empty(0)
 
 
-def width_of(state: Springy) -> float:
-    """Return how far the picture of a state goes [m]: beyond the contact, and beyond what has not recovered."""
+def width_of(state: RecoveringState) -> float:
+    """Return the extent of the picture of a state [m]: beyond the contact and the springs that have not recovered."""
     deepest = float(np.max(state.recess))
-    moved = state.position[state.recess > LITTLE * deepest] if deepest > 0.0 else state.position[:0]
-    return WIDER * max(float(np.max(moved, initial=0.0)), state.radius, float(state.position[0]))
+    moved = state.position[state.recess > RECOVERED_SHARE * deepest] if deepest > 0.0 else state.position[:0]
+    return RADII_DRAWN * max(float(np.max(moved, initial=0.0)), state.radius, float(state.position[0]))
 
 
-def recovering_panel(state: Springy, bed: Bed | None = None, frame: Frame | None = None) -> Panel:
-    """Return the springs at one moment: those that press, those that still recover, and those at rest.
+def recovering_panel(state: RecoveringState, bed: Bed | None = None, frame: SpringFrame | None = None) -> Panel:
+    """Return the springs at one time: in contact, recovering, and at rest.
 
     Parameters
     ----------
     state : ViscoelasticState or ViscoelasticTangentialState
     bed : Bed, optional
-        Whose plane profile is drawn over the springs.
+        Its plane profile is drawn over the springs.
     frame : Frame, optional
-        What is shown, where it must not depend on this moment alone.
+        Fixed frame, for animations.
     """
     if frame is None:
         extent, deepest = width_of(state), float(np.max(state.recess))
         unit = deepest if deepest > 0.0 else extent
-        frame = Frame(extent, unit, -2.4 * unit, 1.1 * unit)
+        frame = SpringFrame(extent, unit, -2.4 * unit, 1.1 * unit)
     place = spring_places(frame.extent)
     sunk = np.interp(np.abs(place), state.position, state.recess, right=0.0)
     pressed = (np.abs(place) <= state.radius) & (state.radius > 0.0)
-    least = LITTLE * max(float(np.max(state.recess)), 1e-300)
+    least = RECOVERED_SHARE * max(float(np.max(state.recess)), 1e-300)
     colours = [
-        style.RED if hit else style.GREEN if down > least else style.MUTED
-        for down, hit in zip(sunk, pressed, strict=True)
+        style.RED if pressed_down else style.GREEN if sunk_here > least else style.MUTED
+        for sunk_here, pressed_down in zip(sunk, pressed, strict=True)
     ]
     strength = np.array([0.55 if colour == style.MUTED else 0.95 for colour in colours])
-    row = Row(place, sunk, np.zeros(place.shape), tuple(colours), np.full(place.shape, 1.1), strength)
+    row = SpringRow(place, sunk, np.zeros(place.shape), tuple(colours), np.full(place.shape, 1.1), strength)
     names = (
-        Line(NOTHING, NOTHING, style.RED, name="pressed"),
-        Line(NOTHING, NOTHING, style.GREEN, name="recover freely"),
+        Line(NO_POINTS, NO_POINTS, style.RED, name="pressed"),
+        Line(NO_POINTS, NO_POINTS, style.GREEN, name="recover freely"),
     )
     return row_panel(row, bed, float(state.depth), frame).plus(*names, legend="lower center", columns=2)
 
 
 def no_contact() -> Panel:
-    """Return a panel that says that the bodies do not touch."""
+    """Return a panel with the note that the bodies do not touch."""
     return Panel((note("no contact", "upper centre"),), bare=True)
 
 
@@ -75,8 +75,8 @@ def pressure_panel(state: ViscoelasticState) -> Panel:
     extent = width_of(state)
     r = places(extent, (state.radius,), count=300)
     pressure: Array = state.pressure(r)
-    known = np.isfinite(pressure)
-    x, p = style.mirrored(r[known], pressure[known])
-    across = Axis.of(series("SurfaceFields", "r", r[known]), low=-extent, high=extent)
-    upright = Axis.of(series("ViscoelasticState", "pressure", pressure[known]), low=0.0)
+    finite = np.isfinite(pressure)
+    x, p = style.mirrored(r[finite], pressure[finite])
+    across = Axis.of(series("SurfaceFields", "r", r[finite]), low=-extent, high=extent)
+    upright = Axis.of(series("ViscoelasticState", "pressure", pressure[finite]), low=0.0)
     return Panel((Area(x, p, 0.0, style.RED), Line(x, p, style.RED)), across, upright)

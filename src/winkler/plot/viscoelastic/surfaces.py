@@ -1,4 +1,4 @@
-"""Sheets of viscoelastic bodies that are dragged along, slid over, or pulled off."""
+"""Sheets of viscoelastic contacts under tangential motion, in sliding, and with adhesion."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ from winkler.plot.friction.curves import (
     stick_band,
 )
 from winkler.plot.panel import Area, Axis, Line, Panel, Rule, Sheet, note, titled
-from winkler.plot.series import Series, common_scale, series, told
-from winkler.plot.viscoelastic.contacts import TELLING, depth_and_radius, refuse_extent
+from winkler.plot.series import Series, common_scale, series, with_unit
+from winkler.plot.viscoelastic.contacts import LEAST_FORCE_SHARE, depth_and_radius, refuse_extent
 from winkler.plot.viscoelastic.springs import no_contact, recovering_panel, width_of
 from winkler.problems.viscoelastic.adhesion import ViscoelasticAdhesionSolution
 from winkler.problems.viscoelastic.sliding import SlidingResistanceSolution
@@ -31,15 +31,15 @@ from winkler.problems.viscoelastic.tangential_states import ViscoelasticTangenti
 __all__ = ["adhesion_sheet", "dragged_sheet", "dragged_state_sheet", "sliding_sheet"]
 
 POINTS = 61
-AROUND = 300.0
-"""One speed is shown within so many times more and less."""
+FACTOR_AROUND = 300.0
+"""Range drawn around a single speed, as a factor."""
 
 
 @sheet_of.register(ViscoelasticTangentialSolution)
 def dragged_sheet(item: ViscoelasticTangentialSolution, *, extent: float | None = None) -> Sheet:
     """Return the loop, forces, energies and contact along a path; springs and their loads of a late contact."""
     refuse_extent(item, extent)
-    bearing = np.flatnonzero(item.force >= TELLING * np.max(item.force))
+    bearing = np.flatnonzero(item.force >= LEAST_FORCE_SHARE * np.max(item.force))
     state, time = item.states[int(bearing[-1]) if bearing.size else 0], _series(item, "time")
     mu = item.problem.law.coefficient
     lines = [(_series(item, "shear_force"), "$F_x$")]
@@ -49,19 +49,19 @@ def dragged_sheet(item: ViscoelasticTangentialSolution, *, extent: float | None 
     panels = (
         loop_panel(_series(item, "shift"), _series(item, "shear_force")),
         lines_panel(time, lines, "shear force"),
-        energies_panel(item, names, room=1.35),
+        energies_panel(item, names, height_factor=1.35),
         lines_panel(time, radii, "radius", low=0.0),
         recovering_panel(state, item.problem.bed),
         _loads_panel(state, mu),
     )
-    when = f" at {told(state.time, 's', 3)}"
+    when = f" at {with_unit(state.time, 's', 3)}"
     titles = ("shear force over shift", "shear force", "energy", "contact", f"springs{when}", f"their loads{when}")
     return Sheet(titled(panels, *titles), 3, width=3.9)
 
 
 @sheet_of.register(ViscoelasticTangentialState)
 def dragged_state_sheet(item: ViscoelasticTangentialState, *, extent: float | None = None) -> Sheet:
-    """Return the springs at one moment, and their loads in both directions."""
+    """Return the springs at one time, and their loads in both directions."""
     refuse_extent(item, extent)
     parts = (
         ("F_N", item.force, "N"),
@@ -69,13 +69,13 @@ def dragged_state_sheet(item: ViscoelasticTangentialState, *, extent: float | No
         ("d", item.depth, "m"),
         ("u_x", item.shift, "m"),
     )
-    title = "   ".join(f"${symbol}$ = {told(number, unit)}" for symbol, number, unit in parts)
+    title = "   ".join(f"${symbol}$ = {with_unit(number, unit)}" for symbol, number, unit in parts)
     panels = titled((recovering_panel(item), _loads_panel(item, math.inf)), "springs", "their loads")
     return Sheet(panels, height=3.3, title=title)
 
 
 def _loads_panel(state: ViscoelasticTangentialState, coefficient: float) -> Panel:
-    """Return the load of the springs along the surface, and what friction lets them bear."""
+    """Return the load of the springs along the surface, and the bound of friction."""
     if state.radius == 0.0:
         return no_contact()
     along = series("Foundation", "x", state.position)
@@ -97,20 +97,24 @@ def _loads_panel(state: ViscoelasticTangentialState, coefficient: float) -> Pane
 def sliding_sheet(item: SlidingResistanceSolution, *, extent: float | None = None) -> Sheet:
     """Return the resistance and the coefficient of friction over the speed, and the springs where it is greatest."""
     refuse_extent(item, extent)
-    asked = np.ravel(np.asarray(item.speed, dtype=float))
-    low, high = (np.min(asked), np.max(asked)) if asked.size > 1 else (asked[0] / AROUND, asked[0] * AROUND)
+    requested = np.ravel(np.asarray(item.speed, dtype=float))
+    low, high = (
+        (np.min(requested), np.max(requested))
+        if requested.size > 1
+        else (requested[0] / FACTOR_AROUND, requested[0] * FACTOR_AROUND)
+    )
     speeds = np.geomspace(low, high, POINTS)
-    curve = item if asked.size >= POINTS else dataclasses.replace(item.problem, speed=speeds).solve()
+    curve = item if requested.size >= POINTS else dataclasses.replace(item.problem, speed=speeds).solve()
     order = np.argsort(np.ravel(np.asarray(curve.speed)), kind="stable")
     along = series(type(item), "speed", np.ravel(np.asarray(curve.speed))[order])
 
     def quantity(name: str, label: str = "") -> Quantity:
-        points = (asked, np.ravel(np.asarray(getattr(item, name), dtype=float)))
+        points = (requested, np.ravel(np.asarray(getattr(item, name), dtype=float)))
         return Quantity(series(type(item), name, np.ravel(np.asarray(getattr(curve, name)))[order]), label, points)
 
     pair = [quantity("shear_force", "of the body"), quantity("line_shear_force", "of the line of springs")]
     place = int(np.argmax(np.ravel(np.asarray(curve.coefficient))))
-    speed = told(float(np.ravel(np.asarray(curve.speed))[place]), "m/s", 3)
+    speed = with_unit(float(np.ravel(np.asarray(curve.speed))[place]), "m/s", 3)
     panels = (
         decades_panel(along, pair, "resistance $F_x$"),
         decades_panel(along, [quantity("coefficient")]),
@@ -136,7 +140,7 @@ def _trace_panel(curve: SlidingResistanceSolution, place: int) -> Panel:
 
 @sheet_of.register(ViscoelasticAdhesionSolution)
 def adhesion_sheet(item: ViscoelasticAdhesionSolution, *, extent: float | None = None) -> Sheet:
-    """Return force over the machine's way, contact and depth over time, and how fast the edge opens."""
+    """Return force over the position of the machine, depth and contact radius over time, and the speed of the edge."""
     refuse_extent(item, extent)
     time = _series(item, "time")
     opening = np.where(item.crack_speed > 0.0, item.crack_speed, np.nan)
@@ -147,8 +151,8 @@ def adhesion_sheet(item: ViscoelasticAdhesionSolution, *, extent: float | None =
         depth_and_radius(item),
         speed,
     )
-    titles = ("force over the way of the machine", "depth and contact", "how fast the edge opens")
-    title = f"lowest force {told(float(item.lowest_force[-1]), 'N')}"
+    titles = ("force over the position of the machine", "depth and contact", "opening speed of the edge")
+    title = f"lowest force {with_unit(float(item.lowest_force[-1]), 'N')}"
     return Sheet(titled(panels, *titles), width=3.9, height=3.3, title=title)
 
 

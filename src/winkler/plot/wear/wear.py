@@ -1,4 +1,4 @@
-"""Sheets of wear: worn profiles and pressures over the cycles, what changes meanwhile, and where it ends."""
+"""Sheets of wear: worn profiles and pressures over the cycles, evolution over the cycles, and the limiting profile."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from winkler.errors import InvalidInput
 from winkler.plot import style
 from winkler.plot.drawing import sheet_of
 from winkler.plot.panel import Area, Axis, Line, Panel, Rule, Sheet, titled
-from winkler.plot.series import Series, series, told
+from winkler.plot.series import Series, series, with_unit
 from winkler.problems.wear.fretting import FrettingSolution
 from winkler.problems.wear.limiting_profile import LimitingSolution
 from winkler.problems.wear.sliding import SlidingSolution
@@ -20,13 +20,13 @@ from winkler.problems.wear.states import FrettingState, WearState
 
 __all__ = ["fretting_sheet", "limiting_sheet", "moment_panels", "rows_panel", "sliding_sheet", "wear_state_sheet"]
 
-SHOWN = 6
-"""So many states are shown side by side."""
-AROUND = 1.35
-"""Pictures go to so many contact radii."""
-DENSE = 400
-CEILING = 3.0
-"""Pressures are shown up to so many times their mean: that at the edge of a core or a punch has no end."""
+MOST_STATES = 6
+"""Most states drawn together."""
+RADII_DRAWN = 1.35
+"""Extent of the pictures in contact radii."""
+POINTS = 400
+PRESSURE_CEILING = 3.0
+"""Greatest drawn pressure over its mean; at the edge of a core or a punch it is infinite."""
 
 
 def _refuse(item: Any, extent: float | None) -> None:
@@ -60,7 +60,7 @@ def sliding_sheet(item: SlidingSolution, *, extent: float | None = None) -> Shee
     """Return worn profiles and pressures after growing distances, and contact, volume and pressure over them."""
     _refuse(item, extent)
     distance = _series(item, "distance")
-    above = _state_panels(item.states, [told(far, "m", 3) for far in item.distance.tolist()], "distance")
+    above = _state_panels(item.states, [with_unit(far, "m", 3) for far in item.distance.tolist()], "distance")
     below = (_over(distance, [_series(item, name)]) for name in ("radius", "worn_volume", "mean_pressure"))
     return Sheet((*above, *titled(below, "contact", "worn volume", "mean pressure")), 3, width=3.9)
 
@@ -75,14 +75,14 @@ def wear_state_sheet(item: WearState, *, extent: float | None = None) -> Sheet:
 
 @sheet_of.register(LimitingSolution)
 def limiting_sheet(item: LimitingSolution, *, extent: float | None = None) -> Sheet:
-    """Return the limiting profile, what was worn off, and the pressure in the end and before wear."""
+    """Return the limiting profile, the worn depth, and the pressure in the limit and before wear."""
     _refuse(item, extent)
     bed, c, end = item.problem.bed, item.stick_radius, item.radius
-    reach = min(AROUND * end, bed.reach)
-    ring = c + (end - c) * np.linspace(0.0, 1.0, DENSE) ** 2
-    r = np.unique(np.concatenate([np.linspace(0.0, reach, DENSE), ring]))
+    reach = min(RADII_DRAWN * end, bed.reach)
+    ring = c + (end - c) * np.linspace(0.0, 1.0, POINTS) ** 2
+    r = np.unique(np.concatenate([np.linspace(0.0, reach, POINTS), ring]))
     before, worn = bed.height(r), item.worn(r)
-    share = np.sin(0.5 * np.pi * np.linspace(0.0, 1.0, DENSE))[:-1]
+    share = np.sin(0.5 * np.pi * np.linspace(0.0, 1.0, POINTS))[:-1]
     pressed = item.problem.contact
     radius = float(pressed.radius)
     first: dict[str, Any] = {"name": "before wear", "colour": style.MUTED, "dash": style.DASHES[1]}
@@ -94,13 +94,15 @@ def limiting_sheet(item: LimitingSolution, *, extent: float | None = None) -> Sh
         rows_panel(
             "pressure",
             [Line(radius * share, start, **first), Line(c * share, stop, **last)],
-            CEILING * float(pressed.mean_pressure),
+            PRESSURE_CEILING * float(pressed.mean_pressure),
         ),
     )
     core = Rule(c, upright=True, width=0.9, dash=style.DOTTED, name="core")
-    title = f"$c$ = {told(c, 'm')}   $a_\\infty$ = {told(end, 'm')}   $V$ = {told(item.worn_volume, 'm^3')}"
-    shown = titled((panel.plus(core, legend="best") for panel in panels), "profile", "worn depth", "pressure")
-    return Sheet(shown, width=3.9, title=title)
+    title = (
+        f"$c$ = {with_unit(c, 'm')}   $a_\\infty$ = {with_unit(end, 'm')}   $V$ = {with_unit(item.worn_volume, 'm^3')}"
+    )
+    chosen_states = titled((panel.plus(core, legend="best") for panel in panels), "profile", "worn depth", "pressure")
+    return Sheet(chosen_states, width=3.9, title=title)
 
 
 def _series(item: Any, name: str) -> Series:
@@ -108,27 +110,27 @@ def _series(item: Any, name: str) -> Series:
 
 
 def _chosen(states: tuple[WearState, ...]) -> list[int]:
-    """Return a few states that differ in what was worn off by equal parts."""
+    """Return the indices of a few states with about equal increments of worn volume."""
     volumes = np.array([state.worn_volume for state in states])
-    if len(states) <= SHOWN or volumes[-1] == volumes[0]:
-        return list(range(min(len(states), SHOWN)))
-    wanted = volumes[0] + (volumes[-1] - volumes[0]) * np.linspace(0.0, 1.0, SHOWN)
-    return sorted({int(np.argmin(np.abs(volumes - each))) for each in wanted})
+    if len(states) <= MOST_STATES or volumes[-1] == volumes[0]:
+        return list(range(min(len(states), MOST_STATES)))
+    volumes_wanted = volumes[0] + (volumes[-1] - volumes[0]) * np.linspace(0.0, 1.0, MOST_STATES)
+    return sorted({int(np.argmin(np.abs(volumes - each))) for each in volumes_wanted})
 
 
 def _state_panels(states: tuple[WearState, ...], names: list[str], what: str) -> tuple[Panel, ...]:
     """Return profiles, worn depths and pressures of a few states, from pale to dark."""
     chosen = _chosen(states)
-    shown = [states[index] for index in chosen]
-    reach = AROUND * max(state.radius for state in shown)
-    kept = [state.radii <= reach for state in shown]
-    mean = max(state.force / (np.pi * state.radius**2) for state in shown)
+    chosen_states = [states[index] for index in chosen]
+    reach = RADII_DRAWN * max(state.radius for state in chosen_states)
+    within = [state.radii <= reach for state in chosen_states]
+    mean = max(state.force / (np.pi * state.radius**2) for state in chosen_states)
     shades = [style.shade(float(share)) for share in np.linspace(0.25, 1.0, len(chosen))]
     panels = []
-    for name, most in (("height", np.inf), ("worn", np.inf), ("pressure", CEILING * mean)):
+    for name, most in (("height", np.inf), ("worn", np.inf), ("pressure", PRESSURE_CEILING * mean)):
         lines = [
             Line(state.radii[inside], np.asarray(getattr(state, name))[inside], colour, name=names[index])
-            for state, inside, colour, index in zip(shown, kept, shades, chosen, strict=True)
+            for state, inside, colour, index in zip(chosen_states, within, shades, chosen, strict=True)
         ]
         panels.append(rows_panel(name, lines, most))
     panels[0] = panels[0].plus(legend="best", legend_title=what)
@@ -136,7 +138,7 @@ def _state_panels(states: tuple[WearState, ...], names: list[str], what: str) ->
 
 
 def rows_panel(name: str, lines: list[Line], most: float = np.inf) -> Panel:
-    """Return a quantity of wear over the distance from the axis, up to a greatest number that is shown.
+    """Return a quantity of wear over the distance from the axis, up to a greatest drawn value.
 
     Parameters
     ----------
@@ -154,39 +156,41 @@ def rows_panel(name: str, lines: list[Line], most: float = np.inf) -> Panel:
 
 
 def moment_panels(states: Sequence[WearState], moment: int) -> tuple[Panel, Panel, Panel]:
-    """Return worn profile, worn depth and pressure at a moment, beside the first and the last state.
+    """Return worn profile, worn depth and pressure in one state, beside the first and the last one.
 
     Parameters
     ----------
     states : sequence of WearState
         All states of a history.
     moment : int
-        Which of them is looked at.
+        Index of the drawn state.
     """
     first, now, last = states[0], states[moment], states[-1]
-    reach = min(AROUND * max(one.radius for one in states), first.bed.reach, float(last.radii[-1]))
+    reach = min(RADII_DRAWN * max(one.radius for one in states), first.bed.reach, float(last.radii[-1]))
     r = np.unique(np.concatenate([[0.0, reach], *(one.radii[one.radii <= reach] for one in (first, last))]))
     before = first.bed.height(r)
-    end, here = (before + np.interp(r, one.radii, one.worn) for one in (last, now))
+    end, current = (before + np.interp(r, one.radii, one.worn) for one in (last, now))
     thin: dict[str, Any] = {"colour": style.MUTED, "width": 1.0}
     start = "before wear" if first.elapsed == 0.0 else "at first"
     profile = [
         Line(r, end, name="in the end", **thin),
         Line(r, before, name="before wear", dash=style.DASHES[1], **thin),
-        Line(r, here, name="now"),
+        Line(r, current, name="now"),
     ]
     worn = [
         Line(last.radii, last.worn, name="in the end", **thin),
         Line(now.radii, now.worn, style.RED, name="now"),
     ]
-    most = CEILING * max((one.force / (np.pi * one.radius**2) for one in states if one.radius > 0.0), default=0.0)
+    most = PRESSURE_CEILING * max(
+        (one.force / (np.pi * one.radius**2) for one in states if one.radius > 0.0), default=0.0
+    )
     top = max(float(np.max(np.minimum(one.pressure, most))) for one in states)
     pressure = [
         Line(first.radii, np.minimum(first.pressure, most), name=start, dash=style.DASHES[1], **thin),
         Line(last.radii, np.minimum(last.pressure, most), name="in the end", **thin),
         Line(now.radii, np.minimum(now.pressure, most), style.RED, name="now"),
     ]
-    off = Area(r, before, here, alpha=0.15)
+    off = Area(r, before, current, alpha=0.15)
     panels = []
     for name, lines, marks, high in (
         ("height", profile, (off,), float(np.max(end))),

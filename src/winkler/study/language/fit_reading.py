@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from winkler.errors import InvalidInput, WinklerError, suggest
-from winkler.fitting.parameters import found
+from winkler.fitting.parameters import number_at
 from winkler.io.foreign import path_text, reason_of
 from winkler.limits import MOST_CURVES
 from winkler.loading import Depth, Force
@@ -238,7 +238,7 @@ def _free(key: str, raw: Any, problem: Any) -> Free:
     else:
         try:
             keys.content_at(problem, plain.removeprefix("problem."))
-            found(problem, free.path)
+            number_at(problem, free.path)
         except InvalidInput as error:
             sentence = str(error).removeprefix("free: ").replace(plain.removeprefix("problem."), key, 1)
             raise InvalidInput(f"{where}: {sentence.removeprefix(f'the key {key!r}: ')}") from None

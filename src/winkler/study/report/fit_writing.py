@@ -143,7 +143,7 @@ def maps(outcome: FitOutcome, grid: Grid) -> xarray.Dataset:
     variables: dict[str, Any] = {}
     for column in outcome.table():
         if column.word.unit is not None and column.name not in ("x", "y"):
-            variables[column.name] = (("y", "x"), grid.laid(column.content), netcdf_attributes(column.word))
+            variables[column.name] = (("y", "x"), grid.arranged(column.content), netcdf_attributes(column.word))
     place = {"units": "m", "long_name": "place on the sample"}
     return xarray.Dataset(
         variables,

@@ -8,7 +8,7 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.plot.series import Series, spoken
-from winkler.plot.sweeps import Part, cloud_sheet, map_sheet, part_sheet
+from winkler.plot.sweeps import VariancePart, cloud_sheet, map_sheet, part_sheet
 from winkler.study.batch.outcome import Outcome
 from winkler.study.language import keys
 from winkler.study.language.designs import Crossed
@@ -62,8 +62,8 @@ def parts(outcome: Outcome) -> Iterator[ReportFigure]:
     names = [axis.key.removeprefix("problem.") for axis in outcome.study.axes]
     for one in outcome.indices:
         bars = [
-            Part("alone", one.first_order, one.first_order_low, one.first_order_high),
-            Part("with the others", one.total_order, one.total_order_low, one.total_order_high),
+            VariancePart("alone", one.first_order, one.first_order_low, one.first_order_high),
+            VariancePart("with the others", one.total_order, one.total_order_low, one.total_order_high),
         ]
         title = capital(f"what makes {spoken(one.answer)} scatter")
         sentence = (

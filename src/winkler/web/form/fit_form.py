@@ -1,11 +1,11 @@
-"""The form of a fit: the curve, what is known of its measurement, the numbers that it is to tell, and the model."""
+"""The form of a fit: the curve, calibration of the measurement, the free parameters, and the model."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
-from winkler.plot.series import spoken
+from winkler.plot.series import name_in_words
 from winkler.study.language.correcting import CORRECTIONS
 from winkler.study.language.explain import completed
 from winkler.study.language.fit_reading import FITTED
@@ -13,22 +13,33 @@ from winkler.study.language.fit_study import OF_A_CURVE, OF_A_TIMED_CURVE
 from winkler.study.language.grammar import SECTIONS
 from winkler.vocabulary import Word
 from winkler.web.form import form
-from winkler.web.form.form import Entry, Many, Part, Slot
-from winkler.web.form.typed import shown
+from winkler.web.form.form import FormEntry, FormPart, Many, Slot
+from winkler.web.form.typed import field_text
 
-__all__ = ["Choice", "Line", "begun", "bounds", "choices", "lines", "measurement", "model", "numbers_in", "spoken_key"]
+__all__ = [
+    "Choice",
+    "FreeNumber",
+    "bounds",
+    "choices",
+    "free_numbers",
+    "initial_table",
+    "key_in_words",
+    "measurement",
+    "model",
+    "numbers_in",
+]
 
 RELAXES = FITTED[-1]
 PLACEHOLDERS = ("problem.load", "problem.path")
-"""What the curve replaces."""
-OPEN: dict[str, dict[str, Any]] = {
+"""Keys of the model that the curve replaces."""
+INITIALLY_FREE: dict[str, dict[str, Any]] = {
     "indentation": {"problem.bed.medium.first.young": True},
     "adhesive_indentation": {"problem.bed.medium.first.young": True, "problem.law.work": True},
     RELAXES: {"problem.bed.medium.first.shear": True, "problem.bed.medium.first.exponent": [0.01, 0.9]},
 }
-"""What is fitted to begin with, beside the contact point and the baseline."""
-SOFT = {"kind": "half_space", "first": {"kind": "elastic", "young": "1 kPa", "poisson": 0.5}}
-LIVING = {
+"""Initially free parameters, in addition to the contact point and the baseline."""
+ELASTIC_SAMPLE = {"kind": "half_space", "first": {"kind": "elastic", "young": "1 kPa", "poisson": 0.5}}
+VISCOELASTIC_SAMPLE = {
     "kind": "viscoelastic_half_space",
     "first": {
         "kind": "power_law_solid",
@@ -40,14 +51,19 @@ LIVING = {
     },
 }
 NUMERIC = ("quantity", "number", "list of quantity", "list of number")
-PARTS = {"approach": "the way in", "hold": "the way in and the hold", "retract": "the way out", "both": "both ways"}
-DRIVEN = {"force": "forces, the motion drives", "position": "positions, the forces drive"}
+CURVE_PARTS = {
+    "approach": "the approach",
+    "hold": "the approach and the hold",
+    "retract": "the retraction",
+    "both": "approach and retraction",
+}
+DRIVEN = {"force": "forces along the measured motion", "position": "positions under the measured forces"}
 NUMBERS = {"spring_constant": "N/m", "sensitivity": "m/V", "frame_stiffness": "N/m", "noise": ""}
-"""What is known of the measurement, with units."""
+"""Keys of the measurement, with units."""
 
 
-class Line(NamedTuple):
-    """One number that the curve is to tell.
+class FreeNumber(NamedTuple):
+    """One free parameter.
 
     Parameters
     ----------
@@ -58,7 +74,7 @@ class Line(NamedTuple):
     word
         Symbol, unit and meaning.
     low, high
-        Bounds as typed; only the first is a start, none is neither.
+        Bounds as typed; the first alone is a start value.
     """
 
     key: str
@@ -78,46 +94,48 @@ class Choice(NamedTuple):
     chosen: str
 
 
-def begun(kind: str) -> dict[str, Any]:
-    """Return the table of a fit, to begin with: a bead on something soft."""
+def initial_table(kind: str) -> dict[str, Any]:
+    """Return the initial table of a fit: a bead on a soft sample."""
     problem = completed({"kind": kind})
     for path in PLACEHOLDERS:
         problem.pop(path.rpartition(".")[2], None)
     problem["bed"] = {
         "kind": "foundation",
         "profile": {"kind": "paraboloid", "curvature_radius": "5 um"},
-        "medium": completed(LIVING if kind == RELAXES else SOFT),
+        "medium": completed(VISCOELASTIC_SAMPLE if kind == RELAXES else ELASTIC_SAMPLE),
     }
-    free = {**OPEN[kind], "contact_point": True, "baseline": True}
+    free = {**INITIALLY_FREE[kind], "contact_point": True, "baseline": True}
     part = "both" if kind == RELAXES else "approach"
     return {"title": "fit of a curve", "problem": problem, "fit": {"curve": "", "part": part, "free": free}}
 
 
-def model(table: dict[str, Any]) -> Part:
+def model(table: dict[str, Any]) -> FormPart:
     """Return the form of the model, without the load, which the curve replaces."""
     whole = form.part_of(table)
     return whole._replace(children=tuple(one for one in whole.children if one.path not in PLACEHOLDERS))
 
 
-def numbers_in(part: Part) -> Iterator[Entry]:
-    """Yield the keys of a form at which a number stands, or a row of them."""
+def numbers_in(part: FormPart) -> Iterator[FormEntry]:
+    """Yield the entries of a form that hold a number, or a list of numbers."""
     for child in part.children:
         match child:
-            case Entry() if child.text and child.takes.startswith(NUMERIC) and not child.path.endswith(".tolerance"):
+            case FormEntry() if (
+                child.text and child.takes.startswith(NUMERIC) and not child.path.endswith(".tolerance")
+            ):
                 yield child
-            case Slot(part=Part() as inside):
+            case Slot(part=FormPart() as inside):
                 yield from numbers_in(inside)
             case Many():
                 for inside in child.parts:
                     yield from numbers_in(inside)
 
 
-def spoken_key(key: str) -> str:
+def key_in_words(key: str) -> str:
     """Return a key of a study in words.
 
     Examples
     --------
-    >>> spoken_key("problem.bed.medium.layers.0.solid.young"), spoken_key("contact_point")
+    >>> key_in_words("problem.bed.medium.layers.0.solid.young"), key_in_words("contact_point")
     ("medium › layer 1 › solid › Young's modulus", 'contact point')
     """
     words: list[str] = []
@@ -125,68 +143,72 @@ def spoken_key(key: str) -> str:
         if word.isdecimal() and words:
             words[-1] = f"{words[-1].removesuffix('s')} {int(word) + 1}"
         else:
-            words.append(spoken(word))
+            words.append(name_in_words(word))
     return " › ".join(words)
 
 
-def _open(table: dict[str, Any]) -> dict[str, Word]:
-    """Return everything that may be free, with its word."""
+def _candidates(table: dict[str, Any]) -> dict[str, Word]:
+    """Return all parameters that may be free, with their glossary entries."""
     relaxes = form.at(table, "problem.kind") == RELAXES
-    found = dict(OF_A_TIMED_CURVE if relaxes else OF_A_CURVE)
-    return found | {one.path: Word(one.symbol, one.unit, one.hint) for one in numbers_in(model(table))}
+    result = dict(OF_A_TIMED_CURVE if relaxes else OF_A_CURVE)
+    return result | {one.path: Word(one.symbol, one.unit, one.hint) for one in numbers_in(model(table))}
 
 
-def lines(table: dict[str, Any]) -> tuple[tuple[Line, ...], dict[str, str]]:
-    """Return the numbers that are free, and all others that might be: key -> words."""
-    known, free = _open(table), form.at(table, "fit.free")
-    given = free if isinstance(free, dict) else {}
-    found = []
-    for key, content in given.items():
+def free_numbers(table: dict[str, Any]) -> tuple[tuple[FreeNumber, ...], dict[str, str]]:
+    """Return the free parameters, and the labels of all others by key."""
+    candidates, free = _candidates(table), form.at(table, "fit.free")
+    stated = free if isinstance(free, dict) else {}
+    result = []
+    for key, content in stated.items():
         texts = content if isinstance(content, list) else [] if content is True or content == {} else [content]
-        low, high = (shown(texts[place]) if place < len(texts) else "" for place in (0, 1))
-        word = known.get(key) or known.get(key.rpartition(".")[0]) or Word("", "", "")
-        found.append(Line(key, spoken_key(key), word, low, high))
-    return tuple(found), {key: spoken_key(key) for key in known if key not in given}
+        low, high = (field_text(texts[place]) if place < len(texts) else "" for place in (0, 1))
+        word = candidates.get(key) or candidates.get(key.rpartition(".")[0]) or Word("", "", "")
+        result.append(FreeNumber(key, key_in_words(key), word, low, high))
+    return tuple(result), {key: key_in_words(key) for key in candidates if key not in stated}
 
 
 def bounds(low: str, high: str, unit: str) -> Any:
-    """Return what stands in ``[fit.free]`` for two typed bounds; the study's checks find what is wrong with them."""
+    """Return the entry of ``[fit.free]`` for two typed bounds, which the checks of the study validate."""
     from winkler.web.form.typed import typed
 
     takes = f"quantity [{unit}]" if unit else "number"
-    given = [typed(text, takes) for text in (low, high) if text.strip()]
-    if len(given) == 2:
-        return given
+    stated = [typed(text, takes) for text in (low, high) if text.strip()]
+    if len(stated) == 2:
+        return stated
     if high.strip():
-        return [typed("", "text"), given[0]]  # an upper bound alone: the lower one is missed, beside its field
-    return given[0] if given else True
+        return [typed("", "text"), stated[0]]  # an upper bound alone: the check reports the missing lower one
+    return stated[0] if stated else True
 
 
 def choices(table: dict[str, Any]) -> tuple[Choice, ...]:
-    """Return which part of the curve is fitted, and what of it."""
+    """Return the choices of the fitted part and quantity of the curve."""
     relaxes = form.at(table, "problem.kind") == RELAXES
-    parts = {name: PARTS[name] for name in PARTS if name != ("retract" if relaxes else "hold")}
-    told = SECTIONS["fit"]
-    found = [Choice("fit.part", "part of the curve", told["part"], parts, str(form.at(table, "fit.part")))]
+    parts = {name: CURVE_PARTS[name] for name in CURVE_PARTS if name != ("retract" if relaxes else "hold")}
+    section_keys = SECTIONS["fit"]
+    result = [Choice("fit.part", "part of the curve", section_keys["part"], parts, str(form.at(table, "fit.part")))]
     if relaxes:
         driven = str(form.at(table, "fit.fitted") or "force")
-        found.append(Choice("fit.fitted", "what is fitted", told["fitted"], DRIVEN, driven))
-    return tuple(found)
+        result.append(Choice("fit.fitted", "what is fitted", section_keys["fitted"], DRIVEN, driven))
+    return tuple(result)
 
 
-def measurement(table: dict[str, Any]) -> tuple[Entry, ...]:
-    """Return what may be told of the measurement."""
-    told = SECTIONS["fit"]
+def measurement(table: dict[str, Any]) -> tuple[FormEntry, ...]:
+    """Return the entries of the measurement."""
+    section_keys = SECTIONS["fit"]
     by_position = form.at(table, "fit.fitted") == "position"
-    found = []
+    result = []
     for name, unit_ in NUMBERS.items():
         unit = unit_ or ("m" if by_position else "N")
-        text = shown(form.at(table, f"fit.{name}"))
-        found.append(
-            Entry(f"fit.{name}", name.replace("_", " "), "", unit, told[name], f"quantity [{unit}]", text, False)
+        text = field_text(form.at(table, f"fit.{name}"))
+        result.append(
+            FormEntry(
+                f"fit.{name}", name.replace("_", " "), "", unit, section_keys[name], f"quantity [{unit}]", text, False
+            )
         )
-    steps = shown(form.at(table, "fit.correct"))
-    hint = f"in their order, any of {', '.join(CORRECTIONS)}; nothing is corrected that is not named"
-    ways = shown(form.at(table, "fit.segments"))
-    found.append(Entry("fit.segments", "segments", "", "", told["segments"], "list of text", ways, False))
-    return (*found, Entry("fit.correct", "corrections", "", "", hint, "list of text", steps, False))
+    steps = field_text(form.at(table, "fit.correct"))
+    hint = f"in their order, any of {', '.join(CORRECTIONS)}; no other correction is applied"
+    segments_text = field_text(form.at(table, "fit.segments"))
+    result.append(
+        FormEntry("fit.segments", "segments", "", "", section_keys["segments"], "list of text", segments_text, False)
+    )
+    return (*result, FormEntry("fit.correct", "corrections", "", "", hint, "list of text", steps, False))

@@ -1,29 +1,41 @@
-"""A form as a tree: made from the table of a study, its kinds and the glossary; nothing here knows a browser."""
+"""A form as a tree: made from the table of a study, its kinds and the glossary; independent of the browser."""
 
 from __future__ import annotations
 
 import re
 from typing import Any, NamedTuple
 
-from winkler.plot.series import spoken
+from winkler.plot.series import name_in_words
 from winkler.study.language.catalogue import kinds
 from winkler.study.language.explain import completed, example_study, keys_of, summary
 from winkler.study.language.schema import allowed_in_list, allowed_kinds, hints
-from winkler.web.form.typed import shown
+from winkler.web.form.typed import field_text
 
-__all__ = ["Entry", "Many", "Part", "Slot", "at", "begun", "chosen", "drop", "owner_of", "part_of", "put"]
+__all__ = [
+    "FormEntry",
+    "FormPart",
+    "Many",
+    "Slot",
+    "at",
+    "choose_kind",
+    "drop",
+    "initial_table",
+    "owner_of",
+    "part_of",
+    "put",
+]
 
 FILE = "file"
-"""The key that stands for a file in place of numbers."""
-SECTIONED = re.compile(
+"""The key of a file that replaces numbers."""
+SECTION_SENTENCE = re.compile(
     r"((?:fit|sweep)(?:\.\w+)?)"  # fit.curve, sweep.design
     r'(?:\."([^"]*)")?'  # sweep."problem.load.force"
     r"(?:\.(\w+))?(?:\[(\d+)\])?(?: has no '(\w+)')?"
 )
-"""How a sentence about a section of a study begins."""
+"""Beginning of a sentence about a section of a study."""
 
 
-class Entry(NamedTuple):
+class FormEntry(NamedTuple):
     """One key that takes a number, a list, a text or a yes or no.
 
     Parameters
@@ -35,13 +47,13 @@ class Entry(NamedTuple):
     symbol, unit
         Of the glossary; empty for none.
     hint
-        What it means, and what is allowed.
+        Its meaning, and the allowed values.
     takes
         In the words of `winkler.study.language.explain`.
     text
-        What stands there; empty if it was left out.
+        Its content; empty if it was left out.
     required
-        Whether it must be given.
+        Whether it is required.
     """
 
     path: str
@@ -55,14 +67,14 @@ class Entry(NamedTuple):
 
 
 class Slot(NamedTuple):
-    """A place that one of several kinds takes; without `part` it is left out."""
+    """A key that takes one of several kinds; without `part` it is left out."""
 
     path: str
     label: str
     hint: str
     allowed: tuple[str, ...]
     required: bool
-    part: Part | None
+    part: FormPart | None
 
 
 class Many(NamedTuple):
@@ -71,22 +83,22 @@ class Many(NamedTuple):
     path: str
     label: str
     allowed: tuple[str, ...]
-    parts: tuple[Part, ...]
+    parts: tuple[FormPart, ...]
 
 
-class Part(NamedTuple):
+class FormPart(NamedTuple):
     """One kind with its keys.
 
     Parameters
     ----------
     path
-        Where it stands.
+        Its path.
     kind
         Its name.
     meaning
         One sentence.
     takes_file
-        Whether a file may stand in place of its numbers.
+        Whether a file may replace its numbers.
     file
         The name of that file; empty for none.
     children
@@ -98,33 +110,33 @@ class Part(NamedTuple):
     meaning: str
     takes_file: bool
     file: str
-    children: tuple[Entry | Slot | Many, ...]
+    children: tuple[FormEntry | Slot | Many, ...]
 
 
-def begun(problem: str) -> dict[str, Any]:
-    """Return the table of a study that asks a problem, to begin with."""
+def initial_table(problem: str) -> dict[str, Any]:
+    """Return the initial table of a study of a problem."""
     return {**example_study(problem), "title": problem.replace("_", " ")}
 
 
-def part_of(table: dict[str, Any], path: str = "problem") -> Part:
-    """Return the form of what stands at `path` of a study; unknown kinds and keys are left to the study's checks."""
+def part_of(table: dict[str, Any], path: str = "problem") -> FormPart:
+    """Return the form of the content at `path` of a study; its checks report unknown kinds and keys."""
     inside = at(table, path)
     name = str(inside.get("kind")) if isinstance(inside, dict) else ""
     if name not in kinds():
-        return Part(path, name, "", False, "", ())
+        return FormPart(path, name, "", False, "", ())
     line = kinds()[name]
     file = str(inside.get(FILE, ""))
     keys = {key.name: key for key in keys_of(name)}
-    known = hints(line.cls)
-    children: list[Entry | Slot | Many] = []
+    declared = hints(line.cls)
+    children: list[FormEntry | Slot | Many] = []
     for key in keys.values():
-        if key.name == FILE or (file and key.name in known and key.required):
+        if key.name == FILE or (file and key.name in declared and key.required):
             continue
-        if not file and line.reader is not None and key.name not in known:
-            continue  # how a file is read, where there is none
+        if not file and line.reader is not None and key.name not in declared:
+            continue  # options of reading, without a file
         where, content = f"{path}.{key.name}", inside.get(key.name)
-        hint = known.get(key.name)
-        name_ = spoken(key.name) if hint is None or len(key.name) > 1 else key.name
+        hint = declared.get(key.name)
+        name_ = name_in_words(key.name) if hint is None or len(key.name) > 1 else key.name
         if hint is not None and allowed_kinds(hint):
             part = part_of(table, where) if isinstance(content, dict) else None
             children.append(Slot(where, name_, key.word.meaning, allowed_kinds(hint), key.required, part))
@@ -135,12 +147,12 @@ def part_of(table: dict[str, Any], path: str = "problem") -> Part:
         else:
             hint_ = ". ".join(part for part in (key.word.meaning, key.range) if part)
             mark, unit = key.word.symbol, key.word.unit or ""
-            children.append(Entry(where, name_, mark, unit, hint_, key.takes, shown(content), key.required))
-    return Part(path, name, summary(line.cls), line.reader is not None, file, tuple(children))
+            children.append(FormEntry(where, name_, mark, unit, hint_, key.takes, field_text(content), key.required))
+    return FormPart(path, name, summary(line.cls), line.reader is not None, file, tuple(children))
 
 
 def at(table: Any, path: str) -> Any:
-    """Return what stands at a path of a study such as ``problem.path.steps.0``; None if nothing does."""
+    """Return the content at a path of a study such as ``problem.path.steps.0``; None if there is none."""
     for part in path.split("."):
         try:
             table = table[int(part) if isinstance(table, list) else part]
@@ -150,28 +162,28 @@ def at(table: Any, path: str) -> Any:
 
 
 def _holder(table: Any, path: str) -> tuple[Any, Any]:
-    held, _, last = path.rpartition(".")
-    holder = at(table, held) if held else table
+    parent_path, _, last = path.rpartition(".")
+    holder = at(table, parent_path) if parent_path else table
     return holder, int(last) if isinstance(holder, list) else last
 
 
 def put(table: dict[str, Any], path: str, content: Any) -> None:
-    """Put something at a path."""
+    """Set the content at a path."""
     holder, key = _holder(table, path)
     holder[key] = content
 
 
 def drop(table: dict[str, Any], path: str) -> None:
-    """Leave out what stands at a path, if anything does."""
+    """Remove the content at a path, if there is any."""
     holder, key = _holder(table, path)
     if isinstance(holder, list) or (isinstance(holder, dict) and key in holder):
         del holder[key]
 
 
-def chosen(table: dict[str, Any], path: str, kind: str) -> None:
-    """Put a kind at a path, with the numbers of an example; what the old one called by the same name is kept."""
+def choose_kind(table: dict[str, Any], path: str, kind: str) -> None:
+    """Set a kind at a path, with the numbers of an example; keys shared with the previous kind keep their content."""
     if path == "problem":
-        table |= begun(kind)
+        table |= initial_table(kind)
         return
     before = at(table, path)
     new = completed({"kind": kind})
@@ -184,7 +196,7 @@ def chosen(table: dict[str, Any], path: str, kind: str) -> None:
 
 
 def owner_of(sentence: str) -> str:
-    """Return the path of the key that a sentence about a study is about; empty if it names none.
+    """Return the path of the key that a sentence about a study names; empty if it names none.
 
     Examples
     --------
@@ -195,11 +207,11 @@ def owner_of(sentence: str) -> str:
     >>> owner_of('fit.free."problem.bed.medium.first.young"[0]: ...'), owner_of("fit.curve: gel.csv: ...")
     ('fit.free.problem.bed.medium.first.young.0', 'fit.curve')
     """
-    found = SECTIONED.match(sentence)
-    if found is not None:
-        return ".".join(part for part in found.groups() if part)
-    found = re.match(r"(problem(?:\.\w+|\[\d+\])*)(?: has no '(\w+)')?", sentence)
-    if found is None:
+    match = SECTION_SENTENCE.match(sentence)
+    if match is not None:
+        return ".".join(part for part in match.groups() if part)
+    match = re.match(r"(problem(?:\.\w+|\[\d+\])*)(?: has no '(\w+)')?", sentence)
+    if match is None:
         return ""
-    path = re.sub(r"\[(\d+)\]", r".\1", found[1])
-    return f"{path}.{found[2]}" if found[2] else path
+    path = re.sub(r"\[(\d+)\]", r".\1", match[1])
+    return f"{path}.{match[2]}" if match[2] else path

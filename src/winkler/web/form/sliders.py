@@ -1,4 +1,4 @@
-"""How far a slider beside a number goes: a decade to either side, or all that makes sense."""
+"""Range of the slider beside a number: a decade to either side, or a natural range."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import NamedTuple
 __all__ = ["STEPS", "Span", "span_of"]
 
 STEPS = 100
-"""A slider has so many steps to either side of its middle."""
+"""Steps of a slider to either side of its middle."""
 
 BOUNDS = {"poisson": {"": (0.0, 0.49)}, "half_angle": {"deg": (5.0, 85.0), "°": (5.0, 85.0), "rad": (0.1, 1.5)}}
 """Key -> unit -> range, of quantities that have a natural one."""
@@ -25,9 +25,9 @@ class Span(NamedTuple):
     low, high
         Numbers at its ends.
     unit
-        Of the numbers, as it was typed; kept while the slider moves.
+        Of the numbers, as typed; unchanged by the slider.
     even
-        Whether it counts in steps of one length, not of one ratio.
+        Whether its steps are equal differences, not equal ratios.
     """
 
     low: float
@@ -51,7 +51,7 @@ class Span(NamedTuple):
         return round(STEPS * (2.0 * min(max(share, 0.0), 1.0) - 1.0))
 
     def text(self, place: float) -> str:
-        """Return what stands in the field when the slider is at a place.
+        """Return the content of the field for a position of the slider.
 
         Examples
         --------
@@ -62,24 +62,24 @@ class Span(NamedTuple):
 
 
 def span_of(name: str, text: str) -> tuple[Span, int] | None:
-    """Return the range of the slider beside a field, and its place; None where a slider would tell nothing.
+    """Return the range of the slider beside a field, and its place; None for a content without a slider.
 
     Parameters
     ----------
     name
         The key.
     text
-        What stands in the field.
+        Content of the field.
 
     Examples
     --------
     >>> span_of("force", "100 N")
     (Span(low=10.0, high=1000.0, unit='N', even=False), 0)
     """
-    found = NUMBER.fullmatch(text)
-    if found is None:
+    match = NUMBER.fullmatch(text)
+    if match is None:
         return None
-    number, unit = float(found[1]), found[2].strip()
+    number, unit = float(match[1]), match[2].strip()
     if not math.isfinite(number) or number == 0.0:
         return None
     low, high = BOUNDS.get(name, {}).get(unit, (0.0, 0.0))

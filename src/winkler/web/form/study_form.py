@@ -1,4 +1,4 @@
-"""What is asked: the table of a study, and everything that a person may change in it; nothing here knows a browser."""
+"""The edited study: its table and all changes that the form can make to it, independent of the browser."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ __all__ = ["FIRST", "TASKS", "StudyForm"]
 
 FIRST = "indentation"
 TASKS = {"solve": "Solve a problem", "fit": "Fit a curve"}
-"""What can be done, in words."""
+"""Tasks with their labels."""
 
 
 class StudyForm:
@@ -24,67 +24,67 @@ class StudyForm:
     Parameters
     ----------
     changed
-        Called when the form must be made anew.
+        Called when the form must be rebuilt.
     solve
-        Called when only a number is another one.
+        Called when only a value has changed.
     """
 
     def __init__(self, changed: Callable[[], None], solve: Callable[[], None]) -> None:
         self.changed, self.solve = changed, solve
-        self.table: dict[str, Any] = form.begun(FIRST)
-        self.aside: dict[str, Any] = fit_form.begun(FITTED[0])
+        self.table: dict[str, Any] = form.initial_table(FIRST)
+        self.other_table: dict[str, Any] = fit_form.initial_table(FITTED[0])
         self.target = ""
-        """Where the next upload belongs."""
+        """Path for which the next upload is meant."""
 
     @property
     def task(self) -> str:
         """One of `TASKS`."""
         return "fit" if "fit" in self.table else "solve"
 
-    def turn(self, task: str) -> None:
-        """Turn to the other task; the study of this one is kept aside."""
+    def switch_task(self, task: str) -> None:
+        """Switch to the other task, and keep the study of this one."""
         if task in TASKS and task != self.task:
-            self.table, self.aside = self.aside, self.table
+            self.table, self.other_table = self.other_table, self.table
             self.changed()
 
-    def take(self, table: dict[str, Any]) -> None:
-        """Take a whole study."""
+    def load(self, table: dict[str, Any]) -> None:
+        """Replace the whole study."""
         if ("fit" in table) != ("fit" in self.table):
-            self.aside = self.table
+            self.other_table = self.table
         self.table = table
         self.changed()
 
     def choose(self, path: str, kind: str) -> None:
-        """Put a kind at a place; an empty one leaves it out."""
+        """Set a kind at a path; an empty one removes it."""
         if kind == str((form.at(self.table, path) or {}).get("kind", "")):
             return
         if path == "problem" and self.task == "fit":
             curve = form.at(self.table, "fit.curve")
-            self.table = fit_form.begun(kind)
+            self.table = fit_form.initial_table(kind)
             form.put(self.table, "fit.curve", curve)
         elif kind:
-            form.chosen(self.table, path, kind)
+            form.choose_kind(self.table, path, kind)
         else:
             form.drop(self.table, path)
         if path == "problem":
             self.table = {name: self.table[name] for name in ("title", "problem", "fit") if name in self.table}
-        self._only_there()
+        self._drop_missing_keys()
         self.changed()
 
-    def _only_there(self) -> None:
-        """Take what is no longer in the problem out of what is free, and of what varies."""
-        for held in (form.at(self.table, "fit.free"), self.table.get("sweep")):
-            if not isinstance(held, dict):
+    def _drop_missing_keys(self) -> None:
+        """Remove free and varied keys that are no longer in the problem."""
+        for section in (form.at(self.table, "fit.free"), self.table.get("sweep")):
+            if not isinstance(section, dict):
                 continue
-            for key in [*held]:
+            for key in [*section]:
                 plain = re.sub(r"\[(\d+)\]", r".\1", key)
                 if plain.startswith("problem.") and form.at(self.table, plain) is None:
-                    del held[key]
+                    del section[key]
         if set(self.table.get("sweep", ())) == {"design"} or self.table.get("sweep") == {}:
             del self.table["sweep"]
 
     def change(self, path: str, text: str, takes: str) -> None:
-        """Put what was typed at a key; nothing leaves it out."""
+        """Set the typed content of a key; an empty text removes it."""
         content = typed(text, takes) if text.strip() else None
         if content == form.at(self.table, path):
             return
@@ -94,8 +94,8 @@ class StudyForm:
             form.put(self.table, path, content)
         self.solve()
 
-    def pin(self, path: str, word: str) -> None:
-        """Choose one of a few words for a key of the measurement, which changes what else may be said."""
+    def choose_option(self, path: str, word: str) -> None:
+        """Choose an option of the measurement, which may change other fields."""
         if word != form.at(self.table, path):
             form.put(self.table, path, word)
             self.changed()
@@ -106,11 +106,11 @@ class StudyForm:
         self.changed()
 
     def pick(self, path: str) -> None:
-        """Say that the next upload belongs to a place."""
+        """Set the path for which the next upload is meant."""
         self.target = path
 
     def read(self, path: str, name: str) -> None:
-        """Take a file in place of numbers; an empty name goes back to numbers."""
+        """Replace numbers by a file; an empty name restores numbers."""
         if path == "fit.curve":
             form.put(self.table, path, name)
         else:
@@ -121,17 +121,17 @@ class StudyForm:
     # ------------------------------------------------------------------------------------------------- of a fit
 
     def free(self, key: str) -> None:
-        """Let the curve tell one more number."""
+        """Free one more parameter."""
         self.table["fit"].setdefault("free", {})[key] = True
         self.changed()
 
     def fix(self, key: str) -> None:
-        """Leave a number as the model says."""
+        """Fix a parameter at the value of the model."""
         del self.table["fit"]["free"][key]
         self.changed()
 
     def bound(self, key: str, low: str, high: str, unit: str) -> None:
-        """Say between what a free number lies."""
+        """Set the bounds of a free parameter."""
         content = fit_form.bounds(low, high, unit)
         if content != self.table["fit"]["free"][key]:
             self.table["fit"]["free"][key] = content
@@ -140,24 +140,24 @@ class StudyForm:
     # ----------------------------------------------------------------------------------------------- of a sweep
 
     def vary(self, key: str) -> None:
-        """Let one more number vary."""
+        """Vary one more number."""
         sweep_form.add(self.table, key)
         self.changed()
 
-    def still(self, key: str) -> None:
-        """Let a number vary no longer."""
-        sweep_form.take_out(self.table, key)
+    def hold_constant(self, key: str) -> None:
+        """Stop varying a number."""
+        sweep_form.remove_key(self.table, key)
         self.changed()
 
-    def vary_over(self, key: str, way: str, texts: dict[str, str], *, anew: bool) -> None:
-        """Say over what a number varies; `anew` where this needs other boxes."""
+    def vary_over(self, key: str, spacing: str, texts: dict[str, str], *, anew: bool) -> None:
+        """Set the range of a varied number; `anew` if this needs other fields."""
         before = self.table["sweep"][key]
-        sweep_form.put_row(self.table, key, way, texts)
+        sweep_form.set_range(self.table, key, spacing, texts)
         if self.table["sweep"][key] != before:
             (self.changed if anew else self.solve)()
 
-    def redesign(self, kind: str) -> None:
-        """Say which points are solved."""
-        if kind != sweep_form.plan(self.table):
-            sweep_form.redesigned(self.table, kind)
+    def choose_design(self, kind: str) -> None:
+        """Choose the design of the sweep."""
+        if kind != sweep_form.design_kind(self.table):
+            sweep_form.change_design(self.table, kind)
             self.changed()

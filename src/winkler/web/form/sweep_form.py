@@ -1,4 +1,4 @@
-"""The form of a sweep: which numbers vary, over what, and which of their combinations are solved."""
+"""The form of a sweep: varied numbers, their ranges, and the design."""
 
 from __future__ import annotations
 
@@ -6,30 +6,40 @@ from typing import Any, NamedTuple
 
 from winkler.study.language.designs import DESIGNS
 from winkler.web.form import form
-from winkler.web.form.fit_form import numbers_in, spoken_key
-from winkler.web.form.form import Entry
+from winkler.web.form.fit_form import key_in_words, numbers_in
+from winkler.web.form.form import FormEntry
 from winkler.web.form.sliders import NUMBER, span_of
-from winkler.web.form.typed import shown, typed
+from winkler.web.form.typed import field_text, typed
 
-__all__ = ["WAYS", "Row", "add", "design_entries", "plan", "put_row", "redesigned", "rows", "take_out"]
+__all__ = [
+    "SPACINGS",
+    "VariedNumber",
+    "add",
+    "change_design",
+    "design_entries",
+    "design_kind",
+    "remove_key",
+    "rows",
+    "set_range",
+]
 
 EVEN, RATIO, LIST = "even", "ratio", "list"
-WAYS = {EVEN: "in equal steps", RATIO: "in equal ratios", LIST: "these values"}
-"""How a number varies, in words."""
-PLANS = {
+SPACINGS = {EVEN: "in equal steps", RATIO: "in equal ratios", LIST: "these values"}
+"""Spacings with their labels."""
+DESIGN_LABELS = {
     "crossed": "every combination",
     "zipped": "together, one after the other",
     "latin_hypercube": "drawn: Latin hypercube",
     "sobol": "drawn: Sobol sequence",
     "sensitivity": "which matters: Sobol indices",
 }
-"""Which points are solved, in words."""
-COUNT, DRAWN = 5, 64
-"""So many values, or drawn points, to begin with."""
+"""Designs with their labels."""
+VALUE_COUNT, POINT_COUNT = 5, 64
+"""Initial number of values, and of drawn points."""
 SECTION, DESIGN = "sweep", "design"
 
 
-class Row(NamedTuple):
+class VariedNumber(NamedTuple):
     """One number that varies.
 
     Parameters
@@ -40,55 +50,57 @@ class Row(NamedTuple):
         Its field in the form.
     label
         In words.
-    way
-        One of `WAYS`.
-    ways
+    spacing
+        One of `SPACINGS`.
+    spacings
         Those that the design allows.
     texts
-        What stands in its boxes: name -> text.
+        Contents of its fields by name.
     """
 
     key: str
-    entry: Entry
+    entry: FormEntry
     label: str
-    way: str
-    ways: tuple[str, ...]
+    spacing: str
+    spacings: tuple[str, ...]
     texts: dict[str, str]
 
 
-def _open(table: dict[str, Any]) -> dict[str, Entry]:
+def _candidates(table: dict[str, Any]) -> dict[str, FormEntry]:
     """Return the numbers of the problem that may vary."""
     return {one.path: one for one in numbers_in(form.part_of(table)) if not one.takes.startswith("list of")}
 
 
 def _lines(table: dict[str, Any]) -> dict[str, Any]:
-    found = table.get(SECTION)
-    return {key: content for key, content in found.items() if key != DESIGN} if isinstance(found, dict) else {}
+    result = table.get(SECTION)
+    return {key: content for key, content in result.items() if key != DESIGN} if isinstance(result, dict) else {}
 
 
-def plan(table: dict[str, Any]) -> str:
+def design_kind(table: dict[str, Any]) -> str:
     """Return the kind of the design."""
     return str(form.at(table, "sweep.design.kind") or "crossed")
 
 
 def _draws(table: dict[str, Any]) -> bool:
-    kind = plan(table)
+    kind = design_kind(table)
     return kind in DESIGNS and DESIGNS[kind].draws
 
 
-def rows(table: dict[str, Any]) -> tuple[tuple[Row, ...], dict[str, str]]:
-    """Return the numbers that vary, and all others that might: key -> words."""
-    known = _open(table)
+def rows(table: dict[str, Any]) -> tuple[tuple[VariedNumber, ...], dict[str, str]]:
+    """Return the varied numbers, and the labels of all others by key."""
+    candidates = _candidates(table)
     lines = _lines(table)
-    found = []
+    result = []
     for key, content in lines.items():
-        if key in known and isinstance(content, dict | list):
-            ways = (EVEN, RATIO) if _draws(table) else tuple(WAYS)
-            found.append(Row(key, known[key], spoken_key(key), _way(content), ways, _texts(content)))
-    return tuple(found), {key: spoken_key(key) for key in known if key not in lines}
+        if key in candidates and isinstance(content, dict | list):
+            spacings = (EVEN, RATIO) if _draws(table) else tuple(SPACINGS)
+            result.append(
+                VariedNumber(key, candidates[key], key_in_words(key), _spacing(content), spacings, _texts(content))
+            )
+    return tuple(result), {key: key_in_words(key) for key in candidates if key not in lines}
 
 
-def _way(content: Any) -> str:
+def _spacing(content: Any) -> str:
     if isinstance(content, list):
         return LIST
     return RATIO if "log" in (content.get("spacing"), content.get("scale")) else EVEN
@@ -96,83 +108,85 @@ def _way(content: Any) -> str:
 
 def _texts(content: Any) -> dict[str, str]:
     if isinstance(content, list):
-        return {"values": shown(content)}
-    return {name: shown(content.get(name)) for name in ("from", "to", "count") if name != "count" or name in content}
+        return {"values": field_text(content)}
+    return {
+        name: field_text(content.get(name)) for name in ("from", "to", "count") if name != "count" or name in content
+    }
 
 
 def add(table: dict[str, Any], key: str) -> None:
-    """Let a number vary: between a half and twice of what stands there."""
-    entry = _open(table)[key]
+    """Vary a number between half and twice its value."""
+    entry = _candidates(table)[key]
     lines = table.setdefault(SECTION, {})
-    found, span = NUMBER.fullmatch(entry.text), span_of(key.rpartition(".")[2], entry.text)
-    if found is None or span is None:
+    result, span = NUMBER.fullmatch(entry.text), span_of(key.rpartition(".")[2], entry.text)
+    if result is None or span is None:
         low, high = entry.text, entry.text
     elif span[0].even:
         low, high = span[0].text(-100), span[0].text(100)
     else:
-        low, high = (f"{factor * float(found[1]):.4g} {found[2]}".rstrip() for factor in (0.5, 2.0))
-    texts = {"from": low, "to": high, "count": str(COUNT)}
+        low, high = (f"{factor * float(result[1]):.4g} {result[2]}".rstrip() for factor in (0.5, 2.0))
+    texts = {"from": low, "to": high, "count": str(VALUE_COUNT)}
     lines[key] = _content(entry, EVEN, texts, draws=_draws(table))
 
 
-def take_out(table: dict[str, Any], key: str) -> None:
-    """Let a number vary no longer; without any, there is no sweep."""
+def remove_key(table: dict[str, Any], key: str) -> None:
+    """Stop varying a number; without varied numbers, remove the sweep."""
     table[SECTION].pop(key, None)
     if not _lines(table):
         del table[SECTION]
 
 
-def put_row(table: dict[str, Any], key: str, way: str, texts: dict[str, str]) -> None:
-    """Say over what a number varies."""
-    table[SECTION][key] = _content(_open(table)[key], way, texts, draws=_draws(table))
+def set_range(table: dict[str, Any], key: str, spacing: str, texts: dict[str, str]) -> None:
+    """Set the range of a varied number."""
+    table[SECTION][key] = _content(_candidates(table)[key], spacing, texts, draws=_draws(table))
 
 
-def _content(entry: Entry, way: str, texts: dict[str, str], *, draws: bool) -> Any:
-    """Return what stands in ``[sweep]`` for the boxes of a row; those that are empty are left out."""
+def _content(entry: FormEntry, spacing: str, texts: dict[str, str], *, draws: bool) -> Any:
+    """Return the entry of ``[sweep]`` for the fields of a number; empty ones are left out."""
     one = f"quantity [{entry.unit}]" if entry.unit else "number"
-    if way == LIST and not draws:
+    if spacing == LIST and not draws:
         text = texts.get("values") or ", ".join(texts[name] for name in ("from", "to") if texts.get(name))
         return typed(text, f"list of {one}") if text.strip() else []
     if "values" in texts:  # a list before
         items = [part.strip() for part in texts["values"].split(",")]
         texts = {"from": items[0], "to": items[-1], "count": str(max(len(items), 2))}
-    found = {name: typed(texts[name], one) for name in ("from", "to") if texts.get(name, "").strip()}
+    result = {name: typed(texts[name], one) for name in ("from", "to") if texts.get(name, "").strip()}
     if not draws:
-        count = texts.get("count", str(COUNT))
-        found |= {"count": typed(count, "whole number")} if count.strip() else {}
-    if way == RATIO:
-        found["scale" if draws else "spacing"] = "log"
-    return found
+        count = texts.get("count", str(VALUE_COUNT))
+        result |= {"count": typed(count, "whole number")} if count.strip() else {}
+    if spacing == RATIO:
+        result["scale" if draws else "spacing"] = "log"
+    return result
 
 
-def redesigned(table: dict[str, Any], kind: str) -> None:
-    """Take another design; ranges stay what they are."""
-    before = [(row.key, row.way, row.texts) for row in rows(table)[0]]
+def change_design(table: dict[str, Any], kind: str) -> None:
+    """Change the design, and keep the ranges."""
+    before = [(row.key, row.spacing, row.texts) for row in rows(table)[0]]
     counted = "count" in getattr(DESIGNS[kind], "__dataclass_fields__", {})
     old = form.at(table, "sweep.design") or {}
-    count = {"count": old.get("count", DRAWN), "seed": old.get("seed", 0)} if counted else {}
+    count = {"count": old.get("count", POINT_COUNT), "seed": old.get("seed", 0)} if counted else {}
     table[SECTION].pop(DESIGN, None)
     if kind != "crossed":
         table[SECTION] = {DESIGN: {"kind": kind, **count}, **table[SECTION]}
-    for key, way, texts in before:
-        put_row(table, key, way, texts)
+    for key, spacing, texts in before:
+        set_range(table, key, spacing, texts)
 
 
-def design_entries(table: dict[str, Any]) -> tuple[Entry, ...]:
+def design_entries(table: dict[str, Any]) -> tuple[FormEntry, ...]:
     """Return the numbers of a design that draws its points."""
     if not _draws(table):
         return ()
-    pairs = " of pairs, a power of two" if plan(table) == "sensitivity" else ""
+    pairs = " of pairs, a power of two" if design_kind(table) == "sensitivity" else ""
     hints = {"count": f"how many points are drawn{pairs}", "seed": "equal seeds draw equal points"}
     return tuple(
-        Entry(
+        FormEntry(
             f"sweep.design.{name}",
             name,
             "",
             "",
             hint,
             "whole number",
-            shown(form.at(table, f"sweep.design.{name}")),
+            field_text(form.at(table, f"sweep.design.{name}")),
             True,
         )
         for name, hint in hints.items()

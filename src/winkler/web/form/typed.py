@@ -1,4 +1,4 @@
-"""What a person types into a field, and what a study file says: the one made of the other, and back."""
+"""Conversion between the text of a field and the value in a study file."""
 
 from __future__ import annotations
 
@@ -9,40 +9,42 @@ from typing import Any
 from winkler.study.language.template import inline
 from winkler.units import comma_readings
 
-__all__ = ["SWITCH", "shown", "typed"]
+__all__ = ["SWITCH", "field_text", "typed"]
 
 TEXT, SWITCH = "text", "true or false"
-"""What a key takes, in the words of `winkler.study.language.explain`."""
+"""Types of keys as named by `winkler.study.language.explain`."""
 GROUPED = re.compile(r"\d,0\d\d(?!\d)")
-"""No item of a list begins with a zero like that."""
+"""Digit groups; no item of a list begins with such zeros."""
 
 
-def shown(content: Any) -> str:
-    """Return what stands in a field for a value of a study file.
+def field_text(content: Any) -> str:
+    """Return the text of a field for a value of a study file.
 
     Examples
     --------
-    >>> shown("10 mm"), shown(0.3), shown(["1 N", "2 N"]), shown({"from": "0 N", "to": "1 N", "count": 3})
-    ('10 mm', '0.3', '1 N, 2 N', '{ from = "0 N", to = "1 N", count = 3 }')
+    >>> field_text("10 mm"), field_text(0.3), field_text(["1 N", "2 N"])
+    ('10 mm', '0.3', '1 N, 2 N')
+    >>> field_text({"from": "0 N", "to": "1 N", "count": 3})
+    '{ from = "0 N", to = "1 N", count = 3 }'
     """
     if content is None:
         return ""
     if isinstance(content, str):
         return content
     if isinstance(content, list) and all(isinstance(item, str | int | float) for item in content):
-        return ", ".join(shown(item) for item in content)
+        return ", ".join(field_text(item) for item in content)
     return inline(content)
 
 
 def typed(text: str, takes: str) -> Any:
-    """Return the value of a study file for what stands in a field; its mistakes are found by the study's own checks.
+    """Return the value of a study file for the text of a field, which the checks of the study validate.
 
     Parameters
     ----------
     text
-        What was typed.
+        The typed text.
     takes
-        What the key takes, in the words of `winkler.study.language.explain`.
+        Type of the key as named by `winkler.study.language.explain`.
 
     Examples
     --------
@@ -68,17 +70,17 @@ def typed(text: str, takes: str) -> Any:
 
 
 def _one_number(text: str, takes: str) -> bool:
-    """Return whether commas stand within one number, which the study's checks then refuse with its readings."""
+    """Return whether commas belong to one number, which the checks of the study refuse as ambiguous."""
     return bool(comma_readings(text)) if "quantit" in takes else GROUPED.search(text) is not None
 
 
 def _single(text: str, takes: str) -> Any:
-    """Return a number where one is meant, otherwise the text."""
+    """Return a number if the text is one, otherwise the text."""
     if "quantit" in takes and "named" not in takes:
         return text
-    for make in (int, float):
+    for convert in (int, float):
         try:
-            return make(text)
+            return convert(text)
         except ValueError:
             continue
     return text

@@ -1,4 +1,4 @@
-"""The app put together: one page, nothing else, and the checks in front of it."""
+"""Assembly of the app: one page, and the checks of requests."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from winkler.web.session.upload_folder import LARGEST
 __all__ = ["assemble"]
 
 FRAME = 10_000
-"""What the form of an upload has besides the file, at most [bytes]."""
+"""Greatest length of the form of an upload besides the file [bytes]."""
 
 
 def _nothing(request: Request, error: Exception) -> Response:
-    """Answer that there is nothing at an address, without a page that opens a socket."""
+    """Return a plain 404 response, without a page that opens a socket."""
     return PlainTextResponse("There is nothing at this address of the app; its page is at /.\n", 404)
 
 

@@ -1,4 +1,4 @@
-"""The study as text: everything on the page is one study file, to be read, changed and used."""
+"""The study as text: the study file of the page, to be read, edited and used."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class AsText:
     table
         Returns the table of the study as it stands.
     take
-        Called with the text that a person wants to use; returns what is wrong with it, if anything is.
+        Called with the edited text; returns its mistakes, empty if there are none.
     """
 
     def __init__(self, table: Callable[[], dict[str, Any]], take: Callable[[str], str]) -> None:
@@ -31,17 +31,17 @@ class AsText:
             ui.button("Use this text", on_click=lambda: self.use(str(self.area.value))).props("outline no-caps")
 
     def show(self) -> None:
-        """Write the study where it is read, if it is."""
+        """Update the text, if it is open."""
         if self.fold.value:
             self.area.set_value(tomli_w.dumps(self.table()))
 
     def use(self, text: str) -> None:
-        """Take a study from its text; say what is wrong with it below the text."""
+        """Take a study from its text, and show its mistakes below the text."""
         self.wrong.text = self.take(text)
         if self.wrong.text:
             self.area.set_value(text)
 
     def open(self, text: str) -> None:
-        """Take a study that was opened, and show it."""
+        """Take and show an opened study file."""
         self.fold.open()
         self.use(text)

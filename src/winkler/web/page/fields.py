@@ -1,4 +1,4 @@
-"""The form on the page: a tree of parts becomes fields, lists of kinds and sliders, each with room for its mistake."""
+"""The form on the page: fields, lists of kinds and sliders for a tree of parts, each with a label for mistakes."""
 
 from __future__ import annotations
 
@@ -9,26 +9,26 @@ from nicegui import ui
 from winkler.plot.series import pretty_unit
 from winkler.study.language.explain import plain_symbol
 from winkler.study.report.markup import safe
-from winkler.web.form.form import Entry, Many, Part, Slot
+from winkler.web.form.form import FormEntry, FormPart, Many, Slot
 from winkler.web.form.sliders import STEPS, span_of
 from winkler.web.form.typed import SWITCH
-from winkler.web.pictures.words import marked
+from winkler.web.pictures.words import symbol_html
 
-__all__ = ["FieldActions", "Fields"]
+__all__ = ["FieldActions", "FormFields"]
 
 NONE = "—"
 NUMBERS = "numbers below"
 
 
 class FieldActions(Protocol):
-    """What a form does to its study."""
+    """Changes that a form makes to its study."""
 
     def change(self, path: str, text: str, takes: str) -> None:
-        """Put what was typed at a key."""
+        """Set the typed content of a key."""
         ...
 
     def choose(self, path: str, kind: str) -> None:
-        """Put a kind at a place; an empty one leaves it out."""
+        """Set a kind at a path; an empty one removes it."""
         ...
 
     def add(self, path: str, kind: str) -> None:
@@ -36,23 +36,23 @@ class FieldActions(Protocol):
         ...
 
     def read(self, path: str, name: str) -> None:
-        """Take a file in place of numbers; an empty name goes back to numbers."""
+        """Replace numbers by a file; an empty name restores numbers."""
         ...
 
     def pick(self, path: str) -> None:
-        """Say that the next upload belongs to a place."""
+        """Set the path for which the next upload is meant."""
         ...
 
 
-class Fields:
-    """The elements of a form, found by the path of their key.
+class FormFields:
+    """The elements of a form by the path of their key.
 
     Parameters
     ----------
-    hands
-        What happens when a person changes something.
+    actions
+        Changes of the study.
     files
-        Names of what was uploaded.
+        Names of the uploaded files.
     picker
         Script that opens the choice of a file.
     """
@@ -60,36 +60,36 @@ class Fields:
     def __init__(self, actions: FieldActions, files: tuple[str, ...], picker: str) -> None:
         self.actions, self.files, self.picker = actions, files, picker
         self.inputs: dict[str, Any] = {}
-        self.remarks: dict[str, ui.label] = {}
+        self.messages: dict[str, ui.label] = {}
 
-    def draw(self, part: Part) -> None:
+    def draw(self, part: FormPart) -> None:
         """Draw a part, and those inside it."""
-        self.remark(part.path)
+        self.reserve_message(part.path)
         if part.takes_file:
             self._file(part)
         for child in part.children:
             match child:
-                case Entry():
+                case FormEntry():
                     self.entry(child)
                 case Slot():
                     self._slot(child)
                 case Many():
                     self._many(child)
 
-    def remark(self, path: str) -> None:
-        """Leave room for what is wrong at a path."""
-        told = ui.label().classes("wrong").props('role="alert"')
-        told.set_visibility(False)
-        self.remarks[path] = told
+    def reserve_message(self, path: str) -> None:
+        """Add an empty label for the mistake at a path."""
+        label = ui.label().classes("wrong").props('role="alert"')
+        label.set_visibility(False)
+        self.messages[path] = label
 
     def heading(self, path: str, title: str, meaning: str) -> None:
-        """Draw what stands over some fields, with room for what is wrong with them."""
+        """Draw a heading of fields, with a label for their mistakes."""
         ui.label(title).classes("many")
         ui.label(meaning).classes("meaning")
-        self.remark(path)
+        self.reserve_message(path)
 
-    def say(self, path: str, sentence: str) -> bool:
-        """Show a sentence beside the field at a path, or at the nearest part around it; tell whether there is one."""
+    def show_mistake(self, path: str, sentence: str) -> bool:
+        """Show a mistake beside the field at a path, or at the nearest enclosing part; return whether there is one."""
         field = self.inputs.get(path)
         if field is not None:
             field.props["error"] = True
@@ -97,27 +97,27 @@ class Fields:
             field.update()
             return True
         while path:
-            if path in self.remarks:
-                told = self.remarks[path]
-                told.text = f"{told.text} {sentence}".strip()
-                told.set_visibility(True)
+            if path in self.messages:
+                label = self.messages[path]
+                label.text = f"{label.text} {sentence}".strip()
+                label.set_visibility(True)
                 return True
             path = path.rpartition(".")[0]
         return False
 
     def clear(self) -> None:
-        """Take back every sentence."""
+        """Remove all mistakes."""
         for field in self.inputs.values():
             if field.props.get("error"):
                 field.props["error"] = False
                 field.update()
-        for told in self.remarks.values():
-            if told.text:
-                told.text = ""
-                told.set_visibility(False)
+        for label in self.messages.values():
+            if label.text:
+                label.text = ""
+                label.set_visibility(False)
 
-    def entry(self, entry: Entry, *, slides: bool = True) -> None:
-        """Draw one key; with a slider, unless it counts something."""
+    def entry(self, entry: FormEntry, *, slides: bool = True) -> None:
+        """Draw one key, with a slider if `slides`."""
         if entry.takes == SWITCH:
             box = ui.checkbox(entry.label, value=entry.text == "true").tooltip(entry.hint)
             box.on_value_change(lambda event: self.actions.change(entry.path, str(event.value).lower(), entry.takes))
@@ -126,7 +126,7 @@ class Fields:
             field = ui.input(value=entry.text, placeholder="" if entry.required else "left out")
             unit = f" [{safe(pretty_unit(entry.unit))}]" if entry.unit else ""
             with field.add_slot("label"):
-                ui.html(f"{safe(entry.label)} {marked(entry.symbol)}{unit}", sanitize=False, tag="span")
+                ui.html(f"{safe(entry.label)} {symbol_html(entry.symbol)}{unit}", sanitize=False, tag="span")
             field.props["aria-label"] = f"{entry.label} {plain_symbol(entry.symbol)}{unit}"
             field.props("outlined dense label-slot debounce=250 no-error-icon hide-bottom-space").props["hint"] = (
                 entry.hint
@@ -144,35 +144,35 @@ class Fields:
             slider = self._slider(entry, field)
             field.on_value_change(lambda event: self._typed(entry, str(event.value or ""), slider))
 
-    def _slider(self, entry: Entry, field: Any) -> Any:
-        """Return a slider beside a number, hidden where it would tell nothing."""
+    def _slider(self, entry: FormEntry, field: Any) -> Any:
+        """Return a slider beside a number, hidden if the content has none."""
         slider: Any = ui.slider(min=-STEPS, max=STEPS, step=1, value=0).classes("slide")
         slider.props["aria-label"] = f"{entry.label}, slider"
         slider.props["data-slide"] = entry.path
-        slider.held = span_of(entry.path.rpartition(".")[2], entry.text) if _may_slide(entry) else None
-        if slider.held:
-            slider.set_value(slider.held[1])
+        slider.span = span_of(entry.path.rpartition(".")[2], entry.text) if _may_slide(entry) else None
+        if slider.span:
+            slider.set_value(slider.span[1])
         else:
             slider.classes("unseen")
             slider.disable()
 
         def slide(event: Any) -> None:
-            if slider.held is None or event.value == slider.held[1]:
+            if slider.span is None or event.value == slider.span[1]:
                 return
-            slider.held = (slider.held[0], event.value)
-            field.set_value(slider.held[0].text(event.value))
+            slider.span = (slider.span[0], event.value)
+            field.set_value(slider.span[0].text(event.value))
 
         slider.on_value_change(slide)
         return slider
 
-    def _typed(self, entry: Entry, text: str, slider: Any) -> None:
-        held = slider.held
-        if held is None or held[0].text(held[1]) != text:  # typed, not slid
-            slider.held = span_of(entry.path.rpartition(".")[2], text) if _may_slide(entry) else None
-            slider.set_enabled(slider.held is not None)
-            slider.classes(**({"remove": "unseen"} if slider.held else {"add": "unseen"}))
-            if slider.held:
-                slider.set_value(slider.held[1])
+    def _typed(self, entry: FormEntry, text: str, slider: Any) -> None:
+        span = slider.span
+        if span is None or span[0].text(span[1]) != text:  # typed, not slid
+            slider.span = span_of(entry.path.rpartition(".")[2], text) if _may_slide(entry) else None
+            slider.set_enabled(slider.span is not None)
+            slider.classes(**({"remove": "unseen"} if slider.span else {"add": "unseen"}))
+            if slider.span:
+                slider.set_value(slider.span[1])
         self.actions.change(entry.path, text, entry.takes)
 
     def _slot(self, slot: Slot) -> None:
@@ -208,7 +208,7 @@ class Fields:
                 lambda event: self.actions.add(many.path, event.value) if event.value else None
             )
 
-    def _file(self, part: Part) -> None:
+    def _file(self, part: FormPart) -> None:
         with ui.element("div").classes("entry file"):
             names = {"": NUMBERS, **{name: name for name in dict.fromkeys((*self.files, *filter(None, [part.file])))}}
             choice = ui.select(names, value=part.file, label="from").props("outlined dense options-dense")
@@ -216,12 +216,12 @@ class Fields:
             self.upload(part.path)
 
     def upload(self, path: str) -> None:
-        """Draw the button that uploads a file for a place."""
+        """Draw the button that uploads a file for a path."""
         button = ui.button("Upload", icon="upload_file").props("outline dense no-caps")
         button.props["data-upload"] = path
         button.on("click", lambda: self.actions.pick(path))
         button.on("click", js_handler=self.picker)
 
 
-def _may_slide(entry: Entry) -> bool:
+def _may_slide(entry: FormEntry) -> bool:
     return entry.takes.startswith(("quantity", "number"))

@@ -1,4 +1,4 @@
-"""The fields of a fit: the curve that was uploaded, what it is to tell, and what is known of the measurement."""
+"""The fields of a fit: the uploaded curve, the free parameters, and the measurement."""
 
 from __future__ import annotations
 
@@ -11,19 +11,19 @@ from winkler.study.language.explain import plain_symbol
 from winkler.study.report.markup import safe
 from winkler.web.form import fit_form, form
 from winkler.web.form.study_form import StudyForm
-from winkler.web.page.fields import Fields
-from winkler.web.pictures.words import marked
+from winkler.web.page.fields import FormFields
+from winkler.web.pictures.words import symbol_html
 
 __all__ = ["draw_curve", "draw_free", "draw_measurement"]
 
 CURVE = "fit.curve"
-READ = "A table with columns such as ‘piezo [nm], force [nN]’, or a file of a force microscope."
-BOUNDS = "Numbers are free between two bounds, or from a start in the first box, or without either."
+FILE_HINT = "A table with columns such as ‘piezo [nm], force [nN]’, or a file of a force microscope."
+BOUNDS_HINT = "Parameters are free between two bounds, from a start value in the first box, or without either."
 
 
-def draw_curve(fields: Fields, entered: StudyForm) -> None:
-    """Draw the file of the curve, and which part of it is fitted."""
-    fields.heading("fit.curve", "The measured curve", READ)
+def draw_curve(fields: FormFields, entered: StudyForm) -> None:
+    """Draw the file of the curve, and the choice of its fitted part."""
+    fields.heading("fit.curve", "The measured curve", FILE_HINT)
     with ui.element("div").classes("entry file"):
         chosen = str(form.at(entered.table, CURVE) or "")
         names = {name: name for name in dict.fromkeys((*fields.files, *filter(None, [chosen])))}
@@ -38,23 +38,25 @@ def draw_curve(fields: Fields, entered: StudyForm) -> None:
                 one.hint
             )
             pick.props["data-choice"] = one.path
-            pick.on_value_change(lambda event, path=one.path: entered.pin(path, event.value) if event.value else None)
+            pick.on_value_change(
+                lambda event, path=one.path: entered.choose_option(path, event.value) if event.value else None
+            )
             fields.inputs[one.path] = pick
 
 
-def draw_free(fields: Fields, entered: StudyForm) -> None:
-    """Draw the numbers that the curve is to tell, each with its bounds."""
-    lines, others = fit_form.lines(entered.table)
-    fields.heading("fit.free", "What the curve is to tell", BOUNDS)
-    for line in lines:
+def draw_free(fields: FormFields, entered: StudyForm) -> None:
+    """Draw the free parameters, each with its bounds."""
+    free_numbers, others = fit_form.free_numbers(entered.table)
+    fields.heading("fit.free", "Free parameters", BOUNDS_HINT)
+    for line in free_numbers:
         with ui.element("section").classes("part free"):
             with ui.row().classes("one"):
                 unit = f" [{safe(pretty_unit(line.word.unit))}]" if line.word.unit else ""
-                told = f"{safe(line.label)} {marked(line.word.symbol)}{unit}"
-                ui.html(told, sanitize=False, tag="span").tooltip(line.word.meaning)
+                title = f"{safe(line.label)} {symbol_html(line.word.symbol)}{unit}"
+                ui.html(title, sanitize=False, tag="span").tooltip(line.word.meaning)
                 take = ui.button(icon="close", on_click=lambda key=line.key: entered.fix(key))
                 take.props("flat dense round size=sm").props["aria-label"] = f"do not fit {line.label}"
-            fields.remark(f"fit.free.{line.key}")
+            fields.reserve_message(f"fit.free.{line.key}")
             with ui.element("div").classes("bounds"):
                 ends = [_bound(fields, line, place) for place in (0, 1)]
             for end in ends:
@@ -63,12 +65,12 @@ def draw_free(fields: Fields, entered: StudyForm) -> None:
                         line.key, str(ends[0].value or ""), str(ends[1].value or ""), line.word.unit or ""
                     )
                 )
-    more = ui.select(others, label="let it tell also", value=None).props("outlined dense options-dense")
+    more = ui.select(others, label="free also", value=None).props("outlined dense options-dense")
     more.props["data-choice"] = "fit.free"
     more.classes("choice").on_value_change(lambda event: entered.free(event.value) if event.value else None)
 
 
-def _bound(fields: Fields, line: fit_form.Line, place: int) -> Any:
+def _bound(fields: FormFields, line: fit_form.FreeNumber, place: int) -> Any:
     name, text = ("from", line.low) if place == 0 else ("to", line.high)
     field = ui.input(value=text, label=name, placeholder="free" if place else "free, or start")
     field.props("outlined dense stack-label debounce=400 no-error-icon hide-bottom-space").classes("field")
@@ -79,10 +81,10 @@ def _bound(fields: Fields, line: fit_form.Line, place: int) -> Any:
     return field
 
 
-def draw_measurement(fields: Fields, entered: StudyForm) -> None:
-    """Draw what may be told of the measurement, where the file does not tell it."""
+def draw_measurement(fields: FormFields, entered: StudyForm) -> None:
+    """Draw the entries of the measurement that the file may lack."""
     entries = fit_form.measurement(entered.table)
-    told = any(entry.text for entry in entries)
-    with ui.expansion("The measurement", value=told).classes("astext"):
+    title = any(entry.text for entry in entries)
+    with ui.expansion("The measurement", value=title).classes("astext"):
         for entry in entries:
             fields.entry(entry)

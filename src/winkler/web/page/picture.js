@@ -25,10 +25,10 @@ export default {
     // All pictures that come before the next frame are drawn in it, so that the page is laid out once.
     draw(text) {
       this.newest = text;
-      this.asked ??= requestAnimationFrame(() => this.redraw());
+      this.requested ??= requestAnimationFrame(() => this.redraw());
     },
     redraw() {
-      this.asked = undefined;
+      this.requested = undefined;
       if (!this.Plotly || !this.$el?.isConnected) return;
       const { data, layout, config } = JSON.parse(this.newest);
       this.Plotly.react(this.$el, data, layout, config);

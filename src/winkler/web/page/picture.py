@@ -1,22 +1,22 @@
-"""One interactive picture of the page: drawn once, then told to draw itself again."""
+"""One interactive picture of the page: drawn once, then redrawn with new data."""
 
 from __future__ import annotations
 
 from nicegui import ui
 
 from winkler.study.report.markup import safe
-from winkler.web.pictures.answer import Picture
+from winkler.web.pictures.answer import InteractivePicture
 
 __all__ = ["Card", "caption"]
 
 PLOTLY = ui.plotly
-"""Brings plotly.js along, which the script of the drawing asks for by name."""
+"""Loads plotly.js, which the script of the drawing imports by name."""
 
-SOLID = "shape"
-"""The picture that stands in space."""
+BODY_PICTURE = "shape"
+"""Name of the three-dimensional picture."""
 
 
-class Figure(ui.element, component="picture.js"):
+class PlotlyFigure(ui.element, component="picture.js"):
     """A figure: ``data``, ``layout`` and ``config`` for plotly.js, as JSON."""
 
 
@@ -25,38 +25,38 @@ class Solid(ui.element, component="solid.js"):
 
 
 class Card:
-    """A picture with its title, or the reason why there is none.
+    """A picture with its title, or the reason for its absence.
 
     Parameters
     ----------
     one
-        What it shows.
+        The picture.
     """
 
-    def __init__(self, one: Picture) -> None:
+    def __init__(self, one: InteractivePicture) -> None:
         self.name, self.missing = one.name, one.missing
         with ui.element("figure").classes("card") as self.place:
             self.caption = ui.html(caption(one.title, one.sentence), sanitize=False)
             if one.chart:
-                self.drawing = (Solid if one.name == SOLID else Figure)().classes("plot")
+                self.drawing = (Solid if one.name == BODY_PICTURE else PlotlyFigure)().classes("plot")
                 self.drawing.props.update({"first": one.chart, "data-picture": one.name})
             else:
                 ui.label(f"Not shown: {one.missing}").classes("missing")
 
-    def shows(self, one: Picture) -> bool:
-        """Return whether another picture can take the place of this one."""
+    def shows(self, one: InteractivePicture) -> bool:
+        """Return whether another picture can replace the data of this one."""
         return (self.name, self.missing) == (one.name, one.missing)
 
-    def draw(self, one: Picture) -> None:
-        """Draw its figure again; the page around it is not laid out anew."""
-        words = caption(one.title, one.sentence)
-        if words != self.caption.content:
-            self.caption.set_content(words)
+    def draw(self, one: InteractivePicture) -> None:
+        """Redraw its figure, without a new layout of the page."""
+        text = caption(one.title, one.sentence)
+        if text != self.caption.content:
+            self.caption.set_content(text)
         if one.chart:
             self.drawing.run_method("draw", one.chart)
 
 
 def caption(title: str, sentence: str) -> str:
-    """Return the words above a picture."""
+    """Return the caption of a picture."""
     text = f"<p>{safe(sentence)}</p>" if sentence else ""
     return f"<figcaption><h3>{safe(title)}</h3>{text}</figcaption>"

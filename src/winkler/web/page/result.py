@@ -1,4 +1,4 @@
-"""The right side of the page: the answer in words, the pictures side by side, and how far it all can be trusted."""
+"""The right side of the page: results in numbers, pictures, and validity notes."""
 
 from __future__ import annotations
 
@@ -9,39 +9,39 @@ from nicegui import ui
 
 from winkler.study.report.markup import safe
 from winkler.web.page.picture import Card, caption
-from winkler.web.pictures.answer import AnswerText, Frame, Picture, Shown
+from winkler.web.pictures.answer import AnswerText, DrawnSheet, InteractivePicture, MomentComplete
 
 __all__ = ["Result"]
 
 STEP = 0.12
-"""Seconds between two moments of a film."""
+"""Time between two frames of an animation [s]."""
 FRAMES = 60
-"""A film has so many moments at most."""
+"""Most frames of an animation."""
 
 
 class Result:
-    """What an answer is shown in.
+    """The elements that show results.
 
     Parameters
     ----------
-    look
-        Asks for the pictures of another moment.
+    show_moment
+        Requests the pictures of another moment.
     stop
-        Ends what is going on.
+        Stops the running request.
     place
-        The element around it all.
+        The enclosing element.
     """
 
-    def __init__(self, look: Callable[[int], None], stop: Callable[[], None], place: Any) -> None:
-        self.look, self.place = look, place
-        self.told: AnswerText | None = None
+    def __init__(self, show_moment: Callable[[int], None], stop: Callable[[], None], place: Any) -> None:
+        self.show_moment, self.place = show_moment, place
+        self.answer: AnswerText | None = None
         self.cards: list[Card] = []
-        self.come = 0
+        self.received = 0
         self.sheets = 0
         self.points = ""
         with ui.element("div").classes("status") as self.status:
             self.clock = ui.label("Getting ready …").props('role="status"')
-            self.halt = ui.button("Stop", icon="stop", on_click=lambda: stop()).props("outline dense no-caps")
+            self.stop_button = ui.button("Stop", icon="stop", on_click=lambda: stop()).props("outline dense no-caps")
         self.wrong = ui.element("div").classes("refused").props('role="alert"')
         self.wrong.set_visibility(False)
         self.head = ui.html("", sanitize=False).classes("paper head")
@@ -65,19 +65,19 @@ class Result:
     def _turn(self, event: Any) -> None:
         self._count()
         if not self.quiet:
-            self.look(int(event.value))
+            self.show_moment(int(event.value))
 
     def _count(self) -> None:
         last = int(self.moment.props["max"])
         self.counter.text = f"{int(self.moment.value) + 1} of {last + 1}"
 
     def pause(self) -> None:
-        """Stop the film."""
+        """Pause the animation."""
         if self.timer.active:
             self.toggle()
 
     def toggle(self) -> None:
-        """Play, or pause."""
+        """Play or pause the animation."""
         self.timer.active = not self.timer.active
         self.play.props["icon"] = "pause" if self.timer.active else "play_arrow"
         self.play.update()
@@ -88,74 +88,74 @@ class Result:
         now = int(self.moment.value)
         self.moment.set_value(0 if now >= last else min(now + step, last))
 
-    def say(self, told: AnswerText) -> None:
-        """Show the answer in words; pictures follow."""
-        self.told = told
+    def show_answer(self, answer: AnswerText) -> None:
+        """Show the results in numbers; pictures follow."""
+        self.answer = answer
         self.wrong.set_visibility(False)
         for part in (self.head, self.grid, self.drawn, *self.tail):
             part.classes(remove="stale")
-        badge = f'<p class="standing-line"><span class="standing {told.standing}">{told.standing}</span></p>'
-        self.head.set_content(badge + told.answers)
+        badge = f'<p class="standing-line"><span class="standing {answer.standing}">{answer.standing}</span></p>'
+        self.head.set_content(badge + answer.answers)
         self.drawn.clear()
         self.sheets = 0
-        self.place.classes(**{"add" if told.points > 1 else "remove": "swept"})
-        self.film.set_visibility(told.moments > 1)
+        self.place.classes(**{"add" if answer.points > 1 else "remove": "swept"})
+        self.film.set_visibility(answer.moments > 1)
         self.pause()
-        if told.moments > 1:
+        if answer.moments > 1:
             self.quiet = True
-            self.moment.props["max"] = told.moments - 1
+            self.moment.props["max"] = answer.moments - 1
             self.moment.update()
-            self.moment.set_value(told.moment)
+            self.moment.set_value(answer.moment)
             self._count()
             self.quiet = False
 
-    def picture(self, one: Picture) -> None:
-        """Show the next interactive picture: one that stays is only told to draw itself again."""
-        place, self.come = self.come, self.come + 1
+    def picture(self, one: InteractivePicture) -> None:
+        """Show the next interactive picture: an existing one is only redrawn."""
+        place, self.received = self.received, self.received + 1
         if place < len(self.cards) and self.cards[place].shows(one):
             self.cards[place].draw(one)
             return
-        self.keep(place)
+        self.keep_cards(place)
         with self.grid:
             self.cards.append(Card(one))
 
-    def show(self, frame: Frame) -> None:
-        """All pictures of a moment have come: those of another answer go, and what stands below them follows."""
-        self.keep(frame.total)
-        self.come = 0
+    def show(self, frame: MomentComplete) -> None:
+        """Remove pictures of earlier results after the last one of a moment, and update the text below."""
+        self.keep_cards(frame.total)
+        self.received = 0
         self.remark.text = frame.remark
-        if self.told is None:
+        if self.answer is None:
             return
-        for part, content in zip(self.tail, (self.told.answers, self.told.notes, self.told.papers), strict=True):
+        for part, content in zip(self.tail, (self.answer.answers, self.answer.notes, self.answer.papers), strict=True):
             if part.content != content:  # laying out a page again takes longer than solving
                 part.set_content(content)
 
-    def keep(self, count: int) -> None:
-        """Keep the first pictures, and take the others away."""
+    def keep_cards(self, count: int) -> None:
+        """Keep the first pictures, and remove the others."""
         for card in self.cards[count:]:
             card.place.delete()
         del self.cards[count:]
 
-    def sheet(self, one: Shown) -> None:
-        """Show a sheet that was drawn as a whole."""
+    def sheet(self, one: DrawnSheet) -> None:
+        """Show a sheet of panels."""
         self.sheets += 1
         with self.drawn:
             body = one.svg or f'<p class="missing">Not shown: {safe(one.missing)}</p>'
             ui.html(f"<figure>{caption(one.title, one.sentence)}{body}</figure>", sanitize=False)
 
-    def forget(self) -> None:
-        """Take away what is shown: it is no answer to what is asked now."""
-        self.told, self.come = None, 0
+    def clear(self) -> None:
+        """Remove the displayed results of another study."""
+        self.answer, self.received = None, 0
         self.remark.text = ""
-        self.keep(0)
+        self.keep_cards(0)
         self.drawn.clear()
         for part in (self.head, *self.tail):
             part.set_content("")
         self.film.set_visibility(False)
 
     def refuse(self, sentences: list[str], *, beside: bool) -> None:
-        """Say why there is no answer; the last one stays, pale."""
-        self.told, self.come = None, 0
+        """Show why there are no results; the last ones stay, faded."""
+        self.answer, self.received = None, 0
         for part in (self.head, self.grid, self.drawn, *self.tail):
             part.classes(add="stale")
         self.film.set_visibility(False)
@@ -165,33 +165,33 @@ class Result:
             for one in sentences:
                 ui.label(one)
             if beside:
-                before = "; what is shown below is the answer before" if self.head.content else ""
-                ui.label(f"Mend what is marked in the form{before}.")
+                before = "; the results below are the previous ones" if self.head.content else ""
+                ui.label(f"Correct the marked fields{before}.")
         self.wrong.set_visibility(True)
         self.state("wrong")
 
     def state(self, word: str) -> None:
-        """Say whether an answer is on its way (``busy``), complete (``done``), or refused (``wrong``)."""
+        """Set the state: running (``busy``), complete (``done``), or refused (``wrong``)."""
         self.points = ""
         self.place.props["data-state"] = word
         self.place.props["aria-busy"] = "true" if word == "busy" else "false"
         self.place.update()
 
-    def reached(self, done: int, total: int | None) -> None:
-        """Tell how many points of a sweep or a path are solved."""
+    def show_progress(self, done: int, total: int | None) -> None:
+        """Show the number of solved points of a sweep or a path."""
         many = f"{done} points" if total is None else f"{done} of {total} points"
         self.points = f", {many}" if total is None or done < total else ""
 
-    def passing(self, seconds: float, *, ready: bool) -> None:
-        """Tell how long it takes."""
+    def show_elapsed(self, seconds: float, *, ready: bool) -> None:
+        """Show the elapsed time."""
         busy = not ready or seconds > 0.4
         self.status.set_visibility(busy)
         if busy:
             self.clock.text = f"Solving and drawing, {seconds:.0f} s{self.points}" if ready else "Getting ready …"
-            self.halt.set_visibility(ready)
+            self.stop_button.set_visibility(ready)
 
-    def rest(self) -> None:
-        """Say that all is shown."""
+    def finish(self) -> None:
+        """Set the state to complete."""
         self.status.set_visibility(False)
-        if self.told is not None:
+        if self.answer is not None:
             self.state("done")

@@ -1,4 +1,4 @@
-"""The server of the app: on this machine alone, one port, until Ctrl-C."""
+"""The server of the app: on the local machine, at one port, until Ctrl-C."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from winkler.web.session.uploads import uploads
 __all__ = ["HOST", "serve"]
 
 HOST = "127.0.0.1"
-"""Only programs of this machine can reach it."""
+"""Reachable only from the local machine."""
 
 
 def serve(*, port: int, limit: float, browser: bool, pages: int, addresses: Sequence[str]) -> None:
@@ -21,7 +21,7 @@ def serve(*, port: int, limit: float, browser: bool, pages: int, addresses: Sequ
     Parameters
     ----------
     port
-        Where; a page of the browser opens ``http://127.0.0.1:PORT``.
+        Port; the browser opens ``http://127.0.0.1:PORT``.
     limit
         The longest that a study may take [s].
     browser
@@ -39,8 +39,8 @@ def serve(*, port: int, limit: float, browser: bool, pages: int, addresses: Sequ
     try:
         from nicegui import ui
     except ImportError:
-        told = 'the app needs NiceGUI, which is not installed; install it with: pip install "winkler[app]"'
-        raise InvalidInput(told) from None
+        message = 'the app needs NiceGUI, which is not installed; install it with: pip install "winkler[app]"'
+        raise InvalidInput(message) from None
     if not limit > 0.0:
         raise InvalidInput(f"the time limit is {limit:g} s; give a positive number of seconds.")
     origins = [origin_of(f"http://{name}:{port}") for name in (HOST, "localhost")]
@@ -72,7 +72,7 @@ def serve(*, port: int, limit: float, browser: bool, pages: int, addresses: Sequ
 
 
 def _free(port: int) -> None:
-    """Refuse a port that cannot be listened to."""
+    """Raise InvalidInput if the port cannot be used."""
     with socket.socket() as probe:
         probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         try:
@@ -80,5 +80,5 @@ def _free(port: int) -> None:
         except (OSError, OverflowError) as error:
             why = getattr(error, "strerror", None) or str(error)
             raise InvalidInput(
-                f"port {port} cannot be used ({why.lower()}); give another one with --port, or stop what runs there."
+                f"port {port} cannot be used ({why.lower()}); give another one with --port, or stop its program."
             ) from None

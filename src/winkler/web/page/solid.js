@@ -54,10 +54,10 @@ export default {
   methods: {
     draw(text) {
       this.newest = text;
-      this.asked ??= requestAnimationFrame(() => this.redraw());
+      this.requested ??= requestAnimationFrame(() => this.redraw());
     },
     redraw() {
-      this.asked = undefined;
+      this.requested = undefined;
       if (!this.$el?.isConnected) return;
       const { data } = JSON.parse(this.newest);
       this.$el.data = data;

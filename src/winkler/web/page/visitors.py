@@ -1,8 +1,8 @@
-"""Who has the app open: a page is made for a browser that has connected, and at most so many are open at once.
+"""The open pages of the app: a page is built once its browser has connected, and their number is limited.
 
-Whoever only fetches the address (a preview, a check, a program that looks for open ports) gets an empty page and costs
-no process.  A page whose browser has gone keeps its place for half a minute, for a connection that was lost; it ends
-at once when its tab loads the app again, or when its place is needed.
+A request without a connection (a preview, a port scan) gets an empty page and starts no process.  A page whose
+connection is lost is kept for half a minute; it ends at once when its tab loads the app again, or when another page
+needs its process.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ class Visitors:
     most
         Greatest number of pages.
     folder
-        Where uploads are kept.
+        Folder of the uploads.
     """
 
     def __init__(self, limit: float, most: int, folder: Path) -> None:
@@ -39,9 +39,9 @@ class Visitors:
         client = context.client
         style()
         await client.connected()
-        if client.is_deleted:  # nobody came
+        if client.is_deleted:  # never connected
             return
-        self._make_room(client.tab_id)
+        self._free_place(client.tab_id)
         if len(self._open) >= self.most:
             _refuse(
                 f"{self.most} pages of the app are open, each with a process of its own, and no more are allowed: "
@@ -59,8 +59,8 @@ class Visitors:
         client.on_connect(lambda: None if client in self._open else ui.navigate.reload())
         page.build()
 
-    def _make_room(self, tab: str | None) -> None:
-        """End pages that were left: the one of a tab that was reloaded, or the oldest one if its place is needed."""
+    def _free_place(self, tab: str | None) -> None:
+        """End disconnected pages: that of a reloaded tab, or the oldest one if the limit is reached."""
         reloaded = [client for client, visit in self._open.items() if visit.tab == tab]
         gone = [client for client in self._open if not client.has_socket_connection]
         for client in reloaded or gone[: int(len(self._open) >= self.most)]:
@@ -69,7 +69,7 @@ class Visitors:
     def _end(self, client: Client) -> None:
         visit = self._open.pop(client, None)
         if visit is not None:
-            visit.page.left()
+            visit.page.close()
 
     def close(self) -> None:
         """End all pages."""

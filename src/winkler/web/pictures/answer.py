@@ -1,4 +1,4 @@
-"""What a page shows of an outcome: pictures as plain data, tables and notes as escaped HTML."""
+"""Display of an outcome: pictures as plain data, tables and notes as escaped HTML."""
 
 from __future__ import annotations
 
@@ -28,36 +28,36 @@ from winkler.web.pictures.chart import Chart, chart
 from winkler.web.pictures.moments import Moments, contact_at
 from winkler.web.pictures.solid import draw_solid
 from winkler.web.pictures.springs import moment_springs
-from winkler.web.pictures.view import NOTHING, View, fitting
+from winkler.web.pictures.view import NO_VIEW, View, fitting
 
 __all__ = [
     "AnswerText",
-    "Frame",
-    "Picture",
+    "DrawnSheet",
+    "InteractivePicture",
+    "MomentComplete",
     "Scene",
-    "Shown",
+    "answer_text",
     "method_pictures",
     "packed",
     "pictures",
     "scene",
     "sheets",
-    "told",
 ]
 
 
 class AnswerText(NamedTuple):
-    """The answer in words and numbers.
+    """The results as text.
 
     Parameters
     ----------
     standing
-        The worst of all notes.
+        The worst standing of all notes.
     answers, notes, papers
         Sections of a page.
     text
         The study as a file.
     moments, moment
-        How many moments the answer has, zero where it is no history; and which of them is shown first.
+        Number of moments of the results, zero without a history; and the first one shown.
     points
         Of a sweep.
     """
@@ -72,17 +72,17 @@ class AnswerText(NamedTuple):
     points: int = 1
 
 
-class Picture(NamedTuple):
-    """One interactive picture, or why there is none.
+class InteractivePicture(NamedTuple):
+    """One interactive picture, or the reason for its absence.
 
     Parameters
     ----------
     name, title, sentence
-        What is seen.
+        Name, title and caption.
     chart
         The figure for plotly.js as JSON; empty where there is none.
     missing
-        Why there is none.
+        The reason for its absence.
     """
 
     name: str
@@ -92,15 +92,15 @@ class Picture(NamedTuple):
     missing: str = ""
 
 
-class Frame(NamedTuple):
-    """Says that all interactive pictures of one moment have been sent.
+class MomentComplete(NamedTuple):
+    """Marks the end of the interactive pictures of one moment.
 
     Parameters
     ----------
     total
-        How many they were.
+        Their number.
     remark
-        What must be said about them all.
+        Remark on all of them.
     """
 
     total: int
@@ -108,22 +108,22 @@ class Frame(NamedTuple):
 
 
 class Scene(NamedTuple):
-    """What the pictures of one moment show.
+    """The data of the pictures of one moment.
 
     Parameters
     ----------
     outcome, point
-        What a study came to, and the point of it that is shown.
+        Outcome of a study, and its displayed point.
     contact
-        At that moment; None where none is shown.
+        At that moment; None if none is shown.
     view
-        The frame that the pictures share.
+        The common frame of the pictures.
     states
-        Of all moments, where the answer has them.
+        Of all moments, if the results have them.
     moment
-        Which of the moments is shown, -1 without a history.
+        Index of the moment, -1 without a history.
     remark
-        What must be said about them all.
+        Remark on all of them.
     """
 
     outcome: Outcome
@@ -135,8 +135,8 @@ class Scene(NamedTuple):
     remark: str
 
 
-class Shown(NamedTuple):
-    """One sheet that was drawn as SVG, or why there is none."""
+class DrawnSheet(NamedTuple):
+    """One sheet as SVG, or the reason for its absence."""
 
     title: str
     sentence: str
@@ -144,8 +144,8 @@ class Shown(NamedTuple):
     missing: str = ""
 
 
-def told(outcome: Outcome, text: str, moments: int, moment: int) -> AnswerText:
-    """Return the answer in words and numbers."""
+def answer_text(outcome: Outcome, text: str, moments: int, moment: int) -> AnswerText:
+    """Return the results as text."""
     answers = "\n".join(part for part in (answer_section(outcome), failures(outcome), expected(outcome)) if part)
     return AnswerText(
         worst(outcome.validity).value,
@@ -159,27 +159,27 @@ def told(outcome: Outcome, text: str, moments: int, moment: int) -> AnswerText:
     )
 
 
-def scene(outcome: Outcome, moments: Moments, moment: int, held: View, *, still: bool) -> Scene:
-    """Return what the pictures of a moment show.
+def scene(outcome: Outcome, moments: Moments, moment: int, previous: View, *, still: bool) -> Scene:
+    """Return the data of the pictures of a moment.
 
     Parameters
     ----------
     outcome
-        What a study came to.
+        Outcome of a study.
     moments, moment
-        Those of its answer, and which of them is shown.
-    held
-        The frame of the pictures before.
+        Moments of its results, and the index of the drawn one.
+    previous
+        Frame of the previous pictures.
     still
-        Whether that frame is kept, because another moment of the same history is looked at.
+        Whether that frame is kept, for another moment of the same history.
     """
     point = shown_point(outcome)
     contact, here = contact_at(point, moments, moment)
-    view, remark = NOTHING, ""
+    view, remark = NO_VIEW, ""
     if is_recovering(contact):
-        view = held if still and held != NOTHING else _recovering(contact)
+        view = previous if still and previous != NO_VIEW else _recovering(contact)
     elif contact is not None:
-        view = held if still and held != NOTHING else fitting(contact.pressed, held)
+        view = previous if still and previous != NO_VIEW else fitting(contact.pressed, previous)
         which = answer_of(point.problem).contact_shown
         if not here and which:
             remark = f"The pictures of the method show {which}."
@@ -188,42 +188,42 @@ def scene(outcome: Outcome, moments: Moments, moment: int, held: View, *, still:
                 "The pictures of the method show the contact at this depth, its springs along the surface left out."
             )
     if outcome.study.sweep and contact is not None:
-        shown = f"The pictures below are of {settings_of(outcome, point)}, the last point of the sweep."
-        remark = f"{shown} {remark}".rstrip()
+        sentence = f"The pictures below are of {settings_of(outcome, point)}, the last point of the sweep."
+        remark = f"{sentence} {remark}".rstrip()
     return Scene(outcome, point, contact, view, moments.states, moment if moments.total else -1, remark)
 
 
-def pictures(seen: Scene) -> Iterator[Picture]:
-    """Yield the interactive pictures one by one, so that the first are drawn while the next are made."""
-    contact, view = seen.contact, seen.view
+def pictures(shown_scene: Scene) -> Iterator[InteractivePicture]:
+    """Yield the interactive pictures one by one, so that the browser draws while the next are computed."""
+    contact, view = shown_scene.contact, shown_scene.view
     if is_recovering(contact):
-        yield _made("springs", lambda: chart(moment_springs(contact, seen.point.problem.bed, view)))
+        yield _made("springs", lambda: chart(moment_springs(contact, shown_scene.point.problem.bed, view)))
     elif contact is not None:
         yield from method_pictures(contact, view)
-    if seen.states and isinstance(seen.states[seen.moment], WearState):
-        yield from _worn(seen.states, seen.moment)
-    for pair in histories.curves_of(seen.outcome, seen.point):
-        drawn = histories.draw_curves(seen.outcome, seen.point, pair, seen.moment)
-        yield Picture("_over_".join(reversed(pair)), histories.title_of(pair), "", packed(drawn))
+    if shown_scene.states and isinstance(shown_scene.states[shown_scene.moment], WearState):
+        yield from _worn(shown_scene.states, shown_scene.moment)
+    for pair in histories.curves_of(shown_scene.outcome, shown_scene.point):
+        drawn = histories.draw_curves(shown_scene.outcome, shown_scene.point, pair, shown_scene.moment)
+        yield InteractivePicture("_over_".join(reversed(pair)), histories.title_of(pair), "", packed(drawn))
 
 
-def _worn(states: tuple[Any, ...], moment: int) -> Iterator[Picture]:
-    words = (
+def _worn(states: tuple[Any, ...], moment: int) -> Iterator[InteractivePicture]:
+    captions = (
         ("worn_profile", "Worn profile", "The profile at this moment, before wear and in the end; filled is what has "
          "been worn off."),
         ("worn_depth", "Worn depth", "What both bodies have lost by this moment, and in the end."),
         ("worn_pressure", "Pressure", "p(r) at this moment, at first and in the end."),
     )  # fmt: skip
-    for name, panel in zip(words, moment_panels(states, moment), strict=True):
-        yield Picture(*name, packed(chart(panel)))
+    for name, panel in zip(captions, moment_panels(states, moment), strict=True):
+        yield InteractivePicture(*name, packed(chart(panel)))
 
 
 def _recovering(state: Any) -> View:
-    wide = 1.6 * (float(state.radius) if state.radius > 0.0 else float(state.position[-1]))
-    return View(wide, 1.2 * max(float(np.max(state.recess)), float(state.depth), 1e-3 * wide))
+    width = 1.6 * (float(state.radius) if state.radius > 0.0 else float(state.position[-1]))
+    return View(width, 1.2 * max(float(np.max(state.recess)), float(state.depth), 1e-3 * width))
 
 
-def method_pictures(contact: Any, view: View) -> Iterator[Picture]:
+def method_pictures(contact: Any, view: View) -> Iterator[InteractivePicture]:
     """Yield the pictures of the method for one contact."""
     sticks = isinstance(contact, AdhesiveSolution)
     makers: dict[str, Callable[[], Chart]] = {
@@ -238,12 +238,12 @@ def method_pictures(contact: Any, view: View) -> Iterator[Picture]:
         yield _made(name, make, sticks=sticks)
 
 
-def _made(name: str, make: Callable[[], Chart], *, sticks: bool = False) -> Picture:
+def _made(name: str, make: Callable[[], Chart], *, sticks: bool = False) -> InteractivePicture:
     title, sentence = captions_of(sticks=sticks)[name]
     try:
-        return Picture(name, title, sentence, packed(make()))
+        return InteractivePicture(name, title, sentence, packed(make()))
     except WinklerError as error:
-        return Picture(name, title, sentence, "", re.sub(r"^\w+: ", "", str(error)))
+        return InteractivePicture(name, title, sentence, "", re.sub(r"^\w+: ", "", str(error)))
 
 
 def packed(chart: Chart) -> str:
@@ -263,10 +263,10 @@ def _single(content: Any) -> Any:
     return content.item() if isinstance(content, np.generic) else content
 
 
-def sheets(outcome: Outcome) -> Iterator[Shown]:
-    """Yield the sheets of an answer, drawn one after the other."""
+def sheets(outcome: Outcome) -> Iterator[DrawnSheet]:
+    """Yield the sheets of the results."""
     for one in answers_over(outcome):
         if one.picture is None:
-            yield Shown(one.title, one.sentence, "", one.missing)
+            yield DrawnSheet(one.title, one.sentence, "", one.missing)
         else:
-            yield Shown(one.title, one.sentence, svg_element(one, safe(f"{one.title}. {one.sentence}")))
+            yield DrawnSheet(one.title, one.sentence, svg_element(one, safe(f"{one.title}. {one.sentence}")))

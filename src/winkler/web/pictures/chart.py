@@ -10,7 +10,7 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.panel import Area, Arrow, Axis, Band, Dots, Line, Map, Panel, Polygon, Rule, Strokes, Text
-from winkler.web.pictures.words import spoken_html
+from winkler.web.pictures.words import text_html
 
 __all__ = ["CONFIG", "Chart", "chart"]
 
@@ -24,7 +24,7 @@ CONFIG = {
     "displayModeBar": False,
     "scrollZoom": False,
 }
-"""No button leads out of this machine."""
+"""Options of plotly.js; no button sends data elsewhere."""
 
 LEGENDED = {
     "showlegend": True,
@@ -40,7 +40,7 @@ LEGENDED = {
     },
     "margin": {"l": 62, "r": 14, "t": 40, "b": 46},
 }
-"""What a figure adds that names its lines above."""
+"""Additional layout of a figure with a legend."""
 SYMBOLS = {"o": "circle", ".": "circle", "+": "cross-thin-open", "P": "cross"}
 DOMAINS = ((0.34, 1.0), (0.0, 0.24))
 """Heights of two panels above each other."""
@@ -82,11 +82,11 @@ def _is_named(mark: Any) -> bool:
 def _axis(one: Axis, gridded: bool, **more: Any) -> dict[str, Any]:
     """Return an axis with a title."""
     low, high = (None if end is None else end / one.scale.factor for end in (one.low, one.high))
-    found: dict[str, Any] = {
-        "title": {"text": spoken_html(one.title), "font": {"size": 12}, "standoff": 6},
+    result: dict[str, Any] = {
+        "title": {"text": text_html(one.title), "font": {"size": 12}, "standoff": 6},
         "gridcolor": style.PALE,
         "zeroline": False,
-        "fixedrange": True,  # a finger that moves over a picture scrolls the page
+        "fixedrange": True,  # touch gestures scroll the page
         "linecolor": style.MUTED,
         "ticks": "outside",
         "ticklen": 4,
@@ -96,14 +96,14 @@ def _axis(one: Axis, gridded: bool, **more: Any) -> dict[str, Any]:
         "showgrid": gridded,
     }
     if one.log:
-        found["type"] = "log"
+        result["type"] = "log"
     if low is not None and high is not None:
-        found["range"] = [float(np.log10(end)) if one.log else end for end in (low, high)]
+        result["range"] = [float(np.log10(end)) if one.log else end for end in (low, high)]
     elif low == 0.0:
-        found["rangemode"] = "tozero"
+        result["rangemode"] = "tozero"
     if one.falling:
-        found["autorange"] = "reversed"
-    return found | more
+        result["autorange"] = "reversed"
+    return result | more
 
 
 Parts = list[tuple[str, dict[str, Any]]]
@@ -116,8 +116,8 @@ def _rgba(colour: str | tuple[str, float], alpha: float) -> str:
 
 def _line(mark: Line, across: float, upright: float, axis: str) -> Parts:
     look: dict[str, Any] = {"type": "scatter", "yaxis": axis, "hoverinfo": "x+y", "cliponaxis": mark.clipped}
-    hidden = not (mark.x.size or mark.name)
-    look |= {"name": spoken_html(mark.name), "showlegend": True} if _is_named(mark) else {"showlegend": False}
+    is_empty = not (mark.x.size or mark.name)
+    look |= {"name": text_html(mark.name), "showlegend": True} if _is_named(mark) else {"showlegend": False}
     x, y = (part if part.size else np.full(1, np.nan) for part in (mark.x / across, mark.y / upright))
     modes = [name for name, wanted in (("lines", mark.width > 0.0), ("markers", mark.marker)) if wanted]
     colour = "white" if mark.colour == "white" else _rgba(mark.colour, mark.alpha)
@@ -128,7 +128,7 @@ def _line(mark: Line, across: float, upright: float, axis: str) -> Parts:
     if mark.marker:
         fill = {"color": "white", "line": {"color": colour, "width": 1.5}} if mark.hollow else {"color": colour}
         look["marker"] = {"size": 1.6 * mark.size, "symbol": SYMBOLS.get(mark.marker, "circle"), **fill}
-    return [] if hidden else [("data", look)]
+    return [] if is_empty else [("data", look)]
 
 
 def _dots(mark: Dots, across: float, upright: float, axis: str) -> Parts:
@@ -140,18 +140,18 @@ def _dots(mark: Dots, across: float, upright: float, axis: str) -> Parts:
 
 def _strokes(mark: Strokes, across: float, upright: float, axis: str) -> Parts:
     """Return all strokes of one colour as one line with gaps."""
-    found: Parts = []
+    result: Parts = []
     for colour in dict.fromkeys(mark.colours):
         mine = np.array([one == colour for one in mark.colours])
         gap = np.full((int(mine.sum()), 1), np.nan)
         x, y = (np.append(part[mine], gap, axis=1).ravel() for part in (mark.x / across, mark.y / upright))
         look = {"color": colour, "width": 1.0 if colour == style.MUTED else 1.6}
-        found.append(("data", _bare(x, y, axis, line=look)))
-    return found
+        result.append(("data", _bare(x, y, axis, line=look)))
+    return result
 
 
 def _bare(x: Array, y: Array, axis: str, **look: Any) -> dict[str, Any]:
-    """Return lines that say nothing of their own."""
+    """Return lines without hover text and legend."""
     return {
         "type": "scatter",
         "mode": "lines",
@@ -169,9 +169,9 @@ def _area(mark: Area, across: float, upright: float, axis: str) -> Parts:
     if not mark.across and np.ndim(mark.high) == 0 and mark.high == 0.0:
         look = {"fill": "tozeroy", "fillcolor": colour, "line": {"width": 0}}
         return [("data", _bare(mark.x / across, mark.low / upright, axis, **look))] if np.any(mark.low) else []
-    known = np.isfinite(mark.x) & np.isfinite(mark.low) & np.isfinite(mark.high)
-    along = mark.x[known]
-    low, high = (np.broadcast_to(np.asarray(end, dtype=float), mark.x.shape)[known] for end in (mark.low, mark.high))
+    finite = np.isfinite(mark.x) & np.isfinite(mark.low) & np.isfinite(mark.high)
+    along = mark.x[finite]
+    low, high = (np.broadcast_to(np.asarray(end, dtype=float), mark.x.shape)[finite] for end in (mark.low, mark.high))
     x, y = np.concatenate([along, along[::-1]]), np.concatenate([low, high[::-1]])
     x, y = (y, x) if mark.across else (x, y)
     return _filled(x / across, y / upright, colour, axis)
@@ -204,7 +204,7 @@ def _band(mark: Band, across: float, _: float, axis: str) -> Parts:
 
 def _text(mark: Text, across: float, upright: float, axis: str) -> Parts:
     look = {
-        "text": spoken_html(mark.text),
+        "text": text_html(mark.text),
         "x": mark.x if mark.framed[0] else mark.x / across,
         "y": mark.y if mark.framed[1] else mark.y / upright,
         "xref": "x domain" if mark.framed[0] else "x",
@@ -239,7 +239,7 @@ def _arrow(mark: Arrow, across: float, upright: float, axis: str) -> Parts:
 
 
 def _map(mark: Map, across: float, upright: float, axis: str) -> Parts:
-    """Return contours; what lies above the last level has its colour."""
+    """Return contours; values above the last level have its colour."""
     factor, levels = mark.bar.scale.factor, np.asarray(mark.levels, dtype=float)
     x, y = (part[:, 0] if part.ndim == 2 and turn else np.ravel(part[:1]) if part.ndim == 2 else part
             for part, turn in ((mark.x, True), (mark.y, False)))  # fmt: skip
@@ -278,4 +278,4 @@ MARKS: dict[type, Callable[[Any, float, float, str], Parts]] = {
     Arrow: _arrow,
     Map: _map,
 }
-"""What interactive pictures are made of; bodies in three dimensions have `winkler.web.pictures.solid`."""
+"""Traces of each mark; three-dimensional bodies are drawn by `winkler.web.pictures.solid`."""

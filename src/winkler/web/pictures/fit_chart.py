@@ -1,4 +1,4 @@
-"""Interactive pictures of a fit: the curve with the fitted law over it, what is left over below, force over depth."""
+"""Interactive pictures of a fit: the curve with the fitted law, residuals, and force over depth."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from winkler.web.pictures.chart import Chart, chart
 
 __all__ = ["draw_fit", "draw_loop", "drawn_points"]
 
-MOST = 3000
-"""So many points of a curve are drawn at most, spread evenly."""
+MOST_POINTS = 3000
+"""Most drawn points of a curve, evenly spaced."""
 
 
 def drawn_points(count: int) -> Array:
-    """Return which points of a curve are drawn."""
-    return np.unique(np.linspace(0, count - 1, min(count, MOST)).astype(int))
+    """Return the indices of the drawn points of a curve."""
+    return np.unique(np.linspace(0, count - 1, min(count, MOST_POINTS)).astype(int))
 
 
 def draw_fit(fit: AnyFit) -> Chart:

@@ -1,4 +1,4 @@
-"""What a page shows of fits: the numbers with their errors, what speaks against them, and pictures of one curve."""
+"""Display of fits: parameters with their errors, doubts, and pictures of one curve."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any
 
 from winkler.errors import WinklerError
 from winkler.fitting.outcome import Fit
-from winkler.plot.series import told as spoken_number
+from winkler.plot.series import with_unit as number_text
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted
 from winkler.study.report import fit_tables
 from winkler.study.report.figures import svg_element
@@ -16,19 +16,21 @@ from winkler.study.report.markup import safe, with_fixed_units
 from winkler.study.report.mathml import symbol
 from winkler.study.report.page_parts import papers, trust
 from winkler.validity import worst
-from winkler.web.form.fit_form import spoken_key
-from winkler.web.pictures.answer import AnswerText, Picture, Shown, method_pictures, packed
-from winkler.web.pictures.fit_chart import MOST, draw_fit, draw_loop
+from winkler.web.form.fit_form import key_in_words
+from winkler.web.pictures.answer import AnswerText, DrawnSheet, InteractivePicture, method_pictures, packed
+from winkler.web.pictures.fit_chart import MOST_POINTS, draw_fit, draw_loop
 from winkler.web.pictures.view import fitting
 
 __all__ = ["fit_pictures", "fit_sheets", "fit_text"]
 
-CURVE = "Dots are measured, the line is the fitted law; below, what is left over. It should scatter without a course."
-METHOD = "The pictures of the method show the fitted contact at the largest depth of the curve."
+CURVE_CAPTION = (
+    "Dots are measured, the line is the fitted law; below, the residuals, which should scatter without a trend."
+)
+METHOD_REMARK = "The pictures of the method show the fitted contact at the largest depth of the curve."
 
 
 def fit_text(outcome: FitOutcome, text: str) -> AnswerText:
-    """Return the fitted numbers in words."""
+    """Return the fitted parameters as text."""
     count = len(outcome.fitted)
     answers = [_cards(outcome) if count == 1 else "", fit_tables.doubts(outcome)]
     body = [fit_tables.answers(outcome), steps(outcome), fit_tables.failures(outcome)]
@@ -44,29 +46,28 @@ def fit_text(outcome: FitOutcome, text: str) -> AnswerText:
 
 
 def _cards(outcome: FitOutcome) -> str:
-    """Return every fitted number with its interval, in large letters."""
+    """Return the fitted parameters with their intervals as cards."""
     fit, cards = outcome.fitted[0].fit, []
     for free in outcome.study.free:
         word = outcome.study.word(free.key)
-        low, high = (spoken_number(end, word.unit) for end in fit.interval(free.path))
-        name = spoken_key(free.key).rpartition("› ")[2]
+        low, high = (number_text(end, word.unit) for end in fit.interval(free.path))
+        name = key_in_words(free.key).rpartition("› ")[2]
         cards.append(
-            f'<div class="card"><div class="value">{safe(spoken_number(fit.value(free.path), word.unit))}</div>'
-            f'<div class="name">{safe(name)} {symbol(word.symbol)}<br>'
-            f"95 %: {with_fixed_units(f'{low} … {high}')}</div></div>"
+            f'<div class="card"><div class="value">{safe(number_text(fit.value(free.path), word.unit))}</div>'
+            f'<div class="name">{safe(name)} {symbol(word.symbol)}<br>95 %: {with_fixed_units(f"{low} … {high}")}</div></div>'
         )
     return f'<div class="cards">{"".join(cards)}</div>'
 
 
-def fit_pictures(outcome: FitOutcome, moment: int) -> tuple[Iterator[Picture], str]:
-    """Return the interactive pictures of one of the curves, and what must be said about them all.
+def fit_pictures(outcome: FitOutcome, moment: int) -> tuple[Iterator[InteractivePicture], str]:
+    """Return the interactive pictures of one of the curves, and a remark on all of them.
 
     Parameters
     ----------
     outcome
-        What the fits came to.
+        Outcome of the fits.
     moment
-        Which of the fitted curves.
+        Index of the fitted curve.
     """
     result = outcome.fitted[moment]
     if not isinstance(result.fit, Fit):
@@ -75,28 +76,30 @@ def fit_pictures(outcome: FitOutcome, moment: int) -> tuple[Iterator[Picture], s
         contact = result.fit.model.solve()
     except WinklerError as error:
         return iter((_curve(result),)), f"There are no pictures of the method: {error}"
-    return _elastic(result, contact), METHOD
+    return _elastic(result, contact), METHOD_REMARK
 
 
-def _curve(result: Fitted) -> Picture:
+def _curve(result: Fitted) -> InteractivePicture:
     count = result.fit.curve.count
-    some = f" Of {count} points {MOST} are drawn." if count > MOST else ""
-    return Picture("fit", f"Curve and fit: {result.name}", f"{CURVE}{some}", packed(draw_fit(result.fit)))
+    some = f" Of {count} points {MOST_POINTS} are drawn." if count > MOST_POINTS else ""
+    return InteractivePicture(
+        "fit", f"Curve and fit: {result.name}", f"{CURVE_CAPTION}{some}", packed(draw_fit(result.fit))
+    )
 
 
-def _elastic(result: Fitted, contact: Any) -> Iterator[Picture]:
+def _elastic(result: Fitted, contact: Any) -> Iterator[InteractivePicture]:
     yield _curve(result)
     yield from method_pictures(contact, fitting(contact.pressed))
 
 
-def _relaxing(result: Fitted) -> Iterator[Picture]:
+def _relaxing(result: Fitted) -> Iterator[InteractivePicture]:
     yield _curve(result)
-    told = "As the body answered; in and out differ because it relaxes."
-    yield Picture("loop", "Force over depth", told, packed(draw_loop(result.fit)))
+    with_unit = "Measured response; loading and unloading differ because the body relaxes."
+    yield InteractivePicture("loop", "Force over depth", with_unit, packed(draw_loop(result.fit)))
 
 
-def fit_sheets(outcome: FitOutcome) -> Iterator[Shown]:
+def fit_sheets(outcome: FitOutcome) -> Iterator[DrawnSheet]:
     """Yield the sheets of fits: maps and numbers of many curves, and of a body that relaxes its relaxation."""
     relaxing = not isinstance(outcome.fitted[0].fit, Fit)
     for one in (*figures_of_many(outcome), *(figures_of_curves(outcome) if relaxing else ())):
-        yield Shown(one.title, one.sentence, svg_element(one, safe(f"{one.title}. {one.sentence}")))
+        yield DrawnSheet(one.title, one.sentence, svg_element(one, safe(f"{one.title}. {one.sentence}")))

@@ -1,4 +1,4 @@
-"""Answers along a path, over time or over many loads: curves, with the moment that is looked at as a point on them."""
+"""Curves of results along a path, over time or over many loads, with the current moment as a point."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 from winkler.plot import style
 from winkler.plot.normal.curves import curve_panel
 from winkler.plot.panel import Line
-from winkler.plot.series import Curve, Series, spoken
+from winkler.plot.series import Curve, Series, name_in_words
 from winkler.study.batch.outcome import Outcome
 from winkler.study.batch.points import Answered
 from winkler.study.chapters.answer import ALONG
@@ -18,37 +18,37 @@ from winkler.web.pictures.chart import Chart, chart
 
 __all__ = ["curves_of", "draw_curves", "title_of"]
 
-MOST = 8
-"""So many curves over one quantity are drawn at most."""
-FLAT = 1e-9
+MOST_CURVES = 8
+"""Most curves over one quantity."""
+LEAST_VARIATION = 1e-9
 
 
 def curves_of(outcome: Outcome, point: Answered) -> tuple[tuple[str, str], ...]:
-    """Return what is drawn over what: ``(along, of)``; nothing where the answer is one number for each word."""
+    """Return the pairs ``(along, of)`` of drawn curves; empty if all results are single numbers."""
     answers = point.answers
-    known = tuple(pair for pair in answer_of(point.problem).curves if all(name in answers for name in pair))
-    if not known and len(next(iter(answers.values()), ())) > 1:
+    pairs = tuple(pair for pair in answer_of(point.problem).curves if all(name in answers for name in pair))
+    if not pairs and len(next(iter(answers.values()), ())) > 1:
         over = next((name for name in ("time", *ALONG, "distance", "cycle") if name in answers), next(iter(answers)))
-        known = tuple((over, name) for name in answers if name not in (over, "stable"))
-    return tuple((over, of) for over, of in known if _tells(answers[of]) and _tells(answers[over]))[:MOST]
+        pairs = tuple((over, name) for name in answers if name not in (over, "stable"))
+    return tuple((over, of) for over, of in pairs if _varies(answers[of]) and _varies(answers[over]))[:MOST_CURVES]
 
 
-def _tells(content: Any) -> bool:
+def _varies(content: Any) -> bool:
     finite = content[np.isfinite(content)]
-    return finite.size > 1 and float(np.ptp(finite)) > FLAT * float(np.max(np.abs(finite)))
+    return finite.size > 1 and float(np.ptp(finite)) > LEAST_VARIATION * float(np.max(np.abs(finite)))
 
 
 def draw_curves(outcome: Outcome, point: Answered, pair: tuple[str, str], moment: int = -1) -> Chart:
-    """Return one answer over another.
+    """Return one result over another.
 
     Parameters
     ----------
     outcome, point
-        Whose answers they are.
+        Outcome and the point of it.
     pair
-        Names: what is along, and what of.
+        Names of abscissa and ordinate.
     moment
-        Place of the point that is marked; negative for none.
+        Index of the marked point; negative for none.
     """
     curve = Curve(*(Series(name, outcome.word(name), point.answers[name]) for name in pair))
     x, y = (one.content for one in curve)
@@ -57,6 +57,6 @@ def draw_curves(outcome: Outcome, point: Answered, pair: tuple[str, str], moment
 
 
 def title_of(pair: tuple[str, str]) -> str:
-    """Return what stands above a curve."""
-    over, of = (spoken(name) for name in pair)
+    """Return the title of a curve."""
+    over, of = (name_in_words(name) for name in pair)
     return f"{of[:1].upper()}{of[1:]} over {over}"

@@ -1,4 +1,4 @@
-"""The moments of a history: how many there are, and the contact at each of them."""
+"""The moments of a history: their number, and the contact at each of them."""
 
 from __future__ import annotations
 
@@ -17,18 +17,18 @@ from winkler.study.chapters.answer import PicturedContact
 from winkler.study.chapters.contents import answer_of
 from winkler.study.report.figures import shown_contact
 
-__all__ = ["Moments", "contact_at", "moments_of", "telling"]
+__all__ = ["Moments", "contact_at", "initial_moment", "moments_of"]
 
 
 class Moments(NamedTuple):
-    """The moments of an answer.
+    """The moments of a solution.
 
     Parameters
     ----------
     total
-        How many; zero for an answer without a history.
+        Their number; zero without a history.
     states
-        The state at each, where the answer has them.
+        The state at each, if the solution has them.
     """
 
     total: int = 0
@@ -36,7 +36,7 @@ class Moments(NamedTuple):
 
 
 def moments_of(point: Answered) -> Moments:
-    """Return the moments of an answer along a path or over time, or its loads one by one."""
+    """Return the moments of a solution along a path or over time, or its loads."""
     if len(point.each) > 1:
         return Moments(len(point.each), point.each)
     if isinstance(point.problem, ViscoelasticIndentation):
@@ -47,8 +47,8 @@ def moments_of(point: Answered) -> Moments:
     return Moments(rows if history and rows > 1 else 0)
 
 
-def telling(point: Answered, moments: Moments) -> int:
-    """Return the moment that tells most: that of the greatest load along the surface, depth or force; else the last.
+def initial_moment(point: Answered, moments: Moments) -> int:
+    """Return the moment shown first: that of the greatest tangential load, depth or force; else the last.
 
     Of wear it is the last.
     """
@@ -62,19 +62,19 @@ def telling(point: Answered, moments: Moments) -> int:
 
 
 def contact_at(point: Answered, moments: Moments, moment: int) -> tuple[Any, bool]:
-    """Return the contact that the pictures show at a moment, and whether it is that of the moment; None if none is.
+    """Return the contact drawn at a moment (None if there is none), and whether it belongs to that moment.
 
-    A contact that only knows its depth is shown with its springs along the surface left out.
+    A state with a depth alone is drawn without its tangential springs.
     """
     if moments.states and (is_restorable(moments.states[moment]) or is_recovering(moments.states[moment])):
         return moments.states[moment], True
-    shows, answers, bed = answer_of(point.problem).contact, point.answers, getattr(point.problem, "bed", None)
-    if moments.total and bed is not None and shows is not PicturedContact.NONE:
-        now = {name: float(answers[name][moment]) for name in ("depth", "force", "radius") if name in answers}
-        if shows is PicturedContact.EDGE and len(now) == 3 and now["radius"] > 0.0:
-            asked = AdhesiveIndentation(bed, point.problem.law, Depth(now["depth"]))
-            return AdhesiveSolution(asked, now["depth"], now["force"], now["radius"], True), True
-        if "depth" in now and np.isfinite(now["depth"]):
-            depth = 0.0 if shows is PicturedContact.EDGE else max(now["depth"], 0.0)
+    contact_kind, answers, bed = answer_of(point.problem).contact, point.answers, getattr(point.problem, "bed", None)
+    if moments.total and bed is not None and contact_kind is not PicturedContact.NONE:
+        numbers = {name: float(answers[name][moment]) for name in ("depth", "force", "radius") if name in answers}
+        if contact_kind is PicturedContact.EDGE and len(numbers) == 3 and numbers["radius"] > 0.0:
+            problem = AdhesiveIndentation(bed, point.problem.law, Depth(numbers["depth"]))
+            return AdhesiveSolution(problem, numbers["depth"], numbers["force"], numbers["radius"], True), True
+        if "depth" in numbers and np.isfinite(numbers["depth"]):
+            depth = 0.0 if contact_kind is PicturedContact.EDGE else max(numbers["depth"], 0.0)
             return Indentation(bed, Depth(depth)).solve(), True
     return shown_contact(point), False

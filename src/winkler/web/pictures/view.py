@@ -1,4 +1,4 @@
-"""How far pictures go: a frame that stays while a contact moves in it, so that pressing is seen as pressing."""
+"""Frame of pictures, kept constant while a contact changes within it, so that motion is visible."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ import numpy as np
 
 from winkler.plot.extent import around
 
-__all__ = ["NOTHING", "View", "fitting"]
+__all__ = ["NO_VIEW", "View", "fitting"]
 
-ROOM = 3.0
-"""A frame is kept while what it shows fills at least so many parts of it."""
+MOST_SHRINKAGE = 3.0
+"""A frame is kept until it exceeds its contents by this factor."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -32,30 +32,30 @@ class View:
     sunk: float
 
 
-NOTHING = View(0.0, 0.0)
+NO_VIEW = View(0.0, 0.0)
 
 
-def fitting(pressed: Any, held: View = NOTHING) -> View:
-    """Return the frame for a contact: the one that is held if it fits, else one of its own.
+def fitting(pressed: Any, previous: View = NO_VIEW) -> View:
+    """Return the frame for a contact: the previous one if it fits, else a new one.
 
     Parameters
     ----------
     pressed
         Springs of a contact.
-    held
-        The frame of the picture before.
+    previous
+        Frame of the previous picture.
     """
-    wide, deep = around(pressed, None), _moved(pressed)
-    extent = held.extent if held.extent / ROOM <= wide <= 1.02 * held.extent else 1.15 * wide
-    sunk = held.sunk if held.sunk / (2.0 * ROOM) <= deep <= 1.02 * held.sunk else 1.2 * deep
-    known = pressed.bed.reach if pressed.bed.reach < pressed.bed.rim else math.inf  # beyond a wall all is known
-    return View(min(extent, known), sunk)
+    width, depth = around(pressed, None), _greatest_displacement(pressed)
+    extent = previous.extent if previous.extent / MOST_SHRINKAGE <= width <= 1.02 * previous.extent else 1.15 * width
+    sunk = previous.sunk if previous.sunk / (2.0 * MOST_SHRINKAGE) <= depth <= 1.02 * previous.sunk else 1.2 * depth
+    limit = pressed.bed.reach if pressed.bed.reach < pressed.bed.rim else math.inf  # beyond a wall nothing is limited
+    return View(min(extent, limit), sunk)
 
 
-def _moved(pressed: Any) -> float:
-    """Return how far springs are moved at most [m]; a hundredth of the picture where none is."""
-    deep = max(float(pressed.depth), 0.0)
+def _greatest_displacement(pressed: Any) -> float:
+    """Return the greatest displacement of the springs [m]; a hundredth of the extent if it is zero."""
+    depth = max(float(pressed.depth), 0.0)
     if pressed.radius > 0.0:
         x = np.linspace(0.02, 1.0, 60) * float(pressed.radius)
-        deep = max(deep, -float(np.min(pressed.value(x))))
-    return deep if deep > 0.0 else 0.01 * around(pressed, None)
+        depth = max(depth, -float(np.min(pressed.value(x))))
+    return depth if depth > 0.0 else 0.01 * around(pressed, None)

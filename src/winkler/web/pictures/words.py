@@ -1,4 +1,4 @@
-"""Words of a picture as the browser sets them."""
+"""Text of a picture as HTML of the browser."""
 
 from __future__ import annotations
 
@@ -6,38 +6,40 @@ import re
 
 from winkler.study.language.explain import plain_symbol
 
-__all__ = ["marked", "spoken_html"]
+__all__ = ["symbol_html", "text_html"]
 
 
-def marked(symbol: str) -> str:
-    r"""Return a LaTeX symbol as plotly sets it: italic letters, indices below.
+def symbol_html(symbol: str) -> str:
+    r"""Return a LaTeX symbol as HTML: italic letters, subscripts and superscripts.
 
     Examples
     --------
-    >>> marked("F_N"), marked("E^*"), marked(r"\sigma_{vM}")
+    >>> symbol_html("F_N"), symbol_html("E^*"), symbol_html(r"\sigma_{vM}")
     ('<i>F</i><sub>N</sub>', '<i>E</i><sup>*</sup>', '<i>σ</i><sub>vM</sub>')
     """
     if not symbol:
         return ""
-    found = re.fullmatch(
+    match = re.fullmatch(
         r"(\\?[A-Za-z]+|\\[A-Za-z]+ ?[A-Za-z])('*)(?:_(\{[^{}]*\}|\\?\w+))?(?:\^(\{[^{}]*\}|\*))?", symbol
     )
-    if found is None:
+    if match is None:
         return plain_symbol(symbol)
-    base, primes, below, above = found.groups()
+    base, primes, below, above = match.groups()
     text = f"<i>{plain_symbol(base)}</i>{primes}"
     text += f"<sub>{plain_symbol(below)}</sub>" if below else ""
     return text + (f"<sup>{plain_symbol(above)}</sup>" if above else "")
 
 
-def spoken_html(text: str) -> str:
-    r"""Return words with LaTeX symbols between dollars as plotly sets them.
+def text_html(text: str) -> str:
+    r"""Return text with LaTeX symbols between dollars as HTML.
 
     Examples
     --------
-    >>> spoken_html("area = $F_N$\n= 10 N")
+    >>> text_html("area = $F_N$\n= 10 N")
     'area = <i>F</i><sub>N</sub><br>= 10 N'
     """
     parts = text.split("$")
-    shown = (" − ".join(map(marked, part.split(" - "))) if place % 2 else part for place, part in enumerate(parts))
-    return re.sub(r"\^\{?([\w/]+)\}?", r"<sup>\1</sup>", "".join(shown)).replace("\n", "<br>")
+    parts_html = (
+        " − ".join(map(symbol_html, part.split(" - "))) if place % 2 else part for place, part in enumerate(parts)
+    )
+    return re.sub(r"\^\{?([\w/]+)\}?", r"<sup>\1</sup>", "".join(parts_html)).replace("\n", "<br>")

@@ -1,1 +1,1 @@
-"""What runs behind a page: the worker process, uploads, exports, and which requests are answered."""
+"""The session of a page: worker process, uploads, exports, and checks of requests."""

@@ -1,4 +1,4 @@
-"""An answer as one file: its numbers, its figures, or its report; the same writers as on the command line."""
+"""Export of results as one file: numbers, figures, or report, by the writers of the command line."""
 
 from __future__ import annotations
 
@@ -17,23 +17,23 @@ __all__ = ["File", "exported"]
 
 
 class File(NamedTuple):
-    """A file to be taken along."""
+    """A file for download."""
 
     name: str
     content: bytes
 
 
 def exported(outcome: Outcome | FitOutcome, what: str, page: Path) -> File:
-    """Return an answer as a file.
+    """Return results as a file.
 
     Parameters
     ----------
     outcome
-        What a study came to.
+        Outcome of a study.
     what
         ``csv``, ``netcdf``, ``png`` or ``report``.
     page
-        The folder of the page: files are written there first, and go with it if the worker is killed.
+        The folder of the page: files are written there first, and removed with it if the worker is killed.
     """
     if what == "report":
         return File(REPORT, _page(outcome).encode("utf-8"))
@@ -55,7 +55,7 @@ def _page(outcome: Outcome | FitOutcome) -> str:
 
 
 def _numbers(outcome: Outcome | FitOutcome, folder: Path) -> tuple[str, str]:
-    """Write all numbers, and return which files are the table and the archive."""
+    """Write all numbers, and return the file names of the table and the archive."""
     if isinstance(outcome, FitOutcome):
         fit_writing.write_numbers(outcome, folder)
         return fit_writing.CSV, fit_writing.NETCDF
@@ -64,7 +64,7 @@ def _numbers(outcome: Outcome | FitOutcome, folder: Path) -> tuple[str, str]:
 
 
 def _packed(folder: Path) -> File:
-    """Return the pictures of a folder in one file."""
+    """Return the pictures of a folder as one archive."""
     store = io.BytesIO()
     with zipfile.ZipFile(store, "w") as pack:
         for path in sorted(folder.rglob("*.png")):

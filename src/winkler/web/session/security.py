@@ -1,9 +1,9 @@
-"""Which requests the app answers, and the headers of its responses.
+"""Checks of requests to the app, and headers of its responses.
 
-A browser lets a page of any site send requests to this machine.  Three headers, which a page cannot forge, tell such
-requests apart: ``Host`` has the name under which the app was addressed (a foreign name that was made to point at this
+A browser lets a page of any site send requests to this machine.  Three headers that a page cannot forge identify such
+requests: ``Host`` has the name under which the app was addressed (a foreign name that was made to point at this
 machine, DNS rebinding, stands there), ``Origin`` the site whose page opens a socket or uploads, ``Sec-Fetch-Site``
-whether a picture, a frame or a script is asked for by another site.  Bodies are refused for their stated length before
+whether a picture, a frame or a script is requested by another site.  Bodies are refused for their stated length before
 they are read, and for their real one while they are.
 """
 
@@ -71,7 +71,7 @@ class Security:
     Parameters
     ----------
     app
-        What answers the rest.
+        The app behind the checks.
     origins
         Addresses at which the app may be opened, as `origin_of` returns them; the first one is named in refusals.
     largest
@@ -84,7 +84,7 @@ class Security:
         self.hosts = frozenset(host for origin in origins for host in _hosts(origin))
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Answer a request, or let the app answer it."""
+        """Refuse a request, or pass it to the app."""
         if scope["type"] == "http":
             await self._http(scope, receive, send)
         elif scope["type"] == "websocket" and self._foreign(scope):
@@ -94,7 +94,7 @@ class Security:
             await self.app(scope, receive, send)
 
     def _foreign(self, scope: Scope) -> str:
-        """Return why a request is not taken: one sentence, empty if it is."""
+        """Return why a request is refused: one sentence, empty if it is accepted."""
         hosts, origins = _values(scope, b"host"), _values(scope, b"origin")
         if len(hosts) != 1 or hosts[0] not in self.hosts:
             return f"This app is opened at {self.address}; --address names others."
@@ -112,7 +112,7 @@ class Security:
         if why:
             await _say(send, 403, why)
             return
-        response = _Response(send, self._policy)
+        response = _ResponseWithHeaders(send, self._policy)
         body = _Body(receive, self.largest)
         try:
             if any(not one.isdigit() or int(one) > self.largest for one in _values(scope, b"content-length")):
@@ -156,8 +156,8 @@ class _Body:
         return message
 
 
-class _Response:
-    """A response that gets headers; the scripts in a page get the number by which they are known."""
+class _ResponseWithHeaders:
+    """A response that gets headers; the scripts in a page get the nonce that identifies them."""
 
     def __init__(self, send: Send, policy: Callable[[str], str]) -> None:
         self._send, self._policy = send, policy

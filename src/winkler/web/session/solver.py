@@ -1,4 +1,4 @@
-"""The page's side of the worker: questions go out, answers come back, and whatever takes too long is stopped."""
+"""The page's side of the worker: requests, replies, and stopping."""
 
 from __future__ import annotations
 
@@ -24,43 +24,43 @@ class Worker(NamedTuple):
 
 
 def started() -> Worker:
-    """Start a worker; it gets ready on its own."""
+    """Start a worker, which reports when it is ready."""
     context = multiprocessing.get_context("spawn")
-    mine, theirs = context.Pipe()
-    process = context.Process(target=work, args=(theirs,), daemon=True)
+    page_end, worker_end = context.Pipe()
+    process = context.Process(target=work, args=(worker_end,), daemon=True)
     process.start()
-    theirs.close()
-    return Worker(process, mine)
+    worker_end.close()
+    return Worker(process, page_end)
 
 
-class Heard(Protocol):
-    """Takes a part of an answer, and whether it is one to the newest question."""
+class ReplyReceiver(Protocol):
+    """Receives a reply, and whether it belongs to the newest request."""
 
     def __call__(self, reply: Any, *, newest: bool) -> None: ...
 
 
 class Solver:
-    """Asks one worker.
+    """Sends requests to one worker.
 
     Parameters
     ----------
-    heard
-        Called, in the loop of the page, with every part of the answers to the newest question and the newest study.
-    lost
-        Called there when the worker has ended by itself, with whether it had been ready.
+    on_reply
+        Called, in the event loop of the page, with the replies to the newest request and the newest study.
+    on_exit
+        Called there when the worker has ended by itself, with whether it was ready.
 
     Raises
     ------
     OSError
-        If no process can be started; also by `ask` and `stop`, after which the next question tries again.
+        If no process can be started; also by `send` and `stop`, after which the next request tries again.
     """
 
-    def __init__(self, heard: Heard, lost: Callable[[bool], None]) -> None:
-        self.heard, self.lost = heard, lost
+    def __init__(self, on_reply: ReplyReceiver, on_exit: Callable[[bool], None]) -> None:
+        self.on_reply, self.on_exit = on_reply, on_exit
         self.loop = asyncio.get_running_loop()
         self.number = self.study = 0
-        self.since = 0.0
-        self.open: set[int] = set()
+        self.started_at = 0.0
+        self.pending: set[int] = set()
         self.process: Any = None
         self.pipe: Any = None
         self._begin()
@@ -78,44 +78,44 @@ class Solver:
         with contextlib.suppress(EOFError, OSError, RuntimeError), pipe:  # the worker, or the loop, has ended
             while True:
                 number, reply = pipe.recv()
-                self.loop.call_soon_threadsafe(self._take, pipe, number, reply)
+                self.loop.call_soon_threadsafe(self._pass_on, pipe, number, reply)
         with contextlib.suppress(RuntimeError):
-            self.loop.call_soon_threadsafe(self._ended, pipe)
+            self.loop.call_soon_threadsafe(self._closed, pipe)
 
-    def _ended(self, pipe: Any) -> None:
-        if pipe is self.pipe:  # else it was ended by the page
+    def _closed(self, pipe: Any) -> None:
+        if pipe is self.pipe:  # otherwise the page has ended it
             ready = self.ready
             self.close()
-            self.lost(ready)
+            self.on_exit(ready)
 
-    def _take(self, pipe: Any, number: int, reply: Any) -> None:
+    def _pass_on(self, pipe: Any, number: int, reply: Any) -> None:
         if pipe is not self.pipe:
             return
         if number == 0:
-            self.ready, self.since = True, time.monotonic()
+            self.ready, self.started_at = True, time.monotonic()
             return
         if isinstance(reply, Done):
-            self.open.discard(number)
+            self.pending.discard(number)
         if number in (self.number, self.study):
-            self.heard(reply, newest=number == self.number)
+            self.on_reply(reply, newest=number == self.number)
 
-    def ask(self, make: Callable[[int], Any]) -> None:
-        """Ask a question; `make` gets its number."""
+    def send(self, make: Callable[[int], Any]) -> None:
+        """Send a request; `make` builds it from its number."""
         if self.pipe is None:
             self._begin()
         self.number += 1
-        self.open.add(self.number)
-        self.since = time.monotonic()
-        question = make(self.number)
-        if isinstance(question, Solve):
+        self.pending.add(self.number)
+        self.started_at = time.monotonic()
+        request = make(self.number)
+        if isinstance(request, Solve):
             self.study = self.number
-        with contextlib.suppress(OSError):  # the worker has ended, which is heard of
-            self.pipe.send(question)
+        with contextlib.suppress(OSError):  # the worker has ended, which the listener notices
+            self.pipe.send(request)
 
     @property
     def working(self) -> bool:
-        """Whether an answer is not complete."""
-        return bool(self.open)
+        """Whether a reply is incomplete."""
+        return bool(self.pending)
 
     @property
     def starting(self) -> bool:
@@ -124,11 +124,11 @@ class Solver:
 
     @property
     def seconds(self) -> float:
-        """For how long the worker has been at the newest question [s]."""
-        return time.monotonic() - self.since if self.working and self.ready else 0.0
+        """Time since the newest request [s]."""
+        return time.monotonic() - self.started_at if self.working and self.ready else 0.0
 
     def stop(self) -> None:
-        """End what is going on, and begin anew."""
+        """Stop the running request by starting a new worker."""
         self.close()
         self._begin()
 
@@ -136,7 +136,7 @@ class Solver:
         """End the worker."""
         self.pipe = None
         self.ready = False
-        self.open.clear()
+        self.pending.clear()
         if self.process is not None:
             self.process.kill()
             self.process.join(1.0)

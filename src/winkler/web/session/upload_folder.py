@@ -1,4 +1,4 @@
-"""The app's own folder: what was uploaded lies there, under plain names, and nothing outside it can be named."""
+"""The app's own folder: uploaded files under plain names; nothing outside it can be named."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ __all__ = ["LARGEST", "UploadFolder", "files_in", "plain_name"]
 
 LARGEST = 20_000_000
 """Greatest size of an upload [bytes]."""
-CURVE = "fit.curve"
+CURVE_KEY = "fit.curve"
 """The key of a study that names a measured curve."""
-MOST = 50
-"""So many files are kept,"""
-TOTAL = 100_000_000
-"""and so many bytes of all of them."""
+MOST_FILES = 50
+"""Most files of a page."""
+MOST_BYTES = 100_000_000
+"""Most bytes of all files of a page."""
 
 
 def plain_name(name: str) -> str:
@@ -35,25 +35,25 @@ def plain_name(name: str) -> str:
     ('passwd', 'My_tip_2_.CSV', 'file')
     """
     last = re.split(r"[/\\\\]", name)[-1]
-    kept = re.sub(r"[^A-Za-z0-9._-]+", "_", last).lstrip("._-")
-    return kept[-100:] or "file"
+    plain = re.sub(r"[^A-Za-z0-9._-]+", "_", last).lstrip("._-")
+    return plain[-100:] or "file"
 
 
 def files_in(content: Any, key: str = "") -> list[tuple[str, Any]]:
     """Return ``(key, name)`` of every file that the tables of a study name."""
-    found: list[tuple[str, Any]] = []
+    files: list[tuple[str, Any]] = []
     if isinstance(content, dict):
         for name, item in content.items():
             where = f"{key}.{name}" if key else str(name)
-            found += [(where, item)] if name == "file" or where == CURVE else files_in(item, where)
+            files += [(where, item)] if name == "file" or where == CURVE_KEY else files_in(item, where)
     elif isinstance(content, list):
         for place, item in enumerate(content):
-            found += files_in(item, f"{key}[{place}]")
-    return found
+            files += files_in(item, f"{key}[{place}]")
+    return files
 
 
 class UploadFolder:
-    """One folder for one page; it is gone when the page is.
+    """The folder of one page, removed with it.
 
     Parameters
     ----------
@@ -70,7 +70,7 @@ class UploadFolder:
         return tuple(sorted(path.name for path in self.folder.iterdir() if path.is_file()))
 
     def keep(self, name: str, content: bytes) -> str:
-        """Keep an upload, and return the name that it got.
+        """Store an upload, and return its plain name.
 
         Raises
         ------
@@ -83,27 +83,27 @@ class UploadFolder:
             )
         if not content:
             raise InvalidInput(f"'{name}' is empty; give a file with numbers.")
-        kept = plain_name(name)
-        if kept not in self.names and len(self.names) >= MOST:
-            raise InvalidInput(f"there are {MOST} files already; reload the page to begin with none.")
-        others = sum((self.folder / other).stat().st_size for other in self.names if other != kept)
-        if others + len(content) > TOTAL:
+        plain = plain_name(name)
+        if plain not in self.names and len(self.names) >= MOST_FILES:
+            raise InvalidInput(f"there are {MOST_FILES} files already; reload the page to begin with none.")
+        others = sum((self.folder / other).stat().st_size for other in self.names if other != plain)
+        if others + len(content) > MOST_BYTES:
             raise InvalidInput(
-                f"'{name}': with it the files of this page would have more than {TOTAL / 1e6:.0f} MB, which is what is "
-                "kept; reload the page to begin with none."
+                f"'{name}': with it the files of this page would have more than {MOST_BYTES / 1e6:.0f} MB, the limit; "
+                "reload the page to begin with none."
             )
-        place = self.folder / kept
+        place = self.folder / plain
         try:
             place.write_bytes(content)
         except OSError as error:
             place.unlink(missing_ok=True)
             raise InvalidInput(
-                f"'{name}' cannot be kept ({reason_of(error).lower()}); make room on the disk."
+                f"'{name}' cannot be stored ({reason_of(error).lower()}); free space on the disk."
             ) from None
-        return kept
+        return plain
 
     def unpack(self, content: bytes, study: str) -> bytes:
-        """Keep the files of an archive, and return the study that lies among them.
+        """Store the files of an archive, and return the study in it.
 
         Raises
         ------
@@ -111,7 +111,7 @@ class UploadFolder:
             If there is no study in it, or it is damaged or too large.
         """
         remedy = "open one that this app has made"
-        with archive(content, "the upload", remedy=remedy, members=MOST + 1, size=LARGEST) as pack:
+        with archive(content, "the upload", remedy=remedy, members=MOST_FILES + 1, size=LARGEST) as pack:
             inside = [one for one in pack.infolist() if not one.is_dir()]
             if study not in [one.filename for one in inside]:
                 raise InvalidInput(f"the archive holds no {study}; {remedy}.")
@@ -130,7 +130,7 @@ class UploadFolder:
         return store.getvalue()
 
     def check(self, table: Any) -> None:
-        """Refuse a study that names a file outside this folder.
+        """Raise InvalidInput if a study names a file outside this folder.
 
         Raises
         ------

@@ -1,4 +1,4 @@
-"""The folder of one running app: the folders of its pages lie in it, and a later start removes what a kill left there.
+"""The folder of one running app: the folders of its pages lie in it, and a later start removes folders of killed apps.
 
 The app locks a file in its folder.  The system takes the lock back when the process ends, also when it is killed: a
 folder whose lock can be taken belongs to nobody.  Between making a folder and locking its file another start may remove
@@ -24,17 +24,17 @@ __all__ = ["uploads"]
 PREFIX = "winkler-uploads-"
 LOCK = "lock"
 ATTEMPTS = 5
-"""So many folders are made in vain before the place is given up."""
+"""Most attempts to make a folder."""
 
 
 @contextlib.contextmanager
 def uploads(place: Path | None = None) -> Iterator[Path]:
-    """Make a folder for uploads, gone in the end; what killed apps of this user left behind is removed first.
+    """Make a folder for uploads, removed in the end; folders of killed apps of this user are removed first.
 
     Parameters
     ----------
     place
-        Where it is made; by default the folder for temporary files.
+        Parent of the folder; by default the folder for temporary files.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""The process that solves and draws for one page: it can be stopped at any moment, and the page lives on."""
+"""The process that solves and draws for one page: it can be stopped without closing the page."""
 
 from __future__ import annotations
 
@@ -18,28 +18,28 @@ if TYPE_CHECKING:
     from winkler.study.language.study import Study
     from winkler.web.session.export import File
 
-__all__ = ["POINTS", "Done", "Export", "Look", "Progress", "Solve", "Wrong", "beside_the_curve", "work"]
+__all__ = ["MOST_POINTS", "Done", "Export", "Look", "Progress", "Solve", "Wrong", "beside_the_curve", "work"]
 
 
 class Solve(NamedTuple):
-    """Asks for the answer to a study."""
+    """Request for the results of a study."""
 
     number: int
     text: str
     folder: Path
     anew: bool
-    """Whether the pictures find a frame anew."""
+    """Whether the pictures get a new frame."""
 
 
 class Look(NamedTuple):
-    """Asks for the pictures of another moment of the last answer."""
+    """Request for the pictures of another moment of the last results."""
 
     number: int
     moment: int
 
 
 class Export(NamedTuple):
-    """Asks for the last answer as files."""
+    """Request for the last results as files."""
 
     number: int
     what: str
@@ -47,122 +47,122 @@ class Export(NamedTuple):
 
 
 class Wrong(NamedTuple):
-    """Says why there is no answer: one sentence for every mistake."""
+    """Reasons for missing results: one sentence for each mistake."""
 
     sentences: tuple[str, ...]
 
 
 class Progress(NamedTuple):
-    """Says how many points of a sweep, or of a path, are solved."""
+    """Number of solved points of a sweep, or of a path."""
 
     done: int
     total: int | None
-    """None if it shows only on the way."""
+    """None if it is not known in advance."""
 
 
 class Done(NamedTuple):
-    """Says that all has been sent for a question."""
+    """Marks the end of the replies to a request."""
 
 
-class Newer(Exception):
-    """Ends a march: there is another study."""
+class StudyReplaced(Exception):
+    """Ends a march for another study."""
 
-    def __init__(self, asked: Solve) -> None:
+    def __init__(self, request: Solve) -> None:
         super().__init__()
-        self.asked = asked
+        self.request = request
 
 
-POINTS = 1000
-"""A sweep in the app has so many points at most."""
-BEAT = 0.2
-"""Seconds between two words about the progress of a sweep or a march."""
-PAUSE = 0.8
-"""Seconds of rest before sheets are drawn."""
+MOST_POINTS = 1000
+"""Most points of a sweep in the app."""
+PROGRESS_INTERVAL = 0.2
+"""Time between two reports of progress [s]."""
+SHEET_DELAY = 0.8
+"""Pause before sheets are drawn [s]."""
 STUDY = "study.toml"
-"""What the study is called in sentences and exports."""
+"""Name of the study in messages and exports."""
 
 
 def work(pipe: Connection) -> None:
-    """Answer questions until the pipe is closed; a newer question ends what is still to be drawn for the last one.
+    """Serve requests until the pipe is closed; a new study ends the drawing for the previous one.
 
-    Sends ``(number, reply)`` for every part of an answer.
+    Sends ``(number, reply)`` for each reply.
     """
     import signal
 
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the process of the page
-    bench = _Bench()
-    rest = {bench.answer.Frame: PAUSE, bench.answer.Shown: 0.0, Progress: 0.0}
+    state = _WorkerState()
+    delays = {state.answer.MomentComplete: SHEET_DELAY, state.answer.DrawnSheet: 0.0, Progress: 0.0}
     with contextlib.suppress(EOFError, BrokenPipeError, OSError):
         pipe.send((0, Done()))
-        newer: Any = None
+        next_study: Any = None
         while True:
-            asked, newer = newer or pipe.recv(), None
-            bench.tell = functools.partial(_told, pipe, bench, asked.number)
+            request, next_study = next_study or pipe.recv(), None
+            state.report = functools.partial(_report_progress, pipe, state, request.number)
             try:
-                for reply in bench.replies(asked):
-                    pipe.send((asked.number, reply))
-                    # points, and sheets that follow words and pictures, are left out when there is another study
-                    if isinstance(asked, Solve) and type(reply) in rest:
-                        newer = _meanwhile(pipe, bench, rest[type(reply)])
-                        if newer is not None:
+                for reply in state.replies(request):
+                    pipe.send((request.number, reply))
+                    # remaining points and sheets are left out when there is another study
+                    if isinstance(request, Solve) and type(reply) in delays:
+                        next_study = _serve_waiting(pipe, state, delays[type(reply)])
+                        if next_study is not None:
                             break
-            except Newer as end:
-                newer = end.asked
-            pipe.send((asked.number, Done()))
+            except StudyReplaced as end:
+                next_study = end.request
+            pipe.send((request.number, Done()))
 
 
-def _told(pipe: Connection, bench: _Bench, number: int, progress: Progress) -> None:
-    """Tell how far a march is, unless there is another study, which ends it."""
+def _report_progress(pipe: Connection, state: _WorkerState, number: int, progress: Progress) -> None:
+    """Report the progress of a march, unless another study ends it."""
     pipe.send((number, progress))
-    newer = _meanwhile(pipe, bench, 0.0)
-    if newer is not None:
-        raise Newer(newer)
+    next_study = _serve_waiting(pipe, state, 0.0)
+    if next_study is not None:
+        raise StudyReplaced(next_study)
 
 
-def _meanwhile(pipe: Connection, bench: _Bench, wait: float) -> Solve | None:
-    """Answer what is asked about the answer while its sheets are drawn; return another study, which ends them."""
+def _serve_waiting(pipe: Connection, state: _WorkerState, wait: float) -> Solve | None:
+    """Serve waiting requests for the current results; return another study, if there is one."""
     while pipe.poll(wait):
-        asked = pipe.recv()
-        if isinstance(asked, Solve):
-            return asked
-        for reply in bench.replies(asked):
-            pipe.send((asked.number, reply))
-        pipe.send((asked.number, Done()))
+        request = pipe.recv()
+        if isinstance(request, Solve):
+            return request
+        for reply in state.replies(request):
+            pipe.send((request.number, reply))
+        pipe.send((request.number, Done()))
     return None
 
 
-class _Bench:
-    """Holds the last answer."""
+class _WorkerState:
+    """The last results and their display."""
 
     def __init__(self) -> None:
         import tomli_w
 
-        from winkler.web.form.form import begun
+        from winkler.web.form.form import initial_table
         from winkler.web.pictures import answer
         from winkler.web.pictures.moments import Moments
-        from winkler.web.pictures.view import NOTHING
+        from winkler.web.pictures.view import NO_VIEW
 
-        self.answer, self.nothing, self.none = answer, NOTHING, Moments()
-        self.view, self.moments = NOTHING, self.none
+        self.answer, self.nothing, self.none = answer, NO_VIEW, Moments()
+        self.view, self.moments = NO_VIEW, self.none
         self.outcome: Outcome | FitOutcome | None = None
-        self.tell: Callable[[Progress], None] = lambda progress: None
+        self.report: Callable[[Progress], None] = lambda progress: None
         self.folder = Path()
-        warm = tomli_w.dumps(begun("indentation"))
-        list(self.replies(Solve(0, warm, Path(), True)))  # so that the first question does not wait for imports
-        self.view, self.outcome = NOTHING, None
+        text = tomli_w.dumps(initial_table("indentation"))
+        list(self.replies(Solve(0, text, Path(), True)))  # so that the first request does not wait for imports
+        self.view, self.outcome = NO_VIEW, None
 
-    def replies(self, asked: Any) -> Iterator[Any]:
+    def replies(self, request: Any) -> Iterator[Any]:
         from winkler.errors import WinklerError, mistake_in
 
         try:
-            match asked:
+            match request:
                 case Solve():
-                    yield from self._solved(asked)
+                    yield from self._solved(request)
                 case Look():
-                    yield from self._pictures(asked.moment, still=True)
+                    yield from self._pictures(request.moment, still=True)
                 case Export():
-                    yield self._file(asked.what)
-        except Newer:
+                    yield self._file(request.what)
+        except StudyReplaced:
             raise
         except WinklerError as error:
             yield Wrong(tuple(self._plain(line) for line in str(error).splitlines()))
@@ -174,71 +174,71 @@ class _Bench:
         sentence = sentence.removeprefix(f"{STUDY}: ").replace(f"{self.folder}/", "")
         return re.sub(r"\b([\w.-]+): \1(?=[:,])", r"\1", sentence)
 
-    def _solved(self, asked: Solve) -> Iterator[Any]:
+    def _solved(self, request: Solve) -> Iterator[Any]:
         from winkler.study.language.reading import parsed
 
-        self.outcome, self.moments, self.folder = None, self.none, asked.folder
-        if asked.anew:
+        self.outcome, self.moments, self.folder = None, self.none, request.folder
+        if request.anew:
             self.view = self.nothing
-        yield from self._fitted(asked) if "fit" in parsed(asked.text, STUDY) else self._answered(asked)
+        yield from self._fitted(request) if "fit" in parsed(request.text, STUDY) else self._answered(request)
 
-    def _answered(self, asked: Solve) -> Iterator[Any]:
+    def _answered(self, request: Solve) -> Iterator[Any]:
         from winkler.study.language.reading import parse_study, study_text
         from winkler.study.report.figures import shown_point
-        from winkler.web.pictures.moments import moments_of, telling
+        from winkler.web.pictures.moments import initial_moment, moments_of
 
-        study = parse_study(asked.text, file=STUDY, folder=asked.folder)
+        study = parse_study(request.text, file=STUDY, folder=request.folder)
         self.outcome = outcome = yield from self._run(study)
         point = shown_point(outcome)
         self.moments = moments_of(point)
-        moment = telling(point, self.moments)
-        yield self.answer.told(outcome, study_text(study), self.moments.total, moment)
+        moment = initial_moment(point, self.moments)
+        yield self.answer.answer_text(outcome, study_text(study), self.moments.total, moment)
         yield from self._pictures(moment, still=False)
         yield from self.answer.sheets(outcome)
 
     def _run(self, study: Study) -> Generator[Progress, None, Outcome]:
-        """Solve the points of a study; yield how far it is, now and then."""
+        """Solve the points of a study; yield the progress at intervals."""
         from winkler.errors import InvalidInput
         from winkler.study.batch.marching import unwatched
         from winkler.study.batch.run import gather
         from winkler.study.batch.sweep import solve_points
 
         total, started = math.prod(study.shape), time.perf_counter()
-        if total > POINTS:
+        if total > MOST_POINTS:
             raise InvalidInput(
-                f"sweep: there are {total} points, and the app solves at most {POINTS}; ask for fewer, or take the "
-                "study to `winkler run`, which takes millions."
+                f"sweep: there are {total} points, and the app solves at most {MOST_POINTS}; give fewer, or solve the "
+                "study by `winkler run`, which takes millions."
             )
-        points, told = [], started
-        watch = self._watched if total == 1 else unwatched
+        points, reported = [], started
+        watch = self._with_progress if total == 1 else unwatched
         for point in solve_points(study, watch=watch):
             points.append(point)
-            if total > 1 and time.perf_counter() - told > BEAT:
-                told = time.perf_counter()
+            if total > 1 and time.perf_counter() - reported > PROGRESS_INTERVAL:
+                reported = time.perf_counter()
                 yield Progress(len(points), total)
         return gather(study, points, started=started)
 
-    def _watched(self, states: Iterable[Any], total: int | None) -> Iterator[Any]:
-        """Yield the states of a march; tell how far it is, now and then."""
-        told = time.perf_counter()
+    def _with_progress(self, states: Iterable[Any], total: int | None) -> Iterator[Any]:
+        """Yield the states of a march; report the progress at intervals."""
+        reported = time.perf_counter()
         for done, state in enumerate(states, 1):
-            if time.perf_counter() - told > BEAT:
-                told = time.perf_counter()
-                self.tell(Progress(done, total))
+            if time.perf_counter() - reported > PROGRESS_INTERVAL:
+                reported = time.perf_counter()
+                self.report(Progress(done, total))
             yield state
 
-    def _fitted(self, asked: Solve) -> Iterator[Any]:
+    def _fitted(self, request: Solve) -> Iterator[Any]:
         from winkler.errors import WinklerError
         from winkler.study.batch.fit_run import fit_study
         from winkler.study.language.fit_reading import parse_fit_study
         from winkler.web.pictures import fitted
 
-        study = parse_fit_study(asked.text, file=STUDY, folder=asked.folder)
+        study = parse_fit_study(request.text, file=STUDY, folder=request.folder)
         try:
             self.outcome = fit_study(study)
         except WinklerError as error:
             raise type(error)(beside_the_curve(str(error))) from None
-        yield fitted.fit_text(self.outcome, asked.text)
+        yield fitted.fit_text(self.outcome, request.text)
         yield from self._pictures(0, still=False)
         yield from fitted.fit_sheets(self.outcome)
 
@@ -248,7 +248,7 @@ class _Bench:
         from winkler.web.pictures.fitted import fit_pictures
 
         if self.outcome is None:
-            raise InvalidInput("there is no answer to look at; wait for it, or mend the study first.")
+            raise InvalidInput("there are no results to show; wait for them, or correct the study first.")
         if isinstance(self.outcome, FitOutcome):
             pictures, remark = fit_pictures(self.outcome, moment)
         else:
@@ -258,24 +258,24 @@ class _Bench:
         for picture in pictures:
             count += 1
             yield picture
-        yield self.answer.Frame(count, remark)
+        yield self.answer.MomentComplete(count, remark)
 
     def _file(self, what: str) -> File:
         from winkler.errors import InvalidInput
         from winkler.web.session.export import exported
 
         if self.outcome is None:
-            raise InvalidInput("there is no answer to take along; mend the study first.")
+            raise InvalidInput("there are no results to save; correct the study first.")
         return exported(self.outcome, what, self.folder)
 
 
 def beside_the_curve(sentence: str) -> str:
-    """Return why no curve could be fitted, told of the key in the study that it is about.
+    """Return why no curve could be fitted, with the key in the study.
 
     Examples
     --------
-    >>> beside_the_curve("gel.csv: fit: not identifiable: the curve cannot tell one from the other.")
-    'fit.free: gel.csv: the curve cannot tell one from the other.'
+    >>> beside_the_curve("gel.csv: fit: not identifiable: the curve does not distinguish one from the other.")
+    'fit.free: gel.csv: the curve does not distinguish one from the other.'
     """
     if ": fit: not identifiable: " in sentence:
         return f"fit.free: {sentence.replace('fit: not identifiable: ', '')}"
