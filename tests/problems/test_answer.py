@@ -1,4 +1,4 @@
-"""What an answer is: solutions, marches and states are told apart by their members, and states become columns."""
+"""What an answer is: solutions, marches and states are distinguished by their members, and states become columns."""
 
 from __future__ import annotations
 

@@ -106,9 +106,9 @@ def test_what_was_checked_is_told():
     (calm,) = told(wk.Paraboloid(1.0), HARD, 0.5)
     assert "no flat punch up to this radius pulls" in calm
     (pulling,) = told(wk.Paraboloid(1.0), HARD, 2.0)
-    assert "so the pressure was looked at" in pulling
+    assert "so the pressure was examined" in pulling
     (graded,) = told(wk.Paraboloid(1.0), GRADED, 0.5)
-    assert "rises wherever it was looked at" in graded
+    assert "rises wherever it was examined" in graded
 
 
 @pytest.mark.parametrize("name", ["half", "soft", "hard", "harder", "film"])

@@ -154,7 +154,7 @@ def test_one_load_of_many():
     assert one.problem.load == wk.Force(3.0)
     assert one.line_load(np.zeros(1))[0] == pytest.approx(MODULUS * one.depth)
     for index in (7, (0, 5), (0, 0, 0), "first", 0):
-        with pytest.raises(wk.InvalidInput, match=r"there is no load .* in an answer of shape \(2, 2\)"):
+        with pytest.raises(wk.InvalidInput, match=r"there is no load .* in a solution of shape \(2, 2\)"):
             many.at(index)
     for ask in (lambda: many.line_load(np.zeros(1)), lambda: wk.restore(many, [0.0]), lambda: many.pressed):
         with pytest.raises(wk.InvalidInput, match=r"holds 4 loads; pick one with solution.at\(index\)"):

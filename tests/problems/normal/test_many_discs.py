@@ -1,4 +1,4 @@
-"""Many loads of a profile that turns, met and looked at together: each verdict is that of the load alone."""
+"""Many loads of a profile that turns, met and examined together: each verdict is that of the load alone."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What an indentation says about itself: each limit is noted when it is passed, and not before."""
+"""What an indentation says about its own validity: each limit is noted when it is passed, and not before."""
 
 from __future__ import annotations
 

@@ -207,7 +207,7 @@ def test_friction_on_layers_and_wide_contacts_are_not_known():
     thin = wk.CoatedHalfSpace([wk.Layer(steel(1e30), 1e-6)], on=wk.Elastic(E, NU))
     wide = statement(wk.Indentation(wk.Foundation(wk.Paraboloid(R), thin), wk.Radius(1.1e-5)).solve())
     assert wide.standing is wk.Standing.APPROXIMATE
-    assert "ask peak_stress" in wide.statement
+    assert "use peak_stress" in wide.statement
 
 
 def test_attraction_without_range():

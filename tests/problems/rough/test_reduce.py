@@ -70,7 +70,7 @@ def maps():
 
 @pytest.mark.parametrize("name", ["two spheres", "rough", "leaning"])
 def test_the_error_of_the_force_is_what_is_said(name):
-    """At depths that were not asked for, against boundary elements at these very depths."""
+    """At depths that were not requested, against boundary elements at these very depths."""
     topography, deepest = maps()[name]
     found = Reduction(topography, UNIT, deepest, tolerance=2e-3).solve()
     assert found.misfit <= 2e-3

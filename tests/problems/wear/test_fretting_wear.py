@@ -233,5 +233,5 @@ def test_what_cannot_be_asked_is_refused(changes, said):
 def test_layers_are_refused_with_the_reason():
     solid = wk.Elastic(young=1.0, poisson=0.3)
     coated = wk.CoatedHalfSpace([wk.Layer(solid, thickness=0.05)], on=solid)
-    with pytest.raises(wk.OutsideValidity, match="ask for LimitingProfile"):
+    with pytest.raises(wk.OutsideValidity, match="use LimitingProfile"):
         fretting(bed=wk.Foundation(wk.Paraboloid(BALL), coated))

@@ -36,7 +36,7 @@ from winkler.values import value
 
 __all__ = ["AdhesiveCycle", "AdhesiveCycleSolution"]
 
-ROUNDING = 1e-10
+JUMP_ROUNDING = 1e-10
 """Part of the energies that meet in a jump by which their difference may come out negative."""
 
 
@@ -161,7 +161,7 @@ class AdhesiveCycle:
                 yield AdhesiveState(position, depths[i], forces[i], radii[i], lost, wasted, jumps)
 
     def gathered(self, states: Iterable[AdhesiveState]) -> AdhesiveCycleSolution:
-        """Return the answer from these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its beginning."""
         every = list(states)
         jumps = tuple(jump for state in every for jump in state.jumps)
         return gather(AdhesiveCycleSolution, self, every, jumps=jumps)
@@ -183,12 +183,12 @@ class AdhesiveCycle:
 
 @value
 class AdhesiveCycleSolution:
-    """The answer to an `AdhesiveCycle`, point by point.
+    """The solution of an `AdhesiveCycle`, point by point.
 
     Parameters
     ----------
     problem : AdhesiveCycle
-        What was asked.
+        The problem that was solved.
     position, depth : ndarray, (steps,)
         D, where the far end of the machine stands, and d [m].
     force : ndarray, (steps,)
@@ -257,7 +257,7 @@ def _jump(edge: AdhesiveEdge | RangedEdge, leap: Leap) -> AdhesiveJump:
     inner, outer = edge.energy(depth, force, radius), edge.control.energy(depth, force)
     loss = float(inner[0] - inner[1] + outer[0] - outer[1])
     size = float(np.max(np.abs(inner)) + np.max(np.abs(outer)))
-    if loss < -ROUNDING * size:
+    if loss < -JUMP_ROUNDING * size:
         raise OutsideValidity(
             f"At a depth of {depth[0]:.6g} m the edge would have to run from {radius[0]:.6g} m to {radius[1]:.6g} m, "
             f"though that costs {-loss:.3g} J: a ring of the body touches there first, and the contact is no disc; "

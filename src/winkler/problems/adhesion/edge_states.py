@@ -37,7 +37,7 @@ __all__ = [
 
 
 class EdgeStates(Protocol):
-    """What a law of adhesion makes of a bed; spoken to its implementer. Arrays of radii in, arrays out."""
+    """What a law of adhesion makes of a bed; stated for its implementer. Arrays of radii in, arrays out."""
 
     def __hash__(self) -> int:
         """States are values."""

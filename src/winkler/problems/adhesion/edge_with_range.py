@@ -33,7 +33,7 @@ from winkler.problems.adhesion.stability import branches
 
 __all__ = ["RangedEdge", "ranged_edge"]
 
-RESOLVED = 1e-12
+PANEL_TOLERANCE = 1e-12
 
 
 class Approach(Protocol):
@@ -216,5 +216,5 @@ def _turns(level: Curve, bed: Bed, length: float) -> list[float]:
     """Return where the approach begins and turns."""
     edges = np.unique([-length, *(b - length for b, _ in bed.kinks if 0.0 < b < length), 0.0])
     size = float(np.max(np.abs(level(edges))))
-    panels = fit_panels(lambda p: level(p.ravel()).reshape(p.shape), edges, RESOLVED * size)
+    panels = fit_panels(lambda p: level(p.ravel()).reshape(p.shape), edges, PANEL_TOLERANCE * size)
     return [-length, *stationary(panels).tolist(), *edges[1:-1].tolist()]

@@ -29,7 +29,7 @@ from winkler.values import value
 
 __all__ = ["AdhesiveBranch", "Equilibrium", "EquilibriumCurve", "EquilibriumJump"]
 
-FEWEST, MOST = 2, 1_000_000
+LEAST_STATES, MOST_STATES = 2, 1_000_000
 
 
 @value
@@ -75,7 +75,7 @@ class Equilibrium:
     law: AdhesionLaw
     reach: Annotated[Positive, Advice("the greatest contact radius")]
     machine_stiffness: MachineStiffness = math.inf
-    count: Annotated[int, Whole(FEWEST, MOST)] = 1000
+    count: Annotated[int, Whole(LEAST_STATES, MOST_STATES)] = 1000
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "johnson_kendall_roberts_1971", "guduru_2007")
     assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE
@@ -99,7 +99,7 @@ class Equilibrium:
         Raises
         ------
         OutsideValidity
-            If the law does not hold for the bed, or the profile has more waves than can be told apart.
+            If the law does not hold for the bed, or the profile has more waves than can be distinguished.
         """
         states = states_of(self.bed, self.law)
         found = branches(states, self.machine_stiffness, self.reach)
@@ -158,12 +158,12 @@ class EquilibriumJump:
 
 @value
 class EquilibriumCurve:
-    """The answer to `Equilibrium`.
+    """The solution of `Equilibrium`.
 
     Parameters
     ----------
     problem : Equilibrium
-        What was asked.
+        The problem that was solved.
     radius, depth, force : ndarray, (n,)
         a [m], d [m] and F_N [N] along the curve, by rising radius.
     starts, stops : ndarray, (branches,)

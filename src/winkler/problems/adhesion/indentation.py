@@ -48,7 +48,7 @@ class AdhesiveIndentation:
     law : ShortRange, Dugdale or DerjaguinMullerToporov
         How the surfaces attract each other; with hysteresis, the work of opening counts.
     load : Force, Depth or Radius
-        A force is a dead load, a depth means fixed grips; the value may be an array, the answers then have its shape.
+        A force is a dead load, a depth means fixed grips; the value may be an array, the results then have its shape.
 
     References
     ----------
@@ -136,12 +136,12 @@ def _at_radius(states: EdgeStates, radius: Array) -> tuple[Array, Array, Array, 
 
 @value
 class AdhesiveSolution:
-    """The answer to an `AdhesiveIndentation`; every quantity has the shape of the load.
+    """The solution of an `AdhesiveIndentation`; every quantity has the shape of the load.
 
     Parameters
     ----------
     problem : AdhesiveIndentation
-        What was asked.
+        The problem that was solved.
     depth : float or ndarray
         d [m], approach positive.
     force : float or ndarray

@@ -25,13 +25,13 @@ from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.edge_states import stored_energy
-from winkler.problems.adhesion.maugis_integrals import Springs, edges_of, gap_moment, pulled
+from winkler.problems.adhesion.maugis_integrals import RingSprings, edges_of, gap_moment, pulled
 from winkler.problems.adhesion.maugis_zone import Zone, widest_within, zone
 from winkler.values import value
 
 __all__ = ["CohesiveStates", "Ringed"]
 
-SHARPEST, BLUNT = 16.0, 1e8
+CLOSEST_HOMOGENEOUS, CLOSEST_OTHERWISE = 16.0, 1e8
 """Closest place to the end of a ring, in units of rounding: on a homogeneous surface, and elsewhere."""
 
 
@@ -76,7 +76,7 @@ class CohesiveStates:
         """A point is held by the stress around it."""
         return True
 
-    def springs(self) -> Springs:
+    def springs(self) -> RingSprings:
         """What the zone needs of the bed."""
         return _springs(cast(Hashable, self.bed))
 
@@ -131,7 +131,7 @@ class CohesiveStates:
         """The springs out to the end of the ring."""
         outer = float(self.zone(np.array([radius])).outer[0])
         amplitude = self.springs().amplitude(self.law.strength)
-        sharpest = SHARPEST if _exponent(self.bed) == 0.0 else BLUNT
+        sharpest = CLOSEST_HOMOGENEOUS if _exponent(self.bed) == 0.0 else CLOSEST_OTHERWISE
         return _ringed(self.bed, depth, radius, outer, amplitude, sharpest)
 
 
@@ -150,11 +150,11 @@ def _ringed(bed: Bed, depth: float, contact: float, outer: float, amplitude: flo
 
 
 @functools.lru_cache(maxsize=64)
-def _springs(given: Hashable) -> Springs:
+def _springs(given: Hashable) -> RingSprings:
     bed = cast(Bed, given)
     modulus = float(bed.normal_stiffness(np.array([1.0]))[0])  # c_N = E_s x^k at x = 1 m
     end = min(bed.reach, bed.rim)
-    return Springs(bed.gap_slope, edges_of(bed.kinks, end), bed.rising, modulus, _exponent(bed), end)
+    return RingSprings(bed.gap_slope, edges_of(bed.kinks, end), bed.rising, modulus, _exponent(bed), end)
 
 
 @functools.lru_cache(maxsize=64)
@@ -229,7 +229,7 @@ class Ringed(Pressed):
     @property
     def blunted(self) -> Ringed:
         """The same with fewer places."""
-        return _ringed(self.bed, self.depth, self.contact_radius, self.outer_radius, self.amplitude, BLUNT)
+        return _ringed(self.bed, self.depth, self.contact_radius, self.outer_radius, self.amplitude, CLOSEST_OTHERWISE)
 
     @property
     def kinks(self) -> tuple[tuple[float, float], ...]:

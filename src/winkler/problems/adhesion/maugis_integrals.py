@@ -20,15 +20,15 @@ from winkler.numerics.integrals.quadrature import gauss_legendre, tanh_sinh
 from winkler.numerics.panels.sqrt_panels import root
 from winkler.numerics.types import Array, Curve
 
-__all__ = ["Rule", "Springs", "edges_of", "gap_moment", "moment", "profile_part", "pulled", "turn"]
+__all__ = ["RingSprings", "Rule", "edges_of", "gap_moment", "moment", "profile_part", "pulled", "turn"]
 
 Rule = tuple[str, int]
 """``("gauss", count)`` for what is smooth in the angle, ``("double", count)``, double-exponential, for what is not."""
 
-AT_ONCE = 250_000
+POINTS_PER_BLOCK = 250_000
 """Places at which g' is asked at once."""
 DOUBLINGS = 60
-FINE = 161
+FINEST_RULE = 161
 
 
 class Edges(NamedTuple):
@@ -39,7 +39,7 @@ class Edges(NamedTuple):
     steep: Array
 
 
-class Springs(NamedTuple):
+class RingSprings(NamedTuple):
     """What the zone needs of a bed: g', its edges, whether g rises, c_N = surface_modulus x^exponent, and its end.
 
     `edges` are those of `edges_of`.
@@ -167,7 +167,7 @@ def _from_base(pieces: _Pieces, back: Array) -> _Pieces:
     return _Pieces(*(np.concatenate(parts) for parts in zip(begun, more, strict=True)))
 
 
-def profile_part(springs: Springs, radius: Array, span: Array, rule: Rule) -> tuple[Array, Array]:
+def profile_part(springs: RingSprings, radius: Array, span: Array, rule: Rule) -> tuple[Array, Array]:
     """Return the integral of g' J over the zone [m], and its derivative by c [-]."""
     outer = np.hypot(radius, span)
     pieces = _pieces(springs.edges, radius, span, springs.exponent)
@@ -177,7 +177,7 @@ def profile_part(springs: Springs, radius: Array, span: Array, rule: Rule) -> tu
         complements = nodes[::-1]
     else:
         nodes, complements, weights = tanh_sinh(rule[1])
-    k, chunk = springs.exponent, max(1, AT_ONCE // nodes.size)
+    k, chunk = springs.exponent, max(1, POINTS_PER_BLOCK // nodes.size)
     for begin in range(0, pieces.owner.size, chunk):
         own = _Pieces(*(part[begin : begin + chunk] for part in pieces))
         c = outer[own.owner]
@@ -190,20 +190,22 @@ def profile_part(springs: Springs, radius: Array, span: Array, rule: Rule) -> tu
     return total, by_outer
 
 
-def gap_moment(springs: Springs, radius: Array, span: Array) -> Array:
+def gap_moment(springs: RingSprings, radius: Array, span: Array) -> Array:
     """Return the integral of (g(x) - g(a)) sqrt(c^2 - x^2) over the zone [m^3], by parts; for k = 0."""
     outer, total = np.hypot(radius, span), np.zeros(radius.shape)
     pieces = _pieces(springs.edges, radius, span, springs.exponent)
-    for begin in range(0, pieces.owner.size, AT_ONCE // FINE):
-        own = _Pieces(*(part[begin : begin + AT_ONCE // FINE] for part in pieces))
-        x, rest, measure = _on(springs, own, *tanh_sinh(FINE))
+    for begin in range(0, pieces.owner.size, POINTS_PER_BLOCK // FINEST_RULE):
+        own = _Pieces(*(part[begin : begin + POINTS_PER_BLOCK // FINEST_RULE] for part in pieces))
+        x, rest, measure = _on(springs, own, *tanh_sinh(FINEST_RULE))
         c = outer[own.owner, None]
         beyond = pulled(np.broadcast_to(c, rest.shape), rest, 0.0)
         total += np.bincount(own.owner, np.einsum("mn,mn->m", measure, rest / x * beyond), radius.size)
     return total
 
 
-def _on(springs: Springs, own: _Pieces, nodes: Array, complements: Array, weights: Array) -> tuple[Array, Array, Array]:
+def _on(
+    springs: RingSprings, own: _Pieces, nodes: Array, complements: Array, weights: Array
+) -> tuple[Array, Array, Array]:
     """Return x, sqrt(c^2 - x^2), and what is to be multiplied by that over x and summed for an integral over g' dx."""
     k = springs.exponent
     base, width, whole = own.base[:, None], own.width[:, None], own.whole[:, None]

@@ -23,14 +23,14 @@ from winkler.loading import Force
 from winkler.problems.adhesion import griffith
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
 from winkler.problems.adhesion.pull_off import PullOff
-from winkler.problems.assumptions.adhesion_range import GREENWOOD, STRETCH
+from winkler.problems.assumptions.adhesion_range import GREENWOOD, PULL_OFF_STRETCH
 from winkler.problems.normal.indentation import Indentation
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["ModelError", "Recommendation", "maugis_parameter", "tabor_parameter", "which_model"]
 
-MAUGIS = 2.0 / math.cbrt(16.0 * math.pi / 9.0)
+MAUGIS_OVER_TABOR = 2.0 / math.cbrt(16.0 * math.pi / 9.0)
 """Maugis' parameter over Tabor's, if the range is work over strength."""
 UNLOADED = Force(0.0)
 TABOR = "D. Tabor, J. Colloid Interface Sci. 58 (1977) 2-13, doi:10.1016/0021-9797(77)90366-6"
@@ -111,7 +111,7 @@ def maugis_parameter(*, curvature_radius: float, modulus: float, work: float, st
     _positive("maugis_parameter", curvature_radius=curvature_radius, modulus=modulus, work=work, strength=strength)
     distance = work / strength
     tabor = tabor_parameter(curvature_radius=curvature_radius, modulus=modulus, work=work, distance=distance)
-    return MAUGIS * tabor
+    return MAUGIS_OVER_TABOR * tabor
 
 
 @value
@@ -165,7 +165,7 @@ class Recommendation:
     @property
     def maugis(self) -> float:
         """Maugis' parameter lambda [-]."""
-        return MAUGIS * self.tabor
+        return MAUGIS_OVER_TABOR * self.tabor
 
 
 def which_model(bed: Bed, law: Dugdale, load: Force = UNLOADED, *, tolerance: float = 0.02) -> Recommendation:
@@ -215,7 +215,7 @@ def which_model(bed: Bed, law: Dugdale, load: Force = UNLOADED, *, tolerance: fl
     models, refused = _models(bed, law, load)
     short = PullOff(bed, ShortRange(law.work)).solve()
     stretch = float(griffith.stretch(bed, law.work, np.array([short.radius]))[0])
-    tabor = stretch / (STRETCH * law.range)
+    tabor = stretch / (PULL_OFF_STRETCH * law.range)
     good = {each.model: each for each in models if _close(each, tolerance)}
     # the simplest first; Hertz if the load makes adhesion vanish, though it knows no pull-off
     plain = next(each for each in models if each.model == "Hertz")
@@ -291,7 +291,7 @@ def _reasons(
             Assumption.ADHESION,
             Standing.ASYMPTOTIC,
             f"At the pull-off attraction stretches the edge by {stretch:.3g} m, its range is {law.range:.3g} m: "
-            f"Tabor's parameter is {tabor:.3g}, Maugis' {MAUGIS * tabor:.3g}, in the region of {region}.",
+            f"Tabor's parameter is {tabor:.3g}, Maugis' {MAUGIS_OVER_TABOR * tabor:.3g}, in the region of {region}.",
             f"{TABOR}; {GREENWOOD}",
         ),
         Note(Assumption.ADHESION, Standing.EXACT, f"Pull-off under a dead load: {compared}.", EQUATIONS),

@@ -98,12 +98,12 @@ def last_radius(states: EdgeStates, machine_stiffness: float) -> float:
 
 @value
 class PullOffSolution:
-    """The answer to `PullOff`.
+    """The solution of `PullOff`.
 
     Parameters
     ----------
     problem : PullOff
-        What was asked.
+        The problem that was solved.
     depth, force, radius : float
         [m], [N], [m] just before the contact is lost; radius zero where it shrinks to a point without a jump.
     """

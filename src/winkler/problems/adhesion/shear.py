@@ -38,8 +38,8 @@ from winkler.values import value
 
 __all__ = ["AdhesiveShear", "AdhesiveShearSolution", "ShearLimit"]
 
-OCTAVES = 60
-RESOLVED, NOISE = 1e-12, 1e-11
+OCTAVES_SEARCHED = 60
+PANEL_TOLERANCE, LEVEL_NOISE = 1e-12, 1e-11
 SAVKOOR = "A. R. Savkoor, G. A. D. Briggs, Proc. R. Soc. Lond. A 356 (1977) 103-114, doi:10.1098/rspa.1977.0123"
 
 
@@ -172,12 +172,12 @@ class AdhesiveShear:
 
 @value
 class AdhesiveShearSolution:
-    """The answer to an `AdhesiveShear`; every quantity has the shape of the lateral load.
+    """The solution of an `AdhesiveShear`; every quantity has the shape of the lateral load.
 
     Parameters
     ----------
     problem : AdhesiveShear
-        What was asked.
+        The problem that was solved.
     depth, force : float or ndarray
         d [m] and F_N [N].
     radius : float or ndarray
@@ -239,15 +239,15 @@ class _Sheared:
     def least_radius(self, widest: float) -> float:
         """Return the radius, from the widest down, at which `borne` is greatest for the first time."""
         places, high = np.array([widest]), widest
-        for _ in range(OCTAVES):
+        for _ in range(OCTAVES_SEARCHED):
             low = 0.5 * high
             edges = np.unique([low, *(b for b, _ in self.bed.kinks if low < b < high), high])
             size = float(np.max(np.abs(self.borne(edges))))
-            panels = fit_panels(lambda a: self.borne(a.ravel()).reshape(a.shape), edges, RESOLVED * size)
+            panels = fit_panels(lambda a: self.borne(a.ravel()).reshape(a.shape), edges, PANEL_TOLERANCE * size)
             found = np.concatenate([stationary(panels), panels.edges[:-1]])
             places = np.concatenate([places, np.sort(found)[::-1]])
             levels = self.borne(places)
-            falls = np.flatnonzero(np.diff(levels) < -NOISE * np.max(np.abs(levels)))
+            falls = np.flatnonzero(np.diff(levels) < -LEVEL_NOISE * np.max(np.abs(levels)))
             if falls.size:
                 return float(places[np.argmax(levels[: falls[0] + 1])])
             high = low

@@ -23,7 +23,7 @@ __all__ = ["adhesive_notes"]
 JKR = "K. L. Johnson, K. Kendall, A. D. Roberts, Proc. R. Soc. Lond. A 324 (1971) 301, doi:10.1098/rspa.1971.0141"
 MAUGIS = "D. Maugis, J. Colloid Interface Sci. 150 (1992) 243-269, doi:10.1016/0021-9797(92)90285-T"
 DMT = "B. V. Derjaguin, V. M. Muller, Yu. P. Toporov, J. Colloid Interface Sci. 53 (1975) 314-326"
-TINY = 1e-9
+OVERLAP_TOLERANCE = 1e-9
 SAMPLES = 512
 
 
@@ -93,7 +93,7 @@ def _overlap_note(bed: Bed, law: AdhesionLaw, depth: float, radius: float) -> No
     r = radius + (end - radius) * (np.arange(SAMPLES) + 0.5) / SAMPLES
     pressed = states_of(bed, law).pressed(depth, radius)
     apart = bed.height(r) - depth + bed.medium.displacement(pressed, r)
-    touching = apart < -TINY * float(np.max(np.abs(bed.height(r))) + abs(depth))
+    touching = apart < -OVERLAP_TOLERANCE * float(np.max(np.abs(bed.height(r))) + abs(depth))
     if touching.any():
         return Note(
             Assumption.SINGLE_CONTACT,

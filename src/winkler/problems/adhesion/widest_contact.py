@@ -15,10 +15,10 @@ from winkler.problems.adhesion.stability import Branch
 
 __all__ = ["stable_counts", "widest"]
 
-GRID = 48
-MANY, NEWTON, CLOSE = 8, 6, 1e-8
+GRID_POINTS = 48
+NEWTON_LEAST_LOADS, NEWTON_STEPS, NEWTON_TOLERANCE = 8, 6, 1e-8
 """Of so many loads, so many steps of Newton's method are tried, until one is so small: the next would be its square."""
-SLACK = 1e-13
+LIMIT_SLACK = 1e-13
 """How far below a limit, relative to it, a load still counts as the limit itself."""
 
 
@@ -31,7 +31,7 @@ def _levels(states: EdgeStates, machine_stiffness: float, found: tuple[Branch, .
 
 
 def _held(level: Array, start: float, stop: float) -> Array:
-    return (level >= start - SLACK * abs(start)) & (level <= stop)
+    return (level >= start - LIMIT_SLACK * abs(start)) & (level <= stop)
 
 
 def stable_counts(states: EdgeStates, machine_stiffness: float, level: Array) -> Array:
@@ -63,7 +63,7 @@ def widest(states: EdgeStates, machine_stiffness: float, level: Array, asked: st
     found = branches_beyond(states, machine_stiffness, float(np.max(level)))
     starts, stops = _levels(states, machine_stiffness, found)
     least = float(np.min(starts))
-    below = level < least - SLACK * abs(least)
+    below = level < least - LIMIT_SLACK * abs(least)
     if below.any():
         raise OutsideValidity(
             f"{asked} {level[below][0]:.6g} {unit}{_at(below)} is below the pull-off: no contact holds beyond "
@@ -102,17 +102,17 @@ def _on(states: EdgeStates, machine_stiffness: float, branch: Branch, level: Arr
     """Return the radii on one branch, along which the position rises."""
     if branch.stop <= branch.start:
         return np.full(level.shape, branch.start)
-    grid = branch.start + (branch.stop - branch.start) * np.linspace(0.0, 1.0, GRID) ** 2
+    grid = branch.start + (branch.stop - branch.start) * np.linspace(0.0, 1.0, GRID_POINTS) ** 2
     if branch.stop > 16.0 * branch.start > 0.0:
-        grid = np.geomspace(branch.start, branch.stop, GRID)
+        grid = np.geomspace(branch.start, branch.stop, GRID_POINTS)
     grid[-1] = branch.stop
     heights = np.maximum.accumulate(position(states, machine_stiffness, grid))
-    index = np.clip(np.searchsorted(heights, level), 1, GRID - 1)
+    index = np.clip(np.searchsorted(heights, level), 1, GRID_POINTS - 1)
     low, high = grid[index - 1], grid[index]
     inside = (level > heights[index - 1]) & (level < heights[index])
     result = np.where(level >= heights[index], high, low)
     (own,) = np.nonzero(inside)
-    if own.size > MANY:
+    if own.size > NEWTON_LEAST_LOADS:
         # of many loads most are found by Newton's method from a straight line
         rise = (level[own] - heights[index[own] - 1]) / (heights[index[own]] - heights[index[own] - 1])
         result[own], found = _newton(states, machine_stiffness, level[own], low[own], high[own], rise)
@@ -132,7 +132,7 @@ def _newton(
     # no step crosses a kink: the slope may be infinite just above it
     low, high = np.maximum(low, kinks[place]), np.minimum(high, kinks[place + 1])
     found, left = np.zeros(level.shape, dtype=bool), np.arange(level.size)
-    for _ in range(NEWTON):
+    for _ in range(NEWTON_STEPS):
         here = radius[left]
         depth, force = states.slopes(here)
         slope = depth if math.isinf(machine_stiffness) else force + machine_stiffness * depth
@@ -140,7 +140,7 @@ def _newton(
         step = missing / np.where(slope > 0.0, slope, np.inf)
         new = here + step
         inside = (slope > 0.0) & (new > low[left]) & (new < high[left])
-        small = inside & (np.abs(step) <= CLOSE * (here - low[left]))
+        small = inside & (np.abs(step) <= NEWTON_TOLERANCE * (here - low[left]))
         radius[left[inside]], found[left[small]] = new[inside], True
         left = left[inside & ~small]
         if not left.size:

@@ -16,7 +16,7 @@ from winkler.validity import Assumption, Note, Standing, standing_of
 
 __all__ = ["wave_loss", "wave_note"]
 
-SMALL, LARGE = 0.02, 0.3
+SMALL_WAVE_LOSS, LARGE_WAVE_LOSS = 0.02, 0.3
 """Share of the energy that waves carry away [-], up to which slow motion is the limit, and from which on it is none."""
 VERDICTS = {
     Standing.ASYMPTOTIC: "slow against the speed of sound, as the theory assumes",
@@ -65,7 +65,7 @@ def wave_note(share: float) -> Note:
             "the impact is slow against the speed of sound, and long against a vibration of the body.",
             HUNTER,
         )
-    standing = standing_of(share, SMALL, LARGE)
+    standing = standing_of(share, SMALL_WAVE_LOSS, LARGE_WAVE_LOSS)
     return Note(
         Assumption.INERTIA,
         standing,

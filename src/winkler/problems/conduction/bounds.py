@@ -53,7 +53,7 @@ class ConductanceBounds:
     Raises
     ------
     InvalidInput
-        If a number is outside its range, or something of another kind is given.
+        If a number is outside its range, or an argument has the wrong type.
     OutsideValidity
         If the medium is not homogeneous, or there is a film, a plating or a rod.
 
@@ -152,7 +152,7 @@ class ConductanceBounds:
         if end == self.bed.rim:
             return end  # from here on the curve is a straight line, which no tangent meets
         raise OutsideValidity(
-            f"ConductanceBounds: the roughness {self.roughness:.4g} m asks for contacts beyond {end:.4g} m, where the "
+            f"ConductanceBounds: the roughness {self.roughness:.4g} m requires contacts beyond {end:.4g} m, where the "
             "body ends; give a smaller roughness or force, or more of the shape."
         )
 
@@ -174,12 +174,12 @@ def _crossing(rising: Callable[[float], float], low: float, high: float) -> floa
 
 @value
 class ConductanceBoundsSolution:
-    """The answer to a `ConductanceBounds`.
+    """The solution of a `ConductanceBounds`.
 
     Parameters
     ----------
     problem : ConductanceBounds
-        What was asked.
+        The problem that was solved.
     least_stiffness, smooth_stiffness, greatest_stiffness : float
         dF/dd [N/m]: lower bound, without roughness, upper bound.
     least_conductance, smooth_conductance, greatest_conductance : float

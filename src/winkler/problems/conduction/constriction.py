@@ -40,7 +40,7 @@ class Constriction:
     conductors : ElectricalConductors
         What the bodies conduct, and the film between them.
     load : Force, Depth or Radius
-        What is prescribed; its value may be an array, the answers then have its shape.
+        What is prescribed; its value may be an array, the results then have its shape.
     mean_free_path : float, optional
         Of the electrons [m], not negative; with it a note tells how far the resistance may be off by free flight.
         Zero (the default) if it is not asked about.
@@ -48,7 +48,7 @@ class Constriction:
     Raises
     ------
     InvalidInput
-        If something of another kind is given.
+        If an argument has the wrong type.
 
     References
     ----------
@@ -109,12 +109,12 @@ class Constriction:
 
 @value
 class ConstrictionSolution(ConductingSolution):
-    """The answer to a `Constriction`; every quantity has the shape of the load.
+    """The solution of a `Constriction`; every quantity has the shape of the load.
 
     Parameters
     ----------
     problem : Constriction
-        What was asked.
+        The problem that was solved.
     depth, force, radius : float or ndarray
         d [m], F_N [N], a [m] of the contact.
     resistance : float or ndarray

@@ -26,11 +26,11 @@ from winkler.numerics.types import Array
 __all__ = ["Cold", "Hot", "hot_at_current", "hot_at_voltage", "profile"]
 
 NODES = 40
-ROUNDS = 300
-STEP = 1.2
+MOST_STEPS = 300
+VOLTAGE_FACTOR = 1.2
 """Factor from one voltage to the next, in search of a current."""
-HOTTEST = 2e4
-"""No metal is solid or liquid at such temperatures [K]: beyond, no current is looked for."""
+HIGHEST_TEMPERATURE = 2e4
+"""No metal is solid or liquid at such temperatures [K]: beyond, no current is sought."""
 
 
 class Cold(NamedTuple):
@@ -99,7 +99,7 @@ def hot_at_voltage(cold: Cold, voltage: Array) -> Hot:
         If the resistances do not settle.
     """
     first, second = cold.first, cold.second
-    for _ in range(ROUNDS):
+    for _ in range(MOST_STEPS):
         current = voltage / (first + second + cold.film)
         hot = Hot(current, current * first, current * second, current * cold.film)
         grown = _growth(cold, hot)
@@ -129,11 +129,11 @@ def hot_at_current(cold: Cold, current: Array) -> Hot:
     low = current * (cold.first + cold.second + cold.film)
     if max(cold.coefficients) == 0.0:
         return hot_at_voltage(cold, low)
-    high, end = low, float(cold.law.voltage_at(HOTTEST, cold.ambient))
+    high, end = low, float(cold.law.voltage_at(HIGHEST_TEMPERATURE, cold.ambient))
     best, most = low, hot_at_voltage(cold, low).current
     short = most < current
     while short.any():
-        high = np.where(short, STEP * high, high)
+        high = np.where(short, VOLTAGE_FACTOR * high, high)
         hot = hot_at_voltage(cold, high)
         best, most = np.where(hot.current > most, high, best), np.maximum(hot.current, most)
         low = np.where(short & (hot.current < current), high, low)
@@ -141,7 +141,7 @@ def hot_at_current(cold: Cold, current: Array) -> Hot:
     missed = most < current
     if missed.any():
         high = np.where(missed, _peak(cold, best), high)
-        low = np.where(missed, best / STEP, low)
+        low = np.where(missed, best / VOLTAGE_FACTOR, low)
         peak = hot_at_voltage(cold, high)
         if np.any(missed & (peak.current < current)):
             place = int(np.flatnonzero(missed & (peak.current < current))[0])
@@ -154,7 +154,7 @@ def hot_at_current(cold: Cold, current: Array) -> Hot:
 
 def _peak(cold: Cold, near: Array) -> Array:
     """Return the voltages of the greatest currents, next to those given."""
-    low, high = near / STEP, near * STEP
+    low, high = near / VOLTAGE_FACTOR, near * VOLTAGE_FACTOR
     for _ in range(60):
         left, right = low + (high - low) / 3.0, high - (high - low) / 3.0
         rises = hot_at_voltage(cold, left).current < hot_at_voltage(cold, right).current

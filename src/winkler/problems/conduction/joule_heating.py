@@ -29,8 +29,8 @@ from winkler.values import value
 
 __all__ = ["JouleHeating", "JouleHeatingSolution", "cold_contact"]
 
-METAL = WiedemannFranz()
-ROOM = 293.15
+DEFAULT_LAW = WiedemannFranz()
+ROOM_TEMPERATURE = 293.15
 KOHLRAUSCH = "R. Holm, Electric Contacts, 4th edition, Springer 1967, section 13, doi:10.1007/978-3-662-06688-1"
 
 
@@ -45,7 +45,7 @@ class JouleHeating:
     conductors : ElectricalConductors
         What the bodies conduct, and the film between them.
     load : Force, Depth or Radius
-        What presses them together; its value may be an array, the answers then have its shape.
+        What presses them together; its value may be an array, the results then have its shape.
     drive : Current or Voltage
         What is sent through; of several voltages at which a current flows, the lowest is taken.
     law : WiedemannFranz, optional
@@ -56,7 +56,7 @@ class JouleHeating:
     Raises
     ------
     InvalidInput
-        If something of another kind is given.
+        If an argument has the wrong type.
 
     References
     ----------
@@ -81,8 +81,8 @@ class JouleHeating:
     conductors: ElectricalConductors
     load: Load
     drive: Drive
-    law: WiedemannFranz = METAL
-    temperature: Annotated[Positive, Advice("an absolute temperature")] = ROOM
+    law: WiedemannFranz = DEFAULT_LAW
+    temperature: Annotated[Positive, Advice("an absolute temperature")] = ROOM_TEMPERATURE
 
     references: ClassVar[tuple[str, ...]] = ("kohlrausch_1900", "holm_1967", "barber_2003")
     assumptions: ClassVar[frozenset[Assumption]] = CONDUCTING | {Assumption.TEMPERATURE}
@@ -197,12 +197,12 @@ def _temperatures(problem: JouleHeating, hot: Hot) -> tuple[Array, Array]:
 
 @value
 class JouleHeatingSolution(ConductingSolution):
-    """The answer to a `JouleHeating`; every quantity has the shape of the load.
+    """The solution of a `JouleHeating`; every quantity has the shape of the load.
 
     Parameters
     ----------
     problem : JouleHeating
-        What was asked.
+        The problem that was solved.
     depth, force, radius : float or ndarray
         d [m], F_N [N], a [m] of the contact.
     resistance, cold_resistance : float or ndarray
@@ -235,7 +235,7 @@ class JouleHeatingSolution(ConductingSolution):
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """How far the answer can be trusted."""
+        """How far the result can be trusted."""
         problem = self.problem
         resistance = Constriction(problem.bed, problem.conductors, problem.load).solve()
         notes = [

@@ -1,4 +1,4 @@
-"""What every answer about conducting bodies has in common: the contact, its resistance, and one load out of many."""
+"""What every solution about conducting bodies has in common: the contact, its resistance, and one load out of many."""
 
 from __future__ import annotations
 

@@ -38,14 +38,14 @@ class ThermalConstriction:
     conductors : HeatConductors
         What the bodies conduct, and how well heat passes between the surfaces.
     load : Force, Depth or Radius
-        What is prescribed; its value may be an array, the answers then have its shape.
+        What is prescribed; its value may be an array, the results then have its shape.
     temperature_drop : float
         Temperature of the first body far away less that of the second [K].
 
     Raises
     ------
     InvalidInput
-        If something of another kind is given.
+        If an argument has the wrong type.
 
     References
     ----------
@@ -112,12 +112,12 @@ def _drop(heat: Array, constriction: Array, bulk: float) -> Array:
 
 @value
 class ThermalConstrictionSolution(ConductingSolution):
-    """The answer to a `ThermalConstriction`; every quantity has the shape of the load.
+    """The solution of a `ThermalConstriction`; every quantity has the shape of the load.
 
     Parameters
     ----------
     problem : ThermalConstriction
-        What was asked.
+        The problem that was solved.
     depth, force, radius : float or ndarray
         d [m], F_N [N], a [m] of the contact.
     resistance : float or ndarray

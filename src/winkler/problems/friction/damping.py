@@ -39,11 +39,11 @@ __all__ = ["FrictionDamping", "FrictionDampingSolution"]
 
 TOLERANCE = 1e-13
 """Of each integral over the springs."""
-EDGE = 30
+EDGE_HALVINGS = 30
 """How often the panels halve their distance from the edge of the contact, where sliding begins."""
 SAMPLES = 257
 """Places along springs of different kinds at which their bounds are compared."""
-ROUNDING = 1e-12
+FORCE_ROUNDING = 1e-12
 """Part of the sliding force by which rounding may exceed it."""
 
 
@@ -60,7 +60,7 @@ class FrictionDamping:
     normal : Depth or Force
         The steady normal load, one number.
     amplitude : Shift or ShearForce
-        How far to each side the contact is pushed, half of the whole stroke; may be an array, the answers then have
+        How far to each side the contact is pushed, half of the whole stroke; may be an array, the results then have
         its shape.  Zero or more.
 
     Raises
@@ -133,7 +133,7 @@ class FrictionDamping:
     def _bearable(self, asked: Array, force: float) -> float:
         """Return the sliding force [N]; refuse what exceeds it."""
         most = self.law.coefficient * force
-        bad = np.flatnonzero(asked > most * (1.0 + ROUNDING))
+        bad = np.flatnonzero(asked > most * (1.0 + FORCE_ROUNDING))
         if bad.size:
             where = "" if asked.size == 1 else f" at index {', '.join(map(str, bad[:5]))}"
             raise OutsideValidity(
@@ -146,12 +146,12 @@ class FrictionDamping:
 
 @value
 class FrictionDampingSolution:
-    """The answer to a `FrictionDamping`; every quantity has the shape of the amplitude.
+    """The solution of a `FrictionDamping`; every quantity has the shape of the amplitude.
 
     Parameters
     ----------
     problem : FrictionDamping
-        What was asked.
+        The problem that was solved.
     contact : IndentationSolution
         The contact under its normal load.
     shift : float or ndarray
@@ -263,7 +263,7 @@ class _Slipping:
 
     @property
     def _edges(self) -> Array:
-        return towards(self.radius, [b for b, _ in self.bed.kinks], EDGE)
+        return towards(self.radius, [b for b, _ in self.bed.kinks], EDGE_HALVINGS)
 
     def _springs(self, x: Array) -> tuple[Array, Array]:
         """Return c_T [Pa] and the bounds b [m] of springs in contact."""

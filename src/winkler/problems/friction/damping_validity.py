@@ -1,4 +1,4 @@
-"""What every answer about damping by friction says of itself."""
+"""What every solution about damping by friction says about its own validity."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-r"""What the springs of a sheared contact remember, told apart by their gap instead of their place.
+r"""What the springs of a sheared contact remember, distinguished by their gap instead of their place.
 
 The springs of a rising profile can be numbered by :math:`\gamma=g(x)`, from 0 on the axis to the depth d at the edge.
 On a straight way in depth and shift a spring that sticks is displaced by the shift, one that slides stays on its bound
@@ -20,13 +20,13 @@ from winkler.values import value
 
 __all__ = ["LossPiece", "SlipMemory"]
 
-ALIKE = 1e-13
+SLOPE_TOLERANCE = 1e-13
 """Pieces that meet, and whose slopes differ by less than this part of the slopes there are, become one."""
-TINY = 1e-150
+LEAST_DEPTH = 1e-150
 """Depths below this [m] are none, and springs whose gaps differ by less lose alike: their squares are no numbers."""
-AT_BOUND = 1e-12
+BOUND_TOLERANCE = 1e-12
 """A spring that is displaced by all but this part of its bound slides."""
-NARROW = 1e-14
+CUT_TOLERANCE = 1e-14
 """A cut this close to the end of a piece, in parts of the depth, is at the end."""
 
 
@@ -52,7 +52,7 @@ Ends = tuple[float, float]
 """What a straight line over the gap is at both ends of a piece."""
 
 
-class _Piece(NamedTuple):
+class _SpringPiece(NamedTuple):
     start: float
     stop: float
     left: float
@@ -132,7 +132,7 @@ class SlipMemory:
         return _remembered(way.after, way.pieces), tuple(way.losses), tuple(way.works)
 
     def _way(self, depth: float, change: float, bound: float, *, account: bool) -> _Way:
-        if 0.0 < depth < TINY:
+        if 0.0 < depth < LEAST_DEPTH:
             depth = 0.0
         way = _Way(self.depth, depth, change, bound, account)
         kept = max(min(self.depth, depth), 0.0)
@@ -168,13 +168,13 @@ class _Way:
         self.before, self.after, self.change, self.bound, self.account = before, after, change, bound, account
         self.rise = after - before
         self.works: list[LossPiece] = []
-        self.pieces: list[_Piece] = []
+        self.pieces: list[_SpringPiece] = []
         self.losses: list[LossPiece] = []
 
     def drag(self, start: float, stop: float, left: float, right: float, *, came: bool = False) -> None:
         """Move springs of which those that tried to be displaced by more than their bound slide."""
         if math.isinf(self.bound):
-            self.pieces.append(_Piece(start, stop, left, right, 0))
+            self.pieces.append(_SpringPiece(start, stop, left, right, 0))
             self._spend(start, stop, (left, right), (left, right) if came else None)
             return
         width, after, bound = stop - start, self.after, self.bound
@@ -184,19 +184,19 @@ class _Way:
             one, two = sign * left - first, sign * right - last
             if one * two < 0.0:
                 at = start + width * (one / (one - two))
-                if min(at - start, stop - at) > NARROW * after:
+                if min(at - start, stop - at) > CUT_TOLERANCE * after:
                     cuts.insert(1 if at < cuts[1][0] else 2, (at, sign * bound * (after - at)))
         for (low, at_low), (high, at_high) in zip(cuts, cuts[1:], strict=False):
             if not high > low:
                 continue
             trial, limit = 0.5 * (at_low + at_high), bound * (after - 0.5 * (low + high))
-            if abs(trial) < limit * (1.0 - AT_BOUND):
-                self.pieces.append(_Piece(low, high, at_low, at_high, 0))
+            if abs(trial) < limit * (1.0 - BOUND_TOLERANCE):
+                self.pieces.append(_SpringPiece(low, high, at_low, at_high, 0))
                 self._spend(low, high, (at_low, at_high), (at_low, at_high) if came else None)
                 continue
             side = 1 if trial > 0.0 else -1
             ends = bound * (after - low), bound * (after - high)
-            self.pieces.append(_Piece(low, high, side * ends[0], side * ends[1], side))
+            self.pieces.append(_SpringPiece(low, high, side * ends[0], side * ends[1], side))
             slid = max(side * at_low - ends[0], 0.0), max(side * at_high - ends[1], 0.0)
             # the bound of a coming spring grows from zero
             self._lose(low, high, slid, (0.5 * ends[0], 0.5 * ends[1]) if came else self._mean(side, slid, ends))
@@ -266,23 +266,23 @@ class _Way:
 
 def _product(start: float, stop: float, first: Ends, second: Ends) -> LossPiece:
     """Return the product of two straight lines between two gaps."""
-    if stop - start < TINY:  # a flat end may still be among them
+    if stop - start < LEAST_DEPTH:  # a flat end may still be among them
         return LossPiece(start, stop, first[0] * second[0], 0.0, 0.0)
     one, two = (first[0] - first[1]) / (stop - start), (second[0] - second[1]) / (stop - start)
     return LossPiece(start, stop, first[1] * second[1], one * second[1] + two * first[1], one * two)
 
 
-def _remembered(depth: float, pieces: list[_Piece]) -> SlipMemory:
+def _remembered(depth: float, pieces: list[_SpringPiece]) -> SlipMemory:
     """Return the memory of pieces in a row, those that go on in one straight line as one."""
-    result: list[_Piece] = []
+    result: list[_SpringPiece] = []
     for piece in pieces:
         if result and result[-1].slides == piece.slides:
             last = result[-1]
             before = (last.right - last.left) / (last.stop - last.start)
             behind = (piece.right - piece.left) / (piece.stop - piece.start)
             high = max(abs(last.left), abs(last.right), abs(piece.left), abs(piece.right))
-            straight = piece.slides != 0 or abs(behind - before) <= ALIKE * max(abs(before), abs(behind))
-            if straight and abs(piece.left - last.right) <= ALIKE * high:
+            straight = piece.slides != 0 or abs(behind - before) <= SLOPE_TOLERANCE * max(abs(before), abs(behind))
+            if straight and abs(piece.left - last.right) <= SLOPE_TOLERANCE * high:
                 result[-1] = last._replace(stop=piece.stop, right=piece.right)
                 continue
         result.append(piece)

@@ -18,9 +18,9 @@ from winkler.problems.friction.slip_memory import LossPiece, SlipMemory
 
 __all__ = ["NormalStates", "SlipSums"]
 
-MANY = 256
+MOST_GAPS = 256
 """Gaps that are remembered at most."""
-NARROW = 2e-3
+NARROW_RING = 2e-3
 """Part of its outer gap below which a ring of springs is summed by itself, lest nothing be left of it by rounding."""
 
 Moments = tuple[float, float, float]
@@ -57,7 +57,7 @@ class SlipSums:
         """Return K, F and W at a gap [m]; nothing at zero, where a flat end comes into contact at once."""
         known = self._points.get(gap)
         if known is None:
-            if len(self._points) > MANY:
+            if len(self._points) > MOST_GAPS:
                 self._points = {0.0: self._points[0.0]}
             known = self._points[gap] = self.states.at(gap)
         return known
@@ -68,7 +68,7 @@ class SlipSums:
         if known is None:
             inner, outer, width = self.at(start), self.at(stop), stop - start
             gain = outer[0] - inner[0]
-            if width < NARROW * stop and start > 0.0:
+            if width < NARROW_RING * stop and start > 0.0:
                 known = gain, *self.states.between(start, inner[0], stop)
             else:
                 known = (
@@ -76,7 +76,7 @@ class SlipSums:
                     outer[1] - inner[1] - width * inner[0],
                     2.0 * (outer[2] - inner[2]) - width * (2.0 * inner[1] + width * inner[0]),
                 )
-            if len(self._rings) > MANY:  # a long march must not remember every gap it has met
+            if len(self._rings) > MOST_GAPS:  # a long march must not remember every gap it has met
                 self._rings.clear()
             self._rings[start, stop] = known
         return known

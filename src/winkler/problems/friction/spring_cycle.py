@@ -26,10 +26,10 @@ from winkler.values import value
 
 __all__ = ["SpringCycle"]
 
-NEAR = 1e-3
+UNIT_CIRCLE_TOLERANCE = 1e-3
 """How far from the unit circle a root still counts as a moment: one too many only splits a step in two."""
 
-ROUNDING = 16.0 * np.finfo(float).eps
+DISPLACEMENT_ROUNDING = 16.0 * np.finfo(float).eps
 """Part of the displacements that rounding may add to them."""
 
 
@@ -111,7 +111,7 @@ class SpringCycle:
         if not np.any(terms):
             return np.zeros(0)
         roots = np.roots(terms[::-1])
-        angles = np.angle(roots[np.abs(np.abs(roots) - 1.0) < NEAR])
+        angles = np.angle(roots[np.abs(np.abs(roots) - 1.0) < UNIT_CIRCLE_TOLERANCE])
         return np.asarray(np.mod(angles, 2.0 * np.pi))
 
     def loss(self, gap: Array) -> Array:
@@ -155,7 +155,7 @@ class SpringCycle:
         limit = np.where(after, self.bound * (ends[1] - g), 0.0)
         result[touching] = np.clip(trial, -limit, limit)
         # a spring that comes back to where it came from has not slid, though rounding may say so
-        seen = limit + ROUNDING * (self.shift_amplitude + self.bound * self.depth_amplitude)
+        seen = limit + DISPLACEMENT_ROUNDING * (self.shift_amplitude + self.bound * self.depth_amplitude)
         ahead, behind = np.flatnonzero(trial > seen), np.flatnonzero(trial < -seen)
         return result, [
             _Slide(direction, touching[index], base[index], begin[index], end[index])

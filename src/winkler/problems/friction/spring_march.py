@@ -42,13 +42,13 @@ __all__ = ["SpringMarch", "SpringState", "SpringTrace", "march"]
 
 BLOCK = 256
 """Steps that go through the kernel together."""
-NEVER = 1e100
+UNREACHABLE_BOUND = 1e100
 """Instead of an infinite bound: so far no spring is ever displaced, and its square is still a number."""
-CLOSE = 1e-12
+FORCE_TOLERANCE = 1e-12
 """Relative error of a prescribed shear force in the plane."""
-MOST = 60
+MOST_NEWTON_STEPS = 60
 """Steps of Newton's method."""
-AT_BOUND = 1e-9
+BOUND_TOLERANCE = 1e-9
 """A spring this close to its bound, in parts of it, slips."""
 
 
@@ -59,7 +59,7 @@ class SpringTrace:
     Parameters
     ----------
     problem : SpringMarch
-        What was asked.
+        The problem that was solved.
     depth, force, radius : ndarray, (steps,)
         d [m], F_N [N], a [m].
     shift, shear_force : ndarray, (steps,) or (steps, 2)
@@ -139,7 +139,7 @@ class SpringMarch:
         Raises
         ------
         OutsideValidity
-            If a shear force is asked for that friction does not bear; what comes before is yielded.
+            If a shear force is requested that friction does not bear; what comes before is yielded.
         NotConverged
             If a shear force in the plane is not met.
         """
@@ -192,7 +192,7 @@ def march(problem: Shearing, count: int = 400) -> Iterator[SpringState]:
 
 
 def _contact(problem: SpringMarch) -> tuple[Array, Array, Array]:
-    """Return depth, force and radius at every point; equal points are looked at once."""
+    """Return depth, force and radius at every point; equal points are examined once."""
     given, where = np.unique(problem.path.across, return_inverse=True)
     load = Depth(given) if isinstance(problem.path.normal, Depth) else Force(given)
     contact = Indentation(problem.bed, load).solve()
@@ -232,7 +232,7 @@ class _Run:
         self.slope, self.hold = np.zeros(springs.gap.size), 1.0
         match problem.law:
             case Coulomb(coefficient):
-                self.slope = min(coefficient, NEVER) / springs.mindlin_ratio
+                self.slope = min(coefficient, UNREACHABLE_BOUND) / springs.mindlin_ratio
             case StaticKinetic(static, kinetic):
                 self.slope, self.hold = kinetic / springs.mindlin_ratio, static / kinetic
         self.plain = self.line and self.hold == 1.0 and isinstance(problem.law, Coulomb | StaticKinetic)
@@ -300,7 +300,7 @@ class _Run:
         """Find the shift in the plane that gives a force, by Broyden's method from the stiffness of stuck springs."""
         target, start = self.along[index], self.shift[index]
         size = float(np.linalg.norm(target))
-        if size > self.hold * float(self.stiffness @ bound[1]) * (1.0 + CLOSE):
+        if size > self.hold * float(self.stiffness @ bound[1]) * (1.0 + FORCE_TOLERANCE):
             self._refuse(index)
         stuck = float(self.stiffness @ (bound[1] > 0.0))
         self.shift[index + 1] = start
@@ -316,9 +316,9 @@ class _Run:
             return np.asarray(target - pull[0])
 
         at, left, rise = start.copy(), short(start), stuck * np.eye(2)
-        for _ in range(MOST):
+        for _ in range(MOST_NEWTON_STEPS):
             missed = float(np.linalg.norm(left))
-            if missed <= CLOSE * scale:
+            if missed <= FORCE_TOLERANCE * scale:
                 self.shift[index + 1] = at
                 return
             step = np.linalg.solve(rise, left)
@@ -372,7 +372,7 @@ class _Run:
         size = np.hypot(*self.u)
         touching = int(np.count_nonzero(bound > 0.0))
         left = (bound - size)[:touching]
-        slip = self.slips[:touching] if self.hold > 1.0 else left <= AT_BOUND * bound[:touching]
+        slip = self.slips[:touching] if self.hold > 1.0 else left <= BOUND_TOLERANCE * bound[:touching]
         free = np.flatnonzero(slip)
         if not free.size:
             return float(self.radius[index])

@@ -19,14 +19,14 @@ from winkler.values import value
 
 __all__ = ["OwnLaw", "Shearing", "SpringLaw", "SpringState", "spring_notes"]
 
-ALIKE = 1e-9
+RATIO_TOLERANCE = 1e-9
 """Ratios of stiffness that differ by less are equal."""
 
 
 @offered("a law with a method shear_bound(line_load)")
 @runtime_checkable
 class OwnLaw(Protocol):
-    """A law of friction of one's own, spoken to its implementer: how much springs bear along the surface.
+    """A law of friction of one's own, stated for its implementer: how much springs bear along the surface.
 
     It is asked once for many steps, and holds for every spring by itself.  Make it a value (frozen, equal by content).
     """
@@ -111,7 +111,7 @@ class SpringState:
             In a layered medium, where tractions are not those of pressed contacts.
         """
         spread = ratio_spread(self.springs)
-        if spread > ALIKE:
+        if spread > RATIO_TOLERANCE:
             raise OutsideValidity(
                 "The ratio of tangential to normal stiffness is not the same for all springs (it varies by "
                 f"{100.0 * spread:.2g} %), as in layered media; tractions cannot be restored there, only forces."
@@ -184,7 +184,7 @@ def spring_notes(springs: Springs, law: SpringLaw, *, in_plane: bool) -> tuple[N
     if in_plane:
         notes.append(IN_PLANE)
     spread = ratio_spread(springs)
-    if spread > ALIKE:
+    if spread > RATIO_TOLERANCE:
         notes.append(
             Note(
                 Assumption.SLIP,

@@ -1,7 +1,7 @@
 r"""A contact that is pressed and moved along the surface: stick, partial slip and sliding, with memory of what was.
 
 Springs stick until the friction they bear is used up, slide on that bound, and let go when nothing presses them any
-more.  In one direction the springs are not needed one by one: told apart by their gap they follow straight pieces
+more.  In one direction the springs are not needed one by one: distinguished by their gap they follow straight pieces
 (`winkler.problems.friction.slip_memory`), so that every history of straight ways in depth and shift is solved exactly,
 
 .. math:: F_x = \frac{G^*}{E^*}\int u_t\,\mathrm dK, \qquad U_t = \frac{G^*}{2E^*}\int u_t^2\,\mathrm dK .
@@ -54,7 +54,7 @@ class Tangential:
     Raises
     ------
     InvalidInput
-        If the path twists the bodies (ask for Torsion), or the law is none of friction.
+        If the path twists the bodies (use Torsion), or the law is none of friction.
 
     References
     ----------
@@ -87,7 +87,7 @@ class Tangential:
         if not isinstance(self.path.lateral, Shift | ShearForce):
             raise InvalidInput(
                 f"Tangential: the path prescribes a {type(self.path.lateral).__name__}; give Shift or ShearForce, or "
-                "ask for Torsion."
+                "use Torsion."
             )
         refuse_plane("Tangential", self.bed, self.path)
 
@@ -130,7 +130,7 @@ class Tangential:
             )  # fmt: skip
 
     def gathered(self, states: Iterable[TangentialState | SpringState]) -> TangentialSolution:
-        """Return the answer from these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its beginning."""
         reached = list(states)
         return gather(TangentialSolution, self, reached, stick_radius=stick_radii(self.bed, reached))
 
@@ -151,12 +151,12 @@ class Tangential:
 
 @value
 class TangentialSolution:
-    """The answer to a `Tangential` problem, point by point.
+    """The solution of a `Tangential` problem, point by point.
 
     Parameters
     ----------
     problem : Tangential
-        What was asked.
+        The problem that was solved.
     time : ndarray, (steps,)
         t [s].
     depth, force, radius : ndarray, (steps,)

@@ -1,4 +1,4 @@
-"""The march of a contact that is pressed and moved in one direction, its springs told apart by their gap.
+"""The march of a contact that is pressed and moved in one direction, its springs distinguished by their gap.
 
 A way that is straight in depth and shift is one step of `SlipMemory`, however long.  Where a prescribed force bends it,
 it is halved until the halves bring the springs to where the whole did.
@@ -21,19 +21,19 @@ from winkler.problems.friction.slip_sums import SlipSums
 from winkler.problems.normal.force_curve import normal_curve
 from winkler.problems.normal.indentation import IndentationSolution
 
-__all__ = ["BENT", "SlipPath", "SlipPoint"]
+__all__ = ["CURVED_STEP_TOLERANCE", "SlipPath", "SlipPoint"]
 
-BENT = 3e-5
+CURVED_STEP_TOLERANCE = 3e-5
 """Bent ways are halved until springs and loss end elsewhere by less than this part of the greatest there are."""
-APART = 1e-9
+UNTOUCHED_DEPTH = 1e-9
 """Depth [m] to which the normal curve is made for bodies that never touch, and never asked."""
-SHORTEST = 2.0**-40
+SHORTEST_STEP = 2.0**-40
 """A part of a way that is not halved any more."""
-FULL = 1e-12
+SLIDING_TOLERANCE = 1e-12
 """A shear force beyond what friction bears by no more than this part of it is that of sliding."""
-CLOSE = 4e-15
+FORCE_TOLERANCE = 4e-15
 """A shear force is met to this part of what friction bears."""
-MOST = 200
+MOST_NEWTON_STEPS = 200
 """Steps of Newton's method, halving where that leads astray."""
 
 
@@ -80,12 +80,12 @@ class SlipPath:
         self.driven = isinstance(path.lateral, Shift)
         self.pressed = isinstance(path.normal, Depth)
         deepest = max(*self.depths, 0.0)
-        self.sums = SlipSums(normal_curve(bed, deepest if deepest > 0.0 else APART))
+        self.sums = SlipSums(normal_curve(bed, deepest if deepest > 0.0 else UNTOUCHED_DEPTH))
         stiffness, _, _ = self.sums.at(deepest)
         greatest = float(np.max(np.abs(path.along)))
         size = greatest if self.driven or stiffness == 0.0 else greatest / (ratio * stiffness)
         size = min(self.beta * deepest, size) if deepest > 0.0 else 0.0
-        self.allowed = BENT * size, BENT * ratio * stiffness * size**2
+        self.allowed = CURVED_STEP_TOLERANCE * size, CURVED_STEP_TOLERANCE * ratio * stiffness * size**2
 
     def points_reached(self) -> Iterator[SlipPoint]:
         """Yield where every way ends, the first one pressed straight down and moved after."""
@@ -125,7 +125,7 @@ class SlipPath:
             whole = self._leap(index, here, *ends[goal])
             half = self._leap(index, here, *place(middle))
             two = self._leap(index, half, *ends[goal])
-            if goal - done <= SHORTEST or self._alike(whole, two):
+            if goal - done <= SHORTEST_STEP or self._alike(whole, two):
                 # the loss of pieces falls short with the square of their length: the two lead on to the bent way's
                 lost = max(two.lost + (two.lost - whole.lost) / 3.0, here.lost)
                 spent = two.spent + (two.spent - whole.spent) / 3.0
@@ -156,9 +156,9 @@ class SlipPath:
         """Return the shift that brings a shear force about; the smallest if all slides."""
         force = self.sums.at(depth)[1] if depth > 0.0 else 0.0
         most = self.coefficient * force if force > 0.0 else 0.0
-        if abs(target) > most * (1.0 + FULL):
+        if abs(target) > most * (1.0 + SLIDING_TOLERANCE):
             raise OutsideValidity(
-                f"Tangential: at index {index} of the path a shear force of {target:.6g} N is asked for where friction "
+                f"Tangential: at index {index} of the path a shear force of {target:.6g} N is requested where friction "
                 f"bears {most:.6g} N at most, and the bodies would slide away; give a smaller one, or a Shift."
             )
         if depth <= 0.0:
@@ -172,13 +172,13 @@ class SlipPath:
         short, slope = look(0.0)
         if math.isinf(self.beta):
             return short / slope
-        if abs(target) >= most * (1.0 - CLOSE):
+        if abs(target) >= most * (1.0 - FORCE_TOLERANCE):
             return math.copysign(self._until_all_slide(memory, depth, math.copysign(1.0, target)), target)
         largest = float(np.max(np.abs([memory.left, memory.right]), initial=0.0))
         end = 2.0 * (self.beta * max(depth, abs(depth - memory.depth)) + largest)
         low, high = -end, end
-        for _ in range(MOST):
-            if abs(short) <= CLOSE * most or high - low <= CLOSE * end:
+        for _ in range(MOST_NEWTON_STEPS):
+            if abs(short) <= FORCE_TOLERANCE * most or high - low <= FORCE_TOLERANCE * end:
                 return change
             low, high = (change, high) if short > 0.0 else (low, change)
             following = change + short / slope if slope > 0.0 else math.inf

@@ -18,7 +18,7 @@ from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.friction.sheared_springs import sheared_by_pieces
 from winkler.problems.friction.slip_memory import SlipMemory
 from winkler.problems.friction.spring_states import SpringLaw, SpringState, spring_notes
-from winkler.problems.friction.tangential_march import BENT
+from winkler.problems.friction.tangential_march import CURVED_STEP_TOLERANCE
 from winkler.problems.normal.solve_contact import at_depth
 from winkler.problems.normal.validity import indentation_notes
 from winkler.problems.normal.yield_statement import Rubbing, slid_depth
@@ -174,6 +174,6 @@ EXACT = Note(
     Standing.EXACT,
     "One direction of motion: springs of one gap stick and slide together, and every history of depth and shift is "
     "solved within Cattaneo-Mindlin (tractions along the motion) but for rounding. Between points where a prescribed "
-    f"force bends the way, springs are followed to {BENT:.0e} of the greatest displacement.",
+    f"force bends the way, springs are followed to {CURVED_STEP_TOLERANCE:.0e} of the greatest displacement.",
     MINDLIN,
 )

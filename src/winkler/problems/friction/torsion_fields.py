@@ -24,7 +24,7 @@ class TwistedFields:
     pressure : ndarray
         p [Pa], compression positive, zero outside the contact.
     traction : ndarray
-        tau_theta [Pa] around the axis, positive the way of a positive torque.
+        tau_theta [Pa] around the axis, positive in the direction of a positive torque.
     hoop_displacement : ndarray
         u_theta [m], of both surfaces together.
     slip : ndarray

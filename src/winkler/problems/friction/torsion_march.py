@@ -16,19 +16,19 @@ from winkler.errors import NotConverged, OutsideValidity
 from winkler.problems.friction.torsion_bound import Press, TwistBound
 from winkler.problems.friction.torsion_memory import Move, TwistMemory, moved, pieces_of, slid_along, stuck_work
 
-__all__ = ["LOSS", "TURN", "Turned", "square", "torque_of", "turned", "turned_to"]
+__all__ = ["ANGLE_TOLERANCE", "LOSS_TOLERANCE", "Turned", "square", "torque_of", "turned", "turned_to"]
 
-LOSS = 1e-8
+LOSS_TOLERANCE = 1e-8
 """Tolerance of the energy lost in a step, relative to the energy stored in it and lost in it."""
-TURN = 1e-4
+ANGLE_TOLERANCE = 1e-4
 """Tolerance of angle and loss in a step under a torque and a changing load, relative to what the contact can bear."""
-MOST = 13
+MOST_HALVINGS = 13
 """How often the moves of a step are halved at most."""
-LIMIT = 1e-12
+TORQUE_MARGIN = 1e-12
 """Part of the greatest torque that stays unreachable."""
-MISS = 1e-12
+TORQUE_TOLERANCE = 1e-12
 """Part of the greatest torque by which a prescribed one may be missed."""
-TRIES = 200
+MOST_TRIALS = 200
 """At most so many angles are tried for a torque."""
 
 
@@ -77,12 +77,12 @@ def turned(bound: TwistBound, memory: TwistMemory, press: Press, twist: float) -
         return Turned(whole.memory, twist, max(0.5 * (stored[0] - stored[1]), 0.0), 0.0, whole.nested)
     rough = best = whole.loss
     extra = whole.extra
-    for halving in range(1, MOST + 1):
+    for halving in range(1, MOST_HALVINGS + 1):
         way = [step for step, _ in _way(bound, memory.press, press, 2**halving)]
         fine, work = slid_along(bound, memory, way, twist, whole.rings)
         better, rough = fine + (fine - rough) / 3.0, fine
         settled, extra = work + (work - extra) / 3.0, work
-        if abs(better - best) <= LOSS * (0.5 * max(stored) + fine):
+        if abs(better - best) <= LOSS_TOLERANCE * (0.5 * max(stored) + fine):
             return Turned(whole.memory, twist, max(better, 0.0), stuck + settled, whole.nested)
         best = better
     raise NotConverged(
@@ -108,7 +108,7 @@ def turned_to(bound: TwistBound, memory: TwistMemory, press: Press, torque: floa
     angle, size = _scales(bound, memory, press, torque)
     old: Turned | None = None
     best = 0.0
-    for halving in range(MOST + 1):
+    for halving in range(MOST_HALVINGS + 1):
         now, twist, loss, work, nested, done, rate = memory, 0.0, 0.0, 0.0, True, 0.0, 0.0
         for step, share in _way(bound, memory.press, press, 2**halving):
             done = min(done + share, 1.0)
@@ -122,7 +122,9 @@ def turned_to(bound: TwistBound, memory: TwistMemory, press: Press, torque: floa
             old, best = new, new.loss
             continue
         better = new.loss + (new.loss - old.loss) / 3.0
-        if abs(new.twist - old.twist) <= TURN * angle and abs(better - best) <= TURN * (size + new.loss):
+        if abs(new.twist - old.twist) <= ANGLE_TOLERANCE * angle and abs(better - best) <= ANGLE_TOLERANCE * (
+            size + new.loss
+        ):
             return new._replace(loss=max(better, 0.0), work=new.work + (new.work - old.work) / 3.0)
         old, best = new, better
     raise NotConverged(
@@ -183,12 +185,12 @@ def _corners(bound: TwistBound, first: Press, last: Press) -> list[Press]:
 def _sought(bound: TwistBound, memory: TwistMemory, press: Press, torque: float, guess: float = 0.0) -> Turned:
     """Return the step that ends at a torque, on a straight line in the angle, which is sought from `guess` on."""
     limit = bound.most(press)
-    if abs(torque) > limit * (1.0 - LIMIT):
+    if abs(torque) > limit * (1.0 - TORQUE_MARGIN):
         raise OutsideValidity(
             f"the torque of {torque:.6g} N m exceeds what friction bears, {limit:.6g} N m under this normal load: the "
             "bodies would spin against each other; give a smaller torque, a greater load, or prescribe the Angle."
         )
-    slack = MISS * (abs(torque) if bound.endless else limit)
+    slack = TORQUE_TOLERANCE * (abs(torque) if bound.endless else limit)
     twist, low, high = guess, -math.inf, math.inf
 
     def found(move: Move) -> Turned:
@@ -196,7 +198,7 @@ def _sought(bound: TwistBound, memory: TwistMemory, press: Press, torque: float,
         return Turned(move.memory, twist, move.loss, work, move.nested)
 
     low_miss = high_miss = 0.0
-    for tried in range(TRIES):
+    for tried in range(MOST_TRIALS):
         move = moved(bound, memory, press, twist)
         miss = torque_of(bound, move.memory) - torque
         if abs(miss) <= slack or (low < high and math.nextafter(low, high) >= high):
@@ -213,4 +215,4 @@ def _sought(bound: TwistBound, memory: TwistMemory, press: Press, torque: float,
         if ahead == twist:
             return found(move)
         twist = ahead
-    raise NotConverged(f"Torsion: the angle under {torque:.6g} N m was not found in {TRIES} tries.")
+    raise NotConverged(f"Torsion: the angle under {torque:.6g} N m was not found in {MOST_TRIALS} tries.")

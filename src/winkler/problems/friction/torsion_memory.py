@@ -25,11 +25,11 @@ from winkler.numerics.types import Array
 from winkler.problems.friction.torsion_bound import Press, TwistBound
 from winkler.values import value
 
-__all__ = ["Move", "Ring", "TwistMemory", "fresh", "moved", "pieces_of", "slid_along", "stuck_work"]
+__all__ = ["Move", "TwistMemory", "TwistRing", "fresh", "moved", "pieces_of", "slid_along", "stuck_work"]
 
-ROUNDING = 3e-13
+BOUND_ROUNDING = 3e-13
 """Part of the bound inside the contact by which rounding may exceed it."""
-NARROW = 1e-9
+NARROWEST_RING = 1e-9
 """A ring narrower than this part of the contact is none."""
 BISECTIONS = 60
 """At most so many, of the places where sliding begins."""
@@ -68,7 +68,7 @@ class TwistMemory:
         return Press(self.level, self.radius, self.excess)
 
 
-class Ring(NamedTuple):
+class TwistRing(NamedTuple):
     """Springs that slid, or left the contact: places, loads h before the move, when they touch, and to which side."""
 
     sample: Sample
@@ -88,12 +88,12 @@ class Move(NamedTuple):
     memory: TwistMemory
     loss: float
     extra: float
-    rings: tuple[Ring, ...]
+    rings: tuple[TwistRing, ...]
     nested: bool
     free: float
 
 
-class _Piece(NamedTuple):
+class _TwistPiece(NamedTuple):
     low: float
     high: float
     held: float
@@ -110,7 +110,7 @@ class _Piece(NamedTuple):
         return result
 
 
-APART = Press(0.0, 0.0, 0.0)
+NO_CONTACT = Press(0.0, 0.0, 0.0)
 
 
 def fresh(level: float = 0.0) -> TwistMemory:
@@ -119,15 +119,15 @@ def fresh(level: float = 0.0) -> TwistMemory:
     return TwistMemory(level, 0.0, 0.0, np.zeros(1), none, none, none, np.zeros((0, 3)))
 
 
-def pieces_of(memory: TwistMemory) -> list[_Piece]:
+def pieces_of(memory: TwistMemory) -> list[_TwistPiece]:
     """Return the stretches one by one."""
     edges, bounds = memory.edges, [Press(*bound) for bound in memory.bounds.tolist()]
     numbers = (edges[:-1], edges[1:], memory.held, memory.entered, memory.sides)
-    return [_Piece(*row) for row in zip(*(each.tolist() for each in numbers), bounds, strict=True)]
+    return [_TwistPiece(*row) for row in zip(*(each.tolist() for each in numbers), bounds, strict=True)]
 
 
-def _kept(press: Press, pieces: list[_Piece]) -> TwistMemory:
-    merged: list[_Piece] = []
+def _kept(press: Press, pieces: list[_TwistPiece]) -> TwistMemory:
+    merged: list[_TwistPiece] = []
     for piece in pieces:
         if merged and merged[-1][2:] == piece[2:]:
             merged[-1] = merged[-1]._replace(high=piece.high)
@@ -153,18 +153,18 @@ def moved(bound: TwistBound, memory: TwistMemory, press: Press, twist: float) ->
         8 G_t times the change of the angle [Pa].
     """
     before, change = memory.press, press.level - memory.level
-    trials: list[tuple[_Piece, bool]] = [
+    trials: list[tuple[_TwistPiece, bool]] = [
         (piece._replace(high=min(piece.high, press.radius), held=piece.held + twist), False)
         for piece in pieces_of(memory)
         if piece.low < press.radius
     ]
     if press.radius > before.radius:
         rate = twist / change if change > 0.0 else 0.0
-        trials.append((_Piece(before.radius, press.radius, rate * press.level, -rate, 0.0, APART), True))
+        trials.append((_TwistPiece(before.radius, press.radius, rate * press.level, -rate, 0.0, NO_CONTACT), True))
     now = bound.at(press)
-    slack = ROUNDING * _read(bound, now, 0.5 * press.radius) if press.radius > 0.0 else 0.0
-    done: list[_Piece] = []
-    rings: list[Ring] = []
+    slack = BOUND_ROUNDING * _read(bound, now, 0.5 * press.radius) if press.radius > 0.0 else 0.0
+    done: list[_TwistPiece] = []
+    rings: list[TwistRing] = []
     states: list[tuple[float, int]] = []
     free = 0.0
     for trial, entering in trials:
@@ -175,10 +175,10 @@ def moved(bound: TwistBound, memory: TwistMemory, press: Press, twist: float) ->
                 done.append(trial._replace(low=low, high=high))
                 free += _free(bound, low, high, press.level, change) if entering else 2.0 / 3.0 * (high**3 - low**3)
                 continue
-            done.append(_Piece(low, high, 0.0, 0.0, float(state), press))
+            done.append(_TwistPiece(low, high, 0.0, 0.0, float(state), press))
             sample = bound.panels.sample(low, high)
             load = np.zeros_like(sample.x) if entering else sample.read(values) - twist
-            rings.append(Ring(sample, load, sample.read(bound.clock), np.full(sample.x.shape, state)))
+            rings.append(TwistRing(sample, load, sample.read(bound.clock), np.full(sample.x.shape, state)))
     if press.radius < before.radius:
         rings += _left(bound, memory, press, twist)
     loss, extra = slid_along(bound, memory, [press], twist, tuple(rings)) if rings else (0.0, 0.0)
@@ -209,7 +209,7 @@ def _free(bound: TwistBound, low: float, high: float, level: float, change: floa
 
 
 def slid_along(
-    bound: TwistBound, memory: TwistMemory, way: Sequence[Press], twist: float, rings: tuple[Ring, ...]
+    bound: TwistBound, memory: TwistMemory, way: Sequence[Press], twist: float, rings: tuple[TwistRing, ...]
 ) -> tuple[float, float]:
     """Return 4 G_t times the energy that `rings` lose on a path whose last press is where the move ends, and the work.
 
@@ -258,7 +258,7 @@ def _read(bound: TwistBound, values: Array, place: float) -> float:
     return float(bound.panels.reading(at, panel)[0] @ values[panel[0]])
 
 
-def _left(bound: TwistBound, memory: TwistMemory, press: Press, twist: float) -> list[Ring]:
+def _left(bound: TwistBound, memory: TwistMemory, press: Press, twist: float) -> list[TwistRing]:
     """Return the springs that come out of contact."""
     rings = []
     for piece in pieces_of(memory):
@@ -266,12 +266,12 @@ def _left(bound: TwistBound, memory: TwistMemory, press: Press, twist: float) ->
             sample = bound.panels.sample(max(piece.low, press.radius), piece.high)
             clock, before = sample.read(bound.clock), sample.read(piece.values(bound))
             last = np.clip((memory.level - clock) / (memory.level - press.level), 0.0, 1.0)
-            rings.append(Ring(sample, before, clock, np.where(before + twist * last >= 0.0, 1, -1)))
+            rings.append(TwistRing(sample, before, clock, np.where(before + twist * last >= 0.0, 1, -1)))
     return rings
 
 
 def _stretches_of(
-    bound: TwistBound, trial: _Piece, now: Array, values: Array, slack: float
+    bound: TwistBound, trial: _TwistPiece, now: Array, values: Array, slack: float
 ) -> list[tuple[float, float, int]]:
     """Return where a stretch sticks (0) and where it slides to which side."""
     if bound.endless:
@@ -330,7 +330,7 @@ def _nested(states: list[tuple[float, int]], radius: float) -> bool:
     """Whether what slides is one outer ring that slides to one side."""
     sliding = 0
     for width, state in states:
-        if width > NARROW * radius:
+        if width > NARROWEST_RING * radius:
             if sliding not in (0, state):
                 return False
             sliding = state

@@ -152,7 +152,7 @@ class TorsionState:
         return self.springs.load(x)
 
     def traction(self, r: ArrayLike) -> Array:
-        """Return the traction tau_theta(r) [Pa], positive the way of a positive torque; zero outside the contact.
+        """Return the traction tau_theta(r) [Pa], of the sign of the torque; zero outside the contact.
 
         Parameters
         ----------

@@ -45,7 +45,7 @@ from winkler.values import value
 
 __all__ = ["FrictionHeating", "FrictionHeatingSolution"]
 
-FASTEST = 1e8
+HIGHEST_PECLET = 1e8
 """Peclet number above which rounding is felt in means over the contact."""
 
 
@@ -151,10 +151,10 @@ class FrictionHeating:
             for rate, body in zip(rates, self._bodies, strict=True)
         ]
         fastest = max(float(np.max(each, initial=0.0)) for each in peclets)
-        if fastest > FASTEST:
+        if fastest > HIGHEST_PECLET:
             raise OutsideValidity(
                 f"FrictionHeating: a Peclet number V a / (2 kappa) is {fastest:.3g}; temperatures of moving bodies are "
-                f"computed up to {FASTEST:g}: check speeds and diffusivities."
+                f"computed up to {HIGHEST_PECLET:g}: check speeds and diffusivities."
             )
         which, sources = loads_over(contact, shape), heat_sources(contact)
         table = np.zeros((5, *shape))
@@ -185,14 +185,14 @@ def _shares(problem: FrictionHeating, heat: HeatSource | None, *speeds: float) -
 
 @value
 class FrictionHeatingSolution:
-    """The answer to a `FrictionHeating`; every quantity has the common shape of load and speeds.
+    """The solution of a `FrictionHeating`; every quantity has the common shape of load and speeds.
 
     Temperatures are rises above that of the bodies far away.
 
     Parameters
     ----------
     problem : FrictionHeating
-        What was asked.
+        The problem that was solved.
     contact : IndentationSolution
         The contact, of the shape of the load.
     heat_rate : float or ndarray

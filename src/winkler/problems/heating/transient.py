@@ -39,8 +39,8 @@ from winkler.values import value
 
 __all__ = ["TransientHeating", "TransientHeatingSolution"]
 
-CIRCLES = 33
-"""Circles on which the greatest temperature is looked for where the flux does not fall from the axis on."""
+SEARCH_CIRCLES = 33
+"""Circles on which the greatest temperature is sought where the flux does not fall from the axis on."""
 
 
 @value
@@ -152,18 +152,18 @@ def _greatest(source: LineSource, length: float) -> float:
     """Return the greatest lambda T: on the axis if the flux falls from there, else on the warmest of many circles."""
     if source.fading:
         return float(source.risen(length, np.zeros(1))[0])
-    circles = source.radius * np.sin(np.linspace(0.0, 0.5 * np.pi, CIRCLES))
+    circles = source.radius * np.sin(np.linspace(0.0, 0.5 * np.pi, SEARCH_CIRCLES))
     return source.warmest(length, circles)
 
 
 @value
 class TransientHeatingSolution:
-    """The answer to a `TransientHeating`; temperatures are rises above that of the bodies far away.
+    """The solution of a `TransientHeating`; temperatures are rises above that of the bodies far away.
 
     Parameters
     ----------
     problem : TransientHeating
-        What was asked.
+        The problem that was solved.
     contact : IndentationSolution
         The contact.
     heat_rate : float

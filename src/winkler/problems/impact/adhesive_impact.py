@@ -41,7 +41,7 @@ from winkler.values import value
 __all__ = ["AdhesiveImpact", "AdhesiveImpactSolution"]
 
 
-TOUCHING = Advice("attraction from afar begins before the touch")
+RANGE_ADVICE = Advice("attraction from afar begins before the touch")
 
 
 @value
@@ -59,7 +59,7 @@ class AdhesiveImpact:
     velocity : float
         v [m/s] of approach at first touch, positive.
     count : int, optional
-        At how many moments the answer is wanted; the moment of greatest depth is added.
+        At how many moments states are returned; the moment of greatest depth is added.
 
     Raises
     ------
@@ -84,7 +84,7 @@ class AdhesiveImpact:
     """
 
     bed: Bed
-    law: Annotated[ShortRange, TOUCHING]
+    law: Annotated[ShortRange, RANGE_ADVICE]
     mass: PositiveNotTiny
     velocity: Positive
     count: Moments = 201
@@ -108,7 +108,7 @@ class AdhesiveImpact:
         Raises
         ------
         OutsideValidity
-            If the body is pressed in beyond what is known of its profile, or a contact on the way is no disc.
+            If the body is pressed in beyond what is known of its profile, or a contact along the path is no disc.
         NotConverged
             If the profile is too rough, or the march comes to a halt.
         """
@@ -118,7 +118,7 @@ class AdhesiveImpact:
         depths = np.array([depth for depth, _ in motion])
         depths[0], depths[times.index(moved.turn)] = 0.0, moved.deepest
         if not moved.captured:  # a little beyond where the edge loses its hold
-            depths[-1] = moved.parting - PARTED * (moved.deepest - moved.parting)
+            depths[-1] = moved.parting - SEPARATION_MARGIN * (moved.deepest - moved.parting)
         cycle = AdhesiveCycle(self.bed, self.law, Depth(depths))
         for time, (depth, velocity), state in zip(times, motion, cycle.steps(), strict=True):
             elastic = float(stored_energy(self.bed, np.array([state.depth]), np.array([state.radius]))[0])
@@ -136,7 +136,7 @@ class AdhesiveImpact:
             )
 
     def gathered(self, states: Iterable[AdhesiveImpactState]) -> AdhesiveImpactSolution:
-        """Return the answer from these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its beginning."""
         every = list(states)
         return gather(
             AdhesiveImpactSolution,
@@ -162,20 +162,20 @@ class AdhesiveImpact:
         return self.gathered(self.steps())
 
 
-PARTED = 1e-9
+SEPARATION_MARGIN = 1e-9
 """Part of the whole way by which bodies are drawn beyond the last hold."""
 
 
 @value
 class AdhesiveImpactSolution:
-    """The answer to an `AdhesiveImpact`, moment by moment.
+    """The solution of an `AdhesiveImpact`, moment by moment.
 
     Parameters
     ----------
     problem : AdhesiveImpact
-        What was asked.
+        The problem that was solved.
     time : ndarray, (steps,)
-        Since first touch [s]; the last one is when the bodies part, or stand still on the way out.
+        Since first touch [s]; the last one is when the bodies part, or stand still during the rebound.
     depth : ndarray, (steps,)
         d [m].
     velocity : ndarray, (steps,)
@@ -191,7 +191,7 @@ class AdhesiveImpactSolution:
     jumps : tuple of AdhesiveJump
         Snap-in, pull-off and all between.
     duration : float
-        How long the bodies touch, or until they stand still on the way out [s], also of an answer that was stopped
+        How long the bodies touch, or until they stand still during the rebound [s], also of a solution that was stopped
         before.
     captured : bool
         Whether the body stays: it then swings on in contact.
@@ -222,7 +222,7 @@ class AdhesiveImpactSolution:
 
     @property
     def restitution(self) -> float:
-        """Velocity of parting over that of approach [-]; zero if the body stays, nan if the answer was stopped."""
+        """Velocity of parting over that of approach [-]; zero if the body stays, nan if the march was stopped."""
         if self.captured:
             return 0.0
         return -float(self.velocity[-1]) / self.problem.velocity if self.time[-1] == self.duration else math.nan

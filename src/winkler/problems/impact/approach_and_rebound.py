@@ -27,11 +27,11 @@ from winkler.problems.normal.force_curve import rough_depth
 __all__ = ["Swing", "swing"]
 
 PRECISION = 3e-14
-LONGEST = 1e6
-RESOLVED = 1e-12
+LONGEST_DURATION = 1e6
+FORCE_RESOLUTION = 1e-12
 """Of the greatest force: close to where the edge loses its hold, rounding of its radius is felt."""
 DOUBLINGS = 200
-PER_PANEL = 8
+STEPS_PER_PANEL = 8
 
 
 class Swing(NamedTuple):
@@ -113,7 +113,7 @@ def _fitted(
         return result.reshape(depths.shape)
 
     greatest = float(np.max(np.abs(force(breaks))))
-    return [fit_panels(force, np.array(ends), RESOLVED * greatest) for ends in pairwise(breaks)]
+    return [fit_panels(force, np.array(ends), FORCE_RESOLUTION * greatest) for ends in pairwise(breaks)]
 
 
 def _way_in(bed: Bed, law: ShortRange, energy: float) -> tuple[AdhesiveEdge, list[Panels]]:
@@ -146,7 +146,7 @@ def _first_passage(forces: list[Panels], energy: float) -> float:
     done = 0.0
     for piece in forces:
         work = piece.integral
-        part = np.linspace(0.0, 1.0, PER_PANEL + 1)[:-1]
+        part = np.linspace(0.0, 1.0, STEPS_PER_PANEL + 1)[:-1]
         depths = np.append((piece.edges[:-1, None] + np.diff(piece.edges)[:, None] * part).ravel(), piece.edges[-1])
         spent = done + work(depths) - energy
         beyond = np.flatnonzero(spent >= 0.0)
@@ -197,7 +197,7 @@ def _through(piece: Panels, mass: float, time: float, state: Array, inward: bool
 
     passed = Stop(lambda time, state: float(state[0]) - goal, direction)
     stands = Stop(lambda time, state: float(state[1]), -direction)
-    span = (time, time + LONGEST * width / fast)
+    span = (time, time + LONGEST_DURATION * width / fast)
     scales, stops = np.array([width, fast]), (passed, stands)
     found = march(rates, span, state, unit=width / fast, precision=PRECISION, scales=scales, stops=stops)
     if not any(found.stopped):

@@ -24,10 +24,10 @@ import numpy as np
 from winkler.errors import NotConverged
 from winkler.numerics.equations.marching import Marched, Stop, march
 from winkler.numerics.types import Array
-from winkler.problems.impact.memory import NOTHING, Entered, Recalled, Slid, Stuck, ring
+from winkler.problems.impact.memory import NO_HISTORY, Entered, RecalledPoint, Slid, Stuck, ring
 from winkler.problems.normal.force_curve import NormalCurve
 
-__all__ = ["Moment", "Motion", "Stage", "stages", "turning"]
+__all__ = ["ImpactMoment", "Motion", "Stage", "stages", "turning"]
 
 PRECISION = 3e-14
 """Relative error allowed per step."""
@@ -83,7 +83,7 @@ class Motion(NamedTuple):
         )
 
 
-class Moment(NamedTuple):
+class ImpactMoment(NamedTuple):
     """One moment of the contact.
 
     Parameters
@@ -126,7 +126,7 @@ class Stage(NamedTuple):
     start: float
     end: float
     sign: int
-    moment: Callable[[float], Moment]
+    moment: Callable[[float], ImpactMoment]
 
 
 def stages(motion: Motion, turn: float) -> Iterator[Stage]:
@@ -184,10 +184,10 @@ def _stick(motion: Motion, span: tuple[float, float], start: Array, stops: list[
 
 
 def _sticking(motion: Motion, found: Marched) -> Stage:
-    def moment(time: float) -> Moment:
+    def moment(time: float) -> ImpactMoment:
         depth, velocity, shift, sliding, loss, shear, stored = found.at(time).tolist()
         _, force, pressed = motion.curve.at(depth)
-        return Moment(depth, velocity, shift, sliding, loss, force, shear, pressed, stored, depth)
+        return ImpactMoment(depth, velocity, shift, sliding, loss, force, shear, pressed, stored, depth)
 
     return Stage(float(found.times[0]), found.end, 0, moment)
 
@@ -258,12 +258,12 @@ class _Slip(NamedTuple):
     def level(self, state: Array) -> float:
         return float(self.sign * state[2] - self.motion.beta() * state[0])
 
-    def recall(self, state: Array) -> Recalled:
+    def recall(self, state: Array) -> RecalledPoint:
         if self.stuck is None:
-            return NOTHING
+            return NO_HISTORY
         return self.stuck.front(self.sign, self.level(state), float(state[0]), self.motion.curve)
 
-    def shear(self, state: Array, inner: Recalled) -> tuple[float, float]:
+    def shear(self, state: Array, inner: RecalledPoint) -> tuple[float, float]:
         """Return shear force and stored energy."""
         motion, shift = self.motion, float(state[2])
         linear, square = ring(motion.curve, inner, float(state[0]))
@@ -298,14 +298,14 @@ class _Slip(NamedTuple):
         ]
         return _march(motion, rates, (time, end), start, stops)
 
-    def reader(self, found: Marched) -> Callable[[float], Moment]:
-        def moment(time: float) -> Moment:
+    def reader(self, found: Marched) -> Callable[[float], ImpactMoment]:
+        def moment(time: float) -> ImpactMoment:
             state = found.at(time)
             depth, velocity, shift, sliding, loss = state.tolist()
             inner = self.recall(state)
             shear, stored = self.shear(state, inner)
             _, force, pressed = self.motion.curve.at(depth)
-            return Moment(depth, velocity, shift, sliding, loss, force, shear, pressed, stored, inner.gap)
+            return ImpactMoment(depth, velocity, shift, sliding, loss, force, shear, pressed, stored, inner.gap)
 
         return moment
 
@@ -335,13 +335,15 @@ def _without_slip(motion: Motion, turn: float) -> Iterator[Stage]:
 
     parted = _march(motion, rates, (turn, 2.0 * turn), loaded.last[:5], [])
 
-    def moment(time: float) -> Moment:
+    def moment(time: float) -> ImpactMoment:
         depth, velocity, shift, sliding, loss = parted.at(time).tolist()
         displaced, earlier = edge(time, shift)
         stiffness, force, pressed = curve.at(depth)
         stretch = 0.5 * ratio * stiffness * displaced**2
         before = float(earlier[6]) + float(earlier[5]) * displaced
         shear = ratio * stiffness * displaced + float(earlier[5])
-        return Moment(depth, velocity, shift, sliding, loss - stretch, force, shear, pressed, before + stretch, depth)
+        return ImpactMoment(
+            depth, velocity, shift, sliding, loss - stretch, force, shear, pressed, before + stretch, depth
+        )
 
     yield Stage(turn, 2.0 * turn, sign, moment)

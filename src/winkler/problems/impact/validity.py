@@ -1,4 +1,4 @@
-"""What every impact says about itself, and how many moments it takes."""
+"""What every impact says about its own validity, and how many moments it takes."""
 
 from __future__ import annotations
 

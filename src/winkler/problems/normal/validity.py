@@ -1,4 +1,4 @@
-"""What an indentation says about its own validity: slopes, size of the body, pinned edges, onset of yield."""
+"""Validity notes of an indentation: slopes, size of the body, pinned edges, onset of yield."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def indentation_notes(bed: Bed, depth: Array, radius: Array, rubbing: Rubbing = 
 
 
 def contact_notes(bed: Bed, depth: Array, radius: Array) -> tuple[Note, ...]:
-    """Return what the widest of several contacts says about itself: slopes, size, a pinned edge, one disc."""
+    """Return the notes on the validity of the widest of several contacts: slopes, size, a pinned edge, one disc."""
     if not np.any(radius > 0.0):
         return (
             Note(
@@ -66,7 +66,7 @@ def contact_notes(bed: Bed, depth: Array, radius: Array) -> tuple[Note, ...]:
 
 
 def _disc_note(bed: Bed, depth: float, radius: float) -> Note:
-    """Return what was looked at to know that the contact is one disc."""
+    """Return the note on how it was checked that the contact is one disc."""
     failed = unfinished(bed, depth, radius)
     if failed:
         return Note(
@@ -77,11 +77,11 @@ def _disc_note(bed: Bed, depth: float, radius: float) -> Note:
             "a-posteriori check of pressure and separation, at sampled places",
         )
     if not rises(bed, radius):
-        looked = "the equivalent profile falls somewhere, so the restored pressure and the separation were looked at"
+        looked = "the equivalent profile falls somewhere, so the restored pressure and the separation were examined"
     elif bed.medium.punch_facts(radius).pulls:
-        looked = "the equivalent profile rises, but flat punches of this width pull, so the pressure was looked at"
+        looked = "the equivalent profile rises, but flat punches of this width pull, so the pressure was examined"
     else:
-        looked = "the equivalent profile rises wherever it was looked at, and no flat punch up to this radius pulls"
+        looked = "the equivalent profile rises wherever it was examined, and no flat punch up to this radius pulls"
     return Note(
         Assumption.SINGLE_CONTACT,
         Standing.EXACT,

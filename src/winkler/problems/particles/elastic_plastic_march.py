@@ -13,9 +13,14 @@ import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.numerics.equations.roots import between
-from winkler.problems.particles.elastic_plastic_springs import LIMIT, RIM, Material, ParticleSprings
+from winkler.problems.particles.elastic_plastic_springs import (
+    DEPTH_LIMIT,
+    FULL_CONTACT_ANGLE,
+    Material,
+    ParticleSprings,
+)
 
-__all__ = ["March", "ParticleHistory"]
+__all__ = ["ParticleHistory", "ParticleMarch"]
 
 
 class ParticleHistory(NamedTuple):
@@ -42,7 +47,7 @@ class ParticleHistory(NamedTuple):
     work: float
 
 
-class March(NamedTuple):
+class ParticleMarch(NamedTuple):
     """A particle and the works of adhesion.
 
     Parameters
@@ -74,10 +79,10 @@ class March(NamedTuple):
 
     def to_depth(self, state: ParticleHistory, depth: float) -> ParticleHistory:
         """Return the particle at a depth."""
-        if depth > LIMIT * self.material.radius:
+        if depth > DEPTH_LIMIT * self.material.radius:
             raise OutsideValidity(
-                f"ElasticPlasticParticle: a depth of {depth:g} m is beyond {LIMIT:g} of the radius; there the particle "
-                "is squeezed as a whole, which this law of one contact leaves out; stay below it."
+                f"ElasticPlasticParticle: a depth of {depth:g} m is beyond {DEPTH_LIMIT:g} of the radius; there the "
+                "particle is squeezed as a whole, which this law of one contact leaves out; stay below it."
             )
         springs = self.material.springs(state.largest)
         roof = max(state.largest, self.material.yield_depth)
@@ -86,7 +91,7 @@ class March(NamedTuple):
         if depth <= roof:
             return state._replace(largest=largest)
         work = state.work + self.material.work(depth) - self.material.work(roof)
-        return ParticleHistory(largest, self.material.springs(largest).felt(depth), RIM, True, work)
+        return ParticleHistory(largest, self.material.springs(largest).felt(depth), FULL_CONTACT_ANGLE, True, work)
 
     def _within(self, springs: ParticleSprings, state: ParticleHistory, felt: float) -> ParticleHistory:
         """Move while the particle does not yield."""
@@ -121,7 +126,7 @@ class March(NamedTuple):
             spent = rest(angle, state.felt, felt)
         else:
             first = springs.balanced(state.angle, work)
-            last = springs.balanced(angle, work) if angle == RIM else felt
+            last = springs.balanced(angle, work) if angle == FULL_CONTACT_ANGLE else felt
             spent = rest(state.angle, state.felt, first) + rest(angle, last, felt)
             spent += self.potential(springs, angle, last, work) - self.potential(springs, state.angle, first, work)
         return state._replace(felt=felt, angle=angle, work=state.work + spent)
@@ -138,7 +143,7 @@ class March(NamedTuple):
     def _depth_under(self, springs: ParticleSprings, state: ParticleHistory, force: float) -> float:
         material = self.material
         roof = max(state.largest, material.yield_depth)
-        deepest = LIMIT * material.radius
+        deepest = DEPTH_LIMIT * material.radius
         angle = state.angle
         if force > springs.edge_force(angle, self.closing):
             angle = springs.edge_under(force, self.closing)
@@ -147,8 +152,8 @@ class March(NamedTuple):
                 return springs.depth(felt)
             if roof > deepest or force > material.force(deepest):
                 raise OutsideValidity(
-                    f"ElasticPlasticParticle: a force of {force:g} N presses the particle deeper than {LIMIT:g} of its "
-                    "radius, beyond which this law of one contact does not hold; give a smaller one."
+                    f"ElasticPlasticParticle: a force of {force:g} N presses the particle deeper than {DEPTH_LIMIT:g} "
+                    "of its radius, beyond which this law of one contact does not hold; give a smaller one."
                 )
             if force <= material.force(roof):
                 return roof

@@ -24,14 +24,14 @@ import numpy as np
 from winkler.materials.elastic import Elastic
 from winkler.numerics.equations.roots import between
 
-__all__ = ["LIMIT", "RIM", "Material", "ParticleSprings", "material_of"]
+__all__ = ["DEPTH_LIMIT", "FULL_CONTACT_ANGLE", "Material", "ParticleSprings", "material_of"]
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(16)
-RIM = 0.5 * math.pi
+FULL_CONTACT_ANGLE = 0.5 * math.pi
 """The angle at which all springs are in contact."""
-LIMIT = 0.5
+DEPTH_LIMIT = 0.5
 """Depth over radius up to which the law is followed."""
-RISE, FALL = 1.75, 4.4
+YIELD_PRESSURE_RISE, YIELD_PRESSURE_FALL = 1.75, 4.4
 """Of the yield pressure, fitted by Zunker and Kamrin to finite elements."""
 
 
@@ -95,7 +95,7 @@ class ParticleSprings(NamedTuple):
         if work == 0.0:
             return 0.0
         number = 2.0 * factor * math.sqrt(2.0 * math.pi * self.half_width * work / self.modulus) / self.height
-        return between(lambda angle: math.sin(angle) ** 1.5 - number * math.cos(angle), 0.0, RIM)
+        return between(lambda angle: math.sin(angle) ** 1.5 - number * math.cos(angle), 0.0, FULL_CONTACT_ANGLE)
 
     def edge(self, felt: float, work: float) -> float:
         """Return the angle of the stable edge; zero if there is none."""
@@ -104,9 +104,9 @@ class ParticleSprings(NamedTuple):
         least = self.critical(work, 0.5)
         if felt < self.balanced(least, work):
             return 0.0
-        if felt >= self.balanced(RIM, work):
-            return RIM
-        return between(lambda angle: self.balanced(angle, work) - felt, least, RIM)
+        if felt >= self.balanced(FULL_CONTACT_ANGLE, work):
+            return FULL_CONTACT_ANGLE
+        return between(lambda angle: self.balanced(angle, work) - felt, least, FULL_CONTACT_ANGLE)
 
     def edge_force(self, angle: float, work: float) -> float:
         """Return the force while the edge is just held [N]."""
@@ -115,11 +115,11 @@ class ParticleSprings(NamedTuple):
     def edge_under(self, force: float, work: float) -> float:
         """Return the angle of the stable edge under a dead load that is not below the least one."""
         least = self.critical(work, 1.5)
-        if force >= self.edge_force(RIM, work):
-            return RIM
+        if force >= self.edge_force(FULL_CONTACT_ANGLE, work):
+            return FULL_CONTACT_ANGLE
         if force <= self.edge_force(least, work):
             return least
-        return between(lambda angle: self.edge_force(angle, work) - force, least, RIM)
+        return between(lambda angle: self.edge_force(angle, work) - force, least, FULL_CONTACT_ANGLE)
 
 
 class Material(NamedTuple):
@@ -144,7 +144,7 @@ class Material(NamedTuple):
 
     def yield_pressure(self, depth: float) -> float:
         """Return p_Y [Pa] at a depth."""
-        return self.solid.strength * (RISE * math.exp(-FALL * depth / self.radius) + 1.0)
+        return self.solid.strength * (YIELD_PRESSURE_RISE * math.exp(-YIELD_PRESSURE_FALL * depth / self.radius) + 1.0)
 
     def _square(self, depth: float) -> float:
         """Return b^2 [m^2]: that of Hertz where yield begins, then that of a ball cut off at the depth."""
@@ -159,10 +159,10 @@ class Material(NamedTuple):
         """Return the integral of that force over the depth, up to a constant [J]."""
         radius, onset = self.radius, self.yield_depth
         offset = onset * (onset - radius)
-        rate = FALL / radius
+        rate = YIELD_PRESSURE_FALL / radius
         plain = depth * (offset + depth * (radius - depth / 3.0))
         falling = self._square(depth) / rate + 2.0 * (radius - depth) / rate**2 - 2.0 / rate**3
-        return math.pi * self.solid.strength * (plain - RISE * math.exp(-rate * depth) * falling)
+        return math.pi * self.solid.strength * (plain - YIELD_PRESSURE_RISE * math.exp(-rate * depth) * falling)
 
     def springs(self, largest: float) -> ParticleSprings:
         """Return the springs after the particle was once pressed to a depth."""
@@ -189,6 +189,6 @@ def material_of(radius: float, solid: Elastic) -> Material:
     def excess(depth: float) -> float:
         return 4.0 * modulus * math.sqrt(depth / radius) / (3.0 * math.pi) - material.yield_pressure(depth)
 
-    if math.isinf(solid.strength) or excess(LIMIT * radius) <= 0.0:
+    if math.isinf(solid.strength) or excess(DEPTH_LIMIT * radius) <= 0.0:
         return material
-    return material._replace(yield_depth=between(excess, 0.0, LIMIT * radius))
+    return material._replace(yield_depth=between(excess, 0.0, DEPTH_LIMIT * radius))

@@ -27,12 +27,12 @@ from winkler.values import value
 
 __all__ = ["BallImpacts", "BallImpactsSolution"]
 
-DEEPEST = (15.0 / 16.0) ** 0.4
-LASTING = 2.868265699
+HERTZ_DEPTH = (15.0 / 16.0) ** 0.4
+HERTZ_DURATION = 2.868265699
 """Of Hertz' impact: d_max and the duration in terms of m, v, E* and R."""
-MARGIN = 1e-3
+REACH_MARGIN = 1e-3
 """By which the springs reach further than Hertz' greatest depth."""
-MORE = 5
+EXTRA_STEPS = 5
 """Steps beyond Hertz' duration."""
 
 
@@ -125,8 +125,8 @@ class BallImpacts:
         )
         normal, shear = np.full(many, self.medium.modulus), np.full(many, self.medium.shear_modulus)
         scale = (mass / normal) ** 0.4 / radius**0.2
-        deepest = DEEPEST * scale * velocity**0.8
-        interval = LASTING * scale / velocity**0.2 / self.steps
+        deepest = HERTZ_DEPTH * scale * velocity**0.8
+        interval = HERTZ_DURATION * scale / velocity**0.2 / self.steps
         slope = coefficient * normal / shear
         loss, peak, time = np.zeros((3, many))
         after = velocity.copy()
@@ -141,8 +141,8 @@ class BallImpacts:
                 mass[part],
                 mobility[part],
                 interval[part],
-                (1.0 + MARGIN) * deepest[part],
-                self.steps + MORE,
+                (1.0 + REACH_MARGIN) * deepest[part],
+                self.steps + EXTRA_STEPS,
                 after[part],
                 sliding[part],
                 loss[part],
@@ -156,12 +156,12 @@ class BallImpacts:
 
 @value
 class BallImpactsSolution:
-    """The answer to `BallImpacts`, after the last ball has parted.
+    """The solution of `BallImpacts`, after the last ball has parted.
 
     Parameters
     ----------
     problem : BallImpacts
-        What was asked.
+        The problem that was solved.
     velocity : ndarray, (contacts,)
         Of approach [m/s]: negative, since the balls part.
     sliding_velocity : ndarray, (contacts, 2)

@@ -26,7 +26,7 @@ KALKER = (
     "doi:10.1007/978-94-015-7889-9"
 )
 POPOV_HESS = "V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015, doi:10.1007/978-3-642-53876-6"
-HERTZIAN = 0.01
+HERTZIAN_DEPARTURE = 0.01
 """How far a profile may be from a parabola, in parts of the depth, to be called Hertzian."""
 
 
@@ -67,7 +67,7 @@ class Kalker:
 
     def notes(self, bed: Bed, radius: float) -> tuple[Note, ...]:
         """Return what was measured of calibrated springs."""
-        if departure(bed, radius) <= HERTZIAN:
+        if departure(bed, radius) <= HERTZIAN_DEPARTURE:
             return (
                 Note(
                     Assumption.CALIBRATION,

@@ -22,7 +22,7 @@ from winkler.values import value
 
 __all__ = ["AtCreepages", "Creepage", "Creeping"]
 
-MOST = {"longitudinal": 1e9, "lateral": 1e9, "spin": math.inf}
+LARGEST_CREEPAGE = {"longitudinal": 1e9, "lateral": 1e9, "spin": math.inf}
 """Beyond it nothing rolls any more; of spin only the size of the contact tells."""
 UNITS = {"longitudinal": "", "lateral": "", "spin": " in 1/m"}
 
@@ -40,7 +40,7 @@ class Creepage:
     spin : float or ndarray, optional
         phi [1/m], rotation about the normal of the contact per distance rolled.
 
-    All three may be arrays, of shapes that fit each other; the answers then have the common shape.
+    All three may be arrays, of shapes that fit each other; the results then have the common shape.
 
     Raises
     ------
@@ -60,8 +60,8 @@ class Creepage:
         for word, unit in UNITS.items():
             given = np.asarray(getattr(self, word))
             good = given.dtype.kind in "fiu" and given.size > 0 and np.all(np.isfinite(given))
-            if not good or np.any(np.abs(given) > MOST[word]):
-                most = f", of at most {MOST[word]:g}" if math.isfinite(MOST[word]) else ""
+            if not good or np.any(np.abs(given) > LARGEST_CREEPAGE[word]):
+                most = f", of at most {LARGEST_CREEPAGE[word]:g}" if math.isfinite(LARGEST_CREEPAGE[word]) else ""
                 shown = " ".join(repr(getattr(self, word)).split())  # arrays are written in lines
                 raise InvalidInput(f"Creepage: {word} is {shown}; give a number{unit}, or an array of them{most}.")
         try:
@@ -98,10 +98,10 @@ class AtCreepages:
 
     @property
     def longitudinal_creepage(self) -> Quantity:
-        """xi [-], in the shape of the answers."""
+        """xi [-], in the shape of the results."""
         return shaped(np.broadcast_to(self.problem.creepage.longitudinal, self.problem.creepage.shape))
 
     @property
     def lateral_creepage(self) -> Quantity:
-        """eta [-], in the shape of the answers."""
+        """eta [-], in the shape of the results."""
         return shaped(np.broadcast_to(self.problem.creepage.lateral, self.problem.creepage.shape))

@@ -5,7 +5,7 @@ rolled.  It never bears more than its bound :math:`b(x)=\mu c_N(d-g)`, so that
 
 .. math:: q_x(x) = \min_{x\le y\le a}\,\bigl[q_x^0(y) + \kappa\,(y-x)\bigr],\qquad q_x^0 = b,\quad q_x^0(a)=0 .
 
-Which springs begin and cease to slide is seen on sampled springs; where exactly is then looked for, and the force is
+Which springs begin and cease to slide is seen on sampled springs; where exactly is then sought, and the force is
 summed in closed form over the pieces.
 """
 
@@ -26,10 +26,10 @@ __all__ = ["RollingLine", "Sticking"]
 
 SAMPLES = 256
 """Springs on half of the line by which sliding is noticed, evenly spaced."""
-EDGE = 40
+EDGE_HALVINGS = 40
 """And how often more of them halve the distance from the edge."""
 BLOCK = 256
-"""How many creepages are looked at together."""
+"""How many creepages are examined together."""
 
 
 class Sticking(NamedTuple):
@@ -102,7 +102,7 @@ class RollingLine:
     def _places(self) -> Array:
         """Sampled springs [m], from the leading edge to the trailing one."""
         a = self.radius
-        near = towards(a, [b for b, _ in self.contact.problem.bed.kinks], EDGE)
+        near = towards(a, [b for b, _ in self.contact.problem.bed.kinks], EDGE_HALVINGS)
         half = np.union1d(near, a * np.linspace(0.0, 1.0, SAMPLES + 1))
         return np.concatenate([half[::-1], -half[1:]])
 

@@ -36,7 +36,7 @@ from winkler.values import value
 __all__ = ["RollingTraction", "SimplifiedRolling", "SimplifiedRollingSolution"]
 
 JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 4.2, doi:10.1017/CBO9781139171731"
-MOMENT = 0.25 * math.pi
+HALF_BOUND_INTEGRAL = 0.25 * math.pi
 """Half the integral of the bound over the unit disc: sums over it become forces over mu F_N."""
 
 
@@ -117,7 +117,7 @@ class SimplifiedRolling:
         sums = np.empty((self.creepage.broadcast()[0].size, 4))
         rolled(self.drives(a, b, known), self.count, sums)
         most = self.friction.coefficient * float(self.load.force)
-        forces = most * sums.T / (2.0 * MOMENT)
+        forces = most * sums.T / (2.0 * HALF_BOUND_INTEGRAL)
 
         def shaped(answer: Array) -> Quantity:
             return float(answer[0]) if self.creepage.shape == () else answer.reshape(self.creepage.shape)
@@ -138,12 +138,12 @@ class SimplifiedRolling:
 
 @value
 class SimplifiedRollingSolution(AtCreepages):
-    """The answer to a `SimplifiedRolling`; forces and moment have the shape of the creepage.
+    """The solution of a `SimplifiedRolling`; forces and moment have the shape of the creepage.
 
     Parameters
     ----------
     problem : SimplifiedRolling
-        What was asked.
+        The problem that was solved.
     longitudinal_semi_axis, lateral_semi_axis : float
         a and b [m].
     coefficients : CreepCoefficients
@@ -164,7 +164,7 @@ class SimplifiedRollingSolution(AtCreepages):
 
     @property
     def spin_creepage(self) -> Quantity:
-        """phi [1/m], in the shape of the answers."""
+        """phi [1/m], in the shape of the results."""
         return shaped(np.broadcast_to(self.problem.creepage.spin, self.problem.creepage.shape))
 
     @property
@@ -247,7 +247,7 @@ class SimplifiedRollingSolution(AtCreepages):
             case CurvedBodies(along, across):
                 ratio = max(self.longitudinal_semi_axis / along, self.lateral_semi_axis / across)
             case _:
-                return GIVEN
+                return PRESCRIBED_PRESSURE
         if ratio <= 0.1:
             standing, verdict = Standing.ASYMPTOTIC, "the bodies may be taken for half-spaces"
         elif ratio <= 0.5:
@@ -284,7 +284,7 @@ class RollingTraction:
         return np.asarray(np.hypot(self.longitudinal, self.lateral))
 
 
-GIVEN = Note(
+PRESCRIBED_PRESSURE = Note(
     Assumption.SHAPE,
     Standing.ASYMPTOTIC,
     "The ellipse was given: that these bodies touch on it under this load, and are large beside it, is not checked.",

@@ -33,9 +33,9 @@ class RollingSprings(NamedTuple):
     part: float
 
 
-MOST = 1_000_000
+MOST_SPRINGS = 1_000_000
 """Springs on half of a contact; more would fill the memory."""
-LONGEST = 1e10
+MOST_SPRING_STEPS = 1e10
 """Steps of all springs together; more would take minutes."""
 
 
@@ -50,7 +50,7 @@ def springs(owner: str, line: RollingLine, way: float, pieces: int, count: int) 
     way : float
         [m], positive.
     pieces : int
-        After each of which the contact is looked at.
+        After each of which the contact is examined.
     count : int
         Springs on half of the contact, at least.
 
@@ -61,12 +61,12 @@ def springs(owner: str, line: RollingLine, way: float, pieces: int, count: int) 
     """
     a = line.radius
     steps = max(1.0, way / pieces * count / a)
-    if not a / (way / pieces / steps) <= MOST:
+    if not a / (way / pieces / steps) <= MOST_SPRINGS:
         raise OutsideValidity(
             f"{owner}: each of {pieces} parts of its way, {way:.6g} m, is so short beside the contact radius of "
-            f"{a:.6g} m that more than {MOST} springs are needed; give a longer way, or look at it less often."
+            f"{a:.6g} m that more than {MOST_SPRINGS} springs are needed; give a longer way, or look at it less often."
         )
-    if not pieces * steps * count <= LONGEST:
+    if not pieces * steps * count <= MOST_SPRING_STEPS:
         raise OutsideValidity(
             f"{owner}: a way of {way:.6g} m is so long beside the contact radius of {a:.6g} m that {count} springs "
             "cannot be followed along it; give a shorter way."

@@ -37,7 +37,7 @@ from winkler.values import value
 __all__ = ["Rolling", "RollingSolution", "check_rolling", "rolling_notes", "touching"]
 
 VERMEULEN = "P. J. Vermeulen, K. L. Johnson, J. Appl. Mech. 31 (1964) 338-340"
-KALKER = Kalker()
+DEFAULT_CALIBRATION = Kalker()
 
 
 @value
@@ -92,7 +92,7 @@ class Rolling:
     friction: Sliding
     creepage: Creepage
     load: OneLoad
-    calibration: Kalker | Uncalibrated = KALKER
+    calibration: Kalker | Uncalibrated = DEFAULT_CALIBRATION
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "vermeulen_johnson_1964", "kalker_1990")
     assumptions: ClassVar[frozenset[Assumption]] = ROLLING
@@ -133,12 +133,12 @@ class Rolling:
 
 @value
 class RollingSolution(AtCreepages):
-    """The answer to a `Rolling`; every quantity has the shape of the creepage.
+    """The solution of a `Rolling`; every quantity has the shape of the creepage.
 
     Parameters
     ----------
     problem : Rolling
-        What was asked.
+        The problem that was solved.
     contact : IndentationSolution
         The contact under its normal load.
     longitudinal_force, lateral_force : float or ndarray
@@ -186,7 +186,7 @@ class RollingSolution(AtCreepages):
         Raises
         ------
         InvalidInput
-            If the creepage is an array; ask for one.
+            If the creepage is an array; give one.
         """
         if self.problem.creepage.shape != ():
             raise InvalidInput("RollingSolution.shear_load: the creepage is an array; solve for one creepage.")
@@ -220,7 +220,7 @@ STRIPS = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
     "The line tells forces, not where on the surface they act: the zone of stick of a round contact is no strip "
-    "between parallels; ask SimplifiedRolling for a map.",
+    "between parallels; use SimplifiedRolling for a map.",
     VERMEULEN,
 )
 
@@ -250,7 +250,7 @@ def check_rolling(owner: str, bed: Bed, creepage: Creepage) -> None:
     if np.any(np.asarray(creepage.spin) != 0.0):
         raise OutsideValidity(
             f"{owner}: spin turns the traction around the contact, and a line of springs has no counterpart of that; "
-            "ask for SimplifiedRolling."
+            "use SimplifiedRolling."
         )
 
 

@@ -48,15 +48,15 @@ class RoughIndentation:
     bed : Foundation
         The smooth body, on a homogeneous medium.
     length : float
-        Of the line [m]; wider than the contact. Waves longer than it are not seen.
+        Of the line [m]; wider than the contact. Waves longer than it are left out.
     load : Force or Depth
         What is prescribed, positive; depths from the first touch of the highest point.
     realisations : int, optional
         How many random lines.
     count : int, optional
-        Springs in each; waves shorter than two of them are not seen.
+        Springs in each; waves shorter than two of them are left out.
     seed : int, optional
-        Of the phases; equal seeds, equal answers.
+        Of the phases; equal seeds, equal results.
 
     Raises
     ------
@@ -149,12 +149,12 @@ class RoughIndentation:
 
 @value
 class RoughIndentationSolution(RoughSolution):
-    """The answer to a `RoughIndentation`.
+    """The solution of a `RoughIndentation`.
 
     Parameters
     ----------
     problem : RoughIndentation
-        What was asked.
+        The problem that was solved.
     depth, force, stiffness : float or ndarray
         d [m], F [N], dF/dd [N/m]: the median of all lines, in the shape of the load.
     depth_band, force_band, stiffness_band : ndarray, (2, ...)

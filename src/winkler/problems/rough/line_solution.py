@@ -19,7 +19,7 @@ class RoughSolution:
     Parameters
     ----------
     problem : RoughContact or RoughIndentation
-        What was asked.
+        The problem that was solved.
     depth, force, stiffness : float or ndarray
         d [m], F [N], dF/dd [N/m]: the median of all lines, in the shape of the load.
     depth_band, force_band, stiffness_band : ndarray, (2, ...)

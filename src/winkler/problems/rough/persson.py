@@ -26,12 +26,12 @@ from winkler.profiles.rough.spectrum import Spectrum, wave_numbers_for
 
 __all__ = ["area_fraction", "mean_separation"]
 
-GAMMA = 0.45
+ENERGY_SHARE = 0.45
 """Share of the elastic energy that is stored in the asperities, after Yang and Persson (2008)."""
-WAVES = 2001
+WAVE_NUMBERS = 2001
 """Wave numbers, crowded towards the smallest."""
 NODES = 24
-FARTHEST = 6.0
+FARTHEST_S = 6.0
 """Where exp(-s^2) has faded."""
 
 
@@ -93,7 +93,7 @@ def mean_separation(pressure: Array, modulus: float, spectrum: Spectrum) -> Arra
         raise InvalidInput(
             "mean_separation: a pressure is zero; without any the surfaces are as far apart as you like."
         )
-    q = wave_numbers_for(spectrum, WAVES, crowded=2.0)
+    q = wave_numbers_for(spectrum, WAVE_NUMBERS, crowded=2.0)
     power = math.pi * q**4 * spectrum.at(q)
     t = np.sqrt(np.concatenate(([0.0], np.cumsum(0.5 * (power[1:] + power[:-1]) * np.diff(np.log(q))))))
     answer = np.zeros(given.size)
@@ -121,7 +121,9 @@ def _work(start: Array) -> Array:
     from scipy.special import erf, exp1
 
     nodes, weights = gauss_legendre(NODES)
-    rest = np.maximum(FARTHEST - start, 0.0)[:, None]
+    rest = np.maximum(FARTHEST_S - start, 0.0)[:, None]
     s = start[:, None] + rest * nodes
     with_touching = np.sum(rest * weights * erf(s) ** 2 * np.exp(-(s**2)) / s, axis=1)
-    return np.asarray(0.5 * GAMMA * exp1(np.minimum(start**2, 700.0)) + 3.0 * (1.0 - GAMMA) * with_touching)
+    return np.asarray(
+        0.5 * ENERGY_SHARE * exp1(np.minimum(start**2, 700.0)) + 3.0 * (1.0 - ENERGY_SHARE) * with_touching
+    )

@@ -34,20 +34,20 @@ from winkler.values import value
 __all__ = ["Reduction", "ReductionSolution", "reduce"]
 
 BARBER = "J. R. Barber, J. Strain Anal. 9 (1974) 230-232, doi:10.1243/03093247V094230"
-ENOUGH = 200
-"""Pixels of the deepest contact that are asked for."""
-STEP = 2.0
+LEAST_PIXELS = 200
+"""Pixels of the deepest contact that are requested."""
+DEPTH_FACTOR = 2.0
 """Depths are first divided by this, until forces are small."""
-DOWN = 16
-SMALL, BETWEEN, MET = 0.3, 0.8, 0.15
+MOST_DIVISIONS = 16
+SMALLEST_FORCE_SHARE, BETWEEN_SHARE, POINT_SHARE = 0.3, 0.8, 0.15
 """Parts of the tolerance: of the smallest force, of what may be missed between contacts, and at them."""
-MOST = 129
-NARROW = 1.01
+MOST_CONTACTS = 129
+NARROWEST_RATIO = 1.01
 """Depths closer than this are not divided: between them pixels come into contact one by one."""
-BEYOND = 1.0 + 1e-6
+DEPTH_MARGIN = 1.0 + 1e-6
 """The bed reaches a little deeper than asked, so that the asked depth is inside."""
 
-Row = tuple[float, float, float, float]
+ContactRow = tuple[float, float, float, float]
 """Depth [m], force [N], stiffness [N/m] and pixels of a contact."""
 
 
@@ -107,21 +107,21 @@ class Reduction:
         NotConverged
             If the tolerance is not met.
         """
-        deepest = next(SurfaceContact(self.topography, self.medium, Depth(BEYOND * self.depth)).steps())
+        deepest = next(SurfaceContact(self.topography, self.medium, Depth(DEPTH_MARGIN * self.depth)).steps())
         yield deepest
         pixels = int(np.count_nonzero(deepest.pressure))
-        if pixels < ENOUGH:
+        if pixels < LEAST_PIXELS:
             raise OutsideValidity(
                 f"reduce: at the depth {self.depth:.6g} m only {pixels} pixels touch, which tells too little of the "
-                f"contacts before; press until at least {ENOUGH} do, or give the map more pixels."
+                f"contacts before; press until at least {LEAST_PIXELS} do, or give the map more pixels."
             )
         done, allowed, state = [_row(deepest)], self.tolerance * deepest.force, deepest
-        while state.force > SMALL * allowed and len(done) < DOWN:
-            state = next(SurfaceContact(self.topography, self.medium, Depth(state.depth / STEP)).steps())
+        while state.force > SMALLEST_FORCE_SHARE * allowed and len(done) < MOST_DIVISIONS:
+            state = next(SurfaceContact(self.topography, self.medium, Depth(state.depth / DEPTH_FACTOR)).steps())
             done.insert(0, _row(state))
             yield state
-        while asked := self._between(done, BETWEEN * allowed):
-            if len(done) + len(asked) > MOST:
+        while asked := self._between(done, BETWEEN_SHARE * allowed):
+            if len(done) + len(asked) > MOST_CONTACTS:
                 raise self._lost(done)
             for state in SurfaceContact(self.topography, self.medium, Depth(np.array(asked))).steps():
                 done.append(_row(state))
@@ -131,25 +131,25 @@ class Reduction:
             raise self._lost(done)
 
     @staticmethod
-    def _between(done: list[Row], allowed: float) -> list[float]:
+    def _between(done: list[ContactRow], allowed: float) -> list[float]:
         """Return depths between contacts that leave more room for the force."""
         pairs = zip(itertools.pairwise(row[0] for row in done), room(_points(done)).tolist(), strict=True)
-        return [math.sqrt(low * high) for (low, high), left in pairs if left > allowed and high > NARROW * low]
+        return [math.sqrt(low * high) for (low, high), left in pairs if left > allowed and high > NARROWEST_RATIO * low]
 
-    def _lost(self, done: list[Row]) -> NotConverged:
+    def _lost(self, done: list[ContactRow]) -> NotConverged:
         return NotConverged(
-            f"reduce: {len(done)} contacts do not tell F(d) to {self.tolerance:.3g} of the greatest force; ask for a "
+            f"reduce: {len(done)} contacts do not tell F(d) to {self.tolerance:.3g} of the greatest force; give a "
             "larger tolerance, or give the map more pixels."
         )
 
     def _springs(self, points: Points) -> tuple[MeasuredBed, float]:
         """Return the springs behind contacts, and the bound on their misfit over the greatest force."""
         most = float(points.force[-1])
-        bed, missed = springs_of(points, self.medium, MET * self.tolerance * most)
+        bed, missed = springs_of(points, self.medium, POINT_SHARE * self.tolerance * most)
         return bed, (missed + max(float(np.max(room(points))), float(points.force[0]))) / most
 
     def gathered(self, states: Iterable[SurfaceState]) -> ReductionSolution:
-        """Return the answer from these contacts, all or the first of them; its misfit tells how well it is known.
+        """Return the solution made of these contacts, all or the first of them; its misfit tells how well it is known.
 
         Raises
         ------
@@ -173,22 +173,22 @@ class Reduction:
         return self.gathered(self.steps())
 
 
-def _row(state: SurfaceState) -> Row:
+def _row(state: SurfaceState) -> ContactRow:
     return state.depth, state.force, state.stiffness, float(np.count_nonzero(state.pressure))
 
 
-def _points(done: list[Row]) -> Points:
+def _points(done: list[ContactRow]) -> Points:
     return Points(*np.array(done).T)
 
 
 @value
 class ReductionSolution:
-    """The answer to a `Reduction`.
+    """The solution of a `Reduction`.
 
     Parameters
     ----------
     problem : Reduction
-        What was asked.
+        The problem that was solved.
     bed : MeasuredBed
         The springs; `bed.scatter` is the root mean square by which they miss the computed forces [N].
     misfit : float
@@ -255,7 +255,7 @@ def reduce(topography: Topography, medium: HomogeneousMedium, depth: float, *, t
     Returns
     -------
     MeasuredBed
-        For every problem that asks for no more than forces and depths.
+        For every problem that requires no more than forces and depths.
 
     Raises
     ------

@@ -19,9 +19,9 @@ from winkler.values import value
 __all__ = ["ReducedBed"]
 
 SMOOTHNESS = 1e-3
-MAP = Unknown(
+UNKNOWN_OUTLINE = Unknown(
     "a height map",
-    "ask SurfaceContact(topography, medium, load) for its pressure and area, SurfaceConduction for what it conducts, "
+    "use SurfaceContact(topography, medium, load) for its pressure and area, SurfaceConduction for what it conducts, "
     "or give Foundation(profile, medium)",
 )
 
@@ -32,7 +32,7 @@ def _none() -> Array:
 
 @value
 class ReducedBed(MeasuredBed):
-    """Springs that bear forces like a height map, for every problem that asks for no more than forces and depths.
+    """Springs that bear forces like a height map, for every problem that requires no more than forces and depths.
 
     Making one solves some ten contacts by boundary elements; what is asked of it afterwards takes milliseconds.
 
@@ -69,7 +69,7 @@ class ReducedBed(MeasuredBed):
     @property
     def footprint(self) -> Unknown:
         """Not known: spots of any outline."""
-        return MAP
+        return UNKNOWN_OUTLINE
 
     def __post_init__(self) -> None:
         found = _springs(Reduction(self.topography, self.pressed_into, self.depth, self.tolerance))

@@ -22,7 +22,7 @@ from winkler.values import value
 
 __all__ = ["Ensemble", "RoughLine", "ensemble", "line_seeds", "prescribed"]
 
-BAND = (0.1, 0.9)
+QUANTILES = (0.1, 0.9)
 """Quantiles between which eight of ten surfaces lie."""
 
 
@@ -126,5 +126,5 @@ def ensemble(lines: Iterable[RoughLine], load: Force | Depth) -> Ensemble:
     told: list[Array] = []
     for column in columns:
         told.append(np.median(column, axis=0).reshape(given.shape))
-        told.append(np.quantile(column, BAND, axis=0).reshape((2, *given.shape)))
+        told.append(np.quantile(column, QUANTILES, axis=0).reshape((2, *given.shape)))
     return Ensemble(*told)

@@ -32,7 +32,7 @@ from winkler.values import value
 
 __all__ = ["SurfaceConduction", "SurfaceConductionSolution"]
 
-CURVED = 0.2
+LARGEST_CURVED_SHARE = 0.2
 """Part of the mean square height that a paraboloid may make up before lines of springs, rough alone, mislead."""
 BARBER = "J. R. Barber, Proc. R. Soc. A 459 (2003) 53-66, doi:10.1098/rspa.2002.1038"
 
@@ -55,7 +55,7 @@ class SurfaceConduction:
     Raises
     ------
     InvalidInput
-        If something of another kind is given, or a number is out of range.
+        If an argument has the wrong type, or a number is out of range.
     OutsideValidity
         If there is a film, a plating or a rod.
 
@@ -113,12 +113,12 @@ class SurfaceConduction:
 
 @value
 class SurfaceConductionSolution:
-    """The answer to a `SurfaceConduction`; quantities have the shape of the load.
+    """The solution of a `SurfaceConduction`; quantities have the shape of the load.
 
     Parameters
     ----------
     problem : SurfaceConduction
-        What was asked.
+        The problem that was solved.
     contact : SurfaceContactSolution
         The contact by boundary elements.
     line : RoughContactSolution
@@ -196,6 +196,6 @@ class SurfaceConductionSolution:
         return (
             *self.contact.validity,
             *(note for note in line if note not in self.contact.validity),
-            *((curved,) if shape > CURVED else ()),
+            *((curved,) if shape > LARGEST_CURVED_SHARE else ()),
             bounds,
         )

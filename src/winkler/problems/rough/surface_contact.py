@@ -37,13 +37,13 @@ from winkler.values import value
 
 __all__ = ["SurfaceContact", "SurfaceContactSolution"]
 
-EDGE = (math.pi - 1.0 + math.log(2.0)) / 24.0
+EDGE_EXCESS = (math.pi - 1.0 + math.log(2.0)) / 24.0
 """What counted pixels give too much, per length of the edge of the contact and pixel size."""
-BLURRED = 0.25
+AREA_ERROR = 0.25
 """Error of the corrected area, likewise."""
-NEARBY = 0.25
+NEARBY_LOAD = 0.25
 """A load that differs by more than this part of it from the one before is begun on coarse grids: as fast."""
-PUNCHED = 3e-3
+PUNCH_TOLERANCE = 3e-3
 """Error of the depth under the flat punch that tells the stiffness: its own error is of the square, below 1e-6."""
 
 
@@ -178,7 +178,7 @@ class SurfaceContact:
         gaps, start, under, before, stiffness = rough.gaps, np.empty(0), np.empty(0), math.inf, math.inf
         for load in self._loads.tolist():
             drive = ByDepth(load) if isinstance(self.load, Depth) else ByLoad(load / (modulus * patch))
-            near = abs(load / before - 1.0) <= NEARBY
+            near = abs(load / before - 1.0) <= NEARBY_LOAD
             if near and under.size and math.isinf(self.hardness):  # nearly a flat punch of the shape of the contact
                 more = load - before if isinstance(self.load, Depth) else (load - before) / stiffness
                 start = np.maximum(start + more * under, 0.0)
@@ -195,7 +195,7 @@ class SurfaceContact:
                 stiffness, under = math.inf, np.empty(0)
             else:
                 try:
-                    under = punch(touching, pixel, periodic=rough.periodic, tolerance=PUNCHED, start=under)
+                    under = punch(touching, pixel, periodic=rough.periodic, tolerance=PUNCH_TOLERANCE, start=under)
                 except NotConverged as error:
                     raise NotConverged(f"SurfaceContact: under the load {load:.6g}, {error}") from None
                 stiffness = modulus * patch * float(np.sum(under))
@@ -205,7 +205,7 @@ class SurfaceContact:
             )  # fmt: skip
 
     def gathered(self, states: Iterable[SurfaceState]) -> SurfaceContactSolution:
-        """Return the answer from these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its beginning."""
         return SurfaceContactSolution.of(self, list(states))
 
     def solve(self) -> SurfaceContactSolution:
@@ -232,17 +232,17 @@ def _area(touching: Array, pixel: tuple[float, float], periodic: bool) -> tuple[
     else:
         across, along = np.diff(touching, axis=0), np.diff(touching, axis=1)
     edge = pixel[1] * np.count_nonzero(across) * pixel[0] + pixel[0] * np.count_nonzero(along) * pixel[1]
-    return counted - EDGE * float(edge), BLURRED * float(edge)
+    return counted - EDGE_EXCESS * float(edge), AREA_ERROR * float(edge)
 
 
 @value
 class SurfaceContactSolution:
-    """The answer to a `SurfaceContact`; quantities have the shape of the load.
+    """The solution of a `SurfaceContact`; quantities have the shape of the load.
 
     Parameters
     ----------
     problem : SurfaceContact
-        What was asked.
+        The problem that was solved.
     depth, force, stiffness, area, area_error, mean_gap, penetration, misfit : float or ndarray
         As in `SurfaceState`.
     last : SurfaceState

@@ -40,7 +40,7 @@ from winkler.values import value
 
 __all__ = ["ViscoelasticAdhesion", "ViscoelasticAdhesionSolution", "ViscoelasticAdhesionState"]
 
-RESTING = 1e-8
+RESTING_EXCESS = 1e-8
 """An edge that is driven by this part more than slow opening takes does not move."""
 
 
@@ -192,14 +192,14 @@ class ViscoelasticAdhesion:
                 crack.follow(positions[i - 1], position, time - times[i - 1])
             depth, force, release = crack.at(crack.radius, position)
             crack.lowest = min(crack.lowest, force)
-            speed = float(law.speed(release)) if release > (1.0 + RESTING) * law.work else 0.0
+            speed = float(law.speed(release)) if release > (1.0 + RESTING_EXCESS) * law.work else 0.0
             energy = crack.energy(crack.radius, position)
             yield ViscoelasticAdhesionState(
                 time, position, depth, force, crack.radius, speed, crack.lowest, crack.work, energy, crack.lost
             )
 
     def gathered(self, states: Iterable[ViscoelasticAdhesionState]) -> ViscoelasticAdhesionSolution:
-        """Return the answer from these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its beginning."""
         return gather(ViscoelasticAdhesionSolution, self, states)
 
     def solve(self) -> ViscoelasticAdhesionSolution:
@@ -219,12 +219,12 @@ class ViscoelasticAdhesion:
 
 @value
 class ViscoelasticAdhesionSolution:
-    """The answer to a `ViscoelasticAdhesion`, point by point of its path.
+    """The solution of a `ViscoelasticAdhesion`, point by point of its path.
 
     Parameters
     ----------
     problem : ViscoelasticAdhesion
-        What was asked.
+        The problem that was solved.
     time : ndarray, (steps,)
         [s].
     position, depth : ndarray, (steps,)

@@ -21,24 +21,24 @@ from winkler.problems.adhesion.edge import AdhesiveEdge, Machine
 
 __all__ = ["Crack"]
 
-GAMMA = 1.0 - math.sqrt(0.5)
+STAGE_WEIGHT = 1.0 - math.sqrt(0.5)
 """Of both stages of a step."""
-PACE = 0.05
+LONGEST_STEP = 0.05
 """Longest step: by this part of its radius the edge recedes, of its stretch the machine moves."""
-CLOSE = 1e-6
+STEP_TOLERANCE = 1e-6
 """Error of a step, in terms of the radius at the beginning."""
-GONE = 1e-4
+LEAST_CONTACT = 1e-4
 """A contact of this part of its radius is none any more, if the edge still recedes."""
 SAMPLES = 401
-"""Where the lowest force is looked for between two steps."""
-SETTLED = 1e-12
+"""Where the lowest force is sought between two steps."""
+RADIUS_TOLERANCE = 1e-12
 """A place that moves by this part of the radius between two trials is found."""
-TRIALS = 200
-MOST = 50_000
+MOST_TRIALS = 200
+MOST_STEPS = 50_000
 """Steps between two points of a path."""
-NO_TIME = 1e-12
+TIME_ROUNDING = 1e-12
 """Part of the machine's longest step that is none."""
-AT_ONCE = 1e9
+INSTANT_SPEED = 1e9
 """An edge that crosses the contact so often while the machine makes its longest step takes no time."""
 
 
@@ -122,28 +122,28 @@ class Crack:
         stretch = float(griffith.stretch(bed, self.law.work, place)[0])
         # the depth follows a soft machine slowly
         yielding = 1.0 + float(bed.stiffness(place)[0]) * self.machine.compliance
-        longest = PACE * yielding * stretch / abs(rate) if rate != 0.0 else math.inf
-        fastest = AT_ONCE * first / min(longest, duration)
+        longest = LONGEST_STEP * yielding * stretch / abs(rate) if rate != 0.0 else math.inf
+        fastest = INSTANT_SPEED * first / min(longest, duration)
         time, position = 0.0, start
         pace = min(self.pace, longest, duration)
         seen = [(0.0, self.at(first, start)[1])]
         release = self.at(first, start)[2]
-        for _ in range(MOST):
+        for _ in range(MOST_STEPS):
             at_once = self.radius
-            self._run(position, fastest, GONE * first)
+            self._run(position, fastest, LEAST_CONTACT * first)
             if self.radius < at_once:
                 self._drop(at_once, self.radius, position)
                 release = self.at(self.radius, position)[2]
-            if time >= duration or self.radius <= GONE * first:
+            if time >= duration or self.radius <= LEAST_CONTACT * first:
                 break
             left = duration - time
             dt = left if pace >= (1.0 - 1e-9) * left else pace
             done = self._halves(position, rate, dt)
-            error = abs(done[0].radius - done[2].radius) / (CLOSE * first) if done else math.inf
+            error = abs(done[0].radius - done[2].radius) / (STEP_TOLERANCE * first) if done else math.inf
             if done is None or error > 1.0:
                 pace = dt * max(0.2, 0.9 * error ** (-1.0 / 3.0))
-                if pace < NO_TIME * min(longest, duration):  # nothing holds it: it recedes a little at once
-                    at_once, self.radius = self.radius, self.radius * (1.0 - 0.01 * PACE)
+                if pace < TIME_ROUNDING * min(longest, duration):  # nothing holds it: it recedes a little at once
+                    at_once, self.radius = self.radius, self.radius * (1.0 - 0.01 * LONGEST_STEP)
                     self._drop(at_once, self.radius, position)
                     release = self.at(self.radius, position)[2]
                     pace = dt
@@ -162,7 +162,7 @@ class Crack:
             self.pace = pace
         else:
             raise NotConverged(f"ViscoelasticAdhesion: the edge takes ever shorter steps near {position:.6g} m.")
-        if self.radius <= GONE * first:
+        if self.radius <= LEAST_CONTACT * first:
             self._drop(self.radius, 0.0, position)
             self.radius = 0.0
         self.lowest = min(self.lowest, _least(*np.array(seen).T))
@@ -178,7 +178,7 @@ class Crack:
             return not float(self.law.speed(self.at(radius, position)[2])) <= most
 
         while self.radius > least and fast(self.radius):
-            low, high = (1.0 - PACE) * self.radius, self.radius
+            low, high = (1.0 - LONGEST_STEP) * self.radius, self.radius
             if not fast(low):
                 while low < 0.5 * (low + high) < high:
                     middle = 0.5 * (low + high)
@@ -196,28 +196,28 @@ class Crack:
 
     def _step(self, radius: float, position: float, rate: float, dt: float) -> _Place | None:
         """Return where one step leads."""
-        first = self._stage(radius, radius, position + GAMMA * rate * dt, GAMMA * dt)
+        first = self._stage(radius, radius, position + STAGE_WEIGHT * rate * dt, STAGE_WEIGHT * dt)
         if first is None:
             return None
-        base = radius - (1.0 - GAMMA) / GAMMA * (radius - first.radius)
-        second = self._stage(radius, base, position + rate * dt, GAMMA * dt)
+        base = radius - (1.0 - STAGE_WEIGHT) / STAGE_WEIGHT * (radius - first.radius)
+        second = self._stage(radius, base, position + rate * dt, STAGE_WEIGHT * dt)
         if second is None:
             return None
-        return second._replace(impulse=dt * ((1.0 - GAMMA) * first.force + GAMMA * second.force))
+        return second._replace(impulse=dt * ((1.0 - STAGE_WEIGHT) * first.force + STAGE_WEIGHT * second.force))
 
     def _stage(self, radius: float, base: float, position: float, dt: float) -> _Place | None:
         """Return where the edge is that recedes from `base` for a time at the speed of where it comes to."""
-        if base <= (1.0 - PACE) * radius:
+        if base <= (1.0 - LONGEST_STEP) * radius:
             return None
         _, force, most = self.at(base, position)
         if most <= self.law.work:
             return _Place(base, most, force, 0.0)
-        limit = float(self.law.opening(PACE * radius / dt))
+        limit = float(self.law.opening(LONGEST_STEP * radius / dt))
         low, high = self.law.work, min(most, limit)
         f_low = most - low
 
         def excess(release: float) -> tuple[float, float, float]:
-            place = max(base - dt * float(self.law.speed(release)), (1.0 - PACE) * radius)
+            place = max(base - dt * float(self.law.speed(release)), (1.0 - LONGEST_STEP) * radius)
             _, pull, there = self.at(place, position)
             return there - release, place, pull
 
@@ -231,11 +231,11 @@ class Crack:
         # from where the last stage came to; then the false position, which halves the end that stays (Illinois)
         release, side = high, 0
         trial = self.release if low < self.release < high else low + (high - low) * f_low / (f_low - f_high)
-        for _ in range(TRIALS):
+        for _ in range(MOST_TRIALS):
             if f_high == 0.0 or not low < trial < high:
                 break
             f, new, force = excess(trial)
-            settled = abs(new - place) <= SETTLED * radius
+            settled = abs(new - place) <= RADIUS_TOLERANCE * radius
             release, place = trial, new
             if f > 0.0:
                 low, f_low, f_high, side = trial, f, f_high * (0.5 if side > 0 else 1.0), 1

@@ -157,12 +157,12 @@ class RelaxationTest:
 
 @value
 class StepSolution:
-    """The answer to a `CreepTest` or a `RelaxationTest`.
+    """The solution of a `CreepTest` or a `RelaxationTest`.
 
     Parameters
     ----------
     problem : CreepTest or RelaxationTest
-        What was asked.
+        The problem that was solved.
     time : ndarray, (steps,)
         Since the step [s].
     depth : ndarray, (steps,)
@@ -199,7 +199,7 @@ class HarmonicIndentation:
     normal : Depth or Force
         The steady load about which it oscillates, one number; a Force needs a solid that does not flow for ever.
     angular_frequency : float or ndarray
-        omega [rad/s], positive; the answers have its shape.
+        omega [rad/s], positive; the results have its shape.
 
     Raises
     ------
@@ -268,12 +268,12 @@ class HarmonicIndentation:
 
 @value
 class HarmonicSolution:
-    """The answer to a `HarmonicIndentation`.
+    """The solution of a `HarmonicIndentation`.
 
     Parameters
     ----------
     problem : HarmonicIndentation
-        What was asked.
+        The problem that was solved.
     depth, radius : float
         d and a [m] of the steady contact.
     force : float

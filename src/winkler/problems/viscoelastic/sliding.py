@@ -45,7 +45,7 @@ __all__ = ["SlidingLine", "SlidingResistance", "SlidingResistanceSolution"]
 DOUBLINGS = 200
 NODES = 8
 """For what fades within an interval by no more than e: exact to rounding."""
-AGAIN = 1e-6
+RECONTACT_MARGIN = 1e-6
 """A spring behind the contact is touched again when the body is this part of the depth below it."""
 
 
@@ -82,7 +82,7 @@ class SlidingResistance:
     normal : Depth or Force
         The steady load, one positive number.
     speed : float or ndarray
-        v [m/s], positive; the answers have its shape.
+        v [m/s], positive; the results have its shape.
     count : int, optional
         Into how many parts the widest contact is cut; the error falls with its square, and is none of a paraboloid and
         a cone.
@@ -227,7 +227,7 @@ class SlidingResistance:
         left = depth - float(self.bed.gap(np.abs(np.array([0.5 * float(place[-1]) - let_go])))[0])
         weights = recovery.from_displacement * left + recovery.from_memory @ memory
         free = np.exp(-(place[behind, None] - let_go) / speed * recovery.rates) @ weights
-        if np.any(recess[behind] - free > AGAIN * depth):
+        if np.any(recess[behind] - free > RECONTACT_MARGIN * depth):
             raise OutsideValidity(
                 f"SlidingResistance: at {speed:.6g} m/s the body touches the surface again behind the contact, which "
                 "is no disc then; give a body whose flanks grow steeper, or another speed."
@@ -263,12 +263,12 @@ class SlidingLine:
 
 @value
 class SlidingResistanceSolution:
-    """The answer to a `SlidingResistance`; every quantity has the shape of the speed.
+    """The solution of a `SlidingResistance`; every quantity has the shape of the speed.
 
     Parameters
     ----------
     problem : SlidingResistance
-        What was asked.
+        The problem that was solved.
     speed : float or ndarray
         v [m/s].
     depth, force : float or ndarray
@@ -314,7 +314,7 @@ class SlidingResistanceSolution:
             speed, depth = (float(np.asarray(each)[index]) for each in (self.speed, self.depth))
         except (IndexError, TypeError):
             raise InvalidInput(
-                f"solution.line: there is no speed {index!r} in an answer of shape {np.shape(self.speed)}."
+                f"solution.line: there is no speed {index!r} in a solution of shape {np.shape(self.speed)}."
             ) from None
         done = self.problem._passed(depth, speed)
         return SlidingLine(done.place, done.loads)

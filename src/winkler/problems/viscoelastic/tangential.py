@@ -37,8 +37,8 @@ from winkler.problems.normal.solve_contact import at_depth
 from winkler.problems.normal.validity import contact_notes
 from winkler.problems.normal.yield_statement import relaxing_yield
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
-from winkler.problems.viscoelastic.march import Row, elastic_like, refuse_rings, relaxation_of
-from winkler.problems.viscoelastic.tangential_march import Dragged, Goal, Scales, shear_relaxation, travel
+from winkler.problems.viscoelastic.march import SpringRow, elastic_like, refuse_rings, relaxation_of
+from winkler.problems.viscoelastic.tangential_march import Goal, Scales, ShearedMarch, shear_relaxation, travel
 from winkler.problems.viscoelastic.tangential_states import ViscoelasticTangentialState, stick_radius
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
@@ -159,7 +159,7 @@ class ViscoelasticTangential:
                 row.displaced.copy(), row.stuck,
             )  # fmt: skip
 
-    def _start(self) -> tuple[Dragged, Scales]:
+    def _start(self) -> tuple[ShearedMarch, Scales]:
         """Return the row before anything has happened, and what counts as little on this path."""
         deepest = self._normal._deepest
         if deepest == 0.0:
@@ -169,7 +169,7 @@ class ViscoelasticTangential:
         springs = Springs.of(elastic, float(reach[0]), self.count)
         normal, shear = relaxation_of("", self.bed), shear_relaxation(_medium(self.bed), self.bed.footprint.shear_share)
         by_depth, by_shift = isinstance(self.path.normal, Depth), isinstance(self.path.lateral, Shift)
-        row = Dragged(Row(elastic, springs, normal), shear, self.law.coefficient, by_depth, by_shift)
+        row = ShearedMarch(SpringRow(elastic, springs, normal), shear, self.law.coefficient, by_depth, by_shift)
         row.row.motion[0] = min(float(self.path.across[0]), 0.0) if by_depth else row.row.depth
         # the hardest that the springs may answer: glassy, or as they are within the time that the path takes
         quick = 1.0 / max(float(self.path.time[-1] - self.path.time[0]), 1e-300)
@@ -187,7 +187,7 @@ class ViscoelasticTangential:
         little = self.tolerance
         return row, Scales(little * deepest, little * way, little * borne, little * borne * way, force)
 
-    def _sudden(self, row: Dragged, goal: Goal, time: float, scales: Scales) -> Dragged:
+    def _sudden(self, row: ShearedMarch, goal: Goal, time: float, scales: Scales) -> ShearedMarch:
         """Press and then move the bodies at once, as far as a dashpot lets them."""
         stubborn = row.row.series.viscosity > 0.0
         here = Goal(goal.across, row.shift if row.by_shift else row.turn.shear_force)
@@ -210,7 +210,7 @@ class ViscoelasticTangential:
         return row.step(Goal(row.row.depth, goal.along), 0.0, row.turn.force, scales)
 
     def gathered(self, states: Iterable[ViscoelasticTangentialState]) -> ViscoelasticTangentialSolution:
-        """Return the answer from these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its beginning."""
         return gather(ViscoelasticTangentialSolution, self, states)
 
     def solve(self) -> ViscoelasticTangentialSolution:
@@ -235,12 +235,12 @@ def _medium(bed: Bed) -> ViscoelasticHalfSpace:
 
 @value
 class ViscoelasticTangentialSolution:
-    """The answer to a `ViscoelasticTangential`, point by point of its path.
+    """The solution of a `ViscoelasticTangential`, point by point of its path.
 
     Parameters
     ----------
     problem : ViscoelasticTangential
-        What was asked.
+        The problem that was solved.
     time : ndarray, (steps,)
         [s].
     depth, force, radius : ndarray, (steps,)

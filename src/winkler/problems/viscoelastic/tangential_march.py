@@ -15,16 +15,16 @@ from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSer
 from winkler.numerics.springs.free_relaxation import Recovery
 from winkler.numerics.springs.relaxing_friction import drag
 from winkler.numerics.types import Array
-from winkler.problems.viscoelastic.march import Row
+from winkler.problems.viscoelastic.march import SpringRow
 
-__all__ = ["Dragged", "Goal", "Scales", "Turn", "shear_relaxation", "travel"]
+__all__ = ["Goal", "Scales", "ShearedMarch", "Turn", "shear_relaxation", "travel"]
 
-TRIALS = 200
-MET = 1e-12
+MOST_TRIALS = 200
+FORCE_TOLERANCE = 1e-12
 """Part of what friction bears to which a shear force is met."""
-SHORTEST = 1e-12
+SHORTEST_STEP = 1e-12
 """Part of a stretch of the path below which no step falls."""
-REST = 1e-11
+RESTING_FORCE = 1e-11
 """A body under no force rests on the surface with this part of the greatest one."""
 
 
@@ -80,10 +80,10 @@ class Turn(NamedTuple):
     ring: bool
 
 
-STILL = Turn(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False)
+AT_REST = Turn(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False)
 
 
-class Dragged:
+class ShearedMarch:
     """A row of springs that relax in both directions.
 
     Parameters
@@ -98,7 +98,9 @@ class Dragged:
         What is prescribed.
     """
 
-    def __init__(self, row: Row, shear: RelaxationSeries, coefficient: float, by_depth: bool, by_shift: bool) -> None:
+    def __init__(
+        self, row: SpringRow, shear: RelaxationSeries, coefficient: float, by_depth: bool, by_shift: bool
+    ) -> None:
         self.row, self.shear, self.coefficient = row, shear, coefficient
         self.by_depth, self.by_shift = by_depth, by_shift
         count = row.springs.gap.size
@@ -107,12 +109,12 @@ class Dragged:
         self.displaced, self.memory = np.zeros(count), np.zeros((count, recovery.rates.size))
         self.free = np.zeros(count, dtype=bool)
         self.loads, self.bounds, self.stuck = np.zeros(count), np.zeros(count), np.zeros(count, dtype=bool)
-        self.shift, self.rate, self.slide, self.turn = 0.0, 0.0, 0.0, STILL
+        self.shift, self.rate, self.slide, self.turn = 0.0, 0.0, 0.0, AT_REST
         self.pressing, self.shearing = 0.0, 0.0
 
-    def copy(self) -> Dragged:
+    def copy(self) -> ShearedMarch:
         """Return a row that may be carried on without this one."""
-        twin = object.__new__(Dragged)
+        twin = object.__new__(ShearedMarch)
         twin.__dict__.update(self.__dict__)
         twin.row, twin.displaced, twin.memory = self.row.copy(), self.displaced.copy(), self.memory.copy()
         twin.free = self.free.copy()
@@ -123,7 +125,7 @@ class Dragged:
         loads = np.maximum(self.row.loads(), 0.0)
         return np.where(loads > 0.0, self.coefficient * np.where(loads > 0.0, loads, 1.0), 0.0)
 
-    def step(self, goal: Goal, dt: float, force: float, scales: Scales) -> Dragged:
+    def step(self, goal: Goal, dt: float, force: float, scales: Scales) -> ShearedMarch:
         """Return the row after a step to what is prescribed at its end.
 
         `force` is what the springs are to bear across the surface, at the end or in the mean as `Row.towards` has it.
@@ -161,7 +163,7 @@ class Dragged:
         """Return by how much the bodies move until the springs bear a shear force."""
         weights = self.row.row[1]
         most = float(weights @ np.where(np.isfinite(bounds), bounds, 0.0)) if math.isfinite(self.coefficient) else 0.0
-        close = MET * max(most, abs(wanted))
+        close = FORCE_TOLERANCE * max(most, abs(wanted))
         if math.isfinite(self.coefficient) and abs(wanted) > most + close:
             raise OutsideValidity(
                 f"ViscoelasticTangential: friction bears {most:.6g} N, less than the shear force of {wanted:.6g} N "
@@ -169,7 +171,7 @@ class Dragged:
             )
         sums, loads, stuck = np.empty(6), np.empty(weights.size), np.empty(weights.size, dtype=bool)
         low, high, moved, stride = -math.inf, math.inf, self.slide * dt, 0.0
-        for turn in range(TRIALS):
+        for turn in range(MOST_TRIALS):
             drag(
                 self.law, weights, self.bounds, bounds, share, dt, moved, self.displaced.copy(), self.memory.copy(),
                 self.free.copy(), loads, stuck, sums,
@@ -192,7 +194,9 @@ class Dragged:
         raise NotConverged(f"The springs find no shift at which they bear the shear force {wanted:.6g} N.")
 
 
-def travel(row: Dragged, start: Goal, end: Goal, duration: float, pace: float, scales: Scales) -> tuple[Dragged, float]:
+def travel(
+    row: ShearedMarch, start: Goal, end: Goal, duration: float, pace: float, scales: Scales
+) -> tuple[ShearedMarch, float]:
     """Carry a row from one point of the path to the next, and return the pace at which it arrives.
 
     Every step is made at once and in halves; the halves are kept, and what both disagree by is its error.
@@ -206,7 +210,9 @@ def travel(row: Dragged, start: Goal, end: Goal, duration: float, pace: float, s
             dt = duration - done
         begin, step = done / duration, dt / duration
         middle, last = (start.towards(end, begin + part * step) for part in (0.5, 1.0))
-        early, late, both = (max(start.towards(end, begin + part * step).across, REST * scales.force) for part in parts)
+        early, late, both = (
+            max(start.towards(end, begin + part * step).across, RESTING_FORCE * scales.force) for part in parts
+        )
         half = row.step(middle, 0.5 * dt, early, scales)
         two = half.step(last, 0.5 * dt, late, scales)
         one = row.step(last, dt, both, scales)
@@ -217,7 +223,7 @@ def travel(row: Dragged, start: Goal, end: Goal, duration: float, pace: float, s
             0.0 if row.by_depth else abs(one.row.depth - two.row.depth) / scales.depth,
         )
         if error > 1.0:
-            if dt < SHORTEST * duration:
+            if dt < SHORTEST_STEP * duration:
                 raise NotConverged(
                     "ViscoelasticTangential: the springs need ever shorter steps; allow a greater tolerance."
                 )

@@ -28,7 +28,7 @@ from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import WORN
 from winkler.problems.wear.input_checks import Cells, WearTolerance, wearable
 from winkler.problems.wear.line import Rubbed, WearLine, WornContact, wear_line
-from winkler.problems.wear.march import Moment
+from winkler.problems.wear.march import WearMoment
 from winkler.problems.wear.states import FrettingState, goals_of
 from winkler.problems.wear.validity import fretting_notes
 from winkler.problems.wear.worn_states import pressed_moment, worn_states
@@ -135,7 +135,7 @@ class FrettingWear:
             )
 
     def _stick_radius(self, radius: float, nodes: Array) -> float:
-        """Return the radius of the core that sticks at first [m], looked for on an even grid; zero if all sticks."""
+        """Return the radius of the core that sticks at first [m], sought on an even grid; zero if all sticks."""
         line = wear_line(self.bed, nodes)
         core = self._rubbed(line, line.press(np.zeros(nodes.size), self.normal)).stick_radius
         return core if core < radius else 0.0
@@ -146,7 +146,7 @@ class FrettingWear:
         return int(self.goals.size)
 
     def steps(self, start: FrettingState | None = None) -> Iterator[FrettingState]:
-        """Yield the contact at every number of cycles that was asked for.
+        """Yield the contact at every number of cycles that was requested.
 
         Parameters
         ----------
@@ -164,7 +164,7 @@ class FrettingWear:
         """
         return worn_states(self, start, self._stick_radius)
 
-    def state(self, moment: Moment) -> FrettingState:
+    def state(self, moment: WearMoment) -> FrettingState:
         """Return what is known of the contact."""
         line, contact, known = pressed_moment(self, moment)
         rubbed = self._rubbed(line, contact)
@@ -175,7 +175,7 @@ class FrettingWear:
         )  # fmt: skip
 
     def gathered(self, states: Iterable[FrettingState]) -> FrettingSolution:
-        """Return the answer from these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its beginning."""
         reached = list(states)
         cycles = np.array([state.elapsed for state in reached])
         return gather(FrettingSolution, self, reached, cycles=cycles)
@@ -197,12 +197,12 @@ class FrettingWear:
 
 @value
 class FrettingSolution:
-    """The answer to a `FrettingWear`, state by state.
+    """The solution of a `FrettingWear`, state by state.
 
     Parameters
     ----------
     problem : FrettingWear
-        What was asked.
+        The problem that was solved.
     cycles : ndarray, (steps,)
         n [-].
     depth, force, radius : ndarray, (steps,)

@@ -41,7 +41,7 @@ __all__ = ["Core", "LimitingProfile", "LimitingSolution"]
 POPOV = "V. L. Popov, Sci. Rep. 4 (2014) 3749, doi:10.1038/srep03749"
 NODES = 64
 SAMPLES = 513
-MIDDLE = 1e-9
+MIDDLE_RADIUS = 1e-9
 """Part of the contact that stands for its middle, where springs of graded media are known in the limit only."""
 
 
@@ -82,7 +82,7 @@ class Core:
 ONE_DEPTH = Such(
     lambda load: numbers_of(load).ndim == 0 and float(load.depth) > 0.0,
     "give Depth(d) with one positive number: under a steady force the core takes over what the worn ring lets go, "
-    "ask for FrettingWear",
+    "use FrettingWear",
 )
 ONE_SHIFT = Such(
     lambda load: numbers_of(load).ndim == 0 and float(load.shift) > 0.0,
@@ -172,12 +172,12 @@ class LimitingProfile:
             return np.asarray(self.law.coefficient * ratio * (depth - bed.gap(x)) - moved)
 
         place = radius * np.linspace(0.0, 1.0, SAMPLES)
-        place[0] = MIDDLE * radius
+        place[0] = MIDDLE_RADIUS * radius
         sticks = margin(place) >= 0.0
         if not sticks[0]:
             raise OutsideValidity(
                 f"LimitingProfile: with an amplitude of {moved:.6g} m everything slips; such a contact wears without "
-                "end: give a smaller amplitude, or ask for FrettingWear."
+                "end: give a smaller amplitude, or use FrettingWear."
             )
         if np.all(sticks):
             raise OutsideValidity(
@@ -210,12 +210,12 @@ class LimitingProfile:
 
 @value
 class LimitingSolution:
-    """The answer to a `LimitingProfile`.
+    """The solution of a `LimitingProfile`.
 
     Parameters
     ----------
     problem : LimitingProfile
-        What was asked.
+        The problem that was solved.
     core : Core
         The springs that bear.
     radius : float

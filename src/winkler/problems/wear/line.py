@@ -28,12 +28,12 @@ from winkler.numerics.types import Array
 
 __all__ = ["Rubbed", "WearLine", "WornContact", "wear_line"]
 
-TRIALS = 100
-MET = 1e-13
+MOST_TRIALS = 100
+FORCE_TOLERANCE = 1e-13
 """Part of a force to which it is met."""
-LOST, ROUNDED = 12, 1e-9
+LATE_TRIAL, LATE_TOLERANCE = 12, 1e-9
 """After so many trials a force may be met to that part, which rounding leaves."""
-CLOSE = 8.0 * np.finfo(float).eps
+DEPTH_TOLERANCE = 8.0 * np.finfo(float).eps
 """Part of the greatest gap to which a depth is known."""
 
 
@@ -137,16 +137,16 @@ class WearLine:
         depth = float(np.interp(force, climbing * areas - means, climbing))
         if depth == climbing[-1]:
             depth = float((force + means[-1]) / areas[-1])
-        for trial in range(TRIALS):
+        for trial in range(MOST_TRIALS):
             stretch = depth - gap
             cut = self._cuts(stretch)
             error = 2.0 * self.modulus * self.rings.integral(stretch, cut) - force
             # where much is worn off, depth and gap are great against the stretch: rounding leaves less of it
-            if abs(error) <= MET * force or (trial > LOST and abs(error) <= ROUNDED * force):
+            if abs(error) <= FORCE_TOLERANCE * force or (trial > LATE_TRIAL and abs(error) <= LATE_TOLERANCE * force):
                 return depth
             slope = 2.0 * self.modulus * self.rings.inside(cut, float(squares[-1]) if stretch[-1] > 0.0 else 0.0)
             following = depth - error / slope if slope > 0.0 else float(np.max(gap))
-            if abs(following - depth) <= CLOSE * float(np.max(np.abs(gap))):
+            if abs(following - depth) <= DEPTH_TOLERANCE * float(np.max(np.abs(gap))):
                 return following
             depth = following
         raise NotConverged(f"The worn contact finds no depth at which it bears {force:.6g} N; take more nodes.")

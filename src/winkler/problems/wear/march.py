@@ -29,28 +29,28 @@ from winkler.numerics.types import Array
 from winkler.problems.wear.line import WearLine, WornContact, wear_line
 from winkler.problems.wear.rates import SlidingSystem, law_slope
 
-__all__ = ["Moment", "Wearing", "first_nodes", "march", "scale_of"]
+__all__ = ["WearMoment", "Wearing", "first_nodes", "march", "scale_of"]
 
-FIRST = 2e-3
+FIRST_JUMP = 2e-3
 """Part of the depth that the first jump wears off."""
-MARGIN = 1.2
+RATE_MARGIN = 1.2
 """On the fastest rate, which is a bound for steady slip; slip grows where wear sets in."""
-CROWDED = 0.95
+WIDENING_SHARE = 0.95
 """Part of the grid at which a growing contact gets a wider one."""
-GROWTH = 1.5
-SMALL = 1e-2
+GRID_GROWTH = 1.5
+UNCHECKED_SHARE = 1e-2
 """Part of the error allowed in a jump that may be worn off at once, without looking."""
-STIFF = 3000.0
+STIFF_DECAYS = 3000.0
 """How often the shortest waves must have decayed, by a factor e, before jumps are implicit."""
-FEW_STAGES = 4
+EXPLICIT_STAGES = 4
 """A jump of not more stages is cheaper than an implicit one."""
-SHORTER = 0.2
+RETRY_FACTOR = 0.2
 """Part of a jump that failed, to be tried next."""
-SHORTEST = 1e-13
+SHORTEST_JUMP = 1e-13
 """Part of a way at which jumps are given up."""
 
 
-class Moment(NamedTuple):
+class WearMoment(NamedTuple):
     """How far wear has come.
 
     Parameters
@@ -118,15 +118,15 @@ def first_nodes(bed: Foundation, normal: Normal, radius: float, core: float, cou
     """
     if isinstance(normal, Depth) and radius < bed.rim:
         depth = float(normal.depth)
-        high = GROWTH * radius
+        high = GRID_GROWTH * radius
         while high < bed.reach and float(bed.height(np.array([min(high, bed.reach)]))[0]) < depth:
-            high *= GROWTH
+            high *= GRID_GROWTH
         high = min(high, bed.reach, bed.rim)
         if float(bed.height(np.array([high]))[0]) > depth:
             found = between(lambda r, _: bed.height(r) - depth, np.array([0.5 * radius]), np.array([high]))
             high = min(1.02 * float(found[0]), bed.reach, bed.rim)
     else:
-        high = min(GROWTH * radius, bed.reach, bed.rim)
+        high = min(GRID_GROWTH * radius, bed.reach, bed.rim)
     return _nodes(core, high, bed.rim, count)
 
 
@@ -143,7 +143,7 @@ def _nodes(core: float, reach: float, rim: float, count: int) -> Array:
     return np.append(inside, core + (reach - core) * np.linspace(0.0, 1.0, count - inner + 1) ** 2)
 
 
-def march(problem: Wearing, goals: Array, moment: Moment, *, everywhere: bool = False) -> Iterator[Moment]:
+def march(problem: Wearing, goals: Array, moment: WearMoment, *, everywhere: bool = False) -> Iterator[WearMoment]:
     """Yield how far wear has come, at every goal beyond where it begins.
 
     Parameters
@@ -205,7 +205,7 @@ class _Worn:
         return _Tried(*parts, float(np.max(np.abs(error))) / scale)
 
 
-def _advance(problem: Wearing, moment: Moment, goal: float, everywhere: bool) -> Moment:
+def _advance(problem: Wearing, moment: WearMoment, goal: float, everywhere: bool) -> WearMoment:
     """Go on to a goal."""
     elapsed, jump, nodes, worn = moment
     here = _Worn(problem, nodes)
@@ -213,21 +213,21 @@ def _advance(problem: Wearing, moment: Moment, goal: float, everywhere: bool) ->
     problem.refuse(contact, elapsed)
     begun, overrun = elapsed, False
     while elapsed < goal:
-        if overrun or (here.nodes[-1] < _end(problem.bed) and contact.radius > CROWDED * here.nodes[-1]):
+        if overrun or (here.nodes[-1] < _end(problem.bed) and contact.radius > WIDENING_SHARE * here.nodes[-1]):
             nodes, worn = _wider(problem.bed, here.nodes, worn)
             here, overrun = _Worn(problem, nodes), False
             contact, first = here.contact(worn), here.rates(worn)
         fastest = float(np.max(first))
         scale = problem.tolerance * scale_of(problem, contact)
-        if fastest * (goal - elapsed) <= SMALL * scale:
-            return Moment(goal, jump, here.nodes, worn + (goal - elapsed) * first)
-        damping = MARGIN * _damping(problem, here.line, contact)
-        wanted = jump if jump > 0.0 else FIRST * contact.depth / fastest
+        if fastest * (goal - elapsed) <= UNCHECKED_SHARE * scale:
+            return WearMoment(goal, jump, here.nodes, worn + (goal - elapsed) * first)
+        damping = RATE_MARGIN * _damping(problem, here.line, contact)
+        wanted = jump if jump > 0.0 else FIRST_JUMP * contact.depth / fastest
         length = min(wanted, goal - elapsed)
-        settled = everywhere and elapsed * damping > STIFF and stages_for(length, damping) > FEW_STAGES
+        settled = everywhere and elapsed * damping > STIFF_DECAYS and stages_for(length, damping) > EXPLICIT_STAGES
         if not settled:
             length = min(length, longest(MOST_STAGES, damping))
-        if length < SHORTEST * max(goal - begun, elapsed) and length < goal - elapsed:
+        if length < SHORTEST_JUMP * max(goal - begun, elapsed) and length < goal - elapsed:
             raise NotConverged(
                 f"Wear: after {elapsed:.6g} the jumps become too short to go on; take more nodes or a smaller "
                 "tolerance."
@@ -239,11 +239,11 @@ def _advance(problem: Wearing, moment: Moment, goal: float, everywhere: bool) ->
                 else:
                     tried = here.explicit(worn, first, length, stages_for(length, damping), scale)
         except (FloatingPointError, NotConverged):
-            jump = SHORTER * length
+            jump = RETRY_FACTOR * length
             continue
         error = tried.error
         if not error <= 1.0:
-            jump = length * (max(0.2, 0.8 * error ** (-1.0 / 3.0)) if math.isfinite(error) else SHORTER)
+            jump = length * (max(0.2, 0.8 * error ** (-1.0 / 3.0)) if math.isfinite(error) else RETRY_FACTOR)
             continue
         # what is worn off does not come back, whatever rounding says
         back = bool(np.any(tried.end < worn))
@@ -260,7 +260,7 @@ def _advance(problem: Wearing, moment: Moment, goal: float, everywhere: bool) ->
         problem.refuse(contact, elapsed)
         _refuse_outgrown(problem.bed, contact, here.nodes)
         first = here.rates(worn) if back else tried.last
-    return Moment(elapsed, jump, here.nodes, worn)
+    return WearMoment(elapsed, jump, here.nodes, worn)
 
 
 def scale_of(problem: Wearing, contact: WornContact) -> float:
@@ -289,7 +289,7 @@ def _refuse_outgrown(bed: Foundation, contact: WornContact, nodes: Array) -> Non
 
 def _wider(bed: Foundation, nodes: Array, worn: Array) -> tuple[Array, Array]:
     """Return a wider grid, and what was worn on it."""
-    reach = min(GROWTH * float(nodes[-1]), bed.reach, bed.rim)
+    reach = min(GRID_GROWTH * float(nodes[-1]), bed.reach, bed.rim)
     # the core has moved by then: a grid of even steps serves as well
     wide = _nodes(0.0, reach, bed.rim, nodes.size - 1)
     return wide, np.stack([ring_means(nodes**2, row, wide**2) for row in worn])

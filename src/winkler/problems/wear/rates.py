@@ -21,13 +21,13 @@ from winkler.problems.wear.line import WearLine, WornContact
 
 __all__ = ["SlidingSystem", "law_slope"]
 
-NEAR = 1e-6
+DIFFERENCE_STEP = 1e-6
 """Change over which differences are taken, relative to the greatest number around."""
 
 
 def law_slope(law: WearLaw, pressure: Array) -> Array:
     """Return how the worn depth per slip of both bodies grows with the pressure [1/Pa]."""
-    near = NEAR * float(np.max(pressure))
+    near = DIFFERENCE_STEP * float(np.max(pressure))
     if near == 0.0:
         return np.zeros(pressure.shape)
     here, there = (np.sum(worn_by(law, pressure + more), axis=0) for more in (0.0, near))
@@ -99,7 +99,7 @@ class SlidingSystem:
 
     def _difference(self, stretch: Array, node: int) -> tuple[Array, float]:
         """Return how pressures and force change with the stretch of one spring beside an edge."""
-        step = NEAR * float(np.max(np.abs(stretch[max(node - 1, 0) : node + 2])))
+        step = DIFFERENCE_STEP * float(np.max(np.abs(stretch[max(node - 1, 0) : node + 2])))
         sides = []
         for sign in (1.0, -1.0):
             moved = stretch.copy()

@@ -8,14 +8,14 @@ from winkler.errors import InvalidInput
 from winkler.foundation.foundation import Foundation
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.wear.line import wear_line
-from winkler.problems.wear.march import Moment
+from winkler.problems.wear.march import WearMoment
 from winkler.values import value
 
 __all__ = ["FrettingState", "WearState", "goals_of"]
 
-STATES = 41
+DEFAULT_STATES = 41
 """How many states are told if only the end is given."""
-FEW = 5
+NUMBERS_IN_SENTENCE = 5
 """So many numbers of a row are repeated in a sentence about it."""
 
 
@@ -53,9 +53,9 @@ class WearState:
     pressure: Array
 
     @property
-    def moment(self) -> Moment:
+    def moment(self) -> WearMoment:
         """From where the march goes on."""
-        return Moment(self.elapsed, self.jump, np.array(self.radii), np.stack([self.first_worn, self.second_worn]))
+        return WearMoment(self.elapsed, self.jump, np.array(self.radii), np.stack([self.first_worn, self.second_worn]))
 
     @property
     def worn(self) -> Array:
@@ -117,7 +117,7 @@ class FrettingState(WearState):
 def goals_of(owner: str, word: str, unit: str, given: Quantity) -> Array:
     """Return where states are told, rising, zero or more.
 
-    One number stands for so far and `STATES` states on the way, closer at the beginning where wear is fastest.
+    One number stands for so far and `DEFAULT_STATES` states on the way, closer at the beginning where wear is fastest.
 
     Raises
     ------
@@ -127,13 +127,17 @@ def goals_of(owner: str, word: str, unit: str, given: Quantity) -> Array:
     numbers = np.asarray(given)
     sound = numbers.dtype.kind in "fiu" and numbers.size > 0 and numbers.ndim <= 1
     row = np.ravel(numbers) if sound else np.zeros(1)
-    more = ", ..." if row.size > FEW else ""
-    said = f"[{', '.join(f'{each:g}' for each in row[:FEW])}{more}]" if sound and numbers.ndim else repr(given)
+    more = ", ..." if row.size > NUMBERS_IN_SENTENCE else ""
+    said = (
+        f"[{', '.join(f'{each:g}' for each in row[:NUMBERS_IN_SENTENCE])}{more}]"
+        if sound and numbers.ndim
+        else repr(given)
+    )
     if not (np.all(np.isfinite(row)) and row[0] >= 0.0 and row[-1] > 0.0 and np.all(np.diff(row) > 0.0)):
         raise InvalidInput(
             f"{owner}: {word} is {said}; give one positive number{unit}, or a row of numbers that rise from zero or "
             "more: where the contact is told."
         )
     if numbers.ndim == 0:
-        return np.asarray(float(numbers) * np.linspace(0.0, 1.0, STATES) ** 2)
+        return np.asarray(float(numbers) * np.linspace(0.0, 1.0, DEFAULT_STATES) ** 2)
     return np.asarray(numbers, dtype=float)

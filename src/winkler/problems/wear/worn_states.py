@@ -11,7 +11,7 @@ from winkler.numerics.types import Array
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.wear.input_checks import touching
 from winkler.problems.wear.line import WearLine, WornContact, wear_line
-from winkler.problems.wear.march import Moment, Wearing, first_nodes, march, scale_of
+from winkler.problems.wear.march import Wearing, WearMoment, first_nodes, march, scale_of
 
 __all__ = ["pressed_moment", "worn_states"]
 
@@ -27,7 +27,7 @@ def worn_states(problem: Any, start: Any, core: Callable[[float, Array], float] 
         nodes = first_nodes(problem.bed, problem.normal, radius, 0.0, problem.count)
         if core is not None:  # it gets a node of its own
             nodes = first_nodes(problem.bed, problem.normal, radius, core(radius, nodes), problem.count)
-        moment = Moment(0.0, 0.0, nodes, np.zeros((2, nodes.size)))
+        moment = WearMoment(0.0, 0.0, nodes, np.zeros((2, nodes.size)))
         if problem.goals[0] == 0.0:
             yield problem.state(moment)
     else:
@@ -36,7 +36,7 @@ def worn_states(problem: Any, start: Any, core: Callable[[float, Array], float] 
         yield problem.state(reached)
 
 
-def pressed_moment(problem: Wearing, moment: Moment) -> tuple[WearLine, WornContact, dict[str, Any]]:
+def pressed_moment(problem: Wearing, moment: WearMoment) -> tuple[WearLine, WornContact, dict[str, Any]]:
     """Return the springs, the contact on them, and the numbers of a `winkler.problems.wear.states.WearState`."""
     line, worn = wear_line(problem.bed, moment.nodes), moment.worn.sum(axis=0)
     contact = line.press(worn, problem.normal)
