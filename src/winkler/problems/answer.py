@@ -167,7 +167,7 @@ def gather(solution: type[Result], problem: Any, states: Iterable[object], **oth
 
     Parameters
     ----------
-    answer : type
+    solution : type
         The class; its fields are attributes of the states, but for ``problem`` and ``states`` themselves.
     problem
         What was solved.
@@ -180,9 +180,7 @@ def gather(solution: type[Result], problem: Any, states: Iterable[object], **oth
     fields = {"problem": problem, "states": reached, **others}
     return solution(
         **{
-            name: fields[name]
-            if name in fields
-            else np.array([getattr(state, name) for state in reached])
+            name: fields[name] if name in fields else np.array([getattr(state, name) for state in reached])
             for name in getattr(solution, "__dataclass_fields__", ())
         }
     )

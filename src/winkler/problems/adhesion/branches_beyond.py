@@ -62,10 +62,10 @@ def branches_beyond(states: EdgeStates, machine_stiffness: float, level: float) 
             high = end * (1.0 - max(2.0 ** (math.log2(end / low) - octave - 4.0), 1e-14))
         if high < min(4.0 * quiet, 0.9 * end) or _level(states, machine_stiffness, high) <= level:
             continue
-        found = branches(states, machine_stiffness, high)
-        last = found[-1] if found else Branch(high, 0.0)
+        stable = branches(states, machine_stiffness, high)
+        last = stable[-1] if stable else Branch(high, 0.0)
         if last.stop == high and (last.start <= 0.25 * high or high >= 0.9 * end):
-            return found
+            return stable
     raise OutsideValidity(_WAVING)
 
 
@@ -116,5 +116,5 @@ def _unstable(states: EdgeStates, radius: Array) -> Array:
 
 def _level(states: EdgeStates, machine_stiffness: float, radius: float) -> float:
     with np.errstate(all="ignore"):
-        found = float(position(states, machine_stiffness, np.array([radius]))[0])
-    return found if not math.isnan(found) else math.inf
+        stable = float(position(states, machine_stiffness, np.array([radius]))[0])
+    return stable if not math.isnan(stable) else math.inf

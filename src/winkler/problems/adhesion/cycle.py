@@ -6,7 +6,7 @@ closing and opening, and where it loses its hold it runs on to the next radius t
 .. math:: \mathrm dW = F\,\mathrm dD = \mathrm d\bigl(U - w_\mathrm{c}\pi a^2 + \tfrac12 F^2/k_\mathrm{m}\bigr)
           + (w_\mathrm{o}-w_\mathrm{c})\,2\pi a\,(-\mathrm da)_{\text{receding}} ,
 
-in a jump the total potential falls at a constant position D (or force), and what it falls by is lost.  The answer
+in a jump the total potential falls at a constant position D (or force), and what it falls by is lost.  The result
 depends on the turning points of the path alone, not on how many points lie between them.
 """
 
@@ -144,9 +144,9 @@ class AdhesiveCycle:
         edge, levels = self._edge, self._levels
         place, lost, wasted = edge.apart(), 0.0, 0.0
         for run, rising in _runs(levels):
-            asked = levels[run.start : run.stop]
-            places, leaps = (edge.closing.rise if rising else edge.opening.fall)(place, asked)
-            depths, forces, radii = edge.state(places, asked)
+            targets = levels[run.start : run.stop]
+            places, leaps = (edge.closing.rise if rising else edge.opening.fall)(place, targets)
+            depths, forces, radii = edge.state(places, targets)
             for i, index in enumerate(run):
                 _refuse(edge, index, levels[index], places[i])
                 here = [leap for leap in leaps if leap.aim == i]
@@ -226,7 +226,7 @@ class AdhesiveCycleSolution:
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """How far the result can be trusted; what depends on the contact is told of the widest one."""
+        """How far the result can be trusted; what depends on the contact is stated for the widest one."""
         problem = self.problem
         return (
             *adhesive_notes(problem.bed, problem.law, self.depth, self.radius),
@@ -244,8 +244,8 @@ def _runs(levels: Array) -> Iterator[tuple[range, bool]]:
     """Yield the stretches over which the levels rise or fall, beginning with a rise; equal levels go on as before."""
     start, rising = 0, True
     for index in range(1, len(levels)):
-        turned = levels[index] < levels[index - 1] if rising else levels[index] > levels[index - 1]
-        if turned:
+        reversed_ = levels[index] < levels[index - 1] if rising else levels[index] > levels[index - 1]
+        if reversed_:
             yield range(start, index), rising
             start, rising = index, not rising
     yield range(start, len(levels)), rising

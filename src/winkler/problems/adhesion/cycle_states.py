@@ -75,7 +75,7 @@ class AdhesiveState:
     hysteresis : float
         The part of it that opening has cost more than closing gained [J].
     jumps : tuple of AdhesiveJump
-        Those on the way from the point before.
+        Those since the point before.
     """
 
     position: float

@@ -8,8 +8,8 @@ opening, and rests in between.  A machine of the stiffness :math:`k_\mathrm{m}` 
 .. math:: D(a) = d(a) + F(a)/k_\mathrm{m}, \qquad d(a) = g(a)-\ell(a), \qquad
           F(a) = k\,d(a) - \int_0^a k'g\,\mathrm dx ,
 
-a dead load at F(a).  S falls when D or F rises; so these two curves over the radius tell where the edge goes, and an
-edge that loses its hold runs on, at a constant D or F, to the next radius at which the curve is as high again.
+a dead load at F(a).  S falls when D or F rises; so these two curves over the radius determine how the edge moves, and
+an edge that loses its hold runs on, at a constant D or F, to the next radius at which the curve is as high again.
 """
 
 from __future__ import annotations
@@ -121,7 +121,7 @@ class AdhesiveEdge(NamedTuple):
         return stored_energy(self.bed, depth, radius) - self.law.work_closing * np.pi * radius**2
 
     def hysteresis(self, start: float, end: float) -> float:
-        """Return what opening costs more than closing gains, on the way from a radius to a smaller one [J]."""
+        """Return what opening costs more than closing gains, from a radius to a smaller one [J]."""
         return (self.law.work_opening - self.law.work_closing) * np.pi * (start - end) * (start + end)
 
 

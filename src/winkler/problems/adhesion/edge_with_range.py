@@ -37,10 +37,10 @@ PANEL_TOLERANCE = 1e-12
 
 
 class Approach(Protocol):
-    """The way from where attraction is first felt, at -length, to touch, at 0."""
+    """The approach from where attraction begins, at -length, to touch, at 0."""
 
     def extent(self) -> float:
-        """How long the way is, in a coordinate of its own."""
+        """Length of the approach, in a coordinate of its own."""
         ...
 
     def depth(self, place: Array) -> Array:
@@ -147,8 +147,8 @@ class RangedEdge(NamedTuple):
         before = np.minimum(place, 0.0)
         depth = np.where(touching, depth, self.approach.depth(before))
         force = np.where(touching, force, self.approach.force(before))
-        felt = float(self.approach.depth(np.array([self.apart()]))[0])
-        free = level if isinstance(self.control, Machine) else np.full(np.shape(level), felt)
+        first_attracted = float(self.approach.depth(np.array([self.apart()]))[0])
+        free = level if isinstance(self.control, Machine) else np.full(np.shape(level), first_attracted)
         return np.where(nowhere, free, depth), np.where(nowhere, 0.0, force), radius
 
     def energy(self, depth: Array, force: Array, radius: Array) -> Array:

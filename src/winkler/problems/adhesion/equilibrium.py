@@ -43,7 +43,7 @@ class Equilibrium:
     reach : float
         The greatest contact radius [m]; not beyond what is known of the profile.
     machine_stiffness : float, optional
-        What judges stability [N/m]: 0 for a dead load, inf for fixed grips (the default).
+        Machine stiffness that decides stability [N/m]: 0 for a dead load, inf for fixed grips (the default).
     count : int, optional
         Points of the curve; kinks of the profile and limits of stability are added.
 
@@ -99,7 +99,7 @@ class Equilibrium:
         Raises
         ------
         OutsideValidity
-            If the law does not hold for the bed, or the profile has more waves than can be distinguished.
+            If the law does not hold for the bed, or the profile has more waves than can be resolved.
         """
         states = states_of(self.bed, self.law)
         found = branches(states, self.machine_stiffness, self.reach)

@@ -33,10 +33,10 @@ def expected_radius(states: EdgeStates) -> float:
         return LENGTH_SHARE * min(length, layers)
     narrow = LEAST_RADIUS_RATIO * next((part for part in (length, layers) if part < math.inf), 1.0)
     with np.errstate(all="ignore"):
-        return _felt(states, widest, length, narrow) if length < math.inf else _without_length(states, narrow)
+        return _attracted(states, widest, length, narrow) if length < math.inf else _without_length(states, narrow)
 
 
-def _felt(states: EdgeStates, widest: float, length: float, narrow: float) -> float:
+def _attracted(states: EdgeStates, widest: float, length: float, narrow: float) -> float:
     """Return the first of many radii where the slope matters."""
     places = length * 10.0**SEARCH_DECADES
     places = places[places < widest]

@@ -55,8 +55,8 @@ def stretch(bed: Bed, work: float, radius: Array) -> Array:
 def stretch_slope(bed: Bed, work: float, radius: Array) -> Array:
     """Return l'(a) = l (1/a - c_N'/c_N) / 2 [-]."""
     a = np.maximum(np.asarray(radius, dtype=float), LEAST_RADIUS)
-    turned = bed.normal_stiffness_slope(a) / bed.normal_stiffness(a)
-    return np.asarray(0.5 * stretch(bed, work, a) * (1.0 / a - turned))
+    relative_slope = bed.normal_stiffness_slope(a) / bed.normal_stiffness(a)
+    return np.asarray(0.5 * stretch(bed, work, a) * (1.0 / a - relative_slope))
 
 
 def depth_of(bed: Bed, work: float, radius: Array) -> Array:

@@ -95,17 +95,17 @@ class CohesiveStates:
 
     def load(self, radius: Array) -> Array:
         """What the profile and the ring take from k d [N]."""
-        found, springs = self.zone(radius), self.springs()
+        solved, springs = self.zone(radius), self.springs()
         ring = 2.0 * springs.amplitude(self.law.strength) * springs.surface_modulus
-        return np.asarray(self.bed.gap_load(radius) + ring * pulled(found.outer, found.span, springs.exponent))
+        return np.asarray(self.bed.gap_load(radius) + ring * pulled(solved.outer, solved.span, springs.exponent))
 
     def slopes(self, radius: Array) -> tuple[Array, Array]:
         """d'(a) and F'(a)."""
-        found, springs, strength = self.zone(radius), self.springs(), self.law.strength
+        solved, springs, strength = self.zone(radius), self.springs(), self.law.strength
         k = springs.exponent
         stress = springs.amplitude(strength) * (1.0 - k)
-        depth = self.bed.gap_slope(radius) - stress * found.span ** (-k) * found.span_slope
-        pull = 4.0 * strength * springs.cosine() * found.outer * found.turn * found.outer_slope
+        depth = self.bed.gap_slope(radius) - stress * solved.span ** (-k) * solved.span_slope
+        pull = 4.0 * strength * springs.cosine() * solved.outer * solved.turn * solved.outer_slope
         return depth, self.bed.stiffness(radius) * depth - pull
 
     def energy(self, radius: Array) -> Array:
@@ -114,8 +114,8 @@ class CohesiveStates:
         .. math:: E = E^*\!\int_0^a (d-g)^2\,\mathrm dx + 4\sigma_0\!\int_a^c (g-d)\sqrt{c^2-x^2}\,\mathrm dx
                       - 2\sigma_0 A\!\int_a^c (c^2-x^2)\,\mathrm dx - \pi w c^2
         """
-        found, springs, strength = self.zone(radius), self.springs(), self.law.strength
-        s, c, stretch = found.span, found.outer, self._stretch(found.span)
+        solved, springs, strength = self.zone(radius), self.springs(), self.law.strength
+        s, c, stretch = solved.span, solved.outer, self._stretch(solved.span)
         inner = stored_energy(self.bed, self.bed.gap(radius) - stretch, radius)
         gaps = gap_moment(springs, radius, s) + stretch * pulled(c, s, 0.0)
         squares = s**4 * (2.0 * c + radius) / (3.0 * (c + radius) ** 2)
@@ -124,8 +124,8 @@ class CohesiveStates:
 
     def scale(self, radius: Array) -> Array:
         """Stretch over the radius of the zone."""
-        found = self.zone(radius)
-        return self._stretch(found.span) / found.outer
+        solved = self.zone(radius)
+        return self._stretch(solved.span) / solved.outer
 
     def pressed(self, depth: float, radius: float) -> Ringed:
         """The springs out to the end of the ring."""
@@ -163,14 +163,14 @@ def _end(given: Hashable) -> float:
     springs = states.springs()
     if not math.isfinite(springs.end):
         return springs.end
-    found = widest_within(springs, states.law.strength, states.law.range)
-    if found <= 0.0:
+    solved = widest_within(springs, states.law.strength, states.law.range)
+    if solved <= 0.0:
         raise OutsideValidity(
             f"Dugdale: the attraction of {states.law.range:.3g} m reaches beyond the end of the profile "
             f"({springs.end:.6g} m) even where the bodies only just touch; use ShortRange(work), a greater strength, "
             "or a wider profile."
         )
-    return found
+    return solved
 
 
 @functools.lru_cache(maxsize=64)
@@ -188,8 +188,8 @@ def _zone(given: Hashable, shape: tuple[int, ...], content: bytes) -> Zone:
                 "strength, or a wider profile."
             )
 
-    found = zone(states.springs(), states.law.strength, states.law.range, radius.ravel(), refuse)
-    return Zone(*(part.reshape(shape) for part in found))
+    solved = zone(states.springs(), states.law.strength, states.law.range, radius.ravel(), refuse)
+    return Zone(*(part.reshape(shape) for part in solved))
 
 
 @value
@@ -202,7 +202,7 @@ class Ringed(Pressed):
     depth : float
         d [m].
     radius : float
-        Where the last of the springs' displacement, too near to the end of the ring to be told, is a jump [m].
+        Where the last of the springs' displacement, too near to the end of the ring to be resolved, is a jump [m].
     contact_radius : float
         a [m]: up to there the surfaces touch.
     outer_radius : float
@@ -241,7 +241,7 @@ class Ringed(Pressed):
 
     @property
     def edge(self) -> float:
-        """The jump: all but zero, unless the whole ring is too narrow to be told."""
+        """The jump: all but zero, unless the whole ring is too narrow to be resolved."""
         place = np.array([self.radius])
         return float(self._ring(place)[0] if self.count > 0 else self.value(place)[0])
 

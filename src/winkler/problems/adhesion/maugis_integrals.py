@@ -26,7 +26,7 @@ Rule = tuple[str, int]
 """``("gauss", count)`` for what is smooth in the angle, ``("double", count)``, double-exponential, for what is not."""
 
 POINTS_PER_BLOCK = 250_000
-"""Places at which g' is asked at once."""
+"""Places at which g' is evaluated at once."""
 DOUBLINGS = 60
 FINEST_RULE = 161
 
@@ -182,8 +182,8 @@ def profile_part(springs: RingSprings, radius: Array, span: Array, rule: Rule) -
         own = _Pieces(*(part[begin : begin + chunk] for part in pieces))
         c = outer[own.owner]
         x, rest, measure = _on(springs, own, nodes, complements, weights)
-        turned = turn(np.minimum((rest / c[:, None]) ** 2, 1.0), k)
-        total += np.bincount(own.owner, np.einsum("mn,mn->m", measure, rest / x * turned), radius.size)
+        turn_value = turn(np.minimum((rest / c[:, None]) ** 2, 1.0), k)
+        total += np.bincount(own.owner, np.einsum("mn,mn->m", measure, rest / x * turn_value), radius.size)
         if k != 0.0:
             measure *= np.where(rest > 0.0, x / np.where(rest > 0.0, rest, 1.0), 0.0) ** k
         by_outer += np.bincount(own.owner, np.sum(measure, axis=1) / c, radius.size)
@@ -211,15 +211,16 @@ def _on(
     base, width, whole = own.base[:, None], own.width[:, None], own.whole[:, None]
     risen = width * np.sin(own.start[:, None] + whole * nodes)  # sqrt(x^2 - base^2)
     rest = width * np.sin(own.stop[:, None] + whole * complements)  # sqrt(c^2 - x^2)
-    # just above a kink x cannot be told from it, and g' is asked where it can; just below, nothing must cross it
+    # just above a kink x cannot be resolved from it, and g' is evaluated where it can; just below, nothing must cross
+    # it
     x = np.maximum(np.hypot(base, risen), np.nextafter(base, np.inf))
     x = np.minimum(x, np.minimum(own.high, np.nextafter(springs.end, 0.0))[:, None])
     measure = springs.gap_slope(x) * (own.sign[:, None] * whole * weights)
     steep = own.steep
     if steep.any():
-        told = root(x[steep], np.broadcast_to(base[steep], x[steep].shape))
-        # g' holds told^(k-1): what is finite is made of the same rounded place
-        measure[steep] *= told ** (1.0 - k) * risen[steep] ** k
+        distance = root(x[steep], np.broadcast_to(base[steep], x[steep].shape))
+        # g' holds distance^(k-1): what is finite is made of the same rounded place
+        measure[steep] *= distance ** (1.0 - k) * risen[steep] ** k
         measure[~steep] *= risen[~steep]
     else:
         measure *= risen

@@ -45,7 +45,7 @@ ITERATIONS = 100
 NEWTON_LAST_STEP = 1e-7
 """A step of Newton's method so small, relative to s, is the last one but that with the finer rule."""
 LEAST_INTERPOLATED, GUESS_STRIDE = 40, 8
-"""Of so many contacts every eighth tells the others where to begin."""
+"""Of so many contacts every eighth gives the others their first guess."""
 
 
 class Zone(NamedTuple):
@@ -81,11 +81,13 @@ class _CohesiveRing(NamedTuple):
         k = self.springs.exponent
         outer = np.hypot(radius, span)
         share = np.minimum((span / outer) ** 2, 1.0)
-        turned, moved = turn(share, k), moment(share, k)
+        turn_value, moved = turn(share, k), moment(share, k)
         part, by_outer = profile_part(self.springs, radius, span, rule)
         stress = self.amplitude * (1.0 - k)
-        whole = part + self.amplitude * (span ** (1.0 - k) * turned - outer ** (1.0 - k) * moved)
-        by_span = (span / outer) * (by_outer + stress * (outer * turned * span ** (-1.0 - k) - moved * outer ** (-k)))
+        whole = part + self.amplitude * (span ** (1.0 - k) * turn_value - outer ** (1.0 - k) * moved)
+        by_span = (span / outer) * (
+            by_outer + stress * (outer * turn_value * span ** (-1.0 - k) - moved * outer ** (-k))
+        )
         factor = 2.0 * self.springs.cosine() / (math.pi * self.distance)
         return factor * whole - 1.0, factor * by_span * span, by_outer
 
@@ -121,12 +123,12 @@ def zone(
     waiting, before = np.arange(radius.size), np.full(radius.shape, math.inf)
     for rule, finer in pairwise(ring.rules):
         part = radius[waiting]
-        found = _span(ring, part, span[waiting], rule, refuse)
-        excess, slope, by_outer[waiting] = ring.apart(part, found, finer)
+        roots = _span(ring, part, span[waiting], rule, refuse)
+        excess, slope, by_outer[waiting] = ring.apart(part, roots, finer)
         moved = np.abs(excess)
         small = moved <= ROUNDING_STEP
         correction = np.where(small & (slope > 0.0), excess / np.where(slope > 0.0, slope, 1.0), 0.0)
-        span[waiting] = found * (1.0 - np.clip(correction, -ROUNDING_STEP, ROUNDING_STEP))
+        span[waiting] = roots * (1.0 - np.clip(correction, -ROUNDING_STEP, ROUNDING_STEP))
         done = (moved <= STEP_TOLERANCE) | (small & (moved > ROUNDING_RATIO * before))
         waiting, before = waiting[~done], moved[~done]
         if not waiting.size:
@@ -155,8 +157,8 @@ def _guess(ring: _CohesiveRing, radius: Array, refuse: Callable[[Array], None]) 
     def refuse_all(beyond: Array) -> None:
         refuse(np.isin(radius, some[beyond]))
 
-    known = _span(ring, some, rough(some), ring.rules[0], refuse_all)
-    return np.asarray(np.exp(np.interp(radius, some, np.log(known))))
+    guessed = _span(ring, some, rough(some), ring.rules[0], refuse_all)
+    return np.asarray(np.exp(np.interp(radius, some, np.log(guessed))))
 
 
 def _span(ring: _CohesiveRing, radius: Array, guess: Array, rule: Rule, refuse: Callable[[Array], None]) -> Array:
@@ -222,27 +224,27 @@ def _first_crossing(ring: _CohesiveRing, radius: Array, span: Array, rule: Rule)
         if not falling.size:
             break
         wide = excess(share * span[falling], falling) >= 0.0
-        found = falling[wide]
-        if found.size:
+        roots = falling[wide]
+        if roots.size:
 
-            def of_found(s: Array, index: Array, found: Array = found) -> Array:
-                return excess(s, found[index])
+            def of_found(s: Array, index: Array, roots: Array = roots) -> Array:
+                return excess(s, roots[index])
 
-            low = np.where(excess(before * span[found], found) < 0.0, before, 1e-3 * before) * span[found]
-            result[found] = between(of_found, low, share * span[found])
+            low = np.where(excess(before * span[roots], roots) < 0.0, before, 1e-3 * before) * span[roots]
+            result[roots] = between(of_found, low, share * span[roots])
         falling = falling[~wide]
     return result
 
 
 def _with_slopes(ring: _CohesiveRing, radius: Array, span: Array, by_outer: Array) -> Zone:
-    """Differentiate h(a, s) = distance: terms that nearly cancel in narrow zones have been cancelled by hand."""
+    """Differentiate h(a, s) = distance: terms that nearly cancel in narrow zones have been cancelled analytically."""
     k = ring.springs.exponent
     outer = np.hypot(radius, span)
     share = np.minimum((span / outer) ** 2, 1.0)
-    turned = turn(share, k)
+    turn_value = turn(share, k)
     stress = ring.amplitude * (1.0 - k)
     own = stress * moment(share, k) * outer ** (-k)
-    by_radius = (by_outer * radius - own * radius) / outer - turned * ring.springs.gap_slope(radius)
-    by_span = (span / outer) * (by_outer + stress * outer * turned * span ** (-1.0 - k) - own)
+    by_radius = (by_outer * radius - own * radius) / outer - turn_value * ring.springs.gap_slope(radius)
+    by_span = (span / outer) * (by_outer + stress * outer * turn_value * span ** (-1.0 - k) - own)
     span_slope = -by_radius / by_span
-    return Zone(span, outer, span_slope, (radius + span * span_slope) / outer, turned)
+    return Zone(span, outer, span_slope, (radius + span * span_slope) / outer, turn_value)

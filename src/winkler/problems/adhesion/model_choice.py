@@ -116,7 +116,7 @@ def maugis_parameter(*, curvature_radius: float, modulus: float, work: float, st
 
 @value
 class ModelError:
-    """What one model says, and how far it is from Maugis' equations for the same profile.
+    """The result of one model, and how far it is from Maugis' equations for the same profile.
 
     Parameters
     ----------
@@ -125,7 +125,7 @@ class ModelError:
     pull_off : float
         Force at which a dead load tears the contact off [N], negative; zero without adhesion.
     radius : float
-        Contact radius [m] under the load that was asked about.
+        Contact radius [m] under the given load.
     pull_off_error, radius_error : float
         Relative [-], against Maugis.
     """
@@ -144,7 +144,7 @@ class Recommendation:
     Parameters
     ----------
     problem : Indentation or AdhesiveIndentation
-        The contact under the load that was asked about, in the recommended model; ready to be solved.
+        The contact under the given load, in the recommended model; ready to be solved.
     model : str
         Its name: Hertz, DMT, Maugis or JKR.
     tabor : float
@@ -216,8 +216,8 @@ def which_model(bed: Bed, law: Dugdale, load: Force = UNLOADED, *, tolerance: fl
     short = PullOff(bed, ShortRange(law.work)).solve()
     stretch = float(griffith.stretch(bed, law.work, np.array([short.radius]))[0])
     tabor = stretch / (PULL_OFF_STRETCH * law.range)
-    good = {each.model: each for each in models if _close(each, tolerance)}
-    # the simplest first; Hertz if the load makes adhesion vanish, though it knows no pull-off
+    good = {each.model: each for each in models if _all_close(each, tolerance)}
+    # the simplest first; Hertz if the load makes adhesion vanish, though it has no pull-off
     plain = next(each for each in models if each.model == "Hertz")
     if float(load.force) > 0.0 and abs(plain.radius_error) <= tolerance:
         name = "Hertz"
@@ -233,12 +233,12 @@ def which_model(bed: Bed, law: Dugdale, load: Force = UNLOADED, *, tolerance: fl
     return Recommendation(problems[name], name, tabor, models, notes)
 
 
-def _close(each: ModelError, tolerance: float) -> bool:
+def _all_close(each: ModelError, tolerance: float) -> bool:
     return max(abs(each.pull_off_error), abs(each.radius_error)) <= tolerance
 
 
 def _models(bed: Bed, law: Dugdale, load: Force) -> tuple[tuple[ModelError, ...], str]:
-    """Return what the models say, and why there is no DMT, if there is none."""
+    """Return the results of the models, and why there is no DMT, if there is none."""
     laws: dict[str, AdhesionLaw] = {"JKR": ShortRange(law.work), "DMT": DerjaguinMullerToporov(law.work)}
     force = PullOff(bed, law).solve().force
     radius = float(AdhesiveIndentation(bed, law, load).solve().radius)
@@ -274,7 +274,7 @@ def _reasons(
     wide = "; ".join(f"{each.model} {each.radius:.4g} m ({each.radius_error:+.2%})" for each in models)
     verdicts = {
         "Hertz": f"Under {float(load.force):.4g} N adhesion changes the contact radius by less than {tolerance:.2g}: "
-        "plain Indentation does; a pull-off it does not know.",
+        "plain Indentation does; it has no pull-off.",
         "JKR": f"JKR is within {tolerance:.2g} of Maugis, and holds on layers and cones, too: take ShortRange.",
         "DMT": f"DMT is within {tolerance:.2g} of Maugis: take DerjaguinMullerToporov.",
         "Maugis": f"Neither JKR nor DMT is within {tolerance:.2g}: take Dugdale.",

@@ -1,4 +1,4 @@
-r"""An adhesive contact that is sheared while it sticks all over: the edge gives way to pull and shear together.
+r"""An adhesive contact that is sheared while it sticks all over: the edge recedes under pull and shear together.
 
 All springs move sideways by the same shift :math:`u_x`; the last ones are stretched by :math:`S_z = g(a)-d` and
 :math:`S_x = u_x`.  If the energy that is released by normal and tangential springs alike pays for the surface,
@@ -75,7 +75,7 @@ class AdhesiveShear:
     law : ShortRange
         Its work_opening is what the edge has to pay.
     normal : Force or Depth
-        One dead load [N] or one depth [m], kept while shearing; of several contact radii the widest is meant.
+        One dead load [N] or one depth [m], constant while shearing; of several contact radii the widest is meant.
     lateral : Shift or ShearForce
         Relative displacement of the bodies far away [m], or force [N]; its value may be an array.
 
@@ -141,24 +141,24 @@ class AdhesiveShear:
                 "pulled, so that no balance of energy at the edge limits the shear; press less, or pull."
             )
         least = states.least_radius(widest)
-        given = self.lateral.shift if isinstance(self.lateral, Shift) else self.lateral.shear_force
-        asked = np.abs(np.atleast_1d(np.asarray(given, dtype=float)).ravel())
+        prescribed = self.lateral.shift if isinstance(self.lateral, Shift) else self.lateral.shear_force
+        targets = np.abs(np.atleast_1d(np.asarray(prescribed, dtype=float)).ravel())
         most = math.sqrt(float(states.borne(np.array([least]))[0]))
-        beyond = np.flatnonzero(asked > most * (1.0 + 1e-14))
+        beyond = np.flatnonzero(targets > most * (1.0 + 1e-14))
         if beyond.size:
-            where = "" if asked.size == 1 else f" at index {', '.join(map(str, beyond[:5]))}"
+            where = "" if targets.size == 1 else f" at index {', '.join(map(str, beyond[:5]))}"
             what, unit = ("shift", "m") if isinstance(self.lateral, Shift) else ("shear force", "N")
             raise OutsideValidity(
-                f"AdhesiveShear: the {what} of {asked[beyond[0]]:.6g} {unit}{where} tears the contact off; it bears at "
-                f"most {most:.6g} {unit}, at a contact radius of {least:.6g} m."
+                f"AdhesiveShear: the {what} of {targets[beyond[0]]:.6g} {unit}{where} tears the contact off; it bears "
+                f"at most {most:.6g} {unit}, at a contact radius of {least:.6g} m."
             )
-        radius = states.radius(asked**2, least, widest)
+        radius = states.radius(targets**2, least, widest)
         depth, force = states.depth_and_force(radius)
         stiffness = tangential_stiffness(self.bed, radius)
-        signed = np.atleast_1d(np.asarray(given, dtype=float)).ravel()
+        signed = np.atleast_1d(np.asarray(prescribed, dtype=float)).ravel()
         shift, shear = (signed, stiffness * signed) if isinstance(self.lateral, Shift) else (signed / stiffness, signed)
 
-        shape = np.shape(given)
+        shape = np.shape(prescribed)
         return AdhesiveShearSolution(
             self,
             depth=shaped(depth, shape),
@@ -244,8 +244,8 @@ class _Sheared:
             edges = np.unique([low, *(b for b, _ in self.bed.kinks if low < b < high), high])
             size = float(np.max(np.abs(self.borne(edges))))
             panels = fit_panels(lambda a: self.borne(a.ravel()).reshape(a.shape), edges, PANEL_TOLERANCE * size)
-            found = np.concatenate([stationary(panels), panels.edges[:-1]])
-            places = np.concatenate([places, np.sort(found)[::-1]])
+            places_ = np.concatenate([stationary(panels), panels.edges[:-1]])
+            places = np.concatenate([places, np.sort(places_)[::-1]])
             levels = self.borne(places)
             falls = np.flatnonzero(np.diff(levels) < -LEVEL_NOISE * np.max(np.abs(levels)))
             if falls.size:
@@ -260,8 +260,8 @@ class _Sheared:
         """Return the radii `(m,)` at which the edge is in balance."""
         held = squared <= self.borne(np.full(squared.shape, widest))  # a rim bears something without moving
         low, high = np.full(squared.shape, least), np.full(squared.shape, widest)
-        found = between(lambda a, index: self.borne(a) - squared[index], low, high) if least < widest else high
-        return np.where(held, widest, np.where(squared >= self.borne(low), least, found))
+        places_ = between(lambda a, index: self.borne(a) - squared[index], low, high) if least < widest else high
+        return np.where(held, widest, np.where(squared >= self.borne(low), least, places_))
 
     def limit(self, radius: float) -> ShearLimit:
         """Return the state at a radius."""

@@ -63,7 +63,7 @@ class _MarginPieces(NamedTuple):
     high: Array
 
     def radius(self, share: Array) -> Array:
-        """Return radii at parts (panels, n) of the way."""
+        """Return radii at parts (panels, n) of the pieces."""
         y = self.low[:, None] + (self.high - self.low)[:, None] * share
         return np.asarray(np.where(self.base[:, None] > 0.0, np.hypot(self.base[:, None], y), y))
 
@@ -158,7 +158,7 @@ def _limits(states: EdgeStates, machine_stiffness: float, low: float, high: floa
 
 def _sharpened(states: EdgeStates, machine_stiffness: float, low: Array, high: Array) -> Array:
     """Return the roots of the margin in brackets; an end where rounding has put a root beyond it."""
-    inner = np.nextafter(low, high), np.nextafter(high, low)  # at a kink the margin below it would be seen
+    inner = np.nextafter(low, high), np.nextafter(high, low)  # at a kink the margin below it would be taken
     signs = margin(states, machine_stiffness, np.concatenate(inner)).reshape(2, -1)
     sound = np.sign(signs[0]) != np.sign(signs[1])
     result = np.where(np.abs(signs[0]) < np.abs(signs[1]), low, high)
@@ -228,8 +228,8 @@ def _signs(
             break
         if used + 2 * np.count_nonzero(~good) > MOST_PANELS:
             raise OutsideValidity(
-                f"Up to a contact radius of {high:.3g} m the profile has too many waves to tell where the adhesive "
-                "contact is stable; give a smaller load, or treat the body as rough."
+                f"Up to a contact radius of {high:.3g} m the profile has too many waves to determine where the "
+                "adhesive contact is stable; give a smaller load, or treat the body as rough."
             )
         waiting, before = waiting.chosen(~good).halved(), np.tile(tail[~good], 2)
     start, stop, left, right = (np.concatenate(part) for part in zip(*done, strict=True))

@@ -1,4 +1,4 @@
-"""What an adhesive contact says about its own validity: range of attraction, slopes, size, overlap outside."""
+"""Validity notes of an adhesive contact: range of attraction, slopes, size, overlap outside."""
 
 from __future__ import annotations
 

@@ -117,9 +117,9 @@ def sticking_note(medium: Medium, coefficient: float) -> Note:
         Coefficient of friction mu [-]; infinity where nothing slips, nan if the law has none.
     """
     beta = mismatch(medium)
-    known = _without_number(medium, beta, coefficient)
-    if known is not None:
-        return known
+    note = _without_number(medium, beta, coefficient)
+    if note is not None:
+        return note
     ratio = abs(beta) / coefficient
     stiffer = 100.0 * stuck_stiffening(beta)
     fact = (
@@ -135,9 +135,9 @@ def sticking_note(medium: Medium, coefficient: float) -> Note:
 def sliding_note(medium: Medium, coefficient: float) -> Note:
     """Return whether the pressure may be computed as if there were no traction of sliding; parameters as above."""
     beta = mismatch(medium)
-    known = _without_number(medium, beta, coefficient)
-    if known is not None:
-        return known
+    note = _without_number(medium, beta, coefficient)
+    if note is not None:
+        return note
     product = abs(beta) * coefficient
     return Note(
         Assumption.UNCOUPLED,
@@ -163,7 +163,7 @@ def _without_number(medium: Medium, beta: float, coefficient: float) -> Note | N
         )
     if math.isnan(beta) or math.isnan(coefficient):
         what = (
-            f"{type(medium).__name__} knows no Dundurs' constant"
+            f"{type(medium).__name__} has no Dundurs' constant"
             if math.isnan(beta)
             else f"Dundurs' beta is {beta:.3g}, and this law has no coefficient of friction to compare it with"
         )

@@ -41,7 +41,7 @@ def energy_note(work: ArrayLike, stored: ArrayLike, lost: ArrayLike) -> Note:
         verdict = "the error of the energies, below which a loss is not known"
     else:
         standing = Standing.OUTSIDE
-        verdict = "energy that comes from nowhere: do not use the energies of this answer"
+        verdict = "energy without a source: do not use the energies of this solution"
     return Note(
         Assumption.ENERGY,
         standing,
