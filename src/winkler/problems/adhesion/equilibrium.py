@@ -102,13 +102,13 @@ class Equilibrium:
             If the law does not hold for the bed, or the profile has more waves than can be resolved.
         """
         states = states_of(self.bed, self.law)
-        found = branches(states, self.machine_stiffness, self.reach)
-        limits = [radius for branch in found for radius in branch]
+        branches_ = branches(states, self.machine_stiffness, self.reach)
+        limits = [radius for branch in branches_ for radius in branch]
         kinks = [b for b, _ in self.bed.kinks if b < self.reach]
         # d and F leave the origin with the root of the radius: steps that grow show it
         radius = np.unique(np.concatenate([self.reach * np.linspace(0.0, 1.0, self.count) ** 2, limits, kinks]))
         depth = states.depth(radius)
-        starts, stops = (np.array(ends) for ends in zip(*found, strict=True)) if found else (np.zeros(0),) * 2
+        starts, stops = (np.array(ends) for ends in zip(*branches_, strict=True)) if branches_ else (np.zeros(0),) * 2
         return EquilibriumCurve(self, radius, depth, force_under(states, depth, radius), starts, stops)
 
 
@@ -201,12 +201,14 @@ class EquilibriumCurve:
         """
         problem = self.problem
         states, machine = states_of(problem.bed, problem.law), problem.machine_stiffness
-        found = [Branch(float(a), float(b)) for a, b in zip(self.starts, self.stops, strict=True)]
-        inward = [_jump(states, machine, branch.start, found[:index], True) for index, branch in enumerate(found)]
+        branches_ = [Branch(float(a), float(b)) for a, b in zip(self.starts, self.stops, strict=True)]
+        inward = [
+            _jump(states, machine, branch.start, branches_[:index], True) for index, branch in enumerate(branches_)
+        ]
         outward = [
-            _jump(states, machine, branch.stop, found[index + 1 :], False)
-            for index, branch in enumerate(found[:-1])
-            if branch.stop < found[index + 1].start
+            _jump(states, machine, branch.stop, branches_[index + 1 :], False)
+            for index, branch in enumerate(branches_[:-1])
+            if branch.stop < branches_[index + 1].start
         ]
         return tuple(jump for jump in [*reversed(inward), *outward] if jump is not None)
 

@@ -41,8 +41,8 @@ def _attracted(states: EdgeStates, widest: float, length: float, narrow: float) 
     places = length * 10.0**SEARCH_DECADES
     places = places[places < widest]
     share = np.abs(states.bed.slope(places)) / _pulled(states, places, narrow)
-    felt = share >= LENGTH_SHARE
-    return float(places[np.argmax(felt)]) if felt.any() else min(float(places[-1]), LENGTH_SHARE * length)
+    noticeable = share >= LENGTH_SHARE
+    return float(places[np.argmax(noticeable)]) if noticeable.any() else min(float(places[-1]), LENGTH_SHARE * length)
 
 
 def _pulled(states: EdgeStates, places: Array, narrow: float) -> Array:

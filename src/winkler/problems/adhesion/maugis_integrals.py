@@ -152,8 +152,8 @@ def _pieces(edges: Edges, radius: Array, span: Array, k: float) -> _Pieces:
     # of two differences of the same angle, the one that cancels less
     whole = np.where(ends | (back < start), back - stop, np.arctan2(rises, left) - start)
     whole = np.maximum(whole, 0.0)
-    found = _Pieces(owner, np.ones(owner.size), base, limit, edges.steep[index], width, start, stop, whole)
-    return found if k == 0.0 else _from_base(found, back)
+    divided = _Pieces(owner, np.ones(owner.size), base, limit, edges.steep[index], width, start, stop, whole)
+    return divided if k == 0.0 else _from_base(divided, back)
 
 
 def _from_base(pieces: _Pieces, back: Array) -> _Pieces:

@@ -227,11 +227,11 @@ def _first_crossing(ring: _CohesiveRing, radius: Array, span: Array, rule: Rule)
         roots = falling[wide]
         if roots.size:
 
-            def of_found(s: Array, index: Array, roots: Array = roots) -> Array:
+            def of_roots(s: Array, index: Array, roots: Array = roots) -> Array:
                 return excess(s, roots[index])
 
             low = np.where(excess(before * span[roots], roots) < 0.0, before, 1e-3 * before) * span[roots]
-            result[roots] = between(of_found, low, share * span[roots])
+            result[roots] = between(of_roots, low, share * span[roots])
         falling = falling[~wide]
     return result
 

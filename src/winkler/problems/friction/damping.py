@@ -118,26 +118,26 @@ class FrictionDamping:
             raise OutsideValidity(
                 "FrictionDamping: the bodies do not touch under this normal load; press them together."
             )
-        given = np.asarray(_number(self.amplitude), dtype=float)
+        prescribed = np.asarray(_number(self.amplitude), dtype=float)
         springs = _Slipping(self.law.coefficient, contact)
-        flat = np.atleast_1d(given).ravel()
+        flat = np.atleast_1d(prescribed).ravel()
         if isinstance(self.amplitude, ShearForce):
             force = np.minimum(flat, self._bearable(flat, float(contact.force)))
             moved = springs.shift(force)
         else:
             moved, force = flat, springs.force(flat)
-        answers = (answer.reshape(given.shape) for answer in (moved, force, springs.loss(moved)))
-        shift, shear_force, loss = (float(each) if given.ndim == 0 else each for each in answers)
+        results = (result.reshape(prescribed.shape) for result in (moved, force, springs.loss(moved)))
+        shift, shear_force, loss = (float(each) if prescribed.ndim == 0 else each for each in results)
         return FrictionDampingSolution(self, contact, shift, shear_force, loss)
 
-    def _bearable(self, asked: Array, force: float) -> float:
+    def _bearable(self, targets: Array, force: float) -> float:
         """Return the sliding force [N]; refuse what exceeds it."""
         most = self.law.coefficient * force
-        bad = np.flatnonzero(asked > most * (1.0 + FORCE_ROUNDING))
+        bad = np.flatnonzero(targets > most * (1.0 + FORCE_ROUNDING))
         if bad.size:
-            where = "" if asked.size == 1 else f" at index {', '.join(map(str, bad[:5]))}"
+            where = "" if targets.size == 1 else f" at index {', '.join(map(str, bad[:5]))}"
             raise OutsideValidity(
-                f"FrictionDamping: a shear force of {asked[bad[0]]:.6g} N{where} exceeds the coefficient of "
+                f"FrictionDamping: a shear force of {targets[bad[0]]:.6g} N{where} exceeds the coefficient of "
                 f"friction times the normal force, {most:.6g} N: the bodies would slide away; give less, or "
                 "prescribe a Shift."
             )
@@ -312,7 +312,7 @@ class _Slipping:
 
         return along_springs(density, self._edges, np.full(moved.shape, TOLERANCE), "shear force of the springs")
 
-    def shift(self, asked: Array) -> Array:
+    def shift(self, targets: Array) -> Array:
         """Return amplitudes of the shift [m] at amplitudes of the shear force [N], both ``(m,)``.
 
         The least one, where the force is that of sliding throughout.
@@ -320,10 +320,10 @@ class _Slipping:
         least, greatest = stiffness_ratios(self.bed, self.radius)
         if alike((least, greatest)):
             # Ciavarella, Jaeger: the shear force is mu times what the normal force falls by as far as the stick edge
-            core = np.maximum(float(self.contact.force) - asked / self.coefficient, 0.0)
+            core = np.maximum(float(self.contact.force) - targets / self.coefficient, 0.0)
             stick = np.asarray(Indentation(self.bed, Force(core)).solve().depth)
             return np.asarray(self.coefficient * (self.depth - stick) / least)
-        reach = np.full(asked.shape, self.reach)
-        short = self.force(reach) <= asked
-        found = between(lambda moved, index: self.force(moved) - asked[index], np.zeros(asked.shape), reach)
-        return np.where(short, reach, found)
+        reach = np.full(targets.shape, self.reach)
+        short = self.force(reach) <= targets
+        root = between(lambda moved, index: self.force(moved) - targets[index], np.zeros(targets.shape), reach)
+        return np.where(short, reach, root)

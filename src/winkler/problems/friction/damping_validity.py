@@ -1,4 +1,4 @@
-"""What every solution about damping by friction says about its own validity."""
+"""Validity notes of every solution of damping by friction."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """From what springs remember to the fields: the springs of a sheared contact as a sum of ramps and steps.
 
-Solvers that follow springs along the surface know their displacement as straight pieces over the gap g(x); restoring
+Solvers that follow springs along the surface hold their displacement as straight pieces over the gap g(x); restoring
 the traction needs the pile of earlier contacts that they amount to.
 """
 

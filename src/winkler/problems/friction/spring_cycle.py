@@ -94,8 +94,8 @@ class SpringCycle:
         """When a spring may begin or cease to slide, and when the depth turns: from 0 to 2 pi [rad]."""
         n = self.normal_cycles
         turning = np.arange(2 * n + 1) * np.pi / n
-        found = [self._turning(sign) for sign in (-1.0, 1.0)]
-        return np.unique(np.concatenate([turning, *found]))
+        turning_points = [self._turning(sign) for sign in (-1.0, 1.0)]
+        return np.unique(np.concatenate([turning, *turning_points]))
 
     def _turning(self, sign: float) -> Array:
         """Return the zeros of U' + sign beta d' as the roots, on the unit circle, of a polynomial in exp(i theta)."""
@@ -154,9 +154,9 @@ class SpringCycle:
         trial = self.moved(end) - base
         limit = np.where(after, self.bound * (ends[1] - g), 0.0)
         result[touching] = np.clip(trial, -limit, limit)
-        # a spring that comes back to where it came from has not slid, though rounding may say so
-        seen = limit + DISPLACEMENT_ROUNDING * (self.shift_amplitude + self.bound * self.depth_amplitude)
-        ahead, behind = np.flatnonzero(trial > seen), np.flatnonzero(trial < -seen)
+        # a spring that returns to its place has not slid, apart from rounding
+        threshold = limit + DISPLACEMENT_ROUNDING * (self.shift_amplitude + self.bound * self.depth_amplitude)
+        ahead, behind = np.flatnonzero(trial > threshold), np.flatnonzero(trial < -threshold)
         return result, [
             _Slide(direction, touching[index], base[index], begin[index], end[index])
             for direction, index in ((1.0, ahead), (-1.0, behind))

@@ -1,7 +1,7 @@
 r"""Springs that remember: a contact that is sheared in the plane, or with a friction law of any kind, step by step.
 
 Every spring in contact follows the bodies until it bears no more; then it slips, on a bound that the law of friction
-sets: in proportion to its load (Coulomb), higher before it first slips, or in any other way.  In the plane the bound is
+sets: in proportion to its load (Coulomb), higher before it first slips, or by another law.  In the plane the bound is
 a circle, and a spring that slips turns towards the motion.  Between two points of the path the bodies move straight,
 and the springs follow that motion exactly, however far it goes.
 
@@ -98,14 +98,14 @@ class SpringMarch:
     """A contact that is pressed and sheared along a path, by a row of springs.
 
     Between two points depth and shift go straight.  Where forces are prescribed they are met at the points; in between
-    they are what that straight way gives, so give as many points as it takes.
+    they are those of a straight step, so give as many points as it takes.
 
     Parameters
     ----------
     bed : Bed
         Profile and medium.
     law : Coulomb, StaticKinetic or any law with a method shear_bound
-        How the surfaces rub: `winkler.problems.friction.spring_states.OwnLaw` says what a law of one's own looks like.
+        How the surfaces rub: `winkler.problems.friction.spring_states.OwnLaw` defines the form of a law of one's own.
     path : Path
         Depth or normal force; shift or shear force, in one direction or in the plane.
     count : int, optional
@@ -139,7 +139,7 @@ class SpringMarch:
         Raises
         ------
         OutsideValidity
-            If a shear force is requested that friction does not bear; what comes before is yielded.
+            If a prescribed shear force is more than friction bears; what comes before is yielded.
         NotConverged
             If a shear force in the plane is not met.
         """
@@ -192,9 +192,9 @@ def march(problem: Shearing, count: int = 400) -> Iterator[SpringState]:
 
 
 def _contact(problem: SpringMarch) -> tuple[Array, Array, Array]:
-    """Return depth, force and radius at every point; equal points are examined once."""
-    given, where = np.unique(problem.path.across, return_inverse=True)
-    load = Depth(given) if isinstance(problem.path.normal, Depth) else Force(given)
+    """Return depth, force and radius at every point; equal points are solved once."""
+    distinct, where = np.unique(problem.path.across, return_inverse=True)
+    load = Depth(distinct) if isinstance(problem.path.normal, Depth) else Force(distinct)
     contact = Indentation(problem.bed, load).solve()
     depth, force, radius = (np.asarray(q)[where] for q in (contact.depth, contact.force, contact.radius))
     return depth, force, radius
@@ -289,10 +289,10 @@ class _Run:
         march_plane(self.u, self.slips, self.gap, self.stiffness, bound, self.hold, own, shift, force, stored, lost)
 
     def _refuse(self, index: int) -> None:
-        asked = float(np.linalg.norm(self.along[index]))
+        shear = float(np.linalg.norm(self.along[index]))
         most = self.hold * float(self.stiffness @ self.bound(index + 1, index + 2)[0])
         raise OutsideValidity(
-            f"shear force {asked:.6g} N at index {index} is more than friction bears there, {most:.6g} N: the bodies "
+            f"shear force {shear:.6g} N at index {index} is more than friction bears there, {most:.6g} N: the bodies "
             "would slide away; give a smaller one, or a Shift."
         )
 
@@ -341,7 +341,7 @@ class _Run:
         )
 
     def work(self, index: int, u: Array, slips: Array) -> float:
-        """Return the work on springs that stood at u, on the path to point `index` [J]."""
+        """Return the work on springs that were at u, on the path to point `index` [J]."""
         depths, move = self.own[index : index + 2].tolist(), self.shift[index + 1] - self.shift[index]
         bounds = self.bound(index, index + 2)
         return float(self.stiffness @ work_on_springs(u, slips, self.gap, bounds, self.hold, tuple(depths), move))

@@ -28,7 +28,8 @@ RATIO_TOLERANCE = 1e-9
 class OwnLaw(Protocol):
     """A law of friction of one's own, stated for its implementer: how much springs bear along the surface.
 
-    It is asked once for many steps, and holds for every spring by itself.  Make it a value (frozen, equal by content).
+    It is evaluated once for many steps, and holds for every spring by itself.  Make it a value (frozen, equal by
+    content).
     """
 
     def shear_bound(self, line_load: Array) -> Array:
@@ -143,7 +144,7 @@ DROPPING = Note(
     Standing.APPROXIMATE,
     "A spring that begins to slip drops to its kinetic bound, by itself: the edge of the stick zone is then a jump, "
     "forces and energies are of first order in the distance of the springs, and restored tractions are singular there.",
-    "property of the rule; the theory of Cattaneo and Mindlin knows one coefficient only",
+    "property of the rule; the theory of Cattaneo and Mindlin has one coefficient only",
 )
 OF_SPRINGS = Note(
     Assumption.SLIP,

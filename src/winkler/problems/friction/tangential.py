@@ -2,12 +2,12 @@ r"""A contact that is pressed and moved along the surface: stick, partial slip a
 
 Springs stick until the friction they bear is used up, slide on that bound, and let go when nothing presses them any
 more.  In one direction the springs are not needed one by one: distinguished by their gap they follow straight pieces
-(`winkler.problems.friction.slip_memory`), so that every history of straight ways in depth and shift is solved exactly,
+(`winkler.problems.friction.slip_memory`), so that every history of straight steps in depth and shift is solved exactly,
 
 .. math:: F_x = \frac{G^*}{E^*}\int u_t\,\mathrm dK, \qquad U_t = \frac{G^*}{2E^*}\int u_t^2\,\mathrm dK .
 
-Where a prescribed force bends the way between two points it is refined.  In the plane, under other laws of friction and
-on layered media the springs march one by one (`winkler.problems.friction.spring_march`).
+Where a prescribed force bends the step between two points it is refined.  In the plane, under other laws of friction
+and on layered media the springs march one by one (`winkler.problems.friction.spring_march`).
 """
 
 from __future__ import annotations
@@ -110,7 +110,7 @@ class Tangential:
         OutsideValidity
             If friction does not bear a prescribed shear force, at that step: the states before it have been yielded.
         NotConverged
-            If a way that is bent by prescribed forces is too long to be followed; give more points.
+            If a step that is curved by prescribed forces is too long to be followed; give more points.
         """
         contact = self.normal
         widest = float(np.max(contact.radius, initial=0.0))
@@ -118,12 +118,12 @@ class Tangential:
         if not isinstance(self.law, Coulomb) or self.path.in_plane or not alike(ratios):
             yield from march(self)
             return
-        ways = SlipPath(self.bed, self.law.coefficient, ratios[1], self.path, contact)
+        steps_ = SlipPath(self.bed, self.law.coefficient, ratios[1], self.path, contact)
         points = zip(self.path.time.tolist(), *(np.asarray(q).tolist() for q in _three(contact)), strict=True)
         lost = work = 0.0
-        for (time, depth, force, radius), end in zip(points, ways.points_reached(), strict=True):
+        for (time, depth, force, radius), end in zip(points, steps_.points_reached(), strict=True):
             lost, work = lost + end.lost, work + end.spent
-            stored = ways.stored(end.memory)
+            stored = steps_.stored(end.memory)
             yield TangentialState(
                 self.bed, self.law, ratios[1], time, depth, force, radius, end.shift, end.shear_force, work, stored,
                 lost, end.memory,

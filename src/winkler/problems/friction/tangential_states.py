@@ -109,8 +109,8 @@ def stick_radii(bed: Bed, states: Sequence[TangentialState | SpringState]) -> Ar
 def _stick_radii(bed: Bed, gaps: Array, depth: Quantity, radius: Quantity) -> Array:
     """Return where springs of given gaps stand [m], within contacts of given depth and radius; zero for no gap."""
     inner = (gaps > 0.0) & (gaps < depth)
-    found, where = np.unique(np.where(inner, gaps, 0.0), return_inverse=True)
-    return np.where(inner, at_depth(bed, found)[1][where], np.where(gaps > 0.0, radius, 0.0))
+    distinct, where = np.unique(np.where(inner, gaps, 0.0), return_inverse=True)
+    return np.where(inner, at_depth(bed, distinct)[1][where], np.where(gaps > 0.0, radius, 0.0))
 
 
 def friction_notes(
@@ -174,6 +174,6 @@ EXACT = Note(
     Standing.EXACT,
     "One direction of motion: springs of one gap stick and slide together, and every history of depth and shift is "
     "solved within Cattaneo-Mindlin (tractions along the motion) but for rounding. Between points where a prescribed "
-    f"force bends the way, springs are followed to {CURVED_STEP_TOLERANCE:.0e} of the greatest displacement.",
+    f"force bends the step, springs are followed to {CURVED_STEP_TOLERANCE:.0e} of the greatest displacement.",
     MINDLIN,
 )

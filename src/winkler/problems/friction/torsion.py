@@ -31,11 +31,11 @@ from winkler.problems.friction.torsion_bound import Press, TwistBound, twist_bou
 from winkler.problems.friction.torsion_march import (
     ANGLE_TOLERANCE,
     LOSS_TOLERANCE,
-    Turned,
+    TorsionStep,
     square,
+    step_to_torque,
     torque_of,
-    turned,
-    turned_to,
+    torsion_step,
 )
 from winkler.problems.friction.torsion_memory import TwistMemory, fresh, pieces_of
 from winkler.problems.friction.torsion_states import TorsionState, TwistedSprings
@@ -153,7 +153,7 @@ class Torsion:
         excess = np.where(radius >= self.bed.rim, depth - self.bed.gap(radius), 0.0)
         rows = (self.path.across, radius, np.maximum(excess, 0.0))
         presses = [Press(*row) for row in zip(*(each.tolist() for each in rows), strict=True)]
-        memory = turned(bound, fresh(min(presses[0].level, 0.0)), presses[0], 0.0).memory
+        memory = torsion_step(bound, fresh(min(presses[0].level, 0.0)), presses[0], 0.0).memory
         angle = lost = work = 0.0
         for i, (press, target) in enumerate(zip(presses, self.path.along.tolist(), strict=True)):
             step = self._step(bound, memory, press, target, angle, i)
@@ -178,12 +178,12 @@ class Torsion:
 
     def _step(
         self, bound: TwistBound, memory: TwistMemory, press: Press, target: float, angle: float, index: int
-    ) -> Turned:
+    ) -> TorsionStep:
         if isinstance(self.path.lateral, Angle):
             modulus = self.bed.medium.torsional_modulus  # type: ignore[attr-defined]
-            return turned(bound, memory, press, 8.0 * modulus * (target - angle))
+            return torsion_step(bound, memory, press, 8.0 * modulus * (target - angle))
         try:
-            return turned_to(bound, memory, press, target)
+            return step_to_torque(bound, memory, press, target)
         except OutsideValidity as error:
             raise OutsideValidity(f"Torsion: at index {index} of the path {error}") from None
 

@@ -81,7 +81,7 @@ class TwistBound:
         before = panels.part(t, own) * table[np.arange(t.size), own]
         self._sums: Array = np.cumsum(whole, axis=1) - whole - np.sum(before, axis=1)[:, None]
 
-    @functools.lru_cache(maxsize=64)  # noqa: B019 - bounds are few and kept by `twist_bound`
+    @functools.lru_cache(maxsize=64)  # noqa: B019 - bounds are few and cached by `twist_bound`
     def at(self, press: Press) -> Array:
         """Return b at the nodes [Pa], and what it would go on to be just beyond the edge, in the edge's panel."""
         result = np.zeros(self.x.size)

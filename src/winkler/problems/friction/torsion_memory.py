@@ -10,7 +10,7 @@ bound takes :math:`h=\pm b` of the contact as it is now, one that comes into con
 this form.
 
 On a straight line in the level and the angle the bound is concave, so that a spring which has reached it stays on it:
-one `move` along the line, however long, leaves every spring where it must be.  Only the loss depends on the way.
+one `move` along the line, however long, leaves every spring where it must be.  Only the loss depends on the path.
 """
 
 from __future__ import annotations
@@ -126,7 +126,7 @@ def pieces_of(memory: TwistMemory) -> list[_TwistPiece]:
     return [_TwistPiece(*row) for row in zip(*(each.tolist() for each in numbers), bounds, strict=True)]
 
 
-def _kept(press: Press, pieces: list[_TwistPiece]) -> TwistMemory:
+def _memory_of(press: Press, pieces: list[_TwistPiece]) -> TwistMemory:
     merged: list[_TwistPiece] = []
     for piece in pieces:
         if merged and merged[-1][2:] == piece[2:]:
@@ -182,7 +182,7 @@ def moved(bound: TwistBound, memory: TwistMemory, press: Press, twist: float) ->
     if press.radius < before.radius:
         rings += _left(bound, memory, press, twist)
     loss, extra = slid_along(bound, memory, [press], twist, tuple(rings)) if rings else (0.0, 0.0)
-    return Move(_kept(press, done), loss, extra, tuple(rings), _nested(states, press.radius), free)
+    return Move(_memory_of(press, done), loss, extra, tuple(rings), _nested(states, press.radius), free)
 
 
 def stuck_work(bound: TwistBound, memory: TwistMemory, press: Press, twist: float) -> float:
@@ -209,7 +209,7 @@ def _free(bound: TwistBound, low: float, high: float, level: float, change: floa
 
 
 def slid_along(
-    bound: TwistBound, memory: TwistMemory, way: Sequence[Press], twist: float, rings: tuple[TwistRing, ...]
+    bound: TwistBound, memory: TwistMemory, path: Sequence[Press], twist: float, rings: tuple[TwistRing, ...]
 ) -> tuple[float, float]:
     """Return 4 G_t times the energy that `rings` lose on a path whose last press is where the move ends, and the work.
 
@@ -217,7 +217,7 @@ def slid_along(
     loss from how far they slide.  Between the points of the path bounds are taken as straight; the error falls with the
     square of their distance.
     """
-    total, extra, start, end = 0.0, 0.0, memory.level, way[-1].level
+    total, extra, start, end = 0.0, 0.0, memory.level, path[-1].level
     for ring in rings:
         x = ring.sample.x
         side = ring.side
@@ -229,11 +229,11 @@ def slid_along(
             continue
         allowed = np.where(x < memory.radius, np.maximum(ring.sample.read(bound.at(memory.press)), 0.0), 0.0)
         slid = np.maximum(side * ring.before - allowed, 0.0)  # rounding
-        load = turned = side * ring.before
+        load = displaced = side * ring.before
         density = np.zeros_like(x)
         if_stuck = twist * (1.0 - first)
-        work = np.where(x < way[-1].radius, -if_stuck * (ring.before + 0.5 * if_stuck), 0.0)
-        for press in way:
+        work = np.where(x < path[-1].radius, -if_stuck * (ring.before + 0.5 * if_stuck), 0.0)
+        for press in path:
             share = (press.level - start) / (end - start) if end != start else 1.0
             here = side * (ring.before + twist * np.maximum(np.minimum(share, last) - first, 0.0))
             limit = np.where(x < press.radius, np.maximum(ring.sample.read(bound.at(press)), 0.0), 0.0)
@@ -245,8 +245,8 @@ def slid_along(
             slid = slid + excess
             after = np.minimum(here - slid, limit)
             mean = np.where(excess > 0.0, onset * (load + at_onset) + (1.0 - onset) * (at_onset + limit), load + after)
-            work += 0.5 * mean * (here - turned)
-            load, turned, allowed = after, here, limit
+            work += 0.5 * mean * (here - displaced)
+            load, displaced, allowed = after, here, limit
         total += float(np.sum(ring.sample.weights * x**2 * density))
         extra += float(np.sum(ring.sample.weights * x**2 * work))
     return total, extra
@@ -307,22 +307,22 @@ def _meet(bound: TwistBound, excess: Array, low: float, high: float, rising: boo
         return low
     if right <= 0.0:
         return high
-    kept = 0
+    last_side = 0
     for _ in range(BISECTIONS):  # the rule of false position, halving the end that stays (Illinois)
         middle = low - left * (high - low) / (right - left)
         if not low < middle < high or high - low <= 1e-15 * high:
             break
-        found = over(middle)
-        if found == 0.0:
+        middle_value = over(middle)
+        if middle_value == 0.0:
             return middle
-        if found < 0.0:
-            low, left = middle, found
-            right = 0.5 * right if kept < 0 else right
-            kept = -1
+        if middle_value < 0.0:
+            low, left = middle, middle_value
+            right = 0.5 * right if last_side < 0 else right
+            last_side = -1
         else:
-            high, right = middle, found
-            left = 0.5 * left if kept > 0 else left
-            kept = 1
+            high, right = middle, middle_value
+            left = 0.5 * left if last_side > 0 else left
+            last_side = 1
     return low if -left < right else high
 
 

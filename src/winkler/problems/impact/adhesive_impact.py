@@ -1,9 +1,9 @@
 r"""Impact of a body that sticks: snap-in, loss at pull-off, and the velocity below which it stays.
 
 While the edge of the contact follows Griffith's balance under fixed grips (`winkler.problems.adhesion.cycle`), the body
-moves by :math:`m\dot v=-F(d)`, with one curve of forces on the way in and another on the way out.  Where the edge loses
-its hold it runs on at once; what its potential falls by is lost, and so is what opening costs more than closing has
-gained.  A ball leaves with
+moves by :math:`m\dot v=-F(d)`, with one curve of forces for the approach and another for the rebound.  Where the edge
+loses its hold it runs on at once; what its potential falls by is lost, and so is what opening costs more than closing
+has gained.  A ball leaves with
 
 .. math:: e = \sqrt{1-(v_\mathrm{s}/v)^2}, \qquad
           \tfrac12 m v_\mathrm{s}^2 = 7.092\left(\frac{w^5R^4}{E^{*2}}\right)^{1/3},
@@ -163,7 +163,7 @@ class AdhesiveImpact:
 
 
 SEPARATION_MARGIN = 1e-9
-"""Part of the whole way by which bodies are drawn beyond the last hold."""
+"""Part of the whole depth by which bodies are drawn beyond the last hold."""
 
 
 @value
@@ -233,11 +233,11 @@ class AdhesiveImpactSolution:
         problem = self.problem
         modulus = float(problem.bed.normal_stiffness(np.array([np.max(self.radius)]))[0])
         share = wave_loss(modulus=modulus, mass=problem.mass, size=problem.bed.size, velocity=problem.velocity)
-        given = np.full(self.time.size, 0.5 * problem.mass * problem.velocity**2)
+        energy_at_start = np.full(self.time.size, 0.5 * problem.mass * problem.velocity**2)
         verdict = "it stays, and swings on in contact without end in this theory" if self.captured else "it leaves"
         return (
             *adhesive_notes(problem.bed, problem.law, self.depth, self.radius),
-            energy_note(given, self.kinetic_energy + self.energy, self.dissipation),
+            energy_note(energy_at_start, self.kinetic_energy + self.energy, self.dissipation),
             wave_note(share),
             gravity_note(self.force),
             Note(

@@ -41,7 +41,7 @@ from winkler.values import value
 __all__ = ["Impact", "ImpactSolution"]
 
 LARGEST_FRICTION = 1e5
-"""More friction than this is told from no slip by rounding alone."""
+"""More friction than this differs from no slip by rounding alone."""
 
 
 @value
@@ -171,12 +171,12 @@ class Impact:
         for stage in stages(motion, turn):
             begun = (*begun, ImpactStage(stage.start, stage.end, stage.sign))
             stop = int(np.searchsorted(times, stage.end, side="right"))
-            asked = times[done:stop]
-            moments = [stage.moment(time) for time in asked.tolist()]
+            requested = times[done:stop]
+            moments = [stage.moment(time) for time in requested.tolist()]
             if stop == self.count:
                 moments[-1] = _parted(moments[-1])
             if moments:
-                yield from self._states(asked, moments, begun, 2.0 * turn)
+                yield from self._states(requested, moments, begun, 2.0 * turn)
                 done, begun = stop, ()
 
     def _states(
@@ -344,8 +344,8 @@ class ImpactSolution:
         mu = problem.law.coefficient
         rubs = mu > 0.0 and problem.sliding_velocity != 0.0
         rubbing = Rubbing(mu, slid_depth(mu, self.depth, self.force, self.shear_force)) if rubs else FRICTIONLESS
-        kept = self.kinetic_energy + self.energy + self.stored_energy
-        balance = energy_note(np.full(kept.size, kept[0]), kept, self.dissipation)
+        mechanical = self.kinetic_energy + self.energy + self.stored_energy
+        balance = energy_note(np.full(mechanical.size, mechanical[0]), mechanical, self.dissipation)
         notes = [*indentation_notes(bed, depth, radius, rubbing), balance, wave_note(share), gravity_note(force)]
         if rubs:
             notes += [PLANAR, sticking_note(bed.medium, mu), *direction_notes(bed)]

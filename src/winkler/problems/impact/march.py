@@ -167,8 +167,8 @@ def turning(motion: Motion) -> float:
 
     longest = 2.0 * motion.depth / motion.velocity  # the force never falls with the depth
     stopped = Stop(lambda time, state: state[1], -1)
-    found = _march(motion, rates, (0.0, longest), np.array([0.0, motion.velocity]), [stopped])
-    return found.end
+    integrated = _march(motion, rates, (0.0, longest), np.array([0.0, motion.velocity]), [stopped])
+    return integrated.end
 
 
 def _stick(motion: Motion, span: tuple[float, float], start: Array, stops: list[Stop]) -> Marched:
@@ -183,20 +183,20 @@ def _stick(motion: Motion, span: tuple[float, float], start: Array, stops: list[
     return _march(motion, rates, span, start, stops)
 
 
-def _sticking(motion: Motion, found: Marched) -> Stage:
+def _sticking(motion: Motion, integrated: Marched) -> Stage:
     def moment(time: float) -> ImpactMoment:
-        depth, velocity, shift, sliding, loss, shear, stored = found.at(time).tolist()
+        depth, velocity, shift, sliding, loss, shear, stored = integrated.at(time).tolist()
         _, force, pressed = motion.curve.at(depth)
         return ImpactMoment(depth, velocity, shift, sliding, loss, force, shear, pressed, stored, depth)
 
-    return Stage(float(found.times[0]), found.end, 0, moment)
+    return Stage(float(integrated.times[0]), integrated.end, 0, moment)
 
 
-def _entered(motion: Motion, found: Marched, turn: float) -> Entered:
+def _entered(motion: Motion, integrated: Marched, turn: float) -> Entered:
     """Return what springs remember that came into contact while all stuck."""
-    times = found.times
+    times = integrated.times
     places = 0.5 * (times[:-1] + times[1:])[:, None] + 0.5 * np.diff(times)[:, None] * NODES
-    values = found.at(places.ravel())[[0, 2, 5, 6]].reshape(4, *places.shape)
+    values = integrated.at(places.ravel())[[0, 2, 5, 6]].reshape(4, *places.shape)
     return Entered(times.tolist(), np.moveaxis(values @ POWERS.T, 0, 1), motion.ratio, motion.beta(), turn)
 
 
@@ -213,24 +213,24 @@ def _with_slip(motion: Motion, turn: float) -> Iterator[Stage]:
         if sign == 0:
             forward = Stop(lambda time, y: y[3] - beta * y[1], 1)
             backward = Stop(lambda time, y: y[3] + beta * y[1], -1)
-            found = _stick(motion, (time, turn), np.array([*state, shear, stored]), [forward, backward])
-            if found.end > time:
-                yield _sticking(motion, found)
-                memory.append(_entered(motion, found, turn))
-            time, state = found.end, found.last[:5]
-            ahead, back = found.stopped
+            integrated = _stick(motion, (time, turn), np.array([*state, shear, stored]), [forward, backward])
+            if integrated.end > time:
+                yield _sticking(motion, integrated)
+                memory.append(_entered(motion, integrated, turn))
+            time, state = integrated.end, integrated.last[:5]
+            ahead, back = integrated.stopped
             # where the bodies turn back before anything slides, those that part next slide as the points move
-            sign = int(ahead) - int(back) or int(np.sign(state[3])) or -int(np.sign(found.last[5])) or 1
+            sign = int(ahead) - int(back) or int(np.sign(state[3])) or -int(np.sign(integrated.last[5])) or 1
             continue
         while memory and sign * state[2] - beta * state[0] >= memory[-1].highest(sign):
             memory.pop()
         slip = _Slip(motion, sign, memory[-1] if memory else None, turn)
-        found = slip.march(time, turn if time < turn else end, state)
-        if found.end > time:
-            yield Stage(time, found.end, sign, slip.reader(found))
-        time, state = found.end, found.last
-        stopped, eaten, passed = found.stopped
-        if not any(found.stopped) and time == end:
+        integrated = slip.march(time, turn if time < turn else end, state)
+        if integrated.end > time:
+            yield Stage(time, integrated.end, sign, slip.reader(integrated))
+        time, state = integrated.end, integrated.last
+        stopped, eaten, passed = integrated.stopped
+        if not any(integrated.stopped) and time == end:
             return
         last = slip.recall(state)
         if eaten:
@@ -298,9 +298,9 @@ class _Slip(NamedTuple):
         ]
         return _march(motion, rates, (time, end), start, stops)
 
-    def reader(self, found: Marched) -> Callable[[float], ImpactMoment]:
+    def reader(self, integrated: Marched) -> Callable[[float], ImpactMoment]:
         def moment(time: float) -> ImpactMoment:
-            state = found.at(time)
+            state = integrated.at(time)
             depth, velocity, shift, sliding, loss = state.tolist()
             inner = self.recall(state)
             shear, stored = self.shear(state, inner)

@@ -5,7 +5,7 @@ when :math:`\sigma u` reaches :math:`\beta(d-\gamma)`, that is when the level
 
 .. math:: A_\sigma = \sigma U - \beta d \quad\text{reaches}\quad \alpha_\sigma(\gamma) = -\sigma h(\gamma)-\beta\gamma .
 
-:math:`\alpha_\sigma` never rises with :math:`\gamma`: sliding sets in at the edge and eats its way inwards.  Springs
+:math:`\alpha_\sigma` never rises with :math:`\gamma`: sliding sets in at the edge and advances inwards.  Springs
 that have slid and stick again remember a straight line; springs that came into contact while all others stuck remember
 the shift at that moment, :math:`h(\gamma)=-U(t_\gamma)`, and then :math:`\alpha_\sigma(\gamma)=A_\sigma(t_\gamma)`:
 the level itself at that moment.

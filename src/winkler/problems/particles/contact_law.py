@@ -34,9 +34,9 @@ FIRST_INTERVALS = 8
 MOST_HALVINGS, MOST_ROWS = 24, 100_000
 """Halvings of an interval, and rows, at most."""
 CHECK_POSITIONS = np.array([0.15, 0.35, 0.5, 0.65, 0.85])
-"""Where an interval is examined, as parts of it."""
+"""Where an interval is checked, as parts of it."""
 SAFETY_FACTOR = 0.7
-"""The error there is kept below this part of what is allowed: it may be a little greater elsewhere."""
+"""The error there stays below this part of what is allowed: it may be a little greater elsewhere."""
 
 
 @value
@@ -83,7 +83,7 @@ class ContactLaw:
         ------
         OutsideValidity
             If the bed does not reach so deep, or its springs' tangential stiffness is not in proportion to the normal
-            one, so that no one number tells the tangential stiffness.
+            one, so that no single number describes the tangential stiffness.
         NotConverged
             If the tolerance would need more than 100 000 rows.
         """
@@ -108,8 +108,8 @@ class ContactLaw:
         if not alike(ratios):
             raise OutsideValidity(
                 f"ContactLaw: the springs' tangential stiffness is between {ratios[0]:.4g} and {ratios[1]:.4g} of the "
-                "normal one, so that no one number tells it; give a homogeneous or power-law medium, or march along a "
-                "path with Tangential."
+                "normal one, so that no single number describes it; give a homogeneous or power-law medium, or march "
+                "along a path with Tangential."
             )
         return ContactLawSolution(
             self,

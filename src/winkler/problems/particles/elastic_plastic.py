@@ -2,7 +2,7 @@ r"""An elastic-plastic, adhesive particle against a rigid plane, as discrete ele
 
 The springs are those of half an ellipse: a ball's while the particle is elastic; once it has yielded, the ones that the
 greatest depth so far has left (`winkler.problems.particles.elastic_plastic_springs`).  Attraction holds the edge of
-the contact as in Johnson, Kendall and Roberts, with what closing gains and opening costs distinguished:
+the contact as in Johnson, Kendall and Roberts, with different works for closing and opening:
 
 .. math:: F = E_c\int_{-a}^{a}(d_e-g(x))\,\mathrm dx, \qquad g(a)-d_e = \sqrt{2\pi a w/E_c}
           \ \text{ while the edge moves.}
@@ -142,7 +142,7 @@ class ElasticPlasticParticle:
         state = march.fresh()
         for level in self._levels.tolist():
             state = march.to_depth(state, level) if isinstance(self.path, Depth) else march.to_force(state, level)
-            yield _seen(march, state, self.path, level)
+            yield _state_of(march, state, self.path, level)
 
     def gathered(self, states: Iterable[ParticleState]) -> ParticleSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""
@@ -163,13 +163,13 @@ class ElasticPlasticParticle:
         return self.gathered(self.steps())
 
 
-def _seen(march: ParticleMarch, state: ParticleHistory, path: Depth | Force, level: float) -> ParticleState:
+def _state_of(march: ParticleMarch, state: ParticleHistory, path: Depth | Force, level: float) -> ParticleState:
     springs = march.material.springs(state.largest)
-    force = springs.force(state.angle, state.felt) if state.touching else 0.0
+    force = springs.force(state.angle, state.compression) if state.touching else 0.0
     energy = march.energy(state)
     held = isinstance(path, Force)
     return ParticleState(
-        depth=springs.depth(state.felt) if held else level,
+        depth=springs.depth(state.compression) if held else level,
         force=level if held else force,
         radius=springs.radius(state.angle),
         residual_depth=springs.origin,

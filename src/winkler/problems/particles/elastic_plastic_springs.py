@@ -10,8 +10,8 @@ While it is elastic, :math:`A=4R`, :math:`b=R`: a ball.  Once its mean pressure 
 .. math:: b^2 = 2DR - D^2 + d_Y^2 - d_YR, \qquad A = 4p_Y(D)\,b/E_c ,
 
 fully pressed in at :math:`D`, which means the uniform pressure :math:`p_Y`.  The springs then feel the depth
-:math:`(d-d_0)/s`, where :math:`s-1` tells how far the rest of the particle gives way, and :math:`d_0` is what remains
-when it is let go.
+:math:`(d-d_0)/s`, where :math:`s-1` is the share by which the rest of the particle yields, and :math:`d_0` is what
+remains when it is let go.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ YIELD_PRESSURE_RISE, YIELD_PRESSURE_FALL = 1.75, 4.4
 
 
 class ParticleSprings(NamedTuple):
-    """ParticleSprings under half an ellipse; angles tell the edge of the contact, a = b sin(angle).
+    """Springs under half an ellipse; the edge of the contact is given by an angle, a = b sin(angle).
 
     Parameters
     ----------
@@ -47,7 +47,7 @@ class ParticleSprings(NamedTuple):
     half_width : float
         b [m].
     origin, stretch : float
-        d0 [m] and s [-]: the springs feel (d - d0) / s.
+        d0 [m] and s [-]: the springs are compressed by (d - d0) / s.
     """
 
     modulus: float
@@ -56,13 +56,13 @@ class ParticleSprings(NamedTuple):
     origin: float
     stretch: float
 
-    def felt(self, depth: float) -> float:
-        """Return what the springs feel of a depth [m]."""
+    def compression(self, depth: float) -> float:
+        """Return by how much a depth compresses the springs [m]."""
         return (depth - self.origin) / self.stretch
 
-    def depth(self, felt: float) -> float:
-        """Return the depth of which the springs feel so much [m]."""
-        return self.origin + self.stretch * felt
+    def depth(self, compression: float) -> float:
+        """Return the depth that compresses the springs so much [m]."""
+        return self.origin + self.stretch * compression
 
     def radius(self, angle: float) -> float:
         """Return the radius of the contact [m]."""
@@ -72,16 +72,16 @@ class ParticleSprings(NamedTuple):
         """Return g at the edge of the contact [m]."""
         return self.height * math.sin(0.5 * angle) ** 2
 
-    def sums(self, angle: float, felt: float) -> tuple[float, float]:
+    def sums(self, angle: float, compression: float) -> tuple[float, float]:
         """Return force [N] and elastic energy of the springs [J], from quadrature that is exact to rounding."""
         theta = 0.5 * angle * (NODES + 1.0)
-        pressed = felt - self.height * np.sin(0.5 * theta) ** 2
+        pressed = compression - self.height * np.sin(0.5 * theta) ** 2
         weight = self.modulus * self.half_width * angle * WEIGHTS * np.cos(theta)
         return float(weight @ pressed), 0.5 * float(weight @ pressed**2)
 
-    def force(self, angle: float, felt: float) -> float:
+    def force(self, angle: float, compression: float) -> float:
         """Return the force [N]."""
-        return self.sums(angle, felt)[0]
+        return self.sums(angle, compression)[0]
 
     def balanced(self, angle: float, work: float) -> float:
         """Return how much the springs feel when an edge at the angle is just held by a work of adhesion [m]."""
@@ -97,16 +97,16 @@ class ParticleSprings(NamedTuple):
         number = 2.0 * factor * math.sqrt(2.0 * math.pi * self.half_width * work / self.modulus) / self.height
         return between(lambda angle: math.sin(angle) ** 1.5 - number * math.cos(angle), 0.0, FULL_CONTACT_ANGLE)
 
-    def edge(self, felt: float, work: float) -> float:
+    def edge(self, compression: float, work: float) -> float:
         """Return the angle of the stable edge; zero if there is none."""
         if work == 0.0:
-            return 2.0 * math.asin(math.sqrt(min(max(felt, 0.0) / self.height, 0.5)))
+            return 2.0 * math.asin(math.sqrt(min(max(compression, 0.0) / self.height, 0.5)))
         least = self.critical(work, 0.5)
-        if felt < self.balanced(least, work):
+        if compression < self.balanced(least, work):
             return 0.0
-        if felt >= self.balanced(FULL_CONTACT_ANGLE, work):
+        if compression >= self.balanced(FULL_CONTACT_ANGLE, work):
             return FULL_CONTACT_ANGLE
-        return between(lambda angle: self.balanced(angle, work) - felt, least, FULL_CONTACT_ANGLE)
+        return between(lambda angle: self.balanced(angle, work) - compression, least, FULL_CONTACT_ANGLE)
 
     def edge_force(self, angle: float, work: float) -> float:
         """Return the force while the edge is just held [N]."""
@@ -171,14 +171,14 @@ class Material(NamedTuple):
         square = self._square(largest)
         b = math.sqrt(square)
         height = 4.0 * self.yield_pressure(largest) * b / self.modulus
-        felt = 0.5 * height
-        centre = self.radius - (largest - felt)
+        compression = 0.5 * height
+        centre = self.radius - (largest - compression)
         far = math.hypot(b, centre)
         nu = self.solid.poisson
         # how far the centre of the particle moves under the uniform pressure, against its surface far away
         bent = 2.0 * square * (nu - 1.0) - (2.0 * nu - 1.0) * centre * (far - centre)
-        given = self.force(largest) * bent / (2.0 * math.pi * self.solid.shear * square * far)
-        return ParticleSprings(self.modulus, height, b, largest - felt - given, 1.0 + given / felt)
+        bulk = self.force(largest) * bent / (2.0 * math.pi * self.solid.shear * square * far)
+        return ParticleSprings(self.modulus, height, b, largest - compression - bulk, 1.0 + bulk / compression)
 
 
 def material_of(radius: float, solid: Elastic) -> Material:

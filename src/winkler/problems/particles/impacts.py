@@ -1,7 +1,7 @@
 r"""Many balls that strike at once, straight or obliquely, each with its own velocities.
 
 The equations are those of one `Impact`, integrated by Verlet's steps; the springs of every contact follow each step
-exactly along its straight line.  Energy is kept to second order in the steps.
+exactly along its straight line.  Energy is conserved to second order in the steps.
 """
 
 from __future__ import annotations
@@ -103,10 +103,10 @@ class BallImpacts:
                 f"BallImpacts: sliding_velocity has the shape {shape}; give finite numbers, (contacts, 2)."
             )
         for name in ("curvature_radius", "coefficient", "mass", "mobility", "velocity"):
-            given = np.shape(getattr(self, name))
-            if given not in ((), shape[:1]):
+            shape_ = np.shape(getattr(self, name))
+            if shape_ not in ((), shape[:1]):
                 raise InvalidInput(
-                    f"BallImpacts: {name} has the shape {given} for {shape[0]} contacts; give one number for each, "
+                    f"BallImpacts: {name} has the shape {shape_} for {shape[0]} contacts; give one number for each, "
                     "or one for all."
                 )
 
@@ -171,7 +171,7 @@ class BallImpactsSolution:
     greatest_depth : ndarray, (contacts,)
         Hertz' greatest depth [m].
     greatest_shear_force : ndarray, (contacts,)
-        Greatest shear force on the way [N].
+        Greatest shear force during the impact [N].
     duration : ndarray, (contacts,)
         How long the bodies touch [s], a whole number of steps.
     """
