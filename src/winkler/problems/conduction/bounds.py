@@ -130,7 +130,7 @@ class ConductanceBounds:
             return k * (d - d0 - rough) - (f - force)
 
         if rough == 0.0:
-            return self._told(k0, k0, k0)
+            return self._solution(k0, k0, k0)
         beyond = self._beyond(above, a0)
         if not rises(bed, beyond):
             raise OutsideValidity(
@@ -138,7 +138,7 @@ class ConductanceBounds:
                 "grow as one disc; give a smooth body that does."
             )
         # under a flat end both are searched at depth zero, where the chord from first touch is met
-        return self._told(at(_crossing(below, 0.0, a0))[2], k0, at(_crossing(above, a0, beyond))[2])
+        return self._solution(at(_crossing(below, 0.0, a0))[2], k0, at(_crossing(above, a0, beyond))[2])
 
     def _beyond(self, above: Callable[[float], float], radius: float) -> float:
         """Return a radius beyond the tangent of the upper bound; the rim where the contact is pinned before it."""
@@ -156,7 +156,7 @@ class ConductanceBounds:
             "body ends; give a smaller roughness or force, or more of the shape."
         )
 
-    def _told(self, least: float, smooth: float, greatest: float) -> ConductanceBoundsSolution:
+    def _solution(self, least: float, smooth: float, greatest: float) -> ConductanceBoundsSolution:
         factor = self._conductance_of_stiffness()
         stiffness = (least, smooth, greatest)
         return ConductanceBoundsSolution(self, *stiffness, *(factor * part for part in stiffness))

@@ -42,8 +42,8 @@ class Constriction:
     load : Force, Depth or Radius
         What is prescribed; its value may be an array, the results then have its shape.
     mean_free_path : float, optional
-        Of the electrons [m], not negative; with it a note tells how far the resistance may be off by free flight.
-        Zero (the default) if it is not asked about.
+        Of the electrons [m], not negative; with it a note states how far the resistance may be off by free flight.
+        Zero (the default) leaves the note out.
 
     Raises
     ------

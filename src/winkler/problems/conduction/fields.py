@@ -102,15 +102,15 @@ def restore_conduction(
     InvalidInput
         If a place is not finite or r negative, the solution is of another kind, or holds many loads.
     OutsideValidity
-        If there is a film, a plating or a rod, or the bed tells the stiffness alone: then the field is not that of a
+        If there is a film, a plating or a rod, or the bed defines the stiffness alone: then the field is not that of a
         plain disc.
     """
     places = []
-    for word, given in (("r", r), ("z", z)):
+    for word, value_ in (("r", r), ("z", z)):
         try:
-            numbers = np.asarray(given, dtype=float)
+            numbers = np.asarray(value_, dtype=float)
         except (TypeError, ValueError):
-            raise InvalidInput(f"restore_conduction: {word} is {given!r}; give a number or an array in m.") from None
+            raise InvalidInput(f"restore_conduction: {word} is {value_!r}; give a number or an array in m.") from None
         if not np.all(np.isfinite(numbers)):
             raise InvalidInput(f"restore_conduction: {word} holds values that are not finite; give places in m.")
         places.append(numbers)

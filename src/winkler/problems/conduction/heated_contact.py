@@ -77,17 +77,17 @@ def profile(cold: Cold, inflow: Array, fall: Array, phi: Array) -> Array:
 def _growth(cold: Cold, hot: Hot) -> tuple[Array, Array]:
     """Return by which factor either body's resistance has grown: one over the mean of rho(T_0) / rho(T)."""
     nodes, weights = gauss_legendre(NODES)
-    found = []
+    factors = []
     for fall, inflow, alpha in zip((hot.first, hot.second), hot.inflow(), cold.coefficients, strict=True):
         if alpha == 0.0:
-            found.append(np.ones(fall.shape))
+            factors.append(np.ones(fall.shape))
             continue
         # near its end a body is cold: there the nodes crowd
         phi = fall[:, None] * nodes**2
         temperature = profile(cold, inflow[:, None], fall[:, None], phi)
         mean = (1.0 / (1.0 + alpha * (temperature - cold.ambient))) @ (2.0 * weights * nodes)
-        found.append(1.0 / mean)
-    return found[0], found[1]
+        factors.append(1.0 / mean)
+    return factors[0], factors[1]
 
 
 def hot_at_voltage(cold: Cold, voltage: Array) -> Hot:

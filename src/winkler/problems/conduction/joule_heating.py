@@ -139,10 +139,10 @@ class JouleHeating:
             cold = cold_contact(self, radius[touching])
             drive = np.ones(int(touching.sum()))
             if isinstance(self.drive, Current):
-                found = hot_at_current(cold, self.drive.current * drive)
+                coefficients = hot_at_current(cold, self.drive.current * drive)
             else:
-                found = hot_at_voltage(cold, self.drive.voltage * drive)
-            for whole, part in zip(hot, found, strict=True):
+                coefficients = hot_at_voltage(cold, self.drive.voltage * drive)
+            for whole, part in zip(hot, coefficients, strict=True):
                 whole[touching] = part
         if isinstance(self.drive, Voltage):
             # apart, all the voltage stands between the surfaces
@@ -173,13 +173,13 @@ def cold_contact(problem: JouleHeating, radius: Array) -> Cold:
 def _coefficient(body: ConductingBody) -> float:
     """Return the coefficient of temperature of a body."""
     parts = [body.plating, body.on] if isinstance(body, Plated) else [surface_of(body)]
-    found = {part.temperature_coefficient for part in parts if isinstance(part, ElectricalConductor)}
-    if len(found) > 1:
+    coefficients = {part.temperature_coefficient for part in parts if isinstance(part, ElectricalConductor)}
+    if len(coefficients) > 1:
         raise OutsideValidity(
             "JouleHeating: a plating and what carries it have different temperature coefficients, so the current would "
-            "change its way as they are heated; give both the same one, or zero."
+            "deviate from their plane as they are heated; give both the same one, or zero."
         )
-    return found.pop()
+    return coefficients.pop()
 
 
 def _temperatures(problem: JouleHeating, hot: Hot) -> tuple[Array, Array]:

@@ -1,4 +1,4 @@
-r"""Many spots at once: rough bodies touch in clusters, and the spots of a cluster stand in each other's way.
+r"""Many spots at once: rough bodies touch in clusters, and the spots of a cluster add to each other's resistance.
 
 If every spot took a current in proportion to its radius, the resistance were Greenwood's
 
@@ -160,7 +160,7 @@ class SpotClusterSolution:
 
     @property
     def holm_radius(self) -> float:
-        """Radius [m] of the one disc that would stand in the way like the spots' crowding; infinite for one spot."""
+        """Radius [m] of the one disc with the same resistance as the spots' crowding; infinite for one spot."""
         rho = resistivity_of(self.problem.first) + resistivity_of(self.problem.second)
         crowding = self.resistance - self.alone
         return rho / (4.0 * crowding) if self.problem.radii.size > 1 else math.inf

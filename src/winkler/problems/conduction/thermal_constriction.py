@@ -75,7 +75,7 @@ class ThermalConstriction:
     assumptions: ClassVar[frozenset[Assumption]] = CONDUCTING | {Assumption.STEADY}
 
     def solve(self) -> ThermalConstrictionSolution:
-        """Return the heat rate and what stands in its way.
+        """Return the heat rate and its resistances.
 
         Returns
         -------

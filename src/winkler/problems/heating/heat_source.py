@@ -76,7 +76,7 @@ def heat_source(pressed: Pressed) -> HeatSource:
 
 
 def loads_over(contact: IndentationSolution, shape: tuple[int, ...]) -> Array:
-    """Return which load of a contact every answer belongs to."""
+    """Return which load of a contact every result belongs to."""
     loads = np.shape(contact.radius)
     return np.broadcast_to(np.arange(math.prod(loads)).reshape(loads), shape)
 

@@ -46,7 +46,7 @@ from winkler.values import value
 __all__ = ["FrictionHeating", "FrictionHeatingSolution"]
 
 HIGHEST_PECLET = 1e8
-"""Peclet number above which rounding is felt in means over the contact."""
+"""Peclet number above which rounding matters in means over the contact."""
 
 
 @value
@@ -303,7 +303,7 @@ class FrictionHeatingSolution:
         try:
             which = int(np.arange(math.prod(shape)).reshape(shape)[index])
         except (IndexError, TypeError):
-            raise InvalidInput(f"solution.at: there is no answer {index!r} in one of shape {shape}.") from None
+            raise InvalidInput(f"solution.at: there is no result {index!r} in a solution of shape {shape}.") from None
         place = tuple(int(each) for each in np.unravel_index(which, shape))
 
         def one(given: Quantity) -> float:
@@ -311,8 +311,8 @@ class FrictionHeatingSolution:
 
         contact, loads = self.contact, np.shape(self.contact.radius)
         if loads:
-            kept = np.unravel_index(int(loads_over(contact, shape)[place]), loads)
-            contact = contact.at(tuple(int(each) for each in kept))
+            chosen = np.unravel_index(int(loads_over(contact, shape)[place]), loads)
+            contact = contact.at(tuple(int(each) for each in chosen))
         problem = dataclasses.replace(
             self.problem,
             load=contact.problem.load,

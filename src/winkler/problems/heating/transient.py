@@ -67,7 +67,7 @@ class TransientHeating:
     Raises
     ------
     InvalidInput
-        If the load is an array, a time is not positive, the speed negative, or as `FrictionHeating` says.
+        If the load is an array, a time is not positive, the speed negative, or as in `FrictionHeating`.
 
     References
     ----------
@@ -259,7 +259,7 @@ class TransientHeatingSolution:
             Standing.APPROXIMATE,
             "The bodies' diffusivities differ: the share that makes their temperatures agree goes from that of the "
             "effusivities to that of the conductivities. It is taken at every time as if it had always been so; it "
-            f"changes by {spread:.2g} over the times asked.",
+            f"changes by {spread:.2g} over the times given.",
             CARSLAW,
         )
 

@@ -1,4 +1,4 @@
-"""What every solution about frictional heating says about its own validity."""
+"""Validity notes of every solution of frictional heating."""
 
 from __future__ import annotations
 
@@ -87,12 +87,12 @@ def _sharing(
         )
     scale = np.maximum(*greatest)
     apart = np.max(np.maximum(abs(greatest[0] - greatest[1]), abs(means[0] - means[1])) / np.where(scale > 0, scale, 1))
-    kept = "mean" if isinstance(partition, EqualMean) else "greatest"
+    equal = "mean" if isinstance(partition, EqualMean) else "greatest"
     other = "greatest" if isinstance(partition, EqualMean) else "mean"
     return Note(
         Assumption.CONDUCTION,
         Standing.APPROXIMATE,
-        f"One share of the heat for the whole contact makes the {kept} temperatures of both bodies equal, but not "
+        f"One share of the heat for the whole contact makes the {equal} temperatures of both bodies equal, but not "
         f"those at every point; the {other} ones differ by {100.0 * float(apart):.2g} % of the greatest.",
         BLOK,
     )

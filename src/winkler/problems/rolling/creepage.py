@@ -5,8 +5,8 @@ and were both rigid, with the velocity
 
 .. math:: w_x = V\,(\xi - \varphi\,y), \qquad w_y = V\,(\eta + \varphi\,x) .
 
-The traction with which the second body drags the first points the way it slips: a positive creepage makes a positive
-force.
+The traction with which the second body drags the first points in the direction of slip: a positive creepage makes a
+positive force.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from winkler.values import value
 __all__ = ["AtCreepages", "Creepage", "Creeping"]
 
 LARGEST_CREEPAGE = {"longitudinal": 1e9, "lateral": 1e9, "spin": math.inf}
-"""Beyond it nothing rolls any more; of spin only the size of the contact tells."""
+"""Beyond it nothing rolls any more; for spin only the size of the contact decides."""
 UNITS = {"longitudinal": "", "lateral": "", "spin": " in 1/m"}
 
 
@@ -58,9 +58,9 @@ class Creepage:
 
     def __post_init__(self) -> None:
         for word, unit in UNITS.items():
-            given = np.asarray(getattr(self, word))
-            good = given.dtype.kind in "fiu" and given.size > 0 and np.all(np.isfinite(given))
-            if not good or np.any(np.abs(given) > LARGEST_CREEPAGE[word]):
+            prescribed = np.asarray(getattr(self, word))
+            good = prescribed.dtype.kind in "fiu" and prescribed.size > 0 and np.all(np.isfinite(prescribed))
+            if not good or np.any(np.abs(prescribed) > LARGEST_CREEPAGE[word]):
                 most = f", of at most {LARGEST_CREEPAGE[word]:g}" if math.isfinite(LARGEST_CREEPAGE[word]) else ""
                 shown = " ".join(repr(getattr(self, word)).split())  # arrays are written in lines
                 raise InvalidInput(f"Creepage: {word} is {shown}; give a number{unit}, or an array of them{most}.")
@@ -92,7 +92,7 @@ class Creeping(Protocol):
 
 
 class AtCreepages:
-    """The part of an answer that its creepages tell."""
+    """The part of a solution that follows from its creepages."""
 
     problem: Creeping
 

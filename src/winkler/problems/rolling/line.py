@@ -5,7 +5,7 @@ rolled.  It never bears more than its bound :math:`b(x)=\mu c_N(d-g)`, so that
 
 .. math:: q_x(x) = \min_{x\le y\le a}\,\bigl[q_x^0(y) + \kappa\,(y-x)\bigr],\qquad q_x^0 = b,\quad q_x^0(a)=0 .
 
-Which springs begin and cease to slide is seen on sampled springs; where exactly is then sought, and the force is
+Which springs begin and cease to slide is determined on sampled springs; the places are then refined, and the force is
 summed in closed form over the pieces.
 """
 
@@ -29,7 +29,7 @@ SAMPLES = 256
 EDGE_HALVINGS = 40
 """And how often more of them halve the distance from the edge."""
 BLOCK = 256
-"""How many creepages are examined together."""
+"""How many creepages are computed together."""
 
 
 class Sticking(NamedTuple):
@@ -40,7 +40,7 @@ class Sticking(NamedTuple):
     creepage
         Which creepage a piece belongs to.
     front, back
-        Where it begins, seen from the leading edge, and where it ends [m].
+        Where it begins, measured from the leading edge, and where it ends [m].
     load
         Line load at its front [N/m].
     """
@@ -116,12 +116,12 @@ class RollingLine:
         """
         x = self._places
         bound = self.bound(x)
-        found = [
+        roots = [
             self._refined(rate, begin + which, front, back, x, bound)
             for begin in range(0, rate.size, BLOCK)
             for which, front, back in self._sampled(rate[begin : begin + BLOCK], x, bound)
         ]
-        return Sticking(*(np.concatenate(part) for part in zip(*found, strict=True)))
+        return Sticking(*(np.concatenate(part) for part in zip(*roots, strict=True)))
 
     def _sampled(self, rate: Array, x: Array, bound: Array) -> Iterator[tuple[Array, Array, Array]]:
         """Yield creepage, last spring that slides before a sticking piece (or the edge), first that slides after it."""

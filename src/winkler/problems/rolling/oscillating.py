@@ -141,9 +141,9 @@ class OscillatingRolling:
         sampled, count = springs("OscillatingRolling", line, self.amplitude, 1, self.count)
         stiffness = self.calibration.stiffness(self.bed)[0]
         load, shift = np.zeros(sampled.x.size), 0.0
-        ways = (((0, 1),), ((1, count), (-1, 2 * count), (1, count)))
+        strokes = (((0, 1),), ((1, count), (-1, 2 * count), (1, count)))
         for cycle in range(self.cycles + 1):
-            for direction, steps in ways[min(cycle, 1)]:
+            for direction, steps in strokes[min(cycle, 1)]:
                 gained, borne = push(
                     load, sampled.bound, sampled.weight, sampled.part, direction, self.shear_force, steps
                 )

@@ -66,7 +66,7 @@ class RollingStart:
     calibration : Kalker or Uncalibrated, optional
         How stiff the springs are along the surface.
     points : int, optional
-        How many states are examined on the way, evenly spaced.
+        How many states are returned along the travel, evenly spaced.
     count : int, optional
         Springs on half of the contact, at least.
 
@@ -122,11 +122,11 @@ class RollingStart:
 
     @property
     def total(self) -> int:
-        """How many states `steps` yields: that at rest, and one after every part of the way."""
+        """How many states `steps` yields: that at rest, and one after every part of the travel."""
         return self.points + 1
 
     def steps(self) -> Iterator[RollingState]:
-        """Yield the contact at rest, and then after every part of the way.
+        """Yield the contact at rest, and then after every part of the travel.
 
         Raises
         ------
@@ -246,7 +246,7 @@ class RollingStartSolution:
 TRANSIENT = Note(
     Assumption.CALIBRATION,
     Standing.APPROXIMATE,
-    "The way to the steady state: that it takes one width of the contact is the line's own; a calibration was made "
-    "for the steady force, not for how it is reached.",
+    "The transition to the steady state: that it takes one width of the contact is the line's own; a calibration was "
+    "made for the steady force, not for how it is reached.",
     "the springs' rule; not compared with a theory in three dimensions",
 )

@@ -124,11 +124,11 @@ class Rolling:
         force = line.force(rate, pieces)
         direction = drive / np.where(rate > 0.0, rate, 1.0)
 
-        def shaped(answer: Array) -> Quantity:
-            return float(answer[0]) if self.creepage.shape == () else answer.reshape(self.creepage.shape)
+        def shaped(result: Array) -> Quantity:
+            return float(result[0]) if self.creepage.shape == () else result.reshape(self.creepage.shape)
 
-        answers = (*(direction * force), line.stick_share(rate, pieces))
-        return RollingSolution(self, contact, *(shaped(answer) for answer in answers))
+        results = (*(direction * force), line.stick_share(rate, pieces))
+        return RollingSolution(self, contact, *(shaped(result) for result in results))
 
 
 @value
@@ -186,7 +186,7 @@ class RollingSolution(AtCreepages):
         Raises
         ------
         InvalidInput
-            If the creepage is an array; give one.
+            If the creepage is an array; give one creepage.
         """
         if self.problem.creepage.shape != ():
             raise InvalidInput("RollingSolution.shear_load: the creepage is an array; solve for one creepage.")
@@ -219,7 +219,7 @@ TOGETHER = Note(
 STRIPS = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
-    "The line tells forces, not where on the surface they act: the zone of stick of a round contact is no strip "
+    "The line gives forces, not where on the surface they act: the zone of stick of a round contact is no strip "
     "between parallels; use SimplifiedRolling for a map.",
     VERMEULEN,
 )

@@ -17,10 +17,10 @@ from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.problems.normal.solve_contact import at_depth
 
-__all__ = ["MeasuredSprings", "Points", "room", "springs_of"]
+__all__ = ["MeasuredSprings", "Points", "force_uncertainty", "springs_of"]
 
 FEWEST_PIXELS = 16
-"""A contact of fewer says too little of its stiffness for a smooth curve."""
+"""A contact of fewer determines its stiffness too poorly for a smooth curve."""
 FEWEST_POINTS = 4
 POINTS_BETWEEN = 4
 """Points of the smooth bed for one computed contact."""
@@ -70,18 +70,18 @@ def springs_of(points: Points, medium: HomogeneousMedium, allowed: float) -> Mea
     """
     smooth = _smooth(points)
     if smooth is not None:
-        found = _fitted(smooth, medium, points)
-        if found.misfit <= allowed:
-            return found
+        fitted = _fitted(smooth, medium, points)
+        if fitted.misfit <= allowed:
+            return fitted
     # the splines of the bed are not as straight as what is meant: bend the points until the forces come out
     rising = _rising(points)
     more = np.zeros(points.depth.size - 1)
     for _ in range(MOST_ROUNDS):
-        found = _fitted(_punched(rising, more), medium, points)
-        if found.misfit <= MISFIT_SHARE * allowed:
+        fitted = _fitted(_punched(rising, more), medium, points)
+        if fitted.misfit <= MISFIT_SHARE * allowed:
             break
-        more -= np.diff(_missed(found.bed, points))
-    return found
+        more -= np.diff(_missed(fitted.bed, points))
+    return fitted
 
 
 def _missed(bed: MeasuredBed, points: Points) -> Array:
@@ -90,7 +90,7 @@ def _missed(bed: MeasuredBed, points: Points) -> Array:
     return np.asarray(bed.stiffness(radius) * depth - bed.gap_load(radius) - points.force)
 
 
-def room(points: Points) -> Array:
+def force_uncertainty(points: Points) -> Array:
     """Return how far [N] convex curves through the same contacts may be apart between one and the next.
 
     The stiffness rises with the depth: forces lie below the chord and above both tangents.
@@ -105,17 +105,17 @@ def _smooth(points: Points) -> Points | None:
     """Return points of a smooth curve through those that cover enough pixels; none if its slope does not rise."""
     from scipy.interpolate import CubicSpline
 
-    kept = points.pixels >= FEWEST_PIXELS
-    if np.count_nonzero(kept) < FEWEST_POINTS:
+    resolved = points.pixels >= FEWEST_PIXELS
+    if np.count_nonzero(resolved) < FEWEST_POINTS:
         return None
-    log_depth = np.log(points.depth[kept])
-    powers = (points.stiffness * points.depth / points.force)[kept]
-    spline = CubicSpline(log_depth, np.log(points.force[kept]), bc_type=((1, powers[0]), (1, powers[-1])))
+    log_depth = np.log(points.depth[resolved])
+    powers = (points.stiffness * points.depth / points.force)[resolved]
+    spline = CubicSpline(log_depth, np.log(points.force[resolved]), bc_type=((1, powers[0]), (1, powers[-1])))
     places = np.interp(
         np.arange((log_depth.size - 1) * POINTS_BETWEEN + 1) / POINTS_BETWEEN, np.arange(log_depth.size), log_depth
     )
     depth, force = np.exp(places), np.exp(spline(places))
-    depth[::POINTS_BETWEEN] = points.depth[kept]  # to the last digit
+    depth[::POINTS_BETWEEN] = points.depth[resolved]  # to rounding
     stiffness = force / depth * spline(places, 1)
     if np.any(np.diff(stiffness) <= 0.0):
         return None
@@ -151,9 +151,9 @@ def _punched(points: Points, more: Array) -> Points:
     return Points(depth, force, stiffness, np.interp(depth, points.depth, points.pixels))
 
 
-def _fitted(told: Points, medium: HomogeneousMedium, points: Points) -> MeasuredSprings:
+def _fitted(given_points: Points, medium: HomogeneousMedium, points: Points) -> MeasuredSprings:
     """Return the springs behind points, with what they need below the first of them."""
-    depth, force, stiffness, _ = told
+    depth, force, stiffness, _ = given_points
     # below the first point a power of the radius, the one that brings the first force
     share = min(force[0] / (stiffness[0] * depth[0]), LARGEST_FORCE_SHARE)
     below, power = FORCE_RATIO ** -np.arange(4.0, 0.0, -1.0), share / (1.0 - share)

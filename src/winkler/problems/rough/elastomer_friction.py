@@ -98,7 +98,7 @@ class ElastomerFrictionSolution:
 
     @property
     def velocity(self) -> Array:
-        """The velocities [m/s] that were requested."""
+        """The velocities [m/s]."""
         return self.problem.velocity
 
     @property

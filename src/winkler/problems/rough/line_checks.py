@@ -1,4 +1,4 @@
-"""What every rough line refuses, and what it says of waves that it does not see."""
+"""What every rough line refuses, and its notes on waves that it leaves out."""
 
 from __future__ import annotations
 

@@ -156,7 +156,7 @@ class RoughContactSolution(RoughSolution):
             Note(
                 Assumption.ROUGHNESS,
                 Standing.OUTSIDE,
-                "The line has no true area of contact and no mean gap: springs do not know of one another. Those given "
+                "The line has no true area of contact and no mean gap: springs do not affect one another. Those given "
                 "here are Persson's, of which the area is up to a third too small, the gap within 20 per cent up to "
                 "pressures of 0.2 E* h'; a SurfaceContact computes them.",
                 LYASHENKO,

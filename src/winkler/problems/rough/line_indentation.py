@@ -177,12 +177,12 @@ class RoughIndentationSolution(RoughSolution):
         nodes, weights = gauss_legendre(NODES)
         # r = a sin: pressures of flat ends and of smooth edges are both tame in the angle
         angle = 0.5 * math.pi * nodes
-        answer = []
+        areas = []
         for depth, radius in zip(depths.tolist(), radii.tolist(), strict=True):
             pressure = self.problem.medium.pressure(Pressed(bed, depth, radius), radius * np.sin(angle))
             touching = area_fraction(pressure, self.problem.medium.modulus, slope)
-            answer.append(math.pi**2 * radius**2 * float(np.sum(weights * touching * np.sin(angle) * np.cos(angle))))
-        return shaped(np.array(answer), np.shape(self.force))
+            areas.append(math.pi**2 * radius**2 * float(np.sum(weights * touching * np.sin(angle) * np.cos(angle))))
+        return shaped(np.array(areas), np.shape(self.force))
 
     @property
     def validity(self) -> tuple[Note, ...]:

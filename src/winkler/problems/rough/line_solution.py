@@ -1,4 +1,4 @@
-"""What every ensemble of rough lines answers: depth, force and stiffness with their bands, and what it conducts."""
+"""Solutions of ensembles of rough lines: depth, force and stiffness with their bands, and what it conducts."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ __all__ = ["RoughSolution"]
 
 @value
 class RoughSolution:
-    """What many rough lines tell of one load, or of many.
+    """Statistics of many rough lines under one load, or under many.
 
     Parameters
     ----------

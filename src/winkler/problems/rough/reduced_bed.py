@@ -32,9 +32,9 @@ def _none() -> Array:
 
 @value
 class ReducedBed(MeasuredBed):
-    """Springs that bear forces like a height map, for every problem that requires no more than forces and depths.
+    """Springs that bear forces like a height map, for every problem that needs no more than forces and depths.
 
-    Making one solves some ten contacts by boundary elements; what is asked of it afterwards takes milliseconds.
+    Making one solves some ten contacts by boundary elements; its forces and depths afterwards take milliseconds.
 
     Parameters
     ----------
@@ -72,9 +72,9 @@ class ReducedBed(MeasuredBed):
         return UNKNOWN_OUTLINE
 
     def __post_init__(self) -> None:
-        found = _springs(Reduction(self.topography, self.pressed_into, self.depth, self.tolerance))
+        reduced = _springs(Reduction(self.topography, self.pressed_into, self.depth, self.tolerance))
         for field in dataclasses.fields(MeasuredBed):
-            object.__setattr__(self, field.name, getattr(found, field.name))
+            object.__setattr__(self, field.name, getattr(reduced, field.name))
 
 
 @functools.lru_cache(maxsize=16)

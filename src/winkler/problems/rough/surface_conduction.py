@@ -4,7 +4,7 @@ Conductance and stiffness are in proportion, whatever the contact looks like (Ba
 
 .. math:: \frac{1}{R} = \frac{2}{E^*(\rho_1+\rho_2)}\,\frac{\mathrm dF_N}{\mathrm dd} ,
 
-so whatever tells k(F) tells the resistance.  The map lies between a flat and the same flat raised by its height s from
+so k(F) determines the resistance.  The map lies between a flat and the same flat raised by its height s from
 the lowest valley to the highest peak.  With the stiffness :math:`k_\infty` of the flat, which touches all over, the
 tangents to both force curves bound that of the rough surface by :math:`F/(F/k_\infty+s)\le k\le k_\infty`.
 """
@@ -91,22 +91,22 @@ class SurfaceConduction:
         """
         rough, medium = self.contact.topography, self.contact.medium
         spectrum = spectrum_of(rough)  # first, since it may refuse
-        found = self.contact.solve()
+        contact_solution = self.contact.solve()
         side = math.sqrt(rough.area)
         line = RoughContact(
-            spectrum, medium, side, Force(found.force), realisations=self.realisations, seed=self.seed
+            spectrum, medium, side, Force(contact_solution.force), realisations=self.realisations, seed=self.seed
         ).solve()
         flat = math.inf
         if not rough.periodic:
             smooth = Topography(np.zeros_like(rough.heights), rough.lengths)
             flat = float(SurfaceContact(smooth, medium, Depth(1.0)).solve().stiffness)
-        force = np.asarray(found.force, dtype=float)
+        force = np.asarray(contact_solution.force, dtype=float)
         least = force / (force / flat + float(np.ptp(rough.heights)))
         return SurfaceConductionSolution(
             self,
-            found,
+            contact_solution,
             line,
-            *(found.depth, found.force, found.stiffness),
+            *(contact_solution.depth, contact_solution.force, contact_solution.stiffness),
             *(np.asarray(part) for part in (line.stiffness, least, np.full_like(least, flat))),
         )
 
@@ -142,8 +142,8 @@ class SurfaceConductionSolution:
     greatest_stiffness: Quantity
 
     def _resistance(self, stiffness: Quantity) -> Array:
-        asked = self.problem
-        share = conductance_of_stiffness("SurfaceConduction", asked.contact.medium, asked.conductors)
+        stated = self.problem
+        share = conductance_of_stiffness("SurfaceConduction", stated.contact.medium, stated.conductors)
         return np.asarray(1.0 / (share * np.asarray(stiffness, dtype=float)))
 
     @property
@@ -174,7 +174,7 @@ class SurfaceConductionSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: the contact, the line, the bounds."""
-        line = [note for note in self.line.validity if note.standing is Standing.APPROXIMATE]  # no area is told here
+        line = [note for note in self.line.validity if note.standing is Standing.APPROXIMATE]  # no area is given here
         bounds = Note(
             Assumption.CONDUCTION,
             Standing.EXACT,

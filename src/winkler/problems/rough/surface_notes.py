@@ -20,7 +20,7 @@ ALMQVIST = (
 )
 POLONSKY = "I. A. Polonsky, L. M. Keer, Wear 231 (1999) 206-219, doi:10.1016/S0043-1648(99)00113-1"
 FINE_AREA_ERROR, LOST_AREA_ERROR = 0.05, 0.4
-"""Error of the area, over the area: of a round spot of 500 pixels, and of nine, below which it is not seen any more."""
+"""Error of the area, over the area: of a round spot of 500 pixels, and of nine, below which it is lost."""
 STEEP_SLOPE = 0.1
 
 

@@ -129,7 +129,7 @@ class ViscoelasticAdhesion:
     """
 
     bed: Bed
-    law: Annotated[CrackLaw, Advice("laws that know no speed are those of AdhesiveCycle")]
+    law: Annotated[CrackLaw, Advice("laws without a speed are those of AdhesiveCycle")]
     path: Path
     machine_stiffness: Annotated[float, HELD] = math.inf
 

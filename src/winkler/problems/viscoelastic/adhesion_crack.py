@@ -1,9 +1,10 @@
 r"""The edge of an adhesive contact as a crack whose speed is decided by its pull, carried along in time.
 
-What is unknown in a step is the energy release rate that the edge meets at its end: it tells the speed, the speed the
-place, and the place the energy release rate.  In these terms an edge that follows the machine closely, one that lags
-behind and one that has lost its hold and collapses are the same, and no step is too stiff.  Every step of second order
-(Alexander's, with both stages implicit) is made at once and in halves, which tells its error and removes most of it.
+What is unknown in a step is the energy release rate that the edge meets at its end: it determines the speed, the speed
+the place, and the place the energy release rate.  In these terms an edge that follows the machine closely, one that
+lags behind and one that has lost its hold and collapses are the same, and no step is too stiff.  Every step of second
+order (Alexander's, with both stages implicit) is made at once and in halves, which gives its error and removes most of
+it.
 """
 
 from __future__ import annotations
@@ -126,7 +127,7 @@ class Crack:
         fastest = INSTANT_SPEED * first / min(longest, duration)
         time, position = 0.0, start
         pace = min(self.pace, longest, duration)
-        seen = [(0.0, self.at(first, start)[1])]
+        forces_reached = [(0.0, self.at(first, start)[1])]
         release = self.at(first, start)[2]
         for _ in range(MOST_STEPS):
             at_once = self.radius
@@ -157,7 +158,7 @@ class Crack:
             position = end if dt == left else start + rate * time
             # how far machine and edge have come
             come = abs(rate) * dt / (yielding * stretch) + (before_it - self.radius) / first
-            seen.append((seen[-1][0] + come, two.force))
+            forces_reached.append((forces_reached[-1][0] + come, two.force))
             pace = min(dt * min(4.0, max(0.3, 0.9 * max(error, 1e-6) ** (-1.0 / 3.0))), longest)
             self.pace = pace
         else:
@@ -165,7 +166,7 @@ class Crack:
         if self.radius <= LEAST_CONTACT * first:
             self._drop(self.radius, 0.0, position)
             self.radius = 0.0
-        self.lowest = min(self.lowest, _least(*np.array(seen).T))
+        self.lowest = min(self.lowest, _least(*np.array(forces_reached).T))
 
     def _drop(self, before: float, after: float, position: float) -> None:
         """Note what an edge loses that runs on while the machine does not move."""
@@ -263,16 +264,16 @@ def _opened(first: float, half: float, last: float, *releases: float) -> float:
     return math.pi * whole * max(sum(w * (g - work) for w, g in zip(weights, (one, middle, two), strict=True)), 0.0)
 
 
-def _least(way: Array, forces: Array) -> float:
-    """Return the lowest of forces along a way, by the polynomial through the five places about it."""
+def _least(distance: Array, forces: Array) -> float:
+    """Return the lowest of forces along a distance, by the polynomial through the five places about it."""
     i = int(np.argmin(forces))
     if i in (0, forces.size - 1):
         return float(forces[i])
     near = slice(max(i - 2, 0), i + 3)
-    x, y = way[near], forces[near]
+    x, y = distance[near], forces[near]
     if np.any(np.diff(x) <= 0.0):
         return float(forces[i])
-    places = np.linspace(way[i - 1], way[i + 1], SAMPLES)
+    places = np.linspace(distance[i - 1], distance[i + 1], SAMPLES)
     between = np.zeros(SAMPLES)
     for k in range(x.size):
         others = np.delete(x, k)

@@ -43,7 +43,7 @@ LONGEST_CONTACT = 400
 REST_ENERGY = 1e-14
 """Part of the kinetic energy with which a body no longer moves."""
 DEPTH_TOLERANCE = 1e-2
-"""To which part that depth is found."""
+"""Relative error of that depth."""
 SAMPLES = 257
 
 
@@ -62,7 +62,7 @@ class ViscoelasticImpact:
     count : int, optional
         How many springs.
     tolerance : float, optional
-        To which the restitution is found, by halving the steps.
+        To which the restitution is computed, by halving the steps.
 
     Raises
     ------
@@ -119,11 +119,11 @@ class ViscoelasticImpact:
         """
         series = relaxation_of("", self.bed)
         scale = self._scale(series)
-        # the first march only tells how wide the contact gets
+        # the first march only determines how wide the contact gets
         reach = 1.5 * scale
-        while (found := self._march(series, reach, scale / self.velocity / FIRST_STEPS, 60)).deepest > reach:
+        while (trial := self._march(series, reach, scale / self.velocity / FIRST_STEPS, 60)).deepest > reach:
             reach = 2.0 * reach
-        reach = 1.02 * found.deepest
+        reach = 1.02 * trial.deepest
         finer, last = FIRST_STEPS, math.nan
         while finer <= MOST_STEPS:
             march = self._march(series, reach, scale / self.velocity / finer, self.count)
@@ -253,7 +253,7 @@ class ViscoelasticImpactSolution:
     depth : ndarray, (steps,)
         d [m].
     velocity : ndarray, (steps,)
-        Of approach [m/s], negative on the way back.
+        Of approach [m/s], negative during the rebound.
     force : ndarray, (steps,)
         F_N [N].
     radius : ndarray, (steps,)

@@ -196,7 +196,7 @@ class ViscoelasticIndentation:
         if end < times.size:
             raise OutsideValidity(
                 f"ViscoelasticIndentation: at {times[end]:.6g} s the depth rises suddenly to {depths[end]:.6g} m, "
-                "which a dashpot alongside answers with an infinite force; give the step some time."
+                "to which a dashpot alongside responds with an infinite force; give the step some time."
             )
 
     def _by_force(self, row: SpringRow, deepest: float) -> Iterator[tuple[SpringRow, Array]]:
@@ -240,7 +240,7 @@ class _Driven:
 
     def __init__(self, row: SpringRow, little: float, scale: float) -> None:
         self.row, self.little, self.scale = row, little, scale
-        # where the force of a step is told by its mean, and where by its end
+        # where the force of a step is given by its mean, and where by its end
         self.parts = (0.25, 0.75, 0.5) if row.series.viscosity > 0.0 else (0.5, 1.0, 1.0)
         self.work, self.lost, self.stored, self.radius, self.ring = 0.0, 0.0, 0.0, 0.0, False
         self.rate, self.pace = 0.0, math.inf

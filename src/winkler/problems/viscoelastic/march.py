@@ -34,7 +34,7 @@ class SpringMemory(NamedTuple):
     def of(cls, row: SpringRow, rates: Array, numbers: Array) -> SpringMemory:
         """Read what a kernel has written.
 
-        A dashpot loads a spring as soon as it is caught, so that the sum over the springs climbs in stairs; the part
+        A dashpot loads a spring as soon as it is caught, so that the sum over the springs rises in steps; the part
         between the last one and the edge is added.
         """
         force, _, work, _, _, stored, radius, held, ring, lost = numbers.T
@@ -59,7 +59,7 @@ def relaxation_of(owner: str, bed: Bed) -> RelaxationSeries:
 
 
 def elastic_like(bed: Bed) -> Bed:
-    """Return the bed as if it were elastic: on half-spaces with E* = 1 Pa, since g does not know the modulus."""
+    """Return the bed as if it were elastic: on half-spaces with E* = 1 Pa, since g does not depend on the modulus."""
     assert isinstance(bed, OnMedium)
     assert isinstance(bed.medium, RelaxingMedium)
     return bed.with_medium(bed.medium.elastic)

@@ -1,7 +1,7 @@
-r"""Tests of viscoelastic bodies whose answers are closed: creep, relaxation, and a small oscillation.
+r"""Tests of viscoelastic bodies with closed solutions: creep, relaxation, and a small oscillation.
 
-While the contact does not shrink, elastic answers stay true with the load replaced by its hereditary integral (Lee and
-Radok).  With :math:`\mathcal F(d)` the force of the bed at :math:`E^*=1`, a step of force and a step of depth give
+While the contact does not shrink, elastic solutions stay true with the load replaced by its hereditary integral (Lee
+and Radok).  With :math:`\mathcal F(d)` the force of the bed at :math:`E^*=1`, a step of force and a step of depth give
 
 .. math:: \mathcal F(d(t)) = F\,C(t) , \qquad F(t) = E^*(t)\,\mathcal F(d) ,
 
@@ -291,7 +291,7 @@ class HarmonicSolution:
 
     @property
     def angular_frequency(self) -> Quantity:
-        """Omega [rad/s], as asked."""
+        """Omega [rad/s], as prescribed."""
         return self.problem.angular_frequency
 
     @property

@@ -162,8 +162,8 @@ class SlidingResistance:
         wanted = float(self.normal.force)
         elastic = elastic_like(self.bed)
         series = relaxation_of("", self.bed)
-        known = [modulus for modulus in (series.relaxed, series.glassy) if 0.0 < modulus < math.inf]
-        modulus = known[0] if known else float(series.viscosity / np.max(series.times, initial=1.0))
+        finite = [modulus for modulus in (series.relaxed, series.glassy) if 0.0 < modulus < math.inf]
+        modulus = finite[0] if finite else float(series.viscosity / np.max(series.times, initial=1.0))
         end, most = at_end(elastic)
         high = low = end if wanted / modulus >= most else float(at_force(elastic, np.array([wanted / modulus]))[0][0])
         for _ in range(DOUBLINGS):

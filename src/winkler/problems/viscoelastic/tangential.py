@@ -1,4 +1,4 @@
-r"""A viscoelastic contact that is pressed and moved along the surface, with friction: springs relax both ways.
+r"""A viscoelastic contact that is pressed and moved along the surface, with friction: springs relax in both directions.
 
 Every spring relaxes across and along the surface,
 
@@ -171,7 +171,7 @@ class ViscoelasticTangential:
         by_depth, by_shift = isinstance(self.path.normal, Depth), isinstance(self.path.lateral, Shift)
         row = ShearedMarch(SpringRow(elastic, springs, normal), shear, self.law.coefficient, by_depth, by_shift)
         row.row.motion[0] = min(float(self.path.across[0]), 0.0) if by_depth else row.row.depth
-        # the hardest that the springs may answer: glassy, or as they are within the time that the path takes
+        # the greatest stiffness of the springs: glassy, or as they are within the time that the path takes
         quick = 1.0 / max(float(self.path.time[-1] - self.path.time[0]), 1e-300)
         hard, stiff = (
             series.glassy if math.isfinite(series.glassy) else float(abs(series.dynamic(np.array(quick))))
@@ -180,12 +180,12 @@ class ViscoelasticTangential:
         force = hard * springs.force(deepest) if by_depth else float(np.max(self.path.across))
         along = float(np.max(np.abs(self.path.along), initial=0.0))
         whole = stiff * float(np.sum(springs.stiffness))
-        way = along if by_shift else along / whole
-        borne = min(self.law.coefficient * force, whole * way) if self.law.coefficient > 0.0 else 0.0
+        slide_ = along if by_shift else along / whole
+        borne = min(self.law.coefficient * force, whole * slide_) if self.law.coefficient > 0.0 else 0.0
         borne = borne if borne > 0.0 else force
-        way = way if way > 0.0 else deepest
+        slide_ = slide_ if slide_ > 0.0 else deepest
         little = self.tolerance
-        return row, Scales(little * deepest, little * way, little * borne, little * borne * way, force)
+        return row, Scales(little * deepest, little * slide_, little * borne, little * borne * slide_, force)
 
     def _sudden(self, row: ShearedMarch, goal: Goal, time: float, scales: Scales) -> ShearedMarch:
         """Press and then move the bodies at once, as far as a dashpot lets them."""
@@ -195,7 +195,7 @@ class ViscoelasticTangential:
         if stubborn and rising:
             raise OutsideValidity(
                 f"ViscoelasticTangential: at {time:.6g} s the depth rises suddenly to {goal.across:.6g} m, which a "
-                "dashpot alongside answers with an infinite force; give the step some time."
+                "dashpot alongside responds to with an infinite force; give the step some time."
             )
         if row.by_depth or not stubborn:
             row = row.step(here, 0.0, max(goal.across, 0.0), scales)
@@ -205,7 +205,7 @@ class ViscoelasticTangential:
             if goal.along != row.shift and np.any(row.row.pressed):
                 raise OutsideValidity(
                     f"ViscoelasticTangential: at {time:.6g} s the bodies are moved suddenly along the surface, which a "
-                    "dashpot alongside answers with an infinite force; give the step some time."
+                    "dashpot alongside responds to with an infinite force; give the step some time."
                 )
         return row.step(Goal(row.row.depth, goal.along), 0.0, row.turn.force, scales)
 

@@ -53,7 +53,7 @@ class Goal(NamedTuple):
     along: float
 
     def towards(self, other: Goal, part: float) -> Goal:
-        """Return what is prescribed a part of the way to another one."""
+        """Return what is prescribed at a part of the step to another one."""
         return Goal(*(mine + (its - mine) * part for mine, its in zip(self, other, strict=True)))
 
 
@@ -142,7 +142,7 @@ class ShearedMarch:
         if change != 0.0 and np.any(caught):
             away = (row.springs.gap[caught] + place[caught] - depth) / change
             share[caught] = 1.0 - np.clip(away, 0.0, 1.0)
-        moved = goal.along - self.shift if self.by_shift else self._way(new.bounds, share, dt, goal.along)
+        moved = goal.along - self.shift if self.by_shift else self._shift_under(new.bounds, share, dt, goal.along)
         sums, new.loads, new.stuck = np.empty(6), np.empty(was.size), np.empty(was.size, dtype=bool)
         drag(
             self.law, row.row[1], self.bounds, new.bounds, share, dt, moved, new.displaced, new.memory, new.free,
@@ -159,14 +159,14 @@ class ShearedMarch:
         )  # fmt: skip
         return new
 
-    def _way(self, bounds: Array, share: Array, dt: float, wanted: float) -> float:
+    def _shift_under(self, bounds: Array, share: Array, dt: float, prescribed: float) -> float:
         """Return by how much the bodies move until the springs bear a shear force."""
         weights = self.row.row[1]
         most = float(weights @ np.where(np.isfinite(bounds), bounds, 0.0)) if math.isfinite(self.coefficient) else 0.0
-        close = FORCE_TOLERANCE * max(most, abs(wanted))
-        if math.isfinite(self.coefficient) and abs(wanted) > most + close:
+        close = FORCE_TOLERANCE * max(most, abs(prescribed))
+        if math.isfinite(self.coefficient) and abs(prescribed) > most + close:
             raise OutsideValidity(
-                f"ViscoelasticTangential: friction bears {most:.6g} N, less than the shear force of {wanted:.6g} N "
+                f"ViscoelasticTangential: friction bears {most:.6g} N, less than the shear force of {prescribed:.6g} N "
                 "that is prescribed; the bodies slide away: press them harder, or prescribe a Shift."
             )
         sums, loads, stuck = np.empty(6), np.empty(weights.size), np.empty(weights.size, dtype=bool)
@@ -176,7 +176,7 @@ class ShearedMarch:
                 self.law, weights, self.bounds, bounds, share, dt, moved, self.displaced.copy(), self.memory.copy(),
                 self.free.copy(), loads, stuck, sums,
             )  # fmt: skip
-            short = wanted - float(sums[0])
+            short = prescribed - float(sums[0])
             if abs(short) <= close:
                 return moved
             low, high = (moved, high) if short > 0.0 else (low, moved)
@@ -191,7 +191,7 @@ class ShearedMarch:
             else:
                 stride = max(2.0 * stride, abs(moved), float(np.max(np.abs(self.displaced))), 1e-9 * self.row.depth)
                 moved += math.copysign(stride, short)
-        raise NotConverged(f"The springs find no shift at which they bear the shear force {wanted:.6g} N.")
+        raise NotConverged(f"The springs find no shift at which they bear the shear force {prescribed:.6g} N.")
 
 
 def travel(
@@ -199,7 +199,7 @@ def travel(
 ) -> tuple[ShearedMarch, float]:
     """Carry a row from one point of the path to the next, and return the pace at which it arrives.
 
-    Every step is made at once and in halves; the halves are kept, and what both disagree by is its error.
+    Every step is made at once and in halves; the halves are used, and what both disagree by is its error.
     """
     mean = row.row.series.viscosity > 0.0
     parts = (0.25, 0.75, 0.5) if mean else (0.5, 1.0, 1.0)

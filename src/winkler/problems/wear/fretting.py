@@ -55,7 +55,7 @@ class FrettingWear:
     amplitude : Shift or ShearForce
         How far to each side, half of the whole stroke: one positive number.
     cycles : float or ndarray, (steps,)
-        After how many cycles the contact is told; one number stands for all cycles, and 41 states up to there.
+        After how many cycles the contact is returned; one number stands for all cycles, and 41 states up to there.
     count : int, optional
         Cells of the grid of radii.
     tolerance : float, optional
@@ -112,7 +112,7 @@ class FrettingWear:
 
     @property
     def goals(self) -> Array:
-        """After how many cycles the contact is told, ``(steps,)``."""
+        """After how many cycles the contact is returned, ``(steps,)``."""
         return goals_of("FrettingWear", "cycles", "", self.cycles)
 
     def _rubbed(self, line: WearLine, contact: WornContact) -> Rubbed:
@@ -146,7 +146,7 @@ class FrettingWear:
         return int(self.goals.size)
 
     def steps(self, start: FrettingState | None = None) -> Iterator[FrettingState]:
-        """Yield the contact at every number of cycles that was requested.
+        """Yield the contact at every requested number of cycles.
 
         Parameters
         ----------
@@ -166,11 +166,11 @@ class FrettingWear:
 
     def state(self, moment: WearMoment) -> FrettingState:
         """Return what is known of the contact."""
-        line, contact, known = pressed_moment(self, moment)
+        line, contact, common = pressed_moment(self, moment)
         rubbed = self._rubbed(line, contact)
         lost = 4.0 * self.law.coefficient * float(line.rings.areas @ (contact.pressure * rubbed.slip))
         return FrettingState(
-            **known, shift=rubbed.shift, shear_force=rubbed.shear_force, stick_radius=rubbed.stick_radius,
+            **common, shift=rubbed.shift, shear_force=rubbed.shear_force, stick_radius=rubbed.stick_radius,
             slip=rubbed.slip, loss_per_cycle=lost,
         )  # fmt: skip
 

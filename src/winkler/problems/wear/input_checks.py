@@ -1,4 +1,4 @@
-"""What problems of wear take: springs that know their tractions, a law, one steady load, a grid and a tolerance."""
+"""Arguments of problems of wear: springs with known tractions, a law, one steady load, a grid and a tolerance."""
 
 from __future__ import annotations
 

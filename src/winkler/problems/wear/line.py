@@ -1,7 +1,8 @@
 r"""The contact of a worn profile: depth, pressure and slip, from what has been worn off at the nodes of a grid.
 
-Per cycle of fretting (theory after Dimaki and co-workers): the worn profile is turned into springs, pressed and pushed
-to and fro by U; of what they do the pressure p and the slip s are restored.  With :math:`v = d - g` the springs bear
+Per cycle of fretting (theory after Dimaki and co-workers): the worn profile is transformed into springs, pressed and
+pushed to and fro by U; of what they do the pressure p and the slip s are restored.  With :math:`v = d - g` the springs
+bear
 
 .. math:: q = c_N\,v_+ , \qquad u_t = \min(U, \mu\tfrac{E^*}{G^*}\,v_+) , \qquad
           s(r) = \frac2\pi\int_0^r \frac{U-u_t(x)}{\sqrt{r^2-x^2}}\,\mathrm dx ,
@@ -114,8 +115,8 @@ class WearLine:
         return float(medium.modulus / medium.shear_modulus)
 
     @functools.cached_property
-    def answer(self) -> Array:
-        """At most how the pressure at each node answers worn depths of one metre, of any sign [Pa/m], ``(n,)``."""
+    def response(self) -> Array:
+        """Bound on the change of pressure at each node by worn depths of one metre, of any sign [Pa/m], ``(n,)``."""
         both = np.diff(np.append(self.rings.outside @ self.rings.gap, np.zeros((1, self.nodes.size)), axis=0), axis=0)
         both = both / self.rings.areas[:, None]
         return np.asarray(self.modulus * np.sum(np.abs(both), axis=1))
@@ -129,7 +130,7 @@ class WearLine:
 
     def depth_under(self, force: float, gap: Array) -> float:
         """Return the depth [m] at which springs under a gap [m] bear a force [N]."""
-        # the force at the depths of the nodes, as if g never fell, tells where to begin
+        # the force at the depths of the nodes, as if g never fell, gives the start
         climbing = np.maximum.accumulate(gap)
         squares = self.rings.squares
         areas = 2.0 * self.modulus * squares**self.rings.q / (1.0 + self.k)
@@ -209,10 +210,10 @@ class WearLine:
 
 
 @functools.lru_cache(maxsize=8)
-def _kept(bed: Foundation, nodes: bytes) -> WearLine:
+def _cached_line(bed: Foundation, nodes: bytes) -> WearLine:
     return WearLine(bed, np.frombuffer(nodes))
 
 
 def wear_line(bed: Foundation, nodes: Array) -> WearLine:
-    """Return a bed on a grid; the last few are kept."""
-    return _kept(bed, np.ascontiguousarray(nodes, dtype=float).tobytes())
+    """Return a bed on a grid; the last few are cached."""
+    return _cached_line(bed, np.ascontiguousarray(nodes, dtype=float).tobytes())

@@ -1,9 +1,9 @@
 r"""How a worn profile is followed: in jumps over many cycles, as long as the error and the shortest waves allow.
 
 What is worn off spreads the pressure, the faster the shorter its waves; a jump that is too long for them would blow up.
-The jumps are steps of a method that is stable for them (`winkler.numerics.equations.stabilised`); each tells its own
+The jumps are steps of a method that is stable for them (`winkler.numerics.equations.stabilised`); each gives its own
 error, and one that is too inaccurate is taken again, shorter.  Where all slides, and the shortest waves have decayed
-many times on the way so far, jumps are implicit (`winkler.numerics.equations.implicit`): as long as the slow growth
+many times so far, jumps are implicit (`winkler.numerics.equations.implicit`): as long as the slow growth
 of the contact allows, over many nodes that come into contact.  The grid is fixed while the contact stays on it, finest
 beside the core that sticks, and follows a contact that grows.
 """
@@ -47,7 +47,7 @@ EXPLICIT_STAGES = 4
 RETRY_FACTOR = 0.2
 """Part of a jump that failed, to be tried next."""
 SHORTEST_JUMP = 1e-13
-"""Part of a way at which jumps are given up."""
+"""Part of a stretch at which jumps are given up."""
 
 
 class WearMoment(NamedTuple):
@@ -123,8 +123,8 @@ def first_nodes(bed: Foundation, normal: Normal, radius: float, core: float, cou
             high *= GRID_GROWTH
         high = min(high, bed.reach, bed.rim)
         if float(bed.height(np.array([high]))[0]) > depth:
-            found = between(lambda r, _: bed.height(r) - depth, np.array([0.5 * radius]), np.array([high]))
-            high = min(1.02 * float(found[0]), bed.reach, bed.rim)
+            crossing = between(lambda r, _: bed.height(r) - depth, np.array([0.5 * radius]), np.array([high]))
+            high = min(1.02 * float(crossing[0]), bed.reach, bed.rim)
     else:
         high = min(GRID_GROWTH * radius, bed.reach, bed.rim)
     return _nodes(core, high, bed.rim, count)
@@ -245,7 +245,7 @@ def _advance(problem: Wearing, moment: WearMoment, goal: float, everywhere: bool
         if not error <= 1.0:
             jump = length * (max(0.2, 0.8 * error ** (-1.0 / 3.0)) if math.isfinite(error) else RETRY_FACTOR)
             continue
-        # what is worn off does not come back, whatever rounding says
+        # what is worn off does not come back, whatever rounding gives
         back = bool(np.any(tried.end < worn))
         end = np.maximum(tried.end, worn) if back else tried.end
         there = here.contact(end)
@@ -253,7 +253,7 @@ def _advance(problem: Wearing, moment: WearMoment, goal: float, everywhere: bool
         if overrun:
             continue
         grown = length * min(5.0, 0.8 * max(error, 1e-9) ** (-1.0 / 3.0))
-        # a goal that was near does not tell how far the next jump may go
+        # a goal that was near does not limit the next jump
         jump = max(grown, wanted) if length == goal - elapsed else grown
         elapsed = goal if length == goal - elapsed else elapsed + length
         worn, contact = end, there
@@ -270,7 +270,7 @@ def scale_of(problem: Wearing, contact: WornContact) -> float:
 
 def _damping(problem: Wearing, line: WearLine, contact: WornContact) -> float:
     """Return a bound of how fast the shortest waves of the pressure decay."""
-    return float(np.max(law_slope(problem.wear, contact.pressure) * problem.slipped(line, contact) * line.answer))
+    return float(np.max(law_slope(problem.wear, contact.pressure) * problem.slipped(line, contact) * line.response))
 
 
 def _end(bed: Foundation) -> float:

@@ -55,13 +55,13 @@ class SlidingSystem:
         count = rings.nodes.size
         outside = np.append(rings.outside, np.zeros((1, count)), axis=0)
         self._pressed = -np.diff(outside, axis=0) / rings.areas[:, None]
-        # the product of both over all springs that are pressed, kept up to date
+        # the product of both over all springs that are pressed, updated
         self._both = np.zeros((count, count))
         self._counted = np.zeros(count, dtype=bool)
         self._last: tuple[bytes, WornContact] | None = None
 
     def contact(self, worn: Array) -> WornContact:
-        """Return the contact of a worn profile; the last one is kept."""
+        """Return the contact of a worn profile; the last one is cached."""
         key = worn.tobytes()
         if self._last is None or self._last[0] != key:
             self._last = key, self.line.press(worn, self.load)

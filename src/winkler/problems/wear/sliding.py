@@ -49,7 +49,7 @@ class SlidingWear:
     normal : Depth or Force
         The steady normal load, one positive number.
     distance : float or ndarray, (steps,)
-        After which distances slid [m] the contact is told, to and fro counted together; one number stands for the
+        After which distances slid [m] the contact is returned, to and fro counted together; one number stands for the
         whole distance, and 41 states up to there.
     count : int, optional
         Cells of the grid of radii.
@@ -101,7 +101,7 @@ class SlidingWear:
 
     @property
     def goals(self) -> Array:
-        """After which distances the contact is told [m], ``(steps,)``."""
+        """After which distances the contact is returned [m], ``(steps,)``."""
         return goals_of("SlidingWear", "distance", " in m", self.distance)
 
     def slipped(self, line: WearLine, contact: WornContact) -> Array:
@@ -117,7 +117,7 @@ class SlidingWear:
         return int(self.goals.size)
 
     def steps(self, start: WearState | None = None) -> Iterator[WearState]:
-        """Yield the contact at every distance that was requested.
+        """Yield the contact at every requested distance.
 
         Parameters
         ----------

@@ -14,7 +14,7 @@ from winkler.values import value
 __all__ = ["FrettingState", "WearState", "goals_of"]
 
 DEFAULT_STATES = 41
-"""How many states are told if only the end is given."""
+"""How many states are returned if only the end is given."""
 NUMBERS_IN_SENTENCE = 5
 """So many numbers of a row are repeated in a sentence about it."""
 
@@ -115,9 +115,9 @@ class FrettingState(WearState):
 
 
 def goals_of(owner: str, word: str, unit: str, given: Quantity) -> Array:
-    """Return where states are told, rising, zero or more.
+    """Return where states are returned, rising, zero or more.
 
-    One number stands for so far and `DEFAULT_STATES` states on the way, closer at the beginning where wear is fastest.
+    One number stands for the end and `DEFAULT_STATES` states up to it, closer at the beginning where wear is fastest.
 
     Raises
     ------
@@ -128,15 +128,15 @@ def goals_of(owner: str, word: str, unit: str, given: Quantity) -> Array:
     sound = numbers.dtype.kind in "fiu" and numbers.size > 0 and numbers.ndim <= 1
     row = np.ravel(numbers) if sound else np.zeros(1)
     more = ", ..." if row.size > NUMBERS_IN_SENTENCE else ""
-    said = (
+    text = (
         f"[{', '.join(f'{each:g}' for each in row[:NUMBERS_IN_SENTENCE])}{more}]"
         if sound and numbers.ndim
         else repr(given)
     )
     if not (np.all(np.isfinite(row)) and row[0] >= 0.0 and row[-1] > 0.0 and np.all(np.diff(row) > 0.0)):
         raise InvalidInput(
-            f"{owner}: {word} is {said}; give one positive number{unit}, or a row of numbers that rise from zero or "
-            "more: where the contact is told."
+            f"{owner}: {word} is {text}; give one positive number{unit}, or a row of numbers that rise from zero or "
+            "more: where the contact is returned."
         )
     if numbers.ndim == 0:
         return np.asarray(float(numbers) * np.linspace(0.0, 1.0, DEFAULT_STATES) ** 2)

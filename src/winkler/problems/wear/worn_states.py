@@ -42,7 +42,7 @@ def pressed_moment(problem: Wearing, moment: WearMoment) -> tuple[WearLine, Worn
     contact = line.press(worn, problem.normal)
     problem.refuse(contact, moment.elapsed)
     radius = line.touching(contact, worn, problem.tolerance * scale_of(problem, contact))
-    known = {"bed": problem.bed, "elapsed": moment.elapsed, "jump": moment.jump, "radii": moment.nodes,
+    common = {"bed": problem.bed, "elapsed": moment.elapsed, "jump": moment.jump, "radii": moment.nodes,
              "first_worn": moment.worn[0], "second_worn": moment.worn[1], "depth": contact.depth,
              "force": contact.force, "radius": radius, "pressure": contact.pressure}  # fmt: skip
-    return line, contact, known
+    return line, contact, common
