@@ -52,7 +52,7 @@ def single(depth: Quantity, requested: str) -> float:
     ----------
     depth : float or ndarray
         d [m].
-    wanted : str
+    requested : str
         What is requested, the end of the error sentence.
 
     Raises

@@ -194,7 +194,7 @@ def _approach(bed: Bed, law: Dugdale | DerjaguinMullerToporov, states: EdgeState
     if not isinstance(bed.medium, HomogeneousMedium) or not bed.rising:
         raise OutsideValidity(
             "AdhesiveCycle: how bodies attract each other before they touch is known for Dugdale's law on homogeneous "
-            "half-spaces and for profiles that rise all the way; use ShortRange(work), or Equilibrium and PullOff, "
+            "half-spaces and for profiles that rise up to their end; use ShortRange(work), or Equilibrium and PullOff, "
             "which begin at touch."
         )
     modulus = bed.medium.modulus

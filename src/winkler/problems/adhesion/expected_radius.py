@@ -1,6 +1,6 @@
-"""Of what order the radius of an adhesive contact is, told by the shape of the body alone.
+"""Order of magnitude of the radius of an adhesive contact, from the shape of the body alone.
 
-A search that began anywhere would ask layered media for contacts a thousand times too wide, which takes them seconds,
+A search that began anywhere would solve layered media for contacts a thousand times too wide, which takes them seconds,
 and cohesive zones for rings too narrow for floating point.
 """
 
@@ -46,7 +46,7 @@ def _attracted(states: EdgeStates, widest: float, length: float, narrow: float) 
 
 
 def _pulled(states: EdgeStates, places: Array, narrow: float) -> Array:
-    """Return stretch over radius, told by that of a narrow contact, which feels the uppermost layer alone."""
+    """Return stretch over radius, from that of a narrow contact, which depends on the uppermost layer alone."""
     pulled = float(states.scale(np.array([narrow]))[0])
     # without a range the stretch goes with the root of the radius, with one it stays
     return np.asarray(pulled * (np.ones(places.shape) if states.from_nothing() else np.sqrt(narrow / places)))

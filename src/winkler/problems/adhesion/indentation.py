@@ -93,23 +93,23 @@ class AdhesiveIndentation:
             case Depth(depth):
                 prescribed, flat = depth, _flat(depth)
                 radius = widest(states, FIXED_GRIPS, flat, "depth", "m")
-                answers = flat, force_under(states, flat, radius), radius, np.ones(flat.shape, dtype=bool)
+                results = flat, force_under(states, flat, radius), radius, np.ones(flat.shape, dtype=bool)
             case Force(force):
                 prescribed, flat = force, _flat(force)
                 radius = widest(states, DEAD_LOAD, flat, "force", "N")
-                answers = depth_under(states, flat, radius), flat, radius, np.ones(flat.shape, dtype=bool)
+                results = depth_under(states, flat, radius), flat, radius, np.ones(flat.shape, dtype=bool)
             case Radius(radius_):
                 prescribed, flat = radius_, _flat(radius_)
-                answers = _at_radius(states, flat)
+                results = _at_radius(states, flat)
             case _:
                 raise InvalidInput(
                     f"AdhesiveIndentation: the load is a {type(self.load).__name__}; give Force, Depth or Radius."
                 )
         shape = np.shape(prescribed)
         if shape == ():
-            one, two, three, stable = (part[0] for part in answers)
+            one, two, three, stable = (part[0] for part in results)
             return AdhesiveSolution(self, float(one), float(two), float(three), bool(stable))
-        return AdhesiveSolution(self, *(part.reshape(shape) for part in answers))
+        return AdhesiveSolution(self, *(part.reshape(shape) for part in results))
 
 
 def _flat(prescribed: Quantity) -> Array:

@@ -150,16 +150,16 @@ def _ringed(bed: Bed, depth: float, contact: float, outer: float, amplitude: flo
 
 
 @functools.lru_cache(maxsize=64)
-def _springs(given: Hashable) -> RingSprings:
-    bed = cast(Bed, given)
+def _springs(key: Hashable) -> RingSprings:
+    bed = cast(Bed, key)
     modulus = float(bed.normal_stiffness(np.array([1.0]))[0])  # c_N = E_s x^k at x = 1 m
     end = min(bed.reach, bed.rim)
     return RingSprings(bed.gap_slope, edges_of(bed.kinks, end), bed.rising, modulus, _exponent(bed), end)
 
 
 @functools.lru_cache(maxsize=64)
-def _end(given: Hashable) -> float:
-    states = cast(CohesiveStates, given)
+def _end(key: Hashable) -> float:
+    states = cast(CohesiveStates, key)
     springs = states.springs()
     if not math.isfinite(springs.end):
         return springs.end
@@ -174,8 +174,8 @@ def _end(given: Hashable) -> float:
 
 
 @functools.lru_cache(maxsize=64)
-def _zone(given: Hashable, shape: tuple[int, ...], content: bytes) -> Zone:
-    states = cast(CohesiveStates, given)
+def _zone(key: Hashable, shape: tuple[int, ...], content: bytes) -> Zone:
+    states = cast(CohesiveStates, key)
     radius = np.frombuffer(content).reshape(shape)
 
     def refuse(beyond: Array) -> None:

@@ -38,8 +38,8 @@ EQUATIONS = "D. Maugis, J. Colloid Interface Sci. 150 (1992) 243-269, doi:10.101
 UNITS = {"curvature_radius": "m", "modulus": "Pa", "work": "J/m^2", "distance": "m", "strength": "Pa"}
 
 
-def _positive(owner: str, **given: float) -> None:
-    for word, number in given.items():
+def _positive(owner: str, **numbers: float) -> None:
+    for word, number in numbers.items():
         checked(POSITIVE, owner, word, number, UNITS[word])
 
 

@@ -89,8 +89,8 @@ def least_radius(states: EdgeStates) -> float:
 
 
 @functools.lru_cache(maxsize=256)
-def _least_radius(given: Hashable) -> float:
-    states = cast(EdgeStates, given)
+def _least_radius(states_key: Hashable) -> float:
+    states = cast(EdgeStates, states_key)
     bed = states.bed
     a = 2.0 * expected_radius(states)
     below = 2.0 ** -np.linspace(0.0, OCTAVES, 4 * OCTAVES + 2)
@@ -129,8 +129,8 @@ def branches(states: EdgeStates, machine_stiffness: float, high: float) -> tuple
 
 
 @functools.lru_cache(maxsize=256)
-def _branches(given: Hashable, machine_stiffness: float, high: float) -> tuple[Branch, ...]:
-    states = cast(EdgeStates, given)
+def _branches(states_key: Hashable, machine_stiffness: float, high: float) -> tuple[Branch, ...]:
+    states = cast(EdgeStates, states_key)
     low = least_radius(states)
     limits, first = _limits(states, machine_stiffness, low, high) if low < high else (np.zeros(0), False)
     edges = [low, *limits.tolist(), high] if low < high else []
@@ -237,9 +237,9 @@ def _signs(
 
 
 @functools.lru_cache(maxsize=256)
-def typical_radius(given: Hashable) -> float:
+def typical_radius(states_key: Hashable) -> float:
     """Return a radius [m] at which the force is not far from zero."""
-    states = cast(EdgeStates, given)
+    states = cast(EdgeStates, states_key)
     end = states.end()
     a = expected_radius(states)
     with np.errstate(all="ignore"):

@@ -52,7 +52,7 @@ def widest(states: EdgeStates, machine_stiffness: float, level: Array, quantity:
         0 of a dead load, inf for fixed grips.
     level : ndarray, (m,)
         F [N] of a dead load, d [m] of fixed grips.
-    asked, unit
+    quantity, unit
         Words for messages.
 
     Raises
@@ -75,7 +75,7 @@ def widest(states: EdgeStates, machine_stiffness: float, level: Array, quantity:
         raise OutsideValidity(
             f"{quantity} {level[beyond][0]:.6g} {unit}{_at(beyond)} leads beyond the reach of the profile "
             f"({states.bed.reach:.6g} m), where nothing is known of it; at most {np.max(stops):.6g} {unit} can be "
-            "answered."
+            "solved."
         )
     result = np.full(level.shape, np.nan)
     for branch, start, stop in reversed(list(zip(stable, starts, stops, strict=True))):

@@ -193,7 +193,7 @@ def _sought(bound: TwistBound, memory: TwistMemory, press: Press, torque: float,
     slack = TORQUE_TOLERANCE * (abs(torque) if bound.endless else limit)
     twist, low, high = guess, -math.inf, math.inf
 
-    def found(move: Move) -> TorsionStep:
+    def trial_(move: Move) -> TorsionStep:
         work = stuck_work(bound, memory, press, twist) + move.extra
         return TorsionStep(move.memory, twist, move.loss, work, move.nested)
 
@@ -202,7 +202,7 @@ def _sought(bound: TwistBound, memory: TwistMemory, press: Press, torque: float,
         move = moved(bound, memory, press, twist)
         miss = torque_of(bound, move.memory) - torque
         if abs(miss) <= slack or (low < high and math.nextafter(low, high) >= high):
-            return found(move)
+            return trial_(move)
         if miss < 0.0:
             low, low_miss = twist, miss
         else:
@@ -213,6 +213,6 @@ def _sought(bound: TwistBound, memory: TwistMemory, press: Press, torque: float,
             share = -low_miss / (high_miss - low_miss) if tried % 2 else 0.5
             ahead = low + (high - low) * min(max(share, 0.01), 0.99)
         if ahead == twist:
-            return found(move)
+            return trial_(move)
         twist = ahead
     raise NotConverged(f"Torsion: the angle under {torque:.6g} N m was not found in {MOST_TRIALS} tries.")

@@ -252,7 +252,7 @@ class FrictionHeatingSolution:
     def _estimate(self, per_watt: Callable[[HeatSource, Array], Array]) -> Quantity:
         problem, shape = self.problem, np.shape(self.heat_rate)
         which = loads_over(self.contact, shape)
-        found = np.zeros(shape)
+        average = np.zeros(shape)
         for j, source in enumerate(heat_sources(self.contact)):
             mine = which == j
             if source is not None:
@@ -260,8 +260,8 @@ class FrictionHeatingSolution:
                     per_watt(source, np.asarray(peclet)[mine]) / body.conductivity
                     for peclet, body in zip((self.first_peclet, self.second_peclet), problem._bodies, strict=True)
                 )
-                found[mine] = shared(first, second, problem.partition)
-        return shaped(found * self.heat_rate)
+                average[mine] = shared(first, second, problem.partition)
+        return shaped(average * self.heat_rate)
 
     @property
     def overestimate(self) -> Quantity:
@@ -306,8 +306,8 @@ class FrictionHeatingSolution:
             raise InvalidInput(f"solution.at: there is no result {index!r} in a solution of shape {shape}.") from None
         place = tuple(int(each) for each in np.unravel_index(which, shape))
 
-        def one(given: Quantity) -> float:
-            return float(np.broadcast_to(given, shape)[place])
+        def one(quantity: Quantity) -> float:
+            return float(np.broadcast_to(quantity, shape)[place])
 
         contact, loads = self.contact, np.shape(self.contact.radius)
         if loads:

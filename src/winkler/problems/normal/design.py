@@ -224,10 +224,10 @@ def _ring(place: float) -> str:
 
 
 def _checked(
-    owner: str, first: str, unit: str, given: ArrayLike, second: str, other: str, values: ArrayLike
+    owner: str, first: str, unit: str, abscissae: ArrayLike, second: str, other: str, values: ArrayLike
 ) -> tuple[Array, Array]:
     try:
-        x, y = np.array(given, dtype=float), np.array(values, dtype=float)
+        x, y = np.array(abscissae, dtype=float), np.array(values, dtype=float)
     except (TypeError, ValueError):
         raise InvalidInput(
             f"{owner}: {first} or {second} are not numbers; give arrays in {unit} and {other}."

@@ -153,7 +153,7 @@ def normal_curve(bed: Bed, depth: float) -> NormalCurve:
 def _radii(bed: Bed, depths: Array, widest: float) -> Array:
     """Return the contact radii at depths that are not beyond that of the widest contact, which is known to be a disc.
 
-    Where g rises all the way to its edge the smaller contacts are discs as well, and need not be checked one by one.
+    Where g rises up to its edge the smaller contacts are discs as well, and need not be checked one by one.
     """
     if bed.rising or widest == 0.0 or not (isinstance(bed.medium, HomogeneousMedium) and rises(bed, widest)):
         return at_depth(bed, depths)[1]

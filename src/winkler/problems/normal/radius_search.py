@@ -42,9 +42,9 @@ def _turns(bed: Bed, end: float) -> Array:
     crests = np.array([b for b, strength in bed.kinks if strength < 0.0])
     next_crest = np.append(crests, np.inf)[np.searchsorted(crests, low)]
     crest = (slope[changes] > 0.0) & (next_crest < high)
-    found = np.where(crest, next_crest, low)
-    found[~crest] = bracketed(lambda t, _: bed.gap_slope(t), low[~crest], high[~crest])
-    return found
+    starts_ = np.where(crest, next_crest, low)
+    starts_[~crest] = bracketed(lambda t, _: bed.gap_slope(t), low[~crest], high[~crest])
+    return starts_
 
 
 def _climbs(bed: Bed, end: float) -> list[RisingInterval]:

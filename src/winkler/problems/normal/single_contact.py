@@ -105,8 +105,8 @@ def unfinished(bed: Bed, depth: float, radius: float) -> str:
 
 
 @functools.lru_cache(maxsize=64)
-def _unfinished(given: Hashable, depth: float, radius: float) -> str:
-    bed = cast(Bed, given)
+def _unfinished(bed_key: Hashable, depth: float, radius: float) -> str:
+    bed = cast(Bed, bed_key)
     end = min(bed.reach, bed.rim)
     try:
         if bed.medium.punch_facts(radius).pulls and not surely_pressed(bed, np.array([depth]), np.array([radius]))[0]:
@@ -269,7 +269,7 @@ def _outside(radius: float, end: float) -> tuple[Array, Array]:
 def _where_it_may_overlap(bed: Bed, depth: float, radius: float, end: float) -> Array:
     """Return places outside the contact at which the bodies might overlap.
 
-    Where the springs determine the separation, the bodies cannot overlap where g >= d all the way from the edge, nor
+    Where the springs determine the separation, the bodies cannot overlap where g >= d from the edge outwards, nor
     where f >= d; on layers the surface may bulge.
     """
     near, far = _outside(radius, end)
@@ -279,17 +279,17 @@ def _where_it_may_overlap(bed: Bed, depth: float, radius: float, end: float) -> 
             [near[:: SLOPE_SAMPLES // 400], _troughs(bed, near), far[:: SLOPE_SAMPLES // 400], _troughs(bed, far)]
         )
         return np.asarray(places[bed.height(places) < depth + _bulge(bed, radius, facts.least)])
-    found = []
+    crossings = []
     if np.any(bed.gap(near) < depth):
-        found += [near[:: SLOPE_SAMPLES // 400], _troughs(bed, near)]
+        crossings += [near[:: SLOPE_SAMPLES // 400], _troughs(bed, near)]
     if isinstance(bed, PlaneFoundation):
         if np.any(bed.gap(far) < depth):
-            found += [far, _troughs(bed, far)]
+            crossings += [far, _troughs(bed, far)]
     else:
         with np.errstate(over="ignore", invalid="ignore"):
             low = bed.height(far) < depth
-        found += [far[low], _troughs(bed, far)]
-    places = np.concatenate(found) if found else near[:0]
+        crossings += [far[low], _troughs(bed, far)]
+    places = np.concatenate(crossings) if crossings else near[:0]
     return np.asarray(places[bed.height(places) < depth] if places.size else places)
 
 

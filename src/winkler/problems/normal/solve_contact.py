@@ -119,7 +119,7 @@ def _radii_at_depth(bed: Bed, depth: Array) -> Array:
 
 
 def _met_before(bed: Bed, value: Callable[[Array], Array], target: Array) -> bool:
-    """Return whether all loads are met well before the profile ends; there it may cost much to know its g."""
+    """Return whether all loads are met well before the profile ends; there its g may take long to compute."""
     end, most = _end(bed), float(np.max(target, initial=0.0))
     if not np.isfinite(end):
         return False

@@ -77,15 +77,15 @@ def _disc_note(bed: Bed, depth: float, radius: float) -> Note:
             "a-posteriori check of pressure and separation, at sampled places",
         )
     if not rises(bed, radius):
-        looked = "the equivalent profile falls somewhere, so the restored pressure and the separation were examined"
+        checks = "the equivalent profile falls somewhere, so the restored pressure and the separation were examined"
     elif bed.medium.punch_facts(radius).pulls:
-        looked = "the equivalent profile rises, but flat punches of this width pull, so the pressure was examined"
+        checks = "the equivalent profile rises, but flat punches of this width pull, so the pressure was examined"
     else:
-        looked = "the equivalent profile rises wherever it was examined, and no flat punch up to this radius pulls"
+        checks = "the equivalent profile rises wherever it was examined, and no flat punch up to this radius pulls"
     return Note(
         Assumption.SINGLE_CONTACT,
         Standing.EXACT,
-        f"That the contact is one disc was checked: {looked}; no tension inside, no overlap outside.",
+        f"That the contact is one disc was checked: {checks}; no tension inside, no overlap outside.",
         "a-posteriori check of pressure and separation, at sampled places",
     )
 

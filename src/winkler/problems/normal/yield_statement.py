@@ -291,7 +291,7 @@ def unknown_yield(medium: object, why: str, addition: str = "") -> tuple[Note, .
         Any.
     why : str
         Why it is not known, the end of a sentence.
-    known : str
+    addition : str
         What is certain nevertheless, a sentence.
     """
     if not strong_parts(medium):

@@ -90,8 +90,10 @@ class ContactLaw:
         flat = _first_radius(self.bed)
         depth = self.deepest * np.linspace(0.0, 1.0, FIRST_INTERVALS + 1) ** 2
         for _ in range(MOST_HALVINGS):
-            answer = Indentation(self.bed, Depth(depth)).solve()
-            force, radius, stiffness = (np.array(part) for part in (answer.force, answer.radius, answer.stiffness))
+            pressed_ = Indentation(self.bed, Depth(depth)).solve()
+            force, radius, stiffness = (
+                np.array(part) for part in (pressed_.force, pressed_.radius, pressed_.stiffness)
+            )
             radius[0], stiffness[0] = flat, float(self.bed.stiffness(np.array([flat]))[0])  # as it begins to touch
             errors = self._errors(depth, force, stiffness) / force[-1]
             coarse = np.flatnonzero(np.max(errors, axis=1) > SAFETY_FACTOR * self.tolerance)
@@ -118,7 +120,7 @@ class ContactLaw:
             radius,
             stiffness,
             ratios[0] * stiffness,
-            np.asarray(answer.energy),
+            np.asarray(pressed_.energy),
             float(np.max(errors)),
             float(np.max(_triangles(depth, force, stiffness)) / force[-1]),
         )

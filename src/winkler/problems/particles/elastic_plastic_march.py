@@ -30,7 +30,7 @@ class ParticleHistory(NamedTuple):
     ----------
     largest : float
         Its greatest depth so far [m].
-    felt : float
+    compression : float
         By how much its springs are compressed now [m].
     angle : float
         Where the edge is; zero where the bodies are apart.

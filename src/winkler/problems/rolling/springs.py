@@ -47,7 +47,7 @@ def springs(owner: str, line: RollingLine, travel: float, pieces: int, count: in
     owner : str
         Name of the problem, for the error sentences.
     line : RollingLine
-    way : float
+    travel : float
         [m], positive.
     pieces : int
         After each of which a state is returned.

@@ -1,7 +1,7 @@
 r"""Friction of rough surfaces on an elastomer: a tool for trends.
 
 Every wave q of the roughness shears the elastomer at the angular frequency v q.  While a line of springs touches only
-here and there, it loses a part :math:`G''/|G|` of what the slopes ask for,
+here and there, it loses a part :math:`G''/|G|` of what the slopes require,
 
 .. math:: \mu(v) \approx h'\,\frac{\int q^3 C(q)\,\frac{G''(qv)}{|G(qv)|}\,\mathrm dq}{\int q^3 C(q)\,\mathrm dq} ,
 

@@ -21,7 +21,7 @@ def wearable(owner: str, bed: Foundation) -> None:
     if not isinstance(bed.medium, HomogeneousMedium | GradedHalfSpace):
         raise OutsideValidity(
             f"{owner}: in a {type(bed.medium).__name__} pressure and slip do not follow from the springs alone, and "
-            "layers wear away themselves; give HalfSpace(first, second) or GradedHalfSpace(first, second), or ask for "
+            "layers wear away themselves; give HalfSpace(first, second) or GradedHalfSpace(first, second), or use "
             "LimitingProfile, which takes elastic layers and gradings, too."
         )
 

@@ -114,7 +114,7 @@ class FrettingState(WearState):
     loss_per_cycle: float
 
 
-def goals_of(owner: str, word: str, unit: str, given: Quantity) -> Array:
+def goals_of(owner: str, word: str, unit: str, where: Quantity) -> Array:
     """Return where states are returned, rising, zero or more.
 
     One number stands for the end and `DEFAULT_STATES` states up to it, closer at the beginning where wear is fastest.
@@ -124,14 +124,14 @@ def goals_of(owner: str, word: str, unit: str, given: Quantity) -> Array:
     InvalidInput
         If the numbers are negative, not finite, do not rise, or end at zero.
     """
-    numbers = np.asarray(given)
+    numbers = np.asarray(where)
     sound = numbers.dtype.kind in "fiu" and numbers.size > 0 and numbers.ndim <= 1
     row = np.ravel(numbers) if sound else np.zeros(1)
     more = ", ..." if row.size > NUMBERS_IN_SENTENCE else ""
     text = (
         f"[{', '.join(f'{each:g}' for each in row[:NUMBERS_IN_SENTENCE])}{more}]"
         if sound and numbers.ndim
-        else repr(given)
+        else repr(where)
     )
     if not (np.all(np.isfinite(row)) and row[0] >= 0.0 and row[-1] > 0.0 and np.all(np.diff(row) > 0.0)):
         raise InvalidInput(
