@@ -289,7 +289,7 @@ def test_what_is_refused():
 def test_too_deep_is_outside():
     steps = ElasticPlasticParticle(RADIUS, POWDER, wk.Depth([0.4 * RADIUS, 0.6 * RADIUS])).steps()
     assert next(steps).force > 0.0
-    with pytest.raises(wk.OutsideValidity, match="squeezed as a whole"):
+    with pytest.raises(wk.OutsideValidity, match="compressed as a whole"):
         next(steps)
     with pytest.raises(wk.OutsideValidity, match="deeper than"):
         pressed(wk.Force([1e6]))

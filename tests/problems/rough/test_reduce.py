@@ -118,7 +118,7 @@ def test_steps_are_the_points_of_the_solution():
         ({"depth": -1.0}, InvalidInput, "depth is -1.0; it must be a positive, finite number in m"),
         ({"depth": [0.1, 0.2]}, InvalidInput, "it must be a positive, finite number in m"),
         ({"topography": "map"}, InvalidInput, "topography is a str"),
-        ({"depth": 1e-4}, OutsideValidity, "pixels touch, which tells too little"),
+        ({"depth": 1e-4}, OutsideValidity, "pixels touch, which determines too little"),
         ({"topography": Topography(np.where(places()[0] ** 2 + places()[1] ** 2 < 0.09, 0.0, -0.2), [1.0, 1.0])},
          OutsideValidity, "hardly grows with the depth"),
     ],
@@ -131,7 +131,7 @@ def test_wrong_questions_are_refused(numbers, error, sentence):
 
 def test_too_many_contacts_are_refused(monkeypatch):
     monkeypatch.setattr(reducing, "MOST", 6)
-    with pytest.raises(NotConverged, match="contacts do not tell"):
+    with pytest.raises(NotConverged, match="contacts do not determine"):
         reduce(paraboloid(), UNIT, 0.05)
 
 

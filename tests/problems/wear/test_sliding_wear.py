@@ -4,10 +4,10 @@ import math
 
 import numpy as np
 import pytest
+from winkler.problems.wear.march_wear import march_wear
 
 import winkler as wk
 from winkler.problems.wear.line import WearLine, wear_line
-from winkler.problems.wear.march import march
 
 MEDIUM = wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3))
 BALL = wk.Foundation(wk.Paraboloid(1e-3), MEDIUM)
@@ -81,7 +81,7 @@ def test_a_ball_wears_over_any_distance(monkeypatch):
 def test_implicit_jumps_go_where_explicit_ones_go(wear):
     problem = wk.SlidingWear(BALL, wear, wk.Force(1.0), np.array([0.3, 1.0, 3.0]), count=50)
     begun = next(wk.SlidingWear(BALL, wear, wk.Force(1.0), 1e-4, count=50).steps()).moment
-    short = list(march(problem, problem.goals, begun))
+    short = list(march_wear(problem, problem.goals, begun))
     for moment, state in zip(short, problem.steps(), strict=True):
         same = wear_line(BALL, moment.nodes).press(moment.worn.sum(axis=0), wk.Force(1.0))
         assert state.depth == pytest.approx(same.depth, rel=1e-3)
@@ -123,12 +123,12 @@ def test_where_the_profile_ends_the_states_before_are_kept():
     problem = wk.SlidingWear(bed, wk.Archard(RATE), wk.Force(1.0), np.geomspace(1e-4, 1.0, 30), count=40)
     kept = []
 
-    def march():
+    def march_wear():
         for state in problem.steps():
             kept.append(state)
 
     with pytest.raises(wk.OutsideValidity, match="as far as the profile is known"):
-        march()
+        march_wear()
     assert len(kept) > 10
     assert kept[-1].radius < 3e-5
 

@@ -36,7 +36,7 @@ __all__ = ["RangedEdge", "ranged_edge"]
 PANEL_TOLERANCE = 1e-12
 
 
-class Approach(Protocol):
+class ApproachPath(Protocol):
     """The approach from where attraction begins, at -length, to touch, at 0."""
 
     def extent(self) -> float:
@@ -56,7 +56,7 @@ class Approach(Protocol):
         ...
 
 
-class Pull(NamedTuple):
+class SuddenPull(NamedTuple):
     """DMT: at first touch the whole pull comes up at once."""
 
     pull: float
@@ -78,7 +78,7 @@ class Pull(NamedTuple):
         return np.zeros(np.shape(force))
 
 
-class Disc(NamedTuple):
+class DiscOfStress(NamedTuple):
     """Maugis: the constant stress over a disc, as long as the middle does not touch."""
 
     bed: Bed
@@ -128,7 +128,7 @@ class RangedEdge(NamedTuple):
 
     bed: Bed
     states: EdgeStates
-    approach: Approach
+    approach: ApproachPath
     control: Machine | DeadLoad
     closing: Slopes
     opening: Slopes
@@ -188,9 +188,9 @@ def ranged_edge(
     return RangedEdge(bed, states, approach, control, curve, curve)
 
 
-def _approach(bed: Bed, law: Dugdale | DerjaguinMullerToporov, states: EdgeStates) -> Approach:
+def _approach(bed: Bed, law: Dugdale | DerjaguinMullerToporov, states: EdgeStates) -> ApproachPath:
     if isinstance(law, DerjaguinMullerToporov):
-        return Pull(-float(force_of(states, np.zeros(1))[0]))
+        return SuddenPull(-float(force_of(states, np.zeros(1))[0]))
     if not isinstance(bed.medium, HomogeneousMedium) or not bed.rising:
         raise OutsideValidity(
             "AdhesiveCycle: how bodies attract each other before they touch is known for Dugdale's law on homogeneous "
@@ -200,7 +200,7 @@ def _approach(bed: Bed, law: Dugdale | DerjaguinMullerToporov, states: EdgeState
     modulus = bed.medium.modulus
     # at touch the middle of the disc has risen by 2 sigma c / E*
     length = float(-states.depth(np.zeros(1))[0]) * modulus / (2.0 * law.strength)
-    return Disc(bed, law, modulus, length)
+    return DiscOfStress(bed, law, modulus, length)
 
 
 def _stored(states: EdgeStates, radius: Array) -> Array:

@@ -26,10 +26,10 @@ from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.edge_states import stored_energy
 from winkler.problems.adhesion.maugis_integrals import RingSprings, edges_of, gap_moment, pulled
-from winkler.problems.adhesion.maugis_zone import Zone, widest_within, zone
+from winkler.problems.adhesion.maugis_zone import CohesiveZone, widest_within, zone
 from winkler.values import value
 
-__all__ = ["CohesiveStates", "Ringed"]
+__all__ = ["CohesiveStates", "RingedSprings"]
 
 CLOSEST_HOMOGENEOUS, CLOSEST_OTHERWISE = 16.0, 1e8
 """Closest place to the end of a ring, in units of rounding: on a homogeneous surface, and elsewhere."""
@@ -80,7 +80,7 @@ class CohesiveStates:
         """What the zone needs of the bed."""
         return _springs(cast(Hashable, self.bed))
 
-    def zone(self, radius: Array) -> Zone:
+    def zone(self, radius: Array) -> CohesiveZone:
         """Return the rings around contacts of given radii."""
         radius = np.asarray(radius, dtype=float)
         return _zone(cast(Hashable, self), radius.shape, radius.tobytes())
@@ -127,7 +127,7 @@ class CohesiveStates:
         solved = self.zone(radius)
         return self._stretch(solved.span) / solved.outer
 
-    def pressed(self, depth: float, radius: float) -> Ringed:
+    def pressed(self, depth: float, radius: float) -> RingedSprings:
         """The springs out to the end of the ring."""
         outer = float(self.zone(np.array([radius])).outer[0])
         amplitude = self.springs().amplitude(self.law.strength)
@@ -139,14 +139,14 @@ def _exponent(bed: Bed) -> float:
     return bed.medium.exponent if isinstance(bed.medium, GradedHalfSpace) else 0.0
 
 
-def _ringed(bed: Bed, depth: float, contact: float, outer: float, amplitude: float, sharpest: float) -> Ringed:
+def _ringed(bed: Bed, depth: float, contact: float, outer: float, amplitude: float, sharpest: float) -> RingedSprings:
     """Return the springs of a contact with a ring, resolved down to some units of rounding."""
     k = _exponent(bed)
     width, least = outer - contact, sharpest * np.finfo(float).eps * outer
     halvings = max(0, math.floor(math.log2(max(width / least, 1.0))))
     # what is left of the ring is a jump at its centre of gravity
     jump = outer - (1.0 - k) / (3.0 - k) * width * 0.5**halvings if halvings else contact
-    return Ringed(bed, depth, jump, contact, outer, amplitude, k, halvings)
+    return RingedSprings(bed, depth, jump, contact, outer, amplitude, k, halvings)
 
 
 @functools.lru_cache(maxsize=64)
@@ -174,7 +174,7 @@ def _end(key: Hashable) -> float:
 
 
 @functools.lru_cache(maxsize=64)
-def _zone(key: Hashable, shape: tuple[int, ...], content: bytes) -> Zone:
+def _zone(key: Hashable, shape: tuple[int, ...], content: bytes) -> CohesiveZone:
     states = cast(CohesiveStates, key)
     radius = np.frombuffer(content).reshape(shape)
 
@@ -189,11 +189,11 @@ def _zone(key: Hashable, shape: tuple[int, ...], content: bytes) -> Zone:
             )
 
     solved = zone(states.springs(), states.law.strength, states.law.range, radius.ravel(), refuse)
-    return Zone(*(part.reshape(shape) for part in solved))
+    return CohesiveZone(*(part.reshape(shape) for part in solved))
 
 
 @value
-class Ringed(Pressed):
+class RingedSprings(Pressed):
     """Springs compressed up to the contact radius and pulled in the ring around it.
 
     Parameters
@@ -227,7 +227,7 @@ class Ringed(Pressed):
         return self.contact_radius
 
     @property
-    def blunted(self) -> Ringed:
+    def blunted(self) -> RingedSprings:
         """The same with fewer places."""
         return _ringed(self.bed, self.depth, self.contact_radius, self.outer_radius, self.amplitude, CLOSEST_OTHERWISE)
 

@@ -30,7 +30,7 @@ from winkler.numerics.panels.sqrt_panels import root
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.maugis_integrals import RingSprings, Rule, moment, profile_part, turn
 
-__all__ = ["Zone", "widest_within", "zone"]
+__all__ = ["CohesiveZone", "widest_within", "zone"]
 
 SMOOTH_RULES: tuple[Rule, ...] = (("gauss", 8), ("gauss", 16), ("gauss", 32), ("gauss", 64))
 """Rules for what is smooth in the angle between the kinks."""
@@ -48,7 +48,7 @@ LEAST_INTERPOLATED, GUESS_STRIDE = 40, 8
 """Of so many contacts every eighth gives the others their first guess."""
 
 
-class Zone(NamedTuple):
+class CohesiveZone(NamedTuple):
     """A ring of cohesion: s = sqrt(c^2 - a^2) and c [m], and what their slopes are made from.
 
     `span_slope` is s'(a), `outer_slope` c'(a), `turn` J(a).
@@ -98,7 +98,7 @@ def _ring(springs: RingSprings, strength: float, distance: float) -> _CohesiveRi
 
 def zone(
     springs: RingSprings, strength: float, distance: float, radius: Array, refuse: Callable[[Array], None]
-) -> Zone:
+) -> CohesiveZone:
     """Return the zones around contacts of given radii `(m,)`.
 
     Parameters
@@ -236,7 +236,7 @@ def _first_crossing(ring: _CohesiveRing, radius: Array, span: Array, rule: Rule)
     return result
 
 
-def _with_slopes(ring: _CohesiveRing, radius: Array, span: Array, by_outer: Array) -> Zone:
+def _with_slopes(ring: _CohesiveRing, radius: Array, span: Array, by_outer: Array) -> CohesiveZone:
     """Differentiate h(a, s) = distance: terms that nearly cancel in narrow zones have been cancelled analytically."""
     k = ring.springs.exponent
     outer = np.hypot(radius, span)
@@ -247,4 +247,4 @@ def _with_slopes(ring: _CohesiveRing, radius: Array, span: Array, by_outer: Arra
     by_radius = (by_outer * radius - own * radius) / outer - turn_value * ring.springs.gap_slope(radius)
     by_span = (span / outer) * (by_outer + stress * outer * turn_value * span ** (-1.0 - k) - own)
     span_slope = -by_radius / by_span
-    return Zone(span, outer, span_slope, (radius + span * span_slope) / outer, turn_value)
+    return CohesiveZone(span, outer, span_slope, (radius + span * span_slope) / outer, turn_value)

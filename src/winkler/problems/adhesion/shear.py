@@ -32,7 +32,7 @@ from winkler.problems.adhesion.indentation import AdhesiveIndentation
 from winkler.problems.adhesion.validity import adhesive_notes
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import ADHESIVE
-from winkler.problems.normal.yield_statement import Rubbing
+from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
@@ -133,7 +133,7 @@ class AdhesiveShear:
         """
         level = float(self._level)
         widest = float(AdhesiveIndentation(self.bed, self.law, self.normal).solve().radius)
-        states = _Sheared(self, level)
+        states = _ShearCapacity(self, level)
         place = np.array([widest])
         if float(states.depth_and_force(place)[0][0]) > float(self.bed.gap(place)[0]):
             raise OutsideValidity(
@@ -201,7 +201,9 @@ class AdhesiveShearSolution:
         """How far the result can be trusted: it is approximate."""
         problem = self.problem
         return (
-            *adhesive_notes(problem.bed, problem.law, np.ravel(self.depth), np.ravel(self.radius), Rubbing(math.inf)),
+            *adhesive_notes(
+                problem.bed, problem.law, np.ravel(self.depth), np.ravel(self.radius), SurfaceFriction(math.inf)
+            ),
             sticking_note(problem.bed.medium, math.inf),
             Note(
                 Assumption.ADHESION,
@@ -214,7 +216,7 @@ class AdhesiveShearSolution:
         )
 
 
-class _Sheared:
+class _ShearCapacity:
     """What a contact of a given radius bears sideways, under its normal load."""
 
     def __init__(self, problem: AdhesiveShear, level: float) -> None:

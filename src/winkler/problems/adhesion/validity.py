@@ -15,7 +15,7 @@ from winkler.problems.assumptions.adhesion_range import GREENWOOD, range_note
 from winkler.problems.assumptions.film import film_notes
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.problems.normal.validity import size_note, slope_note
-from winkler.problems.normal.yield_statement import FRICTIONLESS, Rubbing, yield_notes
+from winkler.problems.normal.yield_statement import FRICTIONLESS, SurfaceFriction, yield_notes
 from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["adhesive_notes"]
@@ -28,7 +28,7 @@ SAMPLES = 512
 
 
 def adhesive_notes(
-    bed: Bed, law: AdhesionLaw, depth: Array, radius: Array, rubbing: Rubbing = FRICTIONLESS
+    bed: Bed, law: AdhesionLaw, depth: Array, radius: Array, rubbing: SurfaceFriction = FRICTIONLESS
 ) -> tuple[Note, ...]:
     """Return the notes of adhesive contacts `(m,)`; of several, those of the widest one.
 
@@ -38,7 +38,7 @@ def adhesive_notes(
     law : AdhesionLaw
     depth, radius : ndarray, (m,)
         [m].
-    rubbing : Rubbing, optional
+    rubbing : SurfaceFriction, optional
         What is known of friction, for the onset of yield.
     """
     last = int(np.argmax(radius))

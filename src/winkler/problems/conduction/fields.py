@@ -18,7 +18,7 @@ from winkler.media.conduction.conductors import ElectricalConductors, HeatConduc
 from winkler.numerics.fields.disc_field import disc_potential, disc_slopes
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array, ArrayLike
-from winkler.problems.conduction.heated_contact import Cold, hot_at_voltage, profile
+from winkler.problems.conduction.heated_contact import ColdContact, hot_at_voltage, profile
 from winkler.problems.conduction.joule_heating import JouleHeatingSolution, cold_contact
 from winkler.problems.conduction.thermal_constriction import ThermalConstrictionSolution
 from winkler.problems.one_load import single
@@ -171,7 +171,7 @@ def _current(solution: JouleHeatingSolution, r: Array, z: Array) -> CurrentField
     return CurrentFields(r, z, potential, temperature, *_density(r, z, radius, float(solution.current)))
 
 
-def _fallen(cold: Cold, alpha: float, inflow: Array, fall: Array, theta: Array) -> Array:
+def _fallen(cold: ColdContact, alpha: float, inflow: Array, fall: Array, theta: Array) -> Array:
     """Return the voltage against the end of a body where the cold body would have the part theta of its voltage.
 
     Theta is the integral of 1 / rho(T) over the voltage, over that of the whole body: a function that only rises.

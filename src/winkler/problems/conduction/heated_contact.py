@@ -23,7 +23,7 @@ from winkler.laws.current import WiedemannFranz
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 
-__all__ = ["Cold", "Hot", "hot_at_current", "hot_at_voltage", "profile"]
+__all__ = ["ColdContact", "HotContact", "hot_at_current", "hot_at_voltage", "profile"]
 
 NODES = 40
 MOST_STEPS = 300
@@ -33,7 +33,7 @@ HIGHEST_TEMPERATURE = 2e4
 """No metal is solid or liquid at such temperatures [K]: beyond, no current is sought."""
 
 
-class Cold(NamedTuple):
+class ColdContact(NamedTuple):
     """What is known at the temperature of the bodies."""
 
     first: Array
@@ -47,7 +47,7 @@ class Cold(NamedTuple):
     law: WiedemannFranz
 
 
-class Hot(NamedTuple):
+class HotContact(NamedTuple):
     """A heated contact; each `(m,)`."""
 
     current: Array
@@ -69,12 +69,12 @@ class Hot(NamedTuple):
         return into, self.film - into
 
 
-def profile(cold: Cold, inflow: Array, fall: Array, phi: Array) -> Array:
+def profile(cold: ColdContact, inflow: Array, fall: Array, phi: Array) -> Array:
     """Return T [K] at the voltage phi from the end of a body over which `fall` falls."""
     return cold.law.temperature(cold.ambient, (inflow + fall) * phi - 0.5 * phi**2)
 
 
-def _growth(cold: Cold, hot: Hot) -> tuple[Array, Array]:
+def _growth(cold: ColdContact, hot: HotContact) -> tuple[Array, Array]:
     """Return by which factor either body's resistance has grown: one over the mean of rho(T_0) / rho(T)."""
     nodes, weights = gauss_legendre(NODES)
     factors = []
@@ -90,7 +90,7 @@ def _growth(cold: Cold, hot: Hot) -> tuple[Array, Array]:
     return factors[0], factors[1]
 
 
-def hot_at_voltage(cold: Cold, voltage: Array) -> Hot:
+def hot_at_voltage(cold: ColdContact, voltage: Array) -> HotContact:
     """Return the heated contact at given voltages `(m,)`, of which none is negative.
 
     Raises
@@ -101,7 +101,7 @@ def hot_at_voltage(cold: Cold, voltage: Array) -> Hot:
     first, second = cold.first, cold.second
     for _ in range(MOST_STEPS):
         current = voltage / (first + second + cold.film)
-        hot = Hot(current, current * first, current * second, current * cold.film)
+        hot = HotContact(current, current * first, current * second, current * cold.film)
         grown = _growth(cold, hot)
         change = np.max(np.abs(cold.first * grown[0] - first) + np.abs(cold.second * grown[1] - second))
         size = np.max(first + second)
@@ -113,7 +113,7 @@ def hot_at_voltage(cold: Cold, voltage: Array) -> Hot:
     raise NotConverged(f"The heated resistances do not settle: they still change by {change / size:.1e}.")
 
 
-def hot_at_current(cold: Cold, current: Array) -> Hot:
+def hot_at_current(cold: ColdContact, current: Array) -> HotContact:
     """Return the heated contact at given currents `(m,)`: the lowest voltage at which they flow.
 
     Where the resistivity rises faster than the temperature itself, the current has a maximum over the voltage; what
@@ -152,7 +152,7 @@ def hot_at_current(cold: Cold, current: Array) -> Hot:
     return hot_at_voltage(cold, _met(cold, current, low, high))
 
 
-def _peak(cold: Cold, near: Array) -> Array:
+def _peak(cold: ColdContact, near: Array) -> Array:
     """Return the voltages of the greatest currents, next to those given."""
     low, high = near / VOLTAGE_FACTOR, near * VOLTAGE_FACTOR
     for _ in range(60):
@@ -162,7 +162,7 @@ def _peak(cold: Cold, near: Array) -> Array:
     return 0.5 * (low + high)
 
 
-def _met(cold: Cold, current: Array, low: Array, high: Array) -> Array:
+def _met(cold: ColdContact, current: Array, low: Array, high: Array) -> Array:
     """Return the voltages between two bounds at which the currents flow: regula falsi, halving what hangs on."""
     below = hot_at_voltage(cold, low).current - current
     above = hot_at_voltage(cold, high).current - current

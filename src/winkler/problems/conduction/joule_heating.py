@@ -22,7 +22,7 @@ from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.declared import CONDUCTING
 from winkler.problems.conduction.constriction import Constriction
 from winkler.problems.conduction.disc import resistances_of
-from winkler.problems.conduction.heated_contact import Cold, Hot, hot_at_current, hot_at_voltage
+from winkler.problems.conduction.heated_contact import ColdContact, HotContact, hot_at_current, hot_at_voltage
 from winkler.problems.conduction.solution import ConductingSolution
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
@@ -126,10 +126,10 @@ class JouleHeating:
             max_temperature=shaped(most, shape),
         )
 
-    def _driven(self, radius: Array) -> Hot:
+    def _driven(self, radius: Array) -> HotContact:
         touching = radius > 0.0
         none = np.zeros(radius.shape)
-        hot = Hot(none.copy(), none.copy(), none.copy(), none.copy())
+        hot = HotContact(none.copy(), none.copy(), none.copy(), none.copy())
         if isinstance(self.drive, Current) and self.drive.current > 0.0 and not touching.all():
             raise InvalidInput(
                 f"JouleHeating: {self.drive.current:g} A cannot flow where the bodies do not touch; give a load that "
@@ -150,7 +150,7 @@ class JouleHeating:
         return hot
 
 
-def cold_contact(problem: JouleHeating, radius: Array) -> Cold:
+def cold_contact(problem: JouleHeating, radius: Array) -> ColdContact:
     """Return what is known of contacts of given radii `(m,)` before they are heated.
 
     Raises
@@ -160,7 +160,7 @@ def cold_contact(problem: JouleHeating, radius: Array) -> Cold:
     """
     parts = resistances_of(problem.bed, problem.conductors, radius)
     first, second = problem.conductors.first, problem.conductors.second
-    return Cold(
+    return ColdContact(
         parts.first + parts.bulk_first,
         parts.second + parts.bulk_second,
         parts.film,
@@ -182,7 +182,7 @@ def _coefficient(body: ConductingBody) -> float:
     return coefficients.pop()
 
 
-def _temperatures(problem: JouleHeating, hot: Hot) -> tuple[Array, Array]:
+def _temperatures(problem: JouleHeating, hot: HotContact) -> tuple[Array, Array]:
     """Return the temperature of the contact and the greatest one [K]."""
     both = hot.first + hot.second
     share = hot.film / np.where(both > 0.0, both, 1.0)

@@ -45,7 +45,7 @@ from winkler.problems.friction.damping_validity import STEADY, damping_notes
 from winkler.problems.friction.spring_cycle import SpringCycle
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
-from winkler.problems.normal.yield_statement import Rubbing
+from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.validity import Assumption, Note
 from winkler.values import value
 
@@ -308,7 +308,7 @@ class BimodalDampingSolution:
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         return (
-            *self.contact.notes_with(Rubbing(self.problem.law.coefficient)),
+            *self.contact.notes_with(SurfaceFriction(self.problem.law.coefficient)),
             STEADY,
             *damping_notes(self.problem.bed, float(self.contact.radius), self.problem.law.coefficient),
         )

@@ -31,7 +31,7 @@ from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.friction.damping_validity import damping_notes
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
-from winkler.problems.normal.yield_statement import Rubbing, slid_depth
+from winkler.problems.normal.yield_statement import SurfaceFriction, slid_depth
 from winkler.validity import Assumption, Note
 from winkler.values import value
 
@@ -222,7 +222,7 @@ class FrictionDampingSolution:
         """How far the result can be trusted."""
         mu, shape = self.problem.law.coefficient, np.shape(self.shear_force)
         depth, force = (np.broadcast_to(part, shape) for part in (self.contact.depth, self.contact.force))
-        rubbing = Rubbing(mu, slid_depth(mu, depth, force, np.asarray(self.shear_force)))
+        rubbing = SurfaceFriction(mu, slid_depth(mu, depth, force, np.asarray(self.shear_force)))
         return (
             *self.contact.notes_with(rubbing),
             *damping_notes(self.problem.bed, float(self.contact.radius), mu),

@@ -26,7 +26,7 @@ from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.friction.damping_validity import damping_notes
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
-from winkler.problems.normal.yield_statement import Rubbing
+from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
@@ -160,7 +160,7 @@ class RelaxationDamperSolution:
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         return (
-            *self.contact.notes_with(Rubbing(math.inf)),  # nothing slips, whatever that takes
+            *self.contact.notes_with(SurfaceFriction(math.inf)),  # nothing slips, whatever that takes
             STICKING,
             *damping_notes(self.problem.bed, float(self.contact.radius), math.inf),
         )

@@ -32,13 +32,13 @@ from winkler.problems.assumptions.coupling import coefficient_of, sticking_note
 from winkler.problems.assumptions.declared import BALANCED, SHEARED
 from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.assumptions.energy import energy_note
-from winkler.problems.friction.spring_states import Shearing, SpringLaw, SpringState, spring_notes
+from winkler.problems.friction.spring_states import SpringLaw, SpringProblem, SpringState, spring_notes
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.stiffness_ratio import refuse_plane
 from winkler.validity import Assumption, Note
 from winkler.values import value
 
-__all__ = ["SpringMarch", "SpringState", "SpringTrace", "march"]
+__all__ = ["SpringMarch", "SpringState", "SpringTrace", "march_springs"]
 
 BLOCK = 256
 """Steps that go through the kernel together."""
@@ -186,7 +186,7 @@ class SpringMarch:
         )
 
 
-def march(problem: Shearing, count: int = 400) -> Iterator[SpringState]:
+def march_springs(problem: SpringProblem, count: int = 400) -> Iterator[SpringState]:
     """Yield the springs of a sheared contact at every point of its path; see `SpringMarch.steps`."""
     return SpringMarch(problem.bed, problem.law, problem.path, count).steps()
 

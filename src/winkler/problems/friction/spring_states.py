@@ -17,7 +17,7 @@ from winkler.path import Path
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
-__all__ = ["OwnLaw", "Shearing", "SpringLaw", "SpringState", "spring_notes"]
+__all__ = ["OwnLaw", "SpringLaw", "SpringProblem", "SpringState", "spring_notes"]
 
 RATIO_TOLERANCE = 1e-9
 """Ratios of stiffness that differ by less are equal."""
@@ -41,7 +41,7 @@ SpringLaw = Coulomb | StaticKinetic | OwnLaw
 """How springs may rub."""
 
 
-class Shearing(Protocol):
+class SpringProblem(Protocol):
     """What `march` needs of a problem: a bed, a friction law and a path."""
 
     @property

@@ -21,7 +21,7 @@ from winkler.problems.friction.spring_states import SpringLaw, SpringState, spri
 from winkler.problems.friction.tangential_march import CURVED_STEP_TOLERANCE
 from winkler.problems.normal.solve_contact import at_depth
 from winkler.problems.normal.validity import indentation_notes
-from winkler.problems.normal.yield_statement import Rubbing, slid_depth
+from winkler.problems.normal.yield_statement import SurfaceFriction, slid_depth
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
@@ -158,15 +158,15 @@ def friction_notes(
     return tuple(notes)
 
 
-def _rubbing(law: SpringLaw, depth: Array, force: Array, shear_force: Array) -> Rubbing:
+def _rubbing(law: SpringLaw, depth: Array, force: Array, shear_force: Array) -> SurfaceFriction:
     match law:
         case Coulomb(coefficient):
             most = kinetic = coefficient
         case StaticKinetic(static, kinetic):
             most = static
         case _:
-            return Rubbing(math.inf)
-    return Rubbing(most, slid_depth(kinetic, depth, force, shear_force), kinetic)
+            return SurfaceFriction(math.inf)
+    return SurfaceFriction(most, slid_depth(kinetic, depth, force, shear_force), kinetic)
 
 
 EXACT = Note(

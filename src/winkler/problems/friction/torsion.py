@@ -27,7 +27,7 @@ from winkler.path import Path
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import BALANCED, PRESSED
 from winkler.problems.assumptions.energy import energy_note
-from winkler.problems.friction.torsion_bound import Press, TwistBound, twist_bound
+from winkler.problems.friction.torsion_bound import PressedState, TwistBound, twist_bound
 from winkler.problems.friction.torsion_march import (
     ANGLE_TOLERANCE,
     LOSS_TOLERANCE,
@@ -152,7 +152,7 @@ class Torsion:
         bound = twist_bound(self.bed, self.law.coefficient, widest if widest > 0.0 else 1.0, self._forced)
         excess = np.where(radius >= self.bed.rim, depth - self.bed.gap(radius), 0.0)
         rows = (self.path.across, radius, np.maximum(excess, 0.0))
-        presses = [Press(*row) for row in zip(*(each.tolist() for each in rows), strict=True)]
+        presses = [PressedState(*row) for row in zip(*(each.tolist() for each in rows), strict=True)]
         memory = torsion_step(bound, fresh(min(presses[0].level, 0.0)), presses[0], 0.0).memory
         angle = lost = work = 0.0
         for i, (press, target) in enumerate(zip(presses, self.path.along.tolist(), strict=True)):
@@ -177,7 +177,7 @@ class Torsion:
             )
 
     def _step(
-        self, bound: TwistBound, memory: TwistMemory, press: Press, target: float, angle: float, index: int
+        self, bound: TwistBound, memory: TwistMemory, press: PressedState, target: float, angle: float, index: int
     ) -> TorsionStep:
         if isinstance(self.path.lateral, Angle):
             modulus = self.bed.medium.torsional_modulus  # type: ignore[attr-defined]

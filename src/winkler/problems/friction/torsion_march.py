@@ -13,8 +13,8 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
-from winkler.problems.friction.torsion_bound import Press, TwistBound
-from winkler.problems.friction.torsion_memory import Move, TwistMemory, moved, pieces_of, slid_along, stuck_work
+from winkler.problems.friction.torsion_bound import PressedState, TwistBound
+from winkler.problems.friction.torsion_memory import TwistMemory, TwistMove, moved, pieces_of, slid_along, stuck_work
 
 __all__ = ["ANGLE_TOLERANCE", "LOSS_TOLERANCE", "TorsionStep", "square", "step_to_torque", "torque_of", "torsion_step"]
 
@@ -65,7 +65,7 @@ def square(bound: TwistBound, memory: TwistMemory) -> float:
     return total
 
 
-def torsion_step(bound: TwistBound, memory: TwistMemory, press: Press, twist: float) -> TorsionStep:
+def torsion_step(bound: TwistBound, memory: TwistMemory, press: PressedState, twist: float) -> TorsionStep:
     """Return the springs after load and angle have changed in proportion."""
     press = _settled(memory.press, press)
     whole = moved(bound, memory, press, twist)
@@ -91,7 +91,7 @@ def torsion_step(bound: TwistBound, memory: TwistMemory, press: Press, twist: fl
     )
 
 
-def step_to_torque(bound: TwistBound, memory: TwistMemory, press: Press, torque: float) -> TorsionStep:
+def step_to_torque(bound: TwistBound, memory: TwistMemory, press: PressedState, torque: float) -> TorsionStep:
     """Return the springs after load and torque have changed in proportion.
 
     Raises
@@ -103,7 +103,7 @@ def step_to_torque(bound: TwistBound, memory: TwistMemory, press: Press, torque:
     """
     press = _settled(memory.press, press)
     if press == memory.press:
-        return _sought(bound, memory, press, torque)
+        return _step_to(bound, memory, press, torque)
     start = torque_of(bound, memory)
     angle, size = _scales(bound, memory, press, torque)
     old: TorsionStep | None = None
@@ -113,7 +113,7 @@ def step_to_torque(bound: TwistBound, memory: TwistMemory, press: Press, torque:
         for step, share in _path(bound, memory.press, press, 2**halving):
             done = min(done + share, 1.0)
             aim = torque if step == press else start + (torque - start) * done
-            part = _sought(bound, now, step, aim, rate * share)
+            part = _step_to(bound, now, step, aim, rate * share)
             rate = part.twist / share
             now, twist, nested = part.memory, twist + part.twist, nested and part.nested
             loss, work = loss + part.loss, work + part.work
@@ -133,12 +133,12 @@ def step_to_torque(bound: TwistBound, memory: TwistMemory, press: Press, torque:
     )
 
 
-def _settled(before: Press, press: Press) -> Press:
+def _settled(before: PressedState, press: PressedState) -> PressedState:
     """Return the load as it was, if only the rounding of its radius has changed."""
     return before if (press.level, press.excess) == (before.level, before.excess) else press
 
 
-def _scales(bound: TwistBound, memory: TwistMemory, press: Press, torque: float) -> tuple[float, float]:
+def _scales(bound: TwistBound, memory: TwistMemory, press: PressedState, torque: float) -> tuple[float, float]:
     """Return a twist [Pa] and 4 G_t times an energy by which errors are measured: what the wider contact bears."""
     wider = max(memory.press, press, key=lambda each: each.radius)
     if wider.radius == 0.0:
@@ -149,21 +149,23 @@ def _scales(bound: TwistBound, memory: TwistMemory, press: Press, torque: float)
     return bears / stiffness, 0.25 * bears**2 / stiffness + 0.5 * stored
 
 
-def _path(bound: TwistBound, first: Press, last: Press, parts: int) -> list[tuple[Press, float]]:
+def _path(bound: TwistBound, first: PressedState, last: PressedState, parts: int) -> list[tuple[PressedState, float]]:
     """Return loads between two, and which share of the change each brings; even in the radius, then beyond the rim."""
     change = last.level - first.level
     shares = np.arange(parts + 1) / parts
-    steps: list[Press] = []
+    steps: list[PressedState] = []
     start = first
     for corner in [*_corners(bound, first, last), last]:
         if corner.radius != start.radius:
             radii = start.radius + (corner.radius - start.radius) * shares[1:-1]
-            steps += [Press(*each, 0.0) for each in zip(bound.level(radii).tolist(), radii.tolist(), strict=True)]
+            steps += [
+                PressedState(*each, 0.0) for each in zip(bound.level(radii).tolist(), radii.tolist(), strict=True)
+            ]
         else:
             levels = start.level + (corner.level - start.level) * shares[1:-1]
             ahead = start.excess + (corner.excess - start.excess) * shares[1:-1]
             rows = zip(levels.tolist(), ahead.tolist(), strict=True)
-            steps += [Press(level, start.radius, excess) for level, excess in rows]
+            steps += [PressedState(level, start.radius, excess) for level, excess in rows]
         steps.append(corner)
         start = corner
     path, before = [], first
@@ -174,15 +176,17 @@ def _path(bound: TwistBound, first: Press, last: Press, parts: int) -> list[tupl
     return path
 
 
-def _corners(bound: TwistBound, first: Press, last: Press) -> list[Press]:
+def _corners(bound: TwistBound, first: PressedState, last: PressedState) -> list[PressedState]:
     """Return the load at which the contact fills the body, if it lies between."""
     rim = max(first.radius, last.radius)
     if first.radius == last.radius or max(first.excess, last.excess) == 0.0:
         return []
-    return [Press(float(bound.level(np.array([rim]))[0]), rim, 0.0)]
+    return [PressedState(float(bound.level(np.array([rim]))[0]), rim, 0.0)]
 
 
-def _sought(bound: TwistBound, memory: TwistMemory, press: Press, torque: float, guess: float = 0.0) -> TorsionStep:
+def _step_to(
+    bound: TwistBound, memory: TwistMemory, press: PressedState, torque: float, guess: float = 0.0
+) -> TorsionStep:
     """Return the step that ends at a torque, on a straight line in the angle, which is sought from `guess` on."""
     limit = bound.most(press)
     if abs(torque) > limit * (1.0 - TORQUE_MARGIN):
@@ -193,7 +197,7 @@ def _sought(bound: TwistBound, memory: TwistMemory, press: Press, torque: float,
     slack = TORQUE_TOLERANCE * (abs(torque) if bound.endless else limit)
     twist, low, high = guess, -math.inf, math.inf
 
-    def trial_(move: Move) -> TorsionStep:
+    def trial_(move: TwistMove) -> TorsionStep:
         work = stuck_work(bound, memory, press, twist) + move.extra
         return TorsionStep(move.memory, twist, move.loss, work, move.nested)
 

@@ -22,10 +22,10 @@ import numpy as np
 
 from winkler.numerics.panels.kink_panels import Sample
 from winkler.numerics.types import Array
-from winkler.problems.friction.torsion_bound import Press, TwistBound
+from winkler.problems.friction.torsion_bound import PressedState, TwistBound
 from winkler.values import value
 
-__all__ = ["Move", "TwistMemory", "TwistRing", "fresh", "moved", "pieces_of", "slid_along", "stuck_work"]
+__all__ = ["TwistMemory", "TwistMove", "TwistRing", "fresh", "moved", "pieces_of", "slid_along", "stuck_work"]
 
 BOUND_ROUNDING = 3e-13
 """Part of the bound inside the contact by which rounding may exceed it."""
@@ -63,9 +63,9 @@ class TwistMemory:
     bounds: Array
 
     @property
-    def press(self) -> Press:
+    def press(self) -> PressedState:
         """How the contact is pressed."""
-        return Press(self.level, self.radius, self.excess)
+        return PressedState(self.level, self.radius, self.excess)
 
 
 class TwistRing(NamedTuple):
@@ -77,7 +77,7 @@ class TwistRing(NamedTuple):
     side: Array
 
 
-class Move(NamedTuple):
+class TwistMove(NamedTuple):
     """What a move leads to.
 
     `loss` is 4 G_t times the energy lost, as if the bound had changed in proportion too, and `extra` the work beyond
@@ -99,7 +99,7 @@ class _TwistPiece(NamedTuple):
     held: float
     entered: float
     side: float
-    bound: Press
+    bound: PressedState
 
     def values(self, bound: TwistBound) -> Array:
         result = np.full(bound.x.shape, self.held)
@@ -110,7 +110,7 @@ class _TwistPiece(NamedTuple):
         return result
 
 
-NO_CONTACT = Press(0.0, 0.0, 0.0)
+NO_CONTACT = PressedState(0.0, 0.0, 0.0)
 
 
 def fresh(level: float = 0.0) -> TwistMemory:
@@ -121,12 +121,12 @@ def fresh(level: float = 0.0) -> TwistMemory:
 
 def pieces_of(memory: TwistMemory) -> list[_TwistPiece]:
     """Return the stretches one by one."""
-    edges, bounds = memory.edges, [Press(*bound) for bound in memory.bounds.tolist()]
+    edges, bounds = memory.edges, [PressedState(*bound) for bound in memory.bounds.tolist()]
     numbers = (edges[:-1], edges[1:], memory.held, memory.entered, memory.sides)
     return [_TwistPiece(*row) for row in zip(*(each.tolist() for each in numbers), bounds, strict=True)]
 
 
-def _memory_of(press: Press, pieces: list[_TwistPiece]) -> TwistMemory:
+def _memory_of(press: PressedState, pieces: list[_TwistPiece]) -> TwistMemory:
     merged: list[_TwistPiece] = []
     for piece in pieces:
         if merged and merged[-1][2:] == piece[2:]:
@@ -139,7 +139,7 @@ def _memory_of(press: Press, pieces: list[_TwistPiece]) -> TwistMemory:
     return TwistMemory(*press, edges, held, entered, sides, np.array(columns[5], dtype=float).reshape(-1, 3))
 
 
-def moved(bound: TwistBound, memory: TwistMemory, press: Press, twist: float) -> Move:
+def moved(bound: TwistBound, memory: TwistMemory, press: PressedState, twist: float) -> TwistMove:
     """Return the springs after the contact was pressed to `press` and twisted, both in proportion.
 
     Parameters
@@ -147,7 +147,7 @@ def moved(bound: TwistBound, memory: TwistMemory, press: Press, twist: float) ->
     bound : TwistBound
     memory : TwistMemory
         The springs before.
-    press : Press
+    press : PressedState
         How the contact is pressed afterwards.
     twist : float
         8 G_t times the change of the angle [Pa].
@@ -182,10 +182,10 @@ def moved(bound: TwistBound, memory: TwistMemory, press: Press, twist: float) ->
     if press.radius < before.radius:
         rings += _left(bound, memory, press, twist)
     loss, extra = slid_along(bound, memory, [press], twist, tuple(rings)) if rings else (0.0, 0.0)
-    return Move(_memory_of(press, done), loss, extra, tuple(rings), _nested(states, press.radius), free)
+    return TwistMove(_memory_of(press, done), loss, extra, tuple(rings), _nested(states, press.radius), free)
 
 
-def stuck_work(bound: TwistBound, memory: TwistMemory, press: Press, twist: float) -> float:
+def stuck_work(bound: TwistBound, memory: TwistMemory, press: PressedState, twist: float) -> float:
     """Return 4 G_t times the work of a move on the springs that end in contact, if none of them slid."""
     total, before, change = 0.0, memory.radius, press.level - memory.level
     for piece in pieces_of(memory):
@@ -209,7 +209,7 @@ def _free(bound: TwistBound, low: float, high: float, level: float, change: floa
 
 
 def slid_along(
-    bound: TwistBound, memory: TwistMemory, path: Sequence[Press], twist: float, rings: tuple[TwistRing, ...]
+    bound: TwistBound, memory: TwistMemory, path: Sequence[PressedState], twist: float, rings: tuple[TwistRing, ...]
 ) -> tuple[float, float]:
     """Return 4 G_t times the energy that `rings` lose on a path whose last press is where the move ends, and the work.
 
@@ -258,7 +258,7 @@ def _read(bound: TwistBound, values: Array, place: float) -> float:
     return float(bound.panels.reading(at, panel)[0] @ values[panel[0]])
 
 
-def _left(bound: TwistBound, memory: TwistMemory, press: Press, twist: float) -> list[TwistRing]:
+def _left(bound: TwistBound, memory: TwistMemory, press: PressedState, twist: float) -> list[TwistRing]:
     """Return the springs that come out of contact."""
     rings = []
     for piece in pieces_of(memory):

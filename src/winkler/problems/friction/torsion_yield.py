@@ -18,7 +18,7 @@ from winkler.problems.friction.torsion_fields import body_of_twisted
 from winkler.problems.friction.torsion_states import TorsionState
 from winkler.problems.normal.greatest_stress import sharp_places
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
-from winkler.problems.normal.yield_statement import MISES, Rubbing, unknown_yield, yield_notes_of_bed
+from winkler.problems.normal.yield_statement import MISES, SurfaceFriction, unknown_yield, yield_notes_of_bed
 from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["torsion_yield_notes"]
@@ -47,7 +47,7 @@ def torsion_yield_notes(bed: Bed, states: Sequence[TorsionState]) -> tuple[Note,
     if not plain or any(note.standing is Standing.OUTSIDE for note in plain):
         return plain
     if not isinstance(bed.medium, HalfSpace):
-        return yield_notes_of_bed(bed, depth, radius, Rubbing(np.inf))
+        return yield_notes_of_bed(bed, depth, radius, SurfaceFriction(np.inf))
     examined = [states[index] for index in sorted({int(np.argmax(torque)), int(np.argmax(depth))})]
     if any(_sharp(state, part) for state in examined for part in strong_parts(bed.medium)):
         why = "the stresses of a twist next to a sharp place, or where nothing slips, are not resolved"

@@ -38,7 +38,7 @@ from winkler.problems.heating.heated_body import HeatedBody
 from winkler.problems.heating.input_checks import thick_bodies
 from winkler.problems.heating.validity import heating_notes
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
-from winkler.problems.normal.yield_statement import Rubbing
+from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.problems.one_load import single
 from winkler.validity import Assumption, Note
 from winkler.values import value
@@ -333,5 +333,5 @@ class FrictionHeatingSolution:
         notes = heating_notes(*pairs, np.asarray(self.overestimate), self.problem.partition)
         problem = self.problem
         coupled = sliding_note(problem.bed.medium, problem.law.coefficient)
-        contact = self.contact.notes_with(Rubbing(problem.law.coefficient, math.inf))
+        contact = self.contact.notes_with(SurfaceFriction(problem.law.coefficient, math.inf))
         return (*contact, coupled, *notes)

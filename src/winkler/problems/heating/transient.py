@@ -33,7 +33,7 @@ from winkler.problems.heating.heat_source import heat_source
 from winkler.problems.heating.input_checks import thick_bodies
 from winkler.problems.heating.validity import STEADY_SOURCE
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
-from winkler.problems.normal.yield_statement import Rubbing
+from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
@@ -224,7 +224,7 @@ class TransientHeatingSolution:
         """How far the result can be trusted."""
         hottest = temperature_note(float(np.max(self.flash_temperature, initial=0.0)))
         coupled = sliding_note(self.problem.bed.medium, self.problem.law.coefficient)
-        contact = self.contact.notes_with(Rubbing(self.problem.law.coefficient, math.inf))
+        contact = self.contact.notes_with(SurfaceFriction(self.problem.law.coefficient, math.inf))
         return (*contact, coupled, STEADY_SOURCE, self._rest, self._sharing, hottest)
 
     @property

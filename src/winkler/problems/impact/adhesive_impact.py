@@ -32,7 +32,7 @@ from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import ADHESIVE, BALANCED
 from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.assumptions.inertia import wave_loss, wave_note
-from winkler.problems.impact.approach_and_rebound import swing
+from winkler.problems.impact.approach_and_rebound import impact_motion
 from winkler.problems.impact.states import AdhesiveImpactState
 from winkler.problems.impact.validity import Moments, gravity_note
 from winkler.validity import Assumption, Note, Standing
@@ -112,7 +112,7 @@ class AdhesiveImpact:
         NotConverged
             If the profile is too rough, or the march comes to a halt.
         """
-        moved = swing(self.bed, self.law, self.mass, self.velocity)
+        moved = impact_motion(self.bed, self.law, self.mass, self.velocity)
         times = np.union1d(np.linspace(0.0, moved.duration, self.count), [moved.turn]).tolist()
         motion = [moved.at(time) for time in times]
         depths = np.array([depth for depth, _ in motion])

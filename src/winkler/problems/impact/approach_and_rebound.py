@@ -25,7 +25,7 @@ from winkler.numerics.types import Array
 from winkler.problems.adhesion.edge import AdhesiveEdge, Machine, adhesive_edge
 from winkler.problems.normal.force_curve import rough_depth
 
-__all__ = ["Swing", "swing"]
+__all__ = ["ImpactMotion", "impact_motion"]
 
 PRECISION = 3e-14
 LONGEST_DURATION = 1e6
@@ -35,7 +35,7 @@ DOUBLINGS = 200
 STEPS_PER_PANEL = 8
 
 
-class Swing(NamedTuple):
+class ImpactMotion(NamedTuple):
     """The motion from first touch until the bodies part, or turn back in contact.
 
     Parameters
@@ -70,7 +70,7 @@ class Swing(NamedTuple):
         return float(depth), float(velocity)
 
 
-def swing(bed: Bed, law: ShortRange, mass: float, velocity: float) -> Swing:
+def impact_motion(bed: Bed, law: ShortRange, mass: float, velocity: float) -> ImpactMotion:
     """Return how a body swings in and out.
 
     Raises
@@ -88,7 +88,7 @@ def swing(bed: Bed, law: ShortRange, mass: float, velocity: float) -> Swing:
     legs = _march(forces, mass, 0.0, np.array([0.0, velocity]))
     turn = legs[-1].end
     legs += _march(back[::-1], mass, turn, np.array([stop, 0.0]))
-    return Swing(tuple(legs), turn, stop, parting, legs[-1].stopped[1])
+    return ImpactMotion(tuple(legs), turn, stop, parting, legs[-1].stopped[1])
 
 
 def _breaks(bed: Bed, curve: Slopes, leaps: list[Leap], low: float, high: float, more: float = np.inf) -> Array:

@@ -28,13 +28,13 @@ from winkler.problems.assumptions.declared import BALANCED, SHEARED
 from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.assumptions.inertia import wave_loss, wave_note
-from winkler.problems.impact.march import ImpactMoment, Motion, stages, turning
+from winkler.problems.impact.march import ImpactMoment, ImpactProblem, stages, turning
 from winkler.problems.impact.states import ImpactStage, ImpactState
 from winkler.problems.impact.validity import PLANAR, Moments, gravity_note
 from winkler.problems.normal.force_curve import deepest, normal_curve, stiffness_ratio
 from winkler.problems.normal.solve_contact import at_depth
 from winkler.problems.normal.validity import indentation_notes
-from winkler.problems.normal.yield_statement import FRICTIONLESS, Rubbing, slid_depth
+from winkler.problems.normal.yield_statement import FRICTIONLESS, SurfaceFriction, slid_depth
 from winkler.validity import Assumption, Note
 from winkler.values import value
 
@@ -138,7 +138,7 @@ class Impact:
         return 1.0 / self.mass + self.lever**2 / self.inertia
 
     @property
-    def _motion(self) -> Motion:
+    def _motion(self) -> ImpactProblem:
         depth = deepest(self.bed, 0.5 * self.mass * self.velocity**2)
         ratio = 1.0
         if self.law.coefficient > 0.0 and self.sliding_velocity != 0.0:
@@ -146,7 +146,9 @@ class Impact:
             ratio = stiffness_ratio(self.bed, float(radius[0]))
         curve = normal_curve(self.bed, depth)
         mobility, sliding = self.mobility, self.sliding_velocity
-        return Motion(curve, depth, self.mass, mobility, self.velocity, sliding, ratio, float(self.law.coefficient))
+        return ImpactProblem(
+            curve, depth, self.mass, mobility, self.velocity, sliding, ratio, float(self.law.coefficient)
+        )
 
     @property
     def total(self) -> int:
@@ -342,11 +344,13 @@ class ImpactSolution:
         modulus = float(bed.normal_stiffness(radius)[0])
         share = wave_loss(modulus=modulus, mass=problem.mass, size=bed.size, velocity=problem.velocity)
         mu = problem.law.coefficient
-        rubs = mu > 0.0 and problem.sliding_velocity != 0.0
-        rubbing = Rubbing(mu, slid_depth(mu, self.depth, self.force, self.shear_force)) if rubs else FRICTIONLESS
+        slides = mu > 0.0 and problem.sliding_velocity != 0.0
+        rubbing = (
+            SurfaceFriction(mu, slid_depth(mu, self.depth, self.force, self.shear_force)) if slides else FRICTIONLESS
+        )
         mechanical = self.kinetic_energy + self.energy + self.stored_energy
         balance = energy_note(np.full(mechanical.size, mechanical[0]), mechanical, self.dissipation)
         notes = [*indentation_notes(bed, depth, radius, rubbing), balance, wave_note(share), gravity_note(force)]
-        if rubs:
+        if slides:
             notes += [PLANAR, sticking_note(bed.medium, mu), *direction_notes(bed)]
         return tuple(notes)

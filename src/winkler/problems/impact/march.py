@@ -24,10 +24,10 @@ import numpy as np
 from winkler.errors import NotConverged
 from winkler.numerics.equations.marching import Marched, Stop, march
 from winkler.numerics.types import Array
-from winkler.problems.impact.memory import NO_HISTORY, Entered, RecalledPoint, Slid, Stuck, ring
+from winkler.problems.impact.memory import NO_HISTORY, EnteredSprings, RecalledPoint, SlidSprings, Stuck, ring
 from winkler.problems.normal.force_curve import NormalCurve
 
-__all__ = ["ImpactMoment", "Motion", "Stage", "stages", "turning"]
+__all__ = ["ImpactMoment", "ImpactProblem", "Stage", "stages", "turning"]
 
 PRECISION = 3e-14
 """Relative error allowed per step."""
@@ -38,7 +38,7 @@ NODES = np.cos(np.pi * (np.arange(DEGREE + 1) + 0.5) / (DEGREE + 1))
 POWERS = np.linalg.inv(np.vander(NODES, increasing=True))
 
 
-class Motion(NamedTuple):
+class ImpactProblem(NamedTuple):
     """What moves, and on which springs.
 
     Parameters
@@ -129,12 +129,12 @@ class Stage(NamedTuple):
     moment: Callable[[float], ImpactMoment]
 
 
-def stages(motion: Motion, turn: float) -> Iterator[Stage]:
+def stages(motion: ImpactProblem, turn: float) -> Iterator[Stage]:
     """Yield the stages of an impact, from first touch to the end of contact.
 
     Parameters
     ----------
-    motion : Motion
+    motion : ImpactProblem
     turn : float
         When the depth is greatest [s].
 
@@ -149,7 +149,7 @@ def stages(motion: Motion, turn: float) -> Iterator[Stage]:
 
 
 def _march(
-    motion: Motion,
+    motion: ImpactProblem,
     rates: Callable[[float, Array], list[float]],
     span: tuple[float, float],
     start: Array,
@@ -159,7 +159,7 @@ def _march(
     return march(rates, span, start, unit=unit, precision=PRECISION, scales=scales, stops=stops)
 
 
-def turning(motion: Motion) -> float:
+def turning(motion: ImpactProblem) -> float:
     """Return when the depth is greatest [s]."""
 
     def rates(time: float, state: Array) -> list[float]:
@@ -171,7 +171,7 @@ def turning(motion: Motion) -> float:
     return integrated.end
 
 
-def _stick(motion: Motion, span: tuple[float, float], start: Array, stops: list[Stop]) -> Marched:
+def _stick(motion: ImpactProblem, span: tuple[float, float], start: Array, stops: list[Stop]) -> Marched:
     """March on while all springs stick: d, v, U, w, loss, shear force and stored energy."""
     mass, ratio, mobility = motion.mass, motion.ratio, motion.mobility
 
@@ -183,7 +183,7 @@ def _stick(motion: Motion, span: tuple[float, float], start: Array, stops: list[
     return _march(motion, rates, span, start, stops)
 
 
-def _sticking(motion: Motion, integrated: Marched) -> Stage:
+def _sticking(motion: ImpactProblem, integrated: Marched) -> Stage:
     def moment(time: float) -> ImpactMoment:
         depth, velocity, shift, sliding, loss, shear, stored = integrated.at(time).tolist()
         _, force, pressed = motion.curve.at(depth)
@@ -192,15 +192,15 @@ def _sticking(motion: Motion, integrated: Marched) -> Stage:
     return Stage(float(integrated.times[0]), integrated.end, 0, moment)
 
 
-def _entered(motion: Motion, integrated: Marched, turn: float) -> Entered:
+def _entered(motion: ImpactProblem, integrated: Marched, turn: float) -> EnteredSprings:
     """Return what springs remember that came into contact while all stuck."""
     times = integrated.times
     places = 0.5 * (times[:-1] + times[1:])[:, None] + 0.5 * np.diff(times)[:, None] * NODES
     values = integrated.at(places.ravel())[[0, 2, 5, 6]].reshape(4, *places.shape)
-    return Entered(times.tolist(), np.moveaxis(values @ POWERS.T, 0, 1), motion.ratio, motion.beta(), turn)
+    return EnteredSprings(times.tolist(), np.moveaxis(values @ POWERS.T, 0, 1), motion.ratio, motion.beta(), turn)
 
 
-def _with_slip(motion: Motion, turn: float) -> Iterator[Stage]:
+def _with_slip(motion: ImpactProblem, turn: float) -> Iterator[Stage]:
     beta, end = motion.beta(), 2.0 * turn
     time, state = 0.0, np.array([0.0, motion.velocity, 0.0, motion.sliding, 0.0])
     memory: list[Stuck] = []
@@ -235,14 +235,14 @@ def _with_slip(motion: Motion, turn: float) -> Iterator[Stage]:
         last = slip.recall(state)
         if eaten:
             memory.pop()
-            while memory and isinstance(memory[-1], Slid) and memory[-1].sign == sign:
+            while memory and isinstance(memory[-1], SlidSprings) and memory[-1].sign == sign:
                 memory.pop()
         elif passed:
             sign = -sign
         elif stopped:
             shear, stored = slip.shear(state, last)
             if last.gap < state[0]:
-                memory.append(Slid(sign, float(state[0]), float(state[2]), beta, last))
+                memory.append(SlidSprings(sign, float(state[0]), float(state[2]), beta, last))
             sign = 0 if time < turn else -sign
     raise NotConverged(f"Impact: sticking and sliding have taken turns {MOST_STAGES} times; give fewer waves.")
 
@@ -250,7 +250,7 @@ def _with_slip(motion: Motion, turn: float) -> Iterator[Stage]:
 class _Slip(NamedTuple):
     """The edge slides towards a side, over springs of which the last ones remember `stuck`."""
 
-    motion: Motion
+    motion: ImpactProblem
     sign: int
     stuck: Stuck | None
     turn: float
@@ -310,7 +310,7 @@ class _Slip(NamedTuple):
         return moment
 
 
-def _without_slip(motion: Motion, turn: float) -> Iterator[Stage]:
+def _without_slip(motion: ImpactProblem, turn: float) -> Iterator[Stage]:
     r"""All springs stick until they part; those of the gap d then lose what they have stored.
 
     With the displacement :math:`\delta` of the springs at the edge the loss is

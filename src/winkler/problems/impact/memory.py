@@ -21,7 +21,7 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.problems.normal.force_curve import NormalCurve
 
-__all__ = ["NO_HISTORY", "Entered", "RecalledPoint", "Slid", "Stuck", "ring"]
+__all__ = ["NO_HISTORY", "EnteredSprings", "RecalledPoint", "SlidSprings", "Stuck", "ring"]
 
 NEWTON_STEPS = 60
 NARROW_RING = 0.1
@@ -70,7 +70,7 @@ def ring(curve: NormalCurve, inner: RecalledPoint, depth: float) -> SpringRing:
     return SpringRing(linear, square)
 
 
-class Slid(NamedTuple):
+class SlidSprings(NamedTuple):
     """Springs that have slid and stick again since a depth d1 and a shift U1: h = sign beta (d1 - gap) - U1.
 
     Parameters
@@ -119,7 +119,7 @@ class Slid(NamedTuple):
         return RecalledPoint(gap, first, second, stiffness, force, work)
 
 
-class Entered(NamedTuple):
+class EnteredSprings(NamedTuple):
     """Springs that came into contact while all others stuck.
 
     Parameters
@@ -186,7 +186,7 @@ class Entered(NamedTuple):
         return self.times[step] + part * (self.times[step + 1] - self.times[step])
 
 
-Stuck = Slid | Entered
+Stuck = SlidSprings | EnteredSprings
 """What springs may remember."""
 
 

@@ -22,7 +22,7 @@ from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.solve_contact import at_depth, at_force, at_radius
 from winkler.problems.normal.validity import indentation_notes
-from winkler.problems.normal.yield_statement import FRICTIONLESS, Rubbing
+from winkler.problems.normal.yield_statement import FRICTIONLESS, SurfaceFriction
 from winkler.problems.one_load import picked, single
 from winkler.validity import Assumption, Note
 from winkler.values import value
@@ -192,7 +192,7 @@ class IndentationSolution:
         """How far the result can be trusted: assumptions, slopes, size of the body, onset of yield."""
         return self.notes_with(FRICTIONLESS)
 
-    def notes_with(self, rubbing: Rubbing) -> tuple[Note, ...]:
+    def notes_with(self, rubbing: SurfaceFriction) -> tuple[Note, ...]:
         """Return how far this contact can be trusted where its surfaces rub."""
         return indentation_notes(self.problem.bed, np.ravel(self.depth), np.ravel(self.radius), rubbing)
 

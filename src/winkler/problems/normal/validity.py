@@ -10,7 +10,7 @@ from winkler.foundation.bed import Bed
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.film import film_notes
 from winkler.problems.normal.single_contact import rises, unfinished
-from winkler.problems.normal.yield_statement import FRICTIONLESS, Rubbing, yield_notes_of_bed
+from winkler.problems.normal.yield_statement import FRICTIONLESS, SurfaceFriction, yield_notes_of_bed
 from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["contact_notes", "indentation_notes", "large_body_note", "size_note", "slope_note", "steepness_note"]
@@ -19,7 +19,9 @@ JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, doi:10.1017/CBO9781
 HAY = "J. C. Hay, A. Bolshakov, G. M. Pharr, J. Mater. Res. 14 (1999) 2296, doi:10.1557/JMR.1999.0306"
 
 
-def indentation_notes(bed: Bed, depth: Array, radius: Array, rubbing: Rubbing = FRICTIONLESS) -> tuple[Note, ...]:
+def indentation_notes(
+    bed: Bed, depth: Array, radius: Array, rubbing: SurfaceFriction = FRICTIONLESS
+) -> tuple[Note, ...]:
     """Return the notes of an indentation; of several loads, those of the widest contact.
 
     Parameters
@@ -27,7 +29,7 @@ def indentation_notes(bed: Bed, depth: Array, radius: Array, rubbing: Rubbing = 
     bed : Bed
     depth, radius : ndarray, (m,)
         [m].
-    rubbing : Rubbing, optional
+    rubbing : SurfaceFriction, optional
         What is known of friction, for the onset of yield.
     """
     return (*bed.notes, *contact_notes(bed, depth, radius), *yield_notes_of_bed(bed, depth, radius, rubbing))

@@ -32,7 +32,7 @@ from winkler.validity import Assumption, Note, Standing
 __all__ = [
     "FRICTIONLESS",
     "MISES",
-    "Rubbing",
+    "SurfaceFriction",
     "relaxing_yield",
     "share_of",
     "slid_depth",
@@ -51,7 +51,7 @@ WIDEST_ON_LAYER = 10.0
 """Contact radius over the thickness of the uppermost layer beyond which stresses in layers are not computed here."""
 
 
-class Rubbing(NamedTuple):
+class SurfaceFriction(NamedTuple):
     """What is known of the friction in a contact.
 
     Parameters
@@ -69,10 +69,12 @@ class Rubbing(NamedTuple):
     kinetic: float = math.nan
 
 
-FRICTIONLESS = Rubbing()
+FRICTIONLESS = SurfaceFriction()
 
 
-def yield_notes_of_bed(bed: Bed, depth: Array, radius: Array, rubbing: Rubbing = FRICTIONLESS) -> tuple[Note, ...]:
+def yield_notes_of_bed(
+    bed: Bed, depth: Array, radius: Array, rubbing: SurfaceFriction = FRICTIONLESS
+) -> tuple[Note, ...]:
     """Return whether the deepest of several contacts stays elastic; nothing where no body has a strength.
 
     Parameters
@@ -80,7 +82,7 @@ def yield_notes_of_bed(bed: Bed, depth: Array, radius: Array, rubbing: Rubbing =
     bed : Bed
     depth, radius : ndarray, (m,)
         [m].
-    rubbing : Rubbing
+    rubbing : SurfaceFriction
     """
     depths, radii = np.ravel(depth), np.ravel(radius)
     if not np.any(radii > 0.0):
@@ -98,14 +100,14 @@ def yield_notes_of_bed(bed: Bed, depth: Array, radius: Array, rubbing: Rubbing =
     return yield_notes(contacts, rubbing)
 
 
-def yield_notes(contacts: list[Pressed], rubbing: Rubbing = FRICTIONLESS) -> tuple[Note, ...]:
+def yield_notes(contacts: list[Pressed], rubbing: SurfaceFriction = FRICTIONLESS) -> tuple[Note, ...]:
     """Return whether the parts that have a strength stay elastic in all of these contacts of one bed.
 
     Parameters
     ----------
     contacts : list of Pressed
         The deepest first.
-    rubbing : Rubbing
+    rubbing : SurfaceFriction
 
     Returns
     -------
@@ -127,7 +129,7 @@ class _Verdict(NamedTuple):
     source: str
 
 
-def _verdict(contacts: list[Pressed], part: StrongPart, rubbing: Rubbing) -> _Verdict:
+def _verdict(contacts: list[Pressed], part: StrongPart, rubbing: SurfaceFriction) -> _Verdict:
     """Return what is known of one part; the share is that of its strength."""
     try:
         _refuse_costly(contacts[0])
@@ -158,7 +160,7 @@ def _refuse_costly(pressed: Pressed) -> None:
         )
 
 
-def _friction_unknown(pressed: Pressed, rubbing: Rubbing) -> str:
+def _friction_unknown(pressed: Pressed, rubbing: SurfaceFriction) -> str:
     """Return why the stresses under friction are not known, or nothing."""
     medium = pressed.bed.medium
     if not isinstance(medium, HalfSpace):
@@ -193,7 +195,7 @@ def _frictionless(pressed: Pressed, part: StrongPart, largest: GreatestStress, s
     )
 
 
-def _rubbed(pressed: Pressed, part: StrongPart, rubbing: Rubbing, plain: float, lower: str) -> _Verdict:
+def _rubbed(pressed: Pressed, part: StrongPart, rubbing: SurfaceFriction, plain: float, lower: str) -> _Verdict:
     """Return what is known of a contact with friction that without it would stay elastic."""
     mu = rubbing.coefficient
     kinetic = mu if math.isnan(rubbing.kinetic) else rubbing.kinetic

@@ -20,7 +20,7 @@ from winkler.errors import InvalidInput
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.values import value
 
-__all__ = ["AtCreepages", "Creepage", "Creeping"]
+__all__ = ["Creepage", "CreepageProblem", "CreepageSolution"]
 
 LARGEST_CREEPAGE = {"longitudinal": 1e9, "lateral": 1e9, "spin": math.inf}
 """Beyond it nothing rolls any more; for spin only the size of the contact decides."""
@@ -83,7 +83,7 @@ class Creepage:
         return along.ravel(), across.ravel(), turning.ravel()
 
 
-class Creeping(Protocol):
+class CreepageProblem(Protocol):
     """A problem of rolling at one creepage, or at many."""
 
     @property
@@ -91,10 +91,10 @@ class Creeping(Protocol):
         """How the bodies creep."""
 
 
-class AtCreepages:
+class CreepageSolution:
     """The part of a solution that follows from its creepages."""
 
-    problem: Creeping
+    problem: CreepageProblem
 
     @property
     def longitudinal_creepage(self) -> Quantity:

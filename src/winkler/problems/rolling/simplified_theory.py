@@ -27,7 +27,7 @@ from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import ROLLING
 from winkler.problems.normal.yield_of_pressure import ellipse_yield_notes
-from winkler.problems.rolling.creepage import AtCreepages, Creepage
+from winkler.problems.rolling.creepage import Creepage, CreepageSolution
 from winkler.problems.rolling.kalker import CreepCoefficients, creep_coefficients, rolling_pair
 from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
 from winkler.validity import Assumption, Note, Standing
@@ -142,7 +142,7 @@ class SimplifiedRolling:
 
 
 @value
-class SimplifiedRollingSolution(AtCreepages):
+class SimplifiedRollingSolution(CreepageSolution):
     """The solution of a `SimplifiedRolling`; forces and moment have the shape of the creepage.
 
     Parameters

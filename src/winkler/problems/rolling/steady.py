@@ -27,9 +27,9 @@ from winkler.path import OneLoad
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import ROLLING
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
-from winkler.problems.normal.yield_statement import Rubbing
+from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.problems.rolling.calibration import Kalker, Uncalibrated
-from winkler.problems.rolling.creepage import AtCreepages, Creepage
+from winkler.problems.rolling.creepage import Creepage, CreepageSolution
 from winkler.problems.rolling.line import RollingLine
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
@@ -132,7 +132,7 @@ class Rolling:
 
 
 @value
-class RollingSolution(AtCreepages):
+class RollingSolution(CreepageSolution):
     """The solution of a `Rolling`; every quantity has the shape of the creepage.
 
     Parameters
@@ -231,7 +231,7 @@ def rolling_notes(
     """Return what is assumed of springs that roll."""
     bed = contact.problem.bed
     notes = calibration.notes(bed, float(contact.radius))
-    rubbing = Rubbing(friction.coefficient, math.inf if slides else 0.0)
+    rubbing = SurfaceFriction(friction.coefficient, math.inf if slides else 0.0)
     return (*contact.notes_with(rubbing), sticking_note(bed.medium, friction.coefficient), *notes, STRIPS)
 
 

@@ -17,7 +17,7 @@ from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.problems.normal.solve_contact import at_depth
 
-__all__ = ["MeasuredSprings", "Points", "force_uncertainty", "springs_of"]
+__all__ = ["ContactPoints", "MeasuredSprings", "force_uncertainty", "springs_of"]
 
 FEWEST_PIXELS = 16
 """A contact of fewer determines its stiffness too poorly for a smooth curve."""
@@ -36,7 +36,7 @@ LARGEST_FORCE_SHARE = 0.95
 INSIDE_RATIO = 1.0 - 1e-12
 
 
-class Points(NamedTuple):
+class ContactPoints(NamedTuple):
     """Contacts of rising depth.
 
     Parameters
@@ -60,7 +60,7 @@ class MeasuredSprings(NamedTuple):
     misfit: float
 
 
-def springs_of(points: Points, medium: HomogeneousMedium, allowed: float) -> MeasuredSprings:
+def springs_of(points: ContactPoints, medium: HomogeneousMedium, allowed: float) -> MeasuredSprings:
     """Return the springs behind contacts: smooth ones, if they miss the forces by no more than `allowed` [N].
 
     Raises
@@ -84,13 +84,13 @@ def springs_of(points: Points, medium: HomogeneousMedium, allowed: float) -> Mea
     return fitted
 
 
-def _missed(bed: MeasuredBed, points: Points) -> Array:
+def _missed(bed: MeasuredBed, points: ContactPoints) -> Array:
     """Return how much more [N] springs bear than contacts at the same depths."""
     depth, radius = at_depth(bed, np.minimum(points.depth, bed.depths[-1] * INSIDE_RATIO))
     return np.asarray(bed.stiffness(radius) * depth - bed.gap_load(radius) - points.force)
 
 
-def force_uncertainty(points: Points) -> Array:
+def force_uncertainty(points: ContactPoints) -> Array:
     """Return how far [N] convex curves through the same contacts may be apart between one and the next.
 
     The stiffness rises with the depth: forces lie below the chord and above both tangents.
@@ -101,7 +101,7 @@ def force_uncertainty(points: Points) -> Array:
     return np.asarray((chord - low) * (high - chord) / rise * step)
 
 
-def _smooth(points: Points) -> Points | None:
+def _smooth(points: ContactPoints) -> ContactPoints | None:
     """Return points of a smooth curve through those that cover enough pixels; none if its slope does not rise."""
     from scipy.interpolate import CubicSpline
 
@@ -119,10 +119,10 @@ def _smooth(points: Points) -> Points | None:
     stiffness = force / depth * spline(places, 1)
     if np.any(np.diff(stiffness) <= 0.0):
         return None
-    return Points(depth, force, stiffness, np.interp(depth, points.depth, points.pixels))
+    return ContactPoints(depth, force, stiffness, np.interp(depth, points.depth, points.pixels))
 
 
-def _rising(points: Points) -> Points:
+def _rising(points: ContactPoints) -> ContactPoints:
     """Return the points with stiffnesses that rise a little at least, where no pixel more comes into contact."""
     stiffness = points.stiffness.copy()
     if np.count_nonzero(np.diff(stiffness) > LEAST_RISE * stiffness[1:]) < FEWEST_POINTS - 1:
@@ -135,7 +135,7 @@ def _rising(points: Points) -> Points:
     return points._replace(stiffness=stiffness)
 
 
-def _punched(points: Points, more: Array) -> Points:
+def _punched(points: ContactPoints, more: Array) -> ContactPoints:
     """Return these points, and one between each; between them the force shall rise by some more."""
     d, f, k, _ = points
     rise, mean = np.diff(k), (np.diff(f) + more) / np.diff(d)
@@ -148,10 +148,10 @@ def _punched(points: Points, more: Array) -> Points:
         np.append(np.stack((old[:-1], new), axis=1).ravel(), old[-1])
         for old, new in zip((d, f, k), columns, strict=True)
     )
-    return Points(depth, force, stiffness, np.interp(depth, points.depth, points.pixels))
+    return ContactPoints(depth, force, stiffness, np.interp(depth, points.depth, points.pixels))
 
 
-def _fitted(given_points: Points, medium: HomogeneousMedium, points: Points) -> MeasuredSprings:
+def _fitted(given_points: ContactPoints, medium: HomogeneousMedium, points: ContactPoints) -> MeasuredSprings:
     """Return the springs behind points, with what they need below the first of them."""
     depth, force, stiffness, _ = given_points
     # below the first point a power of the radius, the one that brings the first force

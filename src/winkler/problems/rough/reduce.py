@@ -24,7 +24,7 @@ from winkler.media.medium import Medium
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array
 from winkler.problems.normal.yield_statement import unknown_yield
-from winkler.problems.rough.contact_springs import Points, force_uncertainty, springs_of
+from winkler.problems.rough.contact_springs import ContactPoints, force_uncertainty, springs_of
 from winkler.problems.rough.surface_contact import SurfaceContact
 from winkler.problems.rough.surface_states import SurfaceState
 from winkler.profiles.rough.topography import Topography
@@ -142,7 +142,7 @@ class Reduction:
             "larger tolerance, or give the map more pixels."
         )
 
-    def _springs(self, points: Points) -> tuple[MeasuredBed, float]:
+    def _springs(self, points: ContactPoints) -> tuple[MeasuredBed, float]:
         """Return the springs behind contacts, and the bound on their misfit over the greatest force."""
         most = float(points.force[-1])
         bed, missed = springs_of(points, self.medium, POINT_SHARE * self.tolerance * most)
@@ -177,8 +177,8 @@ def _row(state: SurfaceState) -> ContactRow:
     return state.depth, state.force, state.stiffness, float(np.count_nonzero(state.pressure))
 
 
-def _points(done: list[ContactRow]) -> Points:
-    return Points(*np.array(done).T)
+def _points(done: list[ContactRow]) -> ContactPoints:
+    return ContactPoints(*np.array(done).T)
 
 
 @value

@@ -20,7 +20,7 @@ from winkler.loading import Depth, Force
 from winkler.numerics.types import Array
 from winkler.values import value
 
-__all__ = ["Ensemble", "RoughLine", "ensemble", "line_seeds", "prescribed"]
+__all__ = ["LineStatistics", "RoughLine", "ensemble", "line_seeds", "prescribed"]
 
 QUANTILES = (0.1, 0.9)
 """Quantiles between which eight of ten surfaces lie."""
@@ -80,7 +80,7 @@ class RoughLine:
         return np.asarray(self.modulus * self.length / gaps.size * count)
 
 
-class Ensemble(NamedTuple):
+class LineStatistics(NamedTuple):
     """Statistics of many lines: medians in the shape of the load, bands with one more axis in front."""
 
     depth: Array
@@ -107,7 +107,7 @@ def line_seeds(seed: int, realisations: int) -> list[int]:
     return [int(word) for word in np.random.SeedSequence(seed).generate_state(realisations)]
 
 
-def ensemble(lines: Iterable[RoughLine], load: Force | Depth) -> Ensemble:
+def ensemble(lines: Iterable[RoughLine], load: Force | Depth) -> LineStatistics:
     """Return the statistics of lines under a load, one after the other so that no two need be stored.
 
     Parameters
@@ -127,4 +127,4 @@ def ensemble(lines: Iterable[RoughLine], load: Force | Depth) -> Ensemble:
     for column in columns:
         statistics.append(np.median(column, axis=0).reshape(prescribed_.shape))
         statistics.append(np.quantile(column, QUANTILES, axis=0).reshape((2, *prescribed_.shape)))
-    return Ensemble(*statistics)
+    return LineStatistics(*statistics)

@@ -43,7 +43,7 @@ INSTANT_SPEED = 1e9
 """An edge that crosses the contact so often while the machine makes its longest step takes no time."""
 
 
-class _Place(NamedTuple):
+class _CrackState(NamedTuple):
     """Radius [m], the energy release rate there [J/m^2], force [N], and force times time since the start [N s]."""
 
     radius: float
@@ -186,7 +186,7 @@ class Crack:
                     low, high = (low, middle) if fast(middle) else (middle, high)
             self.radius = low
 
-    def _halves(self, position: float, rate: float, dt: float) -> tuple[_Place, _Place, _Place] | None:
+    def _halves(self, position: float, rate: float, dt: float) -> tuple[_CrackState, _CrackState, _CrackState] | None:
         """Return where a step leads, made at once, half of it, and in halves; nothing if it is too long."""
         one = self._step(self.radius, position, rate, dt)
         half = self._step(self.radius, position, rate, 0.5 * dt) if one else None
@@ -195,7 +195,7 @@ class Crack:
             return None
         return one, half, two._replace(impulse=half.impulse + two.impulse)
 
-    def _step(self, radius: float, position: float, rate: float, dt: float) -> _Place | None:
+    def _step(self, radius: float, position: float, rate: float, dt: float) -> _CrackState | None:
         """Return where one step leads."""
         first = self._stage(radius, radius, position + STAGE_WEIGHT * rate * dt, STAGE_WEIGHT * dt)
         if first is None:
@@ -206,13 +206,13 @@ class Crack:
             return None
         return second._replace(impulse=dt * ((1.0 - STAGE_WEIGHT) * first.force + STAGE_WEIGHT * second.force))
 
-    def _stage(self, radius: float, base: float, position: float, dt: float) -> _Place | None:
+    def _stage(self, radius: float, base: float, position: float, dt: float) -> _CrackState | None:
         """Return where the edge is that recedes from `base` for a time at the speed of where it comes to."""
         if base <= (1.0 - LONGEST_STEP) * radius:
             return None
         _, force, most = self.at(base, position)
         if most <= self.law.work:
-            return _Place(base, most, force, 0.0)
+            return _CrackState(base, most, force, 0.0)
         limit = float(self.law.opening(LONGEST_STEP * radius / dt))
         low, high = self.law.work, min(most, limit)
         f_low = most - low
@@ -246,7 +246,7 @@ class Crack:
                 break
             trial = low + (high - low) * f_low / (f_low - f_high)
         self.release = release
-        return _Place(place, release, force, 0.0)
+        return _CrackState(place, release, force, 0.0)
 
 
 def _opened(first: float, half: float, last: float, *releases: float) -> float:

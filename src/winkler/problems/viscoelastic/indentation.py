@@ -201,7 +201,7 @@ class ViscoelasticIndentation:
 
     def _by_force(self, row: SpringRow, deepest: float) -> Iterator[tuple[SpringRow, Array]]:
         times, forces = self.path.time.tolist(), self.path.across.tolist()
-        driven = _Driven(row, self.tolerance * deepest, max(forces))
+        driven = _ForceDriven(row, self.tolerance * deepest, max(forces))
         for i, (time, force) in enumerate(zip(times, forces, strict=True)):
             if i and time > times[i - 1]:
                 driven.ramp(forces[i - 1], force, time - times[i - 1])
@@ -235,7 +235,7 @@ class ViscoelasticIndentation:
         return ViscoelasticSolution(self, *np.concatenate([numbers for _, numbers in self._stretches(BLOCK)]).T)
 
 
-class _Driven:
+class _ForceDriven:
     """A row under forces; `little` is the error of depth that a step may have [m], `scale` the greatest force [N]."""
 
     def __init__(self, row: SpringRow, little: float, scale: float) -> None:

@@ -49,7 +49,7 @@ RECONTACT_MARGIN = 1e-6
 """A spring behind the contact is touched again when the body is this part of the depth below it."""
 
 
-class _Passed(NamedTuple):
+class _SlidPast(NamedTuple):
     """What a spring has met under a body at one depth, place by place, with force, resistance and trailing edge."""
 
     depth: float
@@ -155,7 +155,7 @@ class SlidingResistance:
             return SlidingResistanceSolution(self, self.speed, *(float(column) for column in columns))
         return SlidingResistanceSolution(self, np.array(self.speed, dtype=float), *columns)
 
-    def _settled(self, speed: float) -> _Passed:
+    def _settled(self, speed: float) -> _SlidPast:
         """Return what the springs have met at the depth that is prescribed, or that gives the force."""
         if isinstance(self.normal, Depth):
             return self._passed(float(self.normal.depth), speed)
@@ -190,7 +190,7 @@ class SlidingResistance:
             depth = math.exp(between(missing, math.log(low), math.log(high), absolute=1e-15))
         return self._passed(depth, speed)
 
-    def _passed(self, depth: float, speed: float) -> _Passed:
+    def _passed(self, depth: float, speed: float) -> _SlidPast:
         """Let the body pass over a spring at a depth."""
         elastic = elastic_like(self.bed)
         _, radii = at_depth(elastic, np.array([depth]))
@@ -216,7 +216,7 @@ class SlidingResistance:
         )  # fmt: skip
         force, work, let_go = sums.tolist()
         self._refuse_again(place, recess, memory, let_go, depth, speed)
-        return _Passed(depth, radius, radius - place, loads, force, work, radius - let_go)
+        return _SlidPast(depth, radius, radius - place, loads, force, work, radius - let_go)
 
     def _refuse_again(
         self, place: Array, recess: Array, memory: Array, let_go: float, depth: float, speed: float

@@ -38,7 +38,13 @@ from winkler.problems.normal.validity import contact_notes
 from winkler.problems.normal.yield_statement import relaxing_yield
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.problems.viscoelastic.march import SpringRow, elastic_like, refuse_rings, relaxation_of
-from winkler.problems.viscoelastic.tangential_march import Goal, Scales, ShearedMarch, shear_relaxation, travel
+from winkler.problems.viscoelastic.tangential_march import (
+    ErrorScales,
+    ShearedMarch,
+    StepTarget,
+    shear_relaxation,
+    travel,
+)
 from winkler.problems.viscoelastic.tangential_states import ViscoelasticTangentialState, stick_radius
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
@@ -141,7 +147,7 @@ class ViscoelasticTangential:
         row, scales = self._start()
         density = row.row.springs.density(row.row.bed)
         times = self.path.time.tolist()
-        goals = [Goal(*each) for each in zip(self.path.across.tolist(), self.path.along.tolist(), strict=True)]
+        goals = [StepTarget(*each) for each in zip(self.path.across.tolist(), self.path.along.tolist(), strict=True)]
         pace = math.inf
         for i, (time, goal) in enumerate(zip(times, goals, strict=True)):
             if i and time > times[i - 1]:
@@ -159,7 +165,7 @@ class ViscoelasticTangential:
                 row.displaced.copy(), row.stuck,
             )  # fmt: skip
 
-    def _start(self) -> tuple[ShearedMarch, Scales]:
+    def _start(self) -> tuple[ShearedMarch, ErrorScales]:
         """Return the row before anything has happened, and what counts as little on this path."""
         deepest = self._normal._deepest
         if deepest == 0.0:
@@ -185,12 +191,12 @@ class ViscoelasticTangential:
         borne = borne if borne > 0.0 else force
         slide_ = slide_ if slide_ > 0.0 else deepest
         little = self.tolerance
-        return row, Scales(little * deepest, little * slide_, little * borne, little * borne * slide_, force)
+        return row, ErrorScales(little * deepest, little * slide_, little * borne, little * borne * slide_, force)
 
-    def _sudden(self, row: ShearedMarch, goal: Goal, time: float, scales: Scales) -> ShearedMarch:
+    def _sudden(self, row: ShearedMarch, goal: StepTarget, time: float, scales: ErrorScales) -> ShearedMarch:
         """Press and then move the bodies at once, as far as a dashpot lets them."""
         stubborn = row.row.series.viscosity > 0.0
-        here = Goal(goal.across, row.shift if row.by_shift else row.turn.shear_force)
+        here = StepTarget(goal.across, row.shift if row.by_shift else row.turn.shear_force)
         rising = row.by_depth and goal.across > max(row.row.depth, 0.0)
         if stubborn and rising:
             raise OutsideValidity(
@@ -207,7 +213,7 @@ class ViscoelasticTangential:
                     f"ViscoelasticTangential: at {time:.6g} s the bodies are moved suddenly along the surface, which a "
                     "dashpot alongside responds to with an infinite force; give the step some time."
                 )
-        return row.step(Goal(row.row.depth, goal.along), 0.0, row.turn.force, scales)
+        return row.step(StepTarget(row.row.depth, goal.along), 0.0, row.turn.force, scales)
 
     def gathered(self, states: Iterable[ViscoelasticTangentialState]) -> ViscoelasticTangentialSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""

@@ -17,7 +17,7 @@ from winkler.numerics.springs.relaxing_friction import drag
 from winkler.numerics.types import Array
 from winkler.problems.viscoelastic.march import SpringRow
 
-__all__ = ["Goal", "Scales", "ShearedMarch", "Turn", "shear_relaxation", "travel"]
+__all__ = ["ErrorScales", "ShearStep", "ShearedMarch", "StepTarget", "shear_relaxation", "travel"]
 
 MOST_TRIALS = 200
 FORCE_TOLERANCE = 1e-12
@@ -46,18 +46,18 @@ def shear_relaxation(medium: ViscoelasticHalfSpace, share: float = 0.5) -> Relax
     return of_creep(total)
 
 
-class Goal(NamedTuple):
+class StepTarget(NamedTuple):
     """What is prescribed: a depth [m] or force [N] across the surface, a shift [m] or shear force [N] along it."""
 
     across: float
     along: float
 
-    def towards(self, other: Goal, part: float) -> Goal:
+    def towards(self, other: StepTarget, part: float) -> StepTarget:
         """Return what is prescribed at a part of the step to another one."""
-        return Goal(*(mine + (its - mine) * part for mine, its in zip(self, other, strict=True)))
+        return StepTarget(*(mine + (its - mine) * part for mine, its in zip(self, other, strict=True)))
 
 
-class Scales(NamedTuple):
+class ErrorScales(NamedTuple):
     """What counts as little: errors of depth and shift [m], shear force [N], energy [J]; and the greatest force [N]."""
 
     depth: float
@@ -67,7 +67,7 @@ class Scales(NamedTuple):
     force: float
 
 
-class Turn(NamedTuple):
+class ShearStep(NamedTuple):
     """What a row bears and has spent: F [N], a [m], F_x [N], U [J], lost by friction, in bodies, work [J], a ring."""
 
     force: float
@@ -80,7 +80,7 @@ class Turn(NamedTuple):
     ring: bool
 
 
-AT_REST = Turn(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False)
+AT_REST = ShearStep(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False)
 
 
 class ShearedMarch:
@@ -88,7 +88,7 @@ class ShearedMarch:
 
     Parameters
     ----------
-    row : Row
+    row : SpringRow
         Across the surface.
     shear : RelaxationSeries
         G*(t).
@@ -125,7 +125,7 @@ class ShearedMarch:
         loads = np.maximum(self.row.loads(), 0.0)
         return np.where(loads > 0.0, self.coefficient * np.where(loads > 0.0, loads, 1.0), 0.0)
 
-    def step(self, goal: Goal, dt: float, force: float, scales: Scales) -> ShearedMarch:
+    def step(self, goal: StepTarget, dt: float, force: float, scales: ErrorScales) -> ShearedMarch:
         """Return the row after a step to what is prescribed at its end.
 
         `force` is what the springs are to bear across the surface, at the end or in the mean as `Row.towards` has it.
@@ -152,7 +152,7 @@ class ShearedMarch:
         new.shift, new.slide = self.shift + moved, moved / dt if dt > 0.0 else self.slide
         new.pressing = self.pressing + float(done.work[0])
         new.shearing = self.shearing + work + lost
-        new.turn = Turn(
+        new.turn = ShearStep(
             float(done.force[0]), float(done.radius[0]), shear_force, float(done.stored[0]) + stored,
             self.turn.friction + lost, self.turn.bulk + float(done.lost[0]) + bulk, new.pressing + new.shearing,
             bool(done.ring[0]),
@@ -195,7 +195,7 @@ class ShearedMarch:
 
 
 def travel(
-    row: ShearedMarch, start: Goal, end: Goal, duration: float, pace: float, scales: Scales
+    row: ShearedMarch, start: StepTarget, end: StepTarget, duration: float, pace: float, scales: ErrorScales
 ) -> tuple[ShearedMarch, float]:
     """Carry a row from one point of the path to the next, and return the pace at which it arrives.
 

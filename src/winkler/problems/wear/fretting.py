@@ -27,7 +27,7 @@ from winkler.path import OnePositiveNormal, OnePositiveSwing, numbers_of
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import WORN
 from winkler.problems.wear.input_checks import Cells, WearTolerance, wearable
-from winkler.problems.wear.line import Rubbed, WearLine, WornContact, wear_line
+from winkler.problems.wear.line import RubbedContact, WearLine, WornContact, wear_line
 from winkler.problems.wear.march import WearMoment
 from winkler.problems.wear.states import FrettingState, goals_of
 from winkler.problems.wear.validity import fretting_notes
@@ -115,7 +115,7 @@ class FrettingWear:
         """After how many cycles the contact is returned, ``(steps,)``."""
         return goals_of("FrettingWear", "cycles", "", self.cycles)
 
-    def _rubbed(self, line: WearLine, contact: WornContact) -> Rubbed:
+    def _rubbed(self, line: WearLine, contact: WornContact) -> RubbedContact:
         coefficient, size = self.law.coefficient, float(numbers_of(self.amplitude))
         if isinstance(self.amplitude, ShearForce):
             size = line.shift_under(contact, coefficient, size)

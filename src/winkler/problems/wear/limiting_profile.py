@@ -31,7 +31,7 @@ from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import WORN
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
-from winkler.problems.normal.yield_statement import Rubbing
+from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.problems.wear.validity import debris_note, slip_note
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
@@ -304,7 +304,7 @@ class LimitingSolution:
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         bed = self.problem.bed
-        rubbing = Rubbing(self.problem.law.coefficient)
+        rubbing = SurfaceFriction(self.problem.law.coefficient)
         notes = [*self.problem.contact.notes_with(rubbing), debris_note(), slip_note(bed)]
         notes.append(sticking_note(bed.medium, self.problem.law.coefficient))
         notes.append(

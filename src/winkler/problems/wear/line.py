@@ -27,7 +27,7 @@ from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.transforms.ring_transforms import Cuts, RingTransforms, SurfaceTransform
 from winkler.numerics.types import Array
 
-__all__ = ["Rubbed", "WearLine", "WornContact", "wear_line"]
+__all__ = ["RubbedContact", "WearLine", "WornContact", "wear_line"]
 
 MOST_TRIALS = 100
 FORCE_TOLERANCE = 1e-13
@@ -58,7 +58,7 @@ class WornContact(NamedTuple):
     pressure: Array
 
 
-class Rubbed(NamedTuple):
+class RubbedContact(NamedTuple):
     """A pressed contact that is pushed to and fro.
 
     Parameters
@@ -186,7 +186,7 @@ class WearLine:
         (grazed,) = np.nonzero((worn > 0.0) & (contact.stretch > -slack))
         return max(contact.radius, float(self.nodes[grazed[-1]]) if grazed.size else 0.0)
 
-    def rub(self, contact: WornContact, coefficient: float, shift: float) -> Rubbed:
+    def rub(self, contact: WornContact, coefficient: float, shift: float) -> RubbedContact:
         """Return what a contact does that is pushed to and fro by a shift [m]."""
         bound = coefficient * self.shear_ratio * np.maximum(contact.stretch, 0.0)
         short = shift - bound
@@ -198,7 +198,7 @@ class WearLine:
         # what slides bears the whole friction, less what its core has in excess of the shift
         excess = -short
         core = 2.0 * self.modulus / self.shear_ratio * self.rings.integral(excess, self._cuts(excess))
-        return Rubbed(shift, coefficient * contact.force - core, stick, np.maximum(slip, 0.0))
+        return RubbedContact(shift, coefficient * contact.force - core, stick, np.maximum(slip, 0.0))
 
     def shift_under(self, contact: WornContact, coefficient: float, shear_force: float) -> float:
         """Return the shift [m] of a shear force [N] (Ciavarella, Jaeger); at sliding the one from which all slides."""

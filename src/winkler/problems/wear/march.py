@@ -29,7 +29,7 @@ from winkler.numerics.types import Array
 from winkler.problems.wear.line import WearLine, WornContact, wear_line
 from winkler.problems.wear.rates import SlidingSystem, law_slope
 
-__all__ = ["WearMoment", "Wearing", "first_nodes", "march", "scale_of"]
+__all__ = ["WearMoment", "WearProblem", "first_nodes", "march_wear", "scale_of"]
 
 FIRST_JUMP = 2e-3
 """Part of the depth that the first jump wears off."""
@@ -71,7 +71,7 @@ class WearMoment(NamedTuple):
     worn: Array
 
 
-class Wearing(Protocol):
+class WearProblem(Protocol):
     """What the march needs of a problem."""
 
     @property
@@ -143,7 +143,9 @@ def _nodes(core: float, reach: float, rim: float, count: int) -> Array:
     return np.append(inside, core + (reach - core) * np.linspace(0.0, 1.0, count - inner + 1) ** 2)
 
 
-def march(problem: Wearing, goals: Array, moment: WearMoment, *, everywhere: bool = False) -> Iterator[WearMoment]:
+def march_wear(
+    problem: WearProblem, goals: Array, moment: WearMoment, *, everywhere: bool = False
+) -> Iterator[WearMoment]:
     """Yield how far wear has come, at every goal beyond where it begins.
 
     Parameters
@@ -168,7 +170,7 @@ def march(problem: Wearing, goals: Array, moment: WearMoment, *, everywhere: boo
         yield moment
 
 
-class _Tried(NamedTuple):
+class _JumpTrial(NamedTuple):
     """What a jump came to: the worn depths and their rates ``(2, n)``, and its error over that allowed."""
 
     end: Array
@@ -176,10 +178,10 @@ class _Tried(NamedTuple):
     error: float
 
 
-class _Worn:
+class _WearRates:
     """A problem on one grid."""
 
-    def __init__(self, problem: Wearing, nodes: Array) -> None:
+    def __init__(self, problem: WearProblem, nodes: Array) -> None:
         self.problem, self.nodes, self.line = problem, nodes, wear_line(problem.bed, nodes)
 
     @functools.cached_property
@@ -193,29 +195,29 @@ class _Worn:
         there = self.contact(worn)
         return np.stack(worn_by(self.problem.wear, there.pressure)) * self.problem.slipped(self.line, there)
 
-    def explicit(self, worn: Array, first: Array, length: float, stages: int, scale: float) -> _Tried:
+    def explicit(self, worn: Array, first: Array, length: float, stages: int, scale: float) -> _JumpTrial:
         end = step(self.rates, worn, first, length, stages)
         last = self.rates(end)
         error = np.max(np.abs(step_error(worn, end, first, last, length).sum(axis=0)))
-        return _Tried(end, last, float(error) / scale)
+        return _JumpTrial(end, last, float(error) / scale)
 
-    def implicit(self, worn: Array, first: Array, length: float, scale: float) -> _Tried:
+    def implicit(self, worn: Array, first: Array, length: float, scale: float) -> _JumpTrial:
         end, last, error = implicit_step(self.system, worn.sum(axis=0), first.sum(axis=0), length)
         parts = np.stack([end - worn[1], worn[1]]), np.stack([last, np.zeros(last.size)])
-        return _Tried(*parts, float(np.max(np.abs(error))) / scale)
+        return _JumpTrial(*parts, float(np.max(np.abs(error))) / scale)
 
 
-def _advance(problem: Wearing, moment: WearMoment, goal: float, everywhere: bool) -> WearMoment:
+def _advance(problem: WearProblem, moment: WearMoment, goal: float, everywhere: bool) -> WearMoment:
     """Go on to a goal."""
     elapsed, jump, nodes, worn = moment
-    here = _Worn(problem, nodes)
+    here = _WearRates(problem, nodes)
     contact, first = here.contact(worn), here.rates(worn)
     problem.refuse(contact, elapsed)
     begun, overrun = elapsed, False
     while elapsed < goal:
         if overrun or (here.nodes[-1] < _end(problem.bed) and contact.radius > WIDENING_SHARE * here.nodes[-1]):
             nodes, worn = _wider(problem.bed, here.nodes, worn)
-            here, overrun = _Worn(problem, nodes), False
+            here, overrun = _WearRates(problem, nodes), False
             contact, first = here.contact(worn), here.rates(worn)
         fastest = float(np.max(first))
         scale = problem.tolerance * scale_of(problem, contact)
@@ -263,12 +265,12 @@ def _advance(problem: Wearing, moment: WearMoment, goal: float, everywhere: bool
     return WearMoment(elapsed, jump, here.nodes, worn)
 
 
-def scale_of(problem: Wearing, contact: WornContact) -> float:
+def scale_of(problem: WearProblem, contact: WornContact) -> float:
     """Return the displacement [m] in terms of which errors count."""
     return contact.depth if isinstance(problem.normal, Depth) else float(np.max(contact.stretch))
 
 
-def _damping(problem: Wearing, line: WearLine, contact: WornContact) -> float:
+def _damping(problem: WearProblem, line: WearLine, contact: WornContact) -> float:
     """Return a bound of how fast the shortest waves of the pressure decay."""
     return float(np.max(law_slope(problem.wear, contact.pressure) * problem.slipped(line, contact) * line.response))
 

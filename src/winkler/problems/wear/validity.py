@@ -13,7 +13,7 @@ from winkler.media.halfspace import HalfSpace
 from winkler.problems.assumptions.coupling import sliding_note, sticking_note
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.problems.normal.validity import indentation_notes
-from winkler.problems.normal.yield_statement import Rubbing, unknown_yield
+from winkler.problems.normal.yield_statement import SurfaceFriction, unknown_yield
 from winkler.problems.wear.states import WearState
 from winkler.validity import Assumption, Note, Standing
 
@@ -56,7 +56,7 @@ def slip_note(bed: Bed) -> Note:
     )
 
 
-def _march_notes(bed: Bed, tolerance: float, states: Sequence[WearState], rubbing: Rubbing) -> list[Note]:
+def _march_notes(bed: Bed, tolerance: float, states: Sequence[WearState], rubbing: SurfaceFriction) -> list[Note]:
     # the notes on the profile's own slopes and yield before wear
     depth, radius = (np.array([getattr(states[0], word)]) for word in ("depth", "radius"))
     notes = [*indentation_notes(bed, depth, radius, rubbing), *_worn_yield(bed, states), debris_note()]
@@ -97,13 +97,15 @@ def fretting_notes(bed: Bed, coefficient: float, tolerance: float, states: Seque
     states : sequence of WearState
     """
     coupled = sticking_note(bed.medium, coefficient)
-    return (*_march_notes(bed, tolerance, states, Rubbing(coefficient)), coupled, slip_note(bed))
+    return (*_march_notes(bed, tolerance, states, SurfaceFriction(coefficient)), coupled, slip_note(bed))
 
 
 def sliding_notes(bed: Bed, tolerance: float, states: Sequence[WearState]) -> tuple[Note, ...]:
     """Return how far a sliding contact can be trusted; parameters as `fretting_notes`."""
     return (
-        *_march_notes(bed, tolerance, states, Rubbing(math.inf)),  # the law of wear does not define the friction
+        *_march_notes(
+            bed, tolerance, states, SurfaceFriction(math.inf)
+        ),  # the law of wear does not define the friction
         sliding_note(bed.medium, math.nan),
         Note(
             Assumption.WEAR,

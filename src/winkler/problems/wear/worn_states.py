@@ -11,7 +11,7 @@ from winkler.numerics.types import Array
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.wear.input_checks import touching
 from winkler.problems.wear.line import WearLine, WornContact, wear_line
-from winkler.problems.wear.march import Wearing, WearMoment, first_nodes, march, scale_of
+from winkler.problems.wear.march import WearMoment, WearProblem, first_nodes, march_wear, scale_of
 
 __all__ = ["pressed_moment", "worn_states"]
 
@@ -32,11 +32,11 @@ def worn_states(problem: Any, start: Any, core: Callable[[float, Array], float] 
             yield problem.state(moment)
     else:
         moment = start.moment
-    for reached in march(problem, problem.goals, moment, everywhere=core is None):
+    for reached in march_wear(problem, problem.goals, moment, everywhere=core is None):
         yield problem.state(reached)
 
 
-def pressed_moment(problem: Wearing, moment: WearMoment) -> tuple[WearLine, WornContact, dict[str, Any]]:
+def pressed_moment(problem: WearProblem, moment: WearMoment) -> tuple[WearLine, WornContact, dict[str, Any]]:
     """Return the springs, the contact on them, and the numbers of a `winkler.problems.wear.states.WearState`."""
     line, worn = wear_line(problem.bed, moment.nodes), moment.worn.sum(axis=0)
     contact = line.press(worn, problem.normal)
