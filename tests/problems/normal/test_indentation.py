@@ -32,7 +32,7 @@ def test_closed_forms(name, load):
     depth, force = numbers(case)
     given = {"radius": wk.Radius(case.radii), "depth": wk.Depth(depth), "force": wk.Force(force)}[load]
     contact = wk.Indentation(bed, given).solve()
-    # just above a flat, or where g hardly rises, the radius itself is not better known than its square root tells
+    # just above a flat, or where g hardly rises, the radius itself is not better known than its square root
     np.testing.assert_allclose(contact.radius, case.radii, rtol=1e-10)
     np.testing.assert_allclose(contact.stiffness, 2.0 * MODULUS * case.radii, rtol=1e-10)
     if load != "radius" or "truncated" not in name:
@@ -113,7 +113,7 @@ def test_forces_of_any_size(force):
 
 
 def test_a_sphere_pressed_beyond_reason():
-    """As a -> R the force goes on as F = 2 E* R d - E* R^2; doubles end, the answer does not."""
+    """As a -> R the force goes on as F = 2 E* R d - E* R^2; doubles end, the solution does not."""
     bed = wk.Foundation(wk.Sphere(1.0), wk.HalfSpace.between(wk.Elastic(1.0, 0.0)))
     for depth in (3.0, 18.0, 40.0, 700.0):
         contact = wk.Indentation(bed, wk.Depth(depth)).solve()
@@ -196,7 +196,7 @@ def test_beyond_the_reach_is_refused_and_named():
     assert wk.Indentation(bed, wk.Radius(1e-4)).solve().depth == pytest.approx(depth, rel=1e-9)
 
 
-def test_a_radius_that_does_not_tell_the_load():
+def test_a_radius_that_does_not_determine_the_load():
     for profile in (wk.FlatPunch(1e-3), wk.TruncatedCone(1.0, 1e-3), wk.RoundedPunch(1e-3, 1.0)):
         for radius in (1e-3, 5e-4):
             refused(

@@ -4,10 +4,10 @@ import math
 
 import numpy as np
 import pytest
-from winkler.problems.wear.march_wear import march_wear
 
 import winkler as wk
 from winkler.problems.wear.line import WearLine, wear_line
+from winkler.problems.wear.march import march_wear
 
 MEDIUM = wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3))
 BALL = wk.Foundation(wk.Paraboloid(1e-3), MEDIUM)
@@ -117,20 +117,20 @@ def test_a_stopped_march_goes_on_with_the_same_numbers_across_a_wider_grid():
     assert list(problem.steps(start=whole[1])) == whole[2:]
 
 
-def test_where_the_profile_ends_the_states_before_are_kept():
+def test_where_the_profile_ends_the_states_before_remain():
     radii = np.linspace(0.0, 3e-5, 60)
     bed = wk.Foundation(wk.Measured(radii, radii**2 / 2e-3), MEDIUM)
     problem = wk.SlidingWear(bed, wk.Archard(RATE), wk.Force(1.0), np.geomspace(1e-4, 1.0, 30), count=40)
-    kept = []
+    remaining = []
 
-    def march_wear():
+    def advance():
         for state in problem.steps():
-            kept.append(state)
+            remaining.append(state)
 
     with pytest.raises(wk.OutsideValidity, match="as far as the profile is known"):
-        march_wear()
-    assert len(kept) > 10
-    assert kept[-1].radius < 3e-5
+        advance()
+    assert len(remaining) > 10
+    assert remaining[-1].radius < 3e-5
 
 
 def test_a_worn_profile_can_be_pressed_again():
