@@ -37,7 +37,7 @@ __all__ = [
 
 
 class EdgeStates(Protocol):
-    """What a law of adhesion makes of a bed; stated for its implementer. Arrays of radii in, arrays out."""
+    """The equilibria of a bed under a law of adhesion, as a law must define them. Arrays of radii in, arrays out."""
 
     def __hash__(self) -> int:
         """States are values."""
@@ -179,7 +179,7 @@ def force_under(states: EdgeStates, depth: Array, radius: Array) -> Array:
 
 
 def depth_under(states: EdgeStates, force: Array, radius: Array) -> Array:
-    """Return the depth [m] under a force: it hardly feels the rounding of the radius, as g(a) may at a steep flank."""
+    """Return the depth [m] under a force: it is less sensitive to rounding of the radius than g(a) at a steep flank."""
     stiffness = states.bed.stiffness(radius)
     held = stiffness > 0.0
     under_force = (force + states.load(radius)) / np.where(held, stiffness, 1.0)

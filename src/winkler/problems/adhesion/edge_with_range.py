@@ -134,7 +134,7 @@ class RangedEdge(NamedTuple):
     opening: Slopes
 
     def apart(self) -> float:
-        """Return the place of bodies that do not feel each other."""
+        """Return the place of bodies that do not attract each other."""
         return -self.approach.extent()
 
     def state(self, place: Array, level: Array) -> tuple[Array, Array, Array]:

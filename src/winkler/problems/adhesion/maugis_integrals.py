@@ -32,7 +32,7 @@ FINEST_RULE = 161
 
 
 class Edges(NamedTuple):
-    """Where pieces begin, the kink whose root each of them feels, and whether g' is infinite there."""
+    """Where pieces begin, the kink whose root each of them contains, and whether g' is infinite there."""
 
     places: Array
     bases: Array

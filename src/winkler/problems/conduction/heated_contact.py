@@ -34,7 +34,7 @@ HIGHEST_TEMPERATURE = 2e4
 
 
 class ColdContact(NamedTuple):
-    """What is known at the temperature of the bodies."""
+    """The contact at the temperature of the bodies."""
 
     first: Array
     """Resistance of the first body, `(m,)` [ohm]."""

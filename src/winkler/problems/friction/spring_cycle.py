@@ -45,7 +45,7 @@ class _Slide(NamedTuple):
 
 @value
 class SpringCycle:
-    """Harmonic pressing and pushing, as springs feel it.
+    """Harmonic pressing and pushing of single springs.
 
     Parameters
     ----------

@@ -26,7 +26,7 @@ RATIO_TOLERANCE = 1e-9
 @offered("a law with a method shear_bound(line_load)")
 @runtime_checkable
 class OwnLaw(Protocol):
-    """A law of friction of one's own, stated for its implementer: how much springs bear along the surface.
+    """The methods of a law of friction of one's own: how much springs bear along the surface.
 
     It is evaluated once for many steps, and holds for every spring by itself.  Make it a value (frozen, equal by
     content).
@@ -42,7 +42,7 @@ SpringLaw = Coulomb | StaticKinetic | OwnLaw
 
 
 class SpringProblem(Protocol):
-    """What `march` needs of a problem: a bed, a friction law and a path."""
+    """What `march_springs` needs of a problem: a bed, a friction law and a path."""
 
     @property
     def bed(self) -> Bed:

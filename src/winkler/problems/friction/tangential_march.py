@@ -137,7 +137,7 @@ class SlipPath:
         return here
 
     def _alike(self, one: SlipPoint, two: SlipPoint) -> bool:
-        """Return whether two arrivals are the same but for a small part of displacements and energies on the path."""
+        """Return whether two end states are the same but for a small part of displacements and energies on the path."""
         gaps = np.union1d(one.memory.edges, two.memory.edges)
         apart = float(np.max(np.abs(one.memory.value(gaps) - two.memory.value(gaps)), initial=0.0))
         # springs that all slide in the end forget how they came there, what it has cost does not

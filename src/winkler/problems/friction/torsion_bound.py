@@ -1,7 +1,7 @@
 r"""How much the springs of a twisted contact bear before they slide.
 
 A ring that slides carries :math:`\mu p(r)`, so the springs of a sliding outer part of the contact carry
-:math:`q(x) = 4\mu x\int_x^a p(r)\,(r^2-x^2)^{-1/2}\,\mathrm dr`: each feels the pressure of all
+:math:`q(x) = 4\mu x\int_x^a p(r)\,(r^2-x^2)^{-1/2}\,\mathrm dr`: each depends on the pressure of all
 rings farther out.  With :math:`q = x\,h(x)` and the pressure as a sum of flat punches' pressures
 
 .. math:: b(x) = \frac{4\mu E^*}\pi\Big[\int_x^a K\big(1-\tfrac{x^2}{t^2}\big)\frac{g'(t)}t\,\mathrm dt

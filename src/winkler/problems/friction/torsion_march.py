@@ -33,7 +33,7 @@ MOST_TRIALS = 200
 
 
 class TorsionStep(NamedTuple):
-    """The springs after a step, 8 G_t times the change of the angle [Pa], 4 G_t times loss and work, `Move.nested`."""
+    """The springs after a step, 8 G_t times the change of angle [Pa], 4 G_t times loss and work, `TwistMove.nested`."""
 
     memory: TwistMemory
     twist: float

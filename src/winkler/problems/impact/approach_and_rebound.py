@@ -1,4 +1,4 @@
-r"""How a body swings into an adhesive contact and back: two curves of force over the depth, and the motion along them.
+r"""How a body moves into an adhesive contact and back: two curves of force over the depth, and the motion along them.
 
 In each direction the force is smooth between the depths at which the edge runs on, comes free, or passes a kink of the
 profile; there it is laid on panels, and the motion :math:`m\ddot d=-F(d)` is integrated from one such depth to the
@@ -71,7 +71,7 @@ class ImpactMotion(NamedTuple):
 
 
 def impact_motion(bed: Bed, law: ShortRange, mass: float, velocity: float) -> ImpactMotion:
-    """Return how a body swings in and out.
+    """Return the motion of a body into contact and back.
 
     Raises
     ------

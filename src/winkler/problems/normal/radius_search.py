@@ -47,7 +47,7 @@ def _turns(bed: Bed, end: float) -> Array:
     return starts_
 
 
-def _climbs(bed: Bed, end: float) -> list[RisingInterval]:
+def _rising_intervals(bed: Bed, end: float) -> list[RisingInterval]:
     bounds = np.concatenate([[0.0], _turns(bed, end), [end]])
     tops = bed.gap(bounds)
     # what was the highest before each: beyond a crest g is back at it only later
@@ -64,7 +64,7 @@ class _Landscape:
 
     def __init__(self, bed: Bed, end: float) -> None:
         self.bed, self.end = bed, end
-        self.climbs = functools.cache(lambda horizon: _climbs(bed, horizon))
+        self.intervals = functools.cache(lambda horizon: _rising_intervals(bed, horizon))
         self.gap = functools.cache(lambda x: float(bed.gap(np.array([x]))[0]))
         self.force = functools.cache(lambda x: float(_forces(bed, np.array([x]))[0]))
 
@@ -85,27 +85,27 @@ class _Landscape:
         )
 
     def at_depth(self, depth: float, guess: float) -> RisingInterval:
-        """Return the climb on which g meets a depth, or refuse."""
-        for climb in self.climbs(self.horizon(self.gap, depth, guess)):
-            if self.gap(climb.stop) >= depth:
-                return climb
+        """Return the interval on which g meets a depth, or refuse."""
+        for interval in self.intervals(self.horizon(self.gap, depth, guess)):
+            if self.gap(interval.stop) >= depth:
+                return interval
         _refuse_unless_pinned(self.bed, f"depth {depth:.6g} m", self.end)
         return RisingInterval(self.end, self.end)
 
     def at_force(self, force: float, guess: float) -> RisingInterval:
-        """Return the climb on which a force is met, or refuse."""
+        """Return the interval on which a force is met, or refuse."""
         place = self.horizon(self.force, force, guess)
         # in a valley of g the force may be met below the crest before it
         for horizon in (place, min(2.0 * place, self.end)):
-            for climb in self.climbs(horizon):
-                if force < self.force(climb.start):
+            for interval in self.intervals(horizon):
+                if force < self.force(interval.start):
                     raise OutsideValidity(
-                        f"force {force:.6g} N lies where the contact is no disc: up to {self.gap(climb.start):.6g} m "
-                        f"depth it closes inside, from {self.force(climb.start):.6g} N on as a disc of "
-                        f"{climb.start:.6g} m; give a force outside."
+                        f"force {force:.6g} N lies where the contact is no disc: up to {self.gap(interval.start):.6g} "
+                        f"m depth it closes inside, from {self.force(interval.start):.6g} N on as a disc of "
+                        f"{interval.start:.6g} m; give a force outside."
                     )
-                if force <= self.force(climb.stop):
-                    return climb
+                if force <= self.force(interval.stop):
+                    return interval
         _refuse_unless_pinned(self.bed, f"force {force:.6g} N", self.end)
         return RisingInterval(self.end, self.end)
 
@@ -114,8 +114,8 @@ def _forces(bed: Bed, a: Array) -> Array:
     return bed.stiffness(a) * bed.gap(a) - bed.gap_load(a)
 
 
-def _met(value: Callable[[Array], Array], target: Array, climbs: list[RisingInterval]) -> Array:
-    start, stop = np.array(climbs).T
+def _met(value: Callable[[Array], Array], target: Array, intervals: list[RisingInterval]) -> Array:
+    start, stop = np.array(intervals).T
     radius: Array = stop.copy()
     (free,) = np.nonzero(start < stop)
     radius[free] = bracketed(lambda x, i: value(x) - target[free][i], start[free], stop[free])
@@ -134,17 +134,17 @@ def radii_at_force(bed: Bed, force: Array, end: float, guess: Callable[[float], 
     return _all_met(functools.partial(_forces, bed), force, lambda load: landscape.at_force(load, guess(load)))
 
 
-def _all_met(value: Callable[[Array], Array], target: Array, climb: Callable[[float], RisingInterval]) -> Array:
+def _all_met(value: Callable[[Array], Array], target: Array, interval: Callable[[float], RisingInterval]) -> Array:
     radius = np.zeros(target.shape)
     (loaded,) = np.nonzero(target > 0.0)
-    climbs = []
+    intervals = []
     for index in loaded:
         try:
-            climbs.append(climb(float(target[index])))
+            intervals.append(interval(float(target[index])))
         except OutsideValidity as error:
             raise OutsideValidity(f"{error} (load at index {index})" if target.size > 1 else str(error)) from None
-    if climbs:
-        radius[loaded] = _met(value, target[loaded], climbs)
+    if intervals:
+        radius[loaded] = _met(value, target[loaded], intervals)
     return radius
 
 

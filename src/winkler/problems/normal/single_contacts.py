@@ -65,14 +65,14 @@ def refuse_unless_discs(bed: Bed, depth: Array, radius: Array, end: float) -> No
         _refuse_in_turn(tension, pushing, depth.size)
         for index in pulling:
             _refuse_in_turn(tension, np.array([index]), depth.size)
-        if ended(functools.partial(_sinks_least, bed, widest)):
+        if ended(functools.partial(_is_pressed_deepest, bed, widest)):
             _refuse_in_turn(overlap, family[::-1], depth.size)
         else:
             for index in family:
                 _refuse_in_turn(overlap, np.array([index]), depth.size)
 
 
-def _sinks_least(bed: Bed, radius: float) -> bool:
+def _is_pressed_deepest(bed: Bed, radius: float) -> bool:
     """Return whether no flat punch up to a radius sinks the surface outside farther than itself."""
     return bed.medium.punch_facts(radius).most <= 1.0
 

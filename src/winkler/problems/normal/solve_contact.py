@@ -153,7 +153,7 @@ def at_force(bed: Bed, force: Array) -> tuple[Array, Array]:
             "pressed together: give a force of zero or more."
         )
     radius = _radius_at_force(bed, force)
-    # F = k(a) d - load(a) hardly feels the rounding of a, g(a) may: close above a flat, or deep in a steep flank
+    # F = k(a) d - load(a) hardly depends on the rounding of a, g(a) may: close above a flat, or deep in a steep flank
     stiffness = bed.stiffness(radius)
     touching = stiffness > 0.0
     depth = np.where(touching, (force + bed.gap_load(radius)) / np.where(touching, stiffness, 1.0), 0.0)

@@ -1,4 +1,4 @@
-"""How the tangential stiffness of the springs compares with the normal one: the same everywhere, or not."""
+"""Ratio of tangential to normal stiffness of the springs: the same everywhere, or not."""
 
 from __future__ import annotations
 

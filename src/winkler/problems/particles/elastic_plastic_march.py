@@ -173,7 +173,7 @@ class ParticleMarch(NamedTuple):
         return springs.depth(self._compression(springs, angle, self.opening, force))
 
     def _compression(self, springs: ParticleSprings, angle: float, work: float, force: float) -> float:
-        """Return what the springs feel under a force with the edge at an angle."""
+        """Return the compression of the springs under a force with the edge at an angle [m]."""
         held = springs.balanced(angle, work)
         if angle == 0.0:
             return held

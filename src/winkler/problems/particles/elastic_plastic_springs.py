@@ -9,7 +9,7 @@ While it is elastic, :math:`A=4R`, :math:`b=R`: a ball.  Once its mean pressure 
 
 .. math:: b^2 = 2DR - D^2 + d_Y^2 - d_YR, \qquad A = 4p_Y(D)\,b/E_c ,
 
-fully pressed in at :math:`D`, which means the uniform pressure :math:`p_Y`.  The springs then feel the depth
+fully pressed in at :math:`D`, which means the uniform pressure :math:`p_Y`.  The springs then have the depth
 :math:`(d-d_0)/s`, where :math:`s-1` is the share by which the rest of the particle yields, and :math:`d_0` is what
 remains when it is let go.
 """
@@ -84,7 +84,7 @@ class ParticleSprings(NamedTuple):
         return self.sums(angle, compression)[0]
 
     def balanced(self, angle: float, work: float) -> float:
-        """Return how much the springs feel when an edge at the angle is just held by a work of adhesion [m]."""
+        """Return the compression of the springs when an edge at the angle is just held by a work of adhesion [m]."""
         return self.gap(angle) - math.sqrt(2.0 * math.pi * self.radius(angle) * work / self.modulus)
 
     def critical(self, work: float, factor: float) -> float:

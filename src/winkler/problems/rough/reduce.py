@@ -53,7 +53,7 @@ ContactRow = tuple[float, float, float, float]
 
 @value
 class Reduction:
-    """The question for springs that bear forces like a height map.
+    """The problem of finding springs that bear forces like a height map.
 
     Parameters
     ----------
