@@ -324,4 +324,4 @@ def test_springs_of_a_height_map():
     bed = wk.ReducedBed(ball_map, wk.HalfSpace(wk.Elastic(1.0, 0.3, 1e-9)), 0.05)
     note = statement(wk.Indentation(bed, wk.Depth(0.02)).solve())
     assert note.standing is wk.Standing.APPROXIMATE
-    assert "does not tell the outline" in note.statement
+    assert "does not define the outline" in note.statement
