@@ -200,7 +200,9 @@ def test_a_radius_that_does_not_determine_the_load():
     for profile in (wk.FlatPunch(1e-3), wk.TruncatedCone(1.0, 1e-3), wk.RoundedPunch(1e-3, 1.0)):
         for radius in (1e-3, 5e-4):
             refused(
-                wk.Foundation(profile, PAIR), wk.Radius(radius), "does not determine the load: the body is flat up to 0.001"
+                wk.Foundation(profile, PAIR),
+                wk.Radius(radius),
+                "does not determine the load: the body is flat up to 0.001",
             )
     refused(wk.Foundation(wk.FlatPunch(1e-3), PAIR), wk.Radius(2e-3), r"is beyond the rim of the body \(0.001 m\)")
 

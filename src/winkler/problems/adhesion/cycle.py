@@ -40,7 +40,7 @@ JUMP_ROUNDING = 1e-10
 """Part of the energies that meet in a jump by which their difference may come out negative."""
 
 
-HELD = POSITIVE_OR_INFINITE._replace(
+MACHINE_STIFFNESS_RANGE = POSITIVE_OR_INFINITE._replace(
     demand="it must be positive{unit}, infinite for fixed grips; for a dead load give the path as Force([...])"
 )
 
@@ -91,7 +91,7 @@ class AdhesiveCycle:
     bed: Bed
     law: AdhesionLaw
     path: Depth | Force
-    machine_stiffness: Annotated[float, HELD] = math.inf
+    machine_stiffness: Annotated[float, MACHINE_STIFFNESS_RANGE] = math.inf
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "johnson_kendall_roberts_1971", "guduru_2007")
     assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE

@@ -106,11 +106,13 @@ def restore_conduction(
         plain disc.
     """
     places = []
-    for word, value_ in (("r", r), ("z", z)):
+    for word, coordinate in (("r", r), ("z", z)):
         try:
-            numbers = np.asarray(value_, dtype=float)
+            numbers = np.asarray(coordinate, dtype=float)
         except (TypeError, ValueError):
-            raise InvalidInput(f"restore_conduction: {word} is {value_!r}; give a number or an array in m.") from None
+            raise InvalidInput(
+                f"restore_conduction: {word} is {coordinate!r}; give a number or an array in m."
+            ) from None
         if not np.all(np.isfinite(numbers)):
             raise InvalidInput(f"restore_conduction: {word} holds values that are not finite; give places in m.")
         places.append(numbers)

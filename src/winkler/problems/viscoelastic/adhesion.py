@@ -79,7 +79,7 @@ class ViscoelasticAdhesionState:
     dissipation: float
 
 
-HELD = POSITIVE_OR_INFINITE._replace(demand="it must be positive{unit}, infinite for fixed grips")
+MACHINE_STIFFNESS_RANGE = POSITIVE_OR_INFINITE._replace(demand="it must be positive{unit}, infinite for fixed grips")
 
 
 @value
@@ -131,7 +131,7 @@ class ViscoelasticAdhesion:
     bed: Bed
     law: Annotated[CrackLaw, Advice("laws without a speed are those of AdhesiveCycle")]
     path: Path
-    machine_stiffness: Annotated[float, HELD] = math.inf
+    machine_stiffness: Annotated[float, MACHINE_STIFFNESS_RANGE] = math.inf
 
     references: ClassVar[tuple[str, ...]] = (
         "popov_hess_2015",

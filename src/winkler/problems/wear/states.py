@@ -15,7 +15,7 @@ __all__ = ["FrettingState", "WearState", "goals_of"]
 
 DEFAULT_STATES = 41
 """How many states are returned if only the end is given."""
-NUMBERS_IN_SENTENCE = 5
+QUOTED = 5
 """So many numbers of a row are repeated in a sentence about it."""
 
 
@@ -114,7 +114,7 @@ class FrettingState(WearState):
     loss_per_cycle: float
 
 
-def goals_of(owner: str, word: str, unit: str, where: Quantity) -> Array:
+def goals_of(owner: str, word: str, unit: str, requested: Quantity) -> Array:
     """Return where states are returned, rising, zero or more.
 
     One number stands for the end and `DEFAULT_STATES` states up to it, closer at the beginning where wear is fastest.
@@ -124,15 +124,11 @@ def goals_of(owner: str, word: str, unit: str, where: Quantity) -> Array:
     InvalidInput
         If the numbers are negative, not finite, do not rise, or end at zero.
     """
-    numbers = np.asarray(where)
+    numbers = np.asarray(requested)
     sound = numbers.dtype.kind in "fiu" and numbers.size > 0 and numbers.ndim <= 1
     row = np.ravel(numbers) if sound else np.zeros(1)
-    more = ", ..." if row.size > NUMBERS_IN_SENTENCE else ""
-    text = (
-        f"[{', '.join(f'{each:g}' for each in row[:NUMBERS_IN_SENTENCE])}{more}]"
-        if sound and numbers.ndim
-        else repr(where)
-    )
+    more = ", ..." if row.size > QUOTED else ""
+    text = f"[{', '.join(f'{each:g}' for each in row[:QUOTED])}{more}]" if sound and numbers.ndim else repr(requested)
     if not (np.all(np.isfinite(row)) and row[0] >= 0.0 and row[-1] > 0.0 and np.all(np.diff(row) > 0.0)):
         raise InvalidInput(
             f"{owner}: {word} is {text}; give one positive number{unit}, or a row of numbers that rise from zero or "
