@@ -26,7 +26,7 @@ from winkler.loading import Depth, Force
 from winkler.numerics.equations.turning import Leap
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.cycle_states import AdhesiveJump, AdhesiveState, EdgeState
-from winkler.problems.adhesion.edge import AdhesiveEdge, DeadLoad, Machine, adhesive_edge
+from winkler.problems.adhesion.edge import AdhesiveEdge, DeadLoad, LoadingMachine, adhesive_edge
 from winkler.problems.adhesion.edge_with_range import RangedEdge, ranged_edge
 from winkler.problems.adhesion.validity import adhesive_notes
 from winkler.problems.answer import gather
@@ -114,8 +114,8 @@ class AdhesiveCycle:
         return np.asarray(self.path.depth if isinstance(self.path, Depth) else self.path.force, dtype=float)
 
     @property
-    def _control(self) -> Machine | DeadLoad:
-        return Machine(1.0 / self.machine_stiffness) if isinstance(self.path, Depth) else DeadLoad()
+    def _control(self) -> LoadingMachine | DeadLoad:
+        return LoadingMachine(1.0 / self.machine_stiffness) if isinstance(self.path, Depth) else DeadLoad()
 
     @property
     def _edge(self) -> AdhesiveEdge | RangedEdge:
@@ -157,7 +157,7 @@ class AdhesiveCycle:
                     wasted, lost = wasted + spent, lost + max(crept, 0.0)
                 lost += sum(jump.loss for jump in jumps)
                 place = float(places[i])
-                position = levels[index] if isinstance(edge.control, Machine) else depths[i]
+                position = levels[index] if isinstance(edge.control, LoadingMachine) else depths[i]
                 yield AdhesiveState(position, depths[i], forces[i], radii[i], lost, wasted, jumps)
 
     def gathered(self, states: Iterable[AdhesiveState]) -> AdhesiveCycleSolution:
@@ -263,7 +263,7 @@ def _jump(edge: AdhesiveEdge | RangedEdge, leap: Leap) -> AdhesiveJump:
             f"though that costs {-loss:.3g} J: a ring of the body touches there first, and the contact is no disc; "
             "give a flatter wave, a softer body or more work of adhesion."
         )
-    position = level if isinstance(edge.control, Machine) else depth
+    position = level if isinstance(edge.control, LoadingMachine) else depth
     before, after = (EdgeState(position[i], depth[i], force[i], radius[i]) for i in range(2))
     return AdhesiveJump(before, after, max(loss, 0.0))
 

@@ -30,14 +30,14 @@ from winkler.problems.adhesion.stability import branches, least_radius
 from winkler.problems.normal.solve_contact import flat_radius
 from winkler.values import value
 
-__all__ = ["AdhesiveEdge", "DeadLoad", "Machine", "adhesive_edge", "last_radius"]
+__all__ = ["AdhesiveEdge", "DeadLoad", "LoadingMachine", "adhesive_edge", "last_radius"]
 
 OCTAVES = 400
 BISECTIONS = 50
 
 
 @value
-class Machine:
+class LoadingMachine:
     """A machine whose far end is moved.
 
     Parameters
@@ -93,14 +93,14 @@ class AdhesiveEdge(NamedTuple):
     ----------
     bed : Bed
     law : ShortRange
-    control : Machine or DeadLoad
+    control : LoadingMachine or DeadLoad
     closing, opening : Slopes
         What must be prescribed for the edge to advance, and to recede, over the contact radius.
     """
 
     bed: Bed
     law: ShortRange
-    control: Machine | DeadLoad
+    control: LoadingMachine | DeadLoad
     closing: Slopes
     opening: Slopes
 
@@ -125,7 +125,7 @@ class AdhesiveEdge(NamedTuple):
         return (self.law.work_opening - self.law.work_closing) * np.pi * (start - end) * (start + end)
 
 
-def adhesive_edge(bed: Bed, law: ShortRange, control: Machine | DeadLoad, highest: float) -> AdhesiveEdge:
+def adhesive_edge(bed: Bed, law: ShortRange, control: LoadingMachine | DeadLoad, highest: float) -> AdhesiveEdge:
     """Return the curves that the edge obeys, up to where `highest` is prescribed.
 
     Raises
@@ -155,7 +155,7 @@ def adhesive_edge(bed: Bed, law: ShortRange, control: Machine | DeadLoad, highes
     return AdhesiveEdge(bed, law, control, meeting, parting)
 
 
-def _slopes(curve: Curve, states: EdgeStates, control: Machine | DeadLoad, high: float) -> Slopes:
+def _slopes(curve: Curve, states: EdgeStates, control: LoadingMachine | DeadLoad, high: float) -> Slopes:
     """Return a curve cut where it turns: at the limits of the stable stretches."""
     limits = [limit for branch in branches(states, control.stiffness, high) for limit in branch]
     places = np.unique([0.0, *limits, high])

@@ -24,7 +24,7 @@ from winkler.numerics.equations.turning import Slopes
 from winkler.numerics.panels.chebyshev import fit_panels, stationary
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, Curve
-from winkler.problems.adhesion.edge import DeadLoad, Machine, last_radius
+from winkler.problems.adhesion.edge import DeadLoad, LoadingMachine, last_radius
 from winkler.problems.adhesion.edge_states import EdgeStates, end_of, force_of, force_under, stored_energy
 from winkler.problems.adhesion.expected_radius import expected_radius
 from winkler.problems.adhesion.law_states import states_of
@@ -121,7 +121,7 @@ class RangedEdge(NamedTuple):
     states : EdgeStates
         Of the contact.
     approach : Approach
-    control : Machine or DeadLoad
+    control : LoadingMachine or DeadLoad
     closing, opening : Slopes
         What must be prescribed, over the places: the same for an edge that advances and one that recedes.
     """
@@ -129,7 +129,7 @@ class RangedEdge(NamedTuple):
     bed: Bed
     states: EdgeStates
     approach: ApproachPath
-    control: Machine | DeadLoad
+    control: LoadingMachine | DeadLoad
     closing: Slopes
     opening: Slopes
 
@@ -148,7 +148,7 @@ class RangedEdge(NamedTuple):
         depth = np.where(touching, depth, self.approach.depth(before))
         force = np.where(touching, force, self.approach.force(before))
         first_attracted = float(self.approach.depth(np.array([self.apart()]))[0])
-        free = level if isinstance(self.control, Machine) else np.full(np.shape(level), first_attracted)
+        free = level if isinstance(self.control, LoadingMachine) else np.full(np.shape(level), first_attracted)
         return np.where(nowhere, free, depth), np.where(nowhere, 0.0, force), radius
 
     def energy(self, depth: Array, force: Array, radius: Array) -> Array:
@@ -164,7 +164,7 @@ class RangedEdge(NamedTuple):
 
 
 def ranged_edge(
-    bed: Bed, law: Dugdale | DerjaguinMullerToporov, control: Machine | DeadLoad, highest: float
+    bed: Bed, law: Dugdale | DerjaguinMullerToporov, control: LoadingMachine | DeadLoad, highest: float
 ) -> RangedEdge:
     """Return the curve that the edge obeys, up to where `highest` is prescribed.
 

@@ -109,7 +109,7 @@ def pulled(outer: Array, span: Array, k: float) -> Array:
     return np.asarray(0.5 * outer**2 * beta(p, q) * betainc(p, q, share))
 
 
-class _Pieces(NamedTuple):
+class _IntegralPieces(NamedTuple):
     """Pieces of integrals: whose they are, their sign, the base of their angle, where they begin, how far they go.
 
     `start` is an angle from the base on, `stop` one from the end of the zone back.
@@ -131,7 +131,7 @@ def _rest(radius: Array, span: Array, place: Array) -> Array:
     return np.asarray(np.sqrt(np.maximum(span * span + (radius - place) * (radius + place), 0.0)))
 
 
-def _pieces(edges: Edges, radius: Array, span: Array, k: float) -> _Pieces:
+def _pieces(edges: Edges, radius: Array, span: Array, k: float) -> _IntegralPieces:
     """Divide the zones at the edges that lie in them."""
     first = np.searchsorted(edges.places, radius, side="right") - 1
     last = np.maximum(np.searchsorted(edges.places, np.hypot(radius, span), side="left") - 1, first)
@@ -152,19 +152,19 @@ def _pieces(edges: Edges, radius: Array, span: Array, k: float) -> _Pieces:
     # of two differences of the same angle, the one that cancels less
     whole = np.where(ends | (back < start), back - stop, np.arctan2(rises, left) - start)
     whole = np.maximum(whole, 0.0)
-    divided = _Pieces(owner, np.ones(owner.size), base, limit, edges.steep[index], width, start, stop, whole)
+    divided = _IntegralPieces(owner, np.ones(owner.size), base, limit, edges.steep[index], width, start, stop, whole)
     return divided if k == 0.0 else _from_base(divided, back)
 
 
-def _from_base(pieces: _Pieces, back: Array) -> _Pieces:
+def _from_base(pieces: _IntegralPieces, back: Array) -> _IntegralPieces:
     """Let pieces begin at the base, and take off what is too much: a power starts there, not far outside of them."""
     near = (pieces.start > 0.0) & (pieces.start < pieces.whole)
-    more = _Pieces(*(part[near] for part in pieces))
+    more = _IntegralPieces(*(part[near] for part in pieces))
     more = more._replace(sign=-more.sign, start=0.0 * more.start, stop=back[near], whole=more.start)
     begun = pieces._replace(
         start=np.where(near, 0.0, pieces.start), whole=pieces.whole + np.where(near, pieces.start, 0.0)
     )
-    return _Pieces(*(np.concatenate(parts) for parts in zip(begun, more, strict=True)))
+    return _IntegralPieces(*(np.concatenate(parts) for parts in zip(begun, more, strict=True)))
 
 
 def profile_part(springs: RingSprings, radius: Array, span: Array, rule: Rule) -> tuple[Array, Array]:
@@ -179,7 +179,7 @@ def profile_part(springs: RingSprings, radius: Array, span: Array, rule: Rule) -
         nodes, complements, weights = tanh_sinh(rule[1])
     k, chunk = springs.exponent, max(1, POINTS_PER_BLOCK // nodes.size)
     for begin in range(0, pieces.owner.size, chunk):
-        own = _Pieces(*(part[begin : begin + chunk] for part in pieces))
+        own = _IntegralPieces(*(part[begin : begin + chunk] for part in pieces))
         c = outer[own.owner]
         x, rest, measure = _on(springs, own, nodes, complements, weights)
         turn_value = turn(np.minimum((rest / c[:, None]) ** 2, 1.0), k)
@@ -195,7 +195,7 @@ def gap_moment(springs: RingSprings, radius: Array, span: Array) -> Array:
     outer, total = np.hypot(radius, span), np.zeros(radius.shape)
     pieces = _pieces(springs.edges, radius, span, springs.exponent)
     for begin in range(0, pieces.owner.size, POINTS_PER_BLOCK // FINEST_RULE):
-        own = _Pieces(*(part[begin : begin + POINTS_PER_BLOCK // FINEST_RULE] for part in pieces))
+        own = _IntegralPieces(*(part[begin : begin + POINTS_PER_BLOCK // FINEST_RULE] for part in pieces))
         x, rest, measure = _on(springs, own, *tanh_sinh(FINEST_RULE))
         c = outer[own.owner, None]
         beyond = pulled(np.broadcast_to(c, rest.shape), rest, 0.0)
@@ -204,7 +204,7 @@ def gap_moment(springs: RingSprings, radius: Array, span: Array) -> Array:
 
 
 def _on(
-    springs: RingSprings, own: _Pieces, nodes: Array, complements: Array, weights: Array
+    springs: RingSprings, own: _IntegralPieces, nodes: Array, complements: Array, weights: Array
 ) -> tuple[Array, Array, Array]:
     """Return x, sqrt(c^2 - x^2), and what is to be multiplied by that over x and summed for an integral over g' dx."""
     k = springs.exponent

@@ -27,7 +27,7 @@ from winkler.numerics.panels.chebyshev import fit_panels, stationary
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.adhesion import griffith
-from winkler.problems.adhesion.edge import DeadLoad, Machine
+from winkler.problems.adhesion.edge import DeadLoad, LoadingMachine
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
 from winkler.problems.adhesion.validity import adhesive_notes
 from winkler.problems.assumptions.coupling import sticking_note
@@ -221,7 +221,7 @@ class _ShearCapacity:
 
     def __init__(self, problem: AdhesiveShear, level: float) -> None:
         self.bed, self.work, self.level = problem.bed, problem.law.work_opening, level
-        self.control = DeadLoad() if isinstance(problem.normal, Force) else Machine(0.0)
+        self.control = DeadLoad() if isinstance(problem.normal, Force) else LoadingMachine(0.0)
         self.by_force = isinstance(problem.lateral, ShearForce)
 
     def depth_and_force(self, radius: Array) -> tuple[Array, Array]:

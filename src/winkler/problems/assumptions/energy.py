@@ -11,7 +11,7 @@ __all__ = ["energy_note", "missing_energy"]
 
 ENERGY_ROUNDING, LARGE_MISSING_ENERGY = 1e-9, 1e-3
 """Part of the greatest energy [-] up to which what is missing is rounding, and from which on energies are not known."""
-CHECK = "work, stored and lost energy compared at each point; the page on validity tells where one follows from others"
+CHECK = "work, stored and lost energy compared at each point; the page on validity states where one follows from others"
 
 
 def missing_energy(work: ArrayLike, stored: ArrayLike, lost: ArrayLike) -> float:

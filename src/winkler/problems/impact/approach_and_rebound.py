@@ -22,7 +22,7 @@ from winkler.numerics.equations.roots import between
 from winkler.numerics.equations.turning import Leap, Slopes
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.types import Array
-from winkler.problems.adhesion.edge import AdhesiveEdge, Machine, adhesive_edge
+from winkler.problems.adhesion.edge import AdhesiveEdge, LoadingMachine, adhesive_edge
 from winkler.problems.normal.force_curve import rough_depth
 
 __all__ = ["ImpactMotion", "impact_motion"]
@@ -121,7 +121,7 @@ def _approach_path(bed: Bed, law: ShortRange, energy: float) -> tuple[AdhesiveEd
     """Return the edge and the forces of the approach, as far as they need to stop the body."""
     highest = 2.0 * rough_depth(bed, energy)
     for _ in range(DOUBLINGS):
-        edge = adhesive_edge(bed, law, Machine(0.0), highest)
+        edge = adhesive_edge(bed, law, LoadingMachine(0.0), highest)
         ends = bed.reach < bed.rim and edge.closing.places[-1] >= bed.reach
         last = min(highest, float(edge.closing.levels[-1])) if ends else highest
         _, leaps = edge.closing.rise(0.0, np.array([last]))

@@ -28,7 +28,7 @@ from winkler.media.halfspace import HalfSpace
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.types import Array
 from winkler.path import Path
-from winkler.problems.adhesion.edge import Machine, adhesive_edge
+from winkler.problems.adhesion.edge import LoadingMachine, adhesive_edge
 from winkler.problems.adhesion.validity import adhesive_notes
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import ADHESIVE, BALANCED, RELAXING
@@ -182,7 +182,7 @@ class ViscoelasticAdhesion:
         NotConverged
             If the edge cannot be followed.
         """
-        law, machine = self.law, Machine(1.0 / self.machine_stiffness)
+        law, machine = self.law, LoadingMachine(1.0 / self.machine_stiffness)
         times, positions = self.path.time.tolist(), self.path.across.tolist()
         edge = adhesive_edge(self._relaxed, ShortRange(law.work), machine, max(positions))
         crack = Crack(edge, machine, law)

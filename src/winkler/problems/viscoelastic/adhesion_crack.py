@@ -18,7 +18,7 @@ from winkler.errors import NotConverged, OutsideValidity
 from winkler.laws.crack import CrackLaw
 from winkler.numerics.types import Array
 from winkler.problems.adhesion import griffith
-from winkler.problems.adhesion.edge import AdhesiveEdge, Machine
+from winkler.problems.adhesion.edge import AdhesiveEdge, LoadingMachine
 
 __all__ = ["Crack"]
 
@@ -29,7 +29,7 @@ LONGEST_STEP = 0.05
 STEP_TOLERANCE = 1e-6
 """Error of a step, in terms of the radius at the beginning."""
 LEAST_CONTACT = 1e-4
-"""A contact of this part of its radius is none any more, if the edge still recedes."""
+"""A contact of this part of its radius counts as parted, if the edge still recedes."""
 SAMPLES = 401
 """Where the lowest force is sought between two steps."""
 RADIUS_TOLERANCE = 1e-12
@@ -59,12 +59,12 @@ class Crack:
     ----------
     edge : AdhesiveEdge
         What it obeys when slow.
-    machine : Machine
+    machine : LoadingMachine
     law : CrackLaw
         How fast it opens.
     """
 
-    def __init__(self, edge: AdhesiveEdge, machine: Machine, law: CrackLaw) -> None:
+    def __init__(self, edge: AdhesiveEdge, machine: LoadingMachine, law: CrackLaw) -> None:
         self.edge, self.machine, self.law = edge, machine, law
         self.radius, self.lowest, self.pace, self.release = 0.0, 0.0, math.inf, 0.0
         self.work, self.lost = 0.0, 0.0

@@ -17,7 +17,7 @@ from winkler.numerics.springs.relaxing_friction import drag
 from winkler.numerics.types import Array
 from winkler.problems.viscoelastic.march import SpringRow
 
-__all__ = ["ErrorScales", "ShearStep", "ShearedMarch", "StepTarget", "shear_relaxation", "travel"]
+__all__ = ["ErrorScales", "ShearedMarch", "ShearedRowState", "StepTarget", "shear_relaxation", "travel"]
 
 MOST_TRIALS = 200
 FORCE_TOLERANCE = 1e-12
@@ -67,7 +67,7 @@ class ErrorScales(NamedTuple):
     force: float
 
 
-class ShearStep(NamedTuple):
+class ShearedRowState(NamedTuple):
     """What a row bears and has spent: F [N], a [m], F_x [N], U [J], lost by friction, in bodies, work [J], a ring."""
 
     force: float
@@ -80,7 +80,7 @@ class ShearStep(NamedTuple):
     ring: bool
 
 
-AT_REST = ShearStep(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False)
+AT_REST = ShearedRowState(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False)
 
 
 class ShearedMarch:
@@ -152,7 +152,7 @@ class ShearedMarch:
         new.shift, new.slide = self.shift + moved, moved / dt if dt > 0.0 else self.slide
         new.pressing = self.pressing + float(done.work[0])
         new.shearing = self.shearing + work + lost
-        new.turn = ShearStep(
+        new.turn = ShearedRowState(
             float(done.force[0]), float(done.radius[0]), shear_force, float(done.stored[0]) + stored,
             self.turn.friction + lost, self.turn.bulk + float(done.lost[0]) + bulk, new.pressing + new.shearing,
             bool(done.ring[0]),
