@@ -1,4 +1,4 @@
-r"""Contact resistance: current has to squeeze through the spot where two bodies touch.
+r"""Contact resistance: current converges on the spot where two bodies touch.
 
 Barber's analogy makes stiffness and conductance of a contact proportional,
 

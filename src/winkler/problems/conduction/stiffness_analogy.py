@@ -1,4 +1,4 @@
-r"""Conductance from stiffness: both squeeze through the same spots, whatever their shape (Barber),
+r"""Conductance from stiffness: both are fixed by the same spots, whatever their shape (Barber),
 
 .. math:: \Lambda = \frac{2}{E^*(\rho_1+\rho_2)}\,\frac{\mathrm dF}{\mathrm dd} .
 """

@@ -1,4 +1,4 @@
-r"""Heat through a contact: the same squeeze as for a current, with temperature for voltage.
+r"""Heat through a contact: the same constriction as for a current, with temperature for voltage.
 
 :math:`Q = 4\lambda_h a\,\Delta T` with :math:`1/\lambda_h = 1/\lambda_1+1/\lambda_2` for a round contact, and
 :math:`Q = \frac{2\lambda_h}{E^*}\frac{\mathrm dF}{\mathrm dd}\Delta T` for a contact of any shape between homogeneous

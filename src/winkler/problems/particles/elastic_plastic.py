@@ -37,7 +37,7 @@ ENGINEERING = Note(
     Standing.APPROXIMATE,
     "An engineering law: the yield pressure is fitted to finite elements, the force jumps by d/13R and the elastic "
     "part of the depth by 15 % where yield begins; the particle does not grow sideways (at d = R/10 that is worth "
-    "1.7 % of the force), and the squeeze between several contacts is left out.",
+    "1.7 % of the force), and the interaction of several contacts is left out.",
     ZUNKER,
 )
 ELASTIC = Note(
