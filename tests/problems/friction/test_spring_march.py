@@ -180,15 +180,15 @@ def test_solve_is_steps_to_the_last_bit(name):
 @settings(max_examples=30, deadline=None)
 @given(st.integers(0, 10**6), st.floats(0.1, 2.0))
 def test_no_energy_is_created(seed, size):
-    """Over random paths in the plane with changing depth the springs lose, and pay for what they store."""
+    """Over random ways in the plane with changing depth the springs lose, and pay for what they store."""
     rng = np.random.default_rng(seed)
     coarse = np.arange(9.0)
     points = rng.normal(scale=size * FULL, size=(9, 2)).cumsum(0)
     depth = rng.uniform(-0.2, 1.0, 9)
     depth[0] = 1.0
     fine = np.linspace(0.0, 8.0, 801)
-    track = np.column_stack([np.interp(fine, coarse, part) for part in points.T])
-    path = Path(fine, wk.Depth(np.interp(fine, coarse, depth)), wk.Shift(track - track[0]))
+    way = np.column_stack([np.interp(fine, coarse, part) for part in points.T])
+    path = Path(fine, wk.Depth(np.interp(fine, coarse, depth)), wk.Shift(way - way[0]))
     trace = SpringMarch(BALL, Coulomb(MU), path, 40).solve()
     assert np.all(np.diff(trace.dissipation) >= 0.0)
     assert np.all(np.hypot(*trace.shear_force.T) <= MU * trace.force * (1.0 + 1e-12))

@@ -264,11 +264,11 @@ points = st.lists(st.tuples(st.floats(-0.1, 0.6), st.floats(-0.6, 0.6)), min_siz
 def test_no_history_creates_energy_or_more_traction_than_friction(history):
     depths, shifts = np.array(history).T
     depths[0] = abs(depths[0]) + 0.01
-    solution = run(through(wk.Depth(depths), wk.Shift(shifts)))
-    assert np.all(np.diff(solution.dissipation, prepend=0.0) >= 0.0)
-    assert np.all(np.abs(solution.shear_force) <= MU * solution.force * (1.0 + 1e-12) + 1e-15)
+    answer = run(through(wk.Depth(depths), wk.Shift(shifts)))
+    assert np.all(np.diff(answer.dissipation, prepend=0.0) >= 0.0)
+    assert np.all(np.abs(answer.shear_force) <= MU * answer.force * (1.0 + 1e-12) + 1e-15)
     for index in range(depths.size):
-        state = solution.at(index)
+        state = answer.at(index)
         if state.depth <= 0.0:
             continue
         r = np.linspace(0.0, 1.0, 40) * state.radius
@@ -291,8 +291,8 @@ def test_work_is_stored_or_lost(history):
     for count in (60, 240):
         share = np.linspace(0.0, depths.size - 1.0, count * (depths.size - 1) + 1)
         fine = [np.interp(share, np.arange(depths.size), q) for q in (depths, shifts - shifts[0])]
-        solution = run(through(wk.Depth(fine[0]), wk.Shift(fine[1])))
-        errors.append(np.max(np.abs(work_done(solution) - solution.work)))
+        answer = run(through(wk.Depth(fine[0]), wk.Shift(fine[1])))
+        errors.append(np.max(np.abs(work_done(answer) - answer.work)))
     assert errors[1] <= max(errors[0] / 6.0, 1e-9)  # trapezoids: second order, if the rest is exact
 
 

@@ -278,10 +278,10 @@ def test_energy_is_never_made(points, solid):
     depths = np.concatenate([[0.0], [d for _, d in points]])
     if np.max(depths) <= 1e-6:
         depths[1] = 0.3
-    result = pressed(solid, times, Depth(depths), count=60)
-    assert np.all(np.diff(result.dissipation) > -1e-12)
-    assert np.all(result.stored_energy >= 0.0)
-    assert np.all(result.force >= -1e-12)
+    found = pressed(solid, times, Depth(depths), count=60)
+    assert np.all(np.diff(found.dissipation) > -1e-12)
+    assert np.all(found.stored_energy >= 0.0)
+    assert np.all(found.force >= -1e-12)
 
 
 @settings(max_examples=12, deadline=None)
@@ -290,12 +290,12 @@ def test_energy_is_never_made(points, solid):
     st.sampled_from([MAXWELL, STANDARD, VOIGT, Prony(0.01, [0.1, 0.2], [0.01, 5.0], 0.02)]),
 )
 def test_forces_come_back_from_the_depths_they_made(points, solid):
-    """A history of forces, marched, gives depths and energies; no energy is made in between, and none leaks."""
+    """A history of forces, marched, gives depths and energies; no energy is made on the way, and none leaks."""
     times = np.concatenate([[0.0], np.cumsum([dt for dt, _ in points])])
     forces = np.concatenate([[0.0], [0.01 + force for _, force in points]])
-    result = pressed(solid, times, Force(forces), count=80, tolerance=1e-4)
-    assert np.all(np.diff(result.dissipation) > -1e-9)
-    assert result.depth[-1] <= (0.75 * np.max(forces) * 1.001 * creep_of(solid, times[-1])) ** (2.0 / 3.0)
+    found = pressed(solid, times, Force(forces), count=80, tolerance=1e-4)
+    assert np.all(np.diff(found.dissipation) > -1e-9)
+    assert found.depth[-1] <= (0.75 * np.max(forces) * 1.001 * creep_of(solid, times[-1])) ** (2.0 / 3.0)
 
 
 def creep_of(solid, time):

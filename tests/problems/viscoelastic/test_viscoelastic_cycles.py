@@ -37,10 +37,10 @@ def test_no_energy_is_made_in_two_cycles(dts, levels, taken_off, name):
     low = 0.0 if taken_off else 1e-3
     forces = np.array([0.0, levels[0], levels[1], low, low, levels[2], levels[3], low, low])
     times = np.concatenate([[0.0], np.cumsum(dts)])
-    result = pressed(SOLIDS[name], times, Force(forces), count=60, tolerance=1e-4)
-    assert np.all(np.diff(result.dissipation) > -1e-9 * np.max(result.stored_energy))
-    assert np.all(result.stored_energy >= 0.0)
-    assert np.all(result.radius[forces > 0.0] > 0.0)
+    found = pressed(SOLIDS[name], times, Force(forces), count=60, tolerance=1e-4)
+    assert np.all(np.diff(found.dissipation) > -1e-9 * np.max(found.stored_energy))
+    assert np.all(found.stored_energy >= 0.0)
+    assert np.all(found.radius[forces > 0.0] > 0.0)
 
 
 @pytest.mark.parametrize("name", ["Maxwell", "standard"])

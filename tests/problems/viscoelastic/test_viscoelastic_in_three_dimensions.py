@@ -60,7 +60,7 @@ def crept(creep, times, loads):
     return out
 
 
-def reference(solid, shape, corners, loads, steps, places, count=400):
+def judge(solid, shape, corners, loads, steps, places, count=400):
     """Return the last state of a history, and how far the creeping half-space has sunk at some places by then."""
     medium = ViscoelasticHalfSpace(solid)
     times = np.unique(np.concatenate([np.linspace(0.0, corners[-1], steps + 1), corners]))
@@ -82,12 +82,12 @@ def _numbers(loads):
     st.lists(st.tuples(st.floats(0.1, 1.0), st.floats(0.05, 0.5)), min_size=1, max_size=3),
     st.sampled_from([MAXWELL, STANDARD, TWO]),
 )
-def test_growing_contacts_sink_as_the_body_does(steps, solid):
+def test_growing_contacts_sink_as_the_body_says(steps, solid):
     corners = np.concatenate([[0.0], np.cumsum([dt for dt, _ in steps])])
     depths = np.concatenate([[0.0], np.cumsum([change for _, change in steps])])
     depth, places = depths[-1], np.array([0.25, 0.8]) * math.sqrt(depths[-1])
-    _, result = reference(solid, wk.Paraboloid(1.0), corners, Depth(depths), 40, places, 200)
-    assert result == pytest.approx(depth - 0.5 * places**2, rel=4e-3)
+    _, found = judge(solid, wk.Paraboloid(1.0), corners, Depth(depths), 40, places, 200)
+    assert found == pytest.approx(depth - 0.5 * places**2, rel=4e-3)
 
 
 HISTORIES = {
@@ -101,7 +101,7 @@ HISTORIES = {
 @pytest.mark.parametrize("solid", [MAXWELL, TWO], ids=["Maxwell", "two times"])
 def test_under_the_body_the_surface_follows_it(name, solid):
     corners, depths, places = HISTORIES[name]
-    state, result = reference(
+    state, result = judge(
         solid, wk.Paraboloid(1.0), np.array(corners), Depth(np.array(depths)), 160, np.array(places)
     )
     assert max(places) < state.radius
@@ -113,7 +113,7 @@ def test_the_judge_converges():
     corners, depths = np.array([0.0, 0.4, 0.6, 1.0]), np.array([0.0, 0.5, -0.3, 0.6])
     place = np.array([0.5])
     errors = [
-        abs(reference(MAXWELL, wk.Paraboloid(1.0), corners, Depth(depths), steps, place)[1][0] - 0.475)
+        abs(judge(MAXWELL, wk.Paraboloid(1.0), corners, Depth(depths), steps, place)[1][0] - 0.475)
         for steps in (40, 160)
     ]
     assert errors[1] < 0.2 * errors[0]
@@ -125,9 +125,9 @@ def test_the_judge_converges():
 def test_outside_the_surface_is_where_it_is_restored(shape):
     """Where it has not recovered from a wider contact."""
     corners, depths = np.array([0.0, 1.0, 1.1]), np.array([0.0, 0.5, 0.4])
-    result = reference(STANDARD, shape, corners, Depth(depths), 120, np.zeros(0))[0]
+    result = judge(STANDARD, shape, corners, Depth(depths), 120, np.zeros(0))[0]
     places = np.array([0.5 * (result.radius + result.pressed.radius), 1.5 * result.pressed.radius])
-    state, moved = reference(STANDARD, shape, corners, Depth(depths), 120, places)
+    state, moved = judge(STANDARD, shape, corners, Depth(depths), 120, places)
     fields = restore(state, places)
     assert fields.displacement == pytest.approx(moved, rel=2e-3)
     assert np.all(fields.gap > 0.0)
@@ -140,7 +140,7 @@ def test_a_dent_recovers_as_it_is_restored():
         np.array([0.0, 0.5, -0.5, -0.5]),
         np.array([0.2, 0.6, 1.0]),
     )
-    state, moved = reference(TWO, wk.Paraboloid(1.0), corners, Depth(depths), 200, places)
+    state, moved = judge(TWO, wk.Paraboloid(1.0), corners, Depth(depths), 200, places)
     assert state.radius == 0.0
     fields = restore(state, places)
     assert np.all(fields.pressure == 0.0)
@@ -152,12 +152,12 @@ def test_under_a_force():
     """Loaded, held, and taken off within the relaxation time; the depth is that of the marched springs."""
     corners, forces = np.array([0.0, 0.3, 1.0, 1.1]), np.array([0.0, 0.1, 0.1, 0.06])
     places = np.array([0.2, 0.4])
-    state, result = reference(STANDARD, wk.Paraboloid(1.0), corners, Force(forces), 120, places, 200)
+    state, result = judge(STANDARD, wk.Paraboloid(1.0), corners, Force(forces), 120, places, 200)
     assert max(places) < state.radius
     assert result == pytest.approx(state.depth - 0.5 * places**2, rel=2e-3)
 
 
 def test_a_dashpot_alongside():
     corners, depths, places = np.array([0.0, 1.0, 1.2]), np.array([0.0, 0.5, 0.46]), np.array([0.2, 0.5])
-    _, result = reference(KelvinVoigt(0.25, 0.075), wk.Paraboloid(1.0), corners, Depth(depths), 160, places)
+    _, result = judge(KelvinVoigt(0.25, 0.075), wk.Paraboloid(1.0), corners, Depth(depths), 160, places)
     assert result == pytest.approx(0.46 - 0.5 * places**2, rel=3e-3)

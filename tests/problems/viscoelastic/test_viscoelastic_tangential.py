@@ -206,13 +206,13 @@ def test_energy_is_never_made(points, solid):
     if np.max(depth) < 1e-4:
         return
     try:
-        result = dragged(solid, time, Depth(depth), Shift(shift), count=60, tolerance=1e-3)
+        found = dragged(solid, time, Depth(depth), Shift(shift), count=60, tolerance=1e-3)
     except OutsideValidity:  # a ring, which is no disc
         return
-    little = 1e-9 * np.max(result.work)
-    assert np.all(np.diff(result.friction_loss) >= -little)
-    assert np.all(np.diff(result.bulk_loss) >= -little)
-    assert np.all(result.stored_energy >= 0.0)
+    little = 1e-9 * np.max(found.work)
+    assert np.all(np.diff(found.friction_loss) >= -little)
+    assert np.all(np.diff(found.bulk_loss) >= -little)
+    assert np.all(found.stored_energy >= 0.0)
 
 
 def test_the_compliances_of_two_bodies_add_up():
