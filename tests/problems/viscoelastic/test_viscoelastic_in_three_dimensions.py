@@ -101,9 +101,7 @@ HISTORIES = {
 @pytest.mark.parametrize("solid", [MAXWELL, TWO], ids=["Maxwell", "two times"])
 def test_under_the_body_the_surface_follows_it(name, solid):
     corners, depths, places = HISTORIES[name]
-    state, result = judge(
-        solid, wk.Paraboloid(1.0), np.array(corners), Depth(np.array(depths)), 160, np.array(places)
-    )
+    state, result = judge(solid, wk.Paraboloid(1.0), np.array(corners), Depth(np.array(depths)), 160, np.array(places))
     assert max(places) < state.radius
     assert result == pytest.approx(depths[-1] - 0.5 * np.array(places) ** 2, rel=1.5e-3)
 
