@@ -130,7 +130,7 @@ def test_wrong_questions_are_refused(numbers, error, sentence):
 
 
 def test_too_many_contacts_are_refused(monkeypatch):
-    monkeypatch.setattr(reducing, "MOST", 6)
+    monkeypatch.setattr(reducing, "MOST_CONTACTS", 6)
     with pytest.raises(NotConverged, match="contacts do not determine"):
         reduce(paraboloid(), UNIT, 0.05)
 
