@@ -20,7 +20,7 @@ from winkler.materials.viscoelastic import Prony
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.path import Path
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
-from winkler.problems.viscoelastic.march import Row, elastic_like
+from winkler.problems.viscoelastic.march import SpringRow, elastic_like
 
 SOLIDS = {
     "Maxwell": Maxwell(0.25, 0.3),
@@ -75,7 +75,7 @@ def test_steps_under_a_force_are_of_second_order(name):
     exact = float(springs.depth(np.array([borne]))[0])
     counts, errors = np.array([8, 16, 32, 64]), []
     for count in counts:
-        row, dt, rate = Row(elastic, springs, series), 1.0 / count, 0.0
+        row, dt, rate = SpringRow(elastic, springs, series), 1.0 / count, 0.0
         for n in range(count):
             change = row.towards(0.02 * ((n + 1) * dt) ** 1.5, dt, rate * dt, 0.02)
             row.march(np.array([change]), np.array([dt]))
@@ -92,7 +92,7 @@ def test_steps_of_an_impact_are_of_second_order():
     springs = Springs.of(elastic, 1.3, 100)
 
     def depth(count: int) -> float:
-        row, velocity, dt = Row(elastic, springs, series), 1.0, 2.0 / count
+        row, velocity, dt = SpringRow(elastic, springs, series), 1.0, 2.0 / count
         for _ in range(count):
             mean, _ = row.struck(velocity, 1.0, dt)
             row.march(np.array([mean * dt]), np.array([dt]))

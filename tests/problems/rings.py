@@ -1,11 +1,11 @@
-"""A contact solver that knows nothing of springs: rings of uniform pressure, and complementarity.
+"""A contact solver without springs: rings of uniform pressure, and complementarity.
 
 The surface is cut into concentric rings; a ring's displacement is the difference of two uniformly loaded discs (Love),
 
     u(r) = (4 p b/(pi E*)) E(r^2/b^2) inside, (4 p r/(pi E*)) [E(m) - (1 - m) K(m)], m = b^2/r^2, outside.
 
 Pressures p >= 0 and gaps f - d + u >= 0 with p gap = 0 are found by a primal-dual active set.  Any number of rings and
-holes may come out; the answer is first-order accurate in the width of the rings.  E* = 1.
+holes may come out; the solution is first-order accurate in the width of the rings.  E* = 1.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What an answer is: solutions, marches and states are told apart by their members, and states become columns."""
+"""Protocols: solutions, marches and states are distinguished by their members, and states become columns."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ DRAGGED = wk.Tangential(BED, wk.Coulomb(0.3), PATH)
 
 
 @value
-class Walked:
-    """An answer of a march."""
+class Marched:
+    """A solution of a march."""
 
     problem: str
     depth: np.ndarray
@@ -38,19 +38,19 @@ class Step:
 
 def test_states_become_columns_and_what_is_given_stays():
     steps = [Step(1.0), Step(3.0)]
-    found = answer.gather(Walked, "a walk", iter(steps), most=6.0)
-    assert found.problem == "a walk"
-    assert found.depth.tolist() == [1.0, 3.0]
-    assert found.force.tolist() == [2.0, 6.0]
-    assert (found.most, found.states) == (6.0, tuple(steps))
+    gathered = answer.gather(Marched, "a march", iter(steps), most=6.0)
+    assert gathered.problem == "a march"
+    assert gathered.depth.tolist() == [1.0, 3.0]
+    assert gathered.force.tolist() == [2.0, 6.0]
+    assert (gathered.most, gathered.states) == (6.0, tuple(steps))
 
 
 def test_a_quantity_that_no_state_has_must_be_given():
     with pytest.raises(AttributeError, match="most"):
-        answer.gather(Walked, "", [Step(1.0)])
+        answer.gather(Marched, "", [Step(1.0)])
 
 
-def test_members_tell_what_an_answer_is():
+def test_members_define_a_solution():
     many, dragged = PRESSED.solve(), DRAGGED.solve()
     assert answer.is_march(DRAGGED)
     assert not answer.is_march(PRESSED)

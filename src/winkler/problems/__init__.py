@@ -1,1 +1,1 @@
-"""What is asked, how it is solved, and what comes out: one physics a file."""
+"""Contact problems, their solution and their results: one package per kind of physics."""

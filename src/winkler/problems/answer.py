@@ -1,9 +1,9 @@
-"""What an answer is: the protocols that studies, tables, fields and pictures rely on, and how states become an answer.
+"""The protocols of solutions that studies, tables, fields and pictures rely on, and how states become a solution.
 
 A `Solution` names its problem and says how far it can be trusted; its public fields and properties that the glossary
 gives a unit are its numbers, all along one axis (`Solution.other_axes` names those that are not).  A problem that is a
 `March` yields state after state along its path, and `gather` makes columns of them.  A state or a solution for one load
-that is `Restorable` knows its springs, so that the fields in the bodies follow.
+that is `Restorable` holds the displacement of its springs, from which the fields in the bodies follow.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ __all__ = [
     "many_loads",
 ]
 
-Found = TypeVar("Found")
+Result = TypeVar("Result")
 
 
 class Solution(Protocol):
@@ -57,7 +57,7 @@ class Solution(Protocol):
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """How far the answer can be trusted."""
+        """How far the result can be trusted."""
         ...
 
 
@@ -66,7 +66,7 @@ class March(Protocol):
 
     @property
     def total(self) -> int | None:
-        """How many states `steps` yields, at most; None if that shows only on the way."""
+        """How many states `steps` yields, at most; None if that is not known before."""
         ...
 
     def steps(self) -> Iterator[Any]:
@@ -74,12 +74,12 @@ class March(Protocol):
         ...
 
     def gathered(self, states: Iterable[Any]) -> Any:
-        """Return the answer from the states of the whole march or of its beginning."""
+        """Return the solution from the states of the whole march or of its beginning."""
         ...
 
 
 class History(Protocol):
-    """An answer that keeps the state at each point of its path."""
+    """A solution that holds the state at each point of its path."""
 
     @property
     def states(self) -> tuple[Any, ...]:
@@ -88,10 +88,10 @@ class History(Protocol):
 
 
 class ManyLoads(Protocol):
-    """An answer to many loads at once."""
+    """A solution of many loads at once."""
 
     def at(self, index: Any) -> Any:
-        """Return the answer to one of them."""
+        """Return the solution of one of them."""
         ...
 
 
@@ -127,9 +127,9 @@ class Recovering(Protocol):
         ...
 
 
-def is_solution(answer: Any) -> TypeGuard[Solution]:
+def is_solution(solution: Any) -> TypeGuard[Solution]:
     """Return whether a value is what a problem's ``solve()`` returns."""
-    return dataclasses.is_dataclass(answer) and not isinstance(answer, type) and keeps(answer, Solution)
+    return dataclasses.is_dataclass(solution) and not isinstance(solution, type) and keeps(solution, Solution)
 
 
 def is_march(problem: Any) -> TypeGuard[March]:
@@ -137,50 +137,50 @@ def is_march(problem: Any) -> TypeGuard[March]:
     return keeps(problem, March)
 
 
-def is_history(answer: Any) -> TypeGuard[History]:
-    """Return whether an answer keeps its states."""
-    return keeps(answer, History)
+def is_history(solution: Any) -> TypeGuard[History]:
+    """Return whether a solution holds its states."""
+    return keeps(solution, History)
 
 
-def many_loads(answer: Any) -> TypeGuard[ManyLoads]:
-    """Return whether an answer gives that to one of its loads."""
-    return keeps(answer, ManyLoads)
+def many_loads(solution: Any) -> TypeGuard[ManyLoads]:
+    """Return whether a solution can be reduced to one of its loads."""
+    return keeps(solution, ManyLoads)
 
 
-def is_restorable(answer: Any) -> TypeGuard[Restorable]:
-    """Return whether an answer knows its springs; they are not computed for it."""
-    return keeps(answer, Restorable)
+def is_restorable(solution: Any) -> TypeGuard[Restorable]:
+    """Return whether a solution has springs; they are not computed for the test."""
+    return keeps(solution, Restorable)
 
 
-def is_dragged(answer: Any) -> TypeGuard[Dragged]:
-    """Return whether an answer knows its springs along the surface; they are not computed for it."""
-    return keeps(answer, Dragged)
+def is_dragged(solution: Any) -> TypeGuard[Dragged]:
+    """Return whether a solution has springs along the surface; they are not computed for the test."""
+    return keeps(solution, Dragged)
 
 
-def is_recovering(answer: Any) -> bool:
-    """Return whether a state knows springs that have let go."""
-    return keeps(answer, Recovering)
+def is_recovering(solution: Any) -> bool:
+    """Return whether a state holds springs that have let go."""
+    return keeps(solution, Recovering)
 
 
-def gather(answer: type[Found], problem: Any, states: Iterable[object], **others: Any) -> Found:
-    """Return the answer of a march: what all states say of each of its quantities, in the order of the march.
+def gather(solution: type[Result], problem: Any, states: Iterable[object], **others: Any) -> Result:
+    """Return the solution of a march: every quantity as an array over the states, in the order of the march.
 
     Parameters
     ----------
-    answer : type
+    solution : type
         The class; its fields are attributes of the states, but for ``problem`` and ``states`` themselves.
     problem
         What was solved.
     states : iterable
         Of the whole march or of its beginning.
     **others
-        Fields that are found in another way.
+        Fields that are computed by other means.
     """
     reached = tuple(states)
-    known = {"problem": problem, "states": reached, **others}
-    return answer(
+    fields = {"problem": problem, "states": reached, **others}
+    return solution(
         **{
-            name: known[name] if name in known else np.array([getattr(state, name) for state in reached])
-            for name in getattr(answer, "__dataclass_fields__", ())
+            name: fields[name] if name in fields else np.array([getattr(state, name) for state in reached])
+            for name in getattr(solution, "__dataclass_fields__", ())
         }
     )

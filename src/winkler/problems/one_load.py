@@ -1,4 +1,4 @@
-"""One load out of an array of loads, with its answers."""
+"""One load out of an array of loads, with its depth, force and contact radius."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def picked(
     index : int or tuple of int
         Which one.
     depth, force, radius : float or ndarray
-        The answers, of one shape.
+        The results, of one shape.
 
     Raises
     ------
@@ -31,10 +31,10 @@ def picked(
         If there is no such load.
     """
     try:
-        d, f, a = (float(np.asarray(answer)[index]) for answer in (depth, force, radius))
+        d, f, a = (float(np.asarray(result)[index]) for result in (depth, force, radius))
     except (IndexError, TypeError):
         raise InvalidInput(
-            f"solution.at: there is no load {index!r} in an answer of shape {np.shape(depth)}."
+            f"solution.at: there is no load {index!r} in a solution of shape {np.shape(depth)}."
         ) from None
     match load:
         case Depth():
@@ -45,15 +45,15 @@ def picked(
             return Radius(a), d, f, a
 
 
-def single(depth: Quantity, wanted: str) -> float:
+def single(depth: Quantity, requested: str) -> float:
     """Return the depth of a solution of one load; refuse an array of them, of which nothing can be drawn or restored.
 
     Parameters
     ----------
     depth : float or ndarray
         d [m].
-    wanted : str
-        What was asked for, as the sentence ends.
+    requested : str
+        What is requested, the end of the error sentence.
 
     Raises
     ------
@@ -62,7 +62,7 @@ def single(depth: Quantity, wanted: str) -> float:
     """
     if np.ndim(depth) != 0:
         raise InvalidInput(
-            f"This solution holds {np.size(depth)} loads; pick one with solution.at(index) before asking for its "
-            f"{wanted}."
+            f"This solution holds {np.size(depth)} loads; pick one with solution.at(index) before requesting its "
+            f"{requested}."
         )
     return float(depth)

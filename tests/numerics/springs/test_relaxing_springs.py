@@ -18,7 +18,7 @@ from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.numerics.springs.free_relaxation import Recovery
 from winkler.path import Path
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
-from winkler.problems.viscoelastic.march import Row, elastic_like
+from winkler.problems.viscoelastic.march import SpringRow, elastic_like
 
 SERIES = {
     "solid": RelaxationSeries(0.3, 0.0, np.array([1.0, 0.5, 0.2]), np.array([0.01, 0.3, 4.0])),
@@ -60,7 +60,7 @@ def test_one_spring_is_its_differential_equation(name):
     """A flat punch is one spring: Maxwell elements that hang together, integrated as they are, until it lets go."""
     series = SERIES[name]
     bed = wk.Foundation(wk.FlatPunch(0.5), wk.HalfSpace(wk.Elastic(1.0, 0.0)))
-    row = Row(bed, Springs.of(bed, 0.5, 2), series)
+    row = SpringRow(bed, Springs.of(bed, 0.5, 2), series)
     rates = np.array([0.3, 0.0, -0.04])
     spans = np.array([0.5, 0.3, 0.2])
     done = row.march(rates * spans, spans)
@@ -84,7 +84,7 @@ def test_a_free_spring_bears_nothing(name):
     """Let go at once, it recovers so that elements and dashpot balance all the time: as its own creep recovers."""
     series = SERIES[name]
     bed = wk.Foundation(wk.FlatPunch(0.5), wk.HalfSpace(wk.Elastic(1.0, 0.0)))
-    row = Row(bed, Springs.of(bed, 0.5, 2), series)
+    row = SpringRow(bed, Springs.of(bed, 0.5, 2), series)
     row.march(np.array([0.2]), np.array([0.4]))
     stored = row.march(np.array([-10.0]), np.array([1e-9])).stored
     u, memory = row.place[0], (Recovery.of(series).to_memory @ row.memory)[:, 0]
@@ -114,7 +114,7 @@ def test_memories_that_are_nothing_are_forgotten():
     solid = Prony(0.0, [0.1, 0.1], [1e-3, 1.0])
     bed = wk.Foundation(wk.Paraboloid(1.0), ViscoelasticHalfSpace(solid))
     elastic = elastic_like(bed)
-    row = Row(elastic, Springs.of(elastic, 0.5, 20), bed.medium.relaxation)
+    row = SpringRow(elastic, Springs.of(elastic, 0.5, 20), bed.medium.relaxation)
     row.march(np.array([0.2]), np.array([0.1]))
     for _ in range(20):
         done = row.march(np.zeros(1), np.array([60.0]))

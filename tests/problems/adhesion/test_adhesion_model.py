@@ -48,10 +48,10 @@ def maugis_pull_off(parameter):
 
 @pytest.mark.parametrize("parameter", [0.3, 1.0, 2.0, 5.0])
 def test_pull_offs_are_those_of_maugis(parameter):
-    found = which_model(BALL, Dugdale(WORK, strength_of(parameter)))
+    result = which_model(BALL, Dugdale(WORK, strength_of(parameter)))
     expected = maugis_pull_off(parameter)
-    errors = {each.model: each for each in found.models}
-    assert found.maugis == pytest.approx(parameter, rel=1e-12)
+    errors = {each.model: each for each in result.models}
+    assert result.maugis == pytest.approx(parameter, rel=1e-12)
     assert errors["Maugis"].pull_off / PULL == pytest.approx(expected, rel=1e-6)
     assert errors["JKR"].pull_off_error == pytest.approx(-1.5 / expected - 1.0, abs=1e-6)
     assert errors["DMT"].pull_off_error == pytest.approx(-2.0 / expected - 1.0, abs=1e-6)
@@ -63,32 +63,32 @@ def test_pull_offs_are_those_of_maugis(parameter):
     [(100.0, "JKR", ShortRange), (1.0, "Maugis", Dugdale), (0.003, "DMT", DerjaguinMullerToporov)],
 )
 def test_the_recommendation(parameter, model, law):
-    found = which_model(BALL, Dugdale(WORK, strength_of(parameter)))
-    assert found.model == model
-    assert isinstance(found.problem.law, law)
-    solved = found.problem.solve()
-    best = next(each for each in found.models if each.model == model)
+    result = which_model(BALL, Dugdale(WORK, strength_of(parameter)))
+    assert result.model == model
+    assert isinstance(result.problem.law, law)
+    solved = result.problem.solve()
+    best = next(each for each in result.models if each.model == model)
     assert solved.radius == pytest.approx(best.radius, rel=1e-12)
     assert abs(best.pull_off_error) <= 0.02
     assert abs(best.radius_error) <= 0.02
-    said = " ".join(str(note) for note in found.notes)
-    assert "Tabor" in said
-    assert "10.1006/jcis.1997.4984" in said
+    message = " ".join(str(note) for note in result.notes)
+    assert "Tabor" in message
+    assert "10.1006/jcis.1997.4984" in message
 
 
 def test_under_a_great_load_adhesion_plays_no_part():
     law = Dugdale(WORK, strength_of(0.5))
-    found = which_model(BALL, law, wk.Force(2000.0 * PULL))
-    assert found.model == "Hertz"
-    assert isinstance(found.problem, wk.Indentation)
+    result = which_model(BALL, law, wk.Force(2000.0 * PULL))
+    assert result.model == "Hertz"
+    assert isinstance(result.problem, wk.Indentation)
     assert which_model(BALL, law, wk.Force(2.0 * PULL)).model == "Maugis"
 
 
 def test_a_cone_has_no_dmt():
     bed = wk.Foundation(wk.Cone(1.2), wk.HalfSpace(wk.Elastic(MODULUS, 0.0)))
-    found = which_model(bed, Dugdale(WORK, 1e9))
-    assert {each.model for each in found.models} == {"JKR", "Maugis", "Hertz"}
-    assert any("DMT was left out" in note.statement for note in found.notes)
+    result = which_model(bed, Dugdale(WORK, 1e9))
+    assert {each.model for each in result.models} == {"JKR", "Maugis", "Hertz"}
+    assert any("DMT was left out" in note.statement for note in result.notes)
 
 
 def test_parameters():

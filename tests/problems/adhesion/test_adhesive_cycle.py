@@ -322,12 +322,12 @@ def test_guduru_waves_against_brute_force():
     places = np.flatnonzero(np.abs(np.diff(searched, prepend=0.0)) > 0.012)  # a quarter of a wave
     advancing = [jump for jump in cycle.jumps if jump.after.radius > jump.before.radius]
     receding = [jump for jump in cycle.jumps if jump.after.radius < jump.before.radius]
-    found = [int(np.searchsorted(up, jump.before.depth)) for jump in advancing]
-    found += [up.size + int(np.searchsorted(-down, -jump.before.depth)) for jump in receding]
+    result = [int(np.searchsorted(up, jump.before.depth)) for jump in advancing]
+    result += [up.size + int(np.searchsorted(-down, -jump.before.depth)) for jump in receding]
     assert len(advancing) >= 6
     assert len(receding) >= 6
     assert len(places) == len(cycle.jumps)
-    assert np.max(np.abs(np.array(found) - places)) <= 1
+    assert np.max(np.abs(np.array(result) - places)) <= 1
     # where the edge creeps, the radii agree to a cell, but for the steps beside a jump
     calm = np.ones(depths.size, dtype=bool)
     calm[(places[:, None] + np.arange(-2, 2)).clip(0, depths.size - 1)] = False
@@ -418,7 +418,7 @@ def test_a_ring_that_touches_first_is_refused():
         AdhesiveCycle(bed, ShortRange(1e-7), wk.Depth([0.2])).solve()
 
 
-def test_a_cycle_says_how_far_it_can_be_trusted():
+def test_notes_of_a_cycle_state_its_validity():
     cycle = AdhesiveCycle(BALL, ShortRange(WORK), wk.Depth([1e-6, -1e-6])).solve()
     assert any("2 jumps at once" in note.statement for note in cycle.validity)
     assert any("without range" in note.statement for note in cycle.validity)

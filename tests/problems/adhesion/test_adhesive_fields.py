@@ -73,8 +73,8 @@ def test_graded_and_coated_pressure_carries_the_force():
     assert contact.stress_intensity == pytest.approx(math.sqrt(2.0 * 3e6 / (1.0 - 0.16) * W), rel=1e-10)
 
 
-def test_overlap_is_told():
-    """A steep wave outside a narrow contact touches again: said, not hidden."""
+def test_overlap_is_reported():
+    """A steep wave outside a narrow contact touches again: reported, not hidden."""
     steep = wk.Sum((wk.Paraboloid(R), wk.Wavy(3e-6, 4e-5)))
     gentle = wk.Sum((wk.Paraboloid(R), wk.Wavy(2e-8, 4e-5)))
     soft = wk.HalfSpace.between(wk.Elastic(young=1e6, poisson=0.5))

@@ -62,22 +62,22 @@ def extreme(parameter, part):
 @pytest.mark.parametrize("parameter", [0.05, 0.1, 0.3, 0.5, 1.0, 2.0, 5.0, 20.0])
 def test_pull_off_under_dead_load(parameter):
     a, f, d = extreme(parameter, 1)
-    found = PullOff(BALL, law(parameter)).solve()
-    assert found.force / F_UNIT == pytest.approx(float(f), rel=1e-10)
-    assert found.radius / A_UNIT == pytest.approx(float(a), rel=1e-7)
-    assert found.depth / D_UNIT == pytest.approx(float(d), rel=1e-7)
+    result = PullOff(BALL, law(parameter)).solve()
+    assert result.force / F_UNIT == pytest.approx(float(f), rel=1e-10)
+    assert result.radius / A_UNIT == pytest.approx(float(a), rel=1e-7)
+    assert result.depth / D_UNIT == pytest.approx(float(d), rel=1e-7)
     table = {0.1: -1.9506, 0.5: -1.7182, 1.0: -1.6007, 2.0: -1.5346, 5.0: -1.5063}  # theory 4
     if parameter in table:
-        assert found.force / F_UNIT == pytest.approx(table[parameter], abs=6e-5)
+        assert result.force / F_UNIT == pytest.approx(table[parameter], abs=6e-5)
 
 
 @pytest.mark.parametrize("parameter", [1.5, 2.0, 5.0, 20.0])
 def test_pull_off_in_fixed_grips(parameter):
     a, f, d = extreme(parameter, 2)
-    found = PullOff(BALL, law(parameter), GRIPS).solve()
-    assert found.depth / D_UNIT == pytest.approx(float(d), rel=1e-10)
-    assert found.radius / A_UNIT == pytest.approx(float(a), rel=1e-6)
-    assert found.force / F_UNIT == pytest.approx(float(f), rel=1e-6)
+    result = PullOff(BALL, law(parameter), GRIPS).solve()
+    assert result.depth / D_UNIT == pytest.approx(float(d), rel=1e-10)
+    assert result.radius / A_UNIT == pytest.approx(float(a), rel=1e-6)
+    assert result.force / F_UNIT == pytest.approx(float(f), rel=1e-6)
 
 
 @pytest.mark.parametrize("parameter", [0.1, 1.0, 5.0])
@@ -106,7 +106,7 @@ def test_slopes_by_differences():
 
 
 def test_limits():
-    """A strong short law is JKR, a weak long one DMT; the way there is that of the leading correction."""
+    """A strong short law is JKR, a weak long one DMT; the approach to it is that of the leading correction."""
     short, far = PullOff(BALL, ShortRange(W)).solve(), PullOff(BALL, DerjaguinMullerToporov(W)).solve()
     last = math.inf
     for parameter in (10.0, 100.0, 1000.0, 1e4):
@@ -156,7 +156,7 @@ def test_surface_fields(parameter):
 
 
 def test_surface_fields_of_graded_media_and_other_tips():
-    """The transforms of other modules restore what was asked: -sigma_0 in the ring, w/sigma_0 at its end."""
+    """The transforms of other modules restore what was prescribed: -sigma_0 in the ring, w/sigma_0 at its end."""
     graded = GradedHalfSpace.between(PowerLawGraded(1e6, 1e-4, 0.4, 0.3))
     soft = GradedHalfSpace.between(PowerLawGraded(1e6, 1e-4, -0.2, 0.3))
     for medium, profile in ((graded, wk.Paraboloid(R)), (soft, wk.Sphere(R)), (GEL, wk.RoundedCone(5e-5, 1.3))):
@@ -239,10 +239,10 @@ def test_refusals():
         AdhesiveIndentation(wk.Foundation(wk.Measured(r, r**2 / (2.0 * R)), GEL), law(1.0), wk.Radius(1.9e-5)).solve()
 
 
-def test_notes_tell_the_range():
-    said = " ".join(str(note) for note in AdhesiveIndentation(BALL, law(1.0), wk.Force(0.0)).solve().validity)
-    assert f"{law(1.0).range:.3g} m" in said
-    assert "Maugis" in said
+def test_notes_state_the_range():
+    message = " ".join(str(note) for note in AdhesiveIndentation(BALL, law(1.0), wk.Force(0.0)).solve().validity)
+    assert f"{law(1.0).range:.3g} m" in message
+    assert "Maugis" in message
     touching = PullOff(BALL, law(0.1), GRIPS).solve()
     assert touching.radius == 0.0
     assert any("without contact" in str(note) for note in touching.validity)
@@ -326,7 +326,7 @@ def test_energy_along_the_equilibria(profile):
     [CUT_CONE, CUT_BALL, wk.RoundedPunch(1e-4, R), wk.RoundedCone(5e-5, 1.45), wk.PowerLaw(1e9, 4.0)],
 )
 def test_cycles_on_every_tip(profile, stiffness):
-    """Every cycle converges, ends apart, and loses energy in no jump the wrong way."""
+    """Every cycle converges, ends apart, and gains energy in no jump."""
     path = wk.Depth(np.array([3.0, -200.0]) * D_UNIT)
     for parameter in (1.0, 10.0):
         cycle = AdhesiveCycle(wk.Foundation(profile, GEL), law(parameter), path, stiffness).solve()
@@ -342,9 +342,9 @@ def test_a_measured_ball_cycles_like_a_ball():
     tip = wk.Foundation(wk.Measured(r, r**2 / (2.0 * R)), GEL)
     path = wk.Depth(np.array([3.0, -20.0]) * D_UNIT)
     for parameter, stiffness in ((1.0, 0.5 * E * A_UNIT), (1.0, GRIPS), (10.0, 1e3 * E * A_UNIT)):
-        known, found = (AdhesiveCycle(bed, law(parameter), path, stiffness).solve() for bed in (BALL, tip))
-        assert found.dissipation[-1] == pytest.approx(known.dissipation[-1], rel=1e-7)
-        np.testing.assert_allclose(found.radius, known.radius, rtol=1e-7)
+        known, result = (AdhesiveCycle(bed, law(parameter), path, stiffness).solve() for bed in (BALL, tip))
+        assert result.dissipation[-1] == pytest.approx(known.dissipation[-1], rel=1e-7)
+        np.testing.assert_allclose(result.radius, known.radius, rtol=1e-7)
 
 
 @pytest.mark.parametrize("profile", [wk.Sphere(R), CUT_CONE, wk.RoundedCone(R, math.atan(50.0))])
@@ -355,7 +355,7 @@ def test_many_loads_at_once_meet_each_of_them(profile):
         states = states_of(bed, law(parameter))
         least = PullOff(bed, law(parameter)).solve().force
         force = least + abs(least) * np.concatenate([np.geomspace(1e-9, 1.0, 40), np.linspace(1.1, 8.0, 40)])
-        found = AdhesiveIndentation(bed, law(parameter), wk.Force(force)).solve()
-        at_rounding = 1e-15 * found.radius * np.abs(states.slopes(found.radius)[1])
-        assert np.all(np.diff(found.radius) >= 0.0)
-        assert np.all(np.abs(force_of(states, found.radius) - force) <= 1e-11 * abs(least) + 4.0 * at_rounding)
+        result = AdhesiveIndentation(bed, law(parameter), wk.Force(force)).solve()
+        at_rounding = 1e-15 * result.radius * np.abs(states.slopes(result.radius)[1])
+        assert np.all(np.diff(result.radius) >= 0.0)
+        assert np.all(np.abs(force_of(states, result.radius) - force) <= 1e-11 * abs(least) + 4.0 * at_rounding)

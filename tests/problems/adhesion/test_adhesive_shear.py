@@ -70,7 +70,7 @@ def test_a_ball_at_a_depth(depth):
     )
 
 
-def test_a_flat_punch_is_held_by_its_rim_until_it_gives_way():
+def test_a_flat_punch_is_held_by_its_rim_until_it_detaches():
     punch = 1e-4
     bed = wk.Foundation(wk.FlatPunch(punch), MEDIUM)
     kendall = math.sqrt(8.0 * math.pi * E * WORK * punch**3)
@@ -108,7 +108,7 @@ def test_graded_and_coated_bodies_pay_for_their_surface(medium):
     assert sheared.shear_force == pytest.approx(2.0 * whole * shift, rel=1e-9)
 
 
-def test_what_is_refused_and_said():
+def test_what_is_refused_and_noted():
     law = ShortRange(WORK)
     with pytest.raises(wk.InvalidInput, match="law is a Dugdale; give ShortRange"):
         AdhesiveShear(BALL, Dugdale(WORK, 1e6), wk.Force(0.0), Shift(0.0))

@@ -88,12 +88,12 @@ def test_powers(n):
     k = kappa(n) * c
     bed = wk.Foundation(wk.PowerLaw(coefficient=0.3, exponent=n), UNIT)
     dead, grips = PullOff(bed, ShortRange(0.02)).solve(), PullOff(bed, ShortRange(0.02), GRIPS).solve()
-    for found, factor, force in ((dead, 9, (2 * n - 1) / (2 * n + 2)), (grips, 1, (2 * n + 1) / (2 * n + 2))):
+    for result, factor, force in ((dead, 9, (2 * n - 1) / (2 * n + 2)), (grips, 1, (2 * n + 1) / (2 * n + 2))):
         a = (factor * mp.pi * w / (2 * mp.mpf(n) ** 2 * k**2)) ** (1 / (2 * mp.mpf(n) - 1))
         stretch = mp.sqrt(2 * mp.pi * a * w)
-        assert found.radius == pytest.approx(float(a), rel=1e-11)
-        assert found.force == pytest.approx(float(-2 * a * stretch * force), rel=1e-11)
-        assert found.depth == pytest.approx(float(k * a**n - stretch), rel=1e-11)
+        assert result.radius == pytest.approx(float(a), rel=1e-11)
+        assert result.force == pytest.approx(float(-2 * a * stretch * force), rel=1e-11)
+        assert result.depth == pytest.approx(float(k * a**n - stretch), rel=1e-11)
     assert grips.depth == pytest.approx(float(-stretch * (2 * n - 1) / (2 * n)), rel=1e-11)
 
 
@@ -120,8 +120,8 @@ def test_machine_stiffness(machine):
         return first * (1 if not soft else mp.mpf(machine)) + soft * second
 
     a = mp.findroot(condition, (mp.mpf("0.7"), mp.mpf("1.6")), solver="anderson")
-    found = PullOff(wk.Foundation(wk.Paraboloid(1.0), UNIT), ShortRange(1.0), machine).solve()
-    assert found.radius == pytest.approx(float(a), rel=1e-12)
+    result = PullOff(wk.Foundation(wk.Paraboloid(1.0), UNIT), ShortRange(1.0), machine).solve()
+    assert result.radius == pytest.approx(float(a), rel=1e-12)
 
 
 def shapes():
@@ -182,7 +182,7 @@ def test_other_shapes(case):
     np.testing.assert_allclose(contact.force, [float(force(mp.mpf(a))) for a in radii], rtol=1e-9, atol=1e-12)
     depth = [float(g(mp.mpf(a)) - mp.sqrt(2 * mp.pi * mp.mpf(a) * w)) for a in radii]
     np.testing.assert_allclose(contact.depth, depth, rtol=1e-10, atol=1e-14)
-    found = PullOff(bed, ShortRange(1e-4)).solve()
+    result = PullOff(bed, ShortRange(1e-4)).solve()
     # between samples of the least force, then by golden section: not by a derivative
     nodes, weights = np.polynomial.legendre.leggauss(64)
 
@@ -212,8 +212,8 @@ def test_other_shapes(case):
     if name == "truncated cone":  # the edge of the flat holds: F falls with a up to it, and rises beyond
         assert abs(least - kink) < 1e-6
         least = kink
-    assert found.radius == pytest.approx(float(least), rel=3e-6)
-    assert found.force == pytest.approx(float(force(least)), rel=1e-9)
+    assert result.radius == pytest.approx(float(least), rel=3e-6)
+    assert result.force == pytest.approx(float(force(least)), rel=1e-9)
 
 
 @pytest.mark.parametrize("k", [-0.3, 0.0, 0.2, 0.5, 0.8, 1.0])
@@ -253,12 +253,12 @@ def test_coated_between_its_limits():
     plain = PullOff(wk.Foundation(wk.Paraboloid(2e-3), wk.HalfSpace.between(base)), LAW).solve()
     assert PullOff(same, LAW).solve().radius == pytest.approx(plain.radius, rel=1e-9)
     bed = wk.Foundation(wk.Paraboloid(2e-3), medium)
-    found = PullOff(bed, LAW).solve()
-    a = found.radius * np.linspace(0.9, 1.1, 401)
+    result = PullOff(bed, LAW).solve()
+    a = result.radius * np.linspace(0.9, 1.1, 401)
     force = griffith.force_of(bed, W, a)
-    assert abs(a[np.argmin(force)] / found.radius - 1.0) < 1e-3
-    assert np.min(force) >= found.force * (1.0 + 1e-12)
-    assert -2.0 < found.force / (math.pi * 2e-3 * W) < -1.0
+    assert abs(a[np.argmin(force)] / result.radius - 1.0) < 1e-3
+    assert np.min(force) >= result.force * (1.0 + 1e-12)
+    assert -2.0 < result.force / (math.pi * 2e-3 * W) < -1.0
 
 
 @pytest.mark.slow
@@ -422,9 +422,9 @@ def test_derjaguin_muller_toporov():
 
 def test_notes():
     contact = AdhesiveIndentation(BALL, LAW, wk.Force(0.0)).solve()
-    said = " ".join(str(note) for note in contact.validity)
-    assert "JKR" in said
-    assert "steepest slope" in said
-    assert "yield" not in said
-    assert "stable under one load" not in said
+    message = " ".join(str(note) for note in contact.validity)
+    assert "JKR" in message
+    assert "steepest slope" in message
+    assert "yield" not in message
+    assert "stable under one load" not in message
     assert len(PullOff(BALL, LAW).solve().validity) >= 3

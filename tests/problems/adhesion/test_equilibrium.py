@@ -77,7 +77,7 @@ def test_wavy_branches(amplitude, wavelength, work, reach, machine):
 
 
 def follow(case, machine, reach, count=50_001):
-    """Pull off from `reach` by brute force: walk down the samples, jump to the next place that is as low."""
+    """Pull off from `reach` by brute force: descend along the samples, jump to the next place that is as low."""
     a, level = case.levels(machine, reach, count)
     at, jumps = count - 2, []
     while True:
@@ -123,7 +123,7 @@ def test_wavy_jumps(machine):
 
 
 def test_the_widest_of_many():
-    """Of several stable contacts under one load the widest is answered, and the notes count them."""
+    """Of several stable contacts under one load the widest is returned, and the notes count them."""
     case = Guduru(1e-4, 0.02, 1e-4)
     force = -3e-4
     a, level = case.levels(0.0, 0.4, 40_001)
@@ -152,10 +152,10 @@ def test_a_kink_holds_the_edge():
     force = 2.0 * a * (g - np.sqrt(2.0 * math.pi * a * 3e-3)) - 2.0 * whole
     up = np.diff(force) > 0.0
     limits = a[np.flatnonzero(up[1:] != up[:-1]) + 1]
-    found = np.array([x for branch in curve.branches for x in (branch.start, branch.stop)])
-    assert found[0] == b
-    assert found[-1] == 3.0
-    np.testing.assert_allclose(found[1:-1], limits, rtol=1e-4)
+    result = np.array([x for branch in curve.branches for x in (branch.start, branch.stop)])
+    assert result[0] == b
+    assert result[-1] == 3.0
+    np.testing.assert_allclose(result[1:-1], limits, rtol=1e-4)
 
 
 def test_stable_points_and_shapes():

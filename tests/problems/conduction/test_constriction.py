@@ -128,7 +128,7 @@ def test_a_plating_conducts_as_the_best_flux_allows(plating, on):
     thickness = 0.5
     body = wk.Plated(wk.ElectricalConductor(plating), thickness, on=wk.ElectricalConductor(on))
     bed = wk.Foundation(wk.FlatPunch(1.0), wk.HalfSpace.between(wk.Elastic(1.0, 0.0)))
-    found = wk.Constriction(bed, wk.ElectricalConductors(body, body), wk.Force(1e-3)).solve().resistance
+    result = wk.Constriction(bed, wk.ElectricalConductors(body, body), wk.Force(1e-3)).solve().resistance
     nodes, weights = np.polynomial.legendre.leggauss(16)
     starts = np.arange(40.0)  # the difference to a bare body dies out like exp(-xi)
     xi, dxi = (starts[:, None] + 0.5 * (nodes + 1.0)).ravel(), np.tile(0.5 * weights, 40)
@@ -156,7 +156,7 @@ def test_a_plating_conducts_as_the_best_flux_allows(plating, on):
     extra = np.array([[np.sum(dxi * more * one * other) for other in fluxes] for one in fluxes])
     energy = 2.0 * np.pi * plating * (bare + extra)
     expected = 2.0 / (whole @ np.linalg.solve(energy, whole))
-    assert found == pytest.approx(expected, rel=1e-6)
+    assert result == pytest.approx(expected, rel=1e-6)
 
 
 def test_a_plating_of_the_same_metal_is_none():
@@ -165,7 +165,7 @@ def test_a_plating_of_the_same_metal_is_none():
     assert wk.Constriction(BALL, wk.ElectricalConductors(same, COPPER), wk.Force(1.0)).solve().resistance == plain
 
 
-def test_heat_flows_as_the_harmonic_conductivity_says():
+def test_heat_flows_with_the_harmonic_mean_of_conductivities():
     other = wk.ThermalConductor(conductivity=390.0, diffusivity=1.1e-4)
     joint = wk.ThermalConstriction(BALL, wk.HeatConductors(HEAT, other), wk.Force(100.0), 25.0).solve()
     harmonic = 1.0 / (1.0 / 45.0 + 1.0 / 390.0)
@@ -306,11 +306,11 @@ def test_the_fields_carry_the_whole_current_and_meet_at_the_contact():
 
 def test_heat_fields():
     joint = wk.ThermalConstriction(BALL, wk.HeatConductors(HEAT, HEAT), wk.Radius(1e-4), 10.0).solve()
-    found = wk.restore_conduction(joint, np.array([0.0, 1e-4, 2e-4]), 0.0)
-    assert found.excess_temperature[0] == pytest.approx(5.0, rel=1e-14)
-    assert found.excess_temperature[2] == pytest.approx(10.0 - 5.0 * 2.0 / math.pi * math.asin(0.5), rel=1e-13)
-    assert found.axial_heat_flux[1] == -math.inf
-    assert found.axial_heat_flux[0] == pytest.approx(-joint.heat_rate / (2.0 * math.pi * 1e-8), rel=1e-12)
+    result = wk.restore_conduction(joint, np.array([0.0, 1e-4, 2e-4]), 0.0)
+    assert result.excess_temperature[0] == pytest.approx(5.0, rel=1e-14)
+    assert result.excess_temperature[2] == pytest.approx(10.0 - 5.0 * 2.0 / math.pi * math.asin(0.5), rel=1e-13)
+    assert result.axial_heat_flux[1] == -math.inf
+    assert result.axial_heat_flux[0] == pytest.approx(-joint.heat_rate / (2.0 * math.pi * 1e-8), rel=1e-12)
     far = wk.restore_conduction(joint, 0.0, np.array([1.0, -1.0]))
     assert far.excess_temperature == pytest.approx([10.0, 0.0], abs=1e-3)
     pair = wk.HeatConductors(HEAT, HEAT, wk.ThermalInterface(1e6))
@@ -321,7 +321,7 @@ def test_heat_fields():
         wk.restore_conduction(wk.Constriction(BALL, PAIR, wk.Force(1.0)).solve(), 0.0)
 
 
-def test_the_size_of_free_flight_is_told():
+def test_the_size_of_free_flight_is_noted():
     contact = wk.Constriction(BALL, PAIR, wk.Radius(1e-7), mean_free_path=4e-8).solve()
     note = contact.validity[-1]
     assert note.standing is wk.Standing.OUTSIDE
@@ -329,7 +329,7 @@ def test_the_size_of_free_flight_is_told():
 
 
 @pytest.mark.parametrize(
-    ("make", "told"),
+    ("make", "statements"),
     [
         (lambda: wk.ElectricalConductor(0.0), "resistivity"),
         (lambda: wk.ElectricalConductor(1.0, -1e-3), "temperature_coefficient"),
@@ -346,6 +346,6 @@ def test_the_size_of_free_flight_is_told():
         (lambda: wk.SpotCluster([0.0], [0.0, 1.0], [1.0], SILVER, SILVER), "one of each"),
     ],
 )
-def test_what_cannot_be_used_is_told(make, told):
-    with pytest.raises(wk.InvalidInput, match=told):
+def test_what_cannot_be_used_is_refused(make, statements):
+    with pytest.raises(wk.InvalidInput, match=statements):
         make()

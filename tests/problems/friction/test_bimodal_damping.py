@@ -71,7 +71,7 @@ def test_against_a_march_of_springs(cycle):
 
 
 @pytest.mark.parametrize(("n", "m", "count"), [(1, 1, 60), (1, 1, 240), (1, 2, 120), (3, 2, 200)])
-def test_against_a_walk_along_the_path(n, m, count):
+def test_against_a_march_along_the_path(n, m, count):
     """`Tangential` along straight pieces, which cut corners by the square of their length."""
     problem = wk.BimodalDamping(BALL, Coulomb(0.3), DEPTH, DOWN, ASIDE, 0.7, n, m)
     loss = problem.solve().loss_per_cycle

@@ -73,7 +73,7 @@ PROFILES = {
 
 
 @pytest.mark.parametrize("name", PROFILES)
-def test_against_a_walk_along_the_path(name):
+def test_against_a_march_along_the_path(name):
     """`Tangential` round the loop, from its first turning point on, under a static shift too."""
     bed = wk.Foundation(PROFILES[name], MEDIUM)
     contact = wk.Indentation(bed, wk.Radius(3e-4)).solve()
@@ -107,9 +107,9 @@ def test_partial_and_gross_slip_of_every_profile(name):
     bed = wk.Foundation(PROFILES[name], MEDIUM)
     contact = wk.Indentation(bed, wk.Radius(3e-4)).solve()
     limit = BETA * contact.depth
-    asked = limit * np.array([0.3, 0.9, 1.0, 1.7])
-    swing = wk.FrictionDamping(bed, Coulomb(MU), wk.Depth(contact.depth), wk.Shift(asked)).solve()
-    for amplitude, loss, shear in zip(asked, swing.loss_per_cycle, swing.shear_force, strict=True):
+    prescribed = limit * np.array([0.3, 0.9, 1.0, 1.7])
+    swing = wk.FrictionDamping(bed, Coulomb(MU), wk.Depth(contact.depth), wk.Shift(prescribed)).solve()
+    for amplitude, loss, shear in zip(prescribed, swing.loss_per_cycle, swing.shear_force, strict=True):
         core = max(contact.depth - amplitude / BETA, 0.0)
         stick = wk.Indentation(bed, wk.Depth(core)).solve()
 
@@ -127,7 +127,7 @@ def test_partial_and_gross_slip_of_every_profile(name):
         assert shear == pytest.approx(MU * (contact.force - stick.force), rel=1e-11)
     # beyond gross slip every further dU costs 4 mu F dU
     assert swing.loss_per_cycle[3] - swing.loss_per_cycle[2] == pytest.approx(
-        4.0 * MU * contact.force * (asked[3] - asked[2]), rel=1e-11
+        4.0 * MU * contact.force * (prescribed[3] - prescribed[2]), rel=1e-11
     )
 
 
@@ -176,7 +176,7 @@ def test_a_graded_medium():
     assert again.loss_per_cycle == pytest.approx(half.loss_per_cycle, rel=1e-10)
 
 
-def test_layers_are_answered_and_labelled():
+def test_layers_are_computed_and_labelled():
     coat = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(young=400e9, poisson=0.2), thickness=50e-6)], on=MEDIUM.first)
     bed = wk.Foundation(wk.Paraboloid(10e-3), coat)
     contact = wk.Indentation(bed, wk.Radius(60e-6)).solve()
@@ -200,7 +200,7 @@ def test_layers_are_answered_and_labelled():
     assert back.secant_stiffness[0] > back.secant_stiffness[1]
 
 
-def test_what_vibration_engineers_ask():
+def test_quantities_of_vibration_engineering():
     """Loss factor 4/pi for sliding throughout, twice as much damping at half of the frequency, one loop of them all."""
     amplitude = np.array([0.0, 1e-8, 1e-6, 1e-2])
     swing = wk.FrictionDamping(BALL, Coulomb(MU), wk.Force(20.0), wk.Shift(amplitude)).solve()

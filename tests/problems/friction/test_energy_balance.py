@@ -71,14 +71,14 @@ SHAPES = {
 
 @pytest.mark.parametrize("shape", SHAPES)
 @pytest.mark.parametrize("ratio", RATIOS)
-def test_a_ramp_loses_what_its_closed_form_says(shape, ratio):
+def test_a_ramp_loses_the_energy_of_its_closed_form(shape, ratio):
     """`StandardSolid(relaxation_time=1e14)` lost 3.6e-6 J where 7e-19 is true, and at 1e20 it gave -0.17 J back."""
     profile, order, stiffness, tolerance = SHAPES[shape]
     path = wk.Path([0.0, 1.0], wk.Depth([0.0, DEPTH]))
-    found = wk.ViscoelasticIndentation(bed(solids(ratio)["standard solid"], profile), path, count=400).solve()
-    ends = [each[-1] / stiffness for each in (found.force, found.work, found.stored_energy, found.dissipation)]
+    result = wk.ViscoelasticIndentation(bed(solids(ratio)["standard solid"], profile), path, count=400).solve()
+    ends = [each[-1] / stiffness for each in (result.force, result.work, result.stored_energy, result.dissipation)]
     assert ends == pytest.approx(ramp(ratio, order), rel=tolerance)
-    assert standing(found) is Standing.EXACT
+    assert standing(result) is Standing.EXACT
 
 
 @pytest.mark.parametrize("name", SOLIDS)
@@ -86,11 +86,11 @@ def test_a_ramp_loses_what_its_closed_form_says(shape, ratio):
 def test_indentation_to_and_fro_keeps_account(name, ratio):
     """Springs part and are caught again; what the dashpots lose is never negative, and nothing else is missing."""
     path = wk.Path([0.0, 1.0, 2.0, 3.0, 4.0], wk.Depth([0.0, DEPTH, 0.5 * DEPTH, -0.1 * DEPTH, 0.2 * DEPTH]))
-    found = wk.ViscoelasticIndentation(bed(solids(ratio)[name]), path, count=60).solve()
-    assert missing_energy(found.work, found.stored_energy, found.dissipation) <= 1e-12
-    assert standing(found) is Standing.EXACT
-    assert np.all(np.diff(found.dissipation) >= 0.0)
-    assert np.all(found.stored_energy >= 0.0)
+    result = wk.ViscoelasticIndentation(bed(solids(ratio)[name]), path, count=60).solve()
+    assert missing_energy(result.work, result.stored_energy, result.dissipation) <= 1e-12
+    assert standing(result) is Standing.EXACT
+    assert np.all(np.diff(result.dissipation) >= 0.0)
+    assert np.all(result.stored_energy >= 0.0)
 
 
 @pytest.mark.parametrize("ratio", RATIOS)
@@ -99,9 +99,9 @@ def test_sudden_depths_and_forces_keep_account(ratio):
     jumps = wk.Path([0.0, 0.0, 1.0, 1.0, 2.0], wk.Depth([0.0, DEPTH, DEPTH, 0.3 * DEPTH, 0.3 * DEPTH]))
     loads = wk.Path([0.0, 1.0, 1.0, 2.0], wk.Force([0.0, 1e-3, 4e-4, 0.0]))
     for path in (jumps, loads):
-        found = wk.ViscoelasticIndentation(bed(solid), path, count=40, tolerance=1e-4).solve()
-        assert missing_energy(found.work, found.stored_energy, found.dissipation) <= 1e-11
-        assert np.all(np.diff(found.dissipation) >= 0.0)
+        result = wk.ViscoelasticIndentation(bed(solid), path, count=40, tolerance=1e-4).solve()
+        assert missing_energy(result.work, result.stored_energy, result.dissipation) <= 1e-11
+        assert np.all(np.diff(result.dissipation) >= 0.0)
 
 
 @pytest.mark.parametrize("name", SOLIDS)
@@ -111,26 +111,26 @@ def test_a_body_that_is_dragged_keeps_account(name, ratio):
         [0.0, 1.0, 2.0, 3.0], wk.Depth([0.0, DEPTH, 0.5 * DEPTH, -0.1 * DEPTH]), wk.Shift([0.0, 4e-3, -2e-3, 6e-3])
     )
     problem = wk.ViscoelasticTangential(bed(solids(ratio)[name]), wk.Coulomb(0.5), path, count=20, tolerance=1e-2)
-    found = problem.solve()
-    assert missing_energy(found.work, found.stored_energy, found.dissipation) <= 1e-12
-    assert standing(found) is Standing.EXACT
-    for loss in (found.friction_loss, found.bulk_loss):
+    result = problem.solve()
+    assert missing_energy(result.work, result.stored_energy, result.dissipation) <= 1e-12
+    assert standing(result) is Standing.EXACT
+    for loss in (result.friction_loss, result.bulk_loss):
         assert np.all(np.diff(loss) >= 0.0)
-    assert found.dissipation == pytest.approx(found.friction_loss + found.bulk_loss, rel=1e-14)
+    assert result.dissipation == pytest.approx(result.friction_loss + result.bulk_loss, rel=1e-14)
 
 
 @pytest.mark.parametrize("ratio", [1e-20, 1e-3, 1.0, 1e4, 1e20])
 def test_what_an_impact_takes_is_stored_or_lost(ratio):
     solid = solids(ratio)["standard solid"]
-    found = wk.ViscoelasticImpact(bed(solid), mass=1.0, velocity=1.0, count=40, tolerance=1e-2).solve()
-    assert standing(found) is Standing.EXACT
-    assert np.all(np.diff(found.bulk_loss) >= 0.0)
-    assert 0.0 < found.dissipation < 0.5
+    result = wk.ViscoelasticImpact(bed(solid), mass=1.0, velocity=1.0, count=40, tolerance=1e-2).solve()
+    assert standing(result) is Standing.EXACT
+    assert np.all(np.diff(result.bulk_loss) >= 0.0)
+    assert 0.0 < result.dissipation < 0.5
     if ratio == 1e20:  # as long as the bodies touch little fades: the loss falls with the relaxation time
         soon = wk.ViscoelasticImpact(
             bed(solids(1e10)["standard solid"]), mass=1.0, velocity=1.0, count=40, tolerance=1e-2
         )
-        assert found.dissipation == pytest.approx(1e-10 * soon.solve().dissipation, rel=1e-8)
+        assert result.dissipation == pytest.approx(1e-10 * soon.solve().dissipation, rel=1e-8)
 
 
 def test_rubber_far_below_its_glass_transition_loses_next_to_nothing():
@@ -139,19 +139,19 @@ def test_rubber_far_below_its_glass_transition_loses_next_to_nothing():
     solid = wk.AtTemperature(wk.Prony(1e5, [1e6, 1e7], [1e-3, 1.0]), law, 350.0)
     assert solid.factor > 1e20
     path = wk.Path([0.0, 1.0, 2.0], wk.Depth([0.0, 1e-4, 0.0]))
-    found = wk.ViscoelasticIndentation(bed(solid, wk.Paraboloid(0.01)), path, count=100).solve()
-    assert 0.0 < found.dissipation[-1] < 1e-18 * found.work[1]
-    assert standing(found) is Standing.EXACT
+    result = wk.ViscoelasticIndentation(bed(solid, wk.Paraboloid(0.01)), path, count=100).solve()
+    assert 0.0 < result.dissipation[-1] < 1e-18 * result.work[1]
+    assert standing(result) is Standing.EXACT
 
 
-def test_a_march_that_misses_energy_says_so():
+def test_a_march_that_misses_energy_notes_it():
     path = wk.Path([0.0, 1.0, 2.0], wk.Depth([0.0, DEPTH, 0.0]))
-    found = wk.ViscoelasticIndentation(bed(solids(1.0)["Maxwell"]), path, count=40).solve()
-    scale = np.max(found.work)
+    result = wk.ViscoelasticIndentation(bed(solids(1.0)["Maxwell"]), path, count=40).solve()
+    scale = np.max(result.work)
     for missing, expected in ((3e-10, Standing.EXACT), (3e-9, Standing.APPROXIMATE), (2e-3, Standing.OUTSIDE)):
-        wrong = dataclasses.replace(found, dissipation=found.dissipation + missing * scale * (found.time > 1.0))
+        wrong = dataclasses.replace(result, dissipation=result.dissipation + missing * scale * (result.time > 1.0))
         assert standing(wrong) is expected
-    wrong = dataclasses.replace(found, dissipation=found.dissipation * math.nan)
+    wrong = dataclasses.replace(result, dissipation=result.dissipation * math.nan)
     assert standing(wrong) is Standing.OUTSIDE
 
 
@@ -165,14 +165,14 @@ def test_next_to_nothing_resists_a_ball_that_slides_far_from_its_relaxation_time
     width, tolerance = math.sqrt(depth), 3e-6 if speed in (1e-8, 1e8) else 1e-9
     slow, fast = 8.0 / 3.0 * speed * width**3, 16.0 / 15.0 / speed * width**5
     for name in ("standard solid", "Kelvin-Voigt") if speed < 1.0 else ("standard solid", "Maxwell"):
-        found = wk.SlidingResistance(bed(solids(1.0)[name]), wk.Depth(depth), speed).solve()
-        assert found.line_shear_force == pytest.approx(slow if speed < 1.0 else fast, rel=tolerance)
+        result = wk.SlidingResistance(bed(solids(1.0)[name]), wk.Depth(depth), speed).solve()
+        assert result.line_shear_force == pytest.approx(slow if speed < 1.0 else fast, rel=tolerance)
 
 
 @pytest.mark.parametrize("coefficient", [0.3, math.inf])
 @pytest.mark.parametrize("profile", [wk.Paraboloid(0.01), wk.FlatPunch(1e-3)], ids=["paraboloid", "punch"])
-def test_slip_on_a_random_way_keeps_account(profile, coefficient):
-    """The work is that of every spring along its way: stuck, sliding, coming and leaving."""
+def test_slip_on_a_random_path_balances_energy(profile, coefficient):
+    """The work is that of every spring along its path: stuck, sliding, coming and leaving."""
     random, count = np.random.default_rng(1), 40
     contact = wk.Foundation(profile, wk.HalfSpace.between(wk.Elastic(210e9, 0.3)))
     depth = np.where(random.random(count) < 0.3, 1e-6, 1e-6 * random.uniform(-0.2, 1.0, count))
@@ -183,9 +183,9 @@ def test_slip_on_a_random_way_keeps_account(profile, coefficient):
         wk.Path(time, wk.Depth(depth), wk.Shift(1e-6 * random.uniform(-1.0, 1.0, count))),
         wk.Path(time, wk.Force(force), wk.ShearForce(pulled)),
     ):
-        found = wk.Tangential(contact, wk.Coulomb(coefficient), path).solve()
-        assert missing_energy(found.work, found.stored_energy, found.dissipation) <= 1e-10
-        assert standing(found) is Standing.EXACT
+        result = wk.Tangential(contact, wk.Coulomb(coefficient), path).solve()
+        assert missing_energy(result.work, result.stored_energy, result.dissipation) <= 1e-10
+        assert standing(result) is Standing.EXACT
 
 
 class Rooted:
@@ -200,8 +200,8 @@ LAWS = [wk.Coulomb(0.3), wk.Coulomb(math.inf), wk.StaticKinetic(0.5, 0.3), Roote
 
 @pytest.mark.parametrize("law", LAWS, ids=["Coulomb", "rough", "static", "own"])
 @pytest.mark.parametrize("profile", [wk.Paraboloid(0.01), wk.FlatPunch(1e-3)], ids=["paraboloid", "punch"])
-def test_springs_on_random_ways_keep_account(law, profile):
-    """Only where a spring turns in the plane while its load changes is the loss approximate, and the note says so."""
+def test_springs_on_random_paths_balance_energy(law, profile):
+    """Only where a spring turns in the plane while its load changes is the loss approximate, and the note states it."""
     random, count = np.random.default_rng(3), 40
     contact = wk.Foundation(profile, wk.HalfSpace.between(wk.Elastic(210e9, 0.3)))
     time, steady = np.arange(float(count)), np.full(count, 1e-6)
@@ -213,10 +213,10 @@ def test_springs_on_random_ways_keep_account(law, profile):
         (steady, plane, 1e-13),
         (depth, plane, 1e-4),
     ):
-        found = wk.SpringMarch(contact, law, wk.Path(time, wk.Depth(loads), wk.Shift(shift)), count=60).solve()
-        missing = missing_energy(found.work, found.stored_energy, found.dissipation)
+        result = wk.SpringMarch(contact, law, wk.Path(time, wk.Depth(loads), wk.Shift(shift)), count=60).solve()
+        missing = missing_energy(result.work, result.stored_energy, result.dissipation)
         assert missing <= allowed
-        assert standing(found) is (Standing.EXACT if missing <= 1e-9 else Standing.APPROXIMATE)
+        assert standing(result) is (Standing.EXACT if missing <= 1e-9 else Standing.APPROXIMATE)
 
 
 @pytest.mark.parametrize("law", LAWS[::2], ids=["Coulomb", "static"])
@@ -224,38 +224,38 @@ def test_sliding_in_the_plane_keeps_account(law):
     contact = wk.Foundation(wk.Paraboloid(0.01), wk.HalfSpace.between(wk.Elastic(210e9, 0.3)))
     angle = np.linspace(0.0, 7.0, 12)
     circle = 5e-7 * np.column_stack([np.cos(angle), np.sin(angle)])
-    found = wk.Tangential(contact, law, wk.Path(angle, wk.Depth(1e-6), wk.Shift(circle))).solve()
-    assert missing_energy(found.work, found.stored_energy, found.dissipation) <= 1e-13
-    assert standing(found) is Standing.EXACT
+    result = wk.Tangential(contact, law, wk.Path(angle, wk.Depth(1e-6), wk.Shift(circle))).solve()
+    assert missing_energy(result.work, result.stored_energy, result.dissipation) <= 1e-13
+    assert standing(result) is Standing.EXACT
 
 
 @pytest.mark.parametrize(
-    ("last", "angle", "way"), [(1.0, 1.2, 3.0), (1.5, 1.0, 4.0), (0.2, 2.3, 1.0), (3.0, 0.7, 60.0)]
+    ("last", "angle", "track"), [(1.0, 1.2, 3.0), (1.5, 1.0, 4.0), (0.2, 2.3, 1.0), (3.0, 0.7, 60.0)]
 )
-def test_a_spring_that_turns_takes_the_work_of_its_path(last, angle, way):
+def test_a_spring_that_turns_takes_the_work_of_its_path(last, angle, track):
     """By mpmath: tan(theta/2) falls like a power of a bound that goes from 1 m to another one."""
     start, bounds = np.array([[np.cos(angle), np.sin(angle)]]), np.array([[1.0], [last]])
-    found = work_on_springs(start, np.zeros(1, bool), np.zeros(1), bounds, 1.0, (1.0, 1.0), np.array([way, 0.0]))
+    result = work_on_springs(start, np.zeros(1, bool), np.zeros(1), bounds, 1.0, (1.0, 1.0), np.array([track, 0.0]))
 
     def pull(x):
-        bound = 1 + (last - 1) * x / way
-        y = x if last == 1.0 else way / (last - 1) * mpmath.log(bound)
+        bound = 1 + (last - 1) * x / track
+        y = x if last == 1.0 else track / (last - 1) * mpmath.log(bound)
         return bound * mpmath.cos(2 * mpmath.atan(mpmath.exp(-y) * mpmath.tan(angle / 2)))
 
-    assert found[0] == pytest.approx(float(mpmath.quad(pull, [0.0, 0.1 * way, 0.3 * way, way])), rel=1e-9)
+    assert result[0] == pytest.approx(float(mpmath.quad(pull, [0.0, 0.1 * track, 0.3 * track, track])), rel=1e-9)
 
 
 @pytest.mark.parametrize("coefficient", [0.3, math.inf])
 @pytest.mark.parametrize("profile", [wk.Paraboloid(0.01), wk.FlatPunch(1e-3)], ids=["paraboloid", "punch"])
-def test_torsion_on_a_random_way_keeps_account(profile, coefficient):
+def test_torsion_on_a_random_path_balances_energy(profile, coefficient):
     random, count = np.random.default_rng(2), 8
     contact = wk.Foundation(profile, wk.HalfSpace.between(wk.Elastic(210e9, 0.3)))
     depth = np.where(random.random(count) < 0.3, 1e-6, 1e-6 * random.uniform(-0.2, 1.0, count))
     time, twist = np.arange(float(count)), wk.Angle(1e-3 * random.uniform(-1.0, 1.0, count))
     for loads in (depth, np.full(count, 1e-6)):
-        found = wk.Torsion(contact, wk.Coulomb(coefficient), wk.Path(time, wk.Depth(loads), twist)).solve()
-        assert missing_energy(found.work, found.stored_energy, found.dissipation) <= 1e-11
-        assert standing(found) is Standing.EXACT
+        result = wk.Torsion(contact, wk.Coulomb(coefficient), wk.Path(time, wk.Depth(loads), twist)).solve()
+        assert missing_energy(result.work, result.stored_energy, result.dissipation) <= 1e-11
+        assert standing(result) is Standing.EXACT
 
 
 def test_the_work_of_a_twist_is_the_integral_of_its_torque():
@@ -268,22 +268,22 @@ def test_the_work_of_a_twist_is_the_integral_of_its_torque():
     torque = wk.Torsion(contact, law, wk.Path(time, wk.Depth(depth), wk.Angle(angle))).solve().torque
     weights = np.array([1.0, *[4.0, 2.0] * (share // 2 - 1), 4.0, 1.0]) / (3.0 * share)
     first, second = (float(weights @ each) for each in (torque[: share + 1], torque[share:]))
-    found = wk.Torsion(contact, law, ends).solve().work
-    assert found[1:] == pytest.approx([1e-3 * first, 1e-3 * first - 1.5e-3 * second], rel=2e-4)
+    result = wk.Torsion(contact, law, ends).solve().work
+    assert result[1:] == pytest.approx([1e-3 * first, 1e-3 * first - 1.5e-3 * second], rel=2e-4)
 
 
 @pytest.mark.parametrize("speed", [1e-20, 1e-8, 1e14])
 def test_the_edge_of_rubber_keeps_account(speed):
-    """Slowly nothing but leaps is lost, as in a cycle that knows no speed; at once nothing is."""
+    """Slowly nothing but leaps is lost, as in a cycle without speed; at once nothing is."""
     rubber = wk.Foundation(wk.Paraboloid(1e-3), wk.HalfSpace(wk.Elastic(young=1e6, poisson=0.5)))
     law = wk.RateDependentWork(work=0.05, reference_speed=1e-6, exponent=0.6)
     time, places = np.array([0.0, 5e-5, 1e-4]) / speed, wk.Depth([5e-6, -45e-6, 5e-6])
-    found = wk.ViscoelasticAdhesion(rubber, law, wk.Path(time, places)).solve()
-    assert missing_energy(found.work, found.energy, found.dissipation) <= 1e-5
-    assert np.all(np.diff(found.dissipation) >= 0.0)
-    assert standing(found) is (Standing.EXACT if speed == 1e14 else Standing.APPROXIMATE)
+    result = wk.ViscoelasticAdhesion(rubber, law, wk.Path(time, places)).solve()
+    assert missing_energy(result.work, result.energy, result.dissipation) <= 1e-5
+    assert np.all(np.diff(result.dissipation) >= 0.0)
+    assert standing(result) is (Standing.EXACT if speed == 1e14 else Standing.APPROXIMATE)
     slow = wk.AdhesiveCycle(rubber, wk.ShortRange(0.05), places).solve().dissipation
     if speed == 1e-20:
-        assert found.dissipation == pytest.approx(slow, rel=3e-6)
+        assert result.dissipation == pytest.approx(slow, rel=3e-6)
     if speed == 1e14:
-        assert found.dissipation[1] == pytest.approx(slow[0], rel=1e-6)
+        assert result.dissipation[1] == pytest.approx(slow[0], rel=1e-6)

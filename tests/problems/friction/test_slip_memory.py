@@ -118,21 +118,21 @@ def test_the_loss_of_small_steps_converges_to_ours():
 
 
 def corners(reached):
-    """Return the shares of a way at which its pieces become others, found by halving."""
+    """Return the shares of a step at which its pieces become others, by halving."""
 
     def pattern(share):
         return tuple(reached(share).slides.tolist())
 
     shares = np.linspace(0.0, 1.0, 121)[1:]
-    found = []
+    result = []
     for low, high in pairwise(shares.tolist()):
         before = pattern(low)
         if pattern(high) != before:
             for _ in range(50):
                 middle = 0.5 * (low + high)
                 low, high = (middle, high) if pattern(middle) == before else (low, middle)
-            found.append(high)
-    return found
+            result.append(high)
+    return result
 
 
 turning_points = st.lists(
@@ -188,7 +188,7 @@ def test_work_is_stored_or_lost(points, bound, states):
 
 
 @pytest.mark.parametrize(("depth", "change"), [(1.6, 0.9), (1.6, -1.4), (0.2, 0.1), (-0.1, 0.3), (0.31, 0.5)])
-def test_parts_of_a_straight_way_are_the_whole_way(depth, change):
+def test_parts_of_a_straight_step_are_the_whole_step(depth, change):
     start = follow(PATH[:4], 0.7)[0][-1]
     whole, lost = start.moved(depth, change, 0.7)
     half, before = start.moved(start.depth + 0.3 * (depth - start.depth), 0.3 * change, 0.7)

@@ -1,4 +1,4 @@
-"""Springs that remember: closed forms of one direction, the plane, and what must hold on every way."""
+"""Springs with memory: closed forms of one direction, the plane, and what must hold on every path."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 import winkler as wk
 from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.path import Path
-from winkler.problems.friction.spring_march import SpringMarch, march
+from winkler.problems.friction.spring_march import SpringMarch, march_springs
 from winkler.problems.friction.spring_states import spring_notes
 from winkler.validity import Standing
 from winkler.values import value
@@ -27,7 +27,7 @@ FORCE = 4.0 / 3.0 * E
 
 
 def still(shift, **other):
-    """Return a way along the surface at unit depth."""
+    """Return a path along the surface at unit depth."""
     shift = np.asarray(shift, dtype=float)
     return Path(np.arange(float(len(shift))), wk.Depth(1.0), wk.Shift(shift), **other)
 
@@ -75,8 +75,8 @@ def test_mindlin_deresiewicz_loss_per_cycle():
 
 def test_masing():
     """From a turning point on the curve is the first one, twice as large in both directions."""
-    way = FULL * np.linspace(0.0, 0.8, 21)
-    trace = SpringMarch(BALL, Coulomb(MU), still(np.concatenate([way, way[-1] - 2.0 * way[1:]])), 300).solve()
+    track = FULL * np.linspace(0.0, 0.8, 21)
+    trace = SpringMarch(BALL, Coulomb(MU), still(np.concatenate([track, track[-1] - 2.0 * track[1:]])), 300).solve()
     first, second = trace.shear_force[:21], trace.shear_force[20:]
     np.testing.assert_allclose(second, first[-1] - 2.0 * first, atol=1e-13 * FORCE)
 
@@ -98,8 +98,8 @@ def traction(state, r):
 def test_two_strokes_at_a_right_angle(parts):
     """What the vector rule costs: the traction exceeds what friction bears by 5 %, at r = 0.71 a."""
     leg = np.linspace(0.0, 0.5 * FULL, parts + 1)
-    way = np.concatenate([np.column_stack([leg, 0.0 * leg]), np.column_stack([0.0 * leg + leg[-1], leg])[1:]])
-    state = list(SpringMarch(BALL, Coulomb(MU), still(way), 400).steps())[-1]
+    track = np.concatenate([np.column_stack([leg, 0.0 * leg]), np.column_stack([0.0 * leg + leg[-1], leg])[1:]])
+    state = list(SpringMarch(BALL, Coulomb(MU), still(track), 400).steps())[-1]
     r = np.linspace(0.0, 0.98, 99)
     excess = np.hypot(*traction(state, r).T)
     assert excess.max() == pytest.approx(1.050, abs=1e-3)
@@ -111,8 +111,8 @@ def test_two_strokes_at_a_right_angle(parts):
 def test_a_circular_motion_is_inadmissible_at_the_edge_of_its_stick_zone():
     """Steady circle of half the shift of sliding: 1.35 at r = 0.70 a, and ever more towards c = a / sqrt(2)."""
     angle = 2.0 * np.pi * np.arange(8 * 240 + 1) / 240
-    way = 0.5 * FULL * np.column_stack([np.cos(angle), np.sin(angle)])
-    state = list(march(SpringMarch(BALL, Coulomb(MU), still(way)), 800))[-1]
+    track = 0.5 * FULL * np.column_stack([np.cos(angle), np.sin(angle)])
+    state = list(march_springs(SpringMarch(BALL, Coulomb(MU), still(track)), 800))[-1]
     assert state.stick_radius == pytest.approx(np.sqrt(0.5), abs=1e-3)
     excess = np.hypot(*traction(state, np.array([0.6, 0.70, 0.705, 0.707])).T)
     assert excess[1] == pytest.approx(1.35, abs=5e-3)
@@ -147,16 +147,16 @@ def test_a_prescribed_force_in_the_plane():
 
 
 @pytest.mark.parametrize("plane", [False, True])
-def test_too_large_a_force_is_refused_where_it_is_asked(plane):
-    asked = MU * FORCE * np.array([0.5, 0.9, 1.1, 0.2])
-    load = wk.ShearForce(np.column_stack([asked, 0.0 * asked]) if plane else asked)
+def test_too_large_a_force_is_refused_where_it_is_prescribed(plane):
+    prescribed = MU * FORCE * np.array([0.5, 0.9, 1.1, 0.2])
+    load = wk.ShearForce(np.column_stack([prescribed, 0.0 * prescribed]) if plane else prescribed)
     problem = SpringMarch(BALL, Coulomb(MU), Path(np.arange(4.0), wk.Depth(1.0), load), 100)
-    seen = []
+    reached = []
     with pytest.raises(
         wk.OutsideValidity, match=r"at index 2 is more than friction bears there, .* give a smaller one"
     ):
-        seen.extend(problem.steps())
-    assert len(seen) == 2
+        reached.extend(problem.steps())
+    assert len(reached) == 2
     with pytest.raises(wk.OutsideValidity, match="at index 2"):
         problem.solve()
 
@@ -199,7 +199,7 @@ def test_no_energy_is_created(seed, size):
 
 
 def test_without_slip():
-    """mu infinite: F_x = G*/E* times the integral of k over the way; what leaves contact is lost."""
+    """mu infinite: F_x = G*/E* times the integral of k over the path; what leaves contact is lost."""
     path = Path(np.arange(3.0), wk.Depth([0.0, 1.0, 0.0]), wk.Shift([0.0, 0.2, 0.2]))
     trace = SpringMarch(BALL, Coulomb(np.inf), path, 800).solve()
     # U in proportion to d: springs that came later share less, F_x = (G*/E*) (U/d) F
@@ -223,11 +223,11 @@ def test_bodies_that_never_meet():
         SpringMarch(BALL, Coulomb(MU), Path(path.time, path.normal, wk.ShearForce([0.0, 1.0]))).solve()
 
 
-def test_what_is_said_about_it():
+def test_its_validity_notes():
     line, plane = still([0.0, 0.1]), still([[0.0, 0.0], [0.1, 0.1]])
-    said = SpringMarch(BALL, Coulomb(MU), line).validity[-1]
-    assert said.standing is Standing.ASYMPTOTIC
-    assert said.statement.startswith("400 springs: shear force and energies are of second order")
+    message = SpringMarch(BALL, Coulomb(MU), line).validity[-1]
+    assert message.standing is Standing.ASYMPTOTIC
+    assert message.statement.startswith("400 springs: shear force and energies are of second order")
     assert "5 %" in SpringMarch(BALL, Coulomb(MU), plane).validity[-1].statement
     medium = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(10.0, 0.2), 0.5)], wk.Elastic(1.0, 0.4))
     coated = wk.Foundation(wk.Paraboloid(1.0), medium)
@@ -261,8 +261,8 @@ class Sticky:
 
 def test_a_law_of_ones_own():
     """In proportion to the load it is Coulomb's; with an offset every spring bears that much more."""
-    way = FULL * np.array([0.0, 0.5, -0.3, 3.0])
-    path = Path(np.arange(4.0), wk.Depth([1.0, 0.8, 0.9, 0.7]), wk.Shift(way))
+    track = FULL * np.array([0.0, 0.5, -0.3, 3.0])
+    path = Path(np.arange(4.0), wk.Depth([1.0, 0.8, 0.9, 0.7]), wk.Shift(track))
     own, plain = (SpringMarch(BALL, law, path, 50).solve() for law in (Sticky(MU), Coulomb(MU)))
     np.testing.assert_allclose(own.shear_force, plain.shear_force, rtol=1e-12)
     np.testing.assert_allclose(own.dissipation, plain.dissipation, rtol=1e-9)
@@ -281,14 +281,14 @@ def test_a_law_of_ones_own():
 
 def test_static_and_kinetic_friction():
     """With one coefficient they are Coulomb's; with two the contact bears more before it slides than after."""
-    way = FULL * np.linspace(0.0, 3.0, 61)
-    same = SpringMarch(BALL, StaticKinetic(MU, MU), still(way), 50).solve()
-    plain = SpringMarch(BALL, Coulomb(MU), still(way), 50).solve()
+    track = FULL * np.linspace(0.0, 3.0, 61)
+    same = SpringMarch(BALL, StaticKinetic(MU, MU), still(track), 50).solve()
+    plain = SpringMarch(BALL, Coulomb(MU), still(track), 50).solve()
     np.testing.assert_array_equal(same.shear_force, plain.shear_force)
-    trace = SpringMarch(BALL, StaticKinetic(2.0 * MU, MU), still(way), 400).solve()
+    trace = SpringMarch(BALL, StaticKinetic(2.0 * MU, MU), still(track), 400).solve()
     # a spring at g drops when U = 2 b: stuck ones follow U, others bear b; with s = g at the edge of the stick zone
-    s = np.maximum(1.0 - 0.5 * way / FULL, 0.0)
-    stuck = 2.0 * np.sqrt(s) * G * way
+    s = np.maximum(1.0 - 0.5 * track / FULL, 0.0)
+    stuck = 2.0 * np.sqrt(s) * G * track
     expected = stuck + 2.0 * MU * E * ((1.0 - np.sqrt(s)) - (1.0 - s**1.5) / 3.0)
     np.testing.assert_allclose(trace.shear_force, expected, atol=6e-3 * MU * FORCE)
     assert trace.shear_force.max() > 1.15 * trace.shear_force[-1]

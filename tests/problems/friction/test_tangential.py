@@ -32,10 +32,10 @@ def through(normal, lateral):
     return wk.Path.through(normal, lateral)
 
 
-def work_done(answer):
+def work_done(solution):
     """Work of the shear force by trapezoids over the points of the path."""
-    mean = 0.5 * (answer.shear_force[1:] + answer.shear_force[:-1])
-    return np.concatenate([[0.0], np.cumsum(mean * np.diff(answer.shift))])
+    mean = 0.5 * (solution.shear_force[1:] + solution.shear_force[:-1])
+    return np.concatenate([[0.0], np.cumsum(mean * np.diff(solution.shift))])
 
 
 def test_the_medium_is_what_the_numbers_are_for():
@@ -46,20 +46,20 @@ def test_the_medium_is_what_the_numbers_are_for():
 def test_depth_drawn_back_at_a_held_shift():
     shift = BETA * (1.2**2 - 0.7**2) / 3.0
     parts = np.array([1.0, 0.9, 0.7, 0.5, 0.3])
-    answer = run(through(wk.Depth(DEPTH * parts), wk.Shift(shift)))
+    solution = run(through(wk.Depth(DEPTH * parts), wk.Shift(shift)))
     expected = [0.492444444, 0.4522200744, 0.3548642550, 0.2172232032, 0.1009562218]
-    np.testing.assert_allclose(answer.shear_force, expected, rtol=2e-10, atol=6e-10)
-    assert answer.stick_radius[0] == pytest.approx(0.7, rel=1e-13)
-    assert answer.stick_radius[1] ** 2 == pytest.approx(0.7**2 - 3.0 * 0.1 * DEPTH, rel=1e-12)
-    assert list(answer.stick_radius[3:]) == [0.0, 0.0]
+    np.testing.assert_allclose(solution.shear_force, expected, rtol=2e-10, atol=6e-10)
+    assert solution.stick_radius[0] == pytest.approx(0.7, rel=1e-13)
+    assert solution.stick_radius[1] ** 2 == pytest.approx(0.7**2 - 3.0 * 0.1 * DEPTH, rel=1e-12)
+    assert list(solution.stick_radius[3:]) == [0.0, 0.0]
 
 
 def test_mindlin_at_every_shift():
     y = np.linspace(0.0, 0.99, 34)
     shift = mindlin_shift(MU * FORCE, 1.5, 1.2, y)
-    answer = run(through(wk.Depth(DEPTH), wk.Shift(shift)))
-    np.testing.assert_allclose(answer.shear_force, y * MU * FORCE, rtol=1e-13, atol=1e-15)
-    np.testing.assert_allclose(answer.stick_radius, mindlin_stick_radius(1.2, y), rtol=1e-11)
+    solution = run(through(wk.Depth(DEPTH), wk.Shift(shift)))
+    np.testing.assert_allclose(solution.shear_force, y * MU * FORCE, rtol=1e-13, atol=1e-15)
+    np.testing.assert_allclose(solution.stick_radius, mindlin_stick_radius(1.2, y), rtol=1e-11)
 
 
 def test_the_peer_code_agrees(shared_data):
@@ -71,28 +71,28 @@ def test_the_peer_code_agrees(shared_data):
         contact = wk.Indentation(bed, wk.Depth(0.01)).solve()
         shift = np.sort(rows[:, 2])
         expected = rows[np.argsort(rows[:, 2]), 3]
-        answer = run(through(wk.Depth(0.01), wk.Shift(shift * MU * contact.force / contact.radius)), bed)
+        solution = run(through(wk.Depth(0.01), wk.Shift(shift * MU * contact.force / contact.radius)), bed)
         fine = np.sort(rows[:, 1])[-1] == rows[np.argsort(rows[:, 2]), 1]
         # where nu is not zero, the code sees slip that is not quite parallel
         close = 2e-4 if poisson == 0.0 else 3e-4
-        np.testing.assert_allclose(answer.shear_force[fine] / (MU * contact.force), expected[fine], atol=close)
-        np.testing.assert_allclose(answer.shear_force / (MU * contact.force), expected, atol=2e-3)
+        np.testing.assert_allclose(solution.shear_force[fine] / (MU * contact.force), expected[fine], atol=close)
+        np.testing.assert_allclose(solution.shear_force / (MU * contact.force), expected, atol=2e-3)
 
 
 def test_the_loop_of_mindlin_and_deresiewicz():
     q = 0.6 * MU * FORCE
-    answer = run(through(wk.Force(FORCE), wk.ShearForce([0.0, q, -q, q, -q, q])))
+    solution = run(through(wk.Force(FORCE), wk.ShearForce([0.0, q, -q, q, -q, q])))
     for start in (1, 3):
-        loss = answer.dissipation[start + 2] - answer.dissipation[start]
+        loss = solution.dissipation[start + 2] - solution.dissipation[start]
         assert loss * 1.2 * 1.5 / (MU * FORCE) ** 2 == pytest.approx(0.0410573844465, abs=6e-14)
 
 
 def test_small_loops_lose_the_cube_of_their_amplitude():
     for part in (1e-2, 1e-3, 1e-4):
         amplitude = part * BETA * DEPTH
-        answer = run(through(wk.Depth(DEPTH), wk.Shift([amplitude, -amplitude, amplitude])))
-        loss = answer.dissipation[2] - answer.dissipation[0]
-        q = answer.shear_force[2]
+        solution = run(through(wk.Depth(DEPTH), wk.Shift([amplitude, -amplitude, amplitude])))
+        loss = solution.dissipation[2] - solution.dissipation[0]
+        q = solution.shear_force[2]
         y = q / (MU * FORCE)
         # the bracket of the closed form cancels to nothing: its series in y
         series = y**3 * (5.0 / 162.0) * (1.0 + y * (2.0 / 3.0) + y**2 * (4.0 / 9.0) + y**3 * (26.0 / 81.0))
@@ -100,7 +100,7 @@ def test_small_loops_lose_the_cube_of_their_amplitude():
         assert loss == pytest.approx(expected, rel=max(3e-8 * (1e-4 / part), 1.0 * y**4, 1e-10))
 
 
-def test_gross_slip_costs_friction_times_way():
+def test_gross_slip_costs_friction_times_distance():
     most = BETA * DEPTH
     just, more = (run(through(wk.Depth(DEPTH), wk.Shift([u, -u, u]))) for u in (most, 1.7 * most))
     gain = np.diff(more.dissipation[[0, 2]])[0] - np.diff(just.dissipation[[0, 2]])[0]
@@ -112,10 +112,10 @@ def test_masing():
     start = 0.7 * BETA * DEPTH
     back = np.linspace(start, -start, 21)
     there = np.linspace(-start, start, 21)
-    answer = run(through(wk.Depth(DEPTH), wk.Shift(np.concatenate([back, there]))))
+    solution = run(through(wk.Depth(DEPTH), wk.Shift(np.concatenate([back, there]))))
     expected = mindlin_returning_force(MU * FORCE, 1.5, 1.2, start, back)
-    np.testing.assert_allclose(answer.shear_force[:21], expected, rtol=1e-12, atol=1e-14)
-    np.testing.assert_allclose(answer.shear_force[21:], -expected, rtol=1e-12, atol=1e-14)
+    np.testing.assert_allclose(solution.shear_force[:21], expected, rtol=1e-12, atol=1e-14)
+    np.testing.assert_allclose(solution.shear_force[21:], -expected, rtol=1e-12, atol=1e-14)
 
 
 def test_what_is_wiped_out_does_not_matter():
@@ -125,20 +125,20 @@ def test_what_is_wiped_out_does_not_matter():
         ([0.2, 0.3, DEPTH, DEPTH], [0.02, -0.03, 0.02, end]),
         ([0.6 * DEPTH, DEPTH, DEPTH, DEPTH], [0.0, 0.05, -0.04, end]),
     ):
-        answer = run(through(wk.Depth(depths), wk.Shift(shifts)))
-        assert answer.shear_force[-1] == pytest.approx(direct.shear_force[-1], rel=1e-14)
+        solution = run(through(wk.Depth(depths), wk.Shift(shifts)))
+        assert solution.shear_force[-1] == pytest.approx(direct.shear_force[-1], rel=1e-14)
 
 
 def test_oblique_pressing_below_friction_sticks_for_ever():
-    answer = run(through(wk.Force([0.0, 0.5, 2.0]), wk.ShearForce([0.0, 0.15, 0.6])))
-    np.testing.assert_allclose(answer.stick_radius, answer.radius, rtol=1e-12)
-    np.testing.assert_allclose(answer.shift[1:], 0.3 / RATIO * answer.depth[1:], rtol=1e-12)
-    np.testing.assert_allclose(answer.dissipation, 0.0, atol=1e-15)
+    solution = run(through(wk.Force([0.0, 0.5, 2.0]), wk.ShearForce([0.0, 0.15, 0.6])))
+    np.testing.assert_allclose(solution.stick_radius, solution.radius, rtol=1e-12)
+    np.testing.assert_allclose(solution.shift[1:], 0.3 / RATIO * solution.depth[1:], rtol=1e-12)
+    np.testing.assert_allclose(solution.dissipation, 0.0, atol=1e-15)
 
 
-def test_ways_bent_by_a_force_are_followed():
+def test_steps_curved_by_a_force_are_followed():
     forces, shifts = [0.01, 1.0, 0.4, 0.8], [0.0, 0.15, -0.05, 0.1]
-    answer = run(through(wk.Force(forces), wk.Shift(shifts)))
+    solution = run(through(wk.Force(forces), wk.Shift(shifts)))
     fine_force = np.concatenate(
         [np.linspace(a, b, 500, endpoint=False) for a, b in zip(forces, forces[1:], strict=False)]
     )
@@ -148,8 +148,8 @@ def test_ways_bent_by_a_force_are_followed():
     depth = wk.Indentation(BALL, wk.Force(np.append(fine_force, forces[-1]))).solve().depth
     springs = SpringMarch(BALL, wk.Coulomb(MU), through(wk.Depth(depth), wk.Shift(np.append(fine_shift, 0.1))), 2000)
     trace = springs.solve()
-    np.testing.assert_allclose(answer.shear_force, trace.shear_force[::500], atol=5e-6 * MU)
-    np.testing.assert_allclose(answer.dissipation, trace.dissipation[::500], atol=5e-6 * MU)
+    np.testing.assert_allclose(solution.shear_force, trace.shear_force[::500], atol=5e-6 * MU)
+    np.testing.assert_allclose(solution.dissipation, trace.dissipation[::500], atol=5e-6 * MU)
 
 
 @pytest.mark.parametrize(
@@ -157,13 +157,13 @@ def test_ways_bent_by_a_force_are_followed():
 )
 def test_a_shear_force_is_met(normal):
     force = wk.Indentation(BALL, normal).solve().force
-    asked = MU * force * np.array([0.1, 0.5, -0.3, 0.8, 0.2, -0.7, 0.0, 0.9, 1.0])
-    answer = run(through(normal, wk.ShearForce(asked)))
-    np.testing.assert_allclose(answer.shear_force, asked, rtol=1e-12, atol=1e-14)
-    assert answer.stick_radius[-1] == 0.0
+    prescribed = MU * force * np.array([0.1, 0.5, -0.3, 0.8, 0.2, -0.7, 0.0, 0.9, 1.0])
+    solution = run(through(normal, wk.ShearForce(prescribed)))
+    np.testing.assert_allclose(solution.shear_force, prescribed, rtol=1e-12, atol=1e-14)
+    assert solution.stick_radius[-1] == 0.0
 
 
-def test_a_steady_normal_load_makes_shift_and_force_two_ways_of_telling():
+def test_under_a_steady_normal_load_shift_and_force_are_equivalent():
     shift = BETA * DEPTH * np.array([0.3, -0.2, 0.1, 0.8, 0.3, 0.9, -0.95])
     first = run(through(wk.Depth(DEPTH), wk.Shift(shift)))
     second = run(through(wk.Depth(DEPTH), wk.ShearForce(first.shear_force)))
@@ -173,40 +173,40 @@ def test_a_steady_normal_load_makes_shift_and_force_two_ways_of_telling():
 
 def test_more_than_friction_bears_is_refused_after_what_came_before():
     problem = wk.Tangential(BALL, wk.Coulomb(MU), through(wk.Force(1.0), wk.ShearForce([0.1, 0.3, 0.5])))
-    seen = []
+    states = []
     with pytest.raises(wk.OutsideValidity, match="index 2 .* 0.5 N .* 0.4 N at most"):
-        seen.extend(problem.steps())
-    assert [state.shear_force for state in seen] == pytest.approx([0.1, 0.3], rel=1e-12)
+        states.extend(problem.steps())
+    assert [state.shear_force for state in states] == pytest.approx([0.1, 0.3], rel=1e-12)
 
 
 def test_a_contact_that_was_lost_begins_anew():
     depths, shifts = [0.3, 0.3, -0.1, 0.3, 0.3], [0.0, 0.08, 0.3, 0.3, 0.38]
-    answer = run(through(wk.Depth(depths), wk.Shift(shifts)))
-    assert answer.shear_force[2] == answer.stored_energy[2] == answer.radius[2] == 0.0
-    assert answer.shear_force[3] == 0.0
-    assert answer.shear_force[4] == pytest.approx(answer.shear_force[1], rel=1e-13)
+    solution = run(through(wk.Depth(depths), wk.Shift(shifts)))
+    assert solution.shear_force[2] == solution.stored_energy[2] == solution.radius[2] == 0.0
+    assert solution.shear_force[3] == 0.0
+    assert solution.shear_force[4] == pytest.approx(solution.shear_force[1], rel=1e-13)
 
 
-def test_bodies_that_never_touch_are_answered():
+def test_bodies_that_never_touch_are_solved():
     for mu in (MU, np.inf):
-        answer = run(through(wk.Depth([-0.1, -0.2]), wk.Shift([0.0, 0.3])), law=wk.Coulomb(mu))
+        solution = run(through(wk.Depth([-0.1, -0.2]), wk.Shift([0.0, 0.3])), law=wk.Coulomb(mu))
         for name in ("radius", "stick_radius", "shear_force", "stored_energy", "dissipation"):
-            assert list(getattr(answer, name)) == [0.0, 0.0]
+            assert list(getattr(solution, name)) == [0.0, 0.0]
 
 
 def test_nothing_slides_where_friction_is_endless():
-    answer = run(through(wk.Depth([DEPTH, DEPTH, DEPTH / 4.0]), wk.Shift([0.0, 0.1, 0.1])), law=wk.Coulomb(np.inf))
+    solution = run(through(wk.Depth([DEPTH, DEPTH, DEPTH / 4.0]), wk.Shift([0.0, 0.1, 0.1])), law=wk.Coulomb(np.inf))
     np.testing.assert_allclose(
-        answer.shear_force, [0.0, 2.0 * 1.5 * 1.2 * 0.1, 2.0 * 1.5 * 0.6 * 0.1], rtol=1e-13, atol=0.0
+        solution.shear_force, [0.0, 2.0 * 1.5 * 1.2 * 0.1, 2.0 * 1.5 * 0.6 * 0.1], rtol=1e-13, atol=0.0
     )
-    np.testing.assert_allclose(answer.dissipation[2], 1.5 * 0.6 * 0.1**2, rtol=1e-13)  # G* u^2 per length, let go
+    np.testing.assert_allclose(solution.dissipation[2], 1.5 * 0.6 * 0.1**2, rtol=1e-13)  # G* u^2 per length, let go
     pulled = run(through(wk.Depth(DEPTH), wk.ShearForce([0.0, 0.36])), law=wk.Coulomb(np.inf))
     assert pulled.shift[1] == pytest.approx(0.1, rel=1e-13)
 
 
 def test_nothing_is_dragged_without_friction():
-    answer = run(through(wk.Depth([0.1, 0.3]), wk.Shift([0.0, 0.5])), law=wk.Coulomb(0.0))
-    for answered in (answer.shear_force, answer.dissipation, answer.stick_radius):
+    solution = run(through(wk.Depth([0.1, 0.3]), wk.Shift([0.0, 0.5])), law=wk.Coulomb(0.0))
+    for answered in (solution.shear_force, solution.dissipation, solution.stick_radius):
         assert not np.any(answered)
 
 
@@ -226,10 +226,10 @@ def test_shear_force_is_the_difference_of_two_contacts(name):
     bed = shapes()[name]
     depth = 0.08
     shift = BETA * depth * np.array([0.0, 0.1, 0.5, 0.9, 1.0, 1.3])
-    answer = run(through(wk.Depth(depth), wk.Shift(shift)), bed)
+    solution = run(through(wk.Depth(depth), wk.Shift(shift)), bed)
     inner = wk.Indentation(bed, wk.Depth(np.maximum(depth - shift / BETA, 0.0))).solve().force
-    expected = MU * (answer.force - inner)
-    np.testing.assert_allclose(answer.shear_force, expected, rtol=1e-9, atol=1e-12 * MU * answer.force[0])
+    expected = MU * (solution.force - inner)
+    np.testing.assert_allclose(solution.shear_force, expected, rtol=1e-9, atol=1e-12 * MU * solution.force[0])
     depths, shifts = depth * np.array([1.0, 1.0, 0.5, 1.1, 1.0]), BETA * depth * np.array([0.0, 0.6, -0.4, 0.5, -0.1])
     swing = run(through(wk.Depth(depths), wk.Shift(shifts)), bed)
     assert np.all(np.diff(swing.dissipation) >= 0.0)
@@ -237,10 +237,10 @@ def test_shear_force_is_the_difference_of_two_contacts(name):
 
 def test_a_flat_punch_sticks_until_all_slides():
     bed = wk.Foundation(wk.FlatPunch(0.5), MEDIUM)
-    answer = run(through(wk.Depth(0.01), wk.Shift(BETA * 0.01 * np.array([0.5, 0.999, 1.001, 0.5]))), bed)
-    assert list(answer.stick_radius) == [0.5, 0.5, 0.0, 0.5]
-    np.testing.assert_allclose(answer.shear_force[:3] / (MU * answer.force[0]), [0.5, 0.999, 1.0], rtol=1e-13)
-    assert answer.shear_force[3] == pytest.approx(MU * answer.force[0] * (1.0 - 0.501), rel=1e-12)
+    solution = run(through(wk.Depth(0.01), wk.Shift(BETA * 0.01 * np.array([0.5, 0.999, 1.001, 0.5]))), bed)
+    assert list(solution.stick_radius) == [0.5, 0.5, 0.0, 0.5]
+    np.testing.assert_allclose(solution.shear_force[:3] / (MU * solution.force[0]), [0.5, 0.999, 1.0], rtol=1e-13)
+    assert solution.shear_force[3] == pytest.approx(MU * solution.force[0] * (1.0 - 0.501), rel=1e-12)
 
 
 @pytest.mark.parametrize("exponent", [-0.3, 0.25, 0.5])
@@ -249,11 +249,11 @@ def test_graded_media_are_exact_too(exponent):
     bed = wk.Foundation(wk.Paraboloid(1.0), medium)
     ratio = float(bed.tangential_stiffness(np.array([0.3]))[0] / bed.normal_stiffness(np.array([0.3]))[0])
     depth, part = 0.01, 0.4
-    answer = run(through(wk.Depth(depth), wk.Shift(part * MU / ratio * depth)), bed)
+    solution = run(through(wk.Depth(depth), wk.Shift(part * MU / ratio * depth)), bed)
     # F ~ d^((k+3)/2)
     expected = 1.0 - (1.0 - part) ** (0.5 * (exponent + 3.0))
-    assert answer.shear_force[0] == pytest.approx(MU * answer.force[0] * expected, rel=1e-11)
-    assert answer.at(0).mindlin_ratio == pytest.approx(ratio, rel=1e-12)
+    assert solution.shear_force[0] == pytest.approx(MU * solution.force[0] * expected, rel=1e-11)
+    assert solution.at(0).mindlin_ratio == pytest.approx(ratio, rel=1e-12)
 
 
 points = st.lists(st.tuples(st.floats(-0.1, 0.6), st.floats(-0.6, 0.6)), min_size=2, max_size=8)
@@ -305,12 +305,12 @@ def test_the_traction_of_a_state_is_mindlins():
 
 def test_steps_and_solve_are_the_same():
     path = through(wk.Depth([0.2, 0.4, 0.3, 0.35]), wk.Shift([0.01, 0.1, -0.05, 0.0]))
-    answer = run(path)
+    solution = run(path)
     for index, state in enumerate(wk.Tangential(BALL, wk.Coulomb(MU), path).steps()):
-        assert state == answer.at(index)
+        assert state == solution.at(index)
         for name in ("time", "depth", "force", "radius", "shift", "shear_force", "stored_energy", "dissipation"):
-            assert getattr(state, name) == getattr(answer, name)[index]
-        assert state.stick_radius == pytest.approx(answer.stick_radius[index], rel=1e-14)
+            assert getattr(state, name) == getattr(solution, name)[index]
+        assert state.stick_radius == pytest.approx(solution.stick_radius[index], rel=1e-14)
 
 
 def test_what_has_no_exact_rule_goes_to_the_springs():
@@ -323,10 +323,10 @@ def test_what_has_no_exact_rule_goes_to_the_springs():
     assert dropping.shear_force[-1] == pytest.approx(MU * dropping.force[-1], rel=1e-3)
 
 
-def test_validity_says_exact_in_one_direction():
-    answer = run(through(wk.Depth(0.3), wk.Shift(0.05)))
-    assert any(n.standing is wk.Standing.EXACT and "One direction" in n.statement for n in answer.validity)
-    assert any("deviates by up to about 7.2 degrees" in n.statement for n in answer.validity)
+def test_validity_is_exact_in_one_direction():
+    solution = run(through(wk.Depth(0.3), wk.Shift(0.05)))
+    assert any(n.standing is wk.Standing.EXACT and "One direction" in n.statement for n in solution.validity)
+    assert any("deviates by up to about 7.2 degrees" in n.statement for n in solution.validity)
 
 
 def test_input_is_checked():
@@ -343,5 +343,5 @@ def test_input_is_checked():
 
 def test_one_shear_force_is_mindlins():
     for u in (0.02, 0.1, 0.5):
-        found = run(through(wk.Depth(DEPTH), wk.Shift(u))).shear_force[0]
-        assert found == pytest.approx(float(mindlin_shear_force(MU * FORCE, 1.5, 1.2, u)), rel=1e-13)
+        result = run(through(wk.Depth(DEPTH), wk.Shift(u))).shear_force[0]
+        assert result == pytest.approx(float(mindlin_shear_force(MU * FORCE, 1.5, 1.2, u)), rel=1e-13)

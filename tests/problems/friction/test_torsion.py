@@ -178,7 +178,7 @@ def test_masing_and_wiping_out():
 def test_loss_per_cycle_is_the_area_of_the_loop():
     nodes, weights = np.polynomial.legendre.leggauss(30)
     top = 0.25 * TWIST
-    # on each branch the torque starts like the power 3/2 of the way: a cube in between lets the rule converge
+    # on each branch the torque starts like the power 3/2 of the twist: a cube in between lets the rule converge
     share = (0.5 * (1.0 + nodes)) ** 3
     jacobian = 0.5 * weights * 3.0 * (0.5 * (1.0 + nodes)) ** 2
     down, up = top - 2.0 * top * share, -top + 2.0 * top * share
@@ -202,10 +202,12 @@ def springs_one_by_one(depths, angles, count, parts):
     widest = math.sqrt(max(depths) * R)
     x = (np.arange(count) + 0.5) * widest / count
     h, depth, angle, lost = np.zeros(count), 0.0, 0.0, 0.0
-    answers = []
+    solutions = []
     for to_depth, to_angle in [(depths[0], 0.0), *zip(depths, angles, strict=True)]:
-        way = zip(np.linspace(depth, to_depth, parts + 1)[1:], np.linspace(angle, to_angle, parts + 1)[1:], strict=True)
-        for d, phi in way:
+        track = zip(
+            np.linspace(depth, to_depth, parts + 1)[1:], np.linspace(angle, to_angle, parts + 1)[1:], strict=True
+        )
+        for d, phi in track:
             before = bound_of_ball(x, math.sqrt(max(depth, 0.0) * R) or 1e-30, MU)
             after = bound_of_ball(x, math.sqrt(max(d, 0.0) * R) or 1e-30, MU)
             gap = x * x / R
@@ -215,10 +217,10 @@ def springs_one_by_one(depths, angles, count, parts):
             lost += float(np.sum(0.5 * (np.minimum(np.abs(trial), before) + after) * np.abs(trial - now) * x * x))
             h, depth, angle = now, d, phi
         size = widest / count
-        answers.append(
+        solutions.append(
             (2.0 * np.sum(x * x * h) * size, np.sum(x * x * h * h) * size / (8.0 * G), lost * size / (4.0 * G))
         )
-    return np.array(answers[1:]).T
+    return np.array(solutions[1:]).T
 
 
 HISTORY = (
@@ -290,7 +292,7 @@ def test_without_friction_nothing_is_borne():
 
 
 def test_a_torque_under_a_changing_load():
-    """Under a growing force the torque stays below the first limit; the way there is cut until the angle settles."""
+    """Under a growing force the torque stays below the first limit; the path to it is cut until the angle settles."""
     solution = twisted(BALL, Force(np.array([1.0, 2.0]) * F), Torque(np.array([0.3, 0.7]) * MOMENT))
     times = np.linspace(0.0, 1.0, 9)
     fine = twisted(BALL, Force(F * (1.0 + times)), Torque(MOMENT * (0.3 + 0.4 * times)))
@@ -301,8 +303,8 @@ def test_a_torque_under_a_changing_load():
 def test_too_great_a_torque_is_refused_where_it_comes():
     problem = Torsion(BALL, Coulomb(MU), Path(np.arange(3), Force(F), Torque(np.array([0.1, 0.5, 0.6]) * MOMENT)))
     states = problem.steps()
-    kept = [next(states), next(states)]
-    assert kept[1].torque == pytest.approx(0.5 * MOMENT, abs=1e-12 * MOMENT)
+    remaining = [next(states), next(states)]
+    assert remaining[1].torque == pytest.approx(0.5 * MOMENT, abs=1e-12 * MOMENT)
     with pytest.raises(OutsideValidity, match="at index 2 of the path the torque"):
         next(states)
 
@@ -340,7 +342,7 @@ def test_no_energy_comes_from_nowhere(points):
     assert there_and_apart.stored_energy[-1] == 0.0
 
 
-def test_the_surface_sticks_and_slides_where_it_says():
+def test_the_surface_sticks_and_slides_where_stated():
     state = twisted(BALL, Force(F), Angle([0.3 * TWIST])).at(0)
     inner, ring = np.linspace(0.0, 0.95, 9) * state.stick_radius, np.linspace(1.02 * state.stick_radius, 0.98 * A, 9)
     assert state.turning(inner) == pytest.approx(state.angle * inner, rel=1e-8, abs=1e-14 * A)
@@ -387,11 +389,11 @@ def test_below_the_surface_by_direct_quadrature():
             lambda t: (-2.0 * (z + 1j * t) / radius(t) / r**2 - (z + 1j * t) / radius(t) ** 3).imag / (2.0 * math.pi),  # noqa: B023
         )
         below = state.below(r, z)
-        for found, kernel in zip(below, kernels, strict=True):
+        for result, kernel in zip(below, kernels, strict=True):
             halves = ((0.0, core), (core, A))
             direct = sum(quad(lambda t: load(t) * kernel(t), *ends, epsrel=1e-10)[0] for ends in halves)  # noqa: B023
             scale = abs(direct) + 1e-4 * abs(float(below.axial_twist_stress))
-            assert float(found) == pytest.approx(direct, abs=1e-7 * scale)
+            assert float(result) == pytest.approx(direct, abs=1e-7 * scale)
 
 
 def test_below_the_surface_meets_the_surface():
@@ -416,7 +418,7 @@ def test_a_transversely_isotropic_body_meets_a_twist_with_its_own_modulus():
     assert solution.torque[0] == pytest.approx(16.0 / 3.0 * math.sqrt(1.8) * 1e-6 * 1e-3, rel=1e-12)
 
 
-def test_what_cannot_be_asked():
+def test_what_is_refused():
     with pytest.raises(InvalidInput, match="prescribes a Shift"):
         Torsion(BALL, Coulomb(MU), Path([0.0], Force(F), Shift(0.0)))
     with pytest.raises(InvalidInput, match="give Coulomb"):
@@ -438,15 +440,15 @@ def test_a_punch_that_sticks_all_over_has_reissners_traction():
     np.testing.assert_allclose(state.traction(r), exact, rtol=1e-10)
 
 
-def test_what_slides_inside_of_what_sticks_is_told_with_its_excess():
+def test_what_slides_inside_of_what_sticks_is_noted_with_its_excess():
     """Twisted almost to the limit, then half unloaded and half turned back: about 5 % at r = 0.63 a."""
     bed = Foundation(Paraboloid(0.01), MEDIUM)
     limit = Torsion(bed, Coulomb(0.4), Path([0.0], Force(10.0), Torque(0.0))).solve().torque_limit[0]
     held = Torsion(bed, Coulomb(0.4), Path([0.0, 1.0], Force(10.0), Torque([0.0, 0.9 * limit]))).solve()
     turn = held.angle[1]
     back = Path([0.0, 1.0, 2.0], Force([10.0, 10.0, 5.0]), Angle([0.0, turn, 0.5 * turn]))
-    told = [note.statement for note in Torsion(bed, Coulomb(0.4), back).solve().validity]
-    assert any("From index 2 on" in one and re.search(r"by up to (4\.[5-9]|5\.[0-4])%", one) for one in told)
+    statements = [note.statement for note in Torsion(bed, Coulomb(0.4), back).solve().validity]
+    assert any("From index 2 on" in one and re.search(r"by up to (4\.[5-9]|5\.[0-4])%", one) for one in statements)
     steady = Path([0.0, 1.0, 2.0], Force([10.0, 10.0, 5.0]), Angle([0.0, turn, 0.0]))
     assert not any(
         "sticking ones outside" in note.statement for note in Torsion(bed, Coulomb(0.4), steady).solve().validity

@@ -65,8 +65,8 @@ def test_the_rule_holds_for_every_shape(profile):
 def test_bodies_conduct_alike_whatever_layers_do_to_the_pressure():
     """A coating of the substrate's own stiffness changes nothing, though the heat comes from the pressure then."""
     layered = wk.CoatedHalfSpace([wk.Layer(STEEL, 50e-6)], on=STEEL, second=STEEL)
-    found = rubbing(wk.Foundation(wk.Paraboloid(10e-3), layered), first_speed=0.24)
-    assert found.flash_temperature == pytest.approx(rubbing(first_speed=0.24).flash_temperature, rel=1e-6)
+    result = rubbing(wk.Foundation(wk.Paraboloid(10e-3), layered), first_speed=0.24)
+    assert result.flash_temperature == pytest.approx(rubbing(first_speed=0.24).flash_temperature, rel=1e-6)
 
 
 def test_a_graded_body_is_heated_by_its_own_pressure():
@@ -87,18 +87,18 @@ def test_a_graded_body_is_heated_by_its_own_pressure():
 
 @pytest.mark.parametrize(("peclet", "number"), [(0.1, 0.36016), (1.0, 0.279134), (10.0, 0.125456)])
 def test_a_moving_body_stays_cooler(peclet, number):
-    found = rubbing(first_speed=speed_at(peclet), partition=ALONE)
-    assert found.first_peclet == pytest.approx(peclet, rel=1e-12)
-    assert found.first_max_temperature * 45.0 * RADIUS / found.heat_rate == pytest.approx(number, rel=4e-6)
-    assert found.first.warmest.height == pytest.approx(found.first_max_temperature, rel=1e-12)
-    assert found.first.warmest.x > 0.0
-    assert found.second_max_temperature == 0.0
+    result = rubbing(first_speed=speed_at(peclet), partition=ALONE)
+    assert result.first_peclet == pytest.approx(peclet, rel=1e-12)
+    assert result.first_max_temperature * 45.0 * RADIUS / result.heat_rate == pytest.approx(number, rel=4e-6)
+    assert result.first.warmest.height == pytest.approx(result.first_max_temperature, rel=1e-12)
+    assert result.first.warmest.x > 0.0
+    assert result.second_max_temperature == 0.0
 
 
-def test_the_note_tells_how_far_the_slow_rule_is_off():
-    found = rubbing(first_speed=speed_at(1.0), partition=ALONE)
-    assert found.overestimate == pytest.approx(0.343, abs=5e-4)
-    assert any("34.3 % too high" in note.statement for note in found.validity)
+def test_the_note_states_the_error_of_the_slow_rule():
+    result = rubbing(first_speed=speed_at(1.0), partition=ALONE)
+    assert result.overestimate == pytest.approx(0.343, abs=5e-4)
+    assert any("34.3 % too high" in note.statement for note in result.validity)
 
 
 def test_backwards_is_forwards():
@@ -136,10 +136,10 @@ def test_blok_makes_the_greatest_temperatures_equal_and_jaeger_the_means():
 
 def test_bodies_that_move_alike_share_by_conductivity():
     """Two bodies that pass at equal speeds in opposite directions: one stands as warm as the other, mirrored."""
-    found = rubbing(conductors=wk.HeatConductors(IRON, IRON), first_speed=0.4, second_speed=-0.4)
-    assert found.first_share == 0.5
+    result = rubbing(conductors=wk.HeatConductors(IRON, IRON), first_speed=0.4, second_speed=-0.4)
+    assert result.first_share == 0.5
     x = np.array([-0.7, 0.2, 1.5]) * RADIUS
-    np.testing.assert_allclose(found.first.temperature(x), found.second.temperature(-x), rtol=1e-12)
+    np.testing.assert_allclose(result.first.temperature(x), result.second.temperature(-x), rtol=1e-12)
 
 
 # ----------------------------------------------------------------------------------------------- many at a time
@@ -157,18 +157,18 @@ def test_many_loads_and_speeds_at_once():
             assert getattr(many, word)[index] == pytest.approx(getattr(one, word), rel=1e-12)
             assert getattr(picked, word) == pytest.approx(getattr(one, word), rel=1e-12)
     assert len(many.validity) == len(one.validity)
-    with pytest.raises(wk.InvalidInput, match="no answer"):
+    with pytest.raises(wk.InvalidInput, match="no result"):
         many.at((5, 5))
     with pytest.raises(wk.InvalidInput, match="pick one"):
         _ = many.first
 
 
 def test_without_a_load_nothing_warms_up():
-    found = rubbing(load=wk.Force([0.0, 10.0]), first_speed=1.0)
-    assert found.flash_temperature[0] == 0.0
-    assert found.overestimate[0] == 0.0
-    assert found.at(0).first.temperature(0.0) == 0.0
-    assert found.at(0).first.warmest.height == 0.0
+    result = rubbing(load=wk.Force([0.0, 10.0]), first_speed=1.0)
+    assert result.flash_temperature[0] == 0.0
+    assert result.overestimate[0] == 0.0
+    assert result.at(0).first.temperature(0.0) == 0.0
+    assert result.at(0).first.warmest.height == 0.0
 
 
 def test_scaling():
@@ -181,7 +181,7 @@ def test_scaling():
 
 
 @pytest.mark.parametrize(
-    ("change", "told"),
+    ("change", "statements"),
     [
         ({"law": wk.Coulomb(math.inf)}, "finite coefficient"),
         ({"law": wk.StaticKinetic(0.4, 0.3)}, "finite coefficient"),
@@ -195,9 +195,9 @@ def test_scaling():
         ({"load": 3.0}, "Force, Depth or Radius"),
     ],
 )
-def test_what_is_refused(change, told):
+def test_what_is_refused(change, statements):
     given = {"bed": BALL, "law": wk.Coulomb(0.3), "load": wk.Force(1.0), "conductors": PAIR, "first_speed": 1.0}
-    with pytest.raises(wk.InvalidInput, match=told):
+    with pytest.raises(wk.InvalidInput, match=statements):
         wk.FrictionHeating(**(given | change))
 
 
@@ -256,7 +256,7 @@ def test_the_times_of_theory_hold_for_a_uniform_flux():
     assert [round(float(disc_centre_rise(tau)), 3) for tau in (1.0, 10.0, 31.8)] == [0.729, 0.911, 0.950]
 
 
-def test_sliding_too_fast_for_a_body_at_rest_is_told():
+def test_sliding_too_fast_for_a_body_at_rest_is_noted():
     fast = starting([1.0], speed=1.0)
     assert any(note.standing is Standing.APPROXIMATE and "too high" in note.statement for note in fast.validity)
     still = starting([1.0], speed=0.0)
@@ -265,7 +265,7 @@ def test_sliding_too_fast_for_a_body_at_rest_is_told():
 
 
 @pytest.mark.parametrize(
-    ("change", "told"),
+    ("change", "statements"),
     [
         ({"time": [0.0, 1.0]}, "positive, finite numbers in s"),
         ({"time": "soon"}, "positive, finite numbers in s"),
@@ -273,6 +273,6 @@ def test_sliding_too_fast_for_a_body_at_rest_is_told():
         ({"load": wk.Force([1.0, 2.0])}, "sweep over several"),
     ],
 )
-def test_what_a_beginning_refuses(change, told):
-    with pytest.raises(wk.InvalidInput, match=told):
+def test_what_a_beginning_refuses(change, statements):
+    with pytest.raises(wk.InvalidInput, match=statements):
         starting(**({"time": [1.0]} | change))

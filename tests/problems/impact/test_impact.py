@@ -229,7 +229,7 @@ def test_a_graded_body_keeps_the_balance():
         assert hit.restitution == pytest.approx(1.0, abs=1e-11)
 
 
-def test_the_answer_has_converged(monkeypatch):
+def test_the_solution_has_converged(monkeypatch):
     """A march of a millionth of the accuracy comes to the same end."""
     problem = ball(BALL, 0.4, 0.009)
     fine = problem.solve()
@@ -287,7 +287,7 @@ def test_only_the_touching_points_count():
     assert math.isnan(rolling.lateral_restitution)
 
 
-def test_angular_momentum_about_the_touching_point_is_kept():
+def test_angular_momentum_about_the_touching_point_is_conserved():
     hit = ball(BALL, 0.4, 0.009, angular_velocity=-0.02, inertia=0.7, lever=1.3).solve()
     momentum = 1.3 * MASS * hit.lateral_velocity + 0.7 * hit.angular_velocity
     np.testing.assert_allclose(momentum, momentum[0], rtol=1e-14)
@@ -317,7 +317,7 @@ def test_exactly_at_the_limit_of_sticking():
 
 
 def test_sliding_that_ends_just_when_the_ball_turns_back():
-    """At nu = 1/2, kappa = 2/m and w = 2 mu v the ball slides, and stands both ways at the greatest depth."""
+    """At nu = 1/2, kappa = 2/m and w = 2 mu v the ball slides, and is at rest at the greatest depth in both."""
     bed, coefficient = wk.Foundation(wk.Paraboloid(1.0), half_space(0.5)), 0.2164439528417777
     ends = []
     for part in (2.0, 2.0 * (1.0 - 1e-9), 2.0 * (1.0 + 1e-9)):
@@ -368,7 +368,7 @@ def test_what_makes_no_sense_is_refused(change, words):
         Impact(**given)
 
 
-def test_it_says_what_it_leaves_out():
+def test_notes_state_what_is_left_out():
     statements = " ".join(note.statement for note in ball(BALL, 0.4, 0.009).solve().validity)
     assert "Gravity" in statements
     assert "Cattaneo-Mindlin" in statements

@@ -100,7 +100,7 @@ def test_little_adhesion_is_hardly_any():
 
 
 def test_a_flat_punch_loses_the_work_of_its_area_twice():
-    """It snaps in at no depth, without a force, and parts where Kendall says, each time at the price of its area."""
+    """It snaps in at no depth, without a force, and parts at Kendall's load, each time at the price of its area."""
     b, speed = 2.0e-4, 0.2
     impact = hit(speed, bed=wk.Foundation(wk.FlatPunch(b), MEDIUM))
     area = math.pi * b**2

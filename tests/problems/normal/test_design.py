@@ -69,9 +69,9 @@ def test_pressed_again(wish):
     force = 10.0 * WISHES[wish](DEPTH / DEPTH[-1])
     body = design_profile(DEPTH, force, GLASS)
     assert body.tolerance < 1e-5
-    answer = wk.Indentation(wk.Foundation(body, GLASS), wk.Depth(DEPTH[3:-1:8])).solve()
-    assert np.max(np.abs(answer.force - force[3:-1:8])) < max(20.0 * body.tolerance, 1e-8) * force[-1]
-    assert any("computed to order" in note.statement for note in answer.validity)
+    solution = wk.Indentation(wk.Foundation(body, GLASS), wk.Depth(DEPTH[3:-1:8])).solve()
+    assert np.max(np.abs(solution.force - force[3:-1:8])) < max(20.0 * body.tolerance, 1e-8) * force[-1]
+    assert any("computed to order" in note.statement for note in solution.validity)
 
 
 @pytest.mark.slow
@@ -79,8 +79,8 @@ def test_pressed_again_in_a_graded_medium():
     medium = GRADED[0.4]
     force = 10.0 * WISHES["mixed powers"](DEPTH / DEPTH[-1])
     body = design_profile(DEPTH, force, medium)
-    answer = wk.Indentation(wk.Foundation(body, medium), wk.Depth(DEPTH[3:-1:16])).solve()
-    assert np.max(np.abs(answer.force - force[3:-1:16])) < max(20.0 * body.tolerance, 1e-8) * force[-1]
+    solution = wk.Indentation(wk.Foundation(body, medium), wk.Depth(DEPTH[3:-1:16])).solve()
+    assert np.max(np.abs(solution.force - force[3:-1:16])) < max(20.0 * body.tolerance, 1e-8) * force[-1]
 
 
 @pytest.mark.parametrize(
@@ -93,7 +93,7 @@ def test_pressed_again_in_a_graded_medium():
     ],
 )
 def test_the_body_that_made_the_curve_comes_back_from_layers(name, profile):
-    """The curve comes from the forward way of a contact as wide as the layer is thick."""
+    """The curve comes from the direct solution of a contact as wide as the layer is thick."""
     medium = LAYERED[name]
     bed = wk.Foundation(profile, medium)
     d = np.linspace(0.05, 1.0, 150) ** 2 * wk.Indentation(bed, wk.Radius(1.0)).solve().depth
@@ -113,8 +113,8 @@ def test_pressed_again_into_layers(name, wish):
     rise = (shape(np.array(1.0)) - shape(np.array(1.0 - e))) / e / d[-1]
     force = shape(d / d[-1]) * float(medium.punch_stiffness(np.array(1.0))) / rise
     body = design_profile(d, force, medium)
-    answer = wk.Indentation(wk.Foundation(body, medium), wk.Depth(d[3:-1:16])).solve()
-    assert np.max(np.abs(answer.force - force[3:-1:16])) < 1e-8 * force[-1]
+    solution = wk.Indentation(wk.Foundation(body, medium), wk.Depth(d[3:-1:16])).solve()
+    assert np.max(np.abs(solution.force - force[3:-1:16])) < 1e-8 * force[-1]
 
 
 EVERY = {**{name: (medium, 2e-5) for name, medium in MEDIA.items()}, **{n: (m, 0.8) for n, m in LAYERED.items()}}
@@ -134,7 +134,7 @@ def test_the_surface_takes_the_shape_of_what_displaces_the_springs(name, share):
 
 
 def test_a_noisy_curve():
-    """Scatter of a thousandth: the misfit is stated, the body right within what a slope of such data can tell."""
+    """Scatter of a thousandth: the misfit is stated, the body right within what a slope of such data can resolve."""
     force = 4.0 / 3.0 * GLASS.modulus * np.sqrt(1e-3) * DEPTH**1.5
     noisy = force + 1e-3 * force[-1] * np.random.default_rng(4).standard_normal(DEPTH.size)
     body = design_profile(DEPTH, noisy, GLASS)

@@ -56,41 +56,43 @@ def test_against_rings(name):
     deepest = float(np.abs(profile.gap(np.array([widest])))[0])
     accepted = refused = 0
     for depth in np.geomspace(0.05, 1.0, 9) * deepest:
-        judge = press(profile, float(depth), reach, 250)
+        reference = press(profile, float(depth), reach, 250)
         try:
             contact = wk.Indentation(bed, wk.Depth(depth)).solve()
         except wk.OutsideValidity:
             refused += 1
-            assert not judge.is_disc, f"refused at {depth}, but it is a disc of {judge.radius}"
+            assert not reference.is_disc, f"refused at {depth}, but it is a disc of {reference.radius}"
             continue
         accepted += 1
-        assert judge.is_disc or not judge.clear, f"accepted at {depth}, but the patches are {judge.patches}"
-        width = judge.edges[1]
-        assert contact.radius == pytest.approx(judge.radius, abs=1.6 * width)
+        assert reference.is_disc or not reference.clear, f"accepted at {depth}, but the patches are {reference.patches}"
+        width = reference.edges[1]
+        assert contact.radius == pytest.approx(reference.radius, abs=1.6 * width)
         rings = contact.radius / width
-        assert contact.force == pytest.approx(judge.force, rel=2e-4 + 3.0 / rings**2)
-        inside = (judge.middle > 0.1 * contact.radius) & (judge.middle < 0.8 * contact.radius)
+        assert contact.force == pytest.approx(reference.force, rel=2e-4 + 3.0 / rings**2)
+        inside = (reference.middle > 0.1 * contact.radius) & (reference.middle < 0.8 * contact.radius)
         breaks = [b for b, _ in profile.kinks]
-        inside &= np.all(np.abs(judge.middle[:, None] - [*breaks, -1.0]) > 4.0 * width, axis=1)
+        inside &= np.all(np.abs(reference.middle[:, None] - [*breaks, -1.0]) > 4.0 * width, axis=1)
         if rings > 40 and depth > 0.5 * deepest:
-            pressure = wk.restore(contact, judge.middle[inside]).pressure
-            np.testing.assert_allclose(pressure, judge.pressure[inside], rtol=0.03, atol=0.01 * judge.pressure.max())
+            pressure = wk.restore(contact, reference.middle[inside]).pressure
+            np.testing.assert_allclose(
+                pressure, reference.pressure[inside], rtol=0.03, atol=0.01 * reference.pressure.max()
+            )
     assert accepted + refused == 9
     assert (refused > 0) == (name in NOT_ALWAYS_DISCS)
     assert (accepted > 0) == (name not in NEVER_DISCS)
 
 
 @pytest.mark.parametrize(("depth", "width"), [(0.3, 2.2e-3), (0.47, 5.8e-4), (1.0, 3.2e-5), (2.0, 8e-7)])
-def test_a_thin_hole_is_seen(depth, width):
+def test_a_thin_hole_is_detected(depth, width):
     """Where the slope drops the pressure falls logarithmically: a hole far narrower than any sampling."""
     profile = wk.CappedParaboloid(1.0, 0.3, 0.2)
     with pytest.raises(wk.OutsideValidity, match=r"would need tension at r = 0\.[12]\d* m: the true contact has a gap"):
         wk.Indentation(wk.Foundation(profile, UNIT), wk.Depth(depth)).solve()
     # rings that crowd at the kink find the hole as well
     edges = 0.2 + np.concatenate([[-0.2], -np.geomspace(0.19, 1e-9, 200), [0.0], np.geomspace(1e-9, 1.4, 220)])
-    judge = press(profile, depth, edges=tuple(edges))
-    assert len(judge.patches) == 2
-    hole = judge.edges[judge.patches[0][1] + 1], judge.edges[judge.patches[1][0]]
+    reference = press(profile, depth, edges=tuple(edges))
+    assert len(reference.patches) == 2
+    hole = reference.edges[reference.patches[0][1] + 1], reference.edges[reference.patches[1][0]]
     assert hole[0] <= 0.2 <= hole[1]
     assert hole[1] - hole[0] == pytest.approx(width, rel=0.2)
 
@@ -102,15 +104,15 @@ def test_loads_between_two_discs():
     depths = np.linspace(0.016, 0.03, 13)
     states = []
     for depth in depths:
-        judge = press(profile, float(depth), 0.4, 300)
+        reference = press(profile, float(depth), 0.4, 300)
         try:
             contact = wk.Indentation(bed, wk.Depth(depth)).solve()
         except wk.OutsideValidity as error:
             states.append("hole" if "tension" in str(error) else "ring")
-            assert not judge.is_disc
+            assert not reference.is_disc
         else:
             states.append("disc")
-            assert judge.is_disc or not judge.clear
+            assert reference.is_disc or not reference.clear
     first, last = states.index("ring"), len(states) - 1 - states[::-1].index("hole")
     assert states == ["disc"] * first + states[first : last + 1] + ["disc"] * (len(states) - last - 1)
     assert "disc" not in states[first : last + 1]
@@ -137,7 +139,7 @@ def test_the_refused_load_of_an_array_is_named():
 
 
 @pytest.mark.parametrize("ratio", [3.5, 20.0, 1e3])
-def test_a_second_touch_far_away_is_found(ratio):
+def test_a_second_touch_far_away_is_detected(ratio):
     """Waves alone come back to the height of the apex one wavelength away, however small the contact."""
     bed = wk.Foundation(wk.Wavy(0.05, 1.0), UNIT)
     depth = float(bed.gap(np.array([1.0 / ratio]))[0])
@@ -180,23 +182,23 @@ def test_a_pinned_disc_is_checked_too():
     cap = wk.Wavy(0.01, 0.5)
     profile = wk.CappedCylinder(1.0, cap)
     bed = wk.Foundation(profile, UNIT)
-    seen = set()
+    reached = set()
     for depth in np.linspace(0.02, 0.4, 8):
-        judge = press(cap, float(depth), 1.0, 250)
+        reference = press(cap, float(depth), 1.0, 250)
         try:
             contact = wk.Indentation(bed, wk.Depth(depth)).solve()
         except wk.OutsideValidity:
-            seen.add("refused")
-            assert not judge.is_disc
+            reached.add("refused")
+            assert not reference.is_disc
             continue
-        seen.add("accepted")
-        assert judge.is_disc or not judge.clear
+        reached.add("accepted")
+        assert reference.is_disc or not reference.clear
         assert contact.radius == 1.0
-        assert contact.force == pytest.approx(judge.force, rel=6e-3)
+        assert contact.force == pytest.approx(reference.force, rel=6e-3)
         again = wk.Indentation(bed, wk.Force(contact.force)).solve()
         assert again.depth == pytest.approx(contact.depth, rel=1e-12)
         assert again.radius == 1.0
-    assert seen == {"accepted", "refused"}
+    assert reached == {"accepted", "refused"}
     with pytest.raises(wk.OutsideValidity):
         wk.Indentation(bed, wk.Force(0.02)).solve()
 
@@ -214,7 +216,7 @@ def test_beyond_the_reach_of_a_wavy_profile():
 # ------------------------------------------------------------------------------------------- so many waves, so rough
 
 
-def test_more_waves_than_can_be_told_apart():
+def test_more_waves_than_can_be_resolved():
     bed = wk.Foundation(wk.Paraboloid(1.0) + wk.Wavy(5e-6, 1e-3), UNIT)
     with pytest.raises(wk.OutsideValidity, match="turns more than 400 times"):
         wk.Indentation(bed, wk.Depth(0.25)).solve()
@@ -222,7 +224,7 @@ def test_more_waves_than_can_be_told_apart():
 
 @pytest.mark.parametrize("wavelength", [0.64 / 4096, 0.64 / 2048, 0.32 / 4096])
 def test_waves_in_step_with_the_sampling_are_not_overlooked(wavelength):
-    """Every sample of g' falls on the same phase of the wave; the answer may fail, never be wrong."""
+    """Every sample of g' falls on the same phase of the wave; the solution may fail, never be wrong."""
     bed = wk.Foundation(wk.Paraboloid(1.0) + wk.Wavy(1e-6, wavelength), UNIT)
     with pytest.raises(wk.WinklerError):
         wk.Indentation(bed, wk.Depth(0.25)).solve()

@@ -31,7 +31,7 @@ MEDIA = {"half": HALF, "graded": GRADED, "skin": STEEP, "soft": SOFT, "hard": HA
 
 
 def pushes(bed: wk.Foundation, a: float) -> bool:
-    """Whether the other way to restore the pressure finds none that pulls."""
+    """Whether the other method to restore the pressure finds none that pulls."""
     load = CarriedLoad(PressedSprings(bed, float(bed.gap(np.array([a]))[0]), a), bed.medium.response)
     r = a * np.concatenate([np.linspace(0.01, 0.96, 30), [0.98, 0.99]])
     pressure = abel.pressure(load.slope, load.kinks, load.edge, a, r)
@@ -84,9 +84,9 @@ def test_the_refused_load_of_an_array_is_named():
     with pytest.raises(wk.OutsideValidity, match="load at index 1"):
         wk.Indentation(bed, wk.Radius(np.array([1.0, 2.0, 5.0]))).solve()
     depths = wk.Indentation(bed, wk.Radius(np.array([0.5, 1.0, 5.0]))).solve().depth
-    found = wk.Indentation(bed, wk.Depth(depths)).solve()
-    np.testing.assert_allclose(found.radius, [0.5, 1.0, 5.0], rtol=1e-11)
-    again = wk.Indentation(bed, wk.Force(found.force)).solve()
+    result = wk.Indentation(bed, wk.Depth(depths)).solve()
+    np.testing.assert_allclose(result.radius, [0.5, 1.0, 5.0], rtol=1e-11)
+    again = wk.Indentation(bed, wk.Force(result.force)).solve()
     np.testing.assert_allclose(again.depth, depths, rtol=1e-11)
 
 
@@ -97,18 +97,18 @@ def test_a_stiff_plate_is_touched_outside_first():
         wk.Indentation(wk.Foundation(wk.Cone(1.2), HARDER), wk.Radius(0.7)).solve()
 
 
-def test_what_was_checked_is_told():
-    def told(shape, medium, a):
+def test_what_was_checked_is_stated():
+    def statements(shape, medium, a):
         notes = wk.Indentation(wk.Foundation(shape, medium), wk.Radius(a)).solve().validity
         return [note.statement for note in notes if "one disc was checked" in note.statement]
 
-    assert told(wk.Paraboloid(1.0), HALF, 0.5) == []
-    (calm,) = told(wk.Paraboloid(1.0), HARD, 0.5)
+    assert statements(wk.Paraboloid(1.0), HALF, 0.5) == []
+    (calm,) = statements(wk.Paraboloid(1.0), HARD, 0.5)
     assert "no flat punch up to this radius pulls" in calm
-    (pulling,) = told(wk.Paraboloid(1.0), HARD, 2.0)
-    assert "so the pressure was looked at" in pulling
-    (graded,) = told(wk.Paraboloid(1.0), GRADED, 0.5)
-    assert "rises wherever it was looked at" in graded
+    (pulling,) = statements(wk.Paraboloid(1.0), HARD, 2.0)
+    assert "so the pressure was examined" in pulling
+    (graded,) = statements(wk.Paraboloid(1.0), GRADED, 0.5)
+    assert "rises wherever it was examined" in graded
 
 
 @pytest.mark.parametrize("name", ["half", "soft", "hard", "harder", "film"])

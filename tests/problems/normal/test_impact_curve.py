@@ -58,9 +58,9 @@ def test_rings_of_springs_however_narrow(width):
         power.append(mp.mpf(2) / 3 * (d ** mp.mpf(1.5) - c ** mp.mpf(1.5)))
         power.append(mp.mpf(2) / 5 * (d ** mp.mpf(2.5) - c ** mp.mpf(2.5)))
         square = d * d * power[0] - 2 * d * power[1] + power[2]
-    found = curve.between(gap, curve.at(gap)[0], depth)
+    result = curve.between(gap, curve.at(gap)[0], depth)
     rounding = 1e-15 / width  # of K, of which a narrow ring takes the difference
-    assert found == pytest.approx((float(linear), float(square)), rel=max(1e-12, 10.0 * rounding))
+    assert result == pytest.approx((float(linear), float(square)), rel=max(1e-12, 10.0 * rounding))
 
 
 def test_the_deepest_point_stores_the_energy():

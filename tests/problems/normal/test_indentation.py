@@ -32,7 +32,7 @@ def test_closed_forms(name, load):
     depth, force = numbers(case)
     given = {"radius": wk.Radius(case.radii), "depth": wk.Depth(depth), "force": wk.Force(force)}[load]
     contact = wk.Indentation(bed, given).solve()
-    # just above a flat, or where g hardly rises, the radius itself is not better known than its square root tells
+    # just above a flat, or where g hardly rises, the radius itself is not better known than its square root
     np.testing.assert_allclose(contact.radius, case.radii, rtol=1e-10)
     np.testing.assert_allclose(contact.stiffness, 2.0 * MODULUS * case.radii, rtol=1e-10)
     if load != "radius" or "truncated" not in name:
@@ -113,7 +113,7 @@ def test_forces_of_any_size(force):
 
 
 def test_a_sphere_pressed_beyond_reason():
-    """As a -> R the force goes on as F = 2 E* R d - E* R^2; doubles end, the answer does not."""
+    """As a -> R the force goes on as F = 2 E* R d - E* R^2; doubles end, the solution does not."""
     bed = wk.Foundation(wk.Sphere(1.0), wk.HalfSpace.between(wk.Elastic(1.0, 0.0)))
     for depth in (3.0, 18.0, 40.0, 700.0):
         contact = wk.Indentation(bed, wk.Depth(depth)).solve()
@@ -154,7 +154,7 @@ def test_one_load_of_many():
     assert one.problem.load == wk.Force(3.0)
     assert one.line_load(np.zeros(1))[0] == pytest.approx(MODULUS * one.depth)
     for index in (7, (0, 5), (0, 0, 0), "first", 0):
-        with pytest.raises(wk.InvalidInput, match=r"there is no load .* in an answer of shape \(2, 2\)"):
+        with pytest.raises(wk.InvalidInput, match=r"there is no load .* in a solution of shape \(2, 2\)"):
             many.at(index)
     for ask in (lambda: many.line_load(np.zeros(1)), lambda: wk.restore(many, [0.0]), lambda: many.pressed):
         with pytest.raises(wk.InvalidInput, match=r"holds 4 loads; pick one with solution.at\(index\)"):
@@ -189,18 +189,18 @@ def test_beyond_the_reach_is_refused_and_named():
     refused(bed, wk.Depth(1.1 * depth), r"depth 1.1e-06 m leads beyond the reach of the profile \(0.0001 m\)")
     refused(bed, wk.Depth(np.array([0.5, 2.0, 3.0]) * depth), "depth 2e-06 m at index 1, 2 leads beyond the reach")
     force = 4.0 / 3.0 * MODULUS * 1e-12 / 1e-2
-    refused(
-        bed, wk.Force(np.array([0.5, 1.5]) * force), r"at index 1 leads beyond the reach .* at most [\d.]+ N can be"
-    )
+    refused(bed, wk.Force(np.array([0.5, 1.5]) * force), r"at index 1 leads beyond the reach .* give at most [\d.]+ N")
     refused(bed, wk.Radius(np.array([1e-5, 1.2e-4])), r"radius 0.00012 m at index 1 is beyond the reach of the profile")
     assert wk.Indentation(bed, wk.Radius(1e-4)).solve().depth == pytest.approx(depth, rel=1e-9)
 
 
-def test_a_radius_that_does_not_tell_the_load():
+def test_a_radius_that_does_not_determine_the_load():
     for profile in (wk.FlatPunch(1e-3), wk.TruncatedCone(1.0, 1e-3), wk.RoundedPunch(1e-3, 1.0)):
         for radius in (1e-3, 5e-4):
             refused(
-                wk.Foundation(profile, PAIR), wk.Radius(radius), "does not tell the load: the body is flat up to 0.001"
+                wk.Foundation(profile, PAIR),
+                wk.Radius(radius),
+                "does not determine the load: the body is flat up to 0.001",
             )
     refused(wk.Foundation(wk.FlatPunch(1e-3), PAIR), wk.Radius(2e-3), r"is beyond the rim of the body \(0.001 m\)")
 

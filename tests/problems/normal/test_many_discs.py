@@ -1,4 +1,4 @@
-"""Many loads of a profile that turns, met and looked at together: each verdict is that of the load alone."""
+"""Many loads of a profile that turns, met and examined together: each verdict is that of the load alone."""
 
 from __future__ import annotations
 
@@ -75,8 +75,8 @@ def test_roots_in_brackets():
     def miss(x, which):
         return x ** powers[which] - wanted[which]
 
-    found = bracketed(miss, np.zeros(5), np.full(5, 2.0))
-    np.testing.assert_allclose(found, wanted ** (1.0 / powers), rtol=4e-15)
+    result = bracketed(miss, np.zeros(5), np.full(5, 2.0))
+    np.testing.assert_allclose(result, wanted ** (1.0 / powers), rtol=4e-15)
     jump = bracketed(lambda x, _: np.sign(x - 0.3) / np.sqrt(np.abs(x - 0.3) + 1e-300), np.zeros(1), np.ones(1))
     assert jump[0] == pytest.approx(0.3, rel=1e-15)
     assert bracketed(miss, np.zeros(0), np.zeros(0)).size == 0

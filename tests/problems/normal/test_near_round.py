@@ -41,11 +41,11 @@ def pyramid(faces, per_face=40):
 
 def test_round_bodies_are_the_round_contact():
     ball = Paraboloid(0.5)
-    found = NearlyRoundIndentation((ball,) * 8, ONE, Depth([0.01, 0.02])).solve()
+    result = NearlyRoundIndentation((ball,) * 8, ONE, Depth([0.01, 0.02])).solve()
     exact = Indentation(Foundation(ball, ONE), Depth([0.01, 0.02])).solve()
-    assert found.force == pytest.approx(exact.force, rel=1e-10)
-    assert found.stiffness == pytest.approx(exact.stiffness, rel=1e-10)
-    assert found.contour == pytest.approx(np.tile(np.reshape(exact.radius, (2, 1)), 8), rel=1e-10)
+    assert result.force == pytest.approx(exact.force, rel=1e-10)
+    assert result.stiffness == pytest.approx(exact.stiffness, rel=1e-10)
+    assert result.contour == pytest.approx(np.tile(np.reshape(exact.radius, (2, 1)), 8), rel=1e-10)
 
 
 def _shape(a, b):
@@ -67,11 +67,11 @@ def test_ellipses(a, b, force, axes):
     radius = (ellipk(m) - ellipe(m)) / (m * a)  # a^3 = 3 F (K - E) / (2 pi E* m A), d = 3 F K / (2 pi E* a)
     wide = math.sqrt(radius / ellipk(m) * 0.01)
     exact = 2.0 * np.pi * 0.01 * wide / (3.0 * ellipk(m))
-    found = NearlyRoundIndentation(oval(a, b), ONE, Depth(0.01)).solve()
-    assert found.force == pytest.approx(exact, rel=force)
-    assert found.force > exact  # Barber's extremum: from above
-    assert np.max(found.contour) == pytest.approx(wide, rel=axes)
-    assert np.min(found.contour) == pytest.approx(wide * math.sqrt(1.0 - m), rel=axes)
+    result = NearlyRoundIndentation(oval(a, b), ONE, Depth(0.01)).solve()
+    assert result.force == pytest.approx(exact, rel=force)
+    assert result.force > exact  # Barber's extremum: from above
+    assert np.max(result.contour) == pytest.approx(wide, rel=axes)
+    assert np.min(result.contour) == pytest.approx(wide * math.sqrt(1.0 - m), rel=axes)
 
 
 @pytest.mark.parametrize(
@@ -80,19 +80,19 @@ def test_ellipses(a, b, force, axes):
 )
 def test_pyramids(faces, expected, exact, off):
     """Theory 1.3: this theory's number, and boundary elements, from which it is that far."""
-    found = NearlyRoundIndentation(pyramid(faces), ONE, Depth(0.01)).solve()
-    assert found.force / 0.01**2 == pytest.approx(expected, rel=7e-4 if faces == 3 else 3e-4)
-    assert found.force / 0.01**2 == pytest.approx(exact, rel=off)
-    assert found.validity[-1].standing is Standing.APPROXIMATE
+    result = NearlyRoundIndentation(pyramid(faces), ONE, Depth(0.01)).solve()
+    assert result.force / 0.01**2 == pytest.approx(expected, rel=7e-4 if faces == 3 else 3e-4)
+    assert result.force / 0.01**2 == pytest.approx(exact, rel=off)
+    assert result.validity[-1].standing is Standing.APPROXIMATE
 
 
 def test_a_flat_square_is_pinned_at_its_rim():
     """k = 2 E* <a^2> / <a>, 1.5 per cent below the 1.15229 E* L of boundary elements (theory 1.3)."""
     square = tuple(FlatPunch(float(0.5 / np.cos(angle))) for angle in off_the_middle(4, 200))
-    found = NearlyRoundIndentation(square, ONE, Force([0.1, 0.2])).solve()
+    result = NearlyRoundIndentation(square, ONE, Force([0.1, 0.2])).solve()
     closed = 2.0 / math.pi / (4.0 / math.pi * math.log(1.0 + math.sqrt(2.0)) * 0.5)
-    assert found.stiffness == pytest.approx([closed, closed], rel=1e-4)
-    assert found.depth == pytest.approx(np.array([0.1, 0.2]) / closed, rel=1e-4)
+    assert result.stiffness == pytest.approx([closed, closed], rel=1e-4)
+    assert result.depth == pytest.approx(np.array([0.1, 0.2]) / closed, rel=1e-4)
     assert closed == pytest.approx(1.15229, rel=0.016)
 
 
@@ -101,19 +101,19 @@ def test_small_deviations_to_first_order(exponent):
     """g_0' da = -dg - (1/a) int dg dx (theory 1.3): f = c r^n (1 + e cos 2 phi) has da = -e a (n + 2) / (n (n + 1))."""
     small = 1e-4
     body = tuple(PowerLaw(float(1.0 + small * np.cos(2.0 * t)), exponent) for t in TURNS)
-    found = NearlyRoundIndentation(body, ONE, Depth(0.01)).solve()
-    mean = float(np.mean(found.contour))
-    wave = 2.0 * float(np.mean((found.contour / mean - 1.0) * np.cos(2.0 * TURNS))) / small
+    result = NearlyRoundIndentation(body, ONE, Depth(0.01)).solve()
+    mean = float(np.mean(result.contour))
+    wave = 2.0 * float(np.mean((result.contour / mean - 1.0) * np.cos(2.0 * TURNS))) / small
     assert wave == pytest.approx(-(exponent + 2.0) / (exponent * (exponent + 1.0)), rel=2e-4)
     smooth = Indentation(Foundation(PowerLaw(1.0, exponent), ONE), Depth(0.01)).solve()
-    assert found.force == pytest.approx(smooth.force, rel=1e-7)  # the force deviates in second order only
+    assert result.force == pytest.approx(smooth.force, rel=1e-7)  # the force deviates in second order only
 
 
 def test_forces_scale_like_the_body():
     """f ~ r^n: F ~ d^(1 + 1/n), and the contour grows without changing its shape."""
-    found = NearlyRoundIndentation(oval(0.3, 0.7), ONE, Depth([1e-4, 1e-2])).solve()
-    assert found.force[1] / found.force[0] == pytest.approx(1e3, rel=1e-10)
-    assert found.contour[1] / found.contour[0] == pytest.approx(10.0, rel=1e-10)
+    result = NearlyRoundIndentation(oval(0.3, 0.7), ONE, Depth([1e-4, 1e-2])).solve()
+    assert result.force[1] / result.force[0] == pytest.approx(1e3, rel=1e-10)
+    assert result.contour[1] / result.contour[0] == pytest.approx(10.0, rel=1e-10)
 
 
 def test_the_stiffness_is_the_slope_of_the_force():
@@ -134,9 +134,9 @@ def test_forces_and_depths_are_two_sides_of_one_curve():
     assert isinstance(NearlyRoundIndentation(body, ONE, Force(1e-3)).solve().depth, float)
 
 
-def test_how_far_from_round_is_said():
-    for body, told in ((oval(0.4, 0.6), "within 0.1"), (pyramid(3, 12), "forces within 4")):
-        assert told in NearlyRoundIndentation(body, ONE, Depth(0.01)).solve().validity[-1].statement
+def test_how_far_from_round_is_stated():
+    for body, statements in ((oval(0.4, 0.6), "within 0.1"), (pyramid(3, 12), "forces within 4")):
+        assert statements in NearlyRoundIndentation(body, ONE, Depth(0.01)).solve().validity[-1].statement
 
 
 def test_what_is_far_from_round_is_refused():

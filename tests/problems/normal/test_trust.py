@@ -1,4 +1,4 @@
-"""What an indentation says about itself: each limit is noted when it is passed, and not before."""
+"""Validity notes of an indentation: each limit is noted when it is passed, and not before."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def test_a_cone_has_no_size():
 
 
 def test_dissimilar_bodies():
-    """Without friction Dundurs' constant changes nothing, and nothing is said of it."""
+    """Without friction Dundurs' constant changes nothing, and no note mentions it."""
     notes = validity(wk.Paraboloid(1.0), wk.Depth(1e-6), wk.HalfSpace.between(STEEL))
     assert not any("Dundurs" in note.statement for note in notes)
     assert not any(note.assumption is wk.Assumption.UNCOUPLED for note in notes)
@@ -73,13 +73,13 @@ def test_a_rim():
     assert not any("pinned" in note.statement for note in inside)
 
 
-def test_a_wavy_body_says_that_it_was_checked():
+def test_a_note_of_a_wavy_body_states_that_it_was_checked():
     note = find(validity(wk.Paraboloid(1e-2) + wk.Wavy(1e-10, 1e-3), wk.Depth(1e-7)), "is one disc was checked")
     assert "no tension inside, no overlap outside" in note.statement
 
 
 def test_yield():
-    """Before and beyond the onset; and nothing is said if no strength was given."""
+    """Before and beyond the onset; and no note if no strength was given."""
     strong = wk.HalfSpace.between(wk.Elastic(210e9, 0.3, strength=1e9))
     onset = wk.YieldOnset(wk.Foundation(wk.Paraboloid(1e-2), strong)).solve()
     elastic = find(validity(wk.Paraboloid(1e-2), wk.Force(0.5 * onset.force), strong), "von Mises")
@@ -101,7 +101,7 @@ def test_every_note_has_a_source_and_ends_as_a_sentence():
 
 
 def test_a_check_that_does_not_come_to_an_end_refuses_nothing(monkeypatch):
-    """The answer is that of the check that ended; a note says that whether it is one disc was not found out."""
+    """The result is that of the check that ended; a note says that whether it is one disc was not found out."""
     film = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(1e4, 0.5), 2.13e-6)], on=wk.Rigid())
     bed, loads = wk.Foundation(wk.Cone(1.2), film), wk.Depth(np.array([0.3e-6, 1e-6]))
     looked_at = wk.Indentation(bed, loads).solve()

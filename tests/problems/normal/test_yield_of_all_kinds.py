@@ -41,19 +41,19 @@ UNKNOWN = {
     "relaxation_test", "sliding_resistance", "viscoelastic_adhesion", "viscoelastic_impact",
     "viscoelastic_indentation", "viscoelastic_tangential",
 }  # fmt: skip
-"""Whose stresses are not computed: they say so, whatever the strength is."""
+"""Whose stresses are not computed: they state it, whatever the strength is."""
 PROBLEMS = sorted(name for name in kinds() if slot_of(name) == "problem" and name not in WITHOUT)
 
 
 @pytest.mark.parametrize("name", PROBLEMS)
 def test_all_kinds_state_it(name):
     """A tiny strength is stated as yield or as unknown, a huge one never as yield."""
-    asked = build(example_study(name)["problem"])
-    assert ELASTIC in asked.assumptions
+    prescribed = build(example_study(name)["problem"])
+    assert ELASTIC in prescribed.assumptions
     for strength, standings in (
         (1e-3, {wk.Standing.APPROXIMATE} if name in UNKNOWN else {wk.Standing.OUTSIDE}),
         (1e60, set(wk.Standing) - {wk.Standing.OUTSIDE}),
     ):
-        notes = [note for note in strengthened(asked, strength).solve().validity if note.assumption is ELASTIC]
+        notes = [note for note in strengthened(prescribed, strength).solve().validity if note.assumption is ELASTIC]
         assert notes
         assert worst(notes) in standings

@@ -64,8 +64,8 @@ def test_first_yield_at_the_surface(mu):
 @pytest.mark.parametrize(("mu", "nu"), [(0.1, 0.3), (0.25, 0.3), (0.2, 0.5)])
 def test_first_yield_below_the_surface(mu, nu):
     """Point loads added up on the disc, and their greatest stress found by another search."""
-    found = minimize(lambda place: -point_loads(mu, nu, place[0], math.exp(place[1])), [0.2, math.log(0.45)], tol=1e-9)
-    peak = -found.fun
+    result = minimize(lambda place: -point_loads(mu, nu, place[0], math.exp(place[1])), [0.2, math.log(0.45)], tol=1e-9)
+    peak = -result.fun
     modulus = 0.5 * E / (1.0 - nu * nu)
     for factor, standing in ((0.9999, wk.Standing.EXACT), (1.0001, wk.Standing.OUTSIDE)):
         p0 = factor * Y / peak
@@ -174,7 +174,7 @@ def test_round_ellipse_is_a_ball(nu):
 
 
 def test_layers_are_judged_one_by_one():
-    """A layer of the substrate's own solid is no layer: Huber's axis tells both stresses, nu = 0.3, h = 1.5 a."""
+    """A layer of the substrate's own solid is no layer: Huber's axis gives both stresses, nu = 0.3, h = 1.5 a."""
     a, h = 1e-4, 1.5e-4
     peak, at_face = 0.6200410039, 0.0
 
@@ -207,7 +207,7 @@ def test_friction_on_layers_and_wide_contacts_are_not_known():
     thin = wk.CoatedHalfSpace([wk.Layer(steel(1e30), 1e-6)], on=wk.Elastic(E, NU))
     wide = statement(wk.Indentation(wk.Foundation(wk.Paraboloid(R), thin), wk.Radius(1.1e-5)).solve())
     assert wide.standing is wk.Standing.APPROXIMATE
-    assert "ask peak_stress" in wide.statement
+    assert "use peak_stress" in wide.statement
 
 
 def test_attraction_without_range():
@@ -270,7 +270,7 @@ RUBBER = wk.StandardSolid(relaxed_shear=1e9, shear=2e9, relaxation_time=1.0)
     ],
 )
 def test_every_body_of_a_medium_is_judged(medium, known):
-    """Whichever body is given the strength: tiny, it yields; where its stresses are not known, that is said."""
+    """Whichever body is given the strength: tiny, it yields; where its stresses are not known, that is stated."""
     for strength, standing in ((1e3, wk.Standing.OUTSIDE), (1e30, wk.Standing.EXACT)):
         bed = wk.Foundation(wk.Paraboloid(R), medium(steel(strength)))
         note = statement(wk.Indentation(bed, wk.Force(10.0)).solve())
@@ -318,10 +318,10 @@ def test_flat_punch_away_from_its_rim():
 
 
 def test_springs_of_a_height_map():
-    """They tell forces, not pressures: whatever the strength of what the map was pressed into, that is said."""
+    """They give forces, not pressures: whatever the strength of what the map was pressed into, that is stated."""
     x = np.linspace(-0.5, 0.5, 65)[:-1] + 1.0 / 128.0
     ball_map = wk.Topography(-0.5 * (x[:, None] ** 2 + x**2), [1.0, 1.0])
     bed = wk.ReducedBed(ball_map, wk.HalfSpace(wk.Elastic(1.0, 0.3, 1e-9)), 0.05)
     note = statement(wk.Indentation(bed, wk.Depth(0.02)).solve())
     assert note.standing is wk.Standing.APPROXIMATE
-    assert "does not tell the outline" in note.statement
+    assert "does not define the outline" in note.statement

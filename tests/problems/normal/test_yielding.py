@@ -1,4 +1,4 @@
-"""Onset of yield against Johnson's numbers, scaling, and where the question has no answer."""
+"""Onset of yield against Johnson's numbers, scaling, and where there is no solution."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ def test_the_stress_there_is_the_strength():
         assert grid.von_mises.max() > 0.9 * Y
 
 
-def test_the_weaker_body_yields_and_its_side_is_told():
+def test_the_weaker_body_yields_and_its_side_is_stated():
     """Equal bodies but for the strength: the second one, at z < 0; then the first."""
     weak, strong = wk.Elastic(E, 0.3, strength=Y), wk.Elastic(E, 0.3, strength=2.0 * Y)
     below = wk.YieldOnset(wk.Foundation(wk.Paraboloid(R), wk.HalfSpace.between(weak, strong))).solve()
@@ -154,7 +154,7 @@ def test_a_rim_yields_when_it_is_reached():
 
 
 def test_an_onset_where_the_contact_is_no_disc_is_refused():
-    """Waves open a hole for radii between 0.1 and 0.17; strengths that are first reached there have no answer."""
+    """Waves open a hole for radii between 0.1 and 0.17; strengths that are first reached there have no solution."""
     wavy = wk.Paraboloid(1.0) + wk.Wavy(4e-3, 0.2)
 
     def onset(strength):
@@ -166,8 +166,8 @@ def test_an_onset_where_the_contact_is_no_disc_is_refused():
     with pytest.raises(wk.OutsideValidity, match=r"tension|overlap"):
         onset(0.118)
     for strength in (0.09, 0.1225):
-        found = onset(strength)
-        contact = wk.Indentation(bed_of(strength), wk.Radius(found.radius)).solve()
+        result = onset(strength)
+        contact = wk.Indentation(bed_of(strength), wk.Radius(result.radius)).solve()
         assert wk.peak_stress(contact).von_mises == pytest.approx(strength, rel=1e-6)
         assert any(
             re.search(r"greatest (elastic )?stress is 1 (of|times)", note.statement) for note in contact.validity

@@ -36,8 +36,8 @@ def law_of(name, tolerance=1e-6):
 def test_the_cubic_keeps_the_tolerance_everywhere(name, tolerance):
     law = law_of(name, tolerance)
     true = FORCES[name][1](PLACES)
-    found = CubicHermiteSpline(law.depth, law.force, law.stiffness)(PLACES)
-    assert np.max(np.abs(found - true)) <= tolerance * true[-1]
+    result = CubicHermiteSpline(law.depth, law.force, law.stiffness)(PLACES)
+    assert np.max(np.abs(result - true)) <= tolerance * true[-1]
     assert law.hermite_error <= tolerance
 
 
@@ -47,7 +47,7 @@ def test_straight_lines_keep_their_bound(name):
     true = FORCES[name][1](PLACES)
     error = np.max(np.abs(np.interp(PLACES, law.depth, law.force) - true)) / true[-1]
     assert error <= law.linear_error + 1e-15
-    assert law.linear_error <= 4.0 * error + 1e-12  # a bound that says something
+    assert law.linear_error <= 4.0 * error + 1e-12  # a bound that is not trivial
 
 
 def test_rows_of_a_ball():
@@ -67,7 +67,7 @@ def test_a_flat_end_is_stiff_from_the_first_touch():
     np.testing.assert_allclose(law.stiffness, 2.0 * E_STAR * FLAT, rtol=1e-14)
 
 
-def test_where_no_one_number_tells_the_shear_stiffness():
+def test_where_no_single_number_gives_the_shear_stiffness():
     film = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(450e9, 0.1), 50e-6)], on=STEEL)
     with pytest.raises(wk.OutsideValidity, match="ContactLaw: the springs' tangential stiffness is between"):
         wk.ContactLaw(wk.Foundation(wk.Sphere(RADIUS), film), 5e-6, 1e-2).solve()

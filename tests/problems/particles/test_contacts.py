@@ -181,8 +181,8 @@ def test_the_work_is_stored_or_lost():
         ):
             before = np.concatenate([np.zeros_like(borne[:, :1]), borne[:, :-1]], axis=1)
             work += np.sum(0.5 * (before + borne) * moved, axis=(1, 2))
-        kept = trace.stored_energy[:, -1] + trace.dissipation[:, -1]
-        misses.append(np.max(np.abs(work - kept)) / np.max(kept))
+        remaining = trace.stored_energy[:, -1] + trace.dissipation[:, -1]
+        misses.append(np.max(np.abs(work - remaining)) / np.max(remaining))
     assert misses[0] < 0.05
     assert misses[1] < misses[0] / 2.5
     assert misses[2] < misses[1] / 2.5

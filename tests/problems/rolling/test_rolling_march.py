@@ -48,7 +48,7 @@ def start(share: float = 0.4, held: float = 0.0, *, bed=BALL, far: float = 3.0, 
 
 
 def exact(share: float, held: float, far: float) -> float:
-    """The force of a ball after a way: the bound is concave, so the least on a spring's way is at an end."""
+    """The force of a ball after a travel: the bound is concave, so the least along a spring's path is at an end."""
     peak = MU * MEDIUM.modulus * RADIUS**2
     rate = share * SLIDES * KAPPA
 
@@ -174,25 +174,25 @@ def _depth(depth: float):
     return Depth(depth)
 
 
-def rocked(share: float, *, way: float = 0.2, bed=BALL, cycles: int = 30, count: int = 200) -> OscillatingRolling:
+def rocked(share: float, *, track: float = 0.2, bed=BALL, cycles: int = 30, count: int = 200) -> OscillatingRolling:
     force = float(Indentation(bed, Radius(RADIUS)).solve().force)
     return OscillatingRolling(
-        bed, Coulomb(MU), way * RADIUS, share * MU * force, Radius(RADIUS), cycles=cycles, count=count
+        bed, Coulomb(MU), track * RADIUS, share * MU * force, Radius(RADIUS), cycles=cycles, count=count
     )
 
 
 class TestRocking:
     def test_the_limit(self):
-        for way in (0.01, 0.2, 0.7, 0.999, 1.0, 3.0):
-            limit = rocked(0.1, way=way).shakedown_force / (MU * FORCE)
-            assert limit == pytest.approx(float(rocking_limit(way)), abs=1e-14)
+        for track in (0.01, 0.2, 0.7, 0.999, 1.0, 3.0):
+            limit = rocked(0.1, track=track).shakedown_force / (MU * FORCE)
+            assert limit == pytest.approx(float(rocking_limit(track)), abs=1e-14)
         assert float(rocking_limit(0.2)) == pytest.approx(0.704, abs=1e-15)
 
     @pytest.mark.parametrize(("share", "ratchets"), [(0.69, False), (0.71, True)])
     def test_both_sides_of_it(self, share, ratchets):
-        answer = rocked(share, cycles=60).solve()
-        assert answer.ratchets is ratchets
-        steps = np.diff(answer.shift)
+        solution = rocked(share, cycles=60).solve()
+        assert solution.ratchets is ratchets
+        steps = np.diff(solution.shift)
         assert np.all(steps > -1e-12 * steps[0])
         if ratchets:
             assert steps[-1] > 0.05 * steps[0] * (0.71 - 0.704)
@@ -206,23 +206,23 @@ class TestRocking:
         low, high = 0.6, 0.8
         for _ in range(7):
             middle = 0.5 * (low + high)
-            answer = rocked(middle, cycles=150, count=count).solve()
-            grows = answer.shift_per_cycle > 1e-6 * answer.shift[0]
+            solution = rocked(middle, cycles=150, count=count).solve()
+            grows = solution.shift_per_cycle > 1e-6 * solution.shift[0]
             low, high = (low, middle) if grows else (middle, high)
         assert 0.5 * (low + high) == pytest.approx(0.704, abs=0.004)
 
     def test_a_cone(self):
         """F_lim / (mu F_N) = (1 - w)^2: the load of the springs is a triangle."""
         bed = Foundation(Cone(half_angle=1.5), MEDIUM)
-        problem = rocked(0.5, way=0.25, bed=bed)
+        problem = rocked(0.5, track=0.25, bed=bed)
         force = float(Indentation(bed, Radius(RADIUS)).solve().force)
         assert problem.shakedown_force == pytest.approx(0.75**2 * MU * force, rel=1e-12)
         assert not problem.solve().ratchets
 
     def test_what_is_left_is_borne_by_the_core(self):
         """At rest under the force, springs that leave the contact in a cycle bear only what they gain in it."""
-        answer = rocked(0.69, cycles=60).solve()
-        state = answer.states[-1]
+        solution = rocked(0.69, cycles=60).solve()
+        state = solution.states[-1]
         inner = np.abs(state.x) < 0.8 * RADIUS
         bound = MU * MEDIUM.modulus * (RADIUS**2 - (np.abs(state.x[inner]) + 0.2 * RADIUS) ** 2)
         assert np.all(state.shear_load[inner] <= bound * (1.0 + 1e-3) + 1e-4 * np.max(bound))
@@ -241,9 +241,9 @@ class TestRocking:
 
     def test_first_shift_is_cattaneos(self):
         """At rest the springs are those of Mindlin, with the stiffness they were given."""
-        answer = rocked(0.5, count=1000, cycles=1).solve()
+        solution = rocked(0.5, count=1000, cycles=1).solve()
         wanted = MU * MEDIUM.modulus * RADIUS**2 * (1.0 - 0.5 ** (2.0 / 3.0)) / KAPPA
-        assert answer.shift[0] == pytest.approx(wanted, rel=1e-5)
+        assert solution.shift[0] == pytest.approx(wanted, rel=1e-5)
 
     def test_no_force_nothing_moves(self):
         assert np.all(rocked(0.0, cycles=3).solve().shift == 0.0)

@@ -119,9 +119,9 @@ class TestWithSpin:
         drive = tuple(self.DRIVES[which])
         coarse, fine = plain_fastsim(drive, 40), plain_fastsim(drive, 120)
         extrapolated = (3.0 * fine - coarse) / 2.0
-        found = over_disc(self.DRIVES, 256)[which, :2]
-        np.testing.assert_allclose(found, extrapolated, atol=1.5e-3)
-        assert np.max(np.abs(found - extrapolated)) < 0.3 * np.max(np.abs(found - coarse))
+        result = over_disc(self.DRIVES, 256)[which, :2]
+        np.testing.assert_allclose(result, extrapolated, atol=1.5e-3)
+        assert np.max(np.abs(result - extrapolated)) < 0.3 * np.max(np.abs(result - coarse))
 
     def test_mirrors(self):
         forward = over_disc([[0.5, 0.2, 1.0, 1.0]], 20)[0]
@@ -134,16 +134,16 @@ class TestWithSpin:
     def test_begins_as_kalker_wants(self, a, b):
         known = creep_coefficients(a / b, 0.25)
         small = 1e-9
-        answers = rolling(Creepage([small, 0.0, 0.0], [0.0, small, 0.0], [0.0, 0.0, small / a]), a=a, b=b).solve()
+        solutions = rolling(Creepage([small, 0.0, 0.0], [0.0, small, 0.0], [0.0, 0.0, small / a]), a=a, b=b).solve()
         area = a * b * small
-        assert answers.longitudinal_force[0] == pytest.approx(known.longitudinal * area, rel=3e-3)
-        assert answers.lateral_force[1] == pytest.approx(known.lateral * area, rel=3e-3)
-        assert answers.lateral_force[2] == pytest.approx(known.spin * area * math.sqrt(b / a), rel=5e-3)
+        assert solutions.longitudinal_force[0] == pytest.approx(known.longitudinal * area, rel=3e-3)
+        assert solutions.lateral_force[1] == pytest.approx(known.lateral * area, rel=3e-3)
+        assert solutions.lateral_force[2] == pytest.approx(known.spin * area * math.sqrt(b / a), rel=5e-3)
 
     def test_everything_slides_in_the_end(self):
         """Along the drive; under spin alone around the middle, with the moment of the bound, 8/15 of mu F_N a."""
-        answer = rolling(Creepage([1.0, 0.0, 0.6], [0.0, -1.0, 0.8])).solve()
-        np.testing.assert_allclose(answer.saturation, 1.0, rtol=1e-12)
+        solution = rolling(Creepage([1.0, 0.0, 0.6], [0.0, -1.0, 0.8])).solve()
+        np.testing.assert_allclose(solution.saturation, 1.0, rtol=1e-12)
         spun = rolling(Creepage(spin=1e6), count=256).solve()
         assert spun.saturation < 0.004
         assert spun.moment / (MU * 1e-6 * 0.01) == pytest.approx(8.0 / 15.0, rel=1e-4)
@@ -164,17 +164,19 @@ class TestWithSpin:
         force, a = 1e-6, 0.01
         unit = MU * force / a**2
         creepage = Creepage(**{mode: u * unit / (a if mode == "spin" else 1.0)})
-        answer = rolling(creepage, poisson=poisson).solve()
-        off = np.hypot(answer.longitudinal_force / (MU * force) - along, answer.lateral_force / (MU * force) - across)
+        solution = rolling(creepage, poisson=poisson).solve()
+        off = np.hypot(
+            solution.longitudinal_force / (MU * force) - along, solution.lateral_force / (MU * force) - across
+        )
         assert 0.5 * apart < np.max(off) < apart
-        assert np.max(np.abs(answer.moment / (MU * force * a) - moment)) < 0.1
+        assert np.max(np.abs(solution.moment / (MU * force * a) - moment)) < 0.1
 
     def test_loses_energy(self):
         rng = np.random.default_rng(9)
         xi, eta = rng.uniform(-1e-2, 1e-2, (2, 200))
-        answer = rolling(Creepage(xi, eta, rng.uniform(-2.0, 2.0, 200)), count=24).solve()
-        assert np.min(answer.loss_per_distance) > 0.0
-        assert np.max(answer.saturation) < 1.0 + 1e-12
+        solution = rolling(Creepage(xi, eta, rng.uniform(-2.0, 2.0, 200)), count=24).solve()
+        assert np.min(solution.loss_per_distance) > 0.0
+        assert np.max(solution.saturation) < 1.0 + 1e-12
 
 
 def rows_of(path: Path) -> list[dict[str, str]]:
@@ -183,10 +185,10 @@ def rows_of(path: Path) -> list[dict[str, str]]:
 
 
 class TestMoment:
-    """An approximation of its own, of which the notes tell the error."""
+    """An approximation of its own, of which the notes state the error."""
 
     @pytest.mark.parametrize("ratio", [0.2, 0.5, 1.0, 2.0])
-    def test_the_note_tells_how_it_begins(self, shared_data, ratio):
+    def test_the_note_states_how_it_begins(self, shared_data, ratio):
         """CONTACT's coefficients C32 and C33, 1 per cent above their limits on its finest grids."""
         name = "circle" if ratio == 1.0 else "ellipse"
         rows = rows_of(shared_data / "reference" / f"creep_coefficients_{name}.csv")
@@ -195,11 +197,13 @@ class TestMoment:
             key=lambda row: int(row["n"]),
         )
         a, b, small = 0.01 * ratio**0.5, 0.01 / ratio**0.5, 1e-10
-        answer = rolling(Creepage(0.0, [small, 0.0], [0.0, small / a]), a=a, b=b).solve()
-        lateral, spin = np.array(answer.moment) / (a * b * small * np.array([-math.sqrt(a * b), b]))
-        (said,) = (note.statement for note in answer.validity if "under lateral creepage begins" in note.statement)
-        told = float(re.search(r"begins at (\S+) per cent", said)[1]) / 100.0
-        assert lateral / float(known["C32"]) == pytest.approx(told, abs=0.02)
+        solution = rolling(Creepage(0.0, [small, 0.0], [0.0, small / a]), a=a, b=b).solve()
+        lateral, spin = np.array(solution.moment) / (a * b * small * np.array([-math.sqrt(a * b), b]))
+        (sentence,) = (
+            note.statement for note in solution.validity if "under lateral creepage begins" in note.statement
+        )
+        stated = float(re.search(r"begins at (\S+) per cent", sentence)[1]) / 100.0
+        assert lateral / float(known["C32"]) == pytest.approx(stated, abs=0.02)
         assert -0.28 < spin / float(known["C33"]) - 1.0 < 0.07
 
     def test_under_lateral_creepage(self, shared_data):
@@ -211,19 +215,21 @@ class TestMoment:
             if row["mode"] == "lat" and row["n"] == "48"
         ]).T  # fmt: skip
         force, a = 1e-6, 0.01
-        found = rolling(Creepage(0.0, u * MU * force / a**2), poisson=0.0).solve().moment / (MU * force * a)
-        assert found[0] / moment[0] == pytest.approx(0.75, abs=0.01)
-        assert 0.02 < np.max(found - moment) < 0.03
-        assert -0.02 < np.min(found - moment) < -0.01
+        result = rolling(Creepage(0.0, u * MU * force / a**2), poisson=0.0).solve().moment / (MU * force * a)
+        assert result[0] / moment[0] == pytest.approx(0.75, abs=0.01)
+        assert 0.02 < np.max(result - moment) < 0.03
+        assert -0.02 < np.min(result - moment) < -0.01
 
     def test_an_ellipse_with_lateral_creepage_and_spin(self, shared_data):
         """CONTACT, exact theory: the lateral force 0.04 of mu F_N above it, the moment 22 per cent below."""
-        told = tomllib.loads((shared_data / "reference" / "contact" / "spin_ellipse.toml").read_text(encoding="utf-8"))
-        exact, inputs = told["case"][0], told["inputs"]
-        answer = self.leaning(inputs, 32)
+        stated = tomllib.loads(
+            (shared_data / "reference" / "contact" / "spin_ellipse.toml").read_text(encoding="utf-8")
+        )
+        exact, inputs = stated["case"][0], stated["inputs"]
+        solution = self.leaning(inputs, 32)
         most = inputs["friction"] * inputs["normal_force_N"]
-        assert (answer.lateral_force + exact["force_y_N"]) / most == pytest.approx(0.040, abs=0.002)
-        assert answer.moment / -exact["moment_z_Nm"] == pytest.approx(0.781, abs=0.005)
+        assert (solution.lateral_force + exact["force_y_N"]) / most == pytest.approx(0.040, abs=0.002)
+        assert solution.moment / -exact["moment_z_Nm"] == pytest.approx(0.781, abs=0.005)
 
     @staticmethod
     def leaning(inputs, count):
@@ -240,29 +246,31 @@ class TestMoment:
 
     def test_which_grid_is_right(self, shared_data):
         """FASTSIM on 200 x 200 elements is 1.8 per cent low: of first order, it comes to our force when refined."""
-        told = tomllib.loads((shared_data / "reference" / "contact" / "spin_ellipse.toml").read_text(encoding="utf-8"))
-        stored, inputs = told["case"][1], told["inputs"]
-        answer = self.leaning(inputs, 32)
+        stated = tomllib.loads(
+            (shared_data / "reference" / "contact" / "spin_ellipse.toml").read_text(encoding="utf-8")
+        )
+        stored, inputs = stated["case"][1], stated["inputs"]
+        solution = self.leaning(inputs, 32)
         most = inputs["friction"] * inputs["normal_force_N"]
-        assert -stored["force_y_N"] / answer.lateral_force == pytest.approx(1.0 - 0.0177, abs=5e-4)
+        assert -stored["force_y_N"] / solution.lateral_force == pytest.approx(1.0 - 0.0177, abs=5e-4)
         a, b = inputs["semi_axis_a_m"], inputs["semi_axis_b_m"]
-        drive = answer.problem.drives(a, b, answer.coefficients)[0]
+        drive = solution.problem.drives(a, b, solution.coefficients)[0]
         coarse, middle, fine = (most * plain_fastsim(tuple(drive), n)[1] for n in (50, 100, 200))
         assert fine == pytest.approx(-stored["force_y_N"], rel=5e-3)
         assert (middle - coarse) / (fine - middle) == pytest.approx(2.0, rel=0.05)
-        assert 2.0 * fine - middle == pytest.approx(answer.lateral_force, rel=1e-3)
-        assert answer.lateral_force == pytest.approx(self.leaning(inputs, 512).lateral_force, rel=5e-5)
+        assert 2.0 * fine - middle == pytest.approx(solution.lateral_force, rel=1e-3)
+        assert solution.lateral_force == pytest.approx(self.leaning(inputs, 512).lateral_force, rel=5e-5)
 
 
 class TestTraction:
     def test_is_what_was_summed(self):
         problem = rolling(Creepage(2e-3, 1e-3, 0.3), count=48)
-        answer = problem.solve()
-        field = answer.traction
+        solution = problem.solve()
+        field = solution.traction
         np.testing.assert_array_less(field.traction, 1.0000001 * self.bound(field) + 1e-12 * np.max(field.traction))
         angle = np.pi * ((np.arange(48) + 0.5) / 48 - 0.5)
         along = np.trapezoid(field.longitudinal[:, ::-1], field.x[:, ::-1], axis=1)
-        assert np.sum(along * np.cos(angle)) * 0.01 * np.pi / 48 == pytest.approx(answer.longitudinal_force, rel=5e-3)
+        assert np.sum(along * np.cos(angle)) * 0.01 * np.pi / 48 == pytest.approx(solution.longitudinal_force, rel=5e-3)
 
     def test_sticks_at_the_leading_edge(self):
         field = rolling(Creepage(2e-3)).solve().traction
@@ -353,14 +361,14 @@ class TestRefused:
         with pytest.raises(InvalidInput, match="positive, finite number in m"):
             CurvedBodies(1.0, axis)
 
-    def test_says_what_it_is_worth(self):
+    def test_notes_state_its_accuracy(self):
         straight, spun = (rolling(Creepage(1e-3, spin=spin)).solve().validity for spin in (0.0, 1.0))
         assert any("0.04 of mu F_N" in note.statement for note in straight)
         assert len(spun) == len(straight) + 1
         assert "0.11" in spun[-1].statement
 
     @pytest.mark.parametrize(("force", "standing"), [(1e-6, "asymptotic"), (1e-2, "approximate"), (5.0, "outside")])
-    def test_says_whether_the_bodies_are_large(self, force, standing):
+    def test_notes_state_whether_the_bodies_are_large(self, force, standing):
         problem = dataclasses.replace(rolling(Creepage(1e-3), force=force), footprint=CurvedBodies(0.4, 0.3))
         notes = [note for note in problem.solve().validity if "semi-axes" in note.statement]
         assert [note.standing.value for note in notes] == [standing]

@@ -31,16 +31,16 @@ def mean_wave_number(hurst, low, high):
 def test_slowly_it_grows_with_the_velocity():
     """G'' / |G| -> q v tau G_1 / G_inf."""
     slow = np.array([1e-8, 2e-8])
-    found = ElastomerFriction(ROUGH, RUBBER, slow).solve().coefficient
+    result = ElastomerFriction(ROUGH, RUBBER, slow).solve().coefficient
     mean = mean_wave_number(0.7, ROUGH.smallest, ROUGH.greatest)
-    assert found == pytest.approx(ROUGH.rms_slope * 10.0 * 1e-2 * mean * slow, rel=1e-4)
+    assert result == pytest.approx(ROUGH.rms_slope * 10.0 * 1e-2 * mean * slow, rel=1e-4)
 
 
 def test_fast_it_falls_with_the_velocity():
     """Of a standard solid G'' / |G| -> G_1 / ((G_1 + G_inf) q v tau); a Kelvin solid tends to h'."""
     fast = np.array([1e6, 1e7])
-    found = ElastomerFriction(ROUGH, RUBBER, fast).solve().coefficient
-    assert found[1] / found[0] == pytest.approx(0.1, rel=1e-4)
+    result = ElastomerFriction(ROUGH, RUBBER, fast).solve().coefficient
+    assert result[1] / result[0] == pytest.approx(0.1, rel=1e-4)
     kelvin = ElastomerFriction(ROUGH, KelvinVoigt(1.0, 1.0), fast).solve().coefficient
     assert kelvin == pytest.approx(ROUGH.rms_slope, rel=1e-6)
 
@@ -50,17 +50,17 @@ def test_between_there_is_a_peak():
     q = 100.0
     one = PowerSpectrum(q * np.array([1.0, 1.0 + 1e-9]), np.array([1e-8, 1e-8]))
     velocity = np.geomspace(1e-3, 1e3, 2001) / (q * 1e-2)
-    found = ElastomerFriction(one, RUBBER, velocity).solve().coefficient / one.rms_slope
-    assert np.max(found) == pytest.approx(10.0 / 12.0, rel=1e-5)
-    assert velocity[np.argmax(found)] * q * 1e-2 == pytest.approx(11.0**-0.5, rel=1e-2)
+    result = ElastomerFriction(one, RUBBER, velocity).solve().coefficient / one.rms_slope
+    assert np.max(result) == pytest.approx(10.0 / 12.0, rel=1e-5)
+    assert velocity[np.argmax(result)] * q * 1e-2 == pytest.approx(11.0**-0.5, rel=1e-2)
 
 
 def test_a_solid_of_many_times_is_level():
     """G ~ omega^n: the same loss at all velocities, mu = h' sin(pi n / 2)."""
     n, times = 0.3, np.geomspace(1e-12, 1e12, 241)
     broad = Prony(1e-9, times**-n, times)
-    found = ElastomerFriction(ROUGH, broad, np.geomspace(1e-4, 1e2, 7)).solve().coefficient
-    assert found == pytest.approx(ROUGH.rms_slope * math.sin(0.5 * math.pi * n), rel=2e-3)
+    result = ElastomerFriction(ROUGH, broad, np.geomspace(1e-4, 1e2, 7)).solve().coefficient
+    assert result == pytest.approx(ROUGH.rms_slope * math.sin(0.5 * math.pi * n), rel=2e-3)
 
 
 def test_a_line_of_a_measured_spectrum_counts_whole():
@@ -68,10 +68,10 @@ def test_a_line_of_a_measured_spectrum_counts_whole():
     x = np.arange(256) / 256
     wave = Topography(np.tile(np.sin(2.0 * np.pi * 20.0 * x)[:, None], 256), [1.0, 1.0], periodic=True)
     velocity, q = np.array([1e-4, 1e-2, 1.0]), 40.0 * math.pi
-    found = ElastomerFriction(spectrum_of(wave), RUBBER, velocity).solve().coefficient
+    result = ElastomerFriction(spectrum_of(wave), RUBBER, velocity).solve().coefficient
     omega = 1e-2 * q * velocity  # relaxation time 10 ms, moduli 1 and 11
     storage, loss = 1.0 + 10.0 * omega**2 / (1.0 + omega**2), 10.0 * omega / (1.0 + omega**2)
-    assert found == pytest.approx(q / 2.0**0.5 * loss / np.hypot(storage, loss), rel=5e-3)
+    assert result == pytest.approx(q / 2.0**0.5 * loss / np.hypot(storage, loss), rel=5e-3)
 
 
 def sliding(depth, velocities, count=2048, lines=40):
@@ -79,7 +79,7 @@ def sliding(depth, velocities, count=2048, lines=40):
     heights = np.array(list(random_lines(ROUGH, count, 1.0, range(lines))))
     pressed = heights - heights.max(axis=1, keepdims=True) + depth
     slopes = (pressed - np.roll(pressed, 1, axis=1)) * count
-    found = []
+    result = []
     for velocity in velocities:
         left = 1.0 / (1.0 + 1.0 / (count * velocity * RUBBER.relaxation_time))
         u, q, sums = np.zeros(lines), np.zeros(lines), np.zeros(3)
@@ -93,19 +93,19 @@ def sliding(depth, velocities, count=2048, lines=40):
                 if lap:
                     force = np.where(touching, force, 0.0)
                     sums += np.sum(force * slopes[:, j]), np.sum(force), np.sum(touching)
-        found.append((sums[0] / sums[1] / ROUGH.rms_slope, sums[2] / (count * lines)))
-    return np.array(found).T
+        result.append((sums[0] / sums[1] / ROUGH.rms_slope, sums[2] / (count * lines)))
+    return np.array(result).T
 
 
 def test_against_springs_that_slide():
     velocities = np.array([0.01, 0.1, 1.0])
     followed, share = sliding(0.005, velocities)
-    found = ElastomerFriction(ROUGH, RUBBER, velocities).solve().coefficient / ROUGH.rms_slope
+    result = ElastomerFriction(ROUGH, RUBBER, velocities).solve().coefficient / ROUGH.rms_slope
     assert np.all(share < 0.1)
-    assert followed == pytest.approx(found, rel=0.3)
+    assert followed == pytest.approx(result, rel=0.3)
     closer, share = sliding(0.02, velocities[:1])
     assert share[0] > 0.4
-    assert 0.2 * found[0] < closer[0] < 0.5 * found[0]
+    assert 0.2 * result[0] < closer[0] < 0.5 * result[0]
 
 
 def test_it_is_labelled():

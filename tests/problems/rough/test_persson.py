@@ -69,8 +69,8 @@ def separation(pressure, spectrum, hurst):
 
 @pytest.mark.parametrize("pressure", [0.002, 0.4])
 def test_gap_is_the_double_integral(pressure):
-    found = mean_separation(np.array(pressure), 1.0, WIDE)
-    assert float(found) == pytest.approx(separation(pressure, WIDE, 0.8), rel=3e-7)
+    result = mean_separation(np.array(pressure), 1.0, WIDE)
+    assert float(result) == pytest.approx(separation(pressure, WIDE, 0.8), rel=3e-7)
 
 
 def test_gap_falls_with_the_logarithm_of_small_pressures():
@@ -116,8 +116,8 @@ def test_the_gap_of_a_line():
         return quad(lambda t: (0.45 + 1.65 * math.erf(t) ** 2) * math.exp(-(t**2)) / t, s, 12.0)[0]
 
     whole = quad(lambda t: work(p / t), 1e-3, 1e-3 * q / 2.0)[0]  # h' / sqrt(2), and h' = q h / sqrt(2)
-    found = mean_separation(np.array(p), 1.0, spectrum_of(wave))
-    assert float(found) == pytest.approx(2.0 / math.sqrt(math.pi) * whole / q, rel=5e-3)
+    result = mean_separation(np.array(p), 1.0, spectrum_of(wave))
+    assert float(result) == pytest.approx(2.0 / math.sqrt(math.pi) * whole / q, rel=5e-3)
 
 
 def test_gap_and_area_against_boundary_elements(shared_data):

@@ -38,14 +38,14 @@ def paraboloid(a=0.5, b=0.5):
 @pytest.mark.parametrize(("a", "b", "same"), [(0.5, 0.5, 1.0), (0.4, 0.6, 1.0276201), (0.25, 0.75, 1.2132707)])
 def test_ellipses_are_springs_under_a_paraboloid(a, b, same):
     """g = x^2/R_eq and F = 4/3 E* R_eq^(1/2) d^(3/2), theory 1.3."""
-    found = Reduction(paraboloid(a, b), UNIT, 0.05).solve()
+    result = Reduction(paraboloid(a, b), UNIT, 0.05).solve()
     for depth in (0.011, 0.024, 0.05):
-        force = Indentation(found.bed, Depth(depth)).solve().force
+        force = Indentation(result.bed, Depth(depth)).solve().force
         assert force == pytest.approx(4.0 / 3.0 * UNIT.modulus * math.sqrt(same) * depth**1.5, rel=1.5e-3)
     radius = np.linspace(0.1, 0.2, 101)  # stiffnesses jump by a per cent as pixels enter: g is known in the mean
-    assert np.mean(found.bed.gap(radius) * same / radius**2) == pytest.approx(1.0, abs=2e-3)
-    assert found.misfit <= 1e-3
-    assert found.bed.mindlin_ratio == pytest.approx(2.0 * 0.7 / 1.7, rel=1e-12)
+    assert np.mean(result.bed.gap(radius) * same / radius**2) == pytest.approx(1.0, abs=2e-3)
+    assert result.misfit <= 1e-3
+    assert result.bed.mindlin_ratio == pytest.approx(2.0 * 0.7 / 1.7, rel=1e-12)
 
 
 def test_a_pyramid_is_springs_under_a_cone():
@@ -69,21 +69,21 @@ def maps():
 
 
 @pytest.mark.parametrize("name", ["two spheres", "rough", "leaning"])
-def test_the_error_of_the_force_is_what_is_said(name):
-    """At depths that were not asked for, against boundary elements at these very depths."""
+def test_the_error_of_the_force_is_as_stated(name):
+    """At depths that were not requested, against boundary elements at these very depths."""
     topography, deepest = maps()[name]
-    found = Reduction(topography, UNIT, deepest, tolerance=2e-3).solve()
-    assert found.misfit <= 2e-3
+    result = Reduction(topography, UNIT, deepest, tolerance=2e-3).solve()
+    assert result.misfit <= 2e-3
     depths = deepest * np.array([0.013, 0.11, 0.37, 0.59, 0.83, 1.0])
     exact = SurfaceContact(topography, UNIT, Depth(depths)).solve()
-    springs = Indentation(found.bed, Depth(depths)).solve()
+    springs = Indentation(result.bed, Depth(depths)).solve()
     assert np.max(np.abs(springs.force - exact.force)) <= 2e-3 * exact.force[-1]
-    assert found.force[-1] == pytest.approx(exact.force[-1], rel=1e-5)
-    assert np.all(np.diff(found.depth) > 0.0)
+    assert result.force[-1] == pytest.approx(exact.force[-1], rel=1e-5)
+    assert np.all(np.diff(result.depth) > 0.0)
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_the_error_of_random_surfaces_is_what_is_said(seed):
+def test_the_error_of_random_surfaces_is_as_stated(seed):
     """Rough stamps and rough balls, from a few spots to full contact, at depths of chance."""
     rng = np.random.default_rng(seed)
     spectrum = SelfAffine(rng.uniform(0.3, 1.0), 0.02, 1.0, 0.06)
@@ -91,13 +91,13 @@ def test_the_error_of_random_surfaces_is_what_is_said(seed):
     x, y = places(64)
     topography = Topography(heights - (0.2 * (x**2 + y**2) if seed % 2 else 0.0), [1.0, 1.0])
     deepest = float(np.mean(topography.gaps)) * rng.uniform(0.7, 1.2)
-    found = Reduction(topography, UNIT, deepest).solve()
+    result = Reduction(topography, UNIT, deepest).solve()
     depths = deepest * rng.uniform(0.02, 1.0, 8)
     exact = SurfaceContact(topography, UNIT, Depth(depths)).solve().force
-    assert np.max(np.abs(Indentation(found.bed, Depth(depths)).solve().force - exact)) <= 1e-3 * found.force[-1]
+    assert np.max(np.abs(Indentation(result.bed, Depth(depths)).solve().force - exact)) <= 1e-3 * result.force[-1]
 
 
-def test_a_smaller_tolerance_asks_for_more_contacts():
+def test_a_smaller_tolerance_needs_more_contacts():
     topography, deepest = maps()["rough"]
     loose, tight = (Reduction(topography, UNIT, deepest, tolerance).solve() for tolerance in (1e-2, 1e-3))
     assert loose.depth.size < tight.depth.size
@@ -118,20 +118,20 @@ def test_steps_are_the_points_of_the_solution():
         ({"depth": -1.0}, InvalidInput, "depth is -1.0; it must be a positive, finite number in m"),
         ({"depth": [0.1, 0.2]}, InvalidInput, "it must be a positive, finite number in m"),
         ({"topography": "map"}, InvalidInput, "topography is a str"),
-        ({"depth": 1e-4}, OutsideValidity, "pixels touch, which tells too little"),
+        ({"depth": 1e-4}, OutsideValidity, "pixels touch, which determines too little"),
         ({"topography": Topography(np.where(places()[0] ** 2 + places()[1] ** 2 < 0.09, 0.0, -0.2), [1.0, 1.0])},
          OutsideValidity, "hardly grows with the depth"),
     ],
 )  # fmt: skip
 def test_wrong_questions_are_refused(numbers, error, sentence):
-    asked = {"topography": paraboloid(), "medium": UNIT, "depth": 0.05} | numbers
+    prescribed = {"topography": paraboloid(), "medium": UNIT, "depth": 0.05} | numbers
     with pytest.raises(error, match=sentence):
-        Reduction(**asked).solve()
+        Reduction(**prescribed).solve()
 
 
 def test_too_many_contacts_are_refused(monkeypatch):
-    monkeypatch.setattr(reducing, "MOST", 6)
-    with pytest.raises(NotConverged, match="contacts do not tell"):
+    monkeypatch.setattr(reducing, "MOST_CONTACTS", 6)
+    with pytest.raises(NotConverged, match="contacts do not determine"):
         reduce(paraboloid(), UNIT, 0.05)
 
 
@@ -142,10 +142,10 @@ def reduced():
 
 
 def test_friction_runs_on_a_height_map(reduced):
-    found, exact = reduced
+    result, exact = reduced
     turns = np.concatenate([np.linspace(0.0, 1.0, 21), np.linspace(1.0, -1.0, 41)[1:], np.linspace(-1.0, 1.0, 41)[1:]])
     path = wk.Path.through(wk.Depth(np.full(turns.size, 0.04)), wk.Shift(0.008 * turns))
-    springs, ball = (wk.Tangential(bed, wk.Coulomb(0.3), path).solve() for bed in (found.bed, exact))
+    springs, ball = (wk.Tangential(bed, wk.Coulomb(0.3), path).solve() for bed in (result.bed, exact))
     assert np.allclose(springs.shear_force, ball.shear_force, atol=3e-3 * np.max(np.abs(ball.shear_force)))
     assert springs.dissipation[-1] == pytest.approx(ball.dissipation[-1], rel=1e-2)
 
@@ -181,7 +181,7 @@ def test_a_height_map_is_pressed_into_rubber(reduced):
         reduced[0].on(wk.CoatedHalfSpace([wk.Layer(wk.Elastic(1.0, 0.3), 1.0)], on=wk.Rigid()))
 
 
-def test_what_the_springs_do_not_know_is_said(reduced):
-    said = " ".join(note.statement for note in reduced[0].validity)
-    assert "their forces differ by at most" in said
-    assert "the true body and its pressure are not known" in said
+def test_what_the_springs_leave_out_is_stated(reduced):
+    message = " ".join(note.statement for note in reduced[0].validity)
+    assert "their forces differ by at most" in message
+    assert "the true body and its pressure are not known" in message

@@ -30,24 +30,24 @@ def test_the_stiffness_grows_with_a_power_of_the_force(hurst):
     """Pohrt and Popov: k ~ F^(1 / (1 + H)) for self-affine surfaces without roll-off; finite bands bend it a little."""
     surface = SelfAffine(hurst=hurst, rms_height=0.01, longest=2.0, shortest=1.0 / 512)
     forces = np.geomspace(1e-6, 1e-3, 13)
-    found = RoughContact(surface, ONE, 1.0, Force(forces), realisations=60, count=8192).solve()
-    exponent = np.polyfit(np.log(forces), np.log(found.stiffness), 1)[0]
+    result = RoughContact(surface, ONE, 1.0, Force(forces), realisations=60, count=8192).solve()
+    exponent = np.polyfit(np.log(forces), np.log(result.stiffness), 1)[0]
     assert exponent == pytest.approx(1.0 / (1.0 + hurst), abs=0.03)
 
 
 def test_bands_lie_around_the_median():
     forces = np.geomspace(1e-5, 1e-2, 13)
-    found = RoughContact(WIDE, ONE, 1.0, Force(forces), realisations=60).solve()
-    assert np.all(found.stiffness_band[0] <= found.stiffness)
-    assert np.all(found.stiffness <= found.stiffness_band[1])
-    assert np.all(found.depth_band[0] < found.depth_band[1])
-    assert np.all(found.force_band == forces)
+    result = RoughContact(WIDE, ONE, 1.0, Force(forces), realisations=60).solve()
+    assert np.all(result.stiffness_band[0] <= result.stiffness)
+    assert np.all(result.stiffness <= result.stiffness_band[1])
+    assert np.all(result.depth_band[0] < result.depth_band[1])
+    assert np.all(result.force_band == forces)
 
 
 def test_pressed_flat_it_is_as_stiff_as_the_square():
     """k = 1.1523 E* L, boundary elements (theory 1.3: 1.15229)."""
-    found = RoughContact(WIDE, ONE, 2.0, Force(10.0), realisations=3).solve()
-    assert float(found.stiffness) == pytest.approx(1.15229 * 2.0, rel=1e-4)
+    result = RoughContact(WIDE, ONE, 2.0, Force(10.0), realisations=3).solve()
+    assert float(result.stiffness) == pytest.approx(1.15229 * 2.0, rel=1e-4)
 
 
 def test_heights_are_those_of_the_spectrum():
@@ -74,24 +74,24 @@ def test_seeds_repeat_and_depths_are_met():
 
 def test_conductance_is_in_proportion_to_the_stiffness():
     """Lambda = 2 k / (E* (rho_1 + rho_2)); of heat, one over the conductivity stands for rho."""
-    found = RoughContact(WIDE, ONE, 1.0, Force([1e-3, 1e-2]), realisations=5).solve()
+    result = RoughContact(WIDE, ONE, 1.0, Force([1e-3, 1e-2]), realisations=5).solve()
     pair = ElectricalConductors(ElectricalConductor(2e-8), ElectricalConductor(3e-8))
-    assert found.conductance(pair) == pytest.approx(2.0 * found.stiffness / 5e-8, rel=1e-14)
+    assert result.conductance(pair) == pytest.approx(2.0 * result.stiffness / 5e-8, rel=1e-14)
     heat = HeatConductors(ThermalConductor(100.0, 1e-5), ThermalConductor(25.0, 1e-5))
-    assert found.conductance(heat) == pytest.approx(2.0 * found.stiffness / 0.05, rel=1e-14)
+    assert result.conductance(heat) == pytest.approx(2.0 * result.stiffness / 0.05, rel=1e-14)
     filmed = ElectricalConductors(pair.first, pair.second, SurfaceFilm(1e-12))
     with pytest.raises(OutsideValidity, match="without film or plating"):
-        found.conductance(filmed)
+        result.conductance(filmed)
 
 
-def test_what_the_line_does_not_know_is_said():
+def test_what_the_line_leaves_out_is_stated():
     fine = RoughContact(WIDE, ONE, 1.0, Force(1e-3), realisations=2).solve()
     assert any(note.standing is Standing.OUTSIDE and "Persson's" in note.statement for note in fine.validity)
     assert not any("left out" in note.statement for note in fine.validity)
     coarse = RoughContact(WIDE, ONE, 0.5, Force(1e-3), realisations=2, count=16).solve()
-    (told,) = [note.statement for note in coarse.validity if "left out" in note.statement]
-    assert "longer than the line (0.5762 m)" in told
-    assert "shorter than two springs (0.07202 m" in told
+    (statements,) = [note.statement for note in coarse.validity if "left out" in note.statement]
+    assert "longer than the line (0.5762 m)" in statements
+    assert "shorter than two springs (0.07202 m" in statements
 
 
 def surfaces(spectrum, pixels, forces, seeds):
@@ -99,13 +99,13 @@ def surfaces(spectrum, pixels, forces, seeds):
     rows = []
     for seed in seeds:
         heights = random_topography(spectrum, (pixels, pixels), [1.0, 1.0], seed).heights
-        found = SurfaceContact(Topography(heights, [1.0, 1.0]), ONE, Force(forces)).solve()
-        rows.append((found.stiffness, found.depth))
+        result = SurfaceContact(Topography(heights, [1.0, 1.0]), ONE, Force(forces)).solve()
+        rows.append((result.stiffness, result.depth))
     return np.median(rows, axis=0)
 
 
 def test_against_boundary_elements():
-    """The stiffness within 40 per cent, as the note says: four surfaces of 64 x 64 pixels."""
+    """The stiffness within 40 per cent, as the note states: four surfaces of 64 x 64 pixels."""
     surface = SelfAffine(hurst=0.8, rms_height=0.01, longest=1.0, shortest=0.125)
     forces = 0.01 * np.array([0.1, 1.0, 10.0])
     stiffness, depth = surfaces(surface, 64, forces, range(4))
@@ -157,6 +157,6 @@ def test_a_row_of_the_table():
     ],
 )
 def test_wrong_questions_are_refused(numbers, sentence):
-    asked = {"spectrum": WIDE, "medium": ONE, "side": 1.0, "load": Force(1.0)} | numbers
+    prescribed = {"spectrum": WIDE, "medium": ONE, "side": 1.0, "load": Force(1.0)} | numbers
     with pytest.raises(InvalidInput, match=sentence):
-        RoughContact(**asked)
+        RoughContact(**prescribed)

@@ -29,23 +29,23 @@ FINE = SelfAffine(hurst=0.8, rms_height=1e-3, longest=0.25, shortest=1.0 / 32)
 
 def test_it_is_the_sum_over_its_springs():
     """F = E* dx sum (d - (z_max - z)), z = h - x^2 / R, written out for one line."""
-    found = RoughIndentation(FINE, BALL, 2.0, Depth([0.01, 0.1]), realisations=1, count=1000, seed=4).solve()
+    result = RoughIndentation(FINE, BALL, 2.0, Depth([0.01, 0.1]), realisations=1, count=1000, seed=4).solve()
     x = (np.arange(1000) - 499.5) * 2e-3
     heights = random_line(FINE, 1000, 2.0, line_seeds(4, 1)[0]) - x**2
     pressed = np.maximum(np.array([[0.01], [0.1]]) - (heights.max() - heights), 0.0)
-    assert found.force == pytest.approx(2e-3 * pressed.sum(axis=1), rel=1e-12)
-    assert found.stiffness == pytest.approx(2e-3 * (pressed > 0.0).sum(axis=1), rel=1e-12)
+    assert result.force == pytest.approx(2e-3 * pressed.sum(axis=1), rel=1e-12)
+    assert result.stiffness == pytest.approx(2e-3 * (pressed > 0.0).sum(axis=1), rel=1e-12)
 
 
 def test_under_great_forces_the_ball_is_smooth():
     forces = np.array([0.01, 0.03])
-    found = RoughIndentation(FINE, BALL, 1.5, Force(forces)).solve()
+    result = RoughIndentation(FINE, BALL, 1.5, Force(forces)).solve()
     smooth = Indentation(BALL, Force(forces)).solve()
-    assert found.stiffness == pytest.approx(smooth.stiffness, rel=2e-3)
-    assert found.smooth_stiffness == pytest.approx(smooth.stiffness, rel=1e-12)
-    assert np.all(np.abs(found.depth - smooth.depth) < 3.0 * FINE.rms_height)
-    assert np.all(found.area < np.pi * smooth.radius**2)
-    assert found.area == pytest.approx(np.pi * smooth.radius**2, rel=7e-2)
+    assert result.stiffness == pytest.approx(smooth.stiffness, rel=2e-3)
+    assert result.smooth_stiffness == pytest.approx(smooth.stiffness, rel=1e-12)
+    assert np.all(np.abs(result.depth - smooth.depth) < 3.0 * FINE.rms_height)
+    assert np.all(result.area < np.pi * smooth.radius**2)
+    assert result.area == pytest.approx(np.pi * smooth.radius**2, rel=7e-2)
 
 
 def test_persson_ring_by_ring():
@@ -53,31 +53,31 @@ def test_persson_ring_by_ring():
     from scipy.integrate import quad
     from scipy.special import erf
 
-    found = RoughIndentation(FINE, BALL, 1.5, Force([1e-3]), realisations=1).solve()
+    result = RoughIndentation(FINE, BALL, 1.5, Force([1e-3]), realisations=1).solve()
     smooth = Indentation(BALL, Force(1e-3)).solve()
     peak = 2.0 * smooth.radius / np.pi
 
     def ring(r):
         return 2.0 * np.pi * r * erf(np.sqrt(2.0) * peak * np.sqrt(1.0 - (r / smooth.radius) ** 2) / FINE.rms_slope)
 
-    assert found.area[0] == pytest.approx(quad(ring, 0.0, smooth.radius, epsrel=1e-10)[0], rel=1e-6)
+    assert result.area[0] == pytest.approx(quad(ring, 0.0, smooth.radius, epsrel=1e-10)[0], rel=1e-6)
 
 
 def test_lightly_pressed_it_bears_on_peaks():
     """Softer than the smooth ball by a factor that grows as the force falls, and deeper."""
     forces = np.geomspace(1e-7, 1e-4, 4)
-    found = RoughIndentation(FINE, BALL, 1.0, Force(forces), realisations=100).solve()
-    ratio = found.stiffness / found.smooth_stiffness
+    result = RoughIndentation(FINE, BALL, 1.0, Force(forces), realisations=100).solve()
+    ratio = result.stiffness / result.smooth_stiffness
     assert np.all(np.diff(ratio) > 0.0)
     assert ratio[1] < 0.7
-    assert np.all(found.depth > Indentation(BALL, Force(forces)).solve().depth)
+    assert np.all(result.depth > Indentation(BALL, Force(forces)).solve().depth)
 
 
 def test_a_rough_flat_punch_is_pinned_at_its_rim():
     punch = Foundation(FlatPunch(0.3), ONE)
-    found = RoughIndentation(FINE, punch, 1.0, Force([1.0, 10.0]), realisations=3).solve()
-    assert found.stiffness == pytest.approx([0.6, 0.6], rel=2e-3)  # 2 E* a, to half a spring
-    assert found.area == pytest.approx(np.pi * 0.09, rel=1e-6)
+    result = RoughIndentation(FINE, punch, 1.0, Force([1.0, 10.0]), realisations=3).solve()
+    assert result.stiffness == pytest.approx([0.6, 0.6], rel=2e-3)  # 2 E* a, to half a spring
+    assert result.area == pytest.approx(np.pi * 0.09, rel=1e-6)
 
 
 def test_against_boundary_elements():
@@ -88,8 +88,8 @@ def test_against_boundary_elements():
     rows = []
     for seed in range(4):
         rough = random_topography(FINE, (128, 128), [1.0, 1.0], seed).heights
-        found = SurfaceContact(Topography(rough + ball, [1.0, 1.0]), ONE, Force(forces)).solve()
-        rows.append((found.stiffness, found.depth))
+        result = SurfaceContact(Topography(rough + ball, [1.0, 1.0]), ONE, Force(forces)).solve()
+        rows.append((result.stiffness, result.depth))
     stiffness, depth = np.median(rows, axis=0)
     line = RoughIndentation(FINE, BALL, 1.0, Force(forces), realisations=100).solve()
     assert line.stiffness[0] / stiffness[0] == pytest.approx(1.0, abs=0.3)
@@ -98,12 +98,12 @@ def test_against_boundary_elements():
     assert line.depth[2] / depth[2] == pytest.approx(1.0, abs=0.03)
 
 
-def test_what_is_not_known_is_said():
-    found = RoughIndentation(FINE, BALL, 0.2, Force(1e-5), realisations=2, count=64).solve()
-    statements = [note.statement for note in found.validity]
-    assert any("longer than the line" in told for told in statements)
-    assert any("area given here is Persson's" in told for told in statements)
-    assert all(note.standing is not Standing.OUTSIDE for note in found.validity)
+def test_what_is_not_known_is_stated():
+    result = RoughIndentation(FINE, BALL, 0.2, Force(1e-5), realisations=2, count=64).solve()
+    statements = [note.statement for note in result.validity]
+    assert any("longer than the line" in sentences for sentences in statements)
+    assert any("area given here is Persson's" in sentences for sentences in statements)
+    assert all(note.standing is not Standing.OUTSIDE for note in result.validity)
 
 
 def test_wrong_questions_are_refused():

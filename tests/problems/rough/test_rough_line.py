@@ -60,16 +60,16 @@ def test_a_million_springs_keep_their_digits():
     assert float(line.force(np.array(depth))) == pytest.approx(exact, rel=1e-13)
 
 
-def test_many_lines_tell_median_and_band():
+def test_many_lines_give_median_and_band():
     lines = [RoughLine(np.array([0.0, -1.0 - 0.1 * i]), 1.0, 1.0) for i in range(11)]
-    told = ensemble(lines, Depth([[1.5, 3.0]]))
+    statements = ensemble(lines, Depth([[1.5, 3.0]]))
     # F = d/2 + (d - 1 - i/10)+ / 2
     expected = np.sort([0.75 + 0.5 * max(0.5 - 0.1 * i, 0.0) for i in range(11)])
-    assert told.force.shape == (1, 2)
-    assert told.force_band.shape == (2, 1, 2)
-    assert told.force[0, 0] == pytest.approx(np.median(expected), rel=1e-14)
-    assert told.force_band[:, 0, 0] == pytest.approx([expected[1], expected[9]], rel=1e-14)
-    assert np.all(told.depth_band == told.depth)
+    assert statements.force.shape == (1, 2)
+    assert statements.force_band.shape == (2, 1, 2)
+    assert statements.force[0, 0] == pytest.approx(np.median(expected), rel=1e-14)
+    assert statements.force_band[:, 0, 0] == pytest.approx([expected[1], expected[9]], rel=1e-14)
+    assert np.all(statements.depth_band == statements.depth)
     assert ensemble(lines, Force(1.0)).force_band.tolist() == [1.0, 1.0]
 
 

@@ -24,40 +24,40 @@ def map_of(function, side, pixels):
 
 def test_a_round_spot_has_holms_resistance():
     ball = map_of(lambda x, y: -(x**2 + y**2) / 20e-3, 0.3e-3, 64)
-    found = wk.SurfaceConduction(wk.SurfaceContact(ball, STEEL, wk.Depth(1e-6)), PAIR).solve()
+    result = wk.SurfaceConduction(wk.SurfaceContact(ball, STEEL, wk.Depth(1e-6)), PAIR).solve()
     radius = np.sqrt(10e-3 * 1e-6)
-    assert found.resistance == pytest.approx(2 * 16e-9 / (4 * radius), rel=5e-3)
-    assert found.force == pytest.approx(4 / 3 * STEEL.modulus * np.sqrt(10e-3) * 1e-6**1.5, rel=2e-3)
-    assert found.least_resistance <= found.resistance <= found.greatest_resistance
+    assert result.resistance == pytest.approx(2 * 16e-9 / (4 * radius), rel=5e-3)
+    assert result.force == pytest.approx(4 / 3 * STEEL.modulus * np.sqrt(10e-3) * 1e-6**1.5, rel=2e-3)
+    assert result.least_resistance <= result.resistance <= result.greatest_resistance
 
 
 def test_the_lower_bound_is_the_resistance_of_the_stamp():
     """A square punch has the stiffness 1.15229 E* L, by boundary elements extrapolated to no pixels."""
-    found = wk.SurfaceConduction(wk.SurfaceContact(STAMP, STEEL, wk.Force([1.0, 10.0])), PAIR).solve()
-    assert found.greatest_stiffness == pytest.approx(1.15229 * STEEL.modulus * 1e-3, rel=0.01)
+    result = wk.SurfaceConduction(wk.SurfaceContact(STAMP, STEEL, wk.Force([1.0, 10.0])), PAIR).solve()
+    assert result.greatest_stiffness == pytest.approx(1.15229 * STEEL.modulus * 1e-3, rel=0.01)
     height = float(np.ptp(STAMP.heights))
-    assert found.least_stiffness == pytest.approx(found.force / (found.force / found.greatest_stiffness + height))
-    assert np.all(found.least_stiffness <= found.stiffness)
-    assert np.all(found.stiffness <= found.greatest_stiffness)
-    assert found.resistance == pytest.approx(STEEL.modulus * 32e-9 / (2 * found.stiffness), rel=1e-12)
-    assert found.conductance == pytest.approx(1.0 / found.resistance, rel=1e-14)
-    assert found.line_resistance == pytest.approx(STEEL.modulus * 32e-9 / (2 * found.line_stiffness), rel=1e-12)
+    assert result.least_stiffness == pytest.approx(result.force / (result.force / result.greatest_stiffness + height))
+    assert np.all(result.least_stiffness <= result.stiffness)
+    assert np.all(result.stiffness <= result.greatest_stiffness)
+    assert result.resistance == pytest.approx(STEEL.modulus * 32e-9 / (2 * result.stiffness), rel=1e-12)
+    assert result.conductance == pytest.approx(1.0 / result.resistance, rel=1e-14)
+    assert result.line_resistance == pytest.approx(STEEL.modulus * 32e-9 / (2 * result.line_stiffness), rel=1e-12)
 
 
 def test_a_periodic_map_has_no_upper_bound_of_the_stiffness():
     rough = wk.RandomTopography([1e-3, 1e-3], BLASTED, (32, 32))
-    found = wk.SurfaceConduction(wk.SurfaceContact(rough, STEEL, wk.Force(3.0)), PAIR, realisations=5).solve()
-    assert np.isinf(found.greatest_stiffness)
-    assert found.least_resistance == 0.0
-    assert found.least_stiffness == pytest.approx(3.0 / np.ptp(rough.heights), rel=1e-5)
+    result = wk.SurfaceConduction(wk.SurfaceContact(rough, STEEL, wk.Force(3.0)), PAIR, realisations=5).solve()
+    assert np.isinf(result.greatest_stiffness)
+    assert result.least_resistance == 0.0
+    assert result.least_stiffness == pytest.approx(3.0 / np.ptp(rough.heights), rel=1e-5)
 
 
 def test_the_line_is_that_of_the_spectrum():
-    asked = wk.SurfaceConduction(wk.SurfaceContact(STAMP, STEEL, wk.Force(5.0)), PAIR, realisations=7, seed=3)
+    prescribed = wk.SurfaceConduction(wk.SurfaceContact(STAMP, STEEL, wk.Force(5.0)), PAIR, realisations=7, seed=3)
     line = wk.RoughContact(wk.spectrum_of(STAMP), STEEL, 1e-3, wk.Force(5.0), realisations=7, seed=3).solve()
-    found = asked.solve()
-    assert found.line_stiffness == pytest.approx(float(line.stiffness), rel=1e-5)
-    notes = [note.statement for note in found.validity]
+    result = prescribed.solve()
+    assert result.line_stiffness == pytest.approx(float(line.stiffness), rel=1e-5)
+    notes = [note.statement for note in result.validity]
     assert len(notes) == len(set(notes))
     assert any("Rigorous bounds" in note for note in notes)
     assert not any("no true area" in note for note in notes)
@@ -126,17 +126,17 @@ def test_a_random_surface_refuses(more, sentence):
 def test_a_reduced_bed_bears_what_the_map_bears():
     rough = wk.RandomTopography([1e-3, 1e-3], BLASTED, (64, 64), seed=1, periodic=False)
     bed = wk.ReducedBed(rough, STEEL, depth=3e-6)
-    judge = wk.SurfaceContact(rough, STEEL, wk.Depth([0.9e-6, 2.2e-6, 3e-6])).solve().force
-    found = wk.Indentation(bed, wk.Depth(np.array([0.9e-6, 2.2e-6, 3e-6]))).solve()
-    np.testing.assert_allclose(found.force, judge, rtol=0.0, atol=2e-3 * judge[-1])
-    assert found.validity  # slopes of a body that nobody has are integrated, too
+    reference = wk.SurfaceContact(rough, STEEL, wk.Depth([0.9e-6, 2.2e-6, 3e-6])).solve().force
+    result = wk.Indentation(bed, wk.Depth(np.array([0.9e-6, 2.2e-6, 3e-6]))).solve()
+    np.testing.assert_allclose(result.force, reference, rtol=0.0, atol=2e-3 * reference[-1])
+    assert result.validity  # slopes of a body that nobody has are integrated, too
     assert bed.mindlin_ratio == pytest.approx(STEEL.shear_modulus / STEEL.modulus)
     assert pickle.loads(pickle.dumps(bed)) == bed
 
 
 @pytest.mark.parametrize("power", [0.35, 0.6, 1.0, 2.0])
 def test_a_measured_bed_of_a_broken_power_has_its_body(power):
-    """g = c x^n belongs to the body f = (c/pi) B((n+1)/2, 1/2) r^n, integrated by hand."""
+    """g = c x^n belongs to the body f = (c/pi) B((n+1)/2, 1/2) r^n, integrated analytically."""
     radii = np.geomspace(20e-6, 200e-6, 12)
     depths = 1e-6 * (radii / 100e-6) ** power
     bed = wk.MeasuredBed(radii, 2.0 * STEEL.modulus * radii, depths)

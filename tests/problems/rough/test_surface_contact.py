@@ -1,4 +1,4 @@
-"""Height maps under load: Hertz, flat edges, arrays of loads, what is said and what is refused."""
+"""Height maps under load: Hertz, flat edges, arrays of loads, what is noted and what is refused."""
 
 from __future__ import annotations
 
@@ -92,11 +92,11 @@ def test_the_stiffness_of_two_spots_is_that_of_the_flat_punch_of_their_area():
     x = (np.arange(128) - 63.5) / 128.0
     heights = -np.minimum((x[:, None] - 0.2) ** 2, (x[:, None] + 0.2) ** 2) / 2.0 - x**2 / 2.0
     step = 1e-4
-    found = SurfaceContact(
+    result = SurfaceContact(
         Topography(heights, [1.0, 1.0]), UNIT, Depth(0.008 * np.array([1.0 - step, 1.0, 1.0 + step])), tolerance=1e-10
     ).solve()
-    slope = (found.force[2] - found.force[0]) / (found.depth[2] - found.depth[0])
-    assert found.stiffness[1] == pytest.approx(slope, rel=6e-5)
+    slope = (result.force[2] - result.force[0]) / (result.depth[2] - result.depth[0])
+    assert result.stiffness[1] == pytest.approx(slope, rel=6e-5)
 
 
 def test_the_edge_is_taken_off_the_area():
@@ -119,14 +119,14 @@ def test_the_area_lies_within_its_error_on_coarse_grids(across):
     for _ in range(12):
         radius, (x, y) = 0.5 * across * rng.uniform(0.9, 1.1), np.arange(count) - 0.5 * count + rng.random((2, 1))
         curvature, exact = 100.0 * radius, math.pi * radius**2
-        found = SurfaceContact(
+        result = SurfaceContact(
             Topography(-(x[:, None] ** 2 + y**2) / (2.0 * curvature), [float(count)] * 2),
             UNIT,
             Force(4.0 / 3.0 * radius**3 / curvature),
         ).solve()
-        assert abs(found.area - exact) < found.area_error
+        assert abs(result.area - exact) < result.area_error
         peak = 2.0 * radius / (math.pi * curvature)
-        assert abs(found.last.pressure.max() / peak - 1.0) < 6.0 * (found.area_error / found.area) ** 2
+        assert abs(result.last.pressure.max() / peak - 1.0) < 6.0 * (result.area_error / result.area) ** 2
 
 
 @pytest.mark.parametrize("count", [8, 16, 32])
@@ -137,12 +137,12 @@ def test_the_error_of_the_area_of_waves_along_the_grid(count):
         for shift in (0.0, 0.25, 0.5):
             wave = 1e-3 * np.cos(2.0 * np.pi * (np.arange(count) + shift) / count)
             rough = Topography(np.tile(wave[:, None], 4), [1.0, 4.0 / count], True)
-            found = SurfaceContact(rough, UNIT, Force(share * full * rough.area)).solve()
+            result = SurfaceContact(rough, UNIT, Force(share * full * rough.area)).solve()
             exact = 2.0 / math.pi * math.asin(math.sqrt(share)) * rough.area
-            inside.append(abs(found.area - exact) / found.area_error)
-            errors.append(found.area / exact - 1.0)
+            inside.append(abs(result.area - exact) / result.area_error)
+            errors.append(result.area / exact - 1.0)
             peak = 2.0 * math.sqrt(share) * full
-            low.append((1.0 - found.last.pressure.max() / peak) / (6.0 * (found.area_error / found.area) ** 2))
+            low.append((1.0 - result.last.pressure.max() / peak) / (6.0 * (result.area_error / result.area) ** 2))
     assert np.median(inside) < 1.0
     assert np.max(inside) < 2.5  # half a pixel, and a little
     assert np.mean(np.array(low) < 1.0) > 0.9
@@ -218,16 +218,16 @@ def test_a_rough_surface_for_ever_of_another_code(shared_data, loads):
         assert contact.area[i] == pytest.approx(float(rows[load]["area_frac_corrected"]), rel=1e-4)
 
 
-def test_few_pixels_and_steep_heights_are_said():
+def test_few_pixels_and_steep_heights_are_noted():
     few = SurfaceContact(ball(), STEEL, Force(1.0)).solve()
-    said = next(note for note in few.validity if "pixels wide" in note.statement)
-    assert said.standing is Standing.APPROXIMATE
-    assert f"known to about {100.0 * few.area_error / few.area:.2g} per cent" in said.statement
+    message = next(note for note in few.validity if "pixels wide" in note.statement)
+    assert message.standing is Standing.APPROXIMATE
+    assert f"known to about {100.0 * few.area_error / few.area:.2g} per cent" in message.statement
     fewer = SurfaceContact(ball(), STEEL, Force(1e-4)).solve()
     assert next(note for note in fewer.validity if "pixels wide" in note.statement).standing is Standing.OUTSIDE
     steep = SurfaceContact(Topography(10.0 * ball().heights, [SIDE, SIDE]), STEEL, Force(1.0)).solve()
-    said = {note.standing for note in steep.validity if "mean square slope" in note.statement}
-    assert said == {Standing.APPROXIMATE}
+    message = {note.standing for note in steep.validity if "mean square slope" in note.statement}
+    assert message == {Standing.APPROXIMATE}
 
 
 def test_a_wave_of_westergaard():
@@ -293,9 +293,9 @@ def test_steps_are_the_solution():
     ],
 )
 def test_wrong_questions_are_refused(numbers, error, sentence):
-    asked = {"topography": ball(), "medium": STEEL, "load": Force(300.0)} | numbers
+    prescribed = {"topography": ball(), "medium": STEEL, "load": Force(300.0)} | numbers
     with pytest.raises(error, match=sentence):
-        SurfaceContact(**asked)
+        SurfaceContact(**prescribed)
 
 
 def test_a_map_larger_than_the_memory_is_refused(monkeypatch):
@@ -331,7 +331,7 @@ def test_the_border_of_a_stamp_is_no_edge_that_pixels_blur():
     assert contact.area == pytest.approx(0.5, abs=2e-3)  # the inner edge is corrected by an eighth of a pixel
 
 
-def test_mistaken_units_are_told():
+def test_mistaken_units_are_noted():
     steep = SurfaceContact(
         Topography(5.0 * np.random.default_rng(0).normal(size=(32, 32)), [1.0, 1.0]), UNIT, Depth(1.0)
     )

@@ -48,9 +48,9 @@ TRIANGLE = np.where(TURN < 1.0, TURN, 2.0 - TURN)
     ],
 )
 def test_triangles(solid, forces, radii):
-    found = pressed(solid, TURN, Depth(TRIANGLE), count=2000)
-    assert found.force == pytest.approx(forces, abs=5.1e-6)
-    assert found.radius[3:6] == pytest.approx(radii, abs=5.1e-6)
+    result = pressed(solid, TURN, Depth(TRIANGLE), count=2000)
+    assert result.force == pytest.approx(forces, abs=5.1e-6)
+    assert result.radius[3:6] == pytest.approx(radii, abs=5.1e-6)
 
 
 def test_the_error_falls_with_the_square_of_the_springs():
@@ -63,7 +63,7 @@ def test_the_error_falls_with_the_square_of_the_springs():
 
 
 def ting(series, t_max, t):
-    """Return t1, when the contact was last as wide on the way in: the integral of E(t - s) d'(s) from t1 to t is 0."""
+    """Return t1, when the contact was last as wide during loading: the integral of E(t - s) d'(s) from t1 to t is 0."""
 
     def weight(t1):
         rising = quad(lambda s: float(series.at(np.array(t - s))), t1, t_max, epsabs=1e-13)[0]
@@ -78,45 +78,47 @@ def ting(series, t_max, t):
 )
 @pytest.mark.parametrize("shape", [wk.Paraboloid(1.0), wk.Cone(1.2)], ids=["ball", "cone"])
 def test_ting(solid, shape):
-    """On the way back the contact is as wide as it was at t1, and the force is that of the path up to t1."""
+    """During unloading the contact is as wide as it was at t1, and the force is that of the path up to t1."""
     where = np.array([1.02, 1.05, 1.1])
-    found = pressed(solid, np.array([0.0, 1.0, *where]), Depth(np.array([0.0, 1.0, *(2.0 - where)])), shape, count=3000)
+    result = pressed(
+        solid, np.array([0.0, 1.0, *where]), Depth(np.array([0.0, 1.0, *(2.0 - where)])), shape, count=3000
+    )
     series = ViscoelasticHalfSpace(solid).relaxation
     elastic = wk.Foundation(shape, wk.HalfSpace(wk.Elastic(1.0, 0.0)))
     for i, t in enumerate(where, start=2):
         t1 = ting(series, 1.0, t)
         widest = wk.Indentation(elastic, Depth(t1)).solve()
-        assert found.radius[i] == pytest.approx(widest.radius, rel=3e-5)
+        assert result.radius[i] == pytest.approx(widest.radius, rel=3e-5)
 
         def rate(s):
             return wk.Indentation(elastic, Depth(float(s))).solve().stiffness
 
         force = quad(lambda s, t=t: float(series.at(np.array(t - s))) * rate(s), 0.0, t1, epsabs=1e-9)[0]
-        assert found.force[i] == pytest.approx(force, rel=2e-6)
+        assert result.force[i] == pytest.approx(force, rel=2e-6)
 
 
 def test_ting_of_a_power_law():
     alpha = 0.3
     solid = PowerLawSolid(1.0, 1.0, alpha, shortest=1e-5, longest=10.0, tolerance=1e-6)
     t = np.array([0.0, 0.5, 1.0, 1.1, 1.2])
-    found = pressed(solid, t, Depth(np.where(t < 1.0, t, 2.0 - t)), count=1500)
+    result = pressed(solid, t, Depth(np.where(t < 1.0, t, 2.0 - t)), count=1500)
     glassy = 4.0  # E* of the shear 1, incompressible
     loading = 2.0 * glassy * t[:3] ** (1.5 - alpha) * float(mp.beta(1.0 - alpha, 1.5))
-    assert found.force[:3] == pytest.approx(loading, rel=2e-5)
+    assert result.force[:3] == pytest.approx(loading, rel=2e-5)
     t1 = t[3:] - 2.0 ** (1.0 / (1.0 - alpha)) * (t[3:] - 1.0)
-    assert found.radius[3:] == pytest.approx(np.sqrt(t1), rel=2e-5)
+    assert result.radius[3:] == pytest.approx(np.sqrt(t1), rel=2e-5)
 
 
 def test_kelvin_voigt_ball():
     t = np.array([0.0, 0.3, 0.7, 1.0, 1.2, 1.5, 1.65, 1.75])
     d = np.where(t <= 1.0, t, 2.0 - t)
-    found = pressed(VOIGT, t, Depth(d), count=2000)
+    result = pressed(VOIGT, t, Depth(d), count=2000)
     tau = 0.3
     force = 4.0 / 3.0 * d[1:4] ** 1.5 + 2.0 * tau * np.sqrt(d[1:4])
-    assert found.force[1:4] == pytest.approx(force, rel=2e-6)
+    assert result.force[1:4] == pytest.approx(force, rel=2e-6)
     left = np.maximum(d[4:] - tau, 0.0)
-    assert found.force[4:] == pytest.approx(4.0 / 3.0 * left**1.5, abs=2e-6)
-    assert found.radius[4:] == pytest.approx(np.sqrt(left), abs=2e-5)
+    assert result.force[4:] == pytest.approx(4.0 / 3.0 * left**1.5, abs=2e-6)
+    assert result.radius[4:] == pytest.approx(np.sqrt(left), abs=2e-5)
 
 
 CREEP = {
@@ -130,9 +132,9 @@ CREEP = {
 def test_creep_under_a_constant_force(name):
     solid, creep = CREEP[name]
     t = np.array([0.0, 0.1, 0.5, 2.0])
-    found = pressed(solid, t, Force(0.01), count=1000)
-    assert found.radius[1:] == pytest.approx((0.0075 * creep(t[1:])) ** (1.0 / 3.0), rel=3e-6)
-    assert found.depth[1:] == pytest.approx((0.0075 * creep(t[1:])) ** (2.0 / 3.0), rel=6e-6)
+    result = pressed(solid, t, Force(0.01), count=1000)
+    assert result.radius[1:] == pytest.approx((0.0075 * creep(t[1:])) ** (1.0 / 3.0), rel=3e-6)
+    assert result.depth[1:] == pytest.approx((0.0075 * creep(t[1:])) ** (2.0 / 3.0), rel=6e-6)
 
 
 def test_steps_of_any_length_agree():
@@ -155,10 +157,10 @@ def test_limits_are_elastic():
     depth = Depth(np.array([0.0, 1.0, 0.5]))
     fast = pressed(StandardSolid(0.05, 0.2, 1e9), t, depth)
     slow = pressed(StandardSolid(0.25, 3.0, 1e-9), t, depth)
-    for found in (fast, slow):
-        assert found.force[2] == pytest.approx(elastic.force, rel=1e-5)
-        assert found.radius[2] == pytest.approx(elastic.radius, rel=1e-5)
-        assert abs(found.dissipation[2]) < 1e-6
+    for result in (fast, slow):
+        assert result.force[2] == pytest.approx(elastic.force, rel=1e-5)
+        assert result.radius[2] == pytest.approx(elastic.radius, rel=1e-5)
+        assert abs(result.dissipation[2]) < 1e-6
 
 
 def test_an_elastic_partner():
@@ -167,10 +169,10 @@ def test_an_elastic_partner():
     alone = pressed(STANDARD, t, Force(0.01)).depth
     for young, other in ((1e9, alone), (1e-4, None)):
         pair = wk.Foundation(wk.Paraboloid(1.0), ViscoelasticHalfSpace(STANDARD, wk.Elastic(young, 0.0)))
-        found = ViscoelasticIndentation(pair, Path(t, Force(0.01))).solve().depth
+        result = ViscoelasticIndentation(pair, Path(t, Force(0.01))).solve().depth
         if other is None:
             other = np.full(2, (0.0075 / young) ** (2.0 / 3.0))
-        assert found == pytest.approx(other, rel=2e-4)
+        assert result == pytest.approx(other, rel=2e-4)
     relaxation = ViscoelasticHalfSpace(MAXWELL, wk.Elastic(1.0, 0.0)).relaxation
     # a Maxwell solid behind a spring is a Maxwell solid of half the modulus and twice the time
     assert relaxation.at(np.array([0.0, 0.6])) == pytest.approx([0.5, 0.5 / math.e], rel=1e-12)
@@ -210,15 +212,15 @@ def test_losing_touch_and_touching_again(solid):
     elastic = wk.Foundation(wk.Paraboloid(1.0), wk.HalfSpace(wk.Elastic(1.0, 0.0)))
     springs = wk.Springs.of(elastic, math.sqrt(0.6), 12)
     series = problem.bed.medium.relaxation
-    answers = []
+    solutions = []
     for steps in (1300, 2600):
         times = np.linspace(0.0, 1.3, steps + 1)
         forces, _ = hereditary(series, springs.gap, springs.stiffness, times, np.interp(times, corners, depths))
-        answers.append(forces[np.round(marks / 1.3 * steps).astype(int)])
-    extrapolated = 2.0 * answers[1] - answers[0]
-    found = np.array([states[round(mark, 6)].force for mark in marks])
-    assert np.abs(extrapolated - answers[1]).max() < 5e-3
-    assert found == pytest.approx(extrapolated, abs=1.5e-4)
+        solutions.append(forces[np.round(marks / 1.3 * steps).astype(int)])
+    extrapolated = 2.0 * solutions[1] - solutions[0]
+    result = np.array([states[round(mark, 6)].force for mark in marks])
+    assert np.abs(extrapolated - solutions[1]).max() < 5e-3
+    assert result == pytest.approx(extrapolated, abs=1.5e-4)
 
 
 def lee_radok_pressure(solid, r, times, depths):
@@ -306,9 +308,9 @@ def test_forces_that_depths_make_make_these_depths():
     depths = np.where(t < 0.7, t, 1.4 - t)
     for solid in (MAXWELL, STANDARD):
         forces = pressed(solid, t, Depth(depths), count=400).force
-        kept = forces > 0.02 * forces.max()
-        kept[0] = True
-        last = int(np.flatnonzero(kept)[-1]) + 1
+        remaining = forces > 0.02 * forces.max()
+        remaining[0] = True
+        last = int(np.flatnonzero(remaining)[-1]) + 1
         back = pressed(solid, t[:last], Force(forces[:last]), count=400)
         # forces are taken as straight between the points, depths were
         assert back.depth == pytest.approx(depths[:last], abs=3e-4)
@@ -326,7 +328,7 @@ def test_histories_superpose_while_the_contact_grows():
 def test_no_step_is_too_long():
     """A step of 1e4 of the shortest time and a thousandth of the longest one."""
     solid = Prony(0.05, [0.1, 0.1], [1e-4, 1e3])
-    found = pressed(solid, np.array([0.0, 1.0, 2.0]), Depth(np.array([0.0, 0.25, 0.2499])))
+    result = pressed(solid, np.array([0.0, 1.0, 2.0]), Depth(np.array([0.0, 0.25, 0.2499])))
     series = ViscoelasticHalfSpace(solid).relaxation
     exact = quad(
         lambda s: float(series.at(np.array(1.0 - s))) * 2.0 * math.sqrt(0.25 * s) * 0.25,
@@ -335,19 +337,19 @@ def test_no_step_is_too_long():
         points=[0.999],
         limit=500,
     )
-    assert found.force[1] == pytest.approx(exact[0], rel=1e-5)
+    assert result.force[1] == pytest.approx(exact[0], rel=1e-5)
 
 
 def test_a_released_body_rests_on_the_surface():
     t = np.array([0.0, 1.0, 1.0, 3.0, 10.0])
-    found = pressed(STANDARD, t, Force(np.array([0.01, 0.01, 0.0, 0.0, 0.0])), tolerance=1e-5)
-    assert np.all(found.depth[2:] > 0.0)
-    assert np.all(np.diff(found.depth[1:]) < 0.0)
-    assert found.depth[-1] < 0.02 * found.depth[1]
+    result = pressed(STANDARD, t, Force(np.array([0.01, 0.01, 0.0, 0.0, 0.0])), tolerance=1e-5)
+    assert np.all(result.depth[2:] > 0.0)
+    assert np.all(np.diff(result.depth[1:]) < 0.0)
+    assert result.depth[-1] < 0.02 * result.depth[1]
 
 
 @pytest.mark.parametrize(
-    ("make", "error", "says"),
+    ("make", "error", "message"),
     [
         (lambda: ViscoelasticIndentation(wk.Foundation(wk.Paraboloid(1.0), wk.HalfSpace(wk.Elastic(1.0, 0.3))), PATH),
          InvalidInput, "ViscoelasticHalfSpace"),
@@ -362,8 +364,8 @@ def test_a_released_body_rests_on_the_surface():
         (lambda: wk.Indentation(bed(MAXWELL), Depth(1.0)).solve(), OutsideValidity, "changes in time"),
     ],
 )  # fmt: skip
-def test_what_is_refused(make, error, says):
-    with pytest.raises(error, match=says):
+def test_what_is_refused(make, error, message):
+    with pytest.raises(error, match=message):
         make()
 
 
@@ -372,8 +374,8 @@ PATH = Path([0.0, 1.0], Depth([0.0, 1.0]))
 
 def test_notes_name_the_span():
     solid = PowerLawSolid(1.0, 1.0, 0.3, shortest=1e-3, longest=10.0)
-    found = pressed(solid, [0.0, 1.0], Depth([0.0, 0.01]))
-    assert any("0.001 s and 10 s" in note.statement for note in found.validity)
-    assert any("linear viscoelastic" in note.statement.lower() for note in found.validity)
-    # the elastic body that stands for the other has nothing to say of its own
-    assert not any("dissimilar" in note.statement for note in found.validity)
+    result = pressed(solid, [0.0, 1.0], Depth([0.0, 0.01]))
+    assert any("0.001 s and 10 s" in note.statement for note in result.validity)
+    assert any("linear viscoelastic" in note.statement.lower() for note in result.validity)
+    # the elastic body that stands for the other has no notes of its own
+    assert not any("dissimilar" in note.statement for note in result.validity)

@@ -53,7 +53,7 @@ def test_an_independent_equation_of_motion(speed, exponent):
     law = RateDependentWork(W, 1e-6, exponent)
     start, far = 5e-6, 60e-6
     time = np.linspace(0.0, far / speed, 25)
-    found = ViscoelasticAdhesion(BALL, law, Path(time, Depth(start - speed * time))).solve()
+    result = ViscoelasticAdhesion(BALL, law, Path(time, Depth(start - speed * time))).solve()
 
     def release(t, a):
         return MODULUS * (a**2 / R - start + speed * t) ** 2 / (2.0 * math.pi * a)
@@ -65,7 +65,7 @@ def test_an_independent_equation_of_motion(speed, exponent):
         return a[0] - 1e-6
 
     gone.terminal = True
-    radius = found.radius[0]
+    radius = result.radius[0]
     assert release(0.0, radius) == pytest.approx(W, rel=1e-12)
     true = solve_ivp(
         motion, (0.0, time[-1]), [radius], method="LSODA", rtol=1e-11, atol=1e-16, events=gone, dense_output=True
@@ -73,27 +73,27 @@ def test_an_independent_equation_of_motion(speed, exponent):
     moments = np.linspace(0.0, true.t[-1], 20001)
     a = true.sol(moments)[0]
     force = 2.0 * MODULUS * (a * (start - speed * moments) - a**3 / (3.0 * R))
-    assert found.lowest_force[-1] == pytest.approx(np.min(force), rel=1e-6)
+    assert result.lowest_force[-1] == pytest.approx(np.min(force), rel=1e-6)
     inside = time < true.t[-1]
-    assert found.radius[inside] == pytest.approx(true.sol(time[inside])[0], rel=1e-5)
-    assert np.all(found.radius[time > 1.02 * true.t[-1]] == 0.0)
-    assert found.crack_speed[inside][1:] == pytest.approx(-motion(time[inside], found.radius[inside])[1:], rel=1e-6)
+    assert result.radius[inside] == pytest.approx(true.sol(time[inside])[0], rel=1e-5)
+    assert np.all(result.radius[time > 1.02 * true.t[-1]] == 0.0)
+    assert result.crack_speed[inside][1:] == pytest.approx(-motion(time[inside], result.radius[inside])[1:], rel=1e-6)
     # what is lost at the edge, area by area; the bodies part with almost nothing left
     loss = np.trapezoid(2.0 * math.pi * a * (W - release(moments, a)), a)
-    assert found.dissipation[-1] - found.dissipation[0] == pytest.approx(loss, rel=3e-2)
-    assert np.all(np.diff(found.dissipation) >= 0.0)
+    assert result.dissipation[-1] - result.dissipation[0] == pytest.approx(loss, rel=3e-2)
+    assert np.all(np.diff(result.dissipation) >= 0.0)
 
 
 def test_the_work_converges_to_what_is_spent():
     """Four times as many points, a sixteenth of the trapezia's error."""
     misfits = []
     for count in (40, 160):
-        way = np.linspace(5e-6, -1e-6, count + 1)
-        found = ViscoelasticAdhesion(BALL, LAW, Path((5e-6 - way) / 2e-8, Depth(way))).solve()
-        a, d = found.radius, found.depth
+        track = np.linspace(5e-6, -1e-6, count + 1)
+        result = ViscoelasticAdhesion(BALL, LAW, Path((5e-6 - track) / 2e-8, Depth(track))).solve()
+        a, d = result.radius, result.depth
         stored = MODULUS * (d**2 * a - 2.0 * d * a**3 / (3.0 * R) + a**5 / (5.0 * R**2)) - W * math.pi * a**2
-        spent = stored[-1] - stored[0] + found.dissipation[-1] - found.dissipation[0]
-        misfits.append(abs(spent - np.trapezoid(found.force, way)) / np.max(np.abs(stored)))
+        spent = stored[-1] - stored[0] + result.dissipation[-1] - result.dissipation[0]
+        misfits.append(abs(spent - np.trapezoid(result.force, track)) / np.max(np.abs(stored)))
     assert misfits[1] < misfits[0] / 15.0
     assert misfits[1] < 1e-4
 
@@ -107,8 +107,8 @@ def test_only_one_number_counts():
         unit = (work**2 * radius / (young / 0.75) ** 2) ** (1.0 / 3.0)
         speed = 0.02 * 3e-6 * (work / (radius * young / 0.75)) ** (1.0 / 3.0)
         law = RateDependentWork(work, 3e-6, 0.5)
-        found = pulled(speed, bed=bed, law=law, press=2.0 * unit, far=20.0 * unit)
-        ratios.append(found.lowest_force[-1] / (math.pi * work * radius))
+        result = pulled(speed, bed=bed, law=law, press=2.0 * unit, far=20.0 * unit)
+        ratios.append(result.lowest_force[-1] / (math.pi * work * radius))
     assert ratios == pytest.approx([ratios[0]] * 2, rel=1e-6)
     assert ratios[0] < -1.6
 
@@ -125,31 +125,31 @@ def test_the_pull_off_rises_with_the_speed():
 
 def test_work_is_stored_or_lost():
     turns = [(-1e-6, 5e-6, 9), (5e-6, -2e-6, 50), (-2e-6, 4e-6, 30)]
-    way = np.concatenate([[-1e-6], *(np.linspace(*turn)[1:] for turn in turns)])
-    time = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(way)))]) / 2e-8
+    track = np.concatenate([[-1e-6], *(np.linspace(*turn)[1:] for turn in turns)])
+    time = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(track)))]) / 2e-8
     for stiffness in (math.inf, 200.0):
-        found = ViscoelasticAdhesion(BALL, LAW, Path(time, Depth(way)), stiffness).solve()
-        assert found.radius[0] == found.force[0] == 0.0
-        assert np.all(np.diff(found.dissipation) >= 0.0)
+        result = ViscoelasticAdhesion(BALL, LAW, Path(time, Depth(track)), stiffness).solve()
+        assert result.radius[0] == result.force[0] == 0.0
+        assert np.all(np.diff(result.dissipation) >= 0.0)
         begin = 12
-        work = np.trapezoid(found.force[begin:], way[begin:])
-        a, d, f = found.radius, found.depth, found.force
+        work = np.trapezoid(result.force[begin:], track[begin:])
+        a, d, f = result.radius, result.depth, result.force
         inner = MODULUS * (d**2 * a - 2.0 * d * a**3 / (3.0 * R) + a**5 / (5.0 * R**2)) - W * math.pi * a**2
         stored = inner + 0.5 * f**2 / stiffness
-        spent = stored[-1] - stored[begin] + found.dissipation[-1] - found.dissipation[begin]
-        # the work is told by trapezia between the points
+        spent = stored[-1] - stored[begin] + result.dissipation[-1] - result.dissipation[begin]
+        # the work is computed by trapezia between the points
         assert spent == pytest.approx(work, abs=1.1e-3 * np.max(np.abs(stored)))
-        assert way == pytest.approx(d + f / stiffness, abs=1e-15)
+        assert track == pytest.approx(d + f / stiffness, abs=1e-15)
 
 
 def test_a_hold_lets_the_edge_come_to_rest():
-    found = ViscoelasticAdhesion(
+    result = ViscoelasticAdhesion(
         BALL, LAW, Path([0.0, 10.0, 1e3, 1e5, 1e9], Depth([5e-6, 2e-6, 2e-6, 2e-6, 2e-6]))
     ).solve()
     rest = wk.AdhesiveIndentation(BALL, wk.ShortRange(W), Depth(2e-6)).solve()
-    assert np.all(np.diff(found.radius) < 0.0)
-    assert np.all(np.diff(found.crack_speed[1:]) < 0.0)
-    assert found.radius[-1] == pytest.approx(rest.radius, rel=1e-3)
+    assert np.all(np.diff(result.radius) < 0.0)
+    assert np.all(np.diff(result.crack_speed[1:]) < 0.0)
+    assert result.radius[-1] == pytest.approx(rest.radius, rel=1e-3)
     again = ViscoelasticAdhesion(BALL, LAW, Path([0.0, 10.0, 20.0], Depth([5e-6, 2e-6, 5e-6]))).solve()
     assert again.radius[-1] == pytest.approx(again.radius[0], rel=1e-9)
     assert again.crack_speed[-1] == 0.0
@@ -191,12 +191,12 @@ def test_a_work_that_comes_to_an_end():
 
 def test_pulled_at_once():
     """An edge that has no time rests; held, it runs then."""
-    found = ViscoelasticAdhesion(BALL, LAW, Path([0.0, 0.0, 1e-12, 1e5], Depth([5e-6, -5e-6, -5e-6, -5e-6]))).solve()
-    a = found.radius[0]
-    assert found.radius[1] == a
-    assert found.force[1] == pytest.approx(2.0 * MODULUS * (-5e-6 * a - a**3 / (3.0 * R)), rel=1e-12)
-    assert found.dissipation[1] == pytest.approx(found.dissipation[0], abs=1e-12 * abs(found.force[1]) * 1e-5)
-    assert found.radius[-1] == 0.0
+    result = ViscoelasticAdhesion(BALL, LAW, Path([0.0, 0.0, 1e-12, 1e5], Depth([5e-6, -5e-6, -5e-6, -5e-6]))).solve()
+    a = result.radius[0]
+    assert result.radius[1] == a
+    assert result.force[1] == pytest.approx(2.0 * MODULUS * (-5e-6 * a - a**3 / (3.0 * R)), rel=1e-12)
+    assert result.dissipation[1] == pytest.approx(result.dissipation[0], abs=1e-12 * abs(result.force[1]) * 1e-5)
+    assert result.radius[-1] == 0.0
 
 
 def test_the_law():
@@ -210,7 +210,7 @@ def test_the_law():
 
 
 @pytest.mark.parametrize(
-    ("given", "said"),
+    ("given", "message"),
     [
         ({"bed": wk.Foundation(wk.Paraboloid(R), ViscoelasticHalfSpace(Maxwell(1e6, 1.0)))}, "flows for ever"),
         ({"law": wk.ShortRange(W)}, "AdhesiveCycle"),
@@ -220,9 +220,9 @@ def test_the_law():
         ({"machine_stiffness": 0.0}, "machine_stiffness"),
     ],
 )
-def test_wrong_input_is_refused(given, said):
+def test_wrong_input_is_refused(given, message):
     right = {"bed": BALL, "law": LAW, "path": Path([0.0, 1.0], Depth([1e-6, -1e-6]))}
-    with pytest.raises(InvalidInput, match=said):
+    with pytest.raises(InvalidInput, match=message):
         ViscoelasticAdhesion(**{**right, **given})
 
 

@@ -1,4 +1,4 @@
-"""Cycles of forces: pressed, let go, pressed again, any number of times; energy, limits, and the way back by depths."""
+"""Cycles of forces: pressed, let go, pressed again, any number of times; energy, limits, and unloading by depths."""
 
 from __future__ import annotations
 
@@ -57,8 +57,8 @@ def test_depths_give_the_forces_back(name):
     f[late] = np.interp(t[late], [0.9, 1.2], [0.04, 0.0])
     driven = pressed(SOLIDS[name], t, Force(f), count=150)
     back = pressed(SOLIDS[name], t, Depth(driven.depth), count=150)
-    kept = f > 2e-3
-    assert back.force[kept] == pytest.approx(f[kept], rel=2e-3)
+    remaining = f > 2e-3
+    assert back.force[remaining] == pytest.approx(f[remaining], rel=2e-3)
     assert driven.dissipation[-1] == pytest.approx(back.dissipation[-1], rel=2e-3)
 
 
@@ -66,39 +66,39 @@ def test_slow_cycles_are_elastic():
     """Twice up and down, with rests at no force: at every point the depth is that of the relaxed ball."""
     forces = np.array([0.0, 0.01, 0.0, 0.0, 0.02, 0.005, 0.0])
     solid = StandardSolid(0.25, 1.0, 1e-9)
-    found = pressed(solid, np.arange(7.0), Force(forces), count=400)
+    result = pressed(solid, np.arange(7.0), Force(forces), count=400)
     elastic = (0.75 * forces) ** (2.0 / 3.0)
-    assert found.depth == pytest.approx(elastic, rel=1e-4, abs=1e-6)
-    assert abs(found.dissipation[-1]) < 1e-6
+    assert result.depth == pytest.approx(elastic, rel=1e-4, abs=1e-6)
+    assert abs(result.dissipation[-1]) < 1e-6
 
 
 def test_a_second_touch_finds_what_the_first_has_left():
     """Taken off and put on again at once, the body stands where it had crept to; much later all is forgotten."""
     times = np.array([0.0, 0.5, 0.5, 0.5, 1.0])
-    found = pressed(STANDARD, times, Force(np.array([0.01, 0.01, 0.0, 0.01, 0.01])), count=200)
+    result = pressed(STANDARD, times, Force(np.array([0.01, 0.01, 0.0, 0.01, 0.01])), count=200)
     straight = pressed(STANDARD, [0.0, 0.5, 1.0], Force(np.array([0.01, 0.01, 0.01])), count=200)
-    assert found.depth[[1, 3]] == pytest.approx(straight.depth[[1, 1]], rel=1e-6)
-    assert found.depth[4] == pytest.approx(straight.depth[2], rel=1e-5)
+    assert result.depth[[1, 3]] == pytest.approx(straight.depth[[1, 1]], rel=1e-6)
+    assert result.depth[4] == pytest.approx(straight.depth[2], rel=1e-5)
     rested = pressed(STANDARD, [0.0, 0.5, 0.5, 300.0, 300.0, 300.5], Force([0.01, 0.01, 0.0, 0.0, 0.01, 0.01]))
     assert rested.depth[[4, 5]] == pytest.approx(rested.depth[[0, 1]], rel=1e-5)
 
 
 def test_a_fluid_keeps_its_dent():
     """A Maxwell body that was pressed does not come back; the body rests in its dent, and sinks on from there."""
-    found = pressed(MAXWELL, [0.0, 1.0, 1.0, 50.0], Force(np.array([0.01, 0.01, 0.0, 0.0])), count=200, tolerance=1e-5)
-    assert found.depth[3] > 0.5 * found.depth[1]
-    assert found.depth[3] == pytest.approx(found.depth[2], rel=0.2)
+    result = pressed(MAXWELL, [0.0, 1.0, 1.0, 50.0], Force(np.array([0.01, 0.01, 0.0, 0.0])), count=200, tolerance=1e-5)
+    assert result.depth[3] > 0.5 * result.depth[1]
+    assert result.depth[3] == pytest.approx(result.depth[2], rel=0.2)
 
 
 def test_many_cycles_of_depth():
     """Fifty cycles with touch lost in each: the last two are alike, and each loses what work goes into it."""
     t = np.linspace(0.0, 50.0, 5001)
-    found = pressed(STANDARD, t, Depth(0.1 * np.sin(2.0 * np.pi * t)), count=100)
-    loops = found.force[1:].reshape(50, 100)
+    result = pressed(STANDARD, t, Depth(0.1 * np.sin(2.0 * np.pi * t)), count=100)
+    loops = result.force[1:].reshape(50, 100)
     assert loops[-1] == pytest.approx(loops[-2], abs=1e-9 * loops.max())
-    work = np.sum(0.5 * (found.force[1:] + found.force[:-1]) * np.diff(found.depth))
-    assert found.dissipation[-1] + found.stored_energy[-1] == pytest.approx(work, rel=2e-3)
-    assert np.count_nonzero(found.radius[1:].reshape(50, 100)[-1] == 0.0) > 50
+    work = np.sum(0.5 * (result.force[1:] + result.force[:-1]) * np.diff(result.depth))
+    assert result.dissipation[-1] + result.stored_energy[-1] == pytest.approx(work, rel=2e-3)
+    assert np.count_nonzero(result.radius[1:].reshape(50, 100)[-1] == 0.0) > 50
 
 
 def test_no_force_is_no_touch():

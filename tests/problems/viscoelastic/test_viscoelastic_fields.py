@@ -56,7 +56,7 @@ def test_the_peak_is_that_of_hertz():
     assert peak.z == pytest.approx(place.z, rel=1e-3)
 
 
-def test_both_ways_to_ask_for_the_body():
+def test_both_functions_that_restore_the_body():
     state = last(ViscoelasticHalfSpace(SOFT), [0.0, 0.3, 0.4], [0.0, 0.01, 0.008], count=100)
     r, z = np.array([0.03, 0.08]), np.array([0.02, 0.05])
     inside, body = restore(state, r, z), restore_body(state, r, 0.0, z)
@@ -120,10 +120,10 @@ def test_nothing_is_nothing():
 
 
 @pytest.mark.parametrize(
-    ("second", "z", "says"),
+    ("second", "z", "message"),
     [(wk.Rigid(), -0.1, "rigid"), (StandardSolid(1.0, 1.0, 0.1), 0.1, "function of its own")],
 )
-def test_what_is_not_known(second, z, says):
+def test_what_is_not_known(second, z, message):
     state = last(ViscoelasticHalfSpace(SOFT, second), [0.0, 1.0], [0.0, 0.01], count=20)
-    with pytest.raises(OutsideValidity, match=says):
+    with pytest.raises(OutsideValidity, match=message):
         restore(state, 0.0, z)

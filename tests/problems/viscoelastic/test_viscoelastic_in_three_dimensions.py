@@ -1,4 +1,4 @@
-"""An independent judge: the restored pressures, as loads on a three-dimensional half-space that creeps.
+"""An independent reference solution: the restored pressures, as loads on a three-dimensional half-space that creeps.
 
 At every moment of a history the pressure of the springs is put on the surface; Boussinesq's integral over the contact
 tells how an elastic half-space would sink, the hereditary integral over the past how the creeping one does.  Under the
@@ -101,13 +101,13 @@ HISTORIES = {
 @pytest.mark.parametrize("solid", [MAXWELL, TWO], ids=["Maxwell", "two times"])
 def test_under_the_body_the_surface_follows_it(name, solid):
     corners, depths, places = HISTORIES[name]
-    state, found = judge(solid, wk.Paraboloid(1.0), np.array(corners), Depth(np.array(depths)), 160, np.array(places))
+    state, result = judge(solid, wk.Paraboloid(1.0), np.array(corners), Depth(np.array(depths)), 160, np.array(places))
     assert max(places) < state.radius
-    assert found == pytest.approx(depths[-1] - 0.5 * np.array(places) ** 2, rel=1.5e-3)
+    assert result == pytest.approx(depths[-1] - 0.5 * np.array(places) ** 2, rel=1.5e-3)
 
 
 def test_the_judge_converges():
-    """The error is that of the judge's straight lines in time, and goes."""
+    """The error is that of the reference solution's straight lines in time, and goes."""
     corners, depths = np.array([0.0, 0.4, 0.6, 1.0]), np.array([0.0, 0.5, -0.3, 0.6])
     place = np.array([0.5])
     errors = [
@@ -123,8 +123,8 @@ def test_the_judge_converges():
 def test_outside_the_surface_is_where_it_is_restored(shape):
     """Where it has not recovered from a wider contact."""
     corners, depths = np.array([0.0, 1.0, 1.1]), np.array([0.0, 0.5, 0.4])
-    found = judge(STANDARD, shape, corners, Depth(depths), 120, np.zeros(0))[0]
-    places = np.array([0.5 * (found.radius + found.pressed.radius), 1.5 * found.pressed.radius])
+    result = judge(STANDARD, shape, corners, Depth(depths), 120, np.zeros(0))[0]
+    places = np.array([0.5 * (result.radius + result.pressed.radius), 1.5 * result.pressed.radius])
     state, moved = judge(STANDARD, shape, corners, Depth(depths), 120, places)
     fields = restore(state, places)
     assert fields.displacement == pytest.approx(moved, rel=2e-3)
@@ -150,12 +150,12 @@ def test_under_a_force():
     """Loaded, held, and taken off within the relaxation time; the depth is that of the marched springs."""
     corners, forces = np.array([0.0, 0.3, 1.0, 1.1]), np.array([0.0, 0.1, 0.1, 0.06])
     places = np.array([0.2, 0.4])
-    state, found = judge(STANDARD, wk.Paraboloid(1.0), corners, Force(forces), 120, places, 200)
+    state, result = judge(STANDARD, wk.Paraboloid(1.0), corners, Force(forces), 120, places, 200)
     assert max(places) < state.radius
-    assert found == pytest.approx(state.depth - 0.5 * places**2, rel=2e-3)
+    assert result == pytest.approx(state.depth - 0.5 * places**2, rel=2e-3)
 
 
 def test_a_dashpot_alongside():
     corners, depths, places = np.array([0.0, 1.0, 1.2]), np.array([0.0, 0.5, 0.46]), np.array([0.2, 0.5])
-    _, found = judge(KelvinVoigt(0.25, 0.075), wk.Paraboloid(1.0), corners, Depth(depths), 160, places)
-    assert found == pytest.approx(0.46 - 0.5 * places**2, rel=3e-3)
+    _, result = judge(KelvinVoigt(0.25, 0.075), wk.Paraboloid(1.0), corners, Depth(depths), 160, places)
+    assert result == pytest.approx(0.46 - 0.5 * places**2, rel=3e-3)

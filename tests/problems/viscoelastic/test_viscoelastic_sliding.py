@@ -31,21 +31,21 @@ def bed(solid, profile=None) -> wk.Foundation:
 
 def test_kelvin_voigt_ball():
     v = np.array([1e-6, 1e-2, 0.1, 1.0, 30.0])
-    found = SlidingResistance(bed(VOIGT), Depth(DEPTH), v).solve()
+    result = SlidingResistance(bed(VOIGT), Depth(DEPTH), v).solve()
     a, lag = math.sqrt(R * DEPTH), TAU * v
     edge = lag - np.sqrt(lag**2 + a**2)
     force = ((a**2 * a - a**3 / 3 + lag * a**2) - (a**2 * edge - edge**3 / 3 + lag * edge**2)) / R
     shear = (a**4 / 2 - a**4 / 4 + 2 * lag * a**3 / 3) - (a**2 * edge**2 / 2 - edge**4 / 4 + 2 * lag * edge**3 / 3)
-    assert found.trailing_edge == pytest.approx(edge, rel=1e-12)
-    assert found.force == pytest.approx(force, rel=1e-12)
-    assert found.line_shear_force == pytest.approx(2.0 * shear / R**2, rel=1e-9)
+    assert result.trailing_edge == pytest.approx(edge, rel=1e-12)
+    assert result.force == pytest.approx(force, rel=1e-12)
+    assert result.line_shear_force == pytest.approx(2.0 * shear / R**2, rel=1e-9)
 
 
 @pytest.mark.parametrize("profile", PROFILES)
 @pytest.mark.parametrize("v", [0.02, 0.3])
 def test_the_hereditary_integral(profile, v):
-    found = SlidingResistance(bed(RUBBER, profile), Depth(DEPTH), v).solve()
-    line, a, kernel = found.line(), found.radius, ViscoelasticHalfSpace(RUBBER).relaxation
+    result = SlidingResistance(bed(RUBBER, profile), Depth(DEPTH), v).solve()
+    line, a, kernel = result.line(), result.radius, ViscoelasticHalfSpace(RUBBER).relaxation
 
     def slope(x):
         return math.copysign(1.0, x) * float(profile.gap_slope(np.array([abs(x)]))[0])
@@ -57,18 +57,18 @@ def test_the_hereditary_integral(profile, v):
 
     for index in (100, 400, 700):
         assert line.line_load[index] == pytest.approx(max(load(line.position[index]), 0.0), rel=1e-5, abs=1e-12)
-    assert load(found.trailing_edge) == pytest.approx(0.0, abs=1e-6 * line.line_load.max())
-    force = quad(load, found.trailing_edge, a, points=[0.0], epsrel=1e-7)[0]
-    assert found.force == pytest.approx(force, rel=2e-6)
-    work = quad(lambda x: load(x) * slope(x), found.trailing_edge, a, points=[0.0], epsrel=1e-7)[0]
-    assert found.line_shear_force == pytest.approx(work, rel=2e-6)
+    assert load(result.trailing_edge) == pytest.approx(0.0, abs=1e-6 * line.line_load.max())
+    force = quad(load, result.trailing_edge, a, points=[0.0], epsrel=1e-7)[0]
+    assert result.force == pytest.approx(force, rel=2e-6)
+    work = quad(lambda x: load(x) * slope(x), result.trailing_edge, a, points=[0.0], epsrel=1e-7)[0]
+    assert result.line_shear_force == pytest.approx(work, rel=2e-6)
 
 
 @pytest.mark.parametrize("n", [1.0, 2.0, 3.0, 5.0])
 def test_slow_bodies_lose_what_their_moving_pressure_loses(n):
     """In three dimensions F_x = -pi tau v Int p f' r dr, of the elastic pressure; on the line twice that."""
     profile, v = wk.PowerLaw(0.1, n), 1e-7
-    found = SlidingResistance(bed(RUBBER, profile), Depth(DEPTH), v).solve()
+    result = SlidingResistance(bed(RUBBER, profile), Depth(DEPTH), v).solve()
     relaxed = wk.Foundation(profile, wk.HalfSpace(wk.Elastic(0.15, 0.5)))
     contact = wk.Indentation(relaxed, Depth(DEPTH)).solve()
     # p r' dr with r = a sin t, against the singular slope of p at the edge
@@ -79,20 +79,20 @@ def test_slow_bodies_lose_what_their_moving_pressure_loses(n):
     # -Int p' f' r dr = Int p (r f')' dr, (r f')' = n^2 c r^(n-1)
     loss = np.sum(0.25 * np.pi * weight * contact.radius * np.cos(t) * pressure * 0.1 * n**2 * r ** (n - 1.0))
     tau = (0.8 * 0.3 + 1.2 * 1.0) / 0.2
-    assert found.shear_force == pytest.approx(np.pi * tau * v * loss, rel=1e-4)
-    assert found.line_shear_force == pytest.approx(2.0 * found.shear_force, rel=1e-5)
+    assert result.shear_force == pytest.approx(np.pi * tau * v * loss, rel=1e-4)
+    assert result.line_shear_force == pytest.approx(2.0 * result.shear_force, rel=1e-5)
 
 
 @pytest.mark.parametrize("profile", PROFILES)
 def test_fast_bodies_lose_what_a_glass_loses(profile):
     """F_x = 2 U / (t v) with the glass' elastic energy U, whose stress falls by dt/t in a time dt."""
     v = 1e5
-    found = SlidingResistance(bed(RUBBER, profile), Depth(DEPTH), v).solve()
+    result = SlidingResistance(bed(RUBBER, profile), Depth(DEPTH), v).solve()
     glass = wk.Foundation(profile, wk.HalfSpace(wk.Elastic(2.2 * 0.75, 0.5)))
     energy = wk.Indentation(glass, Depth(DEPTH)).solve().energy
     fall = (0.8 / 0.3 + 1.2 / 1.0) / 2.2
-    assert found.shear_force == pytest.approx(2.0 * energy * fall / v, rel=1e-4)
-    assert found.line_shear_force == pytest.approx(found.shear_force, rel=1e-4)
+    assert result.shear_force == pytest.approx(2.0 * energy * fall / v, rel=1e-4)
+    assert result.line_shear_force == pytest.approx(result.shear_force, rel=1e-4)
 
 
 def test_a_ball_at_low_speed():
@@ -101,7 +101,7 @@ def test_a_ball_at_low_speed():
     assert any(note.standing is Standing.APPROXIMATE and "twice" in note.statement for note in slow.validity)
 
 
-def test_force_and_depth_are_two_sides_of_one_answer():
+def test_force_and_depth_give_the_same_solution():
     v = np.logspace(-6, 6, 13)
     for solid in (RUBBER, VOIGT, Maxwell(0.25, 0.3)):
         under = SlidingResistance(bed(solid), Force(1e-3), v).solve()
@@ -163,9 +163,9 @@ def resistance_in_three_dimensions(creep, profile, force, speed, half, n):
     node, weight = np.polynomial.legendre.leggauss(4)
     for compliance, time in zip(creep.compliances, creep.times, strict=True):
         length = speed * time
-        ways = np.unique(np.concatenate([np.arange(2 * n) * h, 2 * n * h * 1.5 ** np.arange(40)]))
-        ways = np.append(ways[ways < 40.0 * length], 40.0 * length)
-        for low, high in zip(ways[:-1], ways[1:], strict=True):
+        distances = np.unique(np.concatenate([np.arange(2 * n) * h, 2 * n * h * 1.5 ** np.arange(40)]))
+        distances = np.append(distances[distances < 40.0 * length], 40.0 * length)
+        for low, high in zip(distances[:-1], distances[1:], strict=True):
             for s, part in zip(0.5 * (low + high) + 0.5 * (high - low) * node, weight, strict=True):
                 share = compliance / length * math.exp(-s / length) * 0.5 * (high - low) * part
                 sinking = sinking + share * love(x + s, y, h)
@@ -181,12 +181,12 @@ def resistance_in_three_dimensions(creep, profile, force, speed, half, n):
 
         matrix = np.zeros((i.size + 1, i.size + 1))
         matrix[:-1, :-1], matrix[:-1, -1], matrix[-1, :-1] = block(i, j), -1.0, h * h
-        answer = np.linalg.solve(matrix, np.append(-height[i, j], force))
+        solution = np.linalg.solve(matrix, np.append(-height[i, j], force))
         pressure = np.zeros((n, n))
-        pressure[i, j] = answer[:-1]
+        pressure[i, j] = solution[:-1]
         k, m = np.nonzero(~active)
         overlap = np.zeros((n, n), dtype=bool)
-        overlap[k, m] = height[k, m] + block(k, m) @ answer[:-1] < answer[-1]
+        overlap[k, m] = height[k, m] + block(k, m) @ solution[:-1] < solution[-1]
         new = (active & (pressure > 0.0)) | overlap
         if np.array_equal(new, active):
             break
@@ -218,7 +218,7 @@ def test_three_dimensions(glassy, v, allowed):
 
 
 @pytest.mark.parametrize(
-    ("make", "said"),
+    ("make", "message"),
     [
         (lambda: SlidingResistance(ELASTIC, Depth(0.1), 1.0), "HalfSpace"),
         (lambda: SlidingResistance(bed(RUBBER), Radius(0.1), 1.0), "give Depth"),
@@ -229,14 +229,14 @@ def test_three_dimensions(glassy, v, allowed):
         (lambda: SlidingResistance(bed(RUBBER), Force(1.0), 1.0, count=2.5), "count"),
     ],
 )  # fmt: skip
-def test_wrong_input_is_refused(make, said):
-    with pytest.raises(InvalidInput, match=said):
+def test_wrong_input_is_refused(make, message):
+    with pytest.raises(InvalidInput, match=message):
         make()
 
 
 def test_what_is_outside_validity_is_refused():
     with pytest.raises(OutsideValidity, match="corner"):
         SlidingResistance(bed(RUBBER, wk.FlatPunch(0.1)), Depth(0.01), 1.0).solve()
-    found = SlidingResistance(bed(RUBBER), Depth(0.01), [1.0, 2.0]).solve()
+    result = SlidingResistance(bed(RUBBER), Depth(0.01), [1.0, 2.0]).solve()
     with pytest.raises(InvalidInput, match="no speed 7"):
-        found.line(7)
+        result.line(7)

@@ -71,15 +71,15 @@ def test_small_oscillations_without_slip(solid):
     t = np.concatenate([start, 5.0 + time[1:]])
     depth = np.concatenate([[0.0], np.full(t.size - 1, 0.01)])
     shift = np.concatenate([[0.0, 0.0], 1e-4 * np.sin(omega * time[1:])])
-    found = dragged(solid, t, Depth(depth), Shift(shift), Coulomb(math.inf))
+    result = dragged(solid, t, Depth(depth), Shift(shift), Coulomb(math.inf))
     last = slice(-per, None)
     turn = np.exp(-1j * omega * time[last])
-    got = np.sum(found.shear_force[last] * turn) / np.sum(shift[last] * turn)
+    got = np.sum(result.shear_force[last] * turn) / np.sum(shift[last] * turn)
     expected = 2.0 * 0.1 * shear_relaxation(ViscoelasticHalfSpace(solid)).dynamic(np.array(omega))
     # a dashpot's force is that of the rate before every point: half of a step late
     late = 0.5 * omega / per / 1.5 * (0.05 * omega / 0.25 if isinstance(solid, KelvinVoigt) else 0.0)
     assert abs(got / expected - 1.0) < 2e-3 + 1.2 * late
-    assert np.all(found.friction_loss == 0.0)
+    assert np.all(result.friction_loss == 0.0)
 
 
 def brute_force(solid, path, count, steps, mu):
@@ -125,12 +125,12 @@ def test_brute_force(seed):
     depth = np.concatenate([[0.0], 0.01 * rng.uniform(0.0, 1.0, 8)])
     shift = np.concatenate([[0.0], np.cumsum(rng.uniform(-0.002, 0.002, 8))])
     path = Path(time, Depth(depth), Shift(shift))
-    # of first order in the step, so that two tell where they lead
+    # of first order in the step, so that two give the limit
     once, twice = (np.array(brute_force(STANDARD, path, 200, n, MU)) for n in (400, 800))
     forces, lost = 2.0 * twice - once
-    found = ViscoelasticTangential(bed(STANDARD), Coulomb(MU), path, tolerance=1e-6).solve()
-    assert found.shear_force == pytest.approx(forces, abs=3e-3 * np.max(np.abs(forces)))
-    assert found.friction_loss == pytest.approx(lost, abs=3e-3 * lost[-1])
+    result = ViscoelasticTangential(bed(STANDARD), Coulomb(MU), path, tolerance=1e-6).solve()
+    assert result.shear_force == pytest.approx(forces, abs=3e-3 * np.max(np.abs(forces)))
+    assert result.friction_loss == pytest.approx(lost, abs=3e-3 * lost[-1])
 
 
 def test_steps_are_chosen_by_their_error():
@@ -186,8 +186,8 @@ def test_creep_under_a_shear_force_in_full_stick():
     # the load jumps at the edge, where half of a spring is missing
     for count in (200, 800):
         law = Coulomb(math.inf)
-        found = dragged(STANDARD, time, Depth(0.01), ShearForce(load), law, tolerance=1e-6, count=count)
-        assert found.shift[2:] == pytest.approx(true * (1.0 + 0.5 / count), rel=1e-4)
+        result = dragged(STANDARD, time, Depth(0.01), ShearForce(load), law, tolerance=1e-6, count=count)
+        assert result.shift[2:] == pytest.approx(true * (1.0 + 0.5 / count), rel=1e-4)
 
 
 turns = st.lists(
@@ -232,19 +232,19 @@ def test_a_wider_row_changes_little():
 
 def test_solids_that_recover_are_touched_again():
     t = [0.0, 1.0, 1.2, 3.0, 4.0, 5.0]
-    found = dragged(
+    result = dragged(
         STANDARD, t, Depth([0.0, 0.01, -0.01, -0.01, 0.01, 0.01]), Shift([0.0, 0.001, 0.1, 0.1, 0.1, 0.101])
     )
     first = dragged(STANDARD, t[:2], Depth([0.0, 0.01]), Shift([0.0, 0.001]))
-    assert found.shear_force[1] == first.shear_force[1]
-    assert found.shear_force[2] == found.shear_force[3] == 0.0
-    assert found.force[3] == 0.0
+    assert result.shear_force[1] == first.shear_force[1]
+    assert result.shear_force[2] == result.shear_force[3] == 0.0
+    assert result.force[3] == 0.0
     # what has not recovered yet resists when it is caught
-    assert 0.0 < abs(found.shear_force[4]) < 0.05 * found.shear_force[5]
+    assert 0.0 < abs(result.shear_force[4]) < 0.05 * result.shear_force[5]
 
 
 @pytest.mark.parametrize(
-    ("given", "said"),
+    ("given", "message"),
     [
         ({"bed": wk.Foundation(wk.Paraboloid(1.0), wk.HalfSpace(wk.Elastic(1.0, 0.3)))}, "HalfSpace"),
         ({"law": StaticKinetic(0.5, 0.3)}, "StaticKinetic"),
@@ -256,9 +256,9 @@ def test_solids_that_recover_are_touched_again():
         ({"tolerance": 2.0}, "tolerance"),
     ],
 )
-def test_wrong_input_is_refused(given, said):
+def test_wrong_input_is_refused(given, message):
     right = {"bed": bed(STANDARD), "law": Coulomb(MU), "path": Path([0.0, 1.0], Depth(0.01), Shift([0.0, 0.001]))}
-    with pytest.raises(InvalidInput, match=said):
+    with pytest.raises(InvalidInput, match=message):
         ViscoelasticTangential(**{**right, **given})
 
 

@@ -36,14 +36,14 @@ TIMES = np.array([1e-3, 0.1, 1.0, 10.0])
 )
 def test_creep(solid, creep):
     """a^3 = (3 R F / 4) J*(t)."""
-    found = CreepTest(bed(solid), 0.01, TIMES).solve()
-    assert found.radius**3 == pytest.approx(0.0075 * creep, rel=1e-11)
-    assert found.depth == pytest.approx(found.radius**2, rel=1e-12)
-    assert np.all(found.force == 0.01)
+    result = CreepTest(bed(solid), 0.01, TIMES).solve()
+    assert result.radius**3 == pytest.approx(0.0075 * creep, rel=1e-11)
+    assert result.depth == pytest.approx(result.radius**2, rel=1e-12)
+    assert np.all(result.force == 0.01)
 
 
 @pytest.mark.parametrize("shape", [wk.Cone(1.2), wk.FlatPunch(0.3), wk.PowerLaw(1.0, 4.0)], ids=["cone", "flat", "r^4"])
-def test_the_march_goes_the_same_way(shape):
+def test_the_march_follows_the_closed_form(shape):
     solid = Prony(0.05, [0.1, 0.1], [0.1, 2.0])
     where = bed(solid, shape)
     creep = CreepTest(where, 0.01, TIMES[1:]).solve()
@@ -56,9 +56,9 @@ def test_the_march_goes_the_same_way(shape):
 
 def test_relaxation_of_a_cone():
     """F = E*(t) (2 / pi) d^2 tan(half angle)."""
-    found = RelaxationTest(bed(StandardSolid(0.05, 0.2, 0.3), wk.Cone(1.2)), 0.1, TIMES).solve()
+    result = RelaxationTest(bed(StandardSolid(0.05, 0.2, 0.3), wk.Cone(1.2)), 0.1, TIMES).solve()
     exact = (0.2 + 0.8 * np.exp(-TIMES / 0.3)) * 2.0 / math.pi * 0.01 * math.tan(1.2)
-    assert found.force == pytest.approx(exact, rel=1e-12)
+    assert result.force == pytest.approx(exact, rel=1e-12)
 
 
 def test_a_small_oscillation_marched_through():
@@ -68,25 +68,25 @@ def test_a_small_oscillation_marched_through():
     shaken = HarmonicIndentation(bed(solid), Depth(depth), omega).solve()
     time = np.linspace(0.0, 6.0 * 2.0 * math.pi / omega, 6 * 400 + 1)
     depths = depth + amplitude * np.sin(omega * time)
-    found = ViscoelasticIndentation(bed(solid), Path(time, Depth(depths))).solve().force[-400:]
+    result = ViscoelasticIndentation(bed(solid), Path(time, Depth(depths))).solve().force[-400:]
     last = time[-400:]
-    in_phase, ahead = (2.0 * np.mean(found * wave(omega * last)) / amplitude for wave in (np.sin, np.cos))
+    in_phase, ahead = (2.0 * np.mean(result * wave(omega * last)) / amplitude for wave in (np.sin, np.cos))
     assert in_phase == pytest.approx(shaken.storage_stiffness, rel=2e-3)
     assert ahead == pytest.approx(shaken.loss_stiffness, rel=2e-3)
 
 
 def test_harmonic_closed_forms():
     omega = np.array([0.1, 1.0, 10.0])
-    found = HarmonicIndentation(bed(StandardSolid(0.05, 0.2, 0.3)), Depth(0.25), omega).solve()
+    result = HarmonicIndentation(bed(StandardSolid(0.05, 0.2, 0.3)), Depth(0.25), omega).solve()
     wt = 0.3 * omega
-    assert found.storage_stiffness == pytest.approx(0.2 + 0.8 * wt**2 / (1.0 + wt**2), rel=1e-12)
-    assert found.loss_tangent == pytest.approx(0.8 * wt / (1.0 + wt**2) / found.storage_stiffness, rel=1e-12)
-    by_force = HarmonicIndentation(bed(StandardSolid(0.05, 0.2, 0.3)), Force(found.force), omega).solve()
+    assert result.storage_stiffness == pytest.approx(0.2 + 0.8 * wt**2 / (1.0 + wt**2), rel=1e-12)
+    assert result.loss_tangent == pytest.approx(0.8 * wt / (1.0 + wt**2) / result.storage_stiffness, rel=1e-12)
+    by_force = HarmonicIndentation(bed(StandardSolid(0.05, 0.2, 0.3)), Force(result.force), omega).solve()
     assert by_force.depth == pytest.approx(0.25, rel=1e-12)
 
 
 @pytest.mark.parametrize(
-    ("make", "says"),
+    ("make", "message"),
     [
         (lambda: CreepTest(bed(Maxwell(1.0, 1.0)), -1.0, [1.0]), "force is -1.0"),
         (lambda: CreepTest(bed(Maxwell(1.0, 1.0)), 1.0, [0.0]), "time is"),
@@ -96,6 +96,6 @@ def test_harmonic_closed_forms():
         (lambda: HarmonicIndentation(bed(Maxwell(1.0, 1.0)), Depth(1.0), -1.0), "angular_frequency"),
     ],
 )
-def test_what_is_refused(make, says):
-    with pytest.raises(InvalidInput, match=says):
+def test_what_is_refused(make, message):
+    with pytest.raises(InvalidInput, match=message):
         make()

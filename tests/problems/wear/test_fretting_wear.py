@@ -150,17 +150,17 @@ def test_under_a_force_the_core_takes_over_what_the_ring_lets_go():
 def test_a_contact_that_wears_through_its_core_slides_away_and_keeps_what_was():
     most = MU * 4.0 / 3.0 * MEDIUM.modulus * A0 * DEPTH
     problem = fretting(amplitude=wk.ShearForce(0.8 * most), cycles=np.geomspace(1.0, 1e4, 30), count=40)
-    kept = []
+    remaining = []
 
     def march():
         for state in problem.steps():
-            kept.append(state)
+            remaining.append(state)
 
     with pytest.raises(wk.OutsideValidity, match=r"after .* cycles friction bears .* slide away"):
         march()
-    assert len(kept) > 5
-    assert kept[-1].stick_radius < 0.6 * kept[0].stick_radius
-    assert kept[-1].force < kept[0].force
+    assert len(remaining) > 5
+    assert remaining[-1].stick_radius < 0.6 * remaining[0].stick_radius
+    assert remaining[-1].force < remaining[0].force
 
 
 def test_both_bodies_lose_their_share():
@@ -185,7 +185,7 @@ def test_the_limit_does_not_depend_on_the_law_of_wear():
     assert worn.worn_volume[-1] == pytest.approx(limit.worn_volume, rel=0.02)
 
 
-def test_a_law_that_answers_nonsense_is_refused():
+def test_a_law_that_returns_nonsense_is_refused():
     @dataclasses.dataclass(frozen=True)
     class Negative:
         def depth_per_slip(self, pressure):
@@ -200,7 +200,7 @@ def test_what_sticks_does_not_wear():
     assert worn.worn_volume[-1] < 1e-6 * A0**2 * DEPTH
 
 
-def test_one_number_of_cycles_is_told_in_states_that_crowd_at_the_beginning():
+def test_one_number_of_cycles_gives_states_that_crowd_at_the_beginning():
     worn = fretting(cycles=100.0, count=20).solve()
     assert worn.cycles[0] == 0.0
     assert worn.cycles[-1] == 100.0
@@ -209,7 +209,7 @@ def test_one_number_of_cycles_is_told_in_states_that_crowd_at_the_beginning():
 
 
 @pytest.mark.parametrize(
-    ("changes", "said"),
+    ("changes", "message"),
     [
         ({"cycles": 0.0}, "cycles is 0.0"),
         ({"cycles": np.array([1.0, 1.0])}, "rise from zero"),
@@ -225,13 +225,13 @@ def test_one_number_of_cycles_is_told_in_states_that_crowd_at_the_beginning():
         ({"bed": "ball"}, "give Foundation"),
     ],
 )
-def test_what_cannot_be_asked_is_refused(changes, said):
-    with pytest.raises(wk.InvalidInput, match=said):
+def test_wrong_arguments_are_refused(changes, message):
+    with pytest.raises(wk.InvalidInput, match=message):
         fretting(**changes)
 
 
 def test_layers_are_refused_with_the_reason():
     solid = wk.Elastic(young=1.0, poisson=0.3)
     coated = wk.CoatedHalfSpace([wk.Layer(solid, thickness=0.05)], on=solid)
-    with pytest.raises(wk.OutsideValidity, match="ask for LimitingProfile"):
+    with pytest.raises(wk.OutsideValidity, match="use LimitingProfile"):
         fretting(bed=wk.Foundation(wk.Paraboloid(BALL), coated))

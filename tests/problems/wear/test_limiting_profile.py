@@ -33,36 +33,36 @@ def limit(core, **changes):
         (0.95, 1.024811, 0.00302666, 1.328417),
     ],
 )
-def test_a_ball_ends_as_popov_says(core, radius, volume, force):
-    found = limit(core * A0)
-    assert found.stick_radius == pytest.approx(core * A0, rel=1e-12)
-    assert found.radius / A0 == pytest.approx(radius, abs=6e-7)
-    assert found.worn_volume / (A0**2 * DEPTH) == pytest.approx(volume, rel=1e-6)
-    assert found.force / (MEDIUM.modulus * A0 * DEPTH) == pytest.approx(force, abs=6e-7)
+def test_a_ball_ends_as_in_popov(core, radius, volume, force):
+    result = limit(core * A0)
+    assert result.stick_radius == pytest.approx(core * A0, rel=1e-12)
+    assert result.radius / A0 == pytest.approx(radius, abs=6e-7)
+    assert result.worn_volume / (A0**2 * DEPTH) == pytest.approx(volume, rel=1e-6)
+    assert result.force / (MEDIUM.modulus * A0 * DEPTH) == pytest.approx(force, abs=6e-7)
 
 
 def test_the_shape_is_the_integral_of_popov():
     core = 0.5 * A0
-    found = limit(core)
+    result = limit(core)
     for r in (0.051, 0.08, 0.12):
         kernel = mpmath.quad(lambda x, r=r: x**2 / mpmath.sqrt(r**2 - x**2), [0, core])
         expected = 2 / math.pi * (float(kernel) / BALL + DEPTH * math.acos(core / r))
-        assert found.height(np.array([r]))[0] == pytest.approx(expected, rel=1e-10)
-    unworn = np.array([0.0, 0.02, 0.0499, found.radius * 1.01])
-    np.testing.assert_array_equal(found.height(unworn), BED.height(unworn))
+        assert result.height(np.array([r]))[0] == pytest.approx(expected, rel=1e-10)
+    unworn = np.array([0.0, 0.02, 0.0499, result.radius * 1.01])
+    np.testing.assert_array_equal(result.height(unworn), BED.height(unworn))
 
 
 def test_the_pressure_of_the_core_adds_up_to_its_force():
-    found = limit(0.5 * A0)
-    c = found.stick_radius
+    result = limit(0.5 * A0)
+    c = result.stick_radius
     # r = c sin(w) takes away the inverse root at the edge
     nodes, weights = np.polynomial.legendre.leggauss(60)
     w = 0.25 * np.pi * (nodes + 1.0)
     r = c * np.sin(w)
-    total = 0.25 * np.pi * np.sum(weights * 2.0 * np.pi * r * found.pressure(r) * c * np.cos(w))
-    assert total == pytest.approx(found.force, rel=1e-8)
-    assert found.pressure(np.array([c * 1.001]))[0] == 0.0
-    assert found.worn_depth < DEPTH
+    total = 0.25 * np.pi * np.sum(weights * 2.0 * np.pi * r * result.pressure(r) * c * np.cos(w))
+    assert total == pytest.approx(result.force, rel=1e-8)
+    assert result.pressure(np.array([c * 1.001]))[0] == 0.0
+    assert result.worn_depth < DEPTH
 
 
 def test_with_a_vanishing_core_the_contact_ends_where_the_ball_is_as_high_as_the_depth():
@@ -85,7 +85,7 @@ def test_where_all_or_nothing_slips_there_is_no_limit():
 
 
 @pytest.mark.parametrize(
-    ("changes", "said"),
+    ("changes", "message"),
     [
         ({"normal": wk.Force(1.0)}, "steady force"),
         ({"amplitude": wk.ShearForce(1.0)}, "give Shift"),
@@ -94,6 +94,6 @@ def test_where_all_or_nothing_slips_there_is_no_limit():
         ({"bed": 3}, "give Foundation"),
     ],
 )
-def test_what_cannot_be_asked_is_refused(changes, said):
-    with pytest.raises(wk.InvalidInput, match=said):
+def test_wrong_arguments_are_refused(changes, message):
+    with pytest.raises(wk.InvalidInput, match=message):
         limit(0.5 * A0, **changes)

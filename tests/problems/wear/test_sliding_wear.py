@@ -7,7 +7,7 @@ import pytest
 
 import winkler as wk
 from winkler.problems.wear.line import WearLine, wear_line
-from winkler.problems.wear.march import march
+from winkler.problems.wear.march import march_wear
 
 MEDIUM = wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3))
 BALL = wk.Foundation(wk.Paraboloid(1e-3), MEDIUM)
@@ -81,7 +81,7 @@ def test_a_ball_wears_over_any_distance(monkeypatch):
 def test_implicit_jumps_go_where_explicit_ones_go(wear):
     problem = wk.SlidingWear(BALL, wear, wk.Force(1.0), np.array([0.3, 1.0, 3.0]), count=50)
     begun = next(wk.SlidingWear(BALL, wear, wk.Force(1.0), 1e-4, count=50).steps()).moment
-    short = list(march(problem, problem.goals, begun))
+    short = list(march_wear(problem, problem.goals, begun))
     for moment, state in zip(short, problem.steps(), strict=True):
         same = wear_line(BALL, moment.nodes).press(moment.worn.sum(axis=0), wk.Force(1.0))
         assert state.depth == pytest.approx(same.depth, rel=1e-3)
@@ -117,20 +117,20 @@ def test_a_stopped_march_goes_on_with_the_same_numbers_across_a_wider_grid():
     assert list(problem.steps(start=whole[1])) == whole[2:]
 
 
-def test_where_the_profile_ends_the_states_before_are_kept():
+def test_where_the_profile_ends_the_states_before_remain():
     radii = np.linspace(0.0, 3e-5, 60)
     bed = wk.Foundation(wk.Measured(radii, radii**2 / 2e-3), MEDIUM)
     problem = wk.SlidingWear(bed, wk.Archard(RATE), wk.Force(1.0), np.geomspace(1e-4, 1.0, 30), count=40)
-    kept = []
+    remaining = []
 
-    def march():
+    def advance():
         for state in problem.steps():
-            kept.append(state)
+            remaining.append(state)
 
     with pytest.raises(wk.OutsideValidity, match="as far as the profile is known"):
-        march()
-    assert len(kept) > 10
-    assert kept[-1].radius < 3e-5
+        advance()
+    assert len(remaining) > 10
+    assert remaining[-1].radius < 3e-5
 
 
 def test_a_worn_profile_can_be_pressed_again():

@@ -80,4 +80,4 @@ def test_spin_on_a_line_has_its_own_exit_code(tmp_path, monkeypatch, capsys):
     text = study_text(Study("", PROBLEMS[1])).replace("lateral = 0.001", 'spin = "0.1 1/m"')
     (tmp_path / "spin.toml").write_text(text, encoding="utf-8")
     assert main(["run", "spin.toml"]) == 4
-    assert "a line of springs has no counterpart of that; ask for SimplifiedRolling" in capsys.readouterr().err
+    assert "a line of springs has no counterpart of that; use SimplifiedRolling" in capsys.readouterr().err

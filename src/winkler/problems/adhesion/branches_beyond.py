@@ -13,13 +13,21 @@ from winkler.foundation.foundation import Foundation
 from winkler.media.layered.coated import LayeredMedium
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.edge_states import EdgeStates, ShortStates, margin, position
-from winkler.problems.adhesion.stability import BLOCK, OUTLOOK, SAMPLES, Branch, branches, least_radius, typical_radius
+from winkler.problems.adhesion.stability import (
+    OCTAVES_PER_BLOCK,
+    OCTAVES_SEARCHED,
+    SAMPLES_PER_OCTAVE,
+    Branch,
+    branches,
+    least_radius,
+    typical_radius,
+)
 from winkler.problems.normal.solve_contact import at_end
 
 __all__ = ["branches_beyond"]
 
-HIGHEST = 80
-"""How many octaves above the first stable radius a load is looked for."""
+OCTAVES_ABOVE = 80
+"""How many octaves above the first stable radius a load is sought."""
 
 
 def branches_beyond(states: EdgeStates, machine_stiffness: float, level: float) -> tuple[Branch, ...]:
@@ -48,16 +56,16 @@ def branches_beyond(states: EdgeStates, machine_stiffness: float, level: float) 
         return branches(states, machine_stiffness, end)
     low = least_radius(states) or 2.0**-6 * typical_radius(cast(Hashable, states))
     quiet = _quiet(states, low)
-    for octave in range(4, HIGHEST + 1):
+    for octave in range(4, OCTAVES_ABOVE + 1):
         high = low * 2.0**octave
         if high >= end:  # the profile ends in a wall that no depth reaches
             high = end * (1.0 - max(2.0 ** (math.log2(end / low) - octave - 4.0), 1e-14))
         if high < min(4.0 * quiet, 0.9 * end) or _level(states, machine_stiffness, high) <= level:
             continue
-        found = branches(states, machine_stiffness, high)
-        last = found[-1] if found else Branch(high, 0.0)
+        stable = branches(states, machine_stiffness, high)
+        last = stable[-1] if stable else Branch(high, 0.0)
         if last.stop == high and (last.start <= 0.25 * high or high >= 0.9 * end):
-            return found
+            return stable
     raise OutsideValidity(_WAVING)
 
 
@@ -79,18 +87,18 @@ def _quiet(states: EdgeStates, low: float) -> float:
     if bed.rising:
         return max([low] + [b for b, _ in bed.kinks if b < end])
     last = low
-    for octave in range(0, OUTLOOK, BLOCK):
-        start, stop = low * 2.0**octave, min(low * 2.0 ** (octave + BLOCK), 0.999 * end)
+    for octave in range(0, OCTAVES_SEARCHED, OCTAVES_PER_BLOCK):
+        start, stop = low * 2.0**octave, min(low * 2.0 ** (octave + OCTAVES_PER_BLOCK), 0.999 * end)
         if stop <= start:
             return last
-        a = np.geomspace(start, stop, SAMPLES * BLOCK)
+        a = np.geomspace(start, stop, SAMPLES_PER_OCTAVE * OCTAVES_PER_BLOCK)
         try:
             unstable = _unstable(states, a)
         except NotConverged:  # so far out nothing is known of the profile
             return last
         if unstable.any():
             last = float(a[unstable][-1])
-    if last > 0.25 * low * 2.0**OUTLOOK:
+    if last > 0.25 * low * 2.0**OCTAVES_SEARCHED:
         raise OutsideValidity(_WAVING)
     return last
 
@@ -108,5 +116,5 @@ def _unstable(states: EdgeStates, radius: Array) -> Array:
 
 def _level(states: EdgeStates, machine_stiffness: float, radius: float) -> float:
     with np.errstate(all="ignore"):
-        found = float(position(states, machine_stiffness, np.array([radius]))[0])
-    return found if not math.isnan(found) else math.inf
+        stable = float(position(states, machine_stiffness, np.array([radius]))[0])
+    return stable if not math.isnan(stable) else math.inf

@@ -6,7 +6,7 @@ closing and opening, and where it loses its hold it runs on to the next radius t
 .. math:: \mathrm dW = F\,\mathrm dD = \mathrm d\bigl(U - w_\mathrm{c}\pi a^2 + \tfrac12 F^2/k_\mathrm{m}\bigr)
           + (w_\mathrm{o}-w_\mathrm{c})\,2\pi a\,(-\mathrm da)_{\text{receding}} ,
 
-in a jump the total potential falls at a constant position D (or force), and what it falls by is lost.  The answer
+in a jump the total potential falls at a constant position D (or force), and what it falls by is lost.  The result
 depends on the turning points of the path alone, not on how many points lie between them.
 """
 
@@ -26,7 +26,7 @@ from winkler.loading import Depth, Force
 from winkler.numerics.equations.turning import Leap
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.cycle_states import AdhesiveJump, AdhesiveState, EdgeState
-from winkler.problems.adhesion.edge import AdhesiveEdge, DeadLoad, Machine, adhesive_edge
+from winkler.problems.adhesion.edge import AdhesiveEdge, DeadLoad, LoadingMachine, adhesive_edge
 from winkler.problems.adhesion.edge_with_range import RangedEdge, ranged_edge
 from winkler.problems.adhesion.validity import adhesive_notes
 from winkler.problems.answer import gather
@@ -36,11 +36,11 @@ from winkler.values import value
 
 __all__ = ["AdhesiveCycle", "AdhesiveCycleSolution"]
 
-ROUNDING = 1e-10
+JUMP_ROUNDING = 1e-10
 """Part of the energies that meet in a jump by which their difference may come out negative."""
 
 
-HELD = POSITIVE_OR_INFINITE._replace(
+MACHINE_STIFFNESS_RANGE = POSITIVE_OR_INFINITE._replace(
     demand="it must be positive{unit}, infinite for fixed grips; for a dead load give the path as Force([...])"
 )
 
@@ -91,7 +91,7 @@ class AdhesiveCycle:
     bed: Bed
     law: AdhesionLaw
     path: Depth | Force
-    machine_stiffness: Annotated[float, HELD] = math.inf
+    machine_stiffness: Annotated[float, MACHINE_STIFFNESS_RANGE] = math.inf
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "johnson_kendall_roberts_1971", "guduru_2007")
     assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE
@@ -114,8 +114,8 @@ class AdhesiveCycle:
         return np.asarray(self.path.depth if isinstance(self.path, Depth) else self.path.force, dtype=float)
 
     @property
-    def _control(self) -> Machine | DeadLoad:
-        return Machine(1.0 / self.machine_stiffness) if isinstance(self.path, Depth) else DeadLoad()
+    def _control(self) -> LoadingMachine | DeadLoad:
+        return LoadingMachine(1.0 / self.machine_stiffness) if isinstance(self.path, Depth) else DeadLoad()
 
     @property
     def _edge(self) -> AdhesiveEdge | RangedEdge:
@@ -144,9 +144,9 @@ class AdhesiveCycle:
         edge, levels = self._edge, self._levels
         place, lost, wasted = edge.apart(), 0.0, 0.0
         for run, rising in _runs(levels):
-            asked = levels[run.start : run.stop]
-            places, leaps = (edge.closing.rise if rising else edge.opening.fall)(place, asked)
-            depths, forces, radii = edge.state(places, asked)
+            targets = levels[run.start : run.stop]
+            places, leaps = (edge.closing.rise if rising else edge.opening.fall)(place, targets)
+            depths, forces, radii = edge.state(places, targets)
             for i, index in enumerate(run):
                 _refuse(edge, index, levels[index], places[i])
                 here = [leap for leap in leaps if leap.aim == i]
@@ -157,11 +157,11 @@ class AdhesiveCycle:
                     wasted, lost = wasted + spent, lost + max(crept, 0.0)
                 lost += sum(jump.loss for jump in jumps)
                 place = float(places[i])
-                position = levels[index] if isinstance(edge.control, Machine) else depths[i]
+                position = levels[index] if isinstance(edge.control, LoadingMachine) else depths[i]
                 yield AdhesiveState(position, depths[i], forces[i], radii[i], lost, wasted, jumps)
 
     def gathered(self, states: Iterable[AdhesiveState]) -> AdhesiveCycleSolution:
-        """Return the answer from these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its beginning."""
         every = list(states)
         jumps = tuple(jump for state in every for jump in state.jumps)
         return gather(AdhesiveCycleSolution, self, every, jumps=jumps)
@@ -183,12 +183,12 @@ class AdhesiveCycle:
 
 @value
 class AdhesiveCycleSolution:
-    """The answer to an `AdhesiveCycle`, point by point.
+    """The solution of an `AdhesiveCycle`, point by point.
 
     Parameters
     ----------
     problem : AdhesiveCycle
-        What was asked.
+        The problem that was solved.
     position, depth : ndarray, (steps,)
         D, where the far end of the machine stands, and d [m].
     force : ndarray, (steps,)
@@ -226,7 +226,7 @@ class AdhesiveCycleSolution:
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """How far the result can be trusted; what depends on the contact is told of the widest one."""
+        """How far the result can be trusted; what depends on the contact is stated for the widest one."""
         problem = self.problem
         return (
             *adhesive_notes(problem.bed, problem.law, self.depth, self.radius),
@@ -244,8 +244,8 @@ def _runs(levels: Array) -> Iterator[tuple[range, bool]]:
     """Yield the stretches over which the levels rise or fall, beginning with a rise; equal levels go on as before."""
     start, rising = 0, True
     for index in range(1, len(levels)):
-        turned = levels[index] < levels[index - 1] if rising else levels[index] > levels[index - 1]
-        if turned:
+        reversed_ = levels[index] < levels[index - 1] if rising else levels[index] > levels[index - 1]
+        if reversed_:
             yield range(start, index), rising
             start, rising = index, not rising
     yield range(start, len(levels)), rising
@@ -257,13 +257,13 @@ def _jump(edge: AdhesiveEdge | RangedEdge, leap: Leap) -> AdhesiveJump:
     inner, outer = edge.energy(depth, force, radius), edge.control.energy(depth, force)
     loss = float(inner[0] - inner[1] + outer[0] - outer[1])
     size = float(np.max(np.abs(inner)) + np.max(np.abs(outer)))
-    if loss < -ROUNDING * size:
+    if loss < -JUMP_ROUNDING * size:
         raise OutsideValidity(
             f"At a depth of {depth[0]:.6g} m the edge would have to run from {radius[0]:.6g} m to {radius[1]:.6g} m, "
             f"though that costs {-loss:.3g} J: a ring of the body touches there first, and the contact is no disc; "
             "give a flatter wave, a softer body or more work of adhesion."
         )
-    position = level if isinstance(edge.control, Machine) else depth
+    position = level if isinstance(edge.control, LoadingMachine) else depth
     before, after = (EdgeState(position[i], depth[i], force[i], radius[i]) for i in range(2))
     return AdhesiveJump(before, after, max(loss, 0.0))
 

@@ -47,12 +47,12 @@ class AdhesiveJump:
 
     @property
     def snap_in(self) -> bool:
-        """Whether the bodies did not feel each other before."""
+        """Whether the bodies did not attract each other before."""
         return self.before.radius == 0.0 and self.before.force == 0.0
 
     @property
     def pull_off(self) -> bool:
-        """Whether the bodies no longer feel each other."""
+        """Whether the bodies no longer attract each other."""
         return self.after.radius == 0.0 and self.after.force == 0.0
 
 
@@ -75,7 +75,7 @@ class AdhesiveState:
     hysteresis : float
         The part of it that opening has cost more than closing gained [J].
     jumps : tuple of AdhesiveJump
-        Those on the way from the point before.
+        Those since the point before.
     """
 
     position: float

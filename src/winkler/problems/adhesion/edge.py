@@ -8,8 +8,8 @@ opening, and rests in between.  A machine of the stiffness :math:`k_\mathrm{m}` 
 .. math:: D(a) = d(a) + F(a)/k_\mathrm{m}, \qquad d(a) = g(a)-\ell(a), \qquad
           F(a) = k\,d(a) - \int_0^a k'g\,\mathrm dx ,
 
-a dead load at F(a).  S falls when D or F rises; so these two curves over the radius tell where the edge goes, and an
-edge that loses its hold runs on, at a constant D or F, to the next radius at which the curve is as high again.
+a dead load at F(a).  S falls when D or F rises; so these two curves over the radius determine how the edge moves, and
+an edge that loses its hold runs on, at a constant D or F, to the next radius at which the curve is as high again.
 """
 
 from __future__ import annotations
@@ -30,14 +30,14 @@ from winkler.problems.adhesion.stability import branches, least_radius
 from winkler.problems.normal.solve_contact import flat_radius
 from winkler.values import value
 
-__all__ = ["AdhesiveEdge", "DeadLoad", "Machine", "adhesive_edge", "last_radius"]
+__all__ = ["AdhesiveEdge", "DeadLoad", "LoadingMachine", "adhesive_edge", "last_radius"]
 
 OCTAVES = 400
 BISECTIONS = 50
 
 
 @value
-class Machine:
+class LoadingMachine:
     """A machine whose far end is moved.
 
     Parameters
@@ -93,14 +93,14 @@ class AdhesiveEdge(NamedTuple):
     ----------
     bed : Bed
     law : ShortRange
-    control : Machine or DeadLoad
+    control : LoadingMachine or DeadLoad
     closing, opening : Slopes
         What must be prescribed for the edge to advance, and to recede, over the contact radius.
     """
 
     bed: Bed
     law: ShortRange
-    control: Machine | DeadLoad
+    control: LoadingMachine | DeadLoad
     closing: Slopes
     opening: Slopes
 
@@ -121,11 +121,11 @@ class AdhesiveEdge(NamedTuple):
         return stored_energy(self.bed, depth, radius) - self.law.work_closing * np.pi * radius**2
 
     def hysteresis(self, start: float, end: float) -> float:
-        """Return what opening costs more than closing gains, on the way from a radius to a smaller one [J]."""
+        """Return what opening costs more than closing gains, from a radius to a smaller one [J]."""
         return (self.law.work_opening - self.law.work_closing) * np.pi * (start - end) * (start + end)
 
 
-def adhesive_edge(bed: Bed, law: ShortRange, control: Machine | DeadLoad, highest: float) -> AdhesiveEdge:
+def adhesive_edge(bed: Bed, law: ShortRange, control: LoadingMachine | DeadLoad, highest: float) -> AdhesiveEdge:
     """Return the curves that the edge obeys, up to where `highest` is prescribed.
 
     Raises
@@ -155,7 +155,7 @@ def adhesive_edge(bed: Bed, law: ShortRange, control: Machine | DeadLoad, highes
     return AdhesiveEdge(bed, law, control, meeting, parting)
 
 
-def _slopes(curve: Curve, states: EdgeStates, control: Machine | DeadLoad, high: float) -> Slopes:
+def _slopes(curve: Curve, states: EdgeStates, control: LoadingMachine | DeadLoad, high: float) -> Slopes:
     """Return a curve cut where it turns: at the limits of the stable stretches."""
     limits = [limit for branch in branches(states, control.stiffness, high) for limit in branch]
     places = np.unique([0.0, *limits, high])

@@ -1,7 +1,7 @@
 r"""The states in which a round adhesive contact is in equilibrium: depth and force for every contact radius.
 
-A law tells how the last springs are stretched, and so one depth and one force for every radius a.  Whether such a state
-is stable depends on what holds the bodies: on a machine of the stiffness :math:`k_m` the radius answers to
+A law determines how the last springs are stretched, and so one depth and one force for every radius a.  Whether such a
+state is stable depends on what holds the bodies: on a machine of the stiffness :math:`k_m` the radius responds to
 :math:`D = d + F/k_m`, and a state is stable where D grows with a,
 
 .. math:: \frac{k_m\,d'(a) + F'(a)}{k_m + k(a)} > 0 ,
@@ -37,7 +37,7 @@ __all__ = [
 
 
 class EdgeStates(Protocol):
-    """What a law of adhesion makes of a bed; spoken to its implementer. Arrays of radii in, arrays out."""
+    """The equilibria of a bed under a law of adhesion, as a law must define them. Arrays of radii in, arrays out."""
 
     def __hash__(self) -> int:
         """States are values."""
@@ -111,8 +111,8 @@ class ShortStates:
         """d'(a) and F'(a)."""
         bed = self.bed
         springs, stretch = bed.normal_stiffness(radius), griffith.stretch(bed, self.work, radius)
-        turned = bed.normal_stiffness_slope(radius) / springs
-        depth = bed.gap_slope(radius) - 0.5 * stretch * (1.0 / radius - turned)
+        relative_slope = bed.normal_stiffness_slope(radius) / springs
+        depth = bed.gap_slope(radius) - 0.5 * stretch * (1.0 / radius - relative_slope)
         return depth, bed.stiffness(radius) * depth - 2.0 * springs * stretch
 
     def scale(self, radius: Array) -> Array:
@@ -179,11 +179,11 @@ def force_under(states: EdgeStates, depth: Array, radius: Array) -> Array:
 
 
 def depth_under(states: EdgeStates, force: Array, radius: Array) -> Array:
-    """Return the depth [m] under a force: it hardly feels the rounding of the radius, as g(a) may at a steep flank."""
+    """Return the depth [m] under a force: it is less sensitive to rounding of the radius than g(a) at a steep flank."""
     stiffness = states.bed.stiffness(radius)
     held = stiffness > 0.0
-    given = (force + states.load(radius)) / np.where(held, stiffness, 1.0)
-    return np.where(held, given, states.depth(radius))
+    under_force = (force + states.load(radius)) / np.where(held, stiffness, 1.0)
+    return np.where(held, under_force, states.depth(radius))
 
 
 def force_of(states: EdgeStates, radius: Array) -> Array:

@@ -24,7 +24,7 @@ from winkler.numerics.equations.turning import Slopes
 from winkler.numerics.panels.chebyshev import fit_panels, stationary
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, Curve
-from winkler.problems.adhesion.edge import DeadLoad, Machine, last_radius
+from winkler.problems.adhesion.edge import DeadLoad, LoadingMachine, last_radius
 from winkler.problems.adhesion.edge_states import EdgeStates, end_of, force_of, force_under, stored_energy
 from winkler.problems.adhesion.expected_radius import expected_radius
 from winkler.problems.adhesion.law_states import states_of
@@ -33,14 +33,14 @@ from winkler.problems.adhesion.stability import branches
 
 __all__ = ["RangedEdge", "ranged_edge"]
 
-RESOLVED = 1e-12
+PANEL_TOLERANCE = 1e-12
 
 
-class Approach(Protocol):
-    """The way from where attraction is first felt, at -length, to touch, at 0."""
+class ApproachPath(Protocol):
+    """The approach from where attraction begins, at -length, to touch, at 0."""
 
     def extent(self) -> float:
-        """How long the way is, in a coordinate of its own."""
+        """Length of the approach, in a coordinate of its own."""
         ...
 
     def depth(self, place: Array) -> Array:
@@ -56,7 +56,7 @@ class Approach(Protocol):
         ...
 
 
-class Pull(NamedTuple):
+class SuddenPull(NamedTuple):
     """DMT: at first touch the whole pull comes up at once."""
 
     pull: float
@@ -78,7 +78,7 @@ class Pull(NamedTuple):
         return np.zeros(np.shape(force))
 
 
-class Disc(NamedTuple):
+class DiscOfStress(NamedTuple):
     """Maugis: the constant stress over a disc, as long as the middle does not touch."""
 
     bed: Bed
@@ -121,20 +121,20 @@ class RangedEdge(NamedTuple):
     states : EdgeStates
         Of the contact.
     approach : Approach
-    control : Machine or DeadLoad
+    control : LoadingMachine or DeadLoad
     closing, opening : Slopes
         What must be prescribed, over the places: the same for an edge that advances and one that recedes.
     """
 
     bed: Bed
     states: EdgeStates
-    approach: Approach
-    control: Machine | DeadLoad
+    approach: ApproachPath
+    control: LoadingMachine | DeadLoad
     closing: Slopes
     opening: Slopes
 
     def apart(self) -> float:
-        """Return the place of bodies that do not feel each other."""
+        """Return the place of bodies that do not attract each other."""
         return -self.approach.extent()
 
     def state(self, place: Array, level: Array) -> tuple[Array, Array, Array]:
@@ -147,8 +147,8 @@ class RangedEdge(NamedTuple):
         before = np.minimum(place, 0.0)
         depth = np.where(touching, depth, self.approach.depth(before))
         force = np.where(touching, force, self.approach.force(before))
-        felt = float(self.approach.depth(np.array([self.apart()]))[0])
-        free = level if isinstance(self.control, Machine) else np.full(np.shape(level), felt)
+        first_attracted = float(self.approach.depth(np.array([self.apart()]))[0])
+        free = level if isinstance(self.control, LoadingMachine) else np.full(np.shape(level), first_attracted)
         return np.where(nowhere, free, depth), np.where(nowhere, 0.0, force), radius
 
     def energy(self, depth: Array, force: Array, radius: Array) -> Array:
@@ -164,7 +164,7 @@ class RangedEdge(NamedTuple):
 
 
 def ranged_edge(
-    bed: Bed, law: Dugdale | DerjaguinMullerToporov, control: Machine | DeadLoad, highest: float
+    bed: Bed, law: Dugdale | DerjaguinMullerToporov, control: LoadingMachine | DeadLoad, highest: float
 ) -> RangedEdge:
     """Return the curve that the edge obeys, up to where `highest` is prescribed.
 
@@ -188,19 +188,19 @@ def ranged_edge(
     return RangedEdge(bed, states, approach, control, curve, curve)
 
 
-def _approach(bed: Bed, law: Dugdale | DerjaguinMullerToporov, states: EdgeStates) -> Approach:
+def _approach(bed: Bed, law: Dugdale | DerjaguinMullerToporov, states: EdgeStates) -> ApproachPath:
     if isinstance(law, DerjaguinMullerToporov):
-        return Pull(-float(force_of(states, np.zeros(1))[0]))
+        return SuddenPull(-float(force_of(states, np.zeros(1))[0]))
     if not isinstance(bed.medium, HomogeneousMedium) or not bed.rising:
         raise OutsideValidity(
             "AdhesiveCycle: how bodies attract each other before they touch is known for Dugdale's law on homogeneous "
-            "half-spaces and for profiles that rise all the way; use ShortRange(work), or Equilibrium and PullOff, "
+            "half-spaces and for profiles that rise up to their end; use ShortRange(work), or Equilibrium and PullOff, "
             "which begin at touch."
         )
     modulus = bed.medium.modulus
     # at touch the middle of the disc has risen by 2 sigma c / E*
     length = float(-states.depth(np.zeros(1))[0]) * modulus / (2.0 * law.strength)
-    return Disc(bed, law, modulus, length)
+    return DiscOfStress(bed, law, modulus, length)
 
 
 def _stored(states: EdgeStates, radius: Array) -> Array:
@@ -216,5 +216,5 @@ def _turns(level: Curve, bed: Bed, length: float) -> list[float]:
     """Return where the approach begins and turns."""
     edges = np.unique([-length, *(b - length for b, _ in bed.kinks if 0.0 < b < length), 0.0])
     size = float(np.max(np.abs(level(edges))))
-    panels = fit_panels(lambda p: level(p.ravel()).reshape(p.shape), edges, RESOLVED * size)
+    panels = fit_panels(lambda p: level(p.ravel()).reshape(p.shape), edges, PANEL_TOLERANCE * size)
     return [-length, *stationary(panels).tolist(), *edges[1:-1].tolist()]

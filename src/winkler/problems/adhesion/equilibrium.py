@@ -29,7 +29,7 @@ from winkler.values import value
 
 __all__ = ["AdhesiveBranch", "Equilibrium", "EquilibriumCurve", "EquilibriumJump"]
 
-FEWEST, MOST = 2, 1_000_000
+LEAST_STATES, MOST_STATES = 2, 1_000_000
 
 
 @value
@@ -43,7 +43,7 @@ class Equilibrium:
     reach : float
         The greatest contact radius [m]; not beyond what is known of the profile.
     machine_stiffness : float, optional
-        What judges stability [N/m]: 0 for a dead load, inf for fixed grips (the default).
+        Machine stiffness that decides stability [N/m]: 0 for a dead load, inf for fixed grips (the default).
     count : int, optional
         Points of the curve; kinks of the profile and limits of stability are added.
 
@@ -75,7 +75,7 @@ class Equilibrium:
     law: AdhesionLaw
     reach: Annotated[Positive, Advice("the greatest contact radius")]
     machine_stiffness: MachineStiffness = math.inf
-    count: Annotated[int, Whole(FEWEST, MOST)] = 1000
+    count: Annotated[int, Whole(LEAST_STATES, MOST_STATES)] = 1000
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "johnson_kendall_roberts_1971", "guduru_2007")
     assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE
@@ -99,16 +99,16 @@ class Equilibrium:
         Raises
         ------
         OutsideValidity
-            If the law does not hold for the bed, or the profile has more waves than can be told apart.
+            If the law does not hold for the bed, or the profile has more waves than can be resolved.
         """
         states = states_of(self.bed, self.law)
-        found = branches(states, self.machine_stiffness, self.reach)
-        limits = [radius for branch in found for radius in branch]
+        branches_ = branches(states, self.machine_stiffness, self.reach)
+        limits = [radius for branch in branches_ for radius in branch]
         kinks = [b for b, _ in self.bed.kinks if b < self.reach]
         # d and F leave the origin with the root of the radius: steps that grow show it
         radius = np.unique(np.concatenate([self.reach * np.linspace(0.0, 1.0, self.count) ** 2, limits, kinks]))
         depth = states.depth(radius)
-        starts, stops = (np.array(ends) for ends in zip(*found, strict=True)) if found else (np.zeros(0),) * 2
+        starts, stops = (np.array(ends) for ends in zip(*branches_, strict=True)) if branches_ else (np.zeros(0),) * 2
         return EquilibriumCurve(self, radius, depth, force_under(states, depth, radius), starts, stops)
 
 
@@ -158,12 +158,12 @@ class EquilibriumJump:
 
 @value
 class EquilibriumCurve:
-    """The answer to `Equilibrium`.
+    """The solution of `Equilibrium`.
 
     Parameters
     ----------
     problem : Equilibrium
-        What was asked.
+        The problem that was solved.
     radius, depth, force : ndarray, (n,)
         a [m], d [m] and F_N [N] along the curve, by rising radius.
     starts, stops : ndarray, (branches,)
@@ -201,12 +201,14 @@ class EquilibriumCurve:
         """
         problem = self.problem
         states, machine = states_of(problem.bed, problem.law), problem.machine_stiffness
-        found = [Branch(float(a), float(b)) for a, b in zip(self.starts, self.stops, strict=True)]
-        inward = [_jump(states, machine, branch.start, found[:index], True) for index, branch in enumerate(found)]
+        branches_ = [Branch(float(a), float(b)) for a, b in zip(self.starts, self.stops, strict=True)]
+        inward = [
+            _jump(states, machine, branch.start, branches_[:index], True) for index, branch in enumerate(branches_)
+        ]
         outward = [
-            _jump(states, machine, branch.stop, found[index + 1 :], False)
-            for index, branch in enumerate(found[:-1])
-            if branch.stop < found[index + 1].start
+            _jump(states, machine, branch.stop, branches_[index + 1 :], False)
+            for index, branch in enumerate(branches_[:-1])
+            if branch.stop < branches_[index + 1].start
         ]
         return tuple(jump for jump in [*reversed(inward), *outward] if jump is not None)
 

@@ -28,7 +28,7 @@ __all__ = [
     "stretch_slope",
 ]
 
-SMALLEST = 1e-150
+LEAST_RADIUS = 1e-150
 """Stands for a radius of zero [m], where springs of a graded medium have no stiffness; its square is a number."""
 
 
@@ -48,15 +48,15 @@ def stretch(bed: Bed, work: float, radius: Array) -> Array:
     ndarray
         l(a) = sqrt(2 pi a w / c_N(a)) [m], positive.
     """
-    a = np.maximum(np.asarray(radius, dtype=float), SMALLEST)
+    a = np.maximum(np.asarray(radius, dtype=float), LEAST_RADIUS)
     return np.asarray(np.sqrt(2.0 * np.pi * work * (a / bed.normal_stiffness(a))))
 
 
 def stretch_slope(bed: Bed, work: float, radius: Array) -> Array:
     """Return l'(a) = l (1/a - c_N'/c_N) / 2 [-]."""
-    a = np.maximum(np.asarray(radius, dtype=float), SMALLEST)
-    turned = bed.normal_stiffness_slope(a) / bed.normal_stiffness(a)
-    return np.asarray(0.5 * stretch(bed, work, a) * (1.0 / a - turned))
+    a = np.maximum(np.asarray(radius, dtype=float), LEAST_RADIUS)
+    relative_slope = bed.normal_stiffness_slope(a) / bed.normal_stiffness(a)
+    return np.asarray(0.5 * stretch(bed, work, a) * (1.0 / a - relative_slope))
 
 
 def depth_of(bed: Bed, work: float, radius: Array) -> Array:
@@ -87,6 +87,6 @@ def force_slope(bed: Bed, work: float, radius: Array) -> Array:
 
 def energy_release_rate(bed: Bed, depth: Array, radius: Array) -> Array:
     """Return G = c_N(a) (d - g(a))^2 / (2 pi a), per area that opens at fixed depth [J/m^2]; zero without contact."""
-    a = np.maximum(np.asarray(radius, dtype=float), SMALLEST)
+    a = np.maximum(np.asarray(radius, dtype=float), LEAST_RADIUS)
     stretched = np.where(np.asarray(radius) > 0.0, depth - bed.gap(radius), 0.0)
     return np.asarray(bed.normal_stiffness(a) / a * stretched**2 / (2.0 * np.pi))

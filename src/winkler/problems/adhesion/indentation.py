@@ -48,7 +48,7 @@ class AdhesiveIndentation:
     law : ShortRange, Dugdale or DerjaguinMullerToporov
         How the surfaces attract each other; with hysteresis, the work of opening counts.
     load : Force, Depth or Radius
-        A force is a dead load, a depth means fixed grips; the value may be an array, the answers then have its shape.
+        A force is a dead load, a depth means fixed grips; the value may be an array, the results then have its shape.
 
     References
     ----------
@@ -91,29 +91,29 @@ class AdhesiveIndentation:
         states = states_of(self.bed, self.law)
         match self.load:
             case Depth(depth):
-                given, flat = depth, _flat(depth)
+                prescribed, flat = depth, _flat(depth)
                 radius = widest(states, FIXED_GRIPS, flat, "depth", "m")
-                answers = flat, force_under(states, flat, radius), radius, np.ones(flat.shape, dtype=bool)
+                results = flat, force_under(states, flat, radius), radius, np.ones(flat.shape, dtype=bool)
             case Force(force):
-                given, flat = force, _flat(force)
+                prescribed, flat = force, _flat(force)
                 radius = widest(states, DEAD_LOAD, flat, "force", "N")
-                answers = depth_under(states, flat, radius), flat, radius, np.ones(flat.shape, dtype=bool)
+                results = depth_under(states, flat, radius), flat, radius, np.ones(flat.shape, dtype=bool)
             case Radius(radius_):
-                given, flat = radius_, _flat(radius_)
-                answers = _at_radius(states, flat)
+                prescribed, flat = radius_, _flat(radius_)
+                results = _at_radius(states, flat)
             case _:
                 raise InvalidInput(
                     f"AdhesiveIndentation: the load is a {type(self.load).__name__}; give Force, Depth or Radius."
                 )
-        shape = np.shape(given)
+        shape = np.shape(prescribed)
         if shape == ():
-            one, two, three, stable = (part[0] for part in answers)
+            one, two, three, stable = (part[0] for part in results)
             return AdhesiveSolution(self, float(one), float(two), float(three), bool(stable))
-        return AdhesiveSolution(self, *(part.reshape(shape) for part in answers))
+        return AdhesiveSolution(self, *(part.reshape(shape) for part in results))
 
 
-def _flat(given: Quantity) -> Array:
-    return np.atleast_1d(np.asarray(given, dtype=float)).ravel()
+def _flat(prescribed: Quantity) -> Array:
+    return np.atleast_1d(np.asarray(prescribed, dtype=float)).ravel()
 
 
 def _at_radius(states: EdgeStates, radius: Array) -> tuple[Array, Array, Array, Array]:
@@ -136,12 +136,12 @@ def _at_radius(states: EdgeStates, radius: Array) -> tuple[Array, Array, Array, 
 
 @value
 class AdhesiveSolution:
-    """The answer to an `AdhesiveIndentation`; every quantity has the shape of the load.
+    """The solution of an `AdhesiveIndentation`; every quantity has the shape of the load.
 
     Parameters
     ----------
     problem : AdhesiveIndentation
-        What was asked.
+        The problem that was solved.
     depth : float or ndarray
         d [m], approach positive.
     force : float or ndarray
@@ -149,7 +149,8 @@ class AdhesiveSolution:
     radius : float or ndarray
         a [m].
     stable : bool or ndarray
-        Whether the state stays under the control of its load; a given radius is judged under a dead load.
+        Whether the state stays under the control of its load; the stability at a prescribed radius is that under a dead
+        load.
     """
 
     problem: AdhesiveIndentation

@@ -25,13 +25,13 @@ from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.edge_states import stored_energy
-from winkler.problems.adhesion.maugis_integrals import Springs, edges_of, gap_moment, pulled
-from winkler.problems.adhesion.maugis_zone import Zone, widest_within, zone
+from winkler.problems.adhesion.maugis_integrals import RingSprings, edges_of, gap_moment, pulled
+from winkler.problems.adhesion.maugis_zone import CohesiveZone, widest_within, zone
 from winkler.values import value
 
-__all__ = ["CohesiveStates", "Ringed"]
+__all__ = ["CohesiveStates", "RingedSprings"]
 
-SHARPEST, BLUNT = 16.0, 1e8
+CLOSEST_HOMOGENEOUS, CLOSEST_OTHERWISE = 16.0, 1e8
 """Closest place to the end of a ring, in units of rounding: on a homogeneous surface, and elsewhere."""
 
 
@@ -76,11 +76,11 @@ class CohesiveStates:
         """A point is held by the stress around it."""
         return True
 
-    def springs(self) -> Springs:
+    def springs(self) -> RingSprings:
         """What the zone needs of the bed."""
         return _springs(cast(Hashable, self.bed))
 
-    def zone(self, radius: Array) -> Zone:
+    def zone(self, radius: Array) -> CohesiveZone:
         """Return the rings around contacts of given radii."""
         radius = np.asarray(radius, dtype=float)
         return _zone(cast(Hashable, self), radius.shape, radius.tobytes())
@@ -95,17 +95,17 @@ class CohesiveStates:
 
     def load(self, radius: Array) -> Array:
         """What the profile and the ring take from k d [N]."""
-        found, springs = self.zone(radius), self.springs()
+        solved, springs = self.zone(radius), self.springs()
         ring = 2.0 * springs.amplitude(self.law.strength) * springs.surface_modulus
-        return np.asarray(self.bed.gap_load(radius) + ring * pulled(found.outer, found.span, springs.exponent))
+        return np.asarray(self.bed.gap_load(radius) + ring * pulled(solved.outer, solved.span, springs.exponent))
 
     def slopes(self, radius: Array) -> tuple[Array, Array]:
         """d'(a) and F'(a)."""
-        found, springs, strength = self.zone(radius), self.springs(), self.law.strength
+        solved, springs, strength = self.zone(radius), self.springs(), self.law.strength
         k = springs.exponent
         stress = springs.amplitude(strength) * (1.0 - k)
-        depth = self.bed.gap_slope(radius) - stress * found.span ** (-k) * found.span_slope
-        pull = 4.0 * strength * springs.cosine() * found.outer * found.turn * found.outer_slope
+        depth = self.bed.gap_slope(radius) - stress * solved.span ** (-k) * solved.span_slope
+        pull = 4.0 * strength * springs.cosine() * solved.outer * solved.turn * solved.outer_slope
         return depth, self.bed.stiffness(radius) * depth - pull
 
     def energy(self, radius: Array) -> Array:
@@ -114,8 +114,8 @@ class CohesiveStates:
         .. math:: E = E^*\!\int_0^a (d-g)^2\,\mathrm dx + 4\sigma_0\!\int_a^c (g-d)\sqrt{c^2-x^2}\,\mathrm dx
                       - 2\sigma_0 A\!\int_a^c (c^2-x^2)\,\mathrm dx - \pi w c^2
         """
-        found, springs, strength = self.zone(radius), self.springs(), self.law.strength
-        s, c, stretch = found.span, found.outer, self._stretch(found.span)
+        solved, springs, strength = self.zone(radius), self.springs(), self.law.strength
+        s, c, stretch = solved.span, solved.outer, self._stretch(solved.span)
         inner = stored_energy(self.bed, self.bed.gap(radius) - stretch, radius)
         gaps = gap_moment(springs, radius, s) + stretch * pulled(c, s, 0.0)
         squares = s**4 * (2.0 * c + radius) / (3.0 * (c + radius) ** 2)
@@ -124,14 +124,14 @@ class CohesiveStates:
 
     def scale(self, radius: Array) -> Array:
         """Stretch over the radius of the zone."""
-        found = self.zone(radius)
-        return self._stretch(found.span) / found.outer
+        solved = self.zone(radius)
+        return self._stretch(solved.span) / solved.outer
 
-    def pressed(self, depth: float, radius: float) -> Ringed:
+    def pressed(self, depth: float, radius: float) -> RingedSprings:
         """The springs out to the end of the ring."""
         outer = float(self.zone(np.array([radius])).outer[0])
         amplitude = self.springs().amplitude(self.law.strength)
-        sharpest = SHARPEST if _exponent(self.bed) == 0.0 else BLUNT
+        sharpest = CLOSEST_HOMOGENEOUS if _exponent(self.bed) == 0.0 else CLOSEST_OTHERWISE
         return _ringed(self.bed, depth, radius, outer, amplitude, sharpest)
 
 
@@ -139,43 +139,43 @@ def _exponent(bed: Bed) -> float:
     return bed.medium.exponent if isinstance(bed.medium, GradedHalfSpace) else 0.0
 
 
-def _ringed(bed: Bed, depth: float, contact: float, outer: float, amplitude: float, sharpest: float) -> Ringed:
+def _ringed(bed: Bed, depth: float, contact: float, outer: float, amplitude: float, sharpest: float) -> RingedSprings:
     """Return the springs of a contact with a ring, resolved down to some units of rounding."""
     k = _exponent(bed)
     width, least = outer - contact, sharpest * np.finfo(float).eps * outer
     halvings = max(0, math.floor(math.log2(max(width / least, 1.0))))
     # what is left of the ring is a jump at its centre of gravity
     jump = outer - (1.0 - k) / (3.0 - k) * width * 0.5**halvings if halvings else contact
-    return Ringed(bed, depth, jump, contact, outer, amplitude, k, halvings)
+    return RingedSprings(bed, depth, jump, contact, outer, amplitude, k, halvings)
 
 
 @functools.lru_cache(maxsize=64)
-def _springs(given: Hashable) -> Springs:
-    bed = cast(Bed, given)
+def _springs(key: Hashable) -> RingSprings:
+    bed = cast(Bed, key)
     modulus = float(bed.normal_stiffness(np.array([1.0]))[0])  # c_N = E_s x^k at x = 1 m
     end = min(bed.reach, bed.rim)
-    return Springs(bed.gap_slope, edges_of(bed.kinks, end), bed.rising, modulus, _exponent(bed), end)
+    return RingSprings(bed.gap_slope, edges_of(bed.kinks, end), bed.rising, modulus, _exponent(bed), end)
 
 
 @functools.lru_cache(maxsize=64)
-def _end(given: Hashable) -> float:
-    states = cast(CohesiveStates, given)
+def _end(key: Hashable) -> float:
+    states = cast(CohesiveStates, key)
     springs = states.springs()
     if not math.isfinite(springs.end):
         return springs.end
-    found = widest_within(springs, states.law.strength, states.law.range)
-    if found <= 0.0:
+    solved = widest_within(springs, states.law.strength, states.law.range)
+    if solved <= 0.0:
         raise OutsideValidity(
             f"Dugdale: the attraction of {states.law.range:.3g} m reaches beyond the end of the profile "
             f"({springs.end:.6g} m) even where the bodies only just touch; use ShortRange(work), a greater strength, "
             "or a wider profile."
         )
-    return found
+    return solved
 
 
 @functools.lru_cache(maxsize=64)
-def _zone(given: Hashable, shape: tuple[int, ...], content: bytes) -> Zone:
-    states = cast(CohesiveStates, given)
+def _zone(key: Hashable, shape: tuple[int, ...], content: bytes) -> CohesiveZone:
+    states = cast(CohesiveStates, key)
     radius = np.frombuffer(content).reshape(shape)
 
     def refuse(beyond: Array) -> None:
@@ -188,12 +188,12 @@ def _zone(given: Hashable, shape: tuple[int, ...], content: bytes) -> Zone:
                 "strength, or a wider profile."
             )
 
-    found = zone(states.springs(), states.law.strength, states.law.range, radius.ravel(), refuse)
-    return Zone(*(part.reshape(shape) for part in found))
+    solved = zone(states.springs(), states.law.strength, states.law.range, radius.ravel(), refuse)
+    return CohesiveZone(*(part.reshape(shape) for part in solved))
 
 
 @value
-class Ringed(PressedSprings):
+class RingedSprings(PressedSprings):
     """Springs compressed up to the contact radius and pulled in the ring around it.
 
     Parameters
@@ -202,7 +202,7 @@ class Ringed(PressedSprings):
     depth : float
         d [m].
     radius : float
-        Where the last of the springs' displacement, too near to the end of the ring to be told, is a jump [m].
+        Where the last of the springs' displacement, too near to the end of the ring to be resolved, is a jump [m].
     contact_radius : float
         a [m]: up to there the surfaces touch.
     outer_radius : float
@@ -227,9 +227,9 @@ class Ringed(PressedSprings):
         return self.contact_radius
 
     @property
-    def blunted(self) -> Ringed:
+    def blunted(self) -> RingedSprings:
         """The same with fewer places."""
-        return _ringed(self.bed, self.depth, self.contact_radius, self.outer_radius, self.amplitude, BLUNT)
+        return _ringed(self.bed, self.depth, self.contact_radius, self.outer_radius, self.amplitude, CLOSEST_OTHERWISE)
 
     @property
     def kinks(self) -> tuple[tuple[float, float], ...]:
@@ -241,7 +241,7 @@ class Ringed(PressedSprings):
 
     @property
     def edge(self) -> float:
-        """The jump: all but zero, unless the whole ring is too narrow to be told."""
+        """The jump: all but zero, unless the whole ring is too narrow to be resolved."""
         place = np.array([self.radius])
         return float(self._ring(place)[0] if self.count > 0 else self.value(place)[0])
 

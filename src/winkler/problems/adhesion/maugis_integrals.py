@@ -20,26 +20,26 @@ from winkler.numerics.integrals.quadrature import gauss_legendre, tanh_sinh
 from winkler.numerics.panels.sqrt_panels import root
 from winkler.numerics.types import Array, Curve
 
-__all__ = ["Rule", "Springs", "edges_of", "gap_moment", "moment", "profile_part", "pulled", "turn"]
+__all__ = ["RingSprings", "Rule", "edges_of", "gap_moment", "moment", "profile_part", "pulled", "turn"]
 
 Rule = tuple[str, int]
 """``("gauss", count)`` for what is smooth in the angle, ``("double", count)``, double-exponential, for what is not."""
 
-AT_ONCE = 250_000
-"""Places at which g' is asked at once."""
+POINTS_PER_BLOCK = 250_000
+"""Places at which g' is evaluated at once."""
 DOUBLINGS = 60
-FINE = 161
+FINEST_RULE = 161
 
 
 class Edges(NamedTuple):
-    """Where pieces begin, the kink whose root each of them feels, and whether g' is infinite there."""
+    """Where pieces begin, the kink whose root each of them contains, and whether g' is infinite there."""
 
     places: Array
     bases: Array
     steep: Array
 
 
-class Springs(NamedTuple):
+class RingSprings(NamedTuple):
     """What the zone needs of a bed: g', its edges, whether g rises, c_N = surface_modulus x^exponent, and its end.
 
     `edges` are those of `edges_of`.
@@ -109,7 +109,7 @@ def pulled(outer: Array, span: Array, k: float) -> Array:
     return np.asarray(0.5 * outer**2 * beta(p, q) * betainc(p, q, share))
 
 
-class _Pieces(NamedTuple):
+class _IntegralPieces(NamedTuple):
     """Pieces of integrals: whose they are, their sign, the base of their angle, where they begin, how far they go.
 
     `start` is an angle from the base on, `stop` one from the end of the zone back.
@@ -131,7 +131,7 @@ def _rest(radius: Array, span: Array, place: Array) -> Array:
     return np.asarray(np.sqrt(np.maximum(span * span + (radius - place) * (radius + place), 0.0)))
 
 
-def _pieces(edges: Edges, radius: Array, span: Array, k: float) -> _Pieces:
+def _pieces(edges: Edges, radius: Array, span: Array, k: float) -> _IntegralPieces:
     """Divide the zones at the edges that lie in them."""
     first = np.searchsorted(edges.places, radius, side="right") - 1
     last = np.maximum(np.searchsorted(edges.places, np.hypot(radius, span), side="left") - 1, first)
@@ -152,22 +152,22 @@ def _pieces(edges: Edges, radius: Array, span: Array, k: float) -> _Pieces:
     # of two differences of the same angle, the one that cancels less
     whole = np.where(ends | (back < start), back - stop, np.arctan2(rises, left) - start)
     whole = np.maximum(whole, 0.0)
-    found = _Pieces(owner, np.ones(owner.size), base, limit, edges.steep[index], width, start, stop, whole)
-    return found if k == 0.0 else _from_base(found, back)
+    divided = _IntegralPieces(owner, np.ones(owner.size), base, limit, edges.steep[index], width, start, stop, whole)
+    return divided if k == 0.0 else _from_base(divided, back)
 
 
-def _from_base(pieces: _Pieces, back: Array) -> _Pieces:
+def _from_base(pieces: _IntegralPieces, back: Array) -> _IntegralPieces:
     """Let pieces begin at the base, and take off what is too much: a power starts there, not far outside of them."""
     near = (pieces.start > 0.0) & (pieces.start < pieces.whole)
-    more = _Pieces(*(part[near] for part in pieces))
+    more = _IntegralPieces(*(part[near] for part in pieces))
     more = more._replace(sign=-more.sign, start=0.0 * more.start, stop=back[near], whole=more.start)
     begun = pieces._replace(
         start=np.where(near, 0.0, pieces.start), whole=pieces.whole + np.where(near, pieces.start, 0.0)
     )
-    return _Pieces(*(np.concatenate(parts) for parts in zip(begun, more, strict=True)))
+    return _IntegralPieces(*(np.concatenate(parts) for parts in zip(begun, more, strict=True)))
 
 
-def profile_part(springs: Springs, radius: Array, span: Array, rule: Rule) -> tuple[Array, Array]:
+def profile_part(springs: RingSprings, radius: Array, span: Array, rule: Rule) -> tuple[Array, Array]:
     """Return the integral of g' J over the zone [m], and its derivative by c [-]."""
     outer = np.hypot(radius, span)
     pieces = _pieces(springs.edges, radius, span, springs.exponent)
@@ -177,47 +177,50 @@ def profile_part(springs: Springs, radius: Array, span: Array, rule: Rule) -> tu
         complements = nodes[::-1]
     else:
         nodes, complements, weights = tanh_sinh(rule[1])
-    k, chunk = springs.exponent, max(1, AT_ONCE // nodes.size)
+    k, chunk = springs.exponent, max(1, POINTS_PER_BLOCK // nodes.size)
     for begin in range(0, pieces.owner.size, chunk):
-        own = _Pieces(*(part[begin : begin + chunk] for part in pieces))
+        own = _IntegralPieces(*(part[begin : begin + chunk] for part in pieces))
         c = outer[own.owner]
         x, rest, measure = _on(springs, own, nodes, complements, weights)
-        turned = turn(np.minimum((rest / c[:, None]) ** 2, 1.0), k)
-        total += np.bincount(own.owner, np.einsum("mn,mn->m", measure, rest / x * turned), radius.size)
+        turn_value = turn(np.minimum((rest / c[:, None]) ** 2, 1.0), k)
+        total += np.bincount(own.owner, np.einsum("mn,mn->m", measure, rest / x * turn_value), radius.size)
         if k != 0.0:
             measure *= np.where(rest > 0.0, x / np.where(rest > 0.0, rest, 1.0), 0.0) ** k
         by_outer += np.bincount(own.owner, np.sum(measure, axis=1) / c, radius.size)
     return total, by_outer
 
 
-def gap_moment(springs: Springs, radius: Array, span: Array) -> Array:
+def gap_moment(springs: RingSprings, radius: Array, span: Array) -> Array:
     """Return the integral of (g(x) - g(a)) sqrt(c^2 - x^2) over the zone [m^3], by parts; for k = 0."""
     outer, total = np.hypot(radius, span), np.zeros(radius.shape)
     pieces = _pieces(springs.edges, radius, span, springs.exponent)
-    for begin in range(0, pieces.owner.size, AT_ONCE // FINE):
-        own = _Pieces(*(part[begin : begin + AT_ONCE // FINE] for part in pieces))
-        x, rest, measure = _on(springs, own, *tanh_sinh(FINE))
+    for begin in range(0, pieces.owner.size, POINTS_PER_BLOCK // FINEST_RULE):
+        own = _IntegralPieces(*(part[begin : begin + POINTS_PER_BLOCK // FINEST_RULE] for part in pieces))
+        x, rest, measure = _on(springs, own, *tanh_sinh(FINEST_RULE))
         c = outer[own.owner, None]
         beyond = pulled(np.broadcast_to(c, rest.shape), rest, 0.0)
         total += np.bincount(own.owner, np.einsum("mn,mn->m", measure, rest / x * beyond), radius.size)
     return total
 
 
-def _on(springs: Springs, own: _Pieces, nodes: Array, complements: Array, weights: Array) -> tuple[Array, Array, Array]:
+def _on(
+    springs: RingSprings, own: _IntegralPieces, nodes: Array, complements: Array, weights: Array
+) -> tuple[Array, Array, Array]:
     """Return x, sqrt(c^2 - x^2), and what is to be multiplied by that over x and summed for an integral over g' dx."""
     k = springs.exponent
     base, width, whole = own.base[:, None], own.width[:, None], own.whole[:, None]
     risen = width * np.sin(own.start[:, None] + whole * nodes)  # sqrt(x^2 - base^2)
     rest = width * np.sin(own.stop[:, None] + whole * complements)  # sqrt(c^2 - x^2)
-    # just above a kink x cannot be told from it, and g' is asked where it can; just below, nothing must cross it
+    # just above a kink x cannot be resolved from it, and g' is evaluated where it can; just below, nothing must cross
+    # it
     x = np.maximum(np.hypot(base, risen), np.nextafter(base, np.inf))
     x = np.minimum(x, np.minimum(own.high, np.nextafter(springs.end, 0.0))[:, None])
     measure = springs.gap_slope(x) * (own.sign[:, None] * whole * weights)
     steep = own.steep
     if steep.any():
-        told = root(x[steep], np.broadcast_to(base[steep], x[steep].shape))
-        # g' holds told^(k-1): what is finite is made of the same rounded place
-        measure[steep] *= told ** (1.0 - k) * risen[steep] ** k
+        distance = root(x[steep], np.broadcast_to(base[steep], x[steep].shape))
+        # g' holds distance^(k-1): what is finite is made of the same rounded place
+        measure[steep] *= distance ** (1.0 - k) * risen[steep] ** k
         measure[~steep] *= risen[~steep]
     else:
         measure *= risen

@@ -28,27 +28,27 @@ from winkler.errors import NotConverged
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.panels.sqrt_panels import root
 from winkler.numerics.types import Array
-from winkler.problems.adhesion.maugis_integrals import Rule, Springs, moment, profile_part, turn
+from winkler.problems.adhesion.maugis_integrals import RingSprings, Rule, moment, profile_part, turn
 
-__all__ = ["Zone", "widest_within", "zone"]
+__all__ = ["CohesiveZone", "widest_within", "zone"]
 
-SMOOTH: tuple[Rule, ...] = (("gauss", 8), ("gauss", 16), ("gauss", 32), ("gauss", 64))
+SMOOTH_RULES: tuple[Rule, ...] = (("gauss", 8), ("gauss", 16), ("gauss", 32), ("gauss", 64))
 """Rules for what is smooth in the angle between the kinks."""
-ROUGH: tuple[Rule, ...] = (("double", 81), ("double", 161), ("double", 321))
-SETTLED = 1e-12
-LAST = 1e-9
-PLATEAU = 0.1
-"""What moves by more than this part of the move before, and by less than `LAST`, moves by rounding."""
-SCAN = 64
-"""Steps in which the first c is looked for where g does not rise."""
+ROUGH_RULES: tuple[Rule, ...] = (("double", 81), ("double", 161), ("double", 321))
+STEP_TOLERANCE = 1e-12
+ROUNDING_STEP = 1e-9
+ROUNDING_RATIO = 0.1
+"""What moves by more than this part of the move before, and by less than `ROUNDING_STEP`, moves by rounding."""
+SCAN_STEPS = 64
+"""Steps in which the first c is sought where g does not rise."""
 ITERATIONS = 100
-NEAR = 1e-7
+NEWTON_LAST_STEP = 1e-7
 """A step of Newton's method so small, relative to s, is the last one but that with the finer rule."""
-MANY, EVERY = 40, 8
-"""Of so many contacts every eighth tells the others where to begin."""
+LEAST_INTERPOLATED, GUESS_STRIDE = 40, 8
+"""Of so many contacts every eighth gives the others their first guess."""
 
 
-class Zone(NamedTuple):
+class CohesiveZone(NamedTuple):
     """A ring of cohesion: s = sqrt(c^2 - a^2) and c [m], and what their slopes are made from.
 
     `span_slope` is s'(a), `outer_slope` c'(a), `turn` J(a).
@@ -61,17 +61,17 @@ class Zone(NamedTuple):
     turn: Array
 
 
-class _Ring(NamedTuple):
+class _CohesiveRing(NamedTuple):
     """Of what the zones of one bed and law are made."""
 
-    springs: Springs
+    springs: RingSprings
     amplitude: float
     distance: float
 
     @property
     def rules(self) -> tuple[Rule, ...]:
         """Those to be tried, one after the other."""
-        return (*SMOOTH, *ROUGH) if self.springs.exponent == 0.0 else ROUGH
+        return (*SMOOTH_RULES, *ROUGH_RULES) if self.springs.exponent == 0.0 else ROUGH_RULES
 
     def apart(self, radius: Array, span: Array, rule: Rule) -> tuple[Array, Array, Array]:
         """Return by which part the surfaces at the end are too far apart [-], and slopes.
@@ -81,20 +81,24 @@ class _Ring(NamedTuple):
         k = self.springs.exponent
         outer = np.hypot(radius, span)
         share = np.minimum((span / outer) ** 2, 1.0)
-        turned, moved = turn(share, k), moment(share, k)
+        turn_value, moved = turn(share, k), moment(share, k)
         part, by_outer = profile_part(self.springs, radius, span, rule)
         stress = self.amplitude * (1.0 - k)
-        whole = part + self.amplitude * (span ** (1.0 - k) * turned - outer ** (1.0 - k) * moved)
-        by_span = (span / outer) * (by_outer + stress * (outer * turned * span ** (-1.0 - k) - moved * outer ** (-k)))
+        whole = part + self.amplitude * (span ** (1.0 - k) * turn_value - outer ** (1.0 - k) * moved)
+        by_span = (span / outer) * (
+            by_outer + stress * (outer * turn_value * span ** (-1.0 - k) - moved * outer ** (-k))
+        )
         factor = 2.0 * self.springs.cosine() / (math.pi * self.distance)
         return factor * whole - 1.0, factor * by_span * span, by_outer
 
 
-def _ring(springs: Springs, strength: float, distance: float) -> _Ring:
-    return _Ring(springs, springs.amplitude(strength), distance)
+def _ring(springs: RingSprings, strength: float, distance: float) -> _CohesiveRing:
+    return _CohesiveRing(springs, springs.amplitude(strength), distance)
 
 
-def zone(springs: Springs, strength: float, distance: float, radius: Array, refuse: Callable[[Array], None]) -> Zone:
+def zone(
+    springs: RingSprings, strength: float, distance: float, radius: Array, refuse: Callable[[Array], None]
+) -> CohesiveZone:
     """Return the zones around contacts of given radii `(m,)`.
 
     Parameters
@@ -119,17 +123,17 @@ def zone(springs: Springs, strength: float, distance: float, radius: Array, refu
     waiting, before = np.arange(radius.size), np.full(radius.shape, math.inf)
     for rule, finer in pairwise(ring.rules):
         part = radius[waiting]
-        found = _span(ring, part, span[waiting], rule, refuse)
-        excess, slope, by_outer[waiting] = ring.apart(part, found, finer)
+        roots = _span(ring, part, span[waiting], rule, refuse)
+        excess, slope, by_outer[waiting] = ring.apart(part, roots, finer)
         moved = np.abs(excess)
-        small = moved <= LAST
+        small = moved <= ROUNDING_STEP
         correction = np.where(small & (slope > 0.0), excess / np.where(slope > 0.0, slope, 1.0), 0.0)
-        span[waiting] = found * (1.0 - np.clip(correction, -LAST, LAST))
-        done = (moved <= SETTLED) | (small & (moved > PLATEAU * before))
+        span[waiting] = roots * (1.0 - np.clip(correction, -ROUNDING_STEP, ROUNDING_STEP))
+        done = (moved <= STEP_TOLERANCE) | (small & (moved > ROUNDING_RATIO * before))
         waiting, before = waiting[~done], moved[~done]
         if not waiting.size:
             break
-    if np.any(before > LAST):
+    if np.any(before > ROUNDING_STEP):
         raise NotConverged(
             f"The cohesive zone still moves by {np.max(before):.1e} on refinement: the profile is not smooth "
             "between its stated kinks; state them, or give the shape as measured points."
@@ -137,7 +141,7 @@ def zone(springs: Springs, strength: float, distance: float, radius: Array, refu
     return _with_slopes(ring, radius, span, by_outer)
 
 
-def _guess(ring: _Ring, radius: Array, refuse: Callable[[Array], None]) -> Array:
+def _guess(ring: _CohesiveRing, radius: Array, refuse: Callable[[Array], None]) -> Array:
     """Return a first guess of s: of many contacts some are solved for, and the others lie between."""
     alone = (ring.distance / ring.amplitude) ** (1.0 / (1.0 - ring.springs.exponent))
 
@@ -145,19 +149,19 @@ def _guess(ring: _Ring, radius: Array, refuse: Callable[[Array], None]) -> Array
         # narrow zones obey Griffith, A s^(1-k) = l; wide ones are at most as wide as the stress alone would make them
         return np.asarray(np.where(radius > alone, np.sqrt(alone * radius), alone))
 
-    if radius.size < MANY:
+    if radius.size < LEAST_INTERPOLATED:
         return rough(radius)
     ordered = np.unique(radius)
-    some = np.unique(np.append(ordered[::EVERY], ordered[-1]))
+    some = np.unique(np.append(ordered[::GUESS_STRIDE], ordered[-1]))
 
     def refuse_all(beyond: Array) -> None:
         refuse(np.isin(radius, some[beyond]))
 
-    known = _span(ring, some, rough(some), ring.rules[0], refuse_all)
-    return np.asarray(np.exp(np.interp(radius, some, np.log(known))))
+    guessed = _span(ring, some, rough(some), ring.rules[0], refuse_all)
+    return np.asarray(np.exp(np.interp(radius, some, np.log(guessed))))
 
 
-def _span(ring: _Ring, radius: Array, guess: Array, rule: Rule, refuse: Callable[[Array], None]) -> Array:
+def _span(ring: _CohesiveRing, radius: Array, guess: Array, rule: Rule, refuse: Callable[[Array], None]) -> Array:
     """Return s = sqrt(c^2 - a^2), by Newton's method in logarithms inside a bracket that only shrinks."""
     springs = ring.springs
     farthest = root(np.full(radius.shape, min(springs.end, 1e150)), radius)
@@ -177,7 +181,7 @@ def _span(ring: _Ring, radius: Array, guess: Array, rule: Rule, refuse: Callable
         excess = np.where(usable, excess, 0.0)
         power = np.log1p(excess) * (1.0 + excess) / np.where(usable, slope, 1.0)
         new = here * np.exp(-np.clip(power, -4.0, 4.0))
-        settled = usable & (np.abs(power) <= NEAR)
+        settled = usable & (np.abs(power) <= NEWTON_LAST_STEP)
         inside = usable & (new > low[left]) & (new < high[left])
         middle = np.where(
             np.isinf(high[left]),
@@ -192,12 +196,12 @@ def _span(ring: _Ring, radius: Array, guess: Array, rule: Rule, refuse: Callable
     return span if springs.rising else _first_crossing(ring, radius, span, rule)
 
 
-def widest_within(springs: Springs, strength: float, distance: float) -> float:
+def widest_within(springs: RingSprings, strength: float, distance: float) -> float:
     """Return the contact radius whose ring ends with the profile [m]; zero if no ring is so narrow."""
     ring, end = _ring(springs, strength, distance), (1.0 - 1e-12) * springs.end
 
     def excess(radius: Array, _: Array) -> Array:
-        return ring.apart(radius, root(np.full(radius.shape, end), radius), ROUGH[-2])[0]
+        return ring.apart(radius, root(np.full(radius.shape, end), radius), ROUGH_RULES[-2])[0]
 
     low, high = np.zeros(1), np.array([end * (1.0 - 1e-12)])
     if excess(low, low)[0] <= 0.0:
@@ -205,14 +209,14 @@ def widest_within(springs: Springs, strength: float, distance: float) -> float:
     return float(between(excess, low, high)[0]) * (1.0 - 1e-9) if excess(high, high)[0] < 0.0 else float(high[0])
 
 
-def _first_crossing(ring: _Ring, radius: Array, span: Array, rule: Rule) -> Array:
+def _first_crossing(ring: _CohesiveRing, radius: Array, span: Array, rule: Rule) -> Array:
     """Return the first opening where g falls somewhere in the zone; elsewhere there is but one."""
     springs = ring.springs
 
     def excess(span: Array, index: Array) -> Array:
         return ring.apart(radius[index], span, rule)[0]
 
-    shares = np.linspace(0.0, 1.0, SCAN + 1)
+    shares = np.linspace(0.0, 1.0, SCAN_STEPS + 1)
     places = np.minimum(np.hypot(radius[:, None], span[:, None] * shares), np.nextafter(springs.end, 0.0))
     (falling,) = np.nonzero(np.any(springs.gap_slope(places) < 0.0, axis=1))
     result = span.copy()
@@ -220,27 +224,27 @@ def _first_crossing(ring: _Ring, radius: Array, span: Array, rule: Rule) -> Arra
         if not falling.size:
             break
         wide = excess(share * span[falling], falling) >= 0.0
-        found = falling[wide]
-        if found.size:
+        roots = falling[wide]
+        if roots.size:
 
-            def of_found(s: Array, index: Array, found: Array = found) -> Array:
-                return excess(s, found[index])
+            def of_roots(s: Array, index: Array, roots: Array = roots) -> Array:
+                return excess(s, roots[index])
 
-            low = np.where(excess(before * span[found], found) < 0.0, before, 1e-3 * before) * span[found]
-            result[found] = between(of_found, low, share * span[found])
+            low = np.where(excess(before * span[roots], roots) < 0.0, before, 1e-3 * before) * span[roots]
+            result[roots] = between(of_roots, low, share * span[roots])
         falling = falling[~wide]
     return result
 
 
-def _with_slopes(ring: _Ring, radius: Array, span: Array, by_outer: Array) -> Zone:
-    """Differentiate h(a, s) = distance: terms that nearly cancel in narrow zones have been cancelled by hand."""
+def _with_slopes(ring: _CohesiveRing, radius: Array, span: Array, by_outer: Array) -> CohesiveZone:
+    """Differentiate h(a, s) = distance: terms that nearly cancel in narrow zones have been cancelled analytically."""
     k = ring.springs.exponent
     outer = np.hypot(radius, span)
     share = np.minimum((span / outer) ** 2, 1.0)
-    turned = turn(share, k)
+    turn_value = turn(share, k)
     stress = ring.amplitude * (1.0 - k)
     own = stress * moment(share, k) * outer ** (-k)
-    by_radius = (by_outer * radius - own * radius) / outer - turned * ring.springs.gap_slope(radius)
-    by_span = (span / outer) * (by_outer + stress * outer * turned * span ** (-1.0 - k) - own)
+    by_radius = (by_outer * radius - own * radius) / outer - turn_value * ring.springs.gap_slope(radius)
+    by_span = (span / outer) * (by_outer + stress * outer * turn_value * span ** (-1.0 - k) - own)
     span_slope = -by_radius / by_span
-    return Zone(span, outer, span_slope, (radius + span * span_slope) / outer, turned)
+    return CohesiveZone(span, outer, span_slope, (radius + span * span_slope) / outer, turn_value)

@@ -23,14 +23,14 @@ from winkler.loading import Force
 from winkler.problems.adhesion import griffith
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
 from winkler.problems.adhesion.pull_off import PullOff
-from winkler.problems.assumptions.adhesion_range import GREENWOOD, STRETCH
+from winkler.problems.assumptions.adhesion_range import GREENWOOD, PULL_OFF_STRETCH
 from winkler.problems.normal.indentation import Indentation
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["ModelError", "Recommendation", "maugis_parameter", "tabor_parameter", "which_model"]
 
-MAUGIS = 2.0 / math.cbrt(16.0 * math.pi / 9.0)
+MAUGIS_OVER_TABOR = 2.0 / math.cbrt(16.0 * math.pi / 9.0)
 """Maugis' parameter over Tabor's, if the range is work over strength."""
 UNLOADED = Force(0.0)
 TABOR = "D. Tabor, J. Colloid Interface Sci. 58 (1977) 2-13, doi:10.1016/0021-9797(77)90366-6"
@@ -38,8 +38,8 @@ EQUATIONS = "D. Maugis, J. Colloid Interface Sci. 150 (1992) 243-269, doi:10.101
 UNITS = {"curvature_radius": "m", "modulus": "Pa", "work": "J/m^2", "distance": "m", "strength": "Pa"}
 
 
-def _positive(owner: str, **given: float) -> None:
-    for word, number in given.items():
+def _positive(owner: str, **numbers: float) -> None:
+    for word, number in numbers.items():
         checked(POSITIVE, owner, word, number, UNITS[word])
 
 
@@ -111,12 +111,12 @@ def maugis_parameter(*, curvature_radius: float, modulus: float, work: float, st
     _positive("maugis_parameter", curvature_radius=curvature_radius, modulus=modulus, work=work, strength=strength)
     distance = work / strength
     tabor = tabor_parameter(curvature_radius=curvature_radius, modulus=modulus, work=work, distance=distance)
-    return MAUGIS * tabor
+    return MAUGIS_OVER_TABOR * tabor
 
 
 @value
 class ModelError:
-    """What one model says, and how far it is from Maugis' equations for the same profile.
+    """The result of one model, and how far it is from Maugis' equations for the same profile.
 
     Parameters
     ----------
@@ -125,7 +125,7 @@ class ModelError:
     pull_off : float
         Force at which a dead load tears the contact off [N], negative; zero without adhesion.
     radius : float
-        Contact radius [m] under the load that was asked about.
+        Contact radius [m] under the given load.
     pull_off_error, radius_error : float
         Relative [-], against Maugis.
     """
@@ -144,7 +144,7 @@ class Recommendation:
     Parameters
     ----------
     problem : Indentation or AdhesiveIndentation
-        The contact under the load that was asked about, in the recommended model; ready to be solved.
+        The contact under the given load, in the recommended model; ready to be solved.
     model : str
         Its name: Hertz, DMT, Maugis or JKR.
     tabor : float
@@ -165,7 +165,7 @@ class Recommendation:
     @property
     def maugis(self) -> float:
         """Maugis' parameter lambda [-]."""
-        return MAUGIS * self.tabor
+        return MAUGIS_OVER_TABOR * self.tabor
 
 
 def which_model(bed: Bed, law: Dugdale, load: Force = UNLOADED, *, tolerance: float = 0.02) -> Recommendation:
@@ -215,9 +215,9 @@ def which_model(bed: Bed, law: Dugdale, load: Force = UNLOADED, *, tolerance: fl
     models, refused = _models(bed, law, load)
     short = PullOff(bed, ShortRange(law.work)).solve()
     stretch = float(griffith.stretch(bed, law.work, np.array([short.radius]))[0])
-    tabor = stretch / (STRETCH * law.range)
-    good = {each.model: each for each in models if _close(each, tolerance)}
-    # the simplest first; Hertz if the load makes adhesion vanish, though it knows no pull-off
+    tabor = stretch / (PULL_OFF_STRETCH * law.range)
+    good = {each.model: each for each in models if _all_close(each, tolerance)}
+    # the simplest first; Hertz if the load makes adhesion vanish, though it has no pull-off
     plain = next(each for each in models if each.model == "Hertz")
     if float(load.force) > 0.0 and abs(plain.radius_error) <= tolerance:
         name = "Hertz"
@@ -233,12 +233,12 @@ def which_model(bed: Bed, law: Dugdale, load: Force = UNLOADED, *, tolerance: fl
     return Recommendation(problems[name], name, tabor, models, notes)
 
 
-def _close(each: ModelError, tolerance: float) -> bool:
+def _all_close(each: ModelError, tolerance: float) -> bool:
     return max(abs(each.pull_off_error), abs(each.radius_error)) <= tolerance
 
 
 def _models(bed: Bed, law: Dugdale, load: Force) -> tuple[tuple[ModelError, ...], str]:
-    """Return what the models say, and why there is no DMT, if there is none."""
+    """Return the results of the models, and why there is no DMT, if there is none."""
     laws: dict[str, AdhesionLaw] = {"JKR": ShortRange(law.work), "DMT": DerjaguinMullerToporov(law.work)}
     force = PullOff(bed, law).solve().force
     radius = float(AdhesiveIndentation(bed, law, load).solve().radius)
@@ -274,7 +274,7 @@ def _reasons(
     wide = "; ".join(f"{each.model} {each.radius:.4g} m ({each.radius_error:+.2%})" for each in models)
     verdicts = {
         "Hertz": f"Under {float(load.force):.4g} N adhesion changes the contact radius by less than {tolerance:.2g}: "
-        "plain Indentation does; a pull-off it does not know.",
+        "plain Indentation does; it has no pull-off.",
         "JKR": f"JKR is within {tolerance:.2g} of Maugis, and holds on layers and cones, too: take ShortRange.",
         "DMT": f"DMT is within {tolerance:.2g} of Maugis: take DerjaguinMullerToporov.",
         "Maugis": f"Neither JKR nor DMT is within {tolerance:.2g}: take Dugdale.",
@@ -291,7 +291,7 @@ def _reasons(
             Assumption.ADHESION,
             Standing.ASYMPTOTIC,
             f"At the pull-off attraction stretches the edge by {stretch:.3g} m, its range is {law.range:.3g} m: "
-            f"Tabor's parameter is {tabor:.3g}, Maugis' {MAUGIS * tabor:.3g}, in the region of {region}.",
+            f"Tabor's parameter is {tabor:.3g}, Maugis' {MAUGIS_OVER_TABOR * tabor:.3g}, in the region of {region}.",
             f"{TABOR}; {GREENWOOD}",
         ),
         Note(Assumption.ADHESION, Standing.EXACT, f"Pull-off under a dead load: {compared}.", EQUATIONS),

@@ -27,7 +27,7 @@ __all__ = ["MachineStiffness", "PullOff", "PullOffSolution"]
 MachineStiffness: TypeAlias = Annotated[
     float, Number("give 0 for a dead load, inf for fixed grips, or a positive number{unit}", 0.0)
 ]
-"""How much force a machine takes per length that it gives way [N/m]."""
+"""Stiffness of the machine that holds the bodies [N/m]."""
 
 
 @value
@@ -91,19 +91,19 @@ class PullOff:
 
 def last_radius(states: EdgeStates, machine_stiffness: float) -> float:
     """Return the radius of the stable state of least position [m]."""
-    found = branches_beyond(states, machine_stiffness, 0.0)
-    starts = np.array([branch.start for branch in found])
+    stable = branches_beyond(states, machine_stiffness, 0.0)
+    starts = np.array([branch.start for branch in stable])
     return float(starts[int(np.argmin(position(states, machine_stiffness, starts)))])
 
 
 @value
 class PullOffSolution:
-    """The answer to `PullOff`.
+    """The solution of `PullOff`.
 
     Parameters
     ----------
     problem : PullOff
-        What was asked.
+        The problem that was solved.
     depth, force, radius : float
         [m], [N], [m] just before the contact is lost; radius zero where it shrinks to a point without a jump.
     """

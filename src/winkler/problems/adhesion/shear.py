@@ -1,4 +1,4 @@
-r"""An adhesive contact that is sheared while it sticks all over: the edge gives way to pull and shear together.
+r"""An adhesive contact that is sheared while it sticks all over: the edge recedes under pull and shear together.
 
 All springs move sideways by the same shift :math:`u_x`; the last ones are stretched by :math:`S_z = g(a)-d` and
 :math:`S_x = u_x`.  If the energy that is released by normal and tangential springs alike pays for the surface,
@@ -27,19 +27,19 @@ from winkler.numerics.panels.chebyshev import fit_panels, stationary
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.adhesion import griffith
-from winkler.problems.adhesion.edge import DeadLoad, Machine
+from winkler.problems.adhesion.edge import DeadLoad, LoadingMachine
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
 from winkler.problems.adhesion.validity import adhesive_notes
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import ADHESIVE
-from winkler.problems.normal.yield_statement import Rubbing
+from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["AdhesiveShear", "AdhesiveShearSolution", "ShearLimit"]
 
-OCTAVES = 60
-RESOLVED, NOISE = 1e-12, 1e-11
+OCTAVES_SEARCHED = 60
+PANEL_TOLERANCE, LEVEL_NOISE = 1e-12, 1e-11
 SAVKOOR = "A. R. Savkoor, G. A. D. Briggs, Proc. R. Soc. Lond. A 356 (1977) 103-114, doi:10.1098/rspa.1977.0123"
 
 
@@ -75,7 +75,7 @@ class AdhesiveShear:
     law : ShortRange
         Its work_opening is what the edge has to pay.
     normal : Force or Depth
-        One dead load [N] or one depth [m], kept while shearing; of several contact radii the widest is meant.
+        One dead load [N] or one depth [m], constant while shearing; of several contact radii the widest is meant.
     lateral : Shift or ShearForce
         Relative displacement of the bodies far away [m], or force [N]; its value may be an array.
 
@@ -133,7 +133,7 @@ class AdhesiveShear:
         """
         level = float(self._level)
         widest = float(AdhesiveIndentation(self.bed, self.law, self.normal).solve().radius)
-        states = _Sheared(self, level)
+        states = _ShearCapacity(self, level)
         place = np.array([widest])
         if float(states.depth_and_force(place)[0][0]) > float(self.bed.gap(place)[0]):
             raise OutsideValidity(
@@ -141,24 +141,24 @@ class AdhesiveShear:
                 "pulled, so that no balance of energy at the edge limits the shear; press less, or pull."
             )
         least = states.least_radius(widest)
-        given = self.lateral.shift if isinstance(self.lateral, Shift) else self.lateral.shear_force
-        asked = np.abs(np.atleast_1d(np.asarray(given, dtype=float)).ravel())
+        prescribed = self.lateral.shift if isinstance(self.lateral, Shift) else self.lateral.shear_force
+        targets = np.abs(np.atleast_1d(np.asarray(prescribed, dtype=float)).ravel())
         most = math.sqrt(float(states.borne(np.array([least]))[0]))
-        beyond = np.flatnonzero(asked > most * (1.0 + 1e-14))
+        beyond = np.flatnonzero(targets > most * (1.0 + 1e-14))
         if beyond.size:
-            where = "" if asked.size == 1 else f" at index {', '.join(map(str, beyond[:5]))}"
+            where = "" if targets.size == 1 else f" at index {', '.join(map(str, beyond[:5]))}"
             what, unit = ("shift", "m") if isinstance(self.lateral, Shift) else ("shear force", "N")
             raise OutsideValidity(
-                f"AdhesiveShear: the {what} of {asked[beyond[0]]:.6g} {unit}{where} tears the contact off; it bears at "
-                f"most {most:.6g} {unit}, at a contact radius of {least:.6g} m."
+                f"AdhesiveShear: the {what} of {targets[beyond[0]]:.6g} {unit}{where} tears the contact off; it bears "
+                f"at most {most:.6g} {unit}, at a contact radius of {least:.6g} m."
             )
-        radius = states.radius(asked**2, least, widest)
+        radius = states.radius(targets**2, least, widest)
         depth, force = states.depth_and_force(radius)
         stiffness = tangential_stiffness(self.bed, radius)
-        signed = np.atleast_1d(np.asarray(given, dtype=float)).ravel()
+        signed = np.atleast_1d(np.asarray(prescribed, dtype=float)).ravel()
         shift, shear = (signed, stiffness * signed) if isinstance(self.lateral, Shift) else (signed / stiffness, signed)
 
-        shape = np.shape(given)
+        shape = np.shape(prescribed)
         return AdhesiveShearSolution(
             self,
             depth=shaped(depth, shape),
@@ -172,12 +172,12 @@ class AdhesiveShear:
 
 @value
 class AdhesiveShearSolution:
-    """The answer to an `AdhesiveShear`; every quantity has the shape of the lateral load.
+    """The solution of an `AdhesiveShear`; every quantity has the shape of the lateral load.
 
     Parameters
     ----------
     problem : AdhesiveShear
-        What was asked.
+        The problem that was solved.
     depth, force : float or ndarray
         d [m] and F_N [N].
     radius : float or ndarray
@@ -201,7 +201,9 @@ class AdhesiveShearSolution:
         """How far the result can be trusted: it is approximate."""
         problem = self.problem
         return (
-            *adhesive_notes(problem.bed, problem.law, np.ravel(self.depth), np.ravel(self.radius), Rubbing(math.inf)),
+            *adhesive_notes(
+                problem.bed, problem.law, np.ravel(self.depth), np.ravel(self.radius), SurfaceFriction(math.inf)
+            ),
             sticking_note(problem.bed.medium, math.inf),
             Note(
                 Assumption.ADHESION,
@@ -214,12 +216,12 @@ class AdhesiveShearSolution:
         )
 
 
-class _Sheared:
+class _ShearCapacity:
     """What a contact of a given radius bears sideways, under its normal load."""
 
     def __init__(self, problem: AdhesiveShear, level: float) -> None:
         self.bed, self.work, self.level = problem.bed, problem.law.work_opening, level
-        self.control = DeadLoad() if isinstance(problem.normal, Force) else Machine(0.0)
+        self.control = DeadLoad() if isinstance(problem.normal, Force) else LoadingMachine(0.0)
         self.by_force = isinstance(problem.lateral, ShearForce)
 
     def depth_and_force(self, radius: Array) -> tuple[Array, Array]:
@@ -239,15 +241,15 @@ class _Sheared:
     def least_radius(self, widest: float) -> float:
         """Return the radius, from the widest down, at which `borne` is greatest for the first time."""
         places, high = np.array([widest]), widest
-        for _ in range(OCTAVES):
+        for _ in range(OCTAVES_SEARCHED):
             low = 0.5 * high
             edges = np.unique([low, *(b for b, _ in self.bed.kinks if low < b < high), high])
             size = float(np.max(np.abs(self.borne(edges))))
-            panels = fit_panels(lambda a: self.borne(a.ravel()).reshape(a.shape), edges, RESOLVED * size)
-            found = np.concatenate([stationary(panels), panels.edges[:-1]])
-            places = np.concatenate([places, np.sort(found)[::-1]])
+            panels = fit_panels(lambda a: self.borne(a.ravel()).reshape(a.shape), edges, PANEL_TOLERANCE * size)
+            places_ = np.concatenate([stationary(panels), panels.edges[:-1]])
+            places = np.concatenate([places, np.sort(places_)[::-1]])
             levels = self.borne(places)
-            falls = np.flatnonzero(np.diff(levels) < -NOISE * np.max(np.abs(levels)))
+            falls = np.flatnonzero(np.diff(levels) < -LEVEL_NOISE * np.max(np.abs(levels)))
             if falls.size:
                 return float(places[np.argmax(levels[: falls[0] + 1])])
             high = low
@@ -260,8 +262,8 @@ class _Sheared:
         """Return the radii `(m,)` at which the edge is in balance."""
         held = squared <= self.borne(np.full(squared.shape, widest))  # a rim bears something without moving
         low, high = np.full(squared.shape, least), np.full(squared.shape, widest)
-        found = between(lambda a, index: self.borne(a) - squared[index], low, high) if least < widest else high
-        return np.where(held, widest, np.where(squared >= self.borne(low), least, found))
+        places_ = between(lambda a, index: self.borne(a) - squared[index], low, high) if least < widest else high
+        return np.where(held, widest, np.where(squared >= self.borne(low), least, places_))
 
     def limit(self, radius: float) -> ShearLimit:
         """Return the state at a radius."""

@@ -22,22 +22,30 @@ from winkler.numerics.types import Array
 from winkler.problems.adhesion.edge_states import EdgeStates, force_of, margin
 from winkler.problems.adhesion.expected_radius import expected_radius
 
-__all__ = ["BLOCK", "OUTLOOK", "SAMPLES", "Branch", "branches", "least_radius", "typical_radius"]
+__all__ = [
+    "OCTAVES_PER_BLOCK",
+    "OCTAVES_SEARCHED",
+    "SAMPLES_PER_OCTAVE",
+    "Branch",
+    "branches",
+    "least_radius",
+    "typical_radius",
+]
 
 DEGREE = 16
-RESOLVED = 1e-9
+RESOLVED_TAIL = 1e-9
 """Size of the last coefficients of a panel, relative to the largest, at which it counts as resolved."""
-NOISE = 1e-5
-STEEPEST = 1e30
+NOISE_TAIL = 1e-5
+STEEPEST_MARGIN = 1e30
 """Stands for an infinite margin, where the profile ends in a vertical wall."""
-DEEPEST = 40
+MOST_HALVINGS = 40
 MOST_PANELS = 20_000
-SMALL = 0.05
+NEGLIGIBLE_SHARE = 0.05
 """Below a radius where the profile's share of the margin stays under this, nothing is stable."""
 OCTAVES = 6
 """Over so many octaves the share must stay small."""
-OUTLOOK, BLOCK, SAMPLES = 40, 5, 100
-"""Over so many octaves unstable radii are looked for, so many at once, with so many samples in each."""
+OCTAVES_SEARCHED, OCTAVES_PER_BLOCK, SAMPLES_PER_OCTAVE = 40, 5, 100
+"""Over so many octaves unstable radii are sought, so many at once, with so many samples in each."""
 
 
 class Branch(NamedTuple):
@@ -47,7 +55,7 @@ class Branch(NamedTuple):
     stop: float
 
 
-class _Pieces(NamedTuple):
+class _MarginPieces(NamedTuple):
     """Panels in y = sqrt(a^2 - base^2)."""
 
     base: Array
@@ -55,16 +63,18 @@ class _Pieces(NamedTuple):
     high: Array
 
     def radius(self, share: Array) -> Array:
-        """Return radii at parts (panels, n) of the way."""
+        """Return radii at parts (panels, n) of the pieces."""
         y = self.low[:, None] + (self.high - self.low)[:, None] * share
         return np.asarray(np.where(self.base[:, None] > 0.0, np.hypot(self.base[:, None], y), y))
 
-    def chosen(self, which: Array) -> _Pieces:
-        return _Pieces(self.base[which], self.low[which], self.high[which])
+    def chosen(self, which: Array) -> _MarginPieces:
+        return _MarginPieces(self.base[which], self.low[which], self.high[which])
 
-    def halved(self) -> _Pieces:
+    def halved(self) -> _MarginPieces:
         middle = 0.5 * (self.low + self.high)
-        return _Pieces(np.tile(self.base, 2), np.concatenate([self.low, middle]), np.concatenate([middle, self.high]))
+        return _MarginPieces(
+            np.tile(self.base, 2), np.concatenate([self.low, middle]), np.concatenate([middle, self.high])
+        )
 
 
 def least_radius(states: EdgeStates) -> float:
@@ -79,18 +89,18 @@ def least_radius(states: EdgeStates) -> float:
 
 
 @functools.lru_cache(maxsize=256)
-def _least_radius(given: Hashable) -> float:
-    states = cast(EdgeStates, given)
+def _least_radius(states_key: Hashable) -> float:
+    states = cast(EdgeStates, states_key)
     bed = states.bed
     a = 2.0 * expected_radius(states)
     below = 2.0 ** -np.linspace(0.0, OCTAVES, 4 * OCTAVES + 2)
     for _ in range(200):
         share = np.abs(bed.gap_slope(a * below) / states.scale(a * below))
-        if np.all(share <= SMALL):
+        if np.all(share <= NEGLIGIBLE_SHARE):
             return a
         # a body r^n gives the share the power n - 1/2 of the radius; a paraboloid is the guess, a factor 1e6 the most
         worst = float(np.max(share))
-        a *= max(min((0.5 * SMALL / worst) ** (2.0 / 3.0), 0.25), 1e-6) if worst < math.inf else 1e-3
+        a *= max(min((0.5 * NEGLIGIBLE_SHARE / worst) ** (2.0 / 3.0), 0.25), 1e-6) if worst < math.inf else 1e-3
         if a < 1e-100:
             break
     raise OutsideValidity(
@@ -119,8 +129,8 @@ def branches(states: EdgeStates, machine_stiffness: float, high: float) -> tuple
 
 
 @functools.lru_cache(maxsize=256)
-def _branches(given: Hashable, machine_stiffness: float, high: float) -> tuple[Branch, ...]:
-    states = cast(EdgeStates, given)
+def _branches(states_key: Hashable, machine_stiffness: float, high: float) -> tuple[Branch, ...]:
+    states = cast(EdgeStates, states_key)
     low = least_radius(states)
     limits, first = _limits(states, machine_stiffness, low, high) if low < high else (np.zeros(0), False)
     edges = [low, *limits.tolist(), high] if low < high else []
@@ -148,7 +158,7 @@ def _limits(states: EdgeStates, machine_stiffness: float, low: float, high: floa
 
 def _sharpened(states: EdgeStates, machine_stiffness: float, low: Array, high: Array) -> Array:
     """Return the roots of the margin in brackets; an end where rounding has put a root beyond it."""
-    inner = np.nextafter(low, high), np.nextafter(high, low)  # at a kink the margin below it would be seen
+    inner = np.nextafter(low, high), np.nextafter(high, low)  # at a kink the margin below it would be taken
     signs = margin(states, machine_stiffness, np.concatenate(inner)).reshape(2, -1)
     sound = np.sign(signs[0]) != np.sign(signs[1])
     result = np.where(np.abs(signs[0]) < np.abs(signs[1]), low, high)
@@ -158,7 +168,7 @@ def _sharpened(states: EdgeStates, machine_stiffness: float, low: Array, high: A
     return result
 
 
-def _first_pieces(low: float, high: float, kinks: Array, typical: float) -> _Pieces:
+def _first_pieces(low: float, high: float, kinks: Array, typical: float) -> _MarginPieces:
     """Return panels that double: from the least radius to the first kink, and above each kink.
 
     Below a millionth of the typical radius the margin keeps its sign, a power of the radius.
@@ -175,11 +185,11 @@ def _first_pieces(low: float, high: float, kinks: Array, typical: float) -> _Pie
         bases += [base] * (edges.size - 1)
         starts += edges[:-1].tolist()
         stops += edges[1:].tolist()
-    return _Pieces(np.array(bases), np.array(starts), np.array(stops))
+    return _MarginPieces(np.array(bases), np.array(starts), np.array(stops))
 
 
 def _signs(
-    states: EdgeStates, machine_stiffness: float, waiting: _Pieces, high: float
+    states: EdgeStates, machine_stiffness: float, waiting: _MarginPieces, high: float
 ) -> tuple[Array, Array, Array, Array]:
     """Return panels on which the margin keeps its sign or is monotone: their ends, and whether it is positive there."""
     angle = np.pi * (np.arange(DEGREE + 1) + 0.5) / (DEGREE + 1)
@@ -191,9 +201,11 @@ def _signs(
     before = np.full(waiting.base.size, np.inf)
     done = []
     used = 0
-    for depth in range(DEEPEST + 1):
+    for depth in range(MOST_HALVINGS + 1):
         radius = np.minimum(waiting.radius(nodes), high)
-        values = np.clip(margin(states, machine_stiffness, radius.ravel()), -STEEPEST, STEEPEST).reshape(radius.shape)
+        values = np.clip(margin(states, machine_stiffness, radius.ravel()), -STEEPEST_MARGIN, STEEPEST_MARGIN).reshape(
+            radius.shape
+        )
         sharp = np.isin(waiting.base, inverse_roots)
         if sharp.any():
             # the root of the rounded radius takes the inverse root above the kink away exactly
@@ -204,8 +216,8 @@ def _signs(
         one_sign = np.abs(series[:, 0]) > np.sum(np.abs(series[:, 1:]), axis=1) + 10.0 * tail
         slope = np.polynomial.chebyshev.chebder(series, axis=1)
         monotone = np.abs(slope[:, 0]) > np.sum(np.abs(slope[:, 1:]), axis=1)
-        resolved = (tail <= RESOLVED * size) | ((tail > 0.3 * before) & (tail <= NOISE * size))
-        good = one_sign | (resolved & monotone) | (depth == DEEPEST)
+        resolved = (tail <= RESOLVED_TAIL * size) | ((tail > 0.3 * before) & (tail <= NOISE_TAIL * size))
+        good = one_sign | (resolved & monotone) | (depth == MOST_HALVINGS)
         own = waiting.chosen(good)
         ends = np.minimum(own.radius(np.array([0.0, 1.0])), high)
         starts = np.where(one_sign, series[:, 0], series @ signs)[good] > 0.0
@@ -216,8 +228,8 @@ def _signs(
             break
         if used + 2 * np.count_nonzero(~good) > MOST_PANELS:
             raise OutsideValidity(
-                f"Up to a contact radius of {high:.3g} m the profile has too many waves to tell where the adhesive "
-                "contact is stable; ask for a smaller load, or treat the body as rough."
+                f"Up to a contact radius of {high:.3g} m the profile has too many waves to determine where the "
+                "adhesive contact is stable; give a smaller load, or treat the body as rough."
             )
         waiting, before = waiting.chosen(~good).halved(), np.tile(tail[~good], 2)
     start, stop, left, right = (np.concatenate(part) for part in zip(*done, strict=True))
@@ -225,9 +237,9 @@ def _signs(
 
 
 @functools.lru_cache(maxsize=256)
-def typical_radius(given: Hashable) -> float:
+def typical_radius(states_key: Hashable) -> float:
     """Return a radius [m] at which the force is not far from zero."""
-    states = cast(EdgeStates, given)
+    states = cast(EdgeStates, states_key)
     end = states.end()
     a = expected_radius(states)
     with np.errstate(all="ignore"):

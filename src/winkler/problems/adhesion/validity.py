@@ -1,4 +1,4 @@
-"""What an adhesive contact says about its own validity: range of attraction, slopes, size, overlap outside."""
+"""Validity notes of an adhesive contact: range of attraction, slopes, size, overlap outside."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from winkler.problems.assumptions.adhesion_range import GREENWOOD, range_note
 from winkler.problems.assumptions.film import film_notes
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.problems.normal.validity import size_note, slope_note
-from winkler.problems.normal.yield_statement import FRICTIONLESS, Rubbing, yield_notes
+from winkler.problems.normal.yield_statement import FRICTIONLESS, SurfaceFriction, yield_notes
 from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["adhesive_notes"]
@@ -23,12 +23,12 @@ __all__ = ["adhesive_notes"]
 JKR = "K. L. Johnson, K. Kendall, A. D. Roberts, Proc. R. Soc. Lond. A 324 (1971) 301, doi:10.1098/rspa.1971.0141"
 MAUGIS = "D. Maugis, J. Colloid Interface Sci. 150 (1992) 243-269, doi:10.1016/0021-9797(92)90285-T"
 DMT = "B. V. Derjaguin, V. M. Muller, Yu. P. Toporov, J. Colloid Interface Sci. 53 (1975) 314-326"
-TINY = 1e-9
+OVERLAP_TOLERANCE = 1e-9
 SAMPLES = 512
 
 
 def adhesive_notes(
-    bed: Bed, law: AdhesionLaw, depth: Array, radius: Array, rubbing: Rubbing = FRICTIONLESS
+    bed: Bed, law: AdhesionLaw, depth: Array, radius: Array, rubbing: SurfaceFriction = FRICTIONLESS
 ) -> tuple[Note, ...]:
     """Return the notes of adhesive contacts `(m,)`; of several, those of the widest one.
 
@@ -38,7 +38,7 @@ def adhesive_notes(
     law : AdhesionLaw
     depth, radius : ndarray, (m,)
         [m].
-    rubbing : Rubbing, optional
+    rubbing : SurfaceFriction, optional
         What is known of friction, for the onset of yield.
     """
     last = int(np.argmax(radius))
@@ -93,7 +93,7 @@ def _overlap_note(bed: Bed, law: AdhesionLaw, depth: float, radius: float) -> No
     r = radius + (end - radius) * (np.arange(SAMPLES) + 0.5) / SAMPLES
     pressed = states_of(bed, law).pressed(depth, radius)
     apart = bed.height(r) - depth + bed.medium.displacement(pressed, r)
-    touching = apart < -TINY * float(np.max(np.abs(bed.height(r))) + abs(depth))
+    touching = apart < -OVERLAP_TOLERANCE * float(np.max(np.abs(bed.height(r))) + abs(depth))
     if touching.any():
         return Note(
             Assumption.SINGLE_CONTACT,

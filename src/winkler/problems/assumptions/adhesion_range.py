@@ -12,13 +12,13 @@ import math
 from winkler.laws.adhesion import AdhesionLaw, ShortRange
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["MOLECULAR", "STRETCH", "range_note"]
+__all__ = ["MOLECULAR_RANGE", "PULL_OFF_STRETCH", "range_note"]
 
-STRETCH = math.sqrt(2.0 * math.pi) * (9.0 * math.pi / 8.0) ** (1.0 / 6.0)
+PULL_OFF_STRETCH = math.sqrt(2.0 * math.pi) * (9.0 * math.pi / 8.0) ** (1.0 / 6.0)
 """Stretch of a paraboloid's edge at its pull-off without range, in units of (R w^2 / E*^2)^(1/3)."""
-MOLECULAR = 0.3e-9
+MOLECULAR_RANGE = 0.3e-9
 """Range of attraction between molecules [m], about the distance of atoms."""
-SHORT, MIDDLE, LONG = 5.0, 0.5, 0.1
+SHORT_RANGE_TABOR, MIDDLE_TABOR, LONG_RANGE_TABOR = 5.0, 0.5, 0.1
 """Tabor's parameter above which attraction is without range (JKR), below which it deforms nothing (DMT), and between
 them that at which each is wrong by some 15 per cent."""
 GREENWOOD = "K. L. Johnson, J. A. Greenwood, J. Colloid Interface Sci. 192 (1997) 326-333, doi:10.1006/jcis.1997.4984"
@@ -36,18 +36,18 @@ def range_note(law: AdhesionLaw, stretch: float, where: str) -> Note:
     where : str
         What the sentence begins with, up to "the edge".
     """
-    tabor = stretch / (STRETCH * MOLECULAR)
+    tabor = stretch / (PULL_OFF_STRETCH * MOLECULAR_RANGE)
     fact = (
-        f"{where} the edge is stretched by {stretch:.3g} m, {stretch / MOLECULAR:.3g} times a molecular range of "
-        f"{MOLECULAR:.1g} m (Tabor parameter {tabor:.3g})"
+        f"{where} the edge is stretched by {stretch:.3g} m, {stretch / MOLECULAR_RANGE:.3g} times a molecular range of "
+        f"{MOLECULAR_RANGE:.1g} m (Tabor parameter {tabor:.3g})"
     )
     if isinstance(law, ShortRange):
-        good, bad = tabor >= SHORT, tabor < MIDDLE
+        good, bad = tabor >= SHORT_RANGE_TABOR, tabor < MIDDLE_TABOR
         right, wrong = "attraction without range (JKR) is right", "the attraction reaches farther than JKR allows"
     else:
-        good, bad = tabor <= LONG, tabor > MIDDLE
+        good, bad = tabor <= LONG_RANGE_TABOR, tabor > MIDDLE_TABOR
         right, wrong = "attraction from afar (DMT) is right", "the attraction deforms the edge, which DMT denies"
     standing = Standing.ASYMPTOTIC if good else Standing.OUTSIDE if bad else Standing.APPROXIMATE
-    closest = f"take Dugdale(work, strength) with strength = {law.work / MOLECULAR:.3g} Pa"
+    closest = f"take Dugdale(work, strength) with strength = {law.work / MOLECULAR_RANGE:.3g} Pa"
     verdict = right if good else f"{wrong if bad else 'between JKR and DMT'}; {closest}"
     return Note(Assumption.ADHESION, standing, f"{fact}: {verdict}.", GREENWOOD)

@@ -24,16 +24,16 @@ from winkler.validity import Assumption, Note, Standing, standing_of
 
 __all__ = ["coefficient_of", "dundurs", "mismatch", "sliding_note", "sticking_note", "stuck_stiffening"]
 
-ALIKE = 1e-12
+MISMATCH_ROUNDING = 1e-12
 """Dundurs' constant [-] that is rounding."""
-SMALL, LARGE = 0.1, 1.0
+SMALL_COUPLING, LARGE_COUPLING = 0.1, 1.0
 """beta/mu, or beta mu, up to which the theory without coupling is the limit, and from which on it is none."""
 VERDICTS = {
     Standing.ASYMPTOTIC: "they use up a small part of the friction",
     Standing.APPROXIMATE: "zones of stick and slip are off by terms of the order of beta/mu",
     Standing.OUTSIDE: "they use up the friction over most of the contact before the bodies are sheared",
 }
-FLOWN = 1e-6
+FLOWING_MODULUS_RATIO = 1e-6
 """Of the glassy modulus, what stands for that of a solid that flows."""
 SPENCE = (
     "D. A. Spence, J. Elast. 5 (1975) 297-319, doi:10.1007/BF00126993; K. L. Johnson, Contact Mechanics, Cambridge "
@@ -74,7 +74,7 @@ def _elastic(body: ViscoelasticSolid | Solid, early: bool) -> Solid:
     if early and not math.isfinite(series.glassy):
         return Rigid()  # a dashpot alongside
     glassy = series.relaxed + float(np.sum(series.moduli)) or series.viscosity
-    shear = glassy if early else max(series.relaxed, FLOWN * glassy)
+    shear = glassy if early else max(series.relaxed, FLOWING_MODULUS_RATIO * glassy)
     return Elastic(2.0 * (1.0 + body.poisson) * shear, body.poisson)
 
 
@@ -117,9 +117,9 @@ def sticking_note(medium: Medium, coefficient: float) -> Note:
         Coefficient of friction mu [-]; infinity where nothing slips, nan if the law has none.
     """
     beta = mismatch(medium)
-    known = _without_number(medium, beta, coefficient)
-    if known is not None:
-        return known
+    note = _without_number(medium, beta, coefficient)
+    if note is not None:
+        return note
     ratio = abs(beta) / coefficient
     stiffer = 100.0 * stuck_stiffening(beta)
     fact = (
@@ -128,20 +128,20 @@ def sticking_note(medium: Medium, coefficient: float) -> Note:
         f"{stiffer:.2g} % stiffer; pressure is affected more (where the depth differed by 2 %, an incremental solution "
         "had 23 to 30 % more or less at the peak)"
     )
-    standing = standing_of(ratio, SMALL, LARGE)
+    standing = standing_of(ratio, SMALL_COUPLING, LARGE_COUPLING)
     return Note(Assumption.UNCOUPLED, standing, f"{fact}; {VERDICTS[standing]}.", SPENCE)
 
 
 def sliding_note(medium: Medium, coefficient: float) -> Note:
     """Return whether the pressure may be computed as if there were no traction of sliding; parameters as above."""
     beta = mismatch(medium)
-    known = _without_number(medium, beta, coefficient)
-    if known is not None:
-        return known
+    note = _without_number(medium, beta, coefficient)
+    if note is not None:
+        return note
     product = abs(beta) * coefficient
     return Note(
         Assumption.UNCOUPLED,
-        standing_of(product, SMALL, LARGE),
+        standing_of(product, SMALL_COUPLING, LARGE_COUPLING),
         f"The bodies are elastically dissimilar, Dundurs' beta = {beta:.3g}: sliding changes the pressure by terms of "
         f"the order of beta times the coefficient of friction, {product:.2g}, which are left out.",
         JOHNSON,
@@ -152,7 +152,7 @@ def _without_number(medium: Medium, beta: float, coefficient: float) -> Note | N
     """Return the note where there is nothing to compare; None where beta and the coefficient are numbers."""
     if coefficient == 0.0:
         return Note(Assumption.UNCOUPLED, Standing.EXACT, "There is no friction.", "the problem")
-    if abs(beta) < ALIKE:
+    if abs(beta) < MISMATCH_ROUNDING:
         return Note(
             Assumption.UNCOUPLED,
             Standing.ASYMPTOTIC if isinstance(medium, CoatedHalfSpace) else Standing.EXACT,
@@ -163,7 +163,7 @@ def _without_number(medium: Medium, beta: float, coefficient: float) -> Note | N
         )
     if math.isnan(beta) or math.isnan(coefficient):
         what = (
-            f"{type(medium).__name__} knows no Dundurs' constant"
+            f"{type(medium).__name__} has no Dundurs' constant"
             if math.isnan(beta)
             else f"Dundurs' beta is {beta:.3g}, and this law has no coefficient of friction to compare it with"
         )

@@ -1,6 +1,6 @@
-"""Which assumptions the answers of each class of problems rest on.
+"""Which assumptions the solutions of each class of problems rest on.
 
-A problem names its set in ``assumptions``; a note of its solution that speaks of another one is a mistake, which a test
+A problem names its set in ``assumptions``; a note of its solution about another one is a mistake, which a test
 over all kinds finds.
 """
 

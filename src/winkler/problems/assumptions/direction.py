@@ -20,7 +20,7 @@ MEAN = Note(
 
 
 def direction_notes(bed: Bed) -> tuple[Note, ...]:
-    """Return what must be said of the direction of shear; nothing of a disc."""
+    """Return the notes on the direction of shear; none for a disc."""
     outline = bed.footprint
     if isinstance(outline, UnknownOutline):
         return (MEAN,)

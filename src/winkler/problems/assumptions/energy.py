@@ -9,9 +9,9 @@ from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["energy_note", "missing_energy"]
 
-ROUNDING, LARGE = 1e-9, 1e-3
+ENERGY_ROUNDING, LARGE_MISSING_ENERGY = 1e-9, 1e-3
 """Part of the greatest energy [-] up to which what is missing is rounding, and from which on energies are not known."""
-CHECK = "work, stored and lost energy compared at each point; the page on validity tells where one follows from others"
+CHECK = "work, stored and lost energy compared at each point; the page on validity states where one follows from others"
 
 
 def missing_energy(work: ArrayLike, stored: ArrayLike, lost: ArrayLike) -> float:
@@ -33,15 +33,15 @@ def missing_energy(work: ArrayLike, stored: ArrayLike, lost: ArrayLike) -> float
 def energy_note(work: ArrayLike, stored: ArrayLike, lost: ArrayLike) -> Note:
     """Return whether the energies of a march add up; they are those of `missing_energy`."""
     missing = missing_energy(work, stored, lost)
-    if missing <= ROUNDING:
+    if missing <= ENERGY_ROUNDING:
         standing = Standing.EXACT
         verdict = "nothing but rounding"
-    elif missing <= LARGE:
+    elif missing <= LARGE_MISSING_ENERGY:
         standing = Standing.APPROXIMATE
         verdict = "the error of the energies, below which a loss is not known"
     else:
         standing = Standing.OUTSIDE
-        verdict = "energy that comes from nowhere: do not use the energies of this answer"
+        verdict = "energy without a source: do not use the energies of this solution"
     return Note(
         Assumption.ENERGY,
         standing,

@@ -15,7 +15,7 @@ from winkler.validity import Assumption, Note, Standing, standing_of
 
 __all__ = ["film_notes", "film_strain"]
 
-SMALL, LARGE = 0.1, 0.5
+SMALL_STRAIN, LARGE_STRAIN = 0.1, 0.5
 """Mean strain [-] up to which linear elasticity describes a layer, and from which on it does not."""
 VERDICTS = {
     Standing.ASYMPTOTIC: "small, as linear elasticity assumes",
@@ -54,7 +54,7 @@ def film_notes(bed: Bed, depth: float, force: float, radius: float) -> tuple[Not
     if not isinstance(medium, CoatedHalfSpace) or radius <= 0.0 or depth <= 0.0:
         return ()
     strain = film_strain(medium, depth, force, radius)
-    standing = standing_of(strain, SMALL, LARGE)
+    standing = standing_of(strain, SMALL_STRAIN, LARGE_STRAIN)
     return (
         Note(
             Assumption.FILM,

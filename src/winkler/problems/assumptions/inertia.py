@@ -16,7 +16,7 @@ from winkler.validity import Assumption, Note, Standing, standing_of
 
 __all__ = ["wave_loss", "wave_note"]
 
-SMALL, LARGE = 0.02, 0.3
+SMALL_WAVE_LOSS, LARGE_WAVE_LOSS = 0.02, 0.3
 """Share of the energy that waves carry away [-], up to which slow motion is the limit, and from which on it is none."""
 VERDICTS = {
     Standing.ASYMPTOTIC: "slow against the speed of sound, as the theory assumes",
@@ -39,7 +39,7 @@ def wave_loss(*, modulus: Quantity, mass: Quantity, size: Quantity, velocity: Qu
     mass : float or ndarray
         [kg].
     size : float or ndarray
-        Radius of the body [m]; the answer is zero if it is infinite, which stands for one that is not known.
+        Radius of the body [m]; the result is zero if it is infinite, which stands for one that is not known.
     velocity : float or ndarray
         Of approach [m/s].
 
@@ -61,11 +61,11 @@ def wave_note(share: float) -> Note:
         return Note(
             Assumption.INERTIA,
             Standing.ASYMPTOTIC,
-            "The contact force is that of slow motion; how large the body is is not known, so it is not checked that "
+            "The contact force is that of slow motion; the size of the body is not known, so it is not checked that "
             "the impact is slow against the speed of sound, and long against a vibration of the body.",
             HUNTER,
         )
-    standing = standing_of(share, SMALL, LARGE)
+    standing = standing_of(share, SMALL_WAVE_LOSS, LARGE_WAVE_LOSS)
     return Note(
         Assumption.INERTIA,
         standing,

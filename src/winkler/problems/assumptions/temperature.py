@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from winkler.validity import Assumption, Note, Standing, standing_of
 
-__all__ = ["HOTTEST", "temperature_note"]
+__all__ = ["HIGHEST_MELTING_POINT", "temperature_note"]
 
-WARM = 200.0
+MODERATE_RISE = 200.0
 """Rise of temperature [K] up to which conductivity, strength and friction of metals change by some ten per cent."""
-HOTTEST = 4400.0
+HIGHEST_MELTING_POINT = 4400.0
 """Temperature [K] above which no solid is known; the highest melting point predicted is that of Hf-C-N."""
 VERDICTS = {
     Standing.ASYMPTOTIC: "moderate",
@@ -24,7 +24,7 @@ PROPERTIES = (
 def temperature_note(rise: float) -> Note:
     """Return what the greatest rise of temperature [K] means for properties that are taken as constant."""
     fact = f"The greatest rise of temperature is {rise:.4g} K"
-    standing = standing_of(rise, WARM, HOTTEST)
+    standing = standing_of(rise, MODERATE_RISE, HIGHEST_MELTING_POINT)
     return Note(
         Assumption.TEMPERATURE,
         standing,

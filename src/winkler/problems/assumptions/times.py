@@ -22,7 +22,7 @@ def times_notes(bed: Bed, shortest: float, longest: float) -> tuple[Note, ...]:
     bed : Bed
         On a medium that relaxes.
     shortest, longest : float
-        The shortest time between two moments of the problem, and the longest memory that is asked for [s].
+        The shortest time between two moments of the problem, and the longest memory that is needed [s].
     """
     medium = bed.medium
     if not isinstance(medium, RelaxingMedium):
@@ -33,13 +33,13 @@ def times_notes(bed: Bed, shortest: float, longest: float) -> tuple[Note, ...]:
     span = f"The solid is known between {first:.3g} s and {last:.3g} s"
     if longest > last or longest < first:
         standing = Standing.OUTSIDE
-        verdict = f"{longest:.3g} s are asked for, where its series is not the solid: give it for such times"
+        verdict = f"{longest:.3g} s are needed, where its series is not the solid: give it for such times"
     elif shortest < first:
         standing = Standing.APPROXIMATE
-        verdict = f"the steps of {shortest:.3g} s are answered by its series, as if nothing relaxed faster"
+        verdict = f"the steps of {shortest:.3g} s are computed from its series, as if nothing relaxed faster"
     else:
         standing = Standing.ASYMPTOTIC
-        verdict = f"the times asked for, {shortest:.3g} s to {longest:.3g} s, are within"
+        verdict = f"the times needed, {shortest:.3g} s to {longest:.3g} s, are within"
     return (Note(Assumption.KNOWN_TIMES, standing, f"{span}; {verdict}.", SERIES),)
 
 

@@ -53,7 +53,7 @@ class ConductanceBounds:
     Raises
     ------
     InvalidInput
-        If a number is outside its range, or something of another kind is given.
+        If a number is outside its range, or an argument has the wrong type.
     OutsideValidity
         If the medium is not homogeneous, or there is a film, a plating or a rod.
 
@@ -130,7 +130,7 @@ class ConductanceBounds:
             return k * (d - d0 - rough) - (f - force)
 
         if rough == 0.0:
-            return self._told(k0, k0, k0)
+            return self._solution(k0, k0, k0)
         beyond = self._beyond(above, a0)
         if not rises(bed, beyond):
             raise OutsideValidity(
@@ -138,7 +138,7 @@ class ConductanceBounds:
                 "grow as one disc; give a smooth body that does."
             )
         # under a flat end both are searched at depth zero, where the chord from first touch is met
-        return self._told(at(_crossing(below, 0.0, a0))[2], k0, at(_crossing(above, a0, beyond))[2])
+        return self._solution(at(_crossing(below, 0.0, a0))[2], k0, at(_crossing(above, a0, beyond))[2])
 
     def _beyond(self, above: Callable[[float], float], radius: float) -> float:
         """Return a radius beyond the tangent of the upper bound; the rim where the contact is pinned before it."""
@@ -152,11 +152,11 @@ class ConductanceBounds:
         if end == self.bed.rim:
             return end  # from here on the curve is a straight line, which no tangent meets
         raise OutsideValidity(
-            f"ConductanceBounds: the roughness {self.roughness:.4g} m asks for contacts beyond {end:.4g} m, where the "
+            f"ConductanceBounds: the roughness {self.roughness:.4g} m requires contacts beyond {end:.4g} m, where the "
             "body ends; give a smaller roughness or force, or more of the shape."
         )
 
-    def _told(self, least: float, smooth: float, greatest: float) -> ConductanceBoundsSolution:
+    def _solution(self, least: float, smooth: float, greatest: float) -> ConductanceBoundsSolution:
         factor = self._conductance_of_stiffness()
         stiffness = (least, smooth, greatest)
         return ConductanceBoundsSolution(self, *stiffness, *(factor * part for part in stiffness))
@@ -174,12 +174,12 @@ def _crossing(rising: Callable[[float], float], low: float, high: float) -> floa
 
 @value
 class ConductanceBoundsSolution:
-    """The answer to a `ConductanceBounds`.
+    """The solution of a `ConductanceBounds`.
 
     Parameters
     ----------
     problem : ConductanceBounds
-        What was asked.
+        The problem that was solved.
     least_stiffness, smooth_stiffness, greatest_stiffness : float
         dF/dd [N/m]: lower bound, without roughness, upper bound.
     least_conductance, smooth_conductance, greatest_conductance : float

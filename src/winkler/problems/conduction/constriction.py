@@ -1,4 +1,4 @@
-r"""Contact resistance: current has to squeeze through the spot where two bodies touch.
+r"""Contact resistance: current converges on the spot where two bodies touch.
 
 Barber's analogy makes stiffness and conductance of a contact proportional,
 
@@ -40,15 +40,15 @@ class Constriction:
     conductors : ElectricalConductors
         What the bodies conduct, and the film between them.
     load : Force, Depth or Radius
-        What is prescribed; its value may be an array, the answers then have its shape.
+        What is prescribed; its value may be an array, the results then have its shape.
     mean_free_path : float, optional
-        Of the electrons [m], not negative; with it a note tells how far the resistance may be off by free flight.
-        Zero (the default) if it is not asked about.
+        Of the electrons [m], not negative; with it a note states how far the resistance may be off by free flight.
+        Zero (the default) leaves the note out.
 
     Raises
     ------
     InvalidInput
-        If something of another kind is given.
+        If an argument has the wrong type.
 
     References
     ----------
@@ -109,12 +109,12 @@ class Constriction:
 
 @value
 class ConstrictionSolution(ConductingSolution):
-    """The answer to a `Constriction`; every quantity has the shape of the load.
+    """The solution of a `Constriction`; every quantity has the shape of the load.
 
     Parameters
     ----------
     problem : Constriction
-        What was asked.
+        The problem that was solved.
     depth, force, radius : float or ndarray
         d [m], F_N [N], a [m] of the contact.
     resistance : float or ndarray

@@ -25,14 +25,14 @@ __all__ = ["conducting_disc", "disc_yield_notes", "mean_free_path_note", "resist
 
 
 def resistances_of(bed: Bed, conductors: ElectricalConductors | HeatConductors, radius: Array) -> Resistances:
-    """Return what stands in the way of a current through contacts of given radii `(m,)` [m].
+    """Return the resistances to a current through contacts of given radii `(m,)` [m].
 
     A film counts by the area of the contact; how the current spreads below it, as in the disc of equal stiffness.
 
     Raises
     ------
     OutsideValidity
-        If a film or a plating needs an area that the bed does not know; if the contact is nearly as wide as a rod.
+        If a film or a plating needs an area that the bed does not define; if the contact is nearly as wide as a rod.
     """
     if any(isinstance(body, Plated) for body in (conductors.first, conductors.second)):
         refuse_unless_round(bed, type(conductors).__name__, "a plating")
@@ -84,7 +84,7 @@ def scope_notes(bed: Bed, radius: Array) -> tuple[Note, ...]:
             Assumption.CONDUCTION,
             Standing.EXACT,
             "The elastic medium is not homogeneous, so conductance and stiffness are not in proportion; the conductors "
-            "are taken as said, and the resistance follows from the radius of the contact alone.",
+            "are taken as stated, and the resistance follows from the radius of the contact alone.",
             HOLM,
         )
     if widest == 0.0:

@@ -18,7 +18,7 @@ from winkler.media.conduction.conductors import ElectricalConductors, HeatConduc
 from winkler.numerics.fields.disc_field import disc_potential, disc_slopes
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array, ArrayLike
-from winkler.problems.conduction.heated_contact import Cold, hot_at_voltage, profile
+from winkler.problems.conduction.heated_contact import ColdContact, hot_at_voltage, profile
 from winkler.problems.conduction.joule_heating import JouleHeatingSolution, cold_contact
 from winkler.problems.conduction.thermal_constriction import ThermalConstrictionSolution
 from winkler.problems.one_load import single
@@ -102,15 +102,17 @@ def restore_conduction(
     InvalidInput
         If a place is not finite or r negative, the solution is of another kind, or holds many loads.
     OutsideValidity
-        If there is a film, a plating or a rod, or the bed tells the stiffness alone: then the field is not that of a
+        If there is a film, a plating or a rod, or the bed defines the stiffness alone: then the field is not that of a
         plain disc.
     """
     places = []
-    for word, given in (("r", r), ("z", z)):
+    for word, coordinate in (("r", r), ("z", z)):
         try:
-            numbers = np.asarray(given, dtype=float)
+            numbers = np.asarray(coordinate, dtype=float)
         except (TypeError, ValueError):
-            raise InvalidInput(f"restore_conduction: {word} is {given!r}; give a number or an array in m.") from None
+            raise InvalidInput(
+                f"restore_conduction: {word} is {coordinate!r}; give a number or an array in m."
+            ) from None
         if not np.all(np.isfinite(numbers)):
             raise InvalidInput(f"restore_conduction: {word} holds values that are not finite; give places in m.")
         places.append(numbers)
@@ -171,7 +173,7 @@ def _current(solution: JouleHeatingSolution, r: Array, z: Array) -> CurrentField
     return CurrentFields(r, z, potential, temperature, *_density(r, z, radius, float(solution.current)))
 
 
-def _fallen(cold: Cold, alpha: float, inflow: Array, fall: Array, theta: Array) -> Array:
+def _fallen(cold: ColdContact, alpha: float, inflow: Array, fall: Array, theta: Array) -> Array:
     """Return the voltage against the end of a body where the cold body would have the part theta of its voltage.
 
     Theta is the integral of 1 / rho(T) over the voltage, over that of the whole body: a function that only rises.

@@ -23,18 +23,18 @@ from winkler.laws.current import WiedemannFranz
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 
-__all__ = ["Cold", "Hot", "hot_at_current", "hot_at_voltage", "profile"]
+__all__ = ["ColdContact", "HotContact", "hot_at_current", "hot_at_voltage", "profile"]
 
 NODES = 40
-ROUNDS = 300
-STEP = 1.2
+MOST_STEPS = 300
+VOLTAGE_FACTOR = 1.2
 """Factor from one voltage to the next, in search of a current."""
-HOTTEST = 2e4
-"""No metal is solid or liquid at such temperatures [K]: beyond, no current is looked for."""
+HIGHEST_TEMPERATURE = 2e4
+"""No metal is solid or liquid at such temperatures [K]: beyond, no current is sought."""
 
 
-class Cold(NamedTuple):
-    """What is known at the temperature of the bodies."""
+class ColdContact(NamedTuple):
+    """The contact at the temperature of the bodies."""
 
     first: Array
     """Resistance of the first body, `(m,)` [ohm]."""
@@ -47,7 +47,7 @@ class Cold(NamedTuple):
     law: WiedemannFranz
 
 
-class Hot(NamedTuple):
+class HotContact(NamedTuple):
     """A heated contact; each `(m,)`."""
 
     current: Array
@@ -69,28 +69,28 @@ class Hot(NamedTuple):
         return into, self.film - into
 
 
-def profile(cold: Cold, inflow: Array, fall: Array, phi: Array) -> Array:
+def profile(cold: ColdContact, inflow: Array, fall: Array, phi: Array) -> Array:
     """Return T [K] at the voltage phi from the end of a body over which `fall` falls."""
     return cold.law.temperature(cold.ambient, (inflow + fall) * phi - 0.5 * phi**2)
 
 
-def _growth(cold: Cold, hot: Hot) -> tuple[Array, Array]:
+def _growth(cold: ColdContact, hot: HotContact) -> tuple[Array, Array]:
     """Return by which factor either body's resistance has grown: one over the mean of rho(T_0) / rho(T)."""
     nodes, weights = gauss_legendre(NODES)
-    found = []
+    factors = []
     for fall, inflow, alpha in zip((hot.first, hot.second), hot.inflow(), cold.coefficients, strict=True):
         if alpha == 0.0:
-            found.append(np.ones(fall.shape))
+            factors.append(np.ones(fall.shape))
             continue
         # near its end a body is cold: there the nodes crowd
         phi = fall[:, None] * nodes**2
         temperature = profile(cold, inflow[:, None], fall[:, None], phi)
         mean = (1.0 / (1.0 + alpha * (temperature - cold.ambient))) @ (2.0 * weights * nodes)
-        found.append(1.0 / mean)
-    return found[0], found[1]
+        factors.append(1.0 / mean)
+    return factors[0], factors[1]
 
 
-def hot_at_voltage(cold: Cold, voltage: Array) -> Hot:
+def hot_at_voltage(cold: ColdContact, voltage: Array) -> HotContact:
     """Return the heated contact at given voltages `(m,)`, of which none is negative.
 
     Raises
@@ -99,9 +99,9 @@ def hot_at_voltage(cold: Cold, voltage: Array) -> Hot:
         If the resistances do not settle.
     """
     first, second = cold.first, cold.second
-    for _ in range(ROUNDS):
+    for _ in range(MOST_STEPS):
         current = voltage / (first + second + cold.film)
-        hot = Hot(current, current * first, current * second, current * cold.film)
+        hot = HotContact(current, current * first, current * second, current * cold.film)
         grown = _growth(cold, hot)
         change = np.max(np.abs(cold.first * grown[0] - first) + np.abs(cold.second * grown[1] - second))
         size = np.max(first + second)
@@ -113,7 +113,7 @@ def hot_at_voltage(cold: Cold, voltage: Array) -> Hot:
     raise NotConverged(f"The heated resistances do not settle: they still change by {change / size:.1e}.")
 
 
-def hot_at_current(cold: Cold, current: Array) -> Hot:
+def hot_at_current(cold: ColdContact, current: Array) -> HotContact:
     """Return the heated contact at given currents `(m,)`: the lowest voltage at which they flow.
 
     Where the resistivity rises faster than the temperature itself, the current has a maximum over the voltage; what
@@ -129,11 +129,11 @@ def hot_at_current(cold: Cold, current: Array) -> Hot:
     low = current * (cold.first + cold.second + cold.film)
     if max(cold.coefficients) == 0.0:
         return hot_at_voltage(cold, low)
-    high, end = low, float(cold.law.voltage_at(HOTTEST, cold.ambient))
+    high, end = low, float(cold.law.voltage_at(HIGHEST_TEMPERATURE, cold.ambient))
     best, most = low, hot_at_voltage(cold, low).current
     short = most < current
     while short.any():
-        high = np.where(short, STEP * high, high)
+        high = np.where(short, VOLTAGE_FACTOR * high, high)
         hot = hot_at_voltage(cold, high)
         best, most = np.where(hot.current > most, high, best), np.maximum(hot.current, most)
         low = np.where(short & (hot.current < current), high, low)
@@ -141,7 +141,7 @@ def hot_at_current(cold: Cold, current: Array) -> Hot:
     missed = most < current
     if missed.any():
         high = np.where(missed, _peak(cold, best), high)
-        low = np.where(missed, best / STEP, low)
+        low = np.where(missed, best / VOLTAGE_FACTOR, low)
         peak = hot_at_voltage(cold, high)
         if np.any(missed & (peak.current < current)):
             place = int(np.flatnonzero(missed & (peak.current < current))[0])
@@ -152,9 +152,9 @@ def hot_at_current(cold: Cold, current: Array) -> Hot:
     return hot_at_voltage(cold, _met(cold, current, low, high))
 
 
-def _peak(cold: Cold, near: Array) -> Array:
+def _peak(cold: ColdContact, near: Array) -> Array:
     """Return the voltages of the greatest currents, next to those given."""
-    low, high = near / STEP, near * STEP
+    low, high = near / VOLTAGE_FACTOR, near * VOLTAGE_FACTOR
     for _ in range(60):
         left, right = low + (high - low) / 3.0, high - (high - low) / 3.0
         rises = hot_at_voltage(cold, left).current < hot_at_voltage(cold, right).current
@@ -162,7 +162,7 @@ def _peak(cold: Cold, near: Array) -> Array:
     return 0.5 * (low + high)
 
 
-def _met(cold: Cold, current: Array, low: Array, high: Array) -> Array:
+def _met(cold: ColdContact, current: Array, low: Array, high: Array) -> Array:
     """Return the voltages between two bounds at which the currents flow: regula falsi, halving what hangs on."""
     below = hot_at_voltage(cold, low).current - current
     above = hot_at_voltage(cold, high).current - current

@@ -22,15 +22,15 @@ from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.declared import CONDUCTING
 from winkler.problems.conduction.constriction import Constriction
 from winkler.problems.conduction.disc import resistances_of
-from winkler.problems.conduction.heated_contact import Cold, Hot, hot_at_current, hot_at_voltage
+from winkler.problems.conduction.heated_contact import ColdContact, HotContact, hot_at_current, hot_at_voltage
 from winkler.problems.conduction.solution import ConductingSolution
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["JouleHeating", "JouleHeatingSolution", "cold_contact"]
 
-METAL = WiedemannFranz()
-ROOM = 293.15
+DEFAULT_LAW = WiedemannFranz()
+ROOM_TEMPERATURE = 293.15
 KOHLRAUSCH = "R. Holm, Electric Contacts, 4th edition, Springer 1967, section 13, doi:10.1007/978-3-662-06688-1"
 
 
@@ -45,7 +45,7 @@ class JouleHeating:
     conductors : ElectricalConductors
         What the bodies conduct, and the film between them.
     load : Force, Depth or Radius
-        What presses them together; its value may be an array, the answers then have its shape.
+        What presses them together; its value may be an array, the results then have its shape.
     drive : Current or Voltage
         What is sent through; of several voltages at which a current flows, the lowest is taken.
     law : WiedemannFranz, optional
@@ -56,7 +56,7 @@ class JouleHeating:
     Raises
     ------
     InvalidInput
-        If something of another kind is given.
+        If an argument has the wrong type.
 
     References
     ----------
@@ -81,8 +81,8 @@ class JouleHeating:
     conductors: ElectricalConductors
     load: Load
     drive: Drive
-    law: WiedemannFranz = METAL
-    temperature: Annotated[Positive, Advice("an absolute temperature")] = ROOM
+    law: WiedemannFranz = DEFAULT_LAW
+    temperature: Annotated[Positive, Advice("an absolute temperature")] = ROOM_TEMPERATURE
 
     references: ClassVar[tuple[str, ...]] = ("kohlrausch_1900", "holm_1967", "barber_2003")
     assumptions: ClassVar[frozenset[Assumption]] = CONDUCTING | {Assumption.TEMPERATURE}
@@ -126,10 +126,10 @@ class JouleHeating:
             max_temperature=shaped(most, shape),
         )
 
-    def _driven(self, radius: Array) -> Hot:
+    def _driven(self, radius: Array) -> HotContact:
         touching = radius > 0.0
         none = np.zeros(radius.shape)
-        hot = Hot(none.copy(), none.copy(), none.copy(), none.copy())
+        hot = HotContact(none.copy(), none.copy(), none.copy(), none.copy())
         if isinstance(self.drive, Current) and self.drive.current > 0.0 and not touching.all():
             raise InvalidInput(
                 f"JouleHeating: {self.drive.current:g} A cannot flow where the bodies do not touch; give a load that "
@@ -139,10 +139,10 @@ class JouleHeating:
             cold = cold_contact(self, radius[touching])
             drive = np.ones(int(touching.sum()))
             if isinstance(self.drive, Current):
-                found = hot_at_current(cold, self.drive.current * drive)
+                coefficients = hot_at_current(cold, self.drive.current * drive)
             else:
-                found = hot_at_voltage(cold, self.drive.voltage * drive)
-            for whole, part in zip(hot, found, strict=True):
+                coefficients = hot_at_voltage(cold, self.drive.voltage * drive)
+            for whole, part in zip(hot, coefficients, strict=True):
                 whole[touching] = part
         if isinstance(self.drive, Voltage):
             # apart, all the voltage stands between the surfaces
@@ -150,7 +150,7 @@ class JouleHeating:
         return hot
 
 
-def cold_contact(problem: JouleHeating, radius: Array) -> Cold:
+def cold_contact(problem: JouleHeating, radius: Array) -> ColdContact:
     """Return what is known of contacts of given radii `(m,)` before they are heated.
 
     Raises
@@ -160,7 +160,7 @@ def cold_contact(problem: JouleHeating, radius: Array) -> Cold:
     """
     parts = resistances_of(problem.bed, problem.conductors, radius)
     first, second = problem.conductors.first, problem.conductors.second
-    return Cold(
+    return ColdContact(
         parts.first + parts.bulk_first,
         parts.second + parts.bulk_second,
         parts.film,
@@ -173,16 +173,16 @@ def cold_contact(problem: JouleHeating, radius: Array) -> Cold:
 def _coefficient(body: ConductingBody) -> float:
     """Return the coefficient of temperature of a body."""
     parts = [body.plating, body.on] if isinstance(body, Plated) else [surface_of(body)]
-    found = {part.temperature_coefficient for part in parts if isinstance(part, ElectricalConductor)}
-    if len(found) > 1:
+    coefficients = {part.temperature_coefficient for part in parts if isinstance(part, ElectricalConductor)}
+    if len(coefficients) > 1:
         raise OutsideValidity(
             "JouleHeating: a plating and what carries it have different temperature coefficients, so the current would "
-            "change its way as they are heated; give both the same one, or zero."
+            "deviate from their plane as they are heated; give both the same one, or zero."
         )
-    return found.pop()
+    return coefficients.pop()
 
 
-def _temperatures(problem: JouleHeating, hot: Hot) -> tuple[Array, Array]:
+def _temperatures(problem: JouleHeating, hot: HotContact) -> tuple[Array, Array]:
     """Return the temperature of the contact and the greatest one [K]."""
     both = hot.first + hot.second
     share = hot.film / np.where(both > 0.0, both, 1.0)
@@ -197,12 +197,12 @@ def _temperatures(problem: JouleHeating, hot: Hot) -> tuple[Array, Array]:
 
 @value
 class JouleHeatingSolution(ConductingSolution):
-    """The answer to a `JouleHeating`; every quantity has the shape of the load.
+    """The solution of a `JouleHeating`; every quantity has the shape of the load.
 
     Parameters
     ----------
     problem : JouleHeating
-        What was asked.
+        The problem that was solved.
     depth, force, radius : float or ndarray
         d [m], F_N [N], a [m] of the contact.
     resistance, cold_resistance : float or ndarray
@@ -235,7 +235,7 @@ class JouleHeatingSolution(ConductingSolution):
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """How far the answer can be trusted."""
+        """How far the result can be trusted."""
         problem = self.problem
         resistance = Constriction(problem.bed, problem.conductors, problem.load).solve()
         notes = [

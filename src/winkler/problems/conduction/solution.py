@@ -1,4 +1,4 @@
-"""What every answer about conducting bodies has in common: the contact, its resistance, and one load out of many."""
+"""What solutions of conducting bodies have in common: the contact, its resistance, and one load out of many."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class ConductingSolution:
     Parameters
     ----------
     problem : Constriction, ThermalConstriction or JouleHeating
-        What was asked, of a bed and a load.
+        The problem that was solved, with a bed and a load.
     depth, force, radius : float or ndarray
         d [m], F_N [N], a [m] of the contact.
     resistance : float or ndarray

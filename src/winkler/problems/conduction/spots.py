@@ -1,4 +1,4 @@
-r"""Many spots at once: rough bodies touch in clusters, and the spots of a cluster stand in each other's way.
+r"""Many spots at once: rough bodies touch in clusters, and the spots of a cluster add to each other's resistance.
 
 If every spot took a current in proportion to its radius, the resistance were Greenwood's
 
@@ -27,7 +27,7 @@ from winkler.values import value
 
 __all__ = ["SpotCluster", "SpotClusterSolution"]
 
-DEGREES = ((40, 6), (120, 4), (400, 2))
+EXPANSION_DEGREES = ((40, 6), (120, 4), (400, 2))
 """Up to how many spots their fluxes are expanded to which degree."""
 GREENWOOD = (
     "J. A. Greenwood, Constriction resistance and the real area of contact, Brit. J. Appl. Phys. 17 (1966) 1621-1632, "
@@ -81,10 +81,10 @@ class SpotCluster:
                 f"SpotCluster: there are {sizes['x']} x, {sizes['y']} y and {sizes['radii']} radii; give one of each "
                 "for every spot."
             )
-        if self.radii.size > DEGREES[-1][0]:
+        if self.radii.size > EXPANSION_DEGREES[-1][0]:
             raise InvalidInput(
-                f"SpotCluster: {self.radii.size} spots are too many; give at most {DEGREES[-1][0]}, or take groups of "
-                "them for spots of their Holm radius."
+                f"SpotCluster: {self.radii.size} spots are too many; give at most {EXPANSION_DEGREES[-1][0]}, or take "
+                "groups of them for spots of their Holm radius."
             )
         spacing = self._spacing
         i, j = np.unravel_index(int(np.argmin(spacing - np.add.outer(self.radii, self.radii))), spacing.shape)
@@ -108,7 +108,7 @@ class SpotCluster:
         -------
         SpotClusterSolution
         """
-        degree = next(degree for most, degree in DEGREES if self.radii.size <= most)
+        degree = next(degree for most, degree in EXPANSION_DEGREES if self.radii.size <= most)
         charges, coarse = currents(self.x, self.y, self.radii, degree)
         rho = resistivity_of(self.first) + resistivity_of(self.second)
         resistance = rho / (2.0 * math.pi * float(np.sum(charges)))
@@ -127,12 +127,12 @@ class SpotCluster:
 
 @value
 class SpotClusterSolution:
-    """The answer to a `SpotCluster`.
+    """The solution of a `SpotCluster`.
 
     Parameters
     ----------
     problem : SpotCluster
-        What was asked.
+        The problem that was solved.
     resistance : float
         R [ohm], all spots at one voltage.
     greenwood : float
@@ -160,14 +160,14 @@ class SpotClusterSolution:
 
     @property
     def holm_radius(self) -> float:
-        """Radius [m] of the one disc that would stand in the way like the spots' crowding; infinite for one spot."""
+        """Radius [m] of the one disc with the same resistance as the spots' crowding; infinite for one spot."""
         rho = resistivity_of(self.problem.first) + resistivity_of(self.problem.second)
         crowding = self.resistance - self.alone
         return rho / (4.0 * crowding) if self.problem.radii.size > 1 else math.inf
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """How far the answer can be trusted."""
+        """How far the result can be trusted."""
         return (
             Note(
                 Assumption.RESOLUTION,

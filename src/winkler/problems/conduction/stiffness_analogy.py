@@ -1,4 +1,4 @@
-r"""Conductance from stiffness: both squeeze through the same spots, whatever their shape (Barber),
+r"""Conductance from stiffness: both are fixed by the same spots, whatever their shape (Barber),
 
 .. math:: \Lambda = \frac{2}{E^*(\rho_1+\rho_2)}\,\frac{\mathrm dF}{\mathrm dd} .
 """
@@ -21,7 +21,7 @@ def conductance_of_stiffness(
     Parameters
     ----------
     owner : str
-        Who asks, as the sentence of an error begins.
+        Name of the problem, for the error sentence.
     medium : HalfSpace
         Both bodies, homogeneous.
     conductors : ElectricalConductors or HeatConductors
@@ -36,6 +36,7 @@ def conductance_of_stiffness(
     bodies = conductors.first, conductors.second
     if between.area_resistance or isinstance(bodies[0], Plated | Rod) or isinstance(bodies[1], Plated | Rod):
         raise OutsideValidity(
-            f"{owner}: stiffness tells the conductance of thick conductors without film or plating; leave them out."
+            f"{owner}: stiffness determines the conductance of thick conductors without film or plating; leave them "
+            "out."
         )
     return 2.0 / (medium.modulus * (resistivity_of(bodies[0]) + resistivity_of(bodies[1])))

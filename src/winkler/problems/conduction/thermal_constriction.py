@@ -1,4 +1,4 @@
-r"""Heat through a contact: the same squeeze as for a current, with temperature for voltage.
+r"""Heat through a contact: the same constriction as for a current, with temperature for voltage.
 
 :math:`Q = 4\lambda_h a\,\Delta T` with :math:`1/\lambda_h = 1/\lambda_1+1/\lambda_2` for a round contact, and
 :math:`Q = \frac{2\lambda_h}{E^*}\frac{\mathrm dF}{\mathrm dd}\Delta T` for a contact of any shape between homogeneous
@@ -38,14 +38,14 @@ class ThermalConstriction:
     conductors : HeatConductors
         What the bodies conduct, and how well heat passes between the surfaces.
     load : Force, Depth or Radius
-        What is prescribed; its value may be an array, the answers then have its shape.
+        What is prescribed; its value may be an array, the results then have its shape.
     temperature_drop : float
         Temperature of the first body far away less that of the second [K].
 
     Raises
     ------
     InvalidInput
-        If something of another kind is given.
+        If an argument has the wrong type.
 
     References
     ----------
@@ -75,7 +75,7 @@ class ThermalConstriction:
     assumptions: ClassVar[frozenset[Assumption]] = CONDUCTING | {Assumption.STEADY}
 
     def solve(self) -> ThermalConstrictionSolution:
-        """Return the heat rate and what stands in its way.
+        """Return the heat rate and its resistances.
 
         Returns
         -------
@@ -112,12 +112,12 @@ def _drop(heat: Array, constriction: Array, bulk: float) -> Array:
 
 @value
 class ThermalConstrictionSolution(ConductingSolution):
-    """The answer to a `ThermalConstriction`; every quantity has the shape of the load.
+    """The solution of a `ThermalConstriction`; every quantity has the shape of the load.
 
     Parameters
     ----------
     problem : ThermalConstriction
-        What was asked.
+        The problem that was solved.
     depth, force, radius : float or ndarray
         d [m], F_N [N], a [m] of the contact.
     resistance : float or ndarray

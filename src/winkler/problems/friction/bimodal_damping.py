@@ -45,7 +45,7 @@ from winkler.problems.friction.damping_validity import STEADY, damping_notes
 from winkler.problems.friction.spring_cycle import SpringCycle
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
-from winkler.problems.normal.yield_statement import Rubbing
+from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.validity import Assumption, Note
 from winkler.values import value
 
@@ -53,15 +53,15 @@ __all__ = ["BimodalDamping", "BimodalDampingSolution"]
 
 TOLERANCE = 1e-12
 """Of the integral over the springs."""
-EDGE = 30
+EDGE_HALVINGS = 30
 """How often the panels halve their distance from the edges of the widest and the narrowest contact."""
 
 
-RUBBING = Condition(
+WITH_FRICTION = Condition(
     lambda law: law.coefficient > 0.0,
     "give Coulomb(coefficient) with a positive coefficient, infinite if nothing slides",
 )
-FAR = Advice("how far to each side; turn the phase by pi instead of a negative one")
+AMPLITUDE_ADVICE = Advice("how far to each side; turn the phase by pi instead of a negative one")
 
 
 @value
@@ -111,10 +111,10 @@ class BimodalDamping:
     """
 
     bed: Bed
-    law: Annotated[Coulomb, RUBBING]
+    law: Annotated[Coulomb, WITH_FRICTION]
     depth: Finite
-    depth_amplitude: Annotated[NonNegative, FAR]
-    shift_amplitude: Annotated[NonNegativeQuantity, FAR]
+    depth_amplitude: Annotated[NonNegative, AMPLITUDE_ADVICE]
+    shift_amplitude: Annotated[NonNegativeQuantity, AMPLITUDE_ADVICE]
     phase: FiniteQuantity = 0.0
     normal_cycles: Count = 1
     lateral_cycles: Count = 1
@@ -237,9 +237,12 @@ class BimodalDamping:
     def _edges(self, lowest: float, radius: float) -> Array:
         """Return ends of panels, finest at the edges of the narrowest and the widest contact [m]."""
         kinks = [b for b, _ in self.bed.kinks]
-        parts = [towards(radius, kinks, EDGE)]
+        parts = [towards(radius, kinks, EDGE_HALVINGS)]
         if 0.0 < lowest < radius:
-            parts += [towards(lowest, [], EDGE), lowest + (radius - lowest) * 0.5 ** np.arange(1, EDGE)]
+            parts += [
+                towards(lowest, [], EDGE_HALVINGS),
+                lowest + (radius - lowest) * 0.5 ** np.arange(1, EDGE_HALVINGS),
+            ]
         return np.unique(np.concatenate(parts))
 
     def _released(self, cycle: SpringCycle, gap: Array) -> Array:
@@ -257,12 +260,12 @@ class BimodalDamping:
 
 @value
 class BimodalDampingSolution:
-    """The answer to a `BimodalDamping`; arrays have the shape of amplitude and phase together.
+    """The solution of a `BimodalDamping`; arrays have the shape of amplitude and phase together.
 
     Parameters
     ----------
     problem : BimodalDamping
-        What was asked.
+        The problem that was solved.
     contact : IndentationSolution
         The contact at its greatest depth.
     loss_per_cycle : float or ndarray
@@ -305,7 +308,7 @@ class BimodalDampingSolution:
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         return (
-            *self.contact.notes_with(Rubbing(self.problem.law.coefficient)),
+            *self.contact.notes_with(SurfaceFriction(self.problem.law.coefficient)),
             STEADY,
             *damping_notes(self.problem.bed, float(self.contact.radius), self.problem.law.coefficient),
         )

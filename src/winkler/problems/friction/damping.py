@@ -31,7 +31,7 @@ from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.friction.damping_validity import damping_notes
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
-from winkler.problems.normal.yield_statement import Rubbing, slid_depth
+from winkler.problems.normal.yield_statement import SurfaceFriction, slid_depth
 from winkler.validity import Assumption, Note
 from winkler.values import value
 
@@ -39,11 +39,11 @@ __all__ = ["FrictionDamping", "FrictionDampingSolution"]
 
 TOLERANCE = 1e-13
 """Of each integral over the springs."""
-EDGE = 30
+EDGE_HALVINGS = 30
 """How often the panels halve their distance from the edge of the contact, where sliding begins."""
 SAMPLES = 257
 """Places along springs of different kinds at which their bounds are compared."""
-ROUNDING = 1e-12
+FORCE_ROUNDING = 1e-12
 """Part of the sliding force by which rounding may exceed it."""
 
 
@@ -60,7 +60,7 @@ class FrictionDamping:
     normal : Depth or Force
         The steady normal load, one number.
     amplitude : Shift or ShearForce
-        How far to each side the contact is pushed, half of the whole stroke; may be an array, the answers then have
+        How far to each side the contact is pushed, half of the whole stroke; may be an array, the results then have
         its shape.  Zero or more.
 
     Raises
@@ -118,26 +118,26 @@ class FrictionDamping:
             raise OutsideValidity(
                 "FrictionDamping: the bodies do not touch under this normal load; press them together."
             )
-        given = np.asarray(_number(self.amplitude), dtype=float)
+        prescribed = np.asarray(_number(self.amplitude), dtype=float)
         springs = _Slipping(self.law.coefficient, contact)
-        flat = np.atleast_1d(given).ravel()
+        flat = np.atleast_1d(prescribed).ravel()
         if isinstance(self.amplitude, ShearForce):
             force = np.minimum(flat, self._bearable(flat, float(contact.force)))
             moved = springs.shift(force)
         else:
             moved, force = flat, springs.force(flat)
-        answers = (answer.reshape(given.shape) for answer in (moved, force, springs.loss(moved)))
-        shift, shear_force, loss = (float(each) if given.ndim == 0 else each for each in answers)
+        results = (result.reshape(prescribed.shape) for result in (moved, force, springs.loss(moved)))
+        shift, shear_force, loss = (float(each) if prescribed.ndim == 0 else each for each in results)
         return FrictionDampingSolution(self, contact, shift, shear_force, loss)
 
-    def _bearable(self, asked: Array, force: float) -> float:
+    def _bearable(self, targets: Array, force: float) -> float:
         """Return the sliding force [N]; refuse what exceeds it."""
         most = self.law.coefficient * force
-        bad = np.flatnonzero(asked > most * (1.0 + ROUNDING))
+        bad = np.flatnonzero(targets > most * (1.0 + FORCE_ROUNDING))
         if bad.size:
-            where = "" if asked.size == 1 else f" at index {', '.join(map(str, bad[:5]))}"
+            where = "" if targets.size == 1 else f" at index {', '.join(map(str, bad[:5]))}"
             raise OutsideValidity(
-                f"FrictionDamping: a shear force of {asked[bad[0]]:.6g} N{where} exceeds the coefficient of "
+                f"FrictionDamping: a shear force of {targets[bad[0]]:.6g} N{where} exceeds the coefficient of "
                 f"friction times the normal force, {most:.6g} N: the bodies would slide away; give less, or "
                 "prescribe a Shift."
             )
@@ -146,12 +146,12 @@ class FrictionDamping:
 
 @value
 class FrictionDampingSolution:
-    """The answer to a `FrictionDamping`; every quantity has the shape of the amplitude.
+    """The solution of a `FrictionDamping`; every quantity has the shape of the amplitude.
 
     Parameters
     ----------
     problem : FrictionDamping
-        What was asked.
+        The problem that was solved.
     contact : IndentationSolution
         The contact under its normal load.
     shift : float or ndarray
@@ -222,7 +222,7 @@ class FrictionDampingSolution:
         """How far the result can be trusted."""
         mu, shape = self.problem.law.coefficient, np.shape(self.shear_force)
         depth, force = (np.broadcast_to(part, shape) for part in (self.contact.depth, self.contact.force))
-        rubbing = Rubbing(mu, slid_depth(mu, depth, force, np.asarray(self.shear_force)))
+        rubbing = SurfaceFriction(mu, slid_depth(mu, depth, force, np.asarray(self.shear_force)))
         return (
             *self.contact.notes_with(rubbing),
             *damping_notes(self.problem.bed, float(self.contact.radius), mu),
@@ -263,7 +263,7 @@ class _Slipping:
 
     @property
     def _edges(self) -> Array:
-        return towards(self.radius, [b for b, _ in self.bed.kinks], EDGE)
+        return towards(self.radius, [b for b, _ in self.bed.kinks], EDGE_HALVINGS)
 
     def _springs(self, x: Array) -> tuple[Array, Array]:
         """Return c_T [Pa] and the bounds b [m] of springs in contact."""
@@ -312,7 +312,7 @@ class _Slipping:
 
         return along_springs(density, self._edges, np.full(moved.shape, TOLERANCE), "shear force of the springs")
 
-    def shift(self, asked: Array) -> Array:
+    def shift(self, targets: Array) -> Array:
         """Return amplitudes of the shift [m] at amplitudes of the shear force [N], both ``(m,)``.
 
         The least one, where the force is that of sliding throughout.
@@ -320,10 +320,10 @@ class _Slipping:
         least, greatest = stiffness_ratios(self.bed, self.radius)
         if alike((least, greatest)):
             # Ciavarella, Jaeger: the shear force is mu times what the normal force falls by as far as the stick edge
-            core = np.maximum(float(self.contact.force) - asked / self.coefficient, 0.0)
+            core = np.maximum(float(self.contact.force) - targets / self.coefficient, 0.0)
             stick = np.asarray(Indentation(self.bed, Force(core)).solve().depth)
             return np.asarray(self.coefficient * (self.depth - stick) / least)
-        reach = np.full(asked.shape, self.reach)
-        short = self.force(reach) <= asked
-        found = between(lambda moved, index: self.force(moved) - asked[index], np.zeros(asked.shape), reach)
-        return np.where(short, reach, found)
+        reach = np.full(targets.shape, self.reach)
+        short = self.force(reach) <= targets
+        root = between(lambda moved, index: self.force(moved) - targets[index], np.zeros(targets.shape), reach)
+        return np.where(short, reach, root)

@@ -1,4 +1,4 @@
-"""What every answer about damping by friction says of itself."""
+"""Validity notes of every solution of damping by friction."""
 
 from __future__ import annotations
 

@@ -26,7 +26,7 @@ from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.friction.damping_validity import damping_notes
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
-from winkler.problems.normal.yield_statement import Rubbing
+from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
@@ -34,7 +34,7 @@ __all__ = ["RelaxationDamper", "RelaxationDamperSolution"]
 
 TOLERANCE = 1e-12
 """Of the integrals over the springs."""
-EDGE = 30
+EDGE_HALVINGS = 30
 """How often the panels halve their distance from an edge."""
 POPOV = "M. Popov, V. L. Popov, R. Pohrt, Sci. Rep. 5 (2015) 16189, doi:10.1038/srep16189"
 STICKING = Note(
@@ -113,8 +113,8 @@ class RelaxationDamper:
             )
         lowest = float(Indentation(self.bed, Depth(self.depth - self.depth_amplitude)).solve().radius)
         kinks = [b for b, _ in self.bed.kinks]
-        edges = np.unique(np.concatenate([[lowest], towards(radius, [lowest, *kinks], EDGE)]))
-        edges = np.unique(np.concatenate([edges, lowest + (radius - lowest) * 0.5 ** np.arange(1, EDGE)]))
+        edges = np.unique(np.concatenate([[lowest], towards(radius, [lowest, *kinks], EDGE_HALVINGS)]))
+        edges = np.unique(np.concatenate([edges, lowest + (radius - lowest) * 0.5 ** np.arange(1, EDGE_HALVINGS)]))
 
         def held(x: Array, _: Array) -> Array:
             touching = np.arccos(np.clip((self.bed.gap(x) - self.depth) / self.depth_amplitude, -1.0, 1.0))
@@ -127,7 +127,7 @@ class RelaxationDamper:
             damping = whole / (math.pi**2 * self.frequency)
         stiffness = 0.0
         if lowest > 0.0:
-            always = towards(lowest, kinks, EDGE)
+            always = towards(lowest, kinks, EDGE_HALVINGS)
             stuck = along_springs(
                 lambda x, _: self.bed.tangential_stiffness(x), always, tolerance, "stiffness of the springs"
             )
@@ -137,12 +137,12 @@ class RelaxationDamper:
 
 @value
 class RelaxationDamperSolution:
-    """The answer to a `RelaxationDamper`.
+    """The solution of a `RelaxationDamper`.
 
     Parameters
     ----------
     problem : RelaxationDamper
-        What was asked.
+        The problem that was solved.
     contact : IndentationSolution
         The contact at its greatest depth.
     damping : float
@@ -160,7 +160,7 @@ class RelaxationDamperSolution:
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         return (
-            *self.contact.notes_with(Rubbing(math.inf)),  # nothing slips, whatever that takes
+            *self.contact.notes_with(SurfaceFriction(math.inf)),  # nothing slips, whatever that takes
             STICKING,
             *damping_notes(self.problem.bed, float(self.contact.radius), math.inf),
         )

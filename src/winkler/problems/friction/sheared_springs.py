@@ -1,6 +1,6 @@
 """From what springs remember to the fields: the springs of a sheared contact as a sum of ramps and steps.
 
-Solvers that follow springs along the surface know their displacement as straight pieces over the gap g(x); restoring
+Solvers that follow springs along the surface hold their displacement as straight pieces over the gap g(x); restoring
 the traction needs the pile of earlier contacts that they amount to.
 """
 
@@ -18,7 +18,7 @@ from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
 
 __all__ = ["sheared_by_pieces"]
 
-NARROW = 1e-12
+NARROWEST_PIECE = 1e-12
 """Pieces narrower than this, in parts of the depth, are none; steps smaller, in parts of the greatest displacement."""
 
 
@@ -52,13 +52,13 @@ def sheared_by_pieces(
     if radius == 0.0 or left.shape[0] == 0:
         empty = np.zeros((0, *moved.shape))
         return ShearedSprings(pressed, 1.0, moved, np.zeros(0), np.zeros(0), empty, empty)
-    wide = np.diff(edges) > NARROW * depth
+    wide = np.diff(edges) > NARROWEST_PIECE * depth
     low, high, left, right = edges[:-1][wide], edges[1:][wide], left[wide], right[wide]
     rise = (right - left) / (high - low).reshape(-1, *(1,) * moved.ndim)
     nothing = np.zeros((1, *moved.shape))
     slopes = np.concatenate([rise[1:], nothing]) - rise
     steps = right - np.concatenate([left[1:], nothing])
-    steps[np.abs(steps) <= NARROW * float(np.max(np.abs([left, right]), initial=0.0))] = 0.0
+    steps[np.abs(steps) <= NARROWEST_PIECE * float(np.max(np.abs([left, right]), initial=0.0))] = 0.0
     radii = np.asarray(Indentation(bed, Depth(high)).solve().radius)
     return ShearedSprings(pressed, _ratio(bed, radius), moved, high, np.minimum(radii, radius), slopes, steps)
 

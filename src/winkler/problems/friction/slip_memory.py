@@ -1,10 +1,10 @@
-r"""What the springs of a sheared contact remember, told apart by their gap instead of their place.
+r"""The memory of the springs of a sheared contact, distinguished by their gap instead of their place.
 
 The springs of a rising profile can be numbered by :math:`\gamma=g(x)`, from 0 on the axis to the depth d at the edge.
-On a straight way in depth and shift a spring that sticks is displaced by the shift, one that slides stays on its bound
-:math:`\beta(d-\gamma)`, and one that comes into contact begins on the way.  All of that is linear in :math:`\gamma`, so
-the displacement of the springs stays a chain of straight pieces for ever, one for each turning point that is not yet
-forgotten: no grid, and no error but rounding.  What the pieces add up to is told by
+On a straight step in depth and shift a spring that sticks is displaced by the shift, one that slides stays on its bound
+:math:`\beta(d-\gamma)`, and one that comes into contact begins within the step.  All of that is linear in
+:math:`\gamma`, so the displacement of the springs stays a chain of straight pieces for ever, one for each turning point
+that is not yet forgotten: no grid, and no error but rounding.  What the pieces add up to is computed by
 `winkler.problems.friction.slip_sums`.
 """
 
@@ -20,13 +20,13 @@ from winkler.values import value
 
 __all__ = ["LossPiece", "SlipMemory"]
 
-ALIKE = 1e-13
+SLOPE_TOLERANCE = 1e-13
 """Pieces that meet, and whose slopes differ by less than this part of the slopes there are, become one."""
-TINY = 1e-150
+LEAST_DEPTH = 1e-150
 """Depths below this [m] are none, and springs whose gaps differ by less lose alike: their squares are no numbers."""
-AT_BOUND = 1e-12
+BOUND_TOLERANCE = 1e-12
 """A spring that is displaced by all but this part of its bound slides."""
-NARROW = 1e-14
+CUT_TOLERANCE = 1e-14
 """A cut this close to the end of a piece, in parts of the depth, is at the end."""
 
 
@@ -52,7 +52,7 @@ Ends = tuple[float, float]
 """What a straight line over the gap is at both ends of a piece."""
 
 
-class _Piece(NamedTuple):
+class _SpringPiece(NamedTuple):
     start: float
     stop: float
     left: float
@@ -105,14 +105,14 @@ class SlipMemory:
         return np.where((gap <= self.depth) & (gap >= 0.0), inside, 0.0)
 
     def moved(self, depth: float, change: float, bound: float) -> tuple[SlipMemory, tuple[LossPiece, ...]]:
-        """Return the memory after a straight way, and what it cost.
+        """Return the memory after a straight step, and the energy lost.
 
         Parameters
         ----------
         depth : float
-            d at the end of the way [m].
+            d at the end of the step [m].
         change : float
-            By how much the bodies shift on the way [m].
+            By how much the bodies shift in the step [m].
         bound : float
             beta = mu E* / G* [-]: a spring of gap gamma slides at u_t = beta (d - gamma); infinite if none ever does.
 
@@ -121,35 +121,35 @@ class SlipMemory:
         SlipMemory
         tuple of LossPiece
         """
-        way = self._way(depth, change, bound, account=False)
-        return _remembered(way.after, way.pieces), tuple(way.losses)
+        step = self._step(depth, change, bound, account=False)
+        return _remembered(step.after, step.pieces), tuple(step.losses)
 
     def worked(
         self, depth: float, change: float, bound: float
     ) -> tuple[SlipMemory, tuple[LossPiece, ...], tuple[LossPiece, ...]]:
         """Return as `moved`, and what the bodies have spent on the springs, which does not go by what these keep."""
-        way = self._way(depth, change, bound, account=True)
-        return _remembered(way.after, way.pieces), tuple(way.losses), tuple(way.works)
+        step = self._step(depth, change, bound, account=True)
+        return _remembered(step.after, step.pieces), tuple(step.losses), tuple(step.works)
 
-    def _way(self, depth: float, change: float, bound: float, *, account: bool) -> _Way:
-        if 0.0 < depth < TINY:
+    def _step(self, depth: float, change: float, bound: float, *, account: bool) -> _StraightStep:
+        if 0.0 < depth < LEAST_DEPTH:
             depth = 0.0
-        way = _Way(self.depth, depth, change, bound, account)
-        kept = max(min(self.depth, depth), 0.0)
+        step = _StraightStep(self.depth, depth, change, bound, account)
+        common = max(min(self.depth, depth), 0.0)
         edges = self.edges.tolist()
         for start, stop, left, right in zip(edges, edges[1:], self.left.tolist(), self.right.tolist(), strict=False):
-            if stop <= kept:
-                way.drag(start, stop, left + change, right + change)
-            elif start >= kept:
-                way.leave(start, stop, left, right)
+            if stop <= common:
+                step.drag(start, stop, left + change, right + change)
+            elif start >= common:
+                step.leave(start, stop, left, right)
             else:
-                at = left + (right - left) * ((kept - start) / (stop - start))
-                way.drag(start, kept, left + change, at + change)
-                way.leave(kept, stop, at, right)
-        if depth > kept:
-            # springs that come into contact on the way take part in what is left of it
-            way.drag(kept, depth, (depth - kept) * change / way.rise, 0.0, came=True)
-        return way
+                at = left + (right - left) * ((common - start) / (stop - start))
+                step.drag(start, common, left + change, at + change)
+                step.leave(common, stop, at, right)
+        if depth > common:
+            # springs that come into contact within the step take part in what is left of it
+            step.drag(common, depth, (depth - common) * change / step.rise, 0.0, came=True)
+        return step
 
     @property
     def corners(self) -> tuple[Array, Array]:
@@ -161,20 +161,20 @@ class SlipMemory:
         return self.edges[1:], np.diff(np.append(slope, 0.0))
 
 
-class _Way:
-    """A straight way in depth and shift, and what it does to the springs."""
+class _StraightStep:
+    """A straight step in depth and shift, and its effect on the springs."""
 
     def __init__(self, before: float, after: float, change: float, bound: float, account: bool) -> None:
         self.before, self.after, self.change, self.bound, self.account = before, after, change, bound, account
         self.rise = after - before
         self.works: list[LossPiece] = []
-        self.pieces: list[_Piece] = []
+        self.pieces: list[_SpringPiece] = []
         self.losses: list[LossPiece] = []
 
     def drag(self, start: float, stop: float, left: float, right: float, *, came: bool = False) -> None:
         """Move springs of which those that tried to be displaced by more than their bound slide."""
         if math.isinf(self.bound):
-            self.pieces.append(_Piece(start, stop, left, right, 0))
+            self.pieces.append(_SpringPiece(start, stop, left, right, 0))
             self._spend(start, stop, (left, right), (left, right) if came else None)
             return
         width, after, bound = stop - start, self.after, self.bound
@@ -184,19 +184,19 @@ class _Way:
             one, two = sign * left - first, sign * right - last
             if one * two < 0.0:
                 at = start + width * (one / (one - two))
-                if min(at - start, stop - at) > NARROW * after:
+                if min(at - start, stop - at) > CUT_TOLERANCE * after:
                     cuts.insert(1 if at < cuts[1][0] else 2, (at, sign * bound * (after - at)))
         for (low, at_low), (high, at_high) in zip(cuts, cuts[1:], strict=False):
             if not high > low:
                 continue
             trial, limit = 0.5 * (at_low + at_high), bound * (after - 0.5 * (low + high))
-            if abs(trial) < limit * (1.0 - AT_BOUND):
-                self.pieces.append(_Piece(low, high, at_low, at_high, 0))
+            if abs(trial) < limit * (1.0 - BOUND_TOLERANCE):
+                self.pieces.append(_SpringPiece(low, high, at_low, at_high, 0))
                 self._spend(low, high, (at_low, at_high), (at_low, at_high) if came else None)
                 continue
             side = 1 if trial > 0.0 else -1
             ends = bound * (after - low), bound * (after - high)
-            self.pieces.append(_Piece(low, high, side * ends[0], side * ends[1], side))
+            self.pieces.append(_SpringPiece(low, high, side * ends[0], side * ends[1], side))
             slid = max(side * at_low - ends[0], 0.0), max(side * at_high - ends[1], 0.0)
             # the bound of a coming spring grows from zero
             self._lose(low, high, slid, (0.5 * ends[0], 0.5 * ends[1]) if came else self._mean(side, slid, ends))
@@ -224,8 +224,8 @@ class _Way:
             self._yield(low, high, side, slid)
 
     def _mean(self, side: int, slid: tuple[float, float], ends: tuple[float, float]) -> tuple[float, float]:
-        """Return the mean bound of springs that begin to slide on the way, from how far they slide and how they end."""
-        # the bound changes in proportion to the way that is slid
+        """Return the mean bound of springs that start to slide in a step, from how far they slide and how they end."""
+        # the bound changes in proportion to the distance that is slid
         closing = side * self.change - self.bound * self.rise
         share = 0.5 * self.bound * self.rise / closing if closing > 0.0 else 0.0
         return ends[0] - share * slid[0], ends[1] - share * slid[1]
@@ -242,8 +242,8 @@ class _Way:
         """Note the work on springs that stick until they part, where they are displaced by `left` to `right`."""
         if self.account:
             per = self.change / self.rise
-            way = (start - self.before) * per, (stop - self.before) * per
-            self._work(start, stop, way, (left - 0.5 * way[0], right - 0.5 * way[1]))
+            step = (start - self.before) * per, (stop - self.before) * per
+            self._work(start, stop, step, (left - 0.5 * step[0], right - 0.5 * step[1]))
 
     def _yield(self, start: float, stop: float, side: int, slid: Ends) -> None:
         """Take away from the work what springs that slide at last do not resist any more."""
@@ -266,23 +266,23 @@ class _Way:
 
 def _product(start: float, stop: float, first: Ends, second: Ends) -> LossPiece:
     """Return the product of two straight lines between two gaps."""
-    if stop - start < TINY:  # a flat end may still be among them
+    if stop - start < LEAST_DEPTH:  # a flat end may still be among them
         return LossPiece(start, stop, first[0] * second[0], 0.0, 0.0)
     one, two = (first[0] - first[1]) / (stop - start), (second[0] - second[1]) / (stop - start)
     return LossPiece(start, stop, first[1] * second[1], one * second[1] + two * first[1], one * two)
 
 
-def _remembered(depth: float, pieces: list[_Piece]) -> SlipMemory:
+def _remembered(depth: float, pieces: list[_SpringPiece]) -> SlipMemory:
     """Return the memory of pieces in a row, those that go on in one straight line as one."""
-    result: list[_Piece] = []
+    result: list[_SpringPiece] = []
     for piece in pieces:
         if result and result[-1].slides == piece.slides:
             last = result[-1]
             before = (last.right - last.left) / (last.stop - last.start)
             behind = (piece.right - piece.left) / (piece.stop - piece.start)
             high = max(abs(last.left), abs(last.right), abs(piece.left), abs(piece.right))
-            straight = piece.slides != 0 or abs(behind - before) <= ALIKE * max(abs(before), abs(behind))
-            if straight and abs(piece.left - last.right) <= ALIKE * high:
+            straight = piece.slides != 0 or abs(behind - before) <= SLOPE_TOLERANCE * max(abs(before), abs(behind))
+            if straight and abs(piece.left - last.right) <= SLOPE_TOLERANCE * high:
                 result[-1] = last._replace(stop=piece.stop, right=piece.right)
                 continue
         result.append(piece)

@@ -6,7 +6,7 @@ Sums over springs are integrals over the stiffness :math:`K(\gamma)` of the fric
 .. math:: \int_a^b\mathrm dK = K_b-K_a ,\quad \int_a^b(b-\gamma)\,\mathrm dK = F_b-F_a-(b-a)K_a ,\quad
           \int_a^b(b-\gamma)^2\,\mathrm dK = 2(W_b-W_a)-2(b-a)F_a-(b-a)^2K_a :
 
-whatever the shape, the answer needs its normal curve only.  What was straight over the gap is then summed exactly.
+whatever the shape, the solution needs its normal curve only.  What was straight over the gap is then summed exactly.
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ from winkler.problems.friction.slip_memory import LossPiece, SlipMemory
 
 __all__ = ["NormalStates", "SlipSums"]
 
-MANY = 256
+MOST_GAPS = 256
 """Gaps that are remembered at most."""
-NARROW = 2e-3
+NARROW_RING = 2e-3
 """Part of its outer gap below which a ring of springs is summed by itself, lest nothing be left of it by rounding."""
 
 Moments = tuple[float, float, float]
@@ -55,31 +55,31 @@ class SlipSums:
 
     def at(self, gap: float) -> Moments:
         """Return K, F and W at a gap [m]; nothing at zero, where a flat end comes into contact at once."""
-        known = self._points.get(gap)
-        if known is None:
-            if len(self._points) > MANY:
+        sums = self._points.get(gap)
+        if sums is None:
+            if len(self._points) > MOST_GAPS:
                 self._points = {0.0: self._points[0.0]}
-            known = self._points[gap] = self.states.at(gap)
-        return known
+            sums = self._points[gap] = self.states.at(gap)
+        return sums
 
     def ring(self, start: float, stop: float) -> Moments:
         """Return the sums of 1 [N/m], of stop - gap [N] and of its square [J] over the springs between two gaps."""
-        known = self._rings.get((start, stop))
-        if known is None:
+        sums = self._rings.get((start, stop))
+        if sums is None:
             inner, outer, width = self.at(start), self.at(stop), stop - start
             gain = outer[0] - inner[0]
-            if width < NARROW * stop and start > 0.0:
-                known = gain, *self.states.between(start, inner[0], stop)
+            if width < NARROW_RING * stop and start > 0.0:
+                sums = gain, *self.states.between(start, inner[0], stop)
             else:
-                known = (
+                sums = (
                     gain,
                     outer[1] - inner[1] - width * inner[0],
                     2.0 * (outer[2] - inner[2]) - width * (2.0 * inner[1] + width * inner[0]),
                 )
-            if len(self._rings) > MANY:  # a long march must not remember every gap it has met
+            if len(self._rings) > MOST_GAPS:  # a long march must not remember every gap it has met
                 self._rings.clear()
-            self._rings[start, stop] = known
-        return known
+            self._rings[start, stop] = sums
+        return sums
 
     def shear(self, memory: SlipMemory) -> float:
         """Return the integral of u_t dK [N]: the shear force over the ratio."""
@@ -107,25 +107,25 @@ class SlipSums:
         return total
 
     def stiffness(self, memory: SlipMemory, before: float) -> float:
-        """Return how the shear force after a way grows with the shift of that way, over the ratio [N/m].
+        """Return how the shear force after a step grows with the shift of that step, over the ratio [N/m].
 
         Parameters
         ----------
         memory : SlipMemory
-            After the way.
+            After the step.
         before : float
             Depth at its beginning [m].
         """
-        kept, total = max(min(before, memory.depth), 0.0), 0.0
+        common, total = max(min(before, memory.depth), 0.0), 0.0
         edges = memory.edges.tolist()
         for start, stop, side in zip(edges, edges[1:], memory.slides.tolist(), strict=False):
             if side != 0.0:
                 continue
-            if start < kept:
-                total += self.ring(start, min(stop, kept))[0]
-            if stop > kept:
-                # springs that came on the way take part in what was left of it
-                zeroth, first, _ = self.ring(max(start, kept), stop)
+            if start < common:
+                total += self.ring(start, min(stop, common))[0]
+            if stop > common:
+                # springs that came within the step take part in what was left of it
+                zeroth, first, _ = self.ring(max(start, common), stop)
                 total += (zeroth * (memory.depth - stop) + first) / (memory.depth - before)
         return total
 

@@ -26,10 +26,10 @@ from winkler.values import value
 
 __all__ = ["SpringCycle"]
 
-NEAR = 1e-3
+UNIT_CIRCLE_TOLERANCE = 1e-3
 """How far from the unit circle a root still counts as a moment: one too many only splits a step in two."""
 
-ROUNDING = 16.0 * np.finfo(float).eps
+DISPLACEMENT_ROUNDING = 16.0 * np.finfo(float).eps
 """Part of the displacements that rounding may add to them."""
 
 
@@ -45,7 +45,7 @@ class _Slide(NamedTuple):
 
 @value
 class SpringCycle:
-    """Harmonic pressing and pushing, as springs feel it.
+    """Harmonic pressing and pushing of single springs.
 
     Parameters
     ----------
@@ -94,8 +94,8 @@ class SpringCycle:
         """When a spring may begin or cease to slide, and when the depth turns: from 0 to 2 pi [rad]."""
         n = self.normal_cycles
         turning = np.arange(2 * n + 1) * np.pi / n
-        found = [self._turning(sign) for sign in (-1.0, 1.0)]
-        return np.unique(np.concatenate([turning, *found]))
+        turning_points = [self._turning(sign) for sign in (-1.0, 1.0)]
+        return np.unique(np.concatenate([turning, *turning_points]))
 
     def _turning(self, sign: float) -> Array:
         """Return the zeros of U' + sign beta d' as the roots, on the unit circle, of a polynomial in exp(i theta)."""
@@ -111,7 +111,7 @@ class SpringCycle:
         if not np.any(terms):
             return np.zeros(0)
         roots = np.roots(terms[::-1])
-        angles = np.angle(roots[np.abs(np.abs(roots) - 1.0) < NEAR])
+        angles = np.angle(roots[np.abs(np.abs(roots) - 1.0) < UNIT_CIRCLE_TOLERANCE])
         return np.asarray(np.mod(angles, 2.0 * np.pi))
 
     def loss(self, gap: Array) -> Array:
@@ -154,9 +154,9 @@ class SpringCycle:
         trial = self.moved(end) - base
         limit = np.where(after, self.bound * (ends[1] - g), 0.0)
         result[touching] = np.clip(trial, -limit, limit)
-        # a spring that comes back to where it came from has not slid, though rounding may say so
-        seen = limit + ROUNDING * (self.shift_amplitude + self.bound * self.depth_amplitude)
-        ahead, behind = np.flatnonzero(trial > seen), np.flatnonzero(trial < -seen)
+        # a spring that returns to its place has not slid, apart from rounding
+        threshold = limit + DISPLACEMENT_ROUNDING * (self.shift_amplitude + self.bound * self.depth_amplitude)
+        ahead, behind = np.flatnonzero(trial > threshold), np.flatnonzero(trial < -threshold)
         return result, [
             _Slide(direction, touching[index], base[index], begin[index], end[index])
             for direction, index in ((1.0, ahead), (-1.0, behind))

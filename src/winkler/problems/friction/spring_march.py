@@ -1,7 +1,7 @@
 r"""Springs that remember: a contact that is sheared in the plane, or with a friction law of any kind, step by step.
 
 Every spring in contact follows the bodies until it bears no more; then it slips, on a bound that the law of friction
-sets: in proportion to its load (Coulomb), higher before it first slips, or in any other way.  In the plane the bound is
+sets: in proportion to its load (Coulomb), higher before it first slips, or by another law.  In the plane the bound is
 a circle, and a spring that slips turns towards the motion.  Between two points of the path the bodies move straight,
 and the springs follow that motion exactly, however far it goes.
 
@@ -32,23 +32,23 @@ from winkler.problems.assumptions.coupling import coefficient_of, sticking_note
 from winkler.problems.assumptions.declared import BALANCED, SHEARED
 from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.assumptions.energy import energy_note
-from winkler.problems.friction.spring_states import Shearing, SpringLaw, SpringState, spring_notes
+from winkler.problems.friction.spring_states import SpringLaw, SpringProblem, SpringState, spring_notes
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.stiffness_ratio import refuse_plane
 from winkler.validity import Assumption, Note
 from winkler.values import value
 
-__all__ = ["SpringMarch", "SpringState", "SpringTrace", "march"]
+__all__ = ["SpringMarch", "SpringState", "SpringTrace", "march_springs"]
 
 BLOCK = 256
 """Steps that go through the kernel together."""
-NEVER = 1e100
+UNREACHABLE_BOUND = 1e100
 """Instead of an infinite bound: so far no spring is ever displaced, and its square is still a number."""
-CLOSE = 1e-12
+FORCE_TOLERANCE = 1e-12
 """Relative error of a prescribed shear force in the plane."""
-MOST = 60
+MOST_NEWTON_STEPS = 60
 """Steps of Newton's method."""
-AT_BOUND = 1e-9
+BOUND_TOLERANCE = 1e-9
 """A spring this close to its bound, in parts of it, slips."""
 
 
@@ -59,7 +59,7 @@ class SpringTrace:
     Parameters
     ----------
     problem : SpringMarch
-        What was asked.
+        The problem that was solved.
     depth, force, radius : ndarray, (steps,)
         d [m], F_N [N], a [m].
     shift, shear_force : ndarray, (steps,) or (steps, 2)
@@ -98,14 +98,14 @@ class SpringMarch:
     """A contact that is pressed and sheared along a path, by a row of springs.
 
     Between two points depth and shift go straight.  Where forces are prescribed they are met at the points; in between
-    they are what that straight way gives, so give as many points as it takes.
+    they are those of a straight step, so give as many points as it takes.
 
     Parameters
     ----------
     bed : Bed
         Profile and medium.
     law : Coulomb, StaticKinetic or any law with a method shear_bound
-        How the surfaces rub: `winkler.problems.friction.spring_states.OwnLaw` says what a law of one's own looks like.
+        How the surfaces rub: `winkler.problems.friction.spring_states.OwnLaw` defines the form of a law of one's own.
     path : Path
         Depth or normal force; shift or shear force, in one direction or in the plane.
     count : int, optional
@@ -139,7 +139,7 @@ class SpringMarch:
         Raises
         ------
         OutsideValidity
-            If a shear force is asked for that friction does not bear; what comes before is yielded.
+            If a prescribed shear force is more than friction bears; what comes before is yielded.
         NotConverged
             If a shear force in the plane is not met.
         """
@@ -186,15 +186,15 @@ class SpringMarch:
         )
 
 
-def march(problem: Shearing, count: int = 400) -> Iterator[SpringState]:
+def march_springs(problem: SpringProblem, count: int = 400) -> Iterator[SpringState]:
     """Yield the springs of a sheared contact at every point of its path; see `SpringMarch.steps`."""
     return SpringMarch(problem.bed, problem.law, problem.path, count).steps()
 
 
 def _contact(problem: SpringMarch) -> tuple[Array, Array, Array]:
-    """Return depth, force and radius at every point; equal points are looked at once."""
-    given, where = np.unique(problem.path.across, return_inverse=True)
-    load = Depth(given) if isinstance(problem.path.normal, Depth) else Force(given)
+    """Return depth, force and radius at every point; equal points are solved once."""
+    distinct, where = np.unique(problem.path.across, return_inverse=True)
+    load = Depth(distinct) if isinstance(problem.path.normal, Depth) else Force(distinct)
     contact = Indentation(problem.bed, load).solve()
     depth, force, radius = (np.asarray(q)[where] for q in (contact.depth, contact.force, contact.radius))
     return depth, force, radius
@@ -232,7 +232,7 @@ class _Run:
         self.slope, self.hold = np.zeros(springs.gap.size), 1.0
         match problem.law:
             case Coulomb(coefficient):
-                self.slope = min(coefficient, NEVER) / springs.mindlin_ratio
+                self.slope = min(coefficient, UNREACHABLE_BOUND) / springs.mindlin_ratio
             case StaticKinetic(static, kinetic):
                 self.slope, self.hold = kinetic / springs.mindlin_ratio, static / kinetic
         self.plain = self.line and self.hold == 1.0 and isinstance(problem.law, Coulomb | StaticKinetic)
@@ -289,10 +289,10 @@ class _Run:
         march_plane(self.u, self.slips, self.gap, self.stiffness, bound, self.hold, own, shift, force, stored, lost)
 
     def _refuse(self, index: int) -> None:
-        asked = float(np.linalg.norm(self.along[index]))
+        shear = float(np.linalg.norm(self.along[index]))
         most = self.hold * float(self.stiffness @ self.bound(index + 1, index + 2)[0])
         raise OutsideValidity(
-            f"shear force {asked:.6g} N at index {index} is more than friction bears there, {most:.6g} N: the bodies "
+            f"shear force {shear:.6g} N at index {index} is more than friction bears there, {most:.6g} N: the bodies "
             "would slide away; give a smaller one, or a Shift."
         )
 
@@ -300,7 +300,7 @@ class _Run:
         """Find the shift in the plane that gives a force, by Broyden's method from the stiffness of stuck springs."""
         target, start = self.along[index], self.shift[index]
         size = float(np.linalg.norm(target))
-        if size > self.hold * float(self.stiffness @ bound[1]) * (1.0 + CLOSE):
+        if size > self.hold * float(self.stiffness @ bound[1]) * (1.0 + FORCE_TOLERANCE):
             self._refuse(index)
         stuck = float(self.stiffness @ (bound[1] > 0.0))
         self.shift[index + 1] = start
@@ -316,9 +316,9 @@ class _Run:
             return np.asarray(target - pull[0])
 
         at, left, rise = start.copy(), short(start), stuck * np.eye(2)
-        for _ in range(MOST):
+        for _ in range(MOST_NEWTON_STEPS):
             missed = float(np.linalg.norm(left))
-            if missed <= CLOSE * scale:
+            if missed <= FORCE_TOLERANCE * scale:
                 self.shift[index + 1] = at
                 return
             step = np.linalg.solve(rise, left)
@@ -341,7 +341,7 @@ class _Run:
         )
 
     def work(self, index: int, u: Array, slips: Array) -> float:
-        """Return the work on springs that stood at u, on the path to point `index` [J]."""
+        """Return the work on springs that were at u, on the path to point `index` [J]."""
         depths, move = self.own[index : index + 2].tolist(), self.shift[index + 1] - self.shift[index]
         bounds = self.bound(index, index + 2)
         return float(self.stiffness @ work_on_springs(u, slips, self.gap, bounds, self.hold, tuple(depths), move))
@@ -372,7 +372,7 @@ class _Run:
         size = np.hypot(*self.u)
         touching = int(np.count_nonzero(bound > 0.0))
         left = (bound - size)[:touching]
-        slip = self.slips[:touching] if self.hold > 1.0 else left <= AT_BOUND * bound[:touching]
+        slip = self.slips[:touching] if self.hold > 1.0 else left <= BOUND_TOLERANCE * bound[:touching]
         free = np.flatnonzero(slip)
         if not free.size:
             return float(self.radius[index])

@@ -17,18 +17,19 @@ from winkler.path import Path
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
-__all__ = ["OwnLaw", "Shearing", "SpringLaw", "SpringState", "spring_notes"]
+__all__ = ["OwnLaw", "SpringLaw", "SpringProblem", "SpringState", "spring_notes"]
 
-ALIKE = 1e-9
+RATIO_TOLERANCE = 1e-9
 """Ratios of stiffness that differ by less are equal."""
 
 
 @offered("a law with a method shear_bound(line_load)")
 @runtime_checkable
 class OwnLaw(Protocol):
-    """A law of friction of one's own, spoken to its implementer: how much springs bear along the surface.
+    """The methods of a law of friction of one's own: how much springs bear along the surface.
 
-    It is asked once for many steps, and holds for every spring by itself.  Make it a value (frozen, equal by content).
+    It is evaluated once for many steps, and holds for every spring by itself.  Make it a value (frozen, equal by
+    content).
     """
 
     def shear_bound(self, line_load: Array) -> Array:
@@ -40,8 +41,8 @@ SpringLaw = Coulomb | StaticKinetic | OwnLaw
 """How springs may rub."""
 
 
-class Shearing(Protocol):
-    """What `march` needs of a problem: a bed, a friction law and a path."""
+class SpringProblem(Protocol):
+    """What `march_springs` needs of a problem: a bed, a friction law and a path."""
 
     @property
     def bed(self) -> Bed:
@@ -111,7 +112,7 @@ class SpringState:
             In a layered medium, where tractions are not those of pressed contacts.
         """
         spread = ratio_spread(self.springs)
-        if spread > ALIKE:
+        if spread > RATIO_TOLERANCE:
             raise OutsideValidity(
                 "The ratio of tangential to normal stiffness is not the same for all springs (it varies by "
                 f"{100.0 * spread:.2g} %), as in layered media; tractions cannot be restored there, only forces."
@@ -143,7 +144,7 @@ DROPPING = Note(
     Standing.APPROXIMATE,
     "A spring that begins to slip drops to its kinetic bound, by itself: the edge of the stick zone is then a jump, "
     "forces and energies are of first order in the distance of the springs, and restored tractions are singular there.",
-    "property of the rule; the theory of Cattaneo and Mindlin knows one coefficient only",
+    "property of the rule; the theory of Cattaneo and Mindlin has one coefficient only",
 )
 OF_SPRINGS = Note(
     Assumption.SLIP,
@@ -184,7 +185,7 @@ def spring_notes(springs: Springs, law: SpringLaw, *, in_plane: bool) -> tuple[N
     if in_plane:
         notes.append(IN_PLANE)
     spread = ratio_spread(springs)
-    if spread > ALIKE:
+    if spread > RATIO_TOLERANCE:
         notes.append(
             Note(
                 Assumption.SLIP,

@@ -1,13 +1,13 @@
 r"""A contact that is pressed and moved along the surface: stick, partial slip and sliding, with memory of what was.
 
 Springs stick until the friction they bear is used up, slide on that bound, and let go when nothing presses them any
-more.  In one direction the springs are not needed one by one: told apart by their gap they follow straight pieces
-(`winkler.problems.friction.slip_memory`), so that every history of straight ways in depth and shift is solved exactly,
+more.  In one direction the springs are not needed one by one: distinguished by their gap they follow straight pieces
+(`winkler.problems.friction.slip_memory`), so that every history of straight steps in depth and shift is solved exactly,
 
 .. math:: F_x = \frac{G^*}{E^*}\int u_t\,\mathrm dK, \qquad U_t = \frac{G^*}{2E^*}\int u_t^2\,\mathrm dK .
 
-Where a prescribed force bends the way between two points it is refined.  In the plane, under other laws of friction and
-on layered media the springs march one by one (`winkler.problems.friction.spring_march`).
+Where a prescribed force bends the step between two points it is refined.  In the plane, under other laws of friction
+and on layered media the springs march one by one (`winkler.problems.friction.spring_march`).
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from winkler.path import Path
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import BALANCED, SHEARED
 from winkler.problems.assumptions.energy import energy_note
-from winkler.problems.friction.spring_march import march
+from winkler.problems.friction.spring_march import march_springs
 from winkler.problems.friction.spring_states import SpringLaw, SpringState
 from winkler.problems.friction.tangential_march import SlipPath
 from winkler.problems.friction.tangential_states import TangentialState, friction_notes, stick_radii
@@ -54,7 +54,7 @@ class Tangential:
     Raises
     ------
     InvalidInput
-        If the path twists the bodies (ask for Torsion), or the law is none of friction.
+        If the path twists the bodies (use Torsion), or the law is none of friction.
 
     References
     ----------
@@ -87,7 +87,7 @@ class Tangential:
         if not isinstance(self.path.lateral, Shift | ShearForce):
             raise InvalidInput(
                 f"Tangential: the path prescribes a {type(self.path.lateral).__name__}; give Shift or ShearForce, or "
-                "ask for Torsion."
+                "use Torsion."
             )
         refuse_plane("Tangential", self.bed, self.path)
 
@@ -110,27 +110,27 @@ class Tangential:
         OutsideValidity
             If friction does not bear a prescribed shear force, at that step: the states before it have been yielded.
         NotConverged
-            If a way that is bent by prescribed forces is too long to be followed; give more points.
+            If a step that is curved by prescribed forces is too long to be followed; give more points.
         """
         contact = self.normal
         widest = float(np.max(contact.radius, initial=0.0))
         ratios = stiffness_ratios(self.bed, widest) if widest > 0.0 else (1.0, 1.0)
         if not isinstance(self.law, Coulomb) or self.path.in_plane or not alike(ratios):
-            yield from march(self)
+            yield from march_springs(self)
             return
-        ways = SlipPath(self.bed, self.law.coefficient, ratios[1], self.path, contact)
+        steps_ = SlipPath(self.bed, self.law.coefficient, ratios[1], self.path, contact)
         points = zip(self.path.time.tolist(), *(np.asarray(q).tolist() for q in _three(contact)), strict=True)
         lost = work = 0.0
-        for (time, depth, force, radius), end in zip(points, ways.points_reached(), strict=True):
+        for (time, depth, force, radius), end in zip(points, steps_.points_reached(), strict=True):
             lost, work = lost + end.lost, work + end.spent
-            stored = ways.stored(end.memory)
+            stored = steps_.stored(end.memory)
             yield TangentialState(
                 self.bed, self.law, ratios[1], time, depth, force, radius, end.shift, end.shear_force, work, stored,
                 lost, end.memory,
             )  # fmt: skip
 
     def gathered(self, states: Iterable[TangentialState | SpringState]) -> TangentialSolution:
-        """Return the answer from these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its beginning."""
         reached = list(states)
         return gather(TangentialSolution, self, reached, stick_radius=stick_radii(self.bed, reached))
 
@@ -151,12 +151,12 @@ class Tangential:
 
 @value
 class TangentialSolution:
-    """The answer to a `Tangential` problem, point by point.
+    """The solution of a `Tangential` problem, point by point.
 
     Parameters
     ----------
     problem : Tangential
-        What was asked.
+        The problem that was solved.
     time : ndarray, (steps,)
         t [s].
     depth, force, radius : ndarray, (steps,)

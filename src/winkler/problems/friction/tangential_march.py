@@ -1,7 +1,7 @@
-"""The march of a contact that is pressed and moved in one direction, its springs told apart by their gap.
+"""The march of a contact that is pressed and moved in one direction, its springs distinguished by their gap.
 
-A way that is straight in depth and shift is one step of `SlipMemory`, however long.  Where a prescribed force bends it,
-it is halved until the halves bring the springs to where the whole did.
+A step that is straight in depth and shift is one move of `SlipMemory`, however long.  Where a prescribed force bends
+it, it is halved until the halves bring the springs to where the whole did.
 """
 
 from __future__ import annotations
@@ -21,24 +21,24 @@ from winkler.problems.friction.slip_sums import SlipSums
 from winkler.problems.normal.force_curve import normal_curve
 from winkler.problems.normal.indentation import IndentationSolution
 
-__all__ = ["BENT", "SlipPath", "SlipPoint"]
+__all__ = ["CURVED_STEP_TOLERANCE", "SlipPath", "SlipPoint"]
 
-BENT = 3e-5
-"""Bent ways are halved until springs and loss end elsewhere by less than this part of the greatest there are."""
-APART = 1e-9
-"""Depth [m] to which the normal curve is made for bodies that never touch, and never asked."""
-SHORTEST = 2.0**-40
-"""A part of a way that is not halved any more."""
-FULL = 1e-12
+CURVED_STEP_TOLERANCE = 3e-5
+"""Curved steps are halved until springs and loss end elsewhere by less than this part of the greatest there are."""
+UNTOUCHED_DEPTH = 1e-9
+"""Depth [m] to which the normal curve is made for bodies that never touch, and never evaluated."""
+SHORTEST_STEP = 2.0**-40
+"""Part of a step that is no longer halved."""
+SLIDING_TOLERANCE = 1e-12
 """A shear force beyond what friction bears by no more than this part of it is that of sliding."""
-CLOSE = 4e-15
+FORCE_TOLERANCE = 4e-15
 """A shear force is met to this part of what friction bears."""
-MOST = 200
+MOST_NEWTON_STEPS = 200
 """Steps of Newton's method, halving where that leads astray."""
 
 
 class SlipPoint(NamedTuple):
-    """Where a way ends.
+    """The end of a step.
 
     Parameters
     ----------
@@ -58,7 +58,7 @@ class SlipPoint(NamedTuple):
 
 
 class SlipPath:
-    """The ways between the points of a path.
+    """The steps between the points of a path.
 
     Parameters
     ----------
@@ -80,15 +80,15 @@ class SlipPath:
         self.driven = isinstance(path.lateral, Shift)
         self.pressed = isinstance(path.normal, Depth)
         deepest = max(*self.depths, 0.0)
-        self.sums = SlipSums(normal_curve(bed, deepest if deepest > 0.0 else APART))
+        self.sums = SlipSums(normal_curve(bed, deepest if deepest > 0.0 else UNTOUCHED_DEPTH))
         stiffness, _, _ = self.sums.at(deepest)
         greatest = float(np.max(np.abs(path.along)))
         size = greatest if self.driven or stiffness == 0.0 else greatest / (ratio * stiffness)
         size = min(self.beta * deepest, size) if deepest > 0.0 else 0.0
-        self.allowed = BENT * size, BENT * ratio * stiffness * size**2
+        self.allowed = CURVED_STEP_TOLERANCE * size, CURVED_STEP_TOLERANCE * ratio * stiffness * size**2
 
     def points_reached(self) -> Iterator[SlipPoint]:
-        """Yield where every way ends, the first one pressed straight down and moved after."""
+        """Yield the end of every step, the first one pressed straight down and moved after."""
         memory, _ = SlipMemory.fresh().moved(self.depths[0], 0.0, self.beta)
         here = self._leap(0, SlipPoint(memory, 0.0, 0.0, 0.0, 0.0), self.depths[0], self.along[0])
         yield here
@@ -109,7 +109,7 @@ class SlipPath:
         forces = self.forces[index - 1 : index + 1]
 
         def place(share: float) -> tuple[float, float]:
-            """Return the depth a part of the way down, and what is prescribed along the surface then."""
+            """Return the depth at a part of the step, and what is prescribed along the surface then."""
             depth = before + (after - before) * share
             if self.pressed:
                 return depth, first + (last - first) * share
@@ -125,8 +125,9 @@ class SlipPath:
             whole = self._leap(index, here, *ends[goal])
             half = self._leap(index, here, *place(middle))
             two = self._leap(index, half, *ends[goal])
-            if goal - done <= SHORTEST or self._alike(whole, two):
-                # the loss of pieces falls short with the square of their length: the two lead on to the bent way's
+            if goal - done <= SHORTEST_STEP or self._alike(whole, two):
+                # the loss of pieces falls short with the square of their length: the two extrapolate to that of the
+                # curved step
                 lost = max(two.lost + (two.lost - whole.lost) / 3.0, here.lost)
                 spent = two.spent + (two.spent - whole.spent) / 3.0
                 here, done = two._replace(lost=lost, spent=spent), goals.pop()
@@ -136,7 +137,7 @@ class SlipPath:
         return here
 
     def _alike(self, one: SlipPoint, two: SlipPoint) -> bool:
-        """Return whether two arrivals are the same but for a small part of displacements and energies on the path."""
+        """Return whether two end states are the same but for a small part of displacements and energies on the path."""
         gaps = np.union1d(one.memory.edges, two.memory.edges)
         apart = float(np.max(np.abs(one.memory.value(gaps) - two.memory.value(gaps)), initial=0.0))
         # springs that all slide in the end forget how they came there, what it has cost does not
@@ -156,10 +157,10 @@ class SlipPath:
         """Return the shift that brings a shear force about; the smallest if all slides."""
         force = self.sums.at(depth)[1] if depth > 0.0 else 0.0
         most = self.coefficient * force if force > 0.0 else 0.0
-        if abs(target) > most * (1.0 + FULL):
+        if abs(target) > most * (1.0 + SLIDING_TOLERANCE):
             raise OutsideValidity(
-                f"Tangential: at index {index} of the path a shear force of {target:.6g} N is asked for where friction "
-                f"bears {most:.6g} N at most, and the bodies would slide away; give a smaller one, or a Shift."
+                f"Tangential: at index {index} of the path a shear force of {target:.6g} N is prescribed where "
+                f"friction bears {most:.6g} N at most, and the bodies would slide away; give a smaller one, or a Shift."
             )
         if depth <= 0.0:
             return 0.0
@@ -172,13 +173,13 @@ class SlipPath:
         short, slope = look(0.0)
         if math.isinf(self.beta):
             return short / slope
-        if abs(target) >= most * (1.0 - CLOSE):
+        if abs(target) >= most * (1.0 - FORCE_TOLERANCE):
             return math.copysign(self._until_all_slide(memory, depth, math.copysign(1.0, target)), target)
         largest = float(np.max(np.abs([memory.left, memory.right]), initial=0.0))
         end = 2.0 * (self.beta * max(depth, abs(depth - memory.depth)) + largest)
         low, high = -end, end
-        for _ in range(MOST):
-            if abs(short) <= CLOSE * most or high - low <= CLOSE * end:
+        for _ in range(MOST_NEWTON_STEPS):
+            if abs(short) <= FORCE_TOLERANCE * most or high - low <= FORCE_TOLERANCE * end:
                 return change
             low, high = (change, high) if short > 0.0 else (low, change)
             following = change + short / slope if slope > 0.0 else math.inf
@@ -191,8 +192,8 @@ class SlipPath:
 
     def _until_all_slide(self, memory: SlipMemory, depth: float, side: float) -> float:
         """Return how far the bodies move until every spring slides to a side [m]."""
-        kept = min(max(memory.depth, 0.0), depth)
-        gaps = np.append(memory.edges[memory.edges < kept], kept)
-        left = np.append(memory.left[: gaps.size - 1], memory.value(np.array([kept])))
+        common = min(max(memory.depth, 0.0), depth)
+        gaps = np.append(memory.edges[memory.edges < common], common)
+        left = np.append(memory.left[: gaps.size - 1], memory.value(np.array([common])))
         far = self.beta * (depth - gaps) - side * left
         return max(float(np.max(far)), self.beta * (depth - memory.depth), 0.0)

@@ -18,10 +18,10 @@ from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.friction.sheared_springs import sheared_by_pieces
 from winkler.problems.friction.slip_memory import SlipMemory
 from winkler.problems.friction.spring_states import SpringLaw, SpringState, spring_notes
-from winkler.problems.friction.tangential_march import BENT
+from winkler.problems.friction.tangential_march import CURVED_STEP_TOLERANCE
 from winkler.problems.normal.solve_contact import at_depth
 from winkler.problems.normal.validity import indentation_notes
-from winkler.problems.normal.yield_statement import Rubbing, slid_depth
+from winkler.problems.normal.yield_statement import SurfaceFriction, slid_depth
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
@@ -109,8 +109,8 @@ def stick_radii(bed: Bed, states: Sequence[TangentialState | SpringState]) -> Ar
 def _stick_radii(bed: Bed, gaps: Array, depth: Quantity, radius: Quantity) -> Array:
     """Return where springs of given gaps stand [m], within contacts of given depth and radius; zero for no gap."""
     inner = (gaps > 0.0) & (gaps < depth)
-    found, where = np.unique(np.where(inner, gaps, 0.0), return_inverse=True)
-    return np.where(inner, at_depth(bed, found)[1][where], np.where(gaps > 0.0, radius, 0.0))
+    distinct, where = np.unique(np.where(inner, gaps, 0.0), return_inverse=True)
+    return np.where(inner, at_depth(bed, distinct)[1][where], np.where(gaps > 0.0, radius, 0.0))
 
 
 def friction_notes(
@@ -158,15 +158,15 @@ def friction_notes(
     return tuple(notes)
 
 
-def _rubbing(law: SpringLaw, depth: Array, force: Array, shear_force: Array) -> Rubbing:
+def _rubbing(law: SpringLaw, depth: Array, force: Array, shear_force: Array) -> SurfaceFriction:
     match law:
         case Coulomb(coefficient):
             most = kinetic = coefficient
         case StaticKinetic(static, kinetic):
             most = static
         case _:
-            return Rubbing(math.inf)
-    return Rubbing(most, slid_depth(kinetic, depth, force, shear_force), kinetic)
+            return SurfaceFriction(math.inf)
+    return SurfaceFriction(most, slid_depth(kinetic, depth, force, shear_force), kinetic)
 
 
 EXACT = Note(
@@ -174,6 +174,6 @@ EXACT = Note(
     Standing.EXACT,
     "One direction of motion: springs of one gap stick and slide together, and every history of depth and shift is "
     "solved within Cattaneo-Mindlin (tractions along the motion) but for rounding. Between points where a prescribed "
-    f"force bends the way, springs are followed to {BENT:.0e} of the greatest displacement.",
+    f"force bends the step, springs are followed to {CURVED_STEP_TOLERANCE:.0e} of the greatest displacement.",
     MINDLIN,
 )

@@ -27,8 +27,16 @@ from winkler.path import Path
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import BALANCED, PRESSED
 from winkler.problems.assumptions.energy import energy_note
-from winkler.problems.friction.torsion_bound import Press, TwistBound, twist_bound
-from winkler.problems.friction.torsion_march import LOSS, TURN, Turned, square, torque_of, turned, turned_to
+from winkler.problems.friction.torsion_bound import PressedState, TwistBound, twist_bound
+from winkler.problems.friction.torsion_march import (
+    ANGLE_TOLERANCE,
+    LOSS_TOLERANCE,
+    TorsionStep,
+    square,
+    step_to_torque,
+    torque_of,
+    torsion_step,
+)
 from winkler.problems.friction.torsion_memory import TwistMemory, fresh, pieces_of
 from winkler.problems.friction.torsion_states import TorsionState, TwistedSprings
 from winkler.problems.friction.torsion_yield import torsion_yield_notes
@@ -39,13 +47,13 @@ from winkler.values import value
 
 __all__ = ["Torsion", "TorsionSolution"]
 
-CLOSE = 1e-12
+LEVEL_TOLERANCE = 1e-12
 """Part of the level by which two contacts may differ whose bounds are the same."""
 
-ROUNDING = 1e-6
+TRACTION_ROUNDING = 1e-6
 """Excess of the traction over friction that is none."""
-LOOKED_AT, PLACES = 24, 193
-"""At so many points of a path where the load falls the traction is looked at, at so many radii."""
+PATH_SAMPLES, RADIUS_SAMPLES = 24, 193
+"""At so many points of a path where the load falls the traction is examined, at so many radii."""
 
 
 @value
@@ -144,8 +152,8 @@ class Torsion:
         bound = twist_bound(self.bed, self.law.coefficient, widest if widest > 0.0 else 1.0, self._forced)
         excess = np.where(radius >= self.bed.rim, depth - self.bed.gap(radius), 0.0)
         rows = (self.path.across, radius, np.maximum(excess, 0.0))
-        presses = [Press(*row) for row in zip(*(each.tolist() for each in rows), strict=True)]
-        memory = turned(bound, fresh(min(presses[0].level, 0.0)), presses[0], 0.0).memory
+        presses = [PressedState(*row) for row in zip(*(each.tolist() for each in rows), strict=True)]
+        memory = torsion_step(bound, fresh(min(presses[0].level, 0.0)), presses[0], 0.0).memory
         angle = lost = work = 0.0
         for i, (press, target) in enumerate(zip(presses, self.path.along.tolist(), strict=True)):
             step = self._step(bound, memory, press, target, angle, i)
@@ -169,18 +177,18 @@ class Torsion:
             )
 
     def _step(
-        self, bound: TwistBound, memory: TwistMemory, press: Press, target: float, angle: float, index: int
-    ) -> Turned:
+        self, bound: TwistBound, memory: TwistMemory, press: PressedState, target: float, angle: float, index: int
+    ) -> TorsionStep:
         if isinstance(self.path.lateral, Angle):
             modulus = self.bed.medium.torsional_modulus  # type: ignore[attr-defined]
-            return turned(bound, memory, press, 8.0 * modulus * (target - angle))
+            return torsion_step(bound, memory, press, 8.0 * modulus * (target - angle))
         try:
-            return turned_to(bound, memory, press, target)
+            return step_to_torque(bound, memory, press, target)
         except OutsideValidity as error:
             raise OutsideValidity(f"Torsion: at index {index} of the path {error}") from None
 
     def gathered(self, states: Iterable[TorsionState]) -> TorsionSolution:
-        """Return the answer from these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its beginning."""
         return gather(TorsionSolution, self, states)
 
     def solve(self) -> TorsionSolution:
@@ -200,12 +208,12 @@ class Torsion:
 
 @value
 class TorsionSolution:
-    """The answer to a `Torsion`, point by point.
+    """The solution of a `Torsion`, point by point.
 
     Parameters
     ----------
     problem : Torsion
-        What was asked.
+        The problem that was solved.
     time : ndarray, (steps,)
         [s].
     depth, force, radius : ndarray, (steps,)
@@ -276,13 +284,13 @@ def _notes(solution: TorsionSolution) -> Iterator[Note]:
     )
     bad = np.flatnonzero(~solution.nested.astype(bool))
     excess, index = _excess(solution)
-    if bad.size or excess > ROUNDING:
+    if bad.size or excess > TRACTION_ROUNDING:
         yield Note(
             Assumption.SLIP,
             Standing.APPROXIMATE,
             f"From index {min([*bad[:1].tolist(), index])} on springs have slid with sticking ones outside of them: "
             "the normal load falls while the twist turns back.  There the law holds for the springs, but not on all "
-            f"of the surface: the traction exceeds coefficient times pressure by up to {excess:.1%}, where looked at.",
+            f"of the surface: the traction exceeds coefficient times pressure by up to {excess:.1%}, where examined.",
             "traction restored at points where the load falls",
         )
     moving = isinstance(solution.problem.path.lateral, Torque)
@@ -290,7 +298,11 @@ def _notes(solution: TorsionSolution) -> Iterator[Note]:
         Assumption.RESOLUTION,
         Standing.EXACT,
         "Angle, torque and slip are known without a grid; under a changing normal load "
-        + (f"the angle to {TURN:g} of what friction bears." if moving else f"the loss to {LOSS:g} of the energies."),
+        + (
+            f"the angle to {ANGLE_TOLERANCE:g} of what friction bears."
+            if moving
+            else f"the loss to {LOSS_TOLERANCE:g} of the energies."
+        ),
         "moves along the path halved until they agree",
     )
 
@@ -300,13 +312,13 @@ def _excess(solution: TorsionSolution) -> tuple[float, int]:
     last = len(solution.states)
     falling = np.flatnonzero((np.diff(solution.depth) < 0.0) & (solution.radius[1:] > 0.0)) + 1
     greatest, first = 0.0, last
-    for index in falling[:: max(1, falling.size // LOOKED_AT)].tolist():
+    for index in falling[:: max(1, falling.size // PATH_SAMPLES)].tolist():
         state = solution.states[index]
-        r = np.linspace(0.02, 0.98, PLACES) * state.radius
+        r = np.linspace(0.02, 0.98, RADIUS_SAMPLES) * state.radius
         pressed = PressedSprings(solution.problem.bed, state.depth, state.radius)
         borne = solution.problem.law.coefficient * solution.problem.bed.medium.pressure(pressed, r)
         excess = float(np.max(np.abs(state.traction(r)) / borne)) - 1.0 if borne.min() > 0.0 else 0.0
-        if excess > ROUNDING:
+        if excess > TRACTION_ROUNDING:
             greatest, first = max(greatest, excess), min(first, index)
     return greatest, first
 
@@ -314,7 +326,7 @@ def _excess(solution: TorsionSolution) -> tuple[float, int]:
 def _stick_radius(memory: TwistMemory) -> float:
     """Return the radius up to which no spring is at the bound of the contact as it is."""
     for piece in pieces_of(memory):
-        same = abs(piece.bound.level - memory.level) <= CLOSE * abs(memory.level)
+        same = abs(piece.bound.level - memory.level) <= LEVEL_TOLERANCE * abs(memory.level)
         if piece.side != 0.0 and piece.held == 0.0 and piece.entered == 0.0 and same:
             return piece.low
     return memory.radius

@@ -1,7 +1,7 @@
 r"""How much the springs of a twisted contact bear before they slide.
 
 A ring that slides carries :math:`\mu p(r)`, so the springs of a sliding outer part of the contact carry
-:math:`q(x) = 4\mu x\int_x^a p(r)\,(r^2-x^2)^{-1/2}\,\mathrm dr`: each feels the pressure of all
+:math:`q(x) = 4\mu x\int_x^a p(r)\,(r^2-x^2)^{-1/2}\,\mathrm dr`: each depends on the pressure of all
 rings farther out.  With :math:`q = x\,h(x)` and the pressure as a sum of flat punches' pressures
 
 .. math:: b(x) = \frac{4\mu E^*}\pi\Big[\int_x^a K\big(1-\tfrac{x^2}{t^2}\big)\frac{g'(t)}t\,\mathrm dt
@@ -23,10 +23,10 @@ from winkler.foundation.bed import Bed
 from winkler.numerics.panels.kink_panels import Stretches, stretches
 from winkler.numerics.types import Array
 
-__all__ = ["Press", "TwistBound", "twist_bound"]
+__all__ = ["PressedState", "TwistBound", "twist_bound"]
 
 
-class Press(NamedTuple):
+class PressedState(NamedTuple):
     """How a contact is pressed: what is prescribed (depth [m] or force [N]), its radius [m], and d - g(a) [m]."""
 
     level: float
@@ -81,8 +81,8 @@ class TwistBound:
         before = panels.part(t, own) * table[np.arange(t.size), own]
         self._sums: Array = np.cumsum(whole, axis=1) - whole - np.sum(before, axis=1)[:, None]
 
-    @functools.lru_cache(maxsize=64)  # noqa: B019 - bounds are few and kept by `twist_bound`
-    def at(self, press: Press) -> Array:
+    @functools.lru_cache(maxsize=64)  # noqa: B019 - bounds are few and cached by `twist_bound`
+    def at(self, press: PressedState) -> Array:
         """Return b at the nodes [Pa], and what it would go on to be just beyond the edge, in the edge's panel."""
         result = np.zeros(self.x.size)
         if press.radius > 0.0:
@@ -102,7 +102,7 @@ class TwistBound:
         """Return how -b' diverges above a kink at which g' holds strength / sqrt(x^2 - kink^2) [Pa]."""
         return self._factor * 0.5 * math.pi * strength / kink
 
-    def most(self, press: Press) -> float:
+    def most(self, press: PressedState) -> float:
         """Return the torque at which everything slides [N m]."""
         if self.endless:
             return math.inf if press.radius > 0.0 else 0.0

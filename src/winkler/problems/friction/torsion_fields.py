@@ -24,7 +24,7 @@ class TwistedFields:
     pressure : ndarray
         p [Pa], compression positive, zero outside the contact.
     traction : ndarray
-        tau_theta [Pa] around the axis, positive the way of a positive torque.
+        tau_theta [Pa] around the axis, positive in the direction of a positive torque.
     hoop_displacement : ndarray
         u_theta [m], of both surfaces together.
     slip : ndarray
@@ -43,8 +43,8 @@ def twisted_surface(state: TorsionState, r: Array) -> TwistedFields:
     """Return pressure, traction, displacement and slip at distances from the axis [m]."""
     pressed = _pressed(state)
     pressure = pressed.bed.medium.pressure(pressed, r) if pressed.radius > 0.0 else np.zeros(r.shape)
-    turned = state.turning(r)
-    return TwistedFields(r, pressure, state.traction(r), turned, state.angle * r - turned)
+    displacement = state.turning(r)
+    return TwistedFields(r, pressure, state.traction(r), displacement, state.angle * r - displacement)
 
 
 def body_of_twisted(state: TorsionState, x: Array, y: Array, z: Array) -> BodyFields:

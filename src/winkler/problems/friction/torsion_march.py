@@ -1,6 +1,6 @@
 r"""One step of a twisted contact: along a straight line in the normal load and the angle, or the torque.
 
-Under a prescribed angle one move along the line is exact, however long; only the loss depends on the way, if load and
+Under a prescribed angle one move along the line is exact, however long; only the loss depends on the path, if load and
 angle change together and something slides: it is then summed over ever shorter moves.  Under a prescribed torque the
 angle is sought that it needs, at the end of the line, or, if the load changes too, at ever more points of it.
 """
@@ -13,27 +13,27 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
-from winkler.problems.friction.torsion_bound import Press, TwistBound
-from winkler.problems.friction.torsion_memory import Move, TwistMemory, moved, pieces_of, slid_along, stuck_work
+from winkler.problems.friction.torsion_bound import PressedState, TwistBound
+from winkler.problems.friction.torsion_memory import TwistMemory, TwistMove, moved, pieces_of, slid_along, stuck_work
 
-__all__ = ["LOSS", "TURN", "Turned", "square", "torque_of", "turned", "turned_to"]
+__all__ = ["ANGLE_TOLERANCE", "LOSS_TOLERANCE", "TorsionStep", "square", "step_to_torque", "torque_of", "torsion_step"]
 
-LOSS = 1e-8
+LOSS_TOLERANCE = 1e-8
 """Tolerance of the energy lost in a step, relative to the energy stored in it and lost in it."""
-TURN = 1e-4
+ANGLE_TOLERANCE = 1e-4
 """Tolerance of angle and loss in a step under a torque and a changing load, relative to what the contact can bear."""
-MOST = 13
+MOST_HALVINGS = 13
 """How often the moves of a step are halved at most."""
-LIMIT = 1e-12
+TORQUE_MARGIN = 1e-12
 """Part of the greatest torque that stays unreachable."""
-MISS = 1e-12
+TORQUE_TOLERANCE = 1e-12
 """Part of the greatest torque by which a prescribed one may be missed."""
-TRIES = 200
+MOST_TRIALS = 200
 """At most so many angles are tried for a torque."""
 
 
-class Turned(NamedTuple):
-    """The springs after a step, 8 G_t times the change of the angle [Pa], 4 G_t times loss and work, `Move.nested`."""
+class TorsionStep(NamedTuple):
+    """The springs after a step, 8 G_t times the change of angle [Pa], 4 G_t times loss and work, `TwistMove.nested`."""
 
     memory: TwistMemory
     twist: float
@@ -65,25 +65,25 @@ def square(bound: TwistBound, memory: TwistMemory) -> float:
     return total
 
 
-def turned(bound: TwistBound, memory: TwistMemory, press: Press, twist: float) -> Turned:
+def torsion_step(bound: TwistBound, memory: TwistMemory, press: PressedState, twist: float) -> TorsionStep:
     """Return the springs after load and angle have changed in proportion."""
     press = _settled(memory.press, press)
     whole = moved(bound, memory, press, twist)
     stuck = stuck_work(bound, memory, press, twist)
     if whole.loss == 0.0 or press == memory.press:
-        return Turned(whole.memory, twist, whole.loss, stuck + whole.extra, whole.nested)
+        return TorsionStep(whole.memory, twist, whole.loss, stuck + whole.extra, whole.nested)
     stored = [square(bound, each) for each in (memory, whole.memory)]
     if twist == 0.0:  # nothing is put in: what is lost was stored
-        return Turned(whole.memory, twist, max(0.5 * (stored[0] - stored[1]), 0.0), 0.0, whole.nested)
+        return TorsionStep(whole.memory, twist, max(0.5 * (stored[0] - stored[1]), 0.0), 0.0, whole.nested)
     rough = best = whole.loss
     extra = whole.extra
-    for halving in range(1, MOST + 1):
-        way = [step for step, _ in _way(bound, memory.press, press, 2**halving)]
-        fine, work = slid_along(bound, memory, way, twist, whole.rings)
+    for halving in range(1, MOST_HALVINGS + 1):
+        path = [step for step, _ in _path(bound, memory.press, press, 2**halving)]
+        fine, work = slid_along(bound, memory, path, twist, whole.rings)
         better, rough = fine + (fine - rough) / 3.0, fine
         settled, extra = work + (work - extra) / 3.0, work
-        if abs(better - best) <= LOSS * (0.5 * max(stored) + fine):
-            return Turned(whole.memory, twist, max(better, 0.0), stuck + settled, whole.nested)
+        if abs(better - best) <= LOSS_TOLERANCE * (0.5 * max(stored) + fine):
+            return TorsionStep(whole.memory, twist, max(better, 0.0), stuck + settled, whole.nested)
         best = better
     raise NotConverged(
         f"Torsion: the energy lost between the normal loads {memory.level:.6g} and {press.level:.6g} does not settle; "
@@ -91,7 +91,7 @@ def turned(bound: TwistBound, memory: TwistMemory, press: Press, twist: float) -
     )
 
 
-def turned_to(bound: TwistBound, memory: TwistMemory, press: Press, torque: float) -> Turned:
+def step_to_torque(bound: TwistBound, memory: TwistMemory, press: PressedState, torque: float) -> TorsionStep:
     """Return the springs after load and torque have changed in proportion.
 
     Raises
@@ -103,26 +103,28 @@ def turned_to(bound: TwistBound, memory: TwistMemory, press: Press, torque: floa
     """
     press = _settled(memory.press, press)
     if press == memory.press:
-        return _sought(bound, memory, press, torque)
+        return _step_to(bound, memory, press, torque)
     start = torque_of(bound, memory)
     angle, size = _scales(bound, memory, press, torque)
-    old: Turned | None = None
+    old: TorsionStep | None = None
     best = 0.0
-    for halving in range(MOST + 1):
+    for halving in range(MOST_HALVINGS + 1):
         now, twist, loss, work, nested, done, rate = memory, 0.0, 0.0, 0.0, True, 0.0, 0.0
-        for step, share in _way(bound, memory.press, press, 2**halving):
+        for step, share in _path(bound, memory.press, press, 2**halving):
             done = min(done + share, 1.0)
             aim = torque if step == press else start + (torque - start) * done
-            part = _sought(bound, now, step, aim, rate * share)
+            part = _step_to(bound, now, step, aim, rate * share)
             rate = part.twist / share
             now, twist, nested = part.memory, twist + part.twist, nested and part.nested
             loss, work = loss + part.loss, work + part.work
-        new = Turned(now, twist, loss, work, nested)
+        new = TorsionStep(now, twist, loss, work, nested)
         if old is None:
             old, best = new, new.loss
             continue
         better = new.loss + (new.loss - old.loss) / 3.0
-        if abs(new.twist - old.twist) <= TURN * angle and abs(better - best) <= TURN * (size + new.loss):
+        if abs(new.twist - old.twist) <= ANGLE_TOLERANCE * angle and abs(better - best) <= ANGLE_TOLERANCE * (
+            size + new.loss
+        ):
             return new._replace(loss=max(better, 0.0), work=new.work + (new.work - old.work) / 3.0)
         old, best = new, better
     raise NotConverged(
@@ -131,12 +133,12 @@ def turned_to(bound: TwistBound, memory: TwistMemory, press: Press, torque: floa
     )
 
 
-def _settled(before: Press, press: Press) -> Press:
+def _settled(before: PressedState, press: PressedState) -> PressedState:
     """Return the load as it was, if only the rounding of its radius has changed."""
     return before if (press.level, press.excess) == (before.level, before.excess) else press
 
 
-def _scales(bound: TwistBound, memory: TwistMemory, press: Press, torque: float) -> tuple[float, float]:
+def _scales(bound: TwistBound, memory: TwistMemory, press: PressedState, torque: float) -> tuple[float, float]:
     """Return a twist [Pa] and 4 G_t times an energy by which errors are measured: what the wider contact bears."""
     wider = max(memory.press, press, key=lambda each: each.radius)
     if wider.radius == 0.0:
@@ -147,60 +149,64 @@ def _scales(bound: TwistBound, memory: TwistMemory, press: Press, torque: float)
     return bears / stiffness, 0.25 * bears**2 / stiffness + 0.5 * stored
 
 
-def _way(bound: TwistBound, first: Press, last: Press, parts: int) -> list[tuple[Press, float]]:
+def _path(bound: TwistBound, first: PressedState, last: PressedState, parts: int) -> list[tuple[PressedState, float]]:
     """Return loads between two, and which share of the change each brings; even in the radius, then beyond the rim."""
     change = last.level - first.level
     shares = np.arange(parts + 1) / parts
-    steps: list[Press] = []
+    steps: list[PressedState] = []
     start = first
     for corner in [*_corners(bound, first, last), last]:
         if corner.radius != start.radius:
             radii = start.radius + (corner.radius - start.radius) * shares[1:-1]
-            steps += [Press(*each, 0.0) for each in zip(bound.level(radii).tolist(), radii.tolist(), strict=True)]
+            steps += [
+                PressedState(*each, 0.0) for each in zip(bound.level(radii).tolist(), radii.tolist(), strict=True)
+            ]
         else:
             levels = start.level + (corner.level - start.level) * shares[1:-1]
             ahead = start.excess + (corner.excess - start.excess) * shares[1:-1]
             rows = zip(levels.tolist(), ahead.tolist(), strict=True)
-            steps += [Press(level, start.radius, excess) for level, excess in rows]
+            steps += [PressedState(level, start.radius, excess) for level, excess in rows]
         steps.append(corner)
         start = corner
-    way, before = [], first
+    path, before = [], first
     for step in steps:  # where the body is flat the radius grows at no load
         if min(before.level, last.level) < step.level < max(before.level, last.level) or step is last:
-            way.append((step, (step.level - before.level) / change))
+            path.append((step, (step.level - before.level) / change))
             before = step
-    return way
+    return path
 
 
-def _corners(bound: TwistBound, first: Press, last: Press) -> list[Press]:
+def _corners(bound: TwistBound, first: PressedState, last: PressedState) -> list[PressedState]:
     """Return the load at which the contact fills the body, if it lies between."""
     rim = max(first.radius, last.radius)
     if first.radius == last.radius or max(first.excess, last.excess) == 0.0:
         return []
-    return [Press(float(bound.level(np.array([rim]))[0]), rim, 0.0)]
+    return [PressedState(float(bound.level(np.array([rim]))[0]), rim, 0.0)]
 
 
-def _sought(bound: TwistBound, memory: TwistMemory, press: Press, torque: float, guess: float = 0.0) -> Turned:
+def _step_to(
+    bound: TwistBound, memory: TwistMemory, press: PressedState, torque: float, guess: float = 0.0
+) -> TorsionStep:
     """Return the step that ends at a torque, on a straight line in the angle, which is sought from `guess` on."""
     limit = bound.most(press)
-    if abs(torque) > limit * (1.0 - LIMIT):
+    if abs(torque) > limit * (1.0 - TORQUE_MARGIN):
         raise OutsideValidity(
             f"the torque of {torque:.6g} N m exceeds what friction bears, {limit:.6g} N m under this normal load: the "
             "bodies would spin against each other; give a smaller torque, a greater load, or prescribe the Angle."
         )
-    slack = MISS * (abs(torque) if bound.endless else limit)
+    slack = TORQUE_TOLERANCE * (abs(torque) if bound.endless else limit)
     twist, low, high = guess, -math.inf, math.inf
 
-    def found(move: Move) -> Turned:
+    def trial_(move: TwistMove) -> TorsionStep:
         work = stuck_work(bound, memory, press, twist) + move.extra
-        return Turned(move.memory, twist, move.loss, work, move.nested)
+        return TorsionStep(move.memory, twist, move.loss, work, move.nested)
 
     low_miss = high_miss = 0.0
-    for tried in range(TRIES):
+    for tried in range(MOST_TRIALS):
         move = moved(bound, memory, press, twist)
         miss = torque_of(bound, move.memory) - torque
         if abs(miss) <= slack or (low < high and math.nextafter(low, high) >= high):
-            return found(move)
+            return trial_(move)
         if miss < 0.0:
             low, low_miss = twist, miss
         else:
@@ -211,6 +217,6 @@ def _sought(bound: TwistBound, memory: TwistMemory, press: Press, torque: float,
             share = -low_miss / (high_miss - low_miss) if tried % 2 else 0.5
             ahead = low + (high - low) * min(max(share, 0.01), 0.99)
         if ahead == twist:
-            return found(move)
+            return trial_(move)
         twist = ahead
-    raise NotConverged(f"Torsion: the angle under {torque:.6g} N m was not found in {TRIES} tries.")
+    raise NotConverged(f"Torsion: the angle under {torque:.6g} N m was not found in {MOST_TRIALS} tries.")

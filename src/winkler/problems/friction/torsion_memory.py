@@ -10,7 +10,7 @@ bound takes :math:`h=\pm b` of the contact as it is now, one that comes into con
 this form.
 
 On a straight line in the level and the angle the bound is concave, so that a spring which has reached it stays on it:
-one `move` along the line, however long, leaves every spring where it must be.  Only the loss depends on the way.
+one `move` along the line, however long, leaves every spring where it must be.  Only the loss depends on the path.
 """
 
 from __future__ import annotations
@@ -22,14 +22,14 @@ import numpy as np
 
 from winkler.numerics.panels.kink_panels import Sample
 from winkler.numerics.types import Array
-from winkler.problems.friction.torsion_bound import Press, TwistBound
+from winkler.problems.friction.torsion_bound import PressedState, TwistBound
 from winkler.values import value
 
-__all__ = ["Move", "Ring", "TwistMemory", "fresh", "moved", "pieces_of", "slid_along", "stuck_work"]
+__all__ = ["TwistMemory", "TwistMove", "TwistRing", "fresh", "moved", "pieces_of", "slid_along", "stuck_work"]
 
-ROUNDING = 3e-13
+BOUND_ROUNDING = 3e-13
 """Part of the bound inside the contact by which rounding may exceed it."""
-NARROW = 1e-9
+NARROWEST_RING = 1e-9
 """A ring narrower than this part of the contact is none."""
 BISECTIONS = 60
 """At most so many, of the places where sliding begins."""
@@ -63,12 +63,12 @@ class TwistMemory:
     bounds: Array
 
     @property
-    def press(self) -> Press:
+    def press(self) -> PressedState:
         """How the contact is pressed."""
-        return Press(self.level, self.radius, self.excess)
+        return PressedState(self.level, self.radius, self.excess)
 
 
-class Ring(NamedTuple):
+class TwistRing(NamedTuple):
     """Springs that slid, or left the contact: places, loads h before the move, when they touch, and to which side."""
 
     sample: Sample
@@ -77,7 +77,7 @@ class Ring(NamedTuple):
     side: Array
 
 
-class Move(NamedTuple):
+class TwistMove(NamedTuple):
     """What a move leads to.
 
     `loss` is 4 G_t times the energy lost, as if the bound had changed in proportion too, and `extra` the work beyond
@@ -88,18 +88,18 @@ class Move(NamedTuple):
     memory: TwistMemory
     loss: float
     extra: float
-    rings: tuple[Ring, ...]
+    rings: tuple[TwistRing, ...]
     nested: bool
     free: float
 
 
-class _Piece(NamedTuple):
+class _TwistPiece(NamedTuple):
     low: float
     high: float
     held: float
     entered: float
     side: float
-    bound: Press
+    bound: PressedState
 
     def values(self, bound: TwistBound) -> Array:
         result = np.full(bound.x.shape, self.held)
@@ -110,7 +110,7 @@ class _Piece(NamedTuple):
         return result
 
 
-APART = Press(0.0, 0.0, 0.0)
+NO_CONTACT = PressedState(0.0, 0.0, 0.0)
 
 
 def fresh(level: float = 0.0) -> TwistMemory:
@@ -119,15 +119,15 @@ def fresh(level: float = 0.0) -> TwistMemory:
     return TwistMemory(level, 0.0, 0.0, np.zeros(1), none, none, none, np.zeros((0, 3)))
 
 
-def pieces_of(memory: TwistMemory) -> list[_Piece]:
+def pieces_of(memory: TwistMemory) -> list[_TwistPiece]:
     """Return the stretches one by one."""
-    edges, bounds = memory.edges, [Press(*bound) for bound in memory.bounds.tolist()]
+    edges, bounds = memory.edges, [PressedState(*bound) for bound in memory.bounds.tolist()]
     numbers = (edges[:-1], edges[1:], memory.held, memory.entered, memory.sides)
-    return [_Piece(*row) for row in zip(*(each.tolist() for each in numbers), bounds, strict=True)]
+    return [_TwistPiece(*row) for row in zip(*(each.tolist() for each in numbers), bounds, strict=True)]
 
 
-def _kept(press: Press, pieces: list[_Piece]) -> TwistMemory:
-    merged: list[_Piece] = []
+def _memory_of(press: PressedState, pieces: list[_TwistPiece]) -> TwistMemory:
+    merged: list[_TwistPiece] = []
     for piece in pieces:
         if merged and merged[-1][2:] == piece[2:]:
             merged[-1] = merged[-1]._replace(high=piece.high)
@@ -139,7 +139,7 @@ def _kept(press: Press, pieces: list[_Piece]) -> TwistMemory:
     return TwistMemory(*press, edges, held, entered, sides, np.array(columns[5], dtype=float).reshape(-1, 3))
 
 
-def moved(bound: TwistBound, memory: TwistMemory, press: Press, twist: float) -> Move:
+def moved(bound: TwistBound, memory: TwistMemory, press: PressedState, twist: float) -> TwistMove:
     """Return the springs after the contact was pressed to `press` and twisted, both in proportion.
 
     Parameters
@@ -147,24 +147,24 @@ def moved(bound: TwistBound, memory: TwistMemory, press: Press, twist: float) ->
     bound : TwistBound
     memory : TwistMemory
         The springs before.
-    press : Press
+    press : PressedState
         How the contact is pressed afterwards.
     twist : float
         8 G_t times the change of the angle [Pa].
     """
     before, change = memory.press, press.level - memory.level
-    trials: list[tuple[_Piece, bool]] = [
+    trials: list[tuple[_TwistPiece, bool]] = [
         (piece._replace(high=min(piece.high, press.radius), held=piece.held + twist), False)
         for piece in pieces_of(memory)
         if piece.low < press.radius
     ]
     if press.radius > before.radius:
         rate = twist / change if change > 0.0 else 0.0
-        trials.append((_Piece(before.radius, press.radius, rate * press.level, -rate, 0.0, APART), True))
+        trials.append((_TwistPiece(before.radius, press.radius, rate * press.level, -rate, 0.0, NO_CONTACT), True))
     now = bound.at(press)
-    slack = ROUNDING * _read(bound, now, 0.5 * press.radius) if press.radius > 0.0 else 0.0
-    done: list[_Piece] = []
-    rings: list[Ring] = []
+    slack = BOUND_ROUNDING * _read(bound, now, 0.5 * press.radius) if press.radius > 0.0 else 0.0
+    done: list[_TwistPiece] = []
+    rings: list[TwistRing] = []
     states: list[tuple[float, int]] = []
     free = 0.0
     for trial, entering in trials:
@@ -175,17 +175,17 @@ def moved(bound: TwistBound, memory: TwistMemory, press: Press, twist: float) ->
                 done.append(trial._replace(low=low, high=high))
                 free += _free(bound, low, high, press.level, change) if entering else 2.0 / 3.0 * (high**3 - low**3)
                 continue
-            done.append(_Piece(low, high, 0.0, 0.0, float(state), press))
+            done.append(_TwistPiece(low, high, 0.0, 0.0, float(state), press))
             sample = bound.panels.sample(low, high)
             load = np.zeros_like(sample.x) if entering else sample.read(values) - twist
-            rings.append(Ring(sample, load, sample.read(bound.clock), np.full(sample.x.shape, state)))
+            rings.append(TwistRing(sample, load, sample.read(bound.clock), np.full(sample.x.shape, state)))
     if press.radius < before.radius:
         rings += _left(bound, memory, press, twist)
     loss, extra = slid_along(bound, memory, [press], twist, tuple(rings)) if rings else (0.0, 0.0)
-    return Move(_kept(press, done), loss, extra, tuple(rings), _nested(states, press.radius), free)
+    return TwistMove(_memory_of(press, done), loss, extra, tuple(rings), _nested(states, press.radius), free)
 
 
-def stuck_work(bound: TwistBound, memory: TwistMemory, press: Press, twist: float) -> float:
+def stuck_work(bound: TwistBound, memory: TwistMemory, press: PressedState, twist: float) -> float:
     """Return 4 G_t times the work of a move on the springs that end in contact, if none of them slid."""
     total, before, change = 0.0, memory.radius, press.level - memory.level
     for piece in pieces_of(memory):
@@ -209,7 +209,7 @@ def _free(bound: TwistBound, low: float, high: float, level: float, change: floa
 
 
 def slid_along(
-    bound: TwistBound, memory: TwistMemory, way: Sequence[Press], twist: float, rings: tuple[Ring, ...]
+    bound: TwistBound, memory: TwistMemory, path: Sequence[PressedState], twist: float, rings: tuple[TwistRing, ...]
 ) -> tuple[float, float]:
     """Return 4 G_t times the energy that `rings` lose on a path whose last press is where the move ends, and the work.
 
@@ -217,7 +217,7 @@ def slid_along(
     loss from how far they slide.  Between the points of the path bounds are taken as straight; the error falls with the
     square of their distance.
     """
-    total, extra, start, end = 0.0, 0.0, memory.level, way[-1].level
+    total, extra, start, end = 0.0, 0.0, memory.level, path[-1].level
     for ring in rings:
         x = ring.sample.x
         side = ring.side
@@ -229,11 +229,11 @@ def slid_along(
             continue
         allowed = np.where(x < memory.radius, np.maximum(ring.sample.read(bound.at(memory.press)), 0.0), 0.0)
         slid = np.maximum(side * ring.before - allowed, 0.0)  # rounding
-        load = turned = side * ring.before
+        load = displaced = side * ring.before
         density = np.zeros_like(x)
         if_stuck = twist * (1.0 - first)
-        work = np.where(x < way[-1].radius, -if_stuck * (ring.before + 0.5 * if_stuck), 0.0)
-        for press in way:
+        work = np.where(x < path[-1].radius, -if_stuck * (ring.before + 0.5 * if_stuck), 0.0)
+        for press in path:
             share = (press.level - start) / (end - start) if end != start else 1.0
             here = side * (ring.before + twist * np.maximum(np.minimum(share, last) - first, 0.0))
             limit = np.where(x < press.radius, np.maximum(ring.sample.read(bound.at(press)), 0.0), 0.0)
@@ -245,8 +245,8 @@ def slid_along(
             slid = slid + excess
             after = np.minimum(here - slid, limit)
             mean = np.where(excess > 0.0, onset * (load + at_onset) + (1.0 - onset) * (at_onset + limit), load + after)
-            work += 0.5 * mean * (here - turned)
-            load, turned, allowed = after, here, limit
+            work += 0.5 * mean * (here - displaced)
+            load, displaced, allowed = after, here, limit
         total += float(np.sum(ring.sample.weights * x**2 * density))
         extra += float(np.sum(ring.sample.weights * x**2 * work))
     return total, extra
@@ -258,7 +258,7 @@ def _read(bound: TwistBound, values: Array, place: float) -> float:
     return float(bound.panels.reading(at, panel)[0] @ values[panel[0]])
 
 
-def _left(bound: TwistBound, memory: TwistMemory, press: Press, twist: float) -> list[Ring]:
+def _left(bound: TwistBound, memory: TwistMemory, press: PressedState, twist: float) -> list[TwistRing]:
     """Return the springs that come out of contact."""
     rings = []
     for piece in pieces_of(memory):
@@ -266,12 +266,12 @@ def _left(bound: TwistBound, memory: TwistMemory, press: Press, twist: float) ->
             sample = bound.panels.sample(max(piece.low, press.radius), piece.high)
             clock, before = sample.read(bound.clock), sample.read(piece.values(bound))
             last = np.clip((memory.level - clock) / (memory.level - press.level), 0.0, 1.0)
-            rings.append(Ring(sample, before, clock, np.where(before + twist * last >= 0.0, 1, -1)))
+            rings.append(TwistRing(sample, before, clock, np.where(before + twist * last >= 0.0, 1, -1)))
     return rings
 
 
 def _stretches_of(
-    bound: TwistBound, trial: _Piece, now: Array, values: Array, slack: float
+    bound: TwistBound, trial: _TwistPiece, now: Array, values: Array, slack: float
 ) -> list[tuple[float, float, int]]:
     """Return where a stretch sticks (0) and where it slides to which side."""
     if bound.endless:
@@ -307,22 +307,22 @@ def _meet(bound: TwistBound, excess: Array, low: float, high: float, rising: boo
         return low
     if right <= 0.0:
         return high
-    kept = 0
+    last_side = 0
     for _ in range(BISECTIONS):  # the rule of false position, halving the end that stays (Illinois)
         middle = low - left * (high - low) / (right - left)
         if not low < middle < high or high - low <= 1e-15 * high:
             break
-        found = over(middle)
-        if found == 0.0:
+        middle_value = over(middle)
+        if middle_value == 0.0:
             return middle
-        if found < 0.0:
-            low, left = middle, found
-            right = 0.5 * right if kept < 0 else right
-            kept = -1
+        if middle_value < 0.0:
+            low, left = middle, middle_value
+            right = 0.5 * right if last_side < 0 else right
+            last_side = -1
         else:
-            high, right = middle, found
-            left = 0.5 * left if kept > 0 else left
-            kept = 1
+            high, right = middle, middle_value
+            left = 0.5 * left if last_side > 0 else left
+            last_side = 1
     return low if -left < right else high
 
 
@@ -330,7 +330,7 @@ def _nested(states: list[tuple[float, int]], radius: float) -> bool:
     """Whether what slides is one outer ring that slides to one side."""
     sliding = 0
     for width, state in states:
-        if width > NARROW * radius:
+        if width > NARROWEST_RING * radius:
             if sliding not in (0, state):
                 return False
             sliding = state

@@ -61,16 +61,16 @@ class TwistedSprings:
     @property
     def kinks(self) -> tuple[tuple[float, float], ...]:
         """``(x, strength)``: just above x the slope of h holds -strength / sqrt(x^2 - x_kink^2)."""
-        found = {b: 0.0 for b, _ in self.bed.kinks if b < self.radius}
+        bends = {b: 0.0 for b, _ in self.bed.kinks if b < self.radius}
         for piece in pieces_of(self.memory):
             if piece.low > 0.0:
-                found.setdefault(piece.low, 0.0)
+                bends.setdefault(piece.low, 0.0)
             for b, strength in self.bed.kinks:
                 if piece.low <= b < piece.high:
                     rate = float(self.bed.stiffness(np.array([b]))[0]) if self.forced else 1.0
                     bounded = piece.side if b < piece.bound.radius else 0.0
-                    found[b] = bounded * self._bound.onset(b, strength) - piece.entered * rate * strength
-        return tuple(sorted(found.items()))
+                    bends[b] = bounded * self._bound.onset(b, strength) - piece.entered * rate * strength
+        return tuple(sorted(bends.items()))
 
     @property
     def _bound(self) -> TwistBound:
@@ -152,7 +152,7 @@ class TorsionState:
         return self.springs.load(x)
 
     def traction(self, r: ArrayLike) -> Array:
-        """Return the traction tau_theta(r) [Pa], positive the way of a positive torque; zero outside the contact.
+        """Return the traction tau_theta(r) [Pa], of the sign of the torque; zero outside the contact.
 
         Parameters
         ----------
@@ -201,7 +201,8 @@ class TorsionState:
             if here.any():
                 modulus, stretch = twist_constants(getattr(medium, body))
                 parts[:, here] = twist_below(self.springs, places[here], np.abs(depths[here]), modulus, stretch)
-        # the second body is turned the other way; there z, and with it tau_theta-z, counts from its own surface
+        # the second body is rotated in the opposite sense; there z, and with it tau_theta-z, counts from its own
+        # surface
         parts[0] *= np.where(depths < 0.0, -1.0, 1.0)
         parts[2] *= np.where(depths < 0.0, -1.0, 1.0)
         return TwistBelow(*parts)

@@ -18,14 +18,14 @@ from winkler.problems.friction.torsion_fields import body_of_twisted
 from winkler.problems.friction.torsion_states import TorsionState
 from winkler.problems.normal.greatest_stress import sharp_places
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
-from winkler.problems.normal.yield_statement import MISES, Rubbing, unknown_yield, yield_notes_of_bed
+from winkler.problems.normal.yield_statement import MISES, SurfaceFriction, unknown_yield, yield_notes_of_bed
 from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["torsion_yield_notes"]
 
-SKIN = 1e-3
-"""Stresses of a twist are looked for below this depth, in contact radii."""
-ZOOMS = 4
+LEAST_DEPTH = 1e-3
+"""Stresses of a twist are sought below this depth, in contact radii."""
+REFINEMENTS = 4
 """Rounds of refinement: the value is good to about a per mille."""
 
 
@@ -36,7 +36,7 @@ def torsion_yield_notes(bed: Bed, states: Sequence[TorsionState]) -> tuple[Note,
     ----------
     bed : Bed
     states : sequence of TorsionState
-        Those of a path; looked at are that of the greatest torque and that of the greatest depth.
+        Those of a path; examined are that of the greatest torque and that of the greatest depth.
     """
     depth, radius, torque = (
         np.array([abs(getattr(state, word)) for state in states]) for word in ("depth", "radius", "torque")
@@ -47,16 +47,16 @@ def torsion_yield_notes(bed: Bed, states: Sequence[TorsionState]) -> tuple[Note,
     if not plain or any(note.standing is Standing.OUTSIDE for note in plain):
         return plain
     if not isinstance(bed.medium, HalfSpace):
-        return yield_notes_of_bed(bed, depth, radius, Rubbing(np.inf))
-    looked = [states[index] for index in sorted({int(np.argmax(torque)), int(np.argmax(depth))})]
-    if any(_sharp(state, part) for state in looked for part in strong_parts(bed.medium)):
+        return yield_notes_of_bed(bed, depth, radius, SurfaceFriction(np.inf))
+    examined = [states[index] for index in sorted({int(np.argmax(torque)), int(np.argmax(depth))})]
+    if any(_sharp(state, part) for state in examined for part in strong_parts(bed.medium)):
         why = "the stresses of a twist next to a sharp place, or where nothing slips, are not resolved"
         return unknown_yield(bed.medium, why, plain[0].statement)
     weakest: dict[float, StrongPart] = {}  # bodies of one Poisson's ratio have the same stresses
     for part in sorted(strong_parts(bed.medium), key=lambda part: -part.solid.strength):
         weakest[part.solid.poisson] = part
     share, part = max(
-        ((_greatest(state, part.first) / part.solid.strength, part) for state in looked for part in weakest.values()),
+        ((_greatest(state, part.first) / part.solid.strength, part) for state in examined for part in weakest.values()),
         key=lambda pair: pair[0],
     )
     stays = "the contact stays elastic" if share < 1.0 else "yielding has begun, and the result is not elastic"
@@ -82,6 +82,6 @@ def _greatest(state: TorsionState, first: bool) -> float:
     sign = 1.0 if first else -1.0
 
     def field(r: Array, z: Array) -> Array:
-        return body_of_twisted(state, r, np.zeros(r.shape), sign * np.maximum(z, SKIN * state.radius)).von_mises
+        return body_of_twisted(state, r, np.zeros(r.shape), sign * np.maximum(z, LEAST_DEPTH * state.radius)).von_mises
 
-    return greatest(field, state.radius, zooms=ZOOMS).value
+    return greatest(field, state.radius, zooms=REFINEMENTS).value

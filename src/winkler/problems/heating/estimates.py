@@ -42,8 +42,8 @@ def tian_kennedy(heat: HeatSource, peclet: Array) -> Array:
 def first_share(partition: HeatPartition, greatest: Sequence[Any], means: Sequence[Any]) -> Any:
     """Return the part of the heat that goes into the first body, from temperatures of both as if all went into each."""
     match partition:
-        case FixedShare(given):
-            return given
+        case FixedShare(fixed):
+            return fixed
         case EqualMean():
             return means[1] / (means[0] + means[1])
         case _:

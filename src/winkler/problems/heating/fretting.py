@@ -36,13 +36,13 @@ from winkler.values import value
 
 __all__ = ["FrettingHeat", "FrettingHeatSolution"]
 
-CLOSED = 1e-6
+CLOSURE_TOLERANCE = 1e-6
 """Part of the greatest shift, or force, by which two ends of a closed cycle may differ."""
 SAMPLES = 513
-LEFT = 1e-9
+NARROWEST_RING = 1e-9
 """Part of the contact radius below which a ring is none."""
-ERROR = 0.01
-"""Part of the loss by which the sum over the steps may miss it before a note says more than by how much."""
+LOSS_TOLERANCE = 0.01
+"""Part of the loss by which the sum over the steps may miss it before a note gives more than the number."""
 JAEGER = "J. C. Jaeger, Proc. R. Soc. New South Wales 76 (1942) 203-224"
 
 
@@ -126,13 +126,13 @@ class FrettingHeat:
         end = float(np.max(march.radius[begin:]))
         narrow = float(np.min(march.radius[begin:]))
         joints = [float(np.min(march.stick_radius[begin:])), narrow]
-        joints = [joint for joint in joints if joint < end * (1.0 - LEFT)]
+        joints = [joint for joint in joints if joint < end * (1.0 - NARROWEST_RING)]
         flux = round_flux(lambda r: _losses(march, begin, r), joints, end)
         source = projected(flux.at, joints, end)
-        found = source.heat
-        scale = self.frequency * loss / found
+        entries = source.heat
+        scale = self.frequency * loss / entries
         heated = LineSource(end, source.scale * scale, source.joints, source.curve)
-        return FrettingHeatSolution(self, march, loss, abs(found / loss - 1.0), flux.scaled(scale), heated)
+        return FrettingHeatSolution(self, march, loss, abs(entries / loss - 1.0), flux.scaled(scale), heated)
 
 
 def _begin(march: TangentialSolution) -> int:
@@ -140,15 +140,15 @@ def _begin(march: TangentialSolution) -> int:
     same = np.ones(march.time.size - 1, dtype=bool)
     for column in (march.shift, march.shear_force, march.depth):
         apart = np.abs(column[:-1] - column[-1]).reshape(march.time.size - 1, -1)
-        same &= np.all(apart <= CLOSED * np.max(np.abs(column)), axis=1)
+        same &= np.all(apart <= CLOSURE_TOLERANCE * np.max(np.abs(column)), axis=1)
     moved = np.abs(np.diff(march.shift, axis=0)).reshape(march.time.size - 1, -1).sum(axis=1)
-    found = [i for i in np.flatnonzero(same) if moved[i:].sum() > CLOSED * np.max(np.abs(march.shift))]
-    if not found:
+    entries = [i for i in np.flatnonzero(same) if moved[i:].sum() > CLOSURE_TOLERANCE * np.max(np.abs(march.shift))]
+    if not entries:
         raise InvalidInput(
             "FrettingHeat: the path does not come back to where it has been, with the same depth, shift and shear "
             "force; let it end with a closed cycle, as two cycles of an oscillation do."
         )
-    return int(found[-1])
+    return int(entries[-1])
 
 
 def _losses(march: TangentialSolution, begin: int, r: Array) -> Array:
@@ -166,12 +166,12 @@ def _losses(march: TangentialSolution, begin: int, r: Array) -> Array:
 
 @value
 class FrettingHeatSolution:
-    """The answer to a `FrettingHeat`: means over a cycle, after many cycles; rises above that far away.
+    """The solution of a `FrettingHeat`: means over a cycle, after many cycles; rises above that far away.
 
     Parameters
     ----------
     problem : FrettingHeat
-        What was asked.
+        The problem that was solved.
     march : TangentialSolution
         The motion.
     loss_per_cycle : float
@@ -248,14 +248,14 @@ class FrettingHeatSolution:
                 Assumption.STEADY,
                 Standing.ASYMPTOTIC,
                 f"The source moves by {stroke:.2g} of its radius to either side, which is left out.",
-                "the answer itself",
+                "the solution itself",
             ),
             Note(
                 Assumption.RESOLUTION,
-                Standing.APPROXIMATE if self.misfit > ERROR else Standing.ASYMPTOTIC,
+                Standing.APPROXIMATE if self.misfit > LOSS_TOLERANCE else Standing.ASYMPTOTIC,
                 f"Traction times slip, summed over the points of the path, misses the loss by {100 * self.misfit:.2g} "
                 "%; it was scaled to it. More points in every cycle bring both together.",
-                "the answer itself",
+                "the solution itself",
             ),
             Note(
                 Assumption.CONDUCTION,

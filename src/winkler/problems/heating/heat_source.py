@@ -21,7 +21,7 @@ from winkler.values import value
 
 __all__ = ["HeatSource", "heat_source", "heat_sources", "loads_over"]
 
-FAST = 1e6
+FAST_PECLET = 1e6
 """V a / kappa at which the limit of fast sliding is taken: it is met to about 1e-6."""
 
 
@@ -49,7 +49,7 @@ class HeatSource:
         """
         if self.pressed.edge > 0.0:
             return math.inf  # behind the edge the flux, like an inverse square root, meets that of the lag
-        return self.source.peak(FAST / self.pressed.radius).height * math.sqrt(FAST)
+        return self.source.peak(FAST_PECLET / self.pressed.radius).height * math.sqrt(FAST_PECLET)
 
 
 @functools.lru_cache(maxsize=256)
@@ -76,7 +76,7 @@ def heat_source(pressed: PressedSprings) -> HeatSource:
 
 
 def loads_over(contact: IndentationSolution, shape: tuple[int, ...]) -> Array:
-    """Return which load of a contact every answer belongs to."""
+    """Return which load of a contact every result belongs to."""
     loads = np.shape(contact.radius)
     return np.broadcast_to(np.arange(math.prod(loads)).reshape(loads), shape)
 

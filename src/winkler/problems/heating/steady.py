@@ -38,15 +38,15 @@ from winkler.problems.heating.heated_body import HeatedBody
 from winkler.problems.heating.input_checks import thick_bodies
 from winkler.problems.heating.validity import heating_notes
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
-from winkler.problems.normal.yield_statement import Rubbing
+from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.problems.one_load import single
 from winkler.validity import Assumption, Note
 from winkler.values import value
 
 __all__ = ["FrictionHeating", "FrictionHeatingSolution"]
 
-FASTEST = 1e8
-"""Peclet number above which rounding is felt in means over the contact."""
+HIGHEST_PECLET = 1e8
+"""Peclet number above which rounding matters in means over the contact."""
 
 
 @value
@@ -151,10 +151,10 @@ class FrictionHeating:
             for rate, body in zip(rates, self._bodies, strict=True)
         ]
         fastest = max(float(np.max(each, initial=0.0)) for each in peclets)
-        if fastest > FASTEST:
+        if fastest > HIGHEST_PECLET:
             raise OutsideValidity(
                 f"FrictionHeating: a Peclet number V a / (2 kappa) is {fastest:.3g}; temperatures of moving bodies are "
-                f"computed up to {FASTEST:g}: check speeds and diffusivities."
+                f"computed up to {HIGHEST_PECLET:g}: check speeds and diffusivities."
             )
         which, sources = loads_over(contact, shape), heat_sources(contact)
         table = np.zeros((5, *shape))
@@ -185,14 +185,14 @@ def _shares(problem: FrictionHeating, heat: HeatSource | None, *speeds: float) -
 
 @value
 class FrictionHeatingSolution:
-    """The answer to a `FrictionHeating`; every quantity has the common shape of load and speeds.
+    """The solution of a `FrictionHeating`; every quantity has the common shape of load and speeds.
 
     Temperatures are rises above that of the bodies far away.
 
     Parameters
     ----------
     problem : FrictionHeating
-        What was asked.
+        The problem that was solved.
     contact : IndentationSolution
         The contact, of the shape of the load.
     heat_rate : float or ndarray
@@ -252,7 +252,7 @@ class FrictionHeatingSolution:
     def _estimate(self, per_watt: Callable[[HeatSource, Array], Array]) -> Quantity:
         problem, shape = self.problem, np.shape(self.heat_rate)
         which = loads_over(self.contact, shape)
-        found = np.zeros(shape)
+        average = np.zeros(shape)
         for j, source in enumerate(heat_sources(self.contact)):
             mine = which == j
             if source is not None:
@@ -260,8 +260,8 @@ class FrictionHeatingSolution:
                     per_watt(source, np.asarray(peclet)[mine]) / body.conductivity
                     for peclet, body in zip((self.first_peclet, self.second_peclet), problem._bodies, strict=True)
                 )
-                found[mine] = shared(first, second, problem.partition)
-        return shaped(found * self.heat_rate)
+                average[mine] = shared(first, second, problem.partition)
+        return shaped(average * self.heat_rate)
 
     @property
     def overestimate(self) -> Quantity:
@@ -303,16 +303,16 @@ class FrictionHeatingSolution:
         try:
             which = int(np.arange(math.prod(shape)).reshape(shape)[index])
         except (IndexError, TypeError):
-            raise InvalidInput(f"solution.at: there is no answer {index!r} in one of shape {shape}.") from None
+            raise InvalidInput(f"solution.at: there is no result {index!r} in a solution of shape {shape}.") from None
         place = tuple(int(each) for each in np.unravel_index(which, shape))
 
-        def one(given: Quantity) -> float:
-            return float(np.broadcast_to(given, shape)[place])
+        def one(quantity: Quantity) -> float:
+            return float(np.broadcast_to(quantity, shape)[place])
 
         contact, loads = self.contact, np.shape(self.contact.radius)
         if loads:
-            kept = np.unravel_index(int(loads_over(contact, shape)[place]), loads)
-            contact = contact.at(tuple(int(each) for each in kept))
+            chosen = np.unravel_index(int(loads_over(contact, shape)[place]), loads)
+            contact = contact.at(tuple(int(each) for each in chosen))
         problem = dataclasses.replace(
             self.problem,
             load=contact.problem.load,
@@ -333,5 +333,5 @@ class FrictionHeatingSolution:
         notes = heating_notes(*pairs, np.asarray(self.overestimate), self.problem.partition)
         problem = self.problem
         coupled = sliding_note(problem.bed.medium, problem.law.coefficient)
-        contact = self.contact.notes_with(Rubbing(problem.law.coefficient, math.inf))
+        contact = self.contact.notes_with(SurfaceFriction(problem.law.coefficient, math.inf))
         return (*contact, coupled, *notes)

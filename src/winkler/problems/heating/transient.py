@@ -33,14 +33,14 @@ from winkler.problems.heating.heat_source import heat_source
 from winkler.problems.heating.input_checks import thick_bodies
 from winkler.problems.heating.validity import STEADY_SOURCE
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
-from winkler.problems.normal.yield_statement import Rubbing
+from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["TransientHeating", "TransientHeatingSolution"]
 
-CIRCLES = 33
-"""Circles on which the greatest temperature is looked for where the flux does not fall from the axis on."""
+SEARCH_CIRCLES = 33
+"""Circles on which the greatest temperature is sought where the flux does not fall from the axis on."""
 
 
 @value
@@ -67,7 +67,7 @@ class TransientHeating:
     Raises
     ------
     InvalidInput
-        If the load is an array, a time is not positive, the speed negative, or as `FrictionHeating` says.
+        If the load is an array, a time is not positive, the speed negative, or as in `FrictionHeating`.
 
     References
     ----------
@@ -152,18 +152,18 @@ def _greatest(source: LineSource, length: float) -> float:
     """Return the greatest lambda T: on the axis if the flux falls from there, else on the warmest of many circles."""
     if source.fading:
         return float(source.risen(length, np.zeros(1))[0])
-    circles = source.radius * np.sin(np.linspace(0.0, 0.5 * np.pi, CIRCLES))
+    circles = source.radius * np.sin(np.linspace(0.0, 0.5 * np.pi, SEARCH_CIRCLES))
     return source.warmest(length, circles)
 
 
 @value
 class TransientHeatingSolution:
-    """The answer to a `TransientHeating`; temperatures are rises above that of the bodies far away.
+    """The solution of a `TransientHeating`; temperatures are rises above that of the bodies far away.
 
     Parameters
     ----------
     problem : TransientHeating
-        What was asked.
+        The problem that was solved.
     contact : IndentationSolution
         The contact.
     heat_rate : float
@@ -224,7 +224,7 @@ class TransientHeatingSolution:
         """How far the result can be trusted."""
         hottest = temperature_note(float(np.max(self.flash_temperature, initial=0.0)))
         coupled = sliding_note(self.problem.bed.medium, self.problem.law.coefficient)
-        contact = self.contact.notes_with(Rubbing(self.problem.law.coefficient, math.inf))
+        contact = self.contact.notes_with(SurfaceFriction(self.problem.law.coefficient, math.inf))
         return (*contact, coupled, STEADY_SOURCE, self._rest, self._sharing, hottest)
 
     @property
@@ -259,7 +259,7 @@ class TransientHeatingSolution:
             Standing.APPROXIMATE,
             "The bodies' diffusivities differ: the share that makes their temperatures agree goes from that of the "
             "effusivities to that of the conductivities. It is taken at every time as if it had always been so; it "
-            f"changes by {spread:.2g} over the times asked.",
+            f"changes by {spread:.2g} over the times given.",
             CARSLAW,
         )
 

@@ -1,4 +1,4 @@
-"""What every answer about frictional heating says of itself."""
+"""Validity notes of every solution of frictional heating."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ __all__ = ["STEADY_SOURCE", "heating_notes"]
 JAEGER = "J. C. Jaeger, Proc. R. Soc. New South Wales 76 (1942) 203-224"
 BLOK = "H. Blok, The flash temperature concept, Wear 6 (1963) 483-494"
 OWN = "own quadrature of the moving source, checked against the sum of point sources"
-SLOW = 0.01
+SLOW_PECLET = 0.01
 """Peclet number below which the rule of slow sliding is good to half a per cent."""
 
 STEADY_SOURCE = Note(
@@ -49,7 +49,7 @@ def heating_notes(
 
 def _speed(peclets: tuple[Array, Array], overestimate: Array) -> Note:
     fastest, excess = float(np.max(peclets)), float(np.max(overestimate))
-    if fastest <= SLOW:
+    if fastest <= SLOW_PECLET:
         return Note(
             Assumption.CONDUCTION,
             Standing.ASYMPTOTIC,
@@ -77,7 +77,7 @@ def _sharing(
             f"The share of the first body was given, {partition.first_share:g}.",
             "the problem",
         )
-    if max(float(np.max(each)) for each in peclets) <= SLOW:
+    if max(float(np.max(each)) for each in peclets) <= SLOW_PECLET:
         return Note(
             Assumption.CONDUCTION,
             Standing.ASYMPTOTIC,
@@ -87,12 +87,12 @@ def _sharing(
         )
     scale = np.maximum(*greatest)
     apart = np.max(np.maximum(abs(greatest[0] - greatest[1]), abs(means[0] - means[1])) / np.where(scale > 0, scale, 1))
-    kept = "mean" if isinstance(partition, EqualMean) else "greatest"
+    equal = "mean" if isinstance(partition, EqualMean) else "greatest"
     other = "greatest" if isinstance(partition, EqualMean) else "mean"
     return Note(
         Assumption.CONDUCTION,
         Standing.APPROXIMATE,
-        f"One share of the heat for the whole contact makes the {kept} temperatures of both bodies equal, but not "
+        f"One share of the heat for the whole contact makes the {equal} temperatures of both bodies equal, but not "
         f"those at every point; the {other} ones differ by {100.0 * float(apart):.2g} % of the greatest.",
         BLOK,
     )

@@ -1,9 +1,9 @@
 r"""Impact of a body that sticks: snap-in, loss at pull-off, and the velocity below which it stays.
 
 While the edge of the contact follows Griffith's balance under fixed grips (`winkler.problems.adhesion.cycle`), the body
-moves by :math:`m\dot v=-F(d)`, with one curve of forces on the way in and another on the way out.  Where the edge loses
-its hold it runs on at once; what its potential falls by is lost, and so is what opening costs more than closing has
-gained.  A ball leaves with
+moves by :math:`m\dot v=-F(d)`, with one curve of forces for the approach and another for the rebound.  Where the edge
+loses its hold it runs on at once; what its potential falls by is lost, and so is what opening costs more than closing
+has gained.  A ball leaves with
 
 .. math:: e = \sqrt{1-(v_\mathrm{s}/v)^2}, \qquad
           \tfrac12 m v_\mathrm{s}^2 = 7.092\left(\frac{w^5R^4}{E^{*2}}\right)^{1/3},
@@ -32,7 +32,7 @@ from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import ADHESIVE, BALANCED
 from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.assumptions.inertia import wave_loss, wave_note
-from winkler.problems.impact.approach_and_rebound import swing
+from winkler.problems.impact.approach_and_rebound import impact_motion
 from winkler.problems.impact.states import AdhesiveImpactState
 from winkler.problems.impact.validity import Moments, gravity_note
 from winkler.validity import Assumption, Note, Standing
@@ -41,7 +41,7 @@ from winkler.values import value
 __all__ = ["AdhesiveImpact", "AdhesiveImpactSolution"]
 
 
-TOUCHING = Advice("attraction from afar begins before the touch")
+RANGE_ADVICE = Advice("attraction from afar begins before the touch")
 
 
 @value
@@ -59,7 +59,7 @@ class AdhesiveImpact:
     velocity : float
         v [m/s] of approach at first touch, positive.
     count : int, optional
-        At how many moments the answer is wanted; the moment of greatest depth is added.
+        At how many moments states are returned; the moment of greatest depth is added.
 
     Raises
     ------
@@ -84,7 +84,7 @@ class AdhesiveImpact:
     """
 
     bed: Bed
-    law: Annotated[ShortRange, TOUCHING]
+    law: Annotated[ShortRange, RANGE_ADVICE]
     mass: PositiveNotTiny
     velocity: Positive
     count: Moments = 201
@@ -108,17 +108,17 @@ class AdhesiveImpact:
         Raises
         ------
         OutsideValidity
-            If the body is pressed in beyond what is known of its profile, or a contact on the way is no disc.
+            If the body is pressed in beyond what is known of its profile, or a contact along the path is no disc.
         NotConverged
             If the profile is too rough, or the march comes to a halt.
         """
-        moved = swing(self.bed, self.law, self.mass, self.velocity)
+        moved = impact_motion(self.bed, self.law, self.mass, self.velocity)
         times = np.union1d(np.linspace(0.0, moved.duration, self.count), [moved.turn]).tolist()
         motion = [moved.at(time) for time in times]
         depths = np.array([depth for depth, _ in motion])
         depths[0], depths[times.index(moved.turn)] = 0.0, moved.deepest
         if not moved.captured:  # a little beyond where the edge loses its hold
-            depths[-1] = moved.parting - PARTED * (moved.deepest - moved.parting)
+            depths[-1] = moved.parting - SEPARATION_MARGIN * (moved.deepest - moved.parting)
         cycle = AdhesiveCycle(self.bed, self.law, Depth(depths))
         for time, (depth, velocity), state in zip(times, motion, cycle.steps(), strict=True):
             elastic = float(stored_energy(self.bed, np.array([state.depth]), np.array([state.radius]))[0])
@@ -136,7 +136,7 @@ class AdhesiveImpact:
             )
 
     def gathered(self, states: Iterable[AdhesiveImpactState]) -> AdhesiveImpactSolution:
-        """Return the answer from these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its beginning."""
         every = list(states)
         return gather(
             AdhesiveImpactSolution,
@@ -162,20 +162,20 @@ class AdhesiveImpact:
         return self.gathered(self.steps())
 
 
-PARTED = 1e-9
-"""Part of the whole way by which bodies are drawn beyond the last hold."""
+SEPARATION_MARGIN = 1e-9
+"""Part of the whole depth by which bodies are drawn beyond the last hold."""
 
 
 @value
 class AdhesiveImpactSolution:
-    """The answer to an `AdhesiveImpact`, moment by moment.
+    """The solution of an `AdhesiveImpact`, moment by moment.
 
     Parameters
     ----------
     problem : AdhesiveImpact
-        What was asked.
+        The problem that was solved.
     time : ndarray, (steps,)
-        Since first touch [s]; the last one is when the bodies part, or stand still on the way out.
+        Since first touch [s]; the last one is when the bodies part, or stand still during the rebound.
     depth : ndarray, (steps,)
         d [m].
     velocity : ndarray, (steps,)
@@ -191,7 +191,7 @@ class AdhesiveImpactSolution:
     jumps : tuple of AdhesiveJump
         Snap-in, pull-off and all between.
     duration : float
-        How long the bodies touch, or until they stand still on the way out [s], also of an answer that was stopped
+        How long the bodies touch, or until they stand still during the rebound [s], also of a solution that was stopped
         before.
     captured : bool
         Whether the body stays: it then swings on in contact.
@@ -222,7 +222,7 @@ class AdhesiveImpactSolution:
 
     @property
     def restitution(self) -> float:
-        """Velocity of parting over that of approach [-]; zero if the body stays, nan if the answer was stopped."""
+        """Velocity of parting over that of approach [-]; zero if the body stays, nan if the march was stopped."""
         if self.captured:
             return 0.0
         return -float(self.velocity[-1]) / self.problem.velocity if self.time[-1] == self.duration else math.nan
@@ -233,11 +233,11 @@ class AdhesiveImpactSolution:
         problem = self.problem
         modulus = float(problem.bed.normal_stiffness(np.array([np.max(self.radius)]))[0])
         share = wave_loss(modulus=modulus, mass=problem.mass, size=problem.bed.size, velocity=problem.velocity)
-        given = np.full(self.time.size, 0.5 * problem.mass * problem.velocity**2)
+        energy_at_start = np.full(self.time.size, 0.5 * problem.mass * problem.velocity**2)
         verdict = "it stays, and swings on in contact without end in this theory" if self.captured else "it leaves"
         return (
             *adhesive_notes(problem.bed, problem.law, self.depth, self.radius),
-            energy_note(given, self.kinetic_energy + self.energy, self.dissipation),
+            energy_note(energy_at_start, self.kinetic_energy + self.energy, self.dissipation),
             wave_note(share),
             gravity_note(self.force),
             Note(

@@ -1,7 +1,8 @@
-r"""How a body swings into an adhesive contact and back: two curves of force over the depth, and the motion along them.
+r"""How a body moves into an adhesive contact and back: two curves of force over the depth, and the motion along them.
 
-Each way the force is smooth between the depths at which the edge runs on, comes free, or passes a kink of the profile;
-there it is laid on panels, and the motion :math:`m\ddot d=-F(d)` is integrated from one such depth to the next.
+In each direction the force is smooth between the depths at which the edge runs on, comes free, or passes a kink of the
+profile; there it is laid on panels, and the motion :math:`m\ddot d=-F(d)` is integrated from one such depth to the
+next.
 """
 
 from __future__ import annotations
@@ -21,20 +22,20 @@ from winkler.numerics.equations.roots import between
 from winkler.numerics.equations.turning import Leap, Slopes
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.types import Array
-from winkler.problems.adhesion.edge import AdhesiveEdge, Machine, adhesive_edge
+from winkler.problems.adhesion.edge import AdhesiveEdge, LoadingMachine, adhesive_edge
 from winkler.problems.normal.force_curve import rough_depth
 
-__all__ = ["Swing", "swing"]
+__all__ = ["ImpactMotion", "impact_motion"]
 
 PRECISION = 3e-14
-LONGEST = 1e6
-RESOLVED = 1e-12
-"""Of the greatest force: close to where the edge loses its hold, rounding of its radius is felt."""
+LONGEST_DURATION = 1e6
+FORCE_RESOLUTION = 1e-12
+"""Of the greatest force: close to where the edge loses its hold, rounding of its radius matters."""
 DOUBLINGS = 200
-PER_PANEL = 8
+STEPS_PER_PANEL = 8
 
 
-class Swing(NamedTuple):
+class ImpactMotion(NamedTuple):
     """The motion from first touch until the bodies part, or turn back in contact.
 
     Parameters
@@ -69,8 +70,8 @@ class Swing(NamedTuple):
         return float(depth), float(velocity)
 
 
-def swing(bed: Bed, law: ShortRange, mass: float, velocity: float) -> Swing:
-    """Return how a body swings in and out.
+def impact_motion(bed: Bed, law: ShortRange, mass: float, velocity: float) -> ImpactMotion:
+    """Return the motion of a body into contact and back.
 
     Raises
     ------
@@ -80,14 +81,14 @@ def swing(bed: Bed, law: ShortRange, mass: float, velocity: float) -> Swing:
         If the march comes to a halt.
     """
     energy = 0.5 * mass * velocity**2
-    edge, forces = _way_in(bed, law, energy)
+    edge, forces = _approach_path(bed, law, energy)
     stop = _first_passage(forces, energy)
     place = float(edge.closing.rise(0.0, np.array([stop]))[0][0])
-    back, parting = _way_out(edge, place, stop)
+    back, parting = _rebound_path(edge, place, stop)
     legs = _march(forces, mass, 0.0, np.array([0.0, velocity]))
     turn = legs[-1].end
     legs += _march(back[::-1], mass, turn, np.array([stop, 0.0]))
-    return Swing(tuple(legs), turn, stop, parting, legs[-1].stopped[1])
+    return ImpactMotion(tuple(legs), turn, stop, parting, legs[-1].stopped[1])
 
 
 def _breaks(bed: Bed, curve: Slopes, leaps: list[Leap], low: float, high: float, more: float = np.inf) -> Array:
@@ -100,27 +101,27 @@ def _breaks(bed: Bed, curve: Slopes, leaps: list[Leap], low: float, high: float,
 
 
 def _fitted(
-    edge: AdhesiveEdge, way: Callable[[Array], tuple[Array, list[Leap]]], breaks: Array, order: int
+    edge: AdhesiveEdge, path: Callable[[Array], tuple[Array, list[Leap]]], breaks: Array, order: int
 ) -> list[Panels]:
-    """Return the force on every stretch between breaks; the way is walked with depths rising (1) or falling (-1)."""
+    """Return the force on every stretch between breaks; the path is followed with depths rising (1) or falling (-1)."""
 
     def force(depths: Array) -> Array:
         flat = depths.ravel()
         sorting = np.argsort(order * flat)
-        places, _ = way(flat[sorting])
+        places, _ = path(flat[sorting])
         result = np.empty(flat.shape)
         result[sorting] = edge.state(places, flat[sorting])[1]
         return result.reshape(depths.shape)
 
     greatest = float(np.max(np.abs(force(breaks))))
-    return [fit_panels(force, np.array(ends), RESOLVED * greatest) for ends in pairwise(breaks)]
+    return [fit_panels(force, np.array(ends), FORCE_RESOLUTION * greatest) for ends in pairwise(breaks)]
 
 
-def _way_in(bed: Bed, law: ShortRange, energy: float) -> tuple[AdhesiveEdge, list[Panels]]:
-    """Return the edge and the forces on the way in, as far as they need to stop the body."""
+def _approach_path(bed: Bed, law: ShortRange, energy: float) -> tuple[AdhesiveEdge, list[Panels]]:
+    """Return the edge and the forces of the approach, as far as they need to stop the body."""
     highest = 2.0 * rough_depth(bed, energy)
     for _ in range(DOUBLINGS):
-        edge = adhesive_edge(bed, law, Machine(0.0), highest)
+        edge = adhesive_edge(bed, law, LoadingMachine(0.0), highest)
         ends = bed.reach < bed.rim and edge.closing.places[-1] >= bed.reach
         last = min(highest, float(edge.closing.levels[-1])) if ends else highest
         _, leaps = edge.closing.rise(0.0, np.array([last]))
@@ -146,7 +147,7 @@ def _first_passage(forces: list[Panels], energy: float) -> float:
     done = 0.0
     for piece in forces:
         work = piece.integral
-        part = np.linspace(0.0, 1.0, PER_PANEL + 1)[:-1]
+        part = np.linspace(0.0, 1.0, STEPS_PER_PANEL + 1)[:-1]
         depths = np.append((piece.edges[:-1, None] + np.diff(piece.edges)[:, None] * part).ravel(), piece.edges[-1])
         spent = done + work(depths) - energy
         beyond = np.flatnonzero(spent >= 0.0)
@@ -163,8 +164,8 @@ def _missing(depth: float, work: Panels, energy: float) -> float:
     return float(work(np.array(depth))) - energy
 
 
-def _way_out(edge: AdhesiveEdge, place: float, stop: float) -> tuple[list[Panels], float]:
-    """Return the forces on the way out, deepest last, and where the bodies part."""
+def _rebound_path(edge: AdhesiveEdge, place: float, stop: float) -> tuple[list[Panels], float]:
+    """Return the forces of the rebound, deepest last, and where the bodies part."""
     levels = edge.opening.levels
     below = float(np.min(levels)) - 0.01 * float(np.ptp(levels))
     _, leaps = edge.opening.fall(place, np.array([below]))
@@ -197,12 +198,14 @@ def _through(piece: Panels, mass: float, time: float, state: Array, inward: bool
 
     passed = StopCondition(lambda time, state: float(state[0]) - goal, direction)
     stands = StopCondition(lambda time, state: float(state[1]), -direction)
-    span = (time, time + LONGEST * width / fast)
+    span = (time, time + LONGEST_DURATION * width / fast)
     scales, stops = np.array([width, fast]), (passed, stands)
-    found = integrate_to_stop(rates, span, state, unit=width / fast, precision=PRECISION, scales=scales, stops=stops)
-    if not any(found.stopped):
+    integrated = integrate_to_stop(
+        rates, span, state, unit=width / fast, precision=PRECISION, scales=scales, stops=stops
+    )
+    if not any(integrated.stopped):
         raise NotConverged(
             f"AdhesiveImpact: the body hangs between {low:.6g} m and {high:.6g} m, where hardly a force moves it; "
             "change its velocity a little."
         )
-    return found
+    return integrated

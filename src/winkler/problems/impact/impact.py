@@ -28,20 +28,20 @@ from winkler.problems.assumptions.declared import BALANCED, SHEARED
 from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.assumptions.inertia import wave_loss, wave_note
-from winkler.problems.impact.march import Moment, Motion, stages, turning
+from winkler.problems.impact.march import ImpactMoment, ImpactProblem, stages, turning
 from winkler.problems.impact.states import ImpactStage, ImpactState
 from winkler.problems.impact.validity import PLANAR, Moments, gravity_note
 from winkler.problems.normal.force_curve import deepest, normal_curve, stiffness_ratio
 from winkler.problems.normal.solve_contact import at_depth
 from winkler.problems.normal.validity import indentation_notes
-from winkler.problems.normal.yield_statement import FRICTIONLESS, Rubbing, slid_depth
+from winkler.problems.normal.yield_statement import FRICTIONLESS, SurfaceFriction, slid_depth
 from winkler.validity import Assumption, Note
 from winkler.values import value
 
 __all__ = ["Impact", "ImpactSolution"]
 
-MUCH = 1e5
-"""More friction than this is told from no slip by rounding alone."""
+LARGEST_FRICTION = 1e5
+"""More friction than this differs from no slip by rounding alone."""
 
 
 @value
@@ -69,7 +69,7 @@ class Impact:
     lever : float, optional
         From the centre of mass to the surface [m]: the radius of a ball.
     count : int, optional
-        At how many moments the answer is wanted; it does not depend on them.
+        At how many moments states are returned; the motion does not depend on them.
 
     Raises
     ------
@@ -116,10 +116,10 @@ class Impact:
     assumptions: ClassVar[frozenset[Assumption]] = SHEARED | BALANCED | {Assumption.INERTIA}
 
     def __post_init__(self) -> None:
-        if MUCH < self.law.coefficient < math.inf:
+        if LARGEST_FRICTION < self.law.coefficient < math.inf:
             raise InvalidInput(
                 f"Impact: with a friction coefficient of {self.law.coefficient:g} hardly a spring slides, and rounding "
-                f"hides which; give at most {MUCH:g}, or Coulomb(math.inf) if nothing slides."
+                f"hides which; give at most {LARGEST_FRICTION:g}, or Coulomb(math.inf) if nothing slides."
             )
         if self.lever == 0.0 and self.angular_velocity != 0.0:
             raise InvalidInput(
@@ -138,7 +138,7 @@ class Impact:
         return 1.0 / self.mass + self.lever**2 / self.inertia
 
     @property
-    def _motion(self) -> Motion:
+    def _motion(self) -> ImpactProblem:
         depth = deepest(self.bed, 0.5 * self.mass * self.velocity**2)
         ratio = 1.0
         if self.law.coefficient > 0.0 and self.sliding_velocity != 0.0:
@@ -146,7 +146,9 @@ class Impact:
             ratio = stiffness_ratio(self.bed, float(radius[0]))
         curve = normal_curve(self.bed, depth)
         mobility, sliding = self.mobility, self.sliding_velocity
-        return Motion(curve, depth, self.mass, mobility, self.velocity, sliding, ratio, float(self.law.coefficient))
+        return ImpactProblem(
+            curve, depth, self.mass, mobility, self.velocity, sliding, ratio, float(self.law.coefficient)
+        )
 
     @property
     def total(self) -> int:
@@ -159,7 +161,7 @@ class Impact:
         Raises
         ------
         OutsideValidity
-            If the body is pressed in beyond what is known of its profile, a contact on the way is no disc, or the
+            If the body is pressed in beyond what is known of its profile, a contact along the path is no disc, or the
             springs of an oblique impact are not alike; before the first state.
         NotConverged
             If the profile is too rough, or the march comes to a halt.
@@ -171,16 +173,16 @@ class Impact:
         for stage in stages(motion, turn):
             begun = (*begun, ImpactStage(stage.start, stage.end, stage.sign))
             stop = int(np.searchsorted(times, stage.end, side="right"))
-            asked = times[done:stop]
-            moments = [stage.moment(time) for time in asked.tolist()]
+            requested = times[done:stop]
+            moments = [stage.moment(time) for time in requested.tolist()]
             if stop == self.count:
                 moments[-1] = _parted(moments[-1])
             if moments:
-                yield from self._states(asked, moments, begun, 2.0 * turn)
+                yield from self._states(requested, moments, begun, 2.0 * turn)
                 done, begun = stop, ()
 
     def _states(
-        self, times: Array, moments: list[Moment], begun: tuple[ImpactStage, ...], duration: float
+        self, times: Array, moments: list[ImpactMoment], begun: tuple[ImpactStage, ...], duration: float
     ) -> list[ImpactState]:
         gaps = np.array([(max(moment.depth, 0.0), max(moment.stuck, 0.0)) for moment in moments])
         _, radii = at_depth(self.bed, gaps.ravel())
@@ -208,7 +210,7 @@ class Impact:
         ]
 
     def gathered(self, states: Iterable[ImpactState]) -> ImpactSolution:
-        """Return the answer from these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its beginning."""
         every = list(states)
         stages = _joined([stage for state in every for stage in state.stages], every[-1].time)
         return gather(ImpactSolution, self, every, duration=every[-1].duration, stages=stages)
@@ -228,7 +230,7 @@ class Impact:
         return self.gathered(self.steps())
 
 
-def _parted(end: Moment) -> Moment:
+def _parted(end: ImpactMoment) -> ImpactMoment:
     """Return the moment after the last springs have parted: what they still stored is lost."""
     loss = end.loss + end.stored
     return end._replace(depth=0.0, loss=loss, force=0.0, shear=0.0, pressed=0.0, stored=0.0, stuck=0.0)
@@ -248,12 +250,12 @@ def _joined(stages: list[ImpactStage], last: float) -> tuple[ImpactStage, ...]:
 
 @value
 class ImpactSolution:
-    """The answer to an `Impact`, moment by moment.
+    """The solution of an `Impact`, moment by moment.
 
     Parameters
     ----------
     problem : Impact
-        What was asked.
+        The problem that was solved.
     time : ndarray, (steps,)
         Since first touch [s]; the last one is the end of contact.
     depth, shift : ndarray, (steps,)
@@ -271,7 +273,7 @@ class ImpactSolution:
     stages : tuple of ImpactStage
         When nothing slides, and when the edge of the contact slides to which side.
     duration : float
-        How long the bodies touch [s], also of an answer that was stopped before.
+        How long the bodies touch [s], also of a solution that was stopped before.
     """
 
     problem: Impact
@@ -323,7 +325,7 @@ class ImpactSolution:
 
     @property
     def restitution(self) -> float:
-        """Velocity of parting over that of approach [-]; nan if the answer was stopped before."""
+        """Velocity of parting over that of approach [-]; nan if the march was stopped before."""
         return -float(self.velocity[-1]) / self.problem.velocity if self.time[-1] == self.duration else math.nan
 
     @property
@@ -342,11 +344,13 @@ class ImpactSolution:
         modulus = float(bed.normal_stiffness(radius)[0])
         share = wave_loss(modulus=modulus, mass=problem.mass, size=bed.size, velocity=problem.velocity)
         mu = problem.law.coefficient
-        rubs = mu > 0.0 and problem.sliding_velocity != 0.0
-        rubbing = Rubbing(mu, slid_depth(mu, self.depth, self.force, self.shear_force)) if rubs else FRICTIONLESS
-        kept = self.kinetic_energy + self.energy + self.stored_energy
-        balance = energy_note(np.full(kept.size, kept[0]), kept, self.dissipation)
+        slides = mu > 0.0 and problem.sliding_velocity != 0.0
+        rubbing = (
+            SurfaceFriction(mu, slid_depth(mu, self.depth, self.force, self.shear_force)) if slides else FRICTIONLESS
+        )
+        mechanical = self.kinetic_energy + self.energy + self.stored_energy
+        balance = energy_note(np.full(mechanical.size, mechanical[0]), mechanical, self.dissipation)
         notes = [*indentation_notes(bed, depth, radius, rubbing), balance, wave_note(share), gravity_note(force)]
-        if rubs:
+        if slides:
             notes += [PLANAR, sticking_note(bed.medium, mu), *direction_notes(bed)]
         return tuple(notes)

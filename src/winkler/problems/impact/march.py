@@ -24,10 +24,10 @@ import numpy as np
 from winkler.errors import NotConverged
 from winkler.numerics.equations.marching import IntegratedStates, StopCondition, integrate_to_stop
 from winkler.numerics.types import Array
-from winkler.problems.impact.memory import NOTHING, Entered, Recalled, Slid, Stuck, ring
+from winkler.problems.impact.memory import NO_HISTORY, EnteredSprings, RecalledPoint, SlidSprings, Stuck, ring
 from winkler.problems.normal.force_curve import NormalCurve
 
-__all__ = ["Moment", "Motion", "Stage", "stages", "turning"]
+__all__ = ["ImpactMoment", "ImpactProblem", "Stage", "stages", "turning"]
 
 PRECISION = 3e-14
 """Relative error allowed per step."""
@@ -38,7 +38,7 @@ NODES = np.cos(np.pi * (np.arange(DEGREE + 1) + 0.5) / (DEGREE + 1))
 POWERS = np.linalg.inv(np.vander(NODES, increasing=True))
 
 
-class Motion(NamedTuple):
+class ImpactProblem(NamedTuple):
     """What moves, and on which springs.
 
     Parameters
@@ -83,7 +83,7 @@ class Motion(NamedTuple):
         )
 
 
-class Moment(NamedTuple):
+class ImpactMoment(NamedTuple):
     """One moment of the contact.
 
     Parameters
@@ -126,15 +126,15 @@ class Stage(NamedTuple):
     start: float
     end: float
     sign: int
-    moment: Callable[[float], Moment]
+    moment: Callable[[float], ImpactMoment]
 
 
-def stages(motion: Motion, turn: float) -> Iterator[Stage]:
+def stages(motion: ImpactProblem, turn: float) -> Iterator[Stage]:
     """Yield the stages of an impact, from first touch to the end of contact.
 
     Parameters
     ----------
-    motion : Motion
+    motion : ImpactProblem
     turn : float
         When the depth is greatest [s].
 
@@ -149,7 +149,7 @@ def stages(motion: Motion, turn: float) -> Iterator[Stage]:
 
 
 def _march(
-    motion: Motion,
+    motion: ImpactProblem,
     rates: Callable[[float, Array], list[float]],
     span: tuple[float, float],
     start: Array,
@@ -159,7 +159,7 @@ def _march(
     return integrate_to_stop(rates, span, start, unit=unit, precision=PRECISION, scales=scales, stops=stops)
 
 
-def turning(motion: Motion) -> float:
+def turning(motion: ImpactProblem) -> float:
     """Return when the depth is greatest [s]."""
 
     def rates(time: float, state: Array) -> list[float]:
@@ -167,11 +167,13 @@ def turning(motion: Motion) -> float:
 
     longest = 2.0 * motion.depth / motion.velocity  # the force never falls with the depth
     stopped = StopCondition(lambda time, state: state[1], -1)
-    found = _march(motion, rates, (0.0, longest), np.array([0.0, motion.velocity]), [stopped])
-    return found.end
+    integrated = _march(motion, rates, (0.0, longest), np.array([0.0, motion.velocity]), [stopped])
+    return integrated.end
 
 
-def _stick(motion: Motion, span: tuple[float, float], start: Array, stops: list[StopCondition]) -> IntegratedStates:
+def _stick(
+    motion: ImpactProblem, span: tuple[float, float], start: Array, stops: list[StopCondition]
+) -> IntegratedStates:
     """March on while all springs stick: d, v, U, w, loss, shear force and stored energy."""
     mass, ratio, mobility = motion.mass, motion.ratio, motion.mobility
 
@@ -183,24 +185,24 @@ def _stick(motion: Motion, span: tuple[float, float], start: Array, stops: list[
     return _march(motion, rates, span, start, stops)
 
 
-def _sticking(motion: Motion, found: IntegratedStates) -> Stage:
-    def moment(time: float) -> Moment:
-        depth, velocity, shift, sliding, loss, shear, stored = found.at(time).tolist()
+def _sticking(motion: ImpactProblem, integrated: IntegratedStates) -> Stage:
+    def moment(time: float) -> ImpactMoment:
+        depth, velocity, shift, sliding, loss, shear, stored = integrated.at(time).tolist()
         _, force, pressed = motion.curve.at(depth)
-        return Moment(depth, velocity, shift, sliding, loss, force, shear, pressed, stored, depth)
+        return ImpactMoment(depth, velocity, shift, sliding, loss, force, shear, pressed, stored, depth)
 
-    return Stage(float(found.times[0]), found.end, 0, moment)
+    return Stage(float(integrated.times[0]), integrated.end, 0, moment)
 
 
-def _entered(motion: Motion, found: IntegratedStates, turn: float) -> Entered:
+def _entered(motion: ImpactProblem, integrated: IntegratedStates, turn: float) -> EnteredSprings:
     """Return what springs remember that came into contact while all stuck."""
-    times = found.times
+    times = integrated.times
     places = 0.5 * (times[:-1] + times[1:])[:, None] + 0.5 * np.diff(times)[:, None] * NODES
-    values = found.at(places.ravel())[[0, 2, 5, 6]].reshape(4, *places.shape)
-    return Entered(times.tolist(), np.moveaxis(values @ POWERS.T, 0, 1), motion.ratio, motion.beta(), turn)
+    values = integrated.at(places.ravel())[[0, 2, 5, 6]].reshape(4, *places.shape)
+    return EnteredSprings(times.tolist(), np.moveaxis(values @ POWERS.T, 0, 1), motion.ratio, motion.beta(), turn)
 
 
-def _with_slip(motion: Motion, turn: float) -> Iterator[Stage]:
+def _with_slip(motion: ImpactProblem, turn: float) -> Iterator[Stage]:
     beta, end = motion.beta(), 2.0 * turn
     time, state = 0.0, np.array([0.0, motion.velocity, 0.0, motion.sliding, 0.0])
     memory: list[Stuck] = []
@@ -213,36 +215,36 @@ def _with_slip(motion: Motion, turn: float) -> Iterator[Stage]:
         if sign == 0:
             forward = StopCondition(lambda time, y: y[3] - beta * y[1], 1)
             backward = StopCondition(lambda time, y: y[3] + beta * y[1], -1)
-            found = _stick(motion, (time, turn), np.array([*state, shear, stored]), [forward, backward])
-            if found.end > time:
-                yield _sticking(motion, found)
-                memory.append(_entered(motion, found, turn))
-            time, state = found.end, found.last[:5]
-            ahead, back = found.stopped
+            integrated = _stick(motion, (time, turn), np.array([*state, shear, stored]), [forward, backward])
+            if integrated.end > time:
+                yield _sticking(motion, integrated)
+                memory.append(_entered(motion, integrated, turn))
+            time, state = integrated.end, integrated.last[:5]
+            ahead, back = integrated.stopped
             # where the bodies turn back before anything slides, those that part next slide as the points move
-            sign = int(ahead) - int(back) or int(np.sign(state[3])) or -int(np.sign(found.last[5])) or 1
+            sign = int(ahead) - int(back) or int(np.sign(state[3])) or -int(np.sign(integrated.last[5])) or 1
             continue
         while memory and sign * state[2] - beta * state[0] >= memory[-1].highest(sign):
             memory.pop()
         slip = _Slip(motion, sign, memory[-1] if memory else None, turn)
-        found = slip.march(time, turn if time < turn else end, state)
-        if found.end > time:
-            yield Stage(time, found.end, sign, slip.reader(found))
-        time, state = found.end, found.last
-        stopped, eaten, passed = found.stopped
-        if not any(found.stopped) and time == end:
+        integrated = slip.march(time, turn if time < turn else end, state)
+        if integrated.end > time:
+            yield Stage(time, integrated.end, sign, slip.reader(integrated))
+        time, state = integrated.end, integrated.last
+        stopped, eaten, passed = integrated.stopped
+        if not any(integrated.stopped) and time == end:
             return
         last = slip.recall(state)
         if eaten:
             memory.pop()
-            while memory and isinstance(memory[-1], Slid) and memory[-1].sign == sign:
+            while memory and isinstance(memory[-1], SlidSprings) and memory[-1].sign == sign:
                 memory.pop()
         elif passed:
             sign = -sign
         elif stopped:
             shear, stored = slip.shear(state, last)
             if last.gap < state[0]:
-                memory.append(Slid(sign, float(state[0]), float(state[2]), beta, last))
+                memory.append(SlidSprings(sign, float(state[0]), float(state[2]), beta, last))
             sign = 0 if time < turn else -sign
     raise NotConverged(f"Impact: sticking and sliding have taken turns {MOST_STAGES} times; give fewer waves.")
 
@@ -250,7 +252,7 @@ def _with_slip(motion: Motion, turn: float) -> Iterator[Stage]:
 class _Slip(NamedTuple):
     """The edge slides towards a side, over springs of which the last ones remember `stuck`."""
 
-    motion: Motion
+    motion: ImpactProblem
     sign: int
     stuck: Stuck | None
     turn: float
@@ -258,12 +260,12 @@ class _Slip(NamedTuple):
     def level(self, state: Array) -> float:
         return float(self.sign * state[2] - self.motion.beta() * state[0])
 
-    def recall(self, state: Array) -> Recalled:
+    def recall(self, state: Array) -> RecalledPoint:
         if self.stuck is None:
-            return NOTHING
+            return NO_HISTORY
         return self.stuck.front(self.sign, self.level(state), float(state[0]), self.motion.curve)
 
-    def shear(self, state: Array, inner: Recalled) -> tuple[float, float]:
+    def shear(self, state: Array, inner: RecalledPoint) -> tuple[float, float]:
         """Return shear force and stored energy."""
         motion, shift = self.motion, float(state[2])
         linear, square = ring(motion.curve, inner, float(state[0]))
@@ -298,19 +300,19 @@ class _Slip(NamedTuple):
         ]
         return _march(motion, rates, (time, end), start, stops)
 
-    def reader(self, found: IntegratedStates) -> Callable[[float], Moment]:
-        def moment(time: float) -> Moment:
-            state = found.at(time)
+    def reader(self, integrated: IntegratedStates) -> Callable[[float], ImpactMoment]:
+        def moment(time: float) -> ImpactMoment:
+            state = integrated.at(time)
             depth, velocity, shift, sliding, loss = state.tolist()
             inner = self.recall(state)
             shear, stored = self.shear(state, inner)
             _, force, pressed = self.motion.curve.at(depth)
-            return Moment(depth, velocity, shift, sliding, loss, force, shear, pressed, stored, inner.gap)
+            return ImpactMoment(depth, velocity, shift, sliding, loss, force, shear, pressed, stored, inner.gap)
 
         return moment
 
 
-def _without_slip(motion: Motion, turn: float) -> Iterator[Stage]:
+def _without_slip(motion: ImpactProblem, turn: float) -> Iterator[Stage]:
     r"""All springs stick until they part; those of the gap d then lose what they have stored.
 
     With the displacement :math:`\delta` of the springs at the edge the loss is
@@ -335,13 +337,15 @@ def _without_slip(motion: Motion, turn: float) -> Iterator[Stage]:
 
     parted = _march(motion, rates, (turn, 2.0 * turn), loaded.last[:5], [])
 
-    def moment(time: float) -> Moment:
+    def moment(time: float) -> ImpactMoment:
         depth, velocity, shift, sliding, loss = parted.at(time).tolist()
         displaced, earlier = edge(time, shift)
         stiffness, force, pressed = curve.at(depth)
         stretch = 0.5 * ratio * stiffness * displaced**2
         before = float(earlier[6]) + float(earlier[5]) * displaced
         shear = ratio * stiffness * displaced + float(earlier[5])
-        return Moment(depth, velocity, shift, sliding, loss - stretch, force, shear, pressed, before + stretch, depth)
+        return ImpactMoment(
+            depth, velocity, shift, sliding, loss - stretch, force, shear, pressed, before + stretch, depth
+        )
 
     yield Stage(turn, 2.0 * turn, sign, moment)

@@ -5,7 +5,7 @@ when :math:`\sigma u` reaches :math:`\beta(d-\gamma)`, that is when the level
 
 .. math:: A_\sigma = \sigma U - \beta d \quad\text{reaches}\quad \alpha_\sigma(\gamma) = -\sigma h(\gamma)-\beta\gamma .
 
-:math:`\alpha_\sigma` never rises with :math:`\gamma`: sliding sets in at the edge and eats its way inwards.  Springs
+:math:`\alpha_\sigma` never rises with :math:`\gamma`: sliding sets in at the edge and advances inwards.  Springs
 that have slid and stick again remember a straight line; springs that came into contact while all others stuck remember
 the shift at that moment, :math:`h(\gamma)=-U(t_\gamma)`, and then :math:`\alpha_\sigma(\gamma)=A_\sigma(t_\gamma)`:
 the level itself at that moment.
@@ -21,14 +21,14 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.problems.normal.force_curve import NormalCurve
 
-__all__ = ["NOTHING", "Entered", "Recalled", "Slid", "Stuck", "ring"]
+__all__ = ["NO_HISTORY", "EnteredSprings", "RecalledPoint", "SlidSprings", "Stuck", "ring"]
 
 NEWTON_STEPS = 60
-NARROW = 0.1
+NARROW_RING = 0.1
 """Part of the depth below which a ring of springs is summed by itself, lest nothing be left of it by rounding."""
 
 
-class Recalled(NamedTuple):
+class RecalledPoint(NamedTuple):
     """How far the springs stick, and sums over those that do.
 
     Parameters
@@ -49,28 +49,28 @@ class Recalled(NamedTuple):
     work: float
 
 
-NOTHING = Recalled(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+NO_HISTORY = RecalledPoint(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
-class Ring(NamedTuple):
+class SpringRing(NamedTuple):
     """Sums over the springs from a gap to a depth: of d - gap [N], and of its square [J]."""
 
     linear: float
     square: float
 
 
-def ring(curve: NormalCurve, inner: Recalled, depth: float) -> Ring:
+def ring(curve: NormalCurve, inner: RecalledPoint, depth: float) -> SpringRing:
     """Return the sums over the springs beyond those that stick."""
     wide = depth - inner.gap
-    if wide < NARROW * depth:
-        return Ring(*curve.between(inner.gap, inner.stiffness, depth))
+    if wide < NARROW_RING * depth:
+        return SpringRing(*curve.between(inner.gap, inner.stiffness, depth))
     _, force, work = curve.at(depth)
     linear = force - inner.force - wide * inner.stiffness
     square = 2.0 * (work - inner.work) - wide * (2.0 * inner.force + wide * inner.stiffness)
-    return Ring(linear, square)
+    return SpringRing(linear, square)
 
 
-class Slid(NamedTuple):
+class SlidSprings(NamedTuple):
     """Springs that have slid and stick again since a depth d1 and a shift U1: h = sign beta (d1 - gap) - U1.
 
     Parameters
@@ -89,7 +89,7 @@ class Slid(NamedTuple):
     depth: float
     shift: float
     beta: float
-    start: Recalled
+    start: RecalledPoint
 
     def highest(self, sign: int) -> float:
         """Return the level at which all of them slide to a side."""
@@ -102,7 +102,7 @@ class Slid(NamedTuple):
         """Return how far the edge is displaced towards a side, if these springs stuck up to there [m]."""
         return sign * (shift - self.shift + self.sign * self.beta * (self.depth - depth))
 
-    def front(self, sign: int, level: float, depth: float, curve: NormalCurve) -> Recalled:
+    def front(self, sign: int, level: float, depth: float, curve: NormalCurve) -> RecalledPoint:
         """Return what sticks when the level towards a side is reached."""
         start = self.start
         gap = depth
@@ -110,16 +110,16 @@ class Slid(NamedTuple):
             low = 0.5 * ((sign * self.shift - level) / self.beta + self.depth)
             gap = min(max(low, start.gap), depth)
         stiffness, force, work = curve.at(gap)
-        end = Recalled(gap, 0.0, 0.0, stiffness, force, work)
+        end = RecalledPoint(gap, 0.0, 0.0, stiffness, force, work)
         whole, rest = ring(curve, start, self.depth), ring(curve, end, self.depth)
         slope, gain = self.sign * self.beta, stiffness - start.stiffness
         linear, square = slope * (whole.linear - rest.linear), slope * slope * (whole.square - rest.square)
         first = start.first + linear - self.shift * gain
         second = start.second + square - 2.0 * self.shift * linear + self.shift * self.shift * gain
-        return Recalled(gap, first, second, stiffness, force, work)
+        return RecalledPoint(gap, first, second, stiffness, force, work)
 
 
-class Entered(NamedTuple):
+class EnteredSprings(NamedTuple):
     """Springs that came into contact while all others stuck.
 
     Parameters
@@ -163,14 +163,14 @@ class Entered(NamedTuple):
             return sign * (shift - start) + self.beta * max(depth - end, 0.0)
         return sign * (shift - self.read(max(earlier, self.times[0]))[1])
 
-    def front(self, sign: int, level: float, depth: float, curve: NormalCurve) -> Recalled:
+    def front(self, sign: int, level: float, depth: float, curve: NormalCurve) -> RecalledPoint:
         """Return what sticks when the level towards a side is reached."""
         time = self._when(sign, level)
         gap, shift, shear, stored = self.read(time)
         stiffness, force, work = curve.at(gap)
         first = shear / self.ratio - shift * stiffness
         second = 2.0 * stored / self.ratio - shift * shift * stiffness - 2.0 * shift * first
-        return Recalled(gap, first, second, stiffness, force, work)
+        return RecalledPoint(gap, first, second, stiffness, force, work)
 
     def _when(self, sign: int, level: float) -> float:
         """Return when the level, which fell all the time, was as low as now."""
@@ -186,7 +186,7 @@ class Entered(NamedTuple):
         return self.times[step] + part * (self.times[step + 1] - self.times[step])
 
 
-Stuck = Slid | Entered
+Stuck = SlidSprings | EnteredSprings
 """What springs may remember."""
 
 

@@ -1,4 +1,4 @@
-"""What every impact says about itself, and how many moments it takes."""
+"""Validity notes of every impact, and the number of its states."""
 
 from __future__ import annotations
 

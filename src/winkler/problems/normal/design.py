@@ -1,9 +1,9 @@
 r"""Bodies made to order: the shape that follows a prescribed force curve, or presses with a prescribed pressure.
 
-The method read backwards.  A force curve tells the stiffness k = dF/dd, the medium tells at which contact radius a it
-has this stiffness, and the depth there is the equivalent profile, g(a) = d; `winkler.media.body_of` turns g into a
-body.  A pressure tells how far the surface sinks (`winkler.media.under_pressure`), and the body is what the surface
-lacks of the depth at the axis, f(r) = u(0) - u(r).
+The method inverted.  A force curve gives the stiffness k = dF/dd, the medium gives the contact radius a that has
+this stiffness, and the depth there is the equivalent profile, g(a) = d; `winkler.media.body_of` turns g into a
+body.  A pressure determines how far the surface sinks (`winkler.media.under_pressure`), and the body is what the
+surface lacks of the depth at the axis, f(r) = u(0) - u(r).
 """
 
 from __future__ import annotations
@@ -24,25 +24,25 @@ from winkler.profiles.designed import Designed
 
 __all__ = ["design_for_pressure", "design_profile"]
 
-FEWEST = 6
+LEAST_POINTS = 6
 TOLERANCE = 1e-10
 """Least error of f' on its panels, relative to the steepest slope."""
 LAYERED_TOLERANCE = 2e-9
 """The same on layers, whose transforms lose a digit."""
 FLAT_TOLERANCE = 1e-8
 """The same of a body with a flat end, close to which the rounding of places counts."""
-PART = 0.5
+TRANSFORM_SHARE = 0.5
 """Part of these errors left to the transform of the body."""
 PRESSURE_TOLERANCE = 1e-9
 """Error of f' on its panels, relative to the steepest slope, of a body made for a pressure."""
-MISFIT = 1e-6
+SPLINE_MISFIT = 1e-6
 """What the spline through a pressure given at points may miss of it."""
-EDGE = 1e-9
+EDGE_PRESSURE = 1e-9
 """Pressure at the edge, over the greatest, that counts as zero."""
-CONVEX = 1e-9
+CONVEXITY_TOLERANCE = 1e-9
 """By how much of the greatest one the slope of a curve may fall for rounding."""
-BEYOND_SCATTER = 2.0
-HOLLOW = 1e-3
+SCATTER_FACTOR = 2.0
+HOLLOW_TOLERANCE = 1e-3
 """A curve that is not convex is refused if it lies farther from a convex one than so many times its scatter and such a
 part of the greatest force; what it misses of less is stated."""
 
@@ -70,7 +70,7 @@ def design_profile(depth: ArrayLike, force: ArrayLike, medium: Medium) -> Design
     InvalidInput
         If the curve is not convex beyond its scatter: the contact of a body can only grow, and dF/dd with it.
     OutsideValidity
-        If the medium cannot be read backwards, the curve asks for a vertical wall, or for a contact far wider than the
+        If the medium cannot be inverted, the curve requires a vertical wall, or for a contact far wider than the
         layers.
 
     Examples
@@ -99,7 +99,7 @@ def design_profile(depth: ArrayLike, force: ArrayLike, medium: Medium) -> Design
     rise: Curve = transformed
     if not exact.singular:
         bounds = np.array([0.0, *joints, end])
-        rise = panels = fit_panels(transformed, bounds, PART * tolerance * _greatest(transformed, end))
+        rise = panels = fit_panels(transformed, bounds, TRANSFORM_SHARE * tolerance * _greatest(transformed, end))
         joints = [float(x) for x in panels.edges[1:-1]]
 
     def slope(r: Array) -> Array:
@@ -132,7 +132,7 @@ def design_for_pressure(r: ArrayLike, pressure: ArrayLike, medium: Medium) -> De
     InvalidInput
         If the pressure is negative somewhere or the radii do not rise from 0.
     OutsideValidity
-        If the medium cannot be read backwards, the pressure on layers ends above zero, or a contact with this pressure
+        If the medium cannot be inverted, the pressure on layers ends above zero, or a contact with this pressure
         could not have grown from a point (the springs would be deepest away from the axis).
     """
     if body_of.exponent_of(medium) == 1.0:
@@ -141,10 +141,10 @@ def design_for_pressure(r: ArrayLike, pressure: ArrayLike, medium: Medium) -> De
             "transform is needed."
         )
     radii, p = _checked("design_for_pressure", "r", "m", r, "pressure", "Pa", pressure)
-    if radii[0] != 0.0 or radii.size < FEWEST:
+    if radii[0] != 0.0 or radii.size < LEAST_POINTS:
         raise InvalidInput(
-            f"design_for_pressure: r starts at {radii[0]:.6g} m with {radii.size} points; give at least {FEWEST} from "
-            "r = 0 to the contact radius."
+            f"design_for_pressure: r starts at {radii[0]:.6g} m with {radii.size} points; give at least {LEAST_POINTS} "
+            "from r = 0 to the contact radius."
         )
     if np.any(p < 0.0):
         bad = int(np.flatnonzero(p < 0.0)[0])
@@ -154,7 +154,7 @@ def design_for_pressure(r: ArrayLike, pressure: ArrayLike, medium: Medium) -> De
         )
     if not np.any(p > 0.0):
         raise InvalidInput("design_for_pressure: the pressure is zero everywhere; give one that presses.")
-    if isinstance(medium, LayeredMedium) and p[-1] > EDGE * np.max(p):
+    if isinstance(medium, LayeredMedium) and p[-1] > EDGE_PRESSURE * np.max(p):
         raise OutsideValidity(
             f"design_for_pressure: at the edge, r = {radii[-1]:.6g} m, the pressure is {p[-1]:.6g} Pa; the body would "
             "be infinitely steep there, which the springs of layers cannot resolve: give a pressure that ends at zero."
@@ -164,7 +164,7 @@ def design_for_pressure(r: ArrayLike, pressure: ArrayLike, medium: Medium) -> De
         _refuse_falling(end, sunk)
     steepest = _greatest(sunk.rise, end)
     series = fit_panels(sunk.rise, end * np.linspace(0.0, 1.0, 5), PRESSURE_TOLERANCE * steepest)
-    body = Designed(series.edges, series.coefficients, MISFIT)
+    body = Designed(series.edges, series.coefficients, SPLINE_MISFIT)
     if isinstance(medium, LayeredMedium):
         _refuse_falling_gap(end, medium, body)
     return body
@@ -174,11 +174,11 @@ def _convex(depth: ArrayLike, force: ArrayLike) -> tuple[ConvexCurve, float]:
     """Return the curve, and how far it is from the points over the greatest force."""
     d, f = _checked("design_profile", "depth", "m", depth, "force", "N", force)
     d, f = d[d > 0.0], f[d > 0.0]
-    if d.size < FEWEST:
-        raise InvalidInput(f"design_profile: {d.size} depths above zero were given; give at least {FEWEST}.")
-    where = first_concave_part(d, f, CONVEX)
+    if d.size < LEAST_POINTS:
+        raise InvalidInput(f"design_profile: {d.size} depths above zero were given; give at least {LEAST_POINTS}.")
+    where = first_concave_part(d, f, CONVEXITY_TOLERANCE)
     scatter = local_scatter(d, f) if where is not None else 0.0
-    pulled = np.flatnonzero(f <= -BEYOND_SCATTER * scatter)
+    pulled = np.flatnonzero(f <= -SCATTER_FACTOR * scatter)
     if pulled.size or f[-1] <= 0.0:
         bad = int(pulled[0]) if pulled.size else d.size - 1
         raise InvalidInput(
@@ -186,7 +186,7 @@ def _convex(depth: ArrayLike, force: ArrayLike) -> tuple[ConvexCurve, float]:
             "adhesion a body is pushed back at every depth: give positive forces."
         )
     curve = fit_convex(d, f)
-    if where is not None and curve.misfit > BEYOND_SCATTER * scatter + HOLLOW * float(np.max(f)):
+    if where is not None and curve.misfit > SCATTER_FACTOR * scatter + HOLLOW_TOLERANCE * float(np.max(f)):
         raise InvalidInput(
             f"design_profile: the force is not convex between the depths {where[0]:.6g} m and {where[1]:.6g} m; dF/dd "
             "is the stiffness of the contact, which never shrinks while it is pressed: give a curve whose slope rises."
@@ -224,10 +224,10 @@ def _ring(place: float) -> str:
 
 
 def _checked(
-    owner: str, first: str, unit: str, given: ArrayLike, second: str, other: str, values: ArrayLike
+    owner: str, first: str, unit: str, abscissae: ArrayLike, second: str, other: str, values: ArrayLike
 ) -> tuple[Array, Array]:
     try:
-        x, y = np.array(given, dtype=float), np.array(values, dtype=float)
+        x, y = np.array(abscissae, dtype=float), np.array(values, dtype=float)
     except (TypeError, ValueError):
         raise InvalidInput(
             f"{owner}: {first} or {second} are not numbers; give arrays in {unit} and {other}."

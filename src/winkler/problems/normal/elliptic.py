@@ -6,7 +6,7 @@ With the larger semi-axis :math:`\alpha`, the smaller :math:`\beta`, :math:`m=1-
 .. math:: d = \frac{3F}{2\pi E^*\alpha}R_F(0,1-m,1) , \qquad \frac{\mathrm dF}{\mathrm dd} = \frac{3F}{2d} , \qquad
           p = p_0\sqrt{1-\frac{x^2}{a^2}-\frac{y^2}{b^2}} , \quad p_0 = \frac{3F}{2\pi ab} .
 
-The force grows as that of a ball of the radius :math:`R_\mathrm{eq} = 9F^2/(16E^{*2}d^3)`: what asks for no more
+The force grows as that of a ball of the radius :math:`R_\mathrm{eq} = 9F^2/(16E^{*2}d^3)`: what needs no more
 than force, depth and stiffness runs on its springs, `winkler.foundation.elliptic`.
 """
 
@@ -32,7 +32,7 @@ from winkler.values import value
 __all__ = ["EllipticIndentation", "EllipticSolution"]
 
 HERTZ = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 4.2, doi:10.1017/CBO9781139171731"
-SMALL = 0.1
+SMALL_SLOPE = 0.1
 """Contact over curvature radius up to which a body may be taken for a half-space, and its slopes for small."""
 
 
@@ -47,12 +47,12 @@ class EllipticIndentation:
     medium : HalfSpace or TransverselyIsotropicHalfSpace
         Both bodies, homogeneous.
     load : Force or Depth
-        What is prescribed, not negative; its value may be an array, the answers then have its shape.
+        What is prescribed, not negative; its value may be an array, the results then have its shape.
 
     Raises
     ------
     InvalidInput
-        If something of another kind is given.
+        If an argument has the wrong type.
 
     References
     ----------
@@ -86,7 +86,7 @@ class EllipticIndentation:
 
     @property
     def bed(self) -> EllipticFoundation:
-        """The springs that bear forces like these bodies, for problems that ask for no more; sheared along x."""
+        """The springs that bear forces like these bodies, for problems that need no more; sheared along x."""
         return EllipticFoundation(self.bodies, self.medium)  # type: ignore[arg-type]
 
     @property
@@ -129,12 +129,12 @@ class EllipticIndentation:
 
 @value
 class EllipticSolution:
-    """The answer to an `EllipticIndentation`; every quantity has the shape of the load.
+    """The solution of an `EllipticIndentation`; every quantity has the shape of the load.
 
     Parameters
     ----------
     problem : EllipticIndentation
-        What was asked.
+        The problem that was solved.
     depth : float or ndarray
         d [m].
     force : float or ndarray
@@ -182,11 +182,11 @@ class EllipticSolution:
         Raises
         ------
         InvalidInput
-            If the answer is to an array of loads.
+            If the solution has more than one load.
         """
         if np.ndim(self.depth) != 0:
             raise InvalidInput(
-                f"EllipticSolution: it holds {np.size(self.depth)} loads; solve one of them to ask for its pressure."
+                f"EllipticSolution: it holds {np.size(self.depth)} loads; solve one of them for its pressure."
             )
         if self.force == 0.0:
             return np.zeros(np.broadcast_shapes(np.shape(x), np.shape(y)))
@@ -201,7 +201,7 @@ class EllipticSolution:
             float(np.max(self.longitudinal_semi_axis)) / bodies.longitudinal_curvature_radius,
             float(np.max(self.lateral_semi_axis)) / bodies.lateral_curvature_radius,
         )
-        small = slope <= SMALL
+        small = slope <= SMALL_SLOPE
         verdict = "small, as the theory assumes" if small else "not small: deviations of the order of the slope"
         return (
             *self.problem.medium.notes,

@@ -29,8 +29,8 @@ from winkler.numerics.types import Array
 
 __all__ = ["EllipticPeak", "axis_stresses", "greatest_under_ellipse"]
 
-COUNT = 49
-ROUNDS = 12
+SAMPLES = 49
+REFINEMENTS = 12
 
 
 class EllipticPeak(NamedTuple):
@@ -66,7 +66,7 @@ def axis_stresses(a: float, b: float, poisson: float, z: Array) -> tuple[Array, 
 
 @functools.lru_cache(maxsize=1024)
 def greatest_under_ellipse(slenderness: float, poisson: float) -> EllipticPeak:
-    """Return the greatest von Mises stress, looked for on the axis and at the ends of the axes of the ellipse.
+    """Return the greatest von Mises stress, sought on the axis and at the ends of the axes of the ellipse.
 
     Parameters
     ----------
@@ -81,11 +81,11 @@ def greatest_under_ellipse(slenderness: float, poisson: float) -> EllipticPeak:
         return np.asarray(np.sqrt(0.5 * ((s_x - s_y) ** 2 + (s_y - s_z) ** 2 + (s_z - s_x) ** 2)))
 
     low, high = math.log(1e-4), math.log(4.0)
-    for _ in range(ROUNDS):
-        z = np.exp(np.linspace(low, high, COUNT))
+    for _ in range(REFINEMENTS):
+        z = np.exp(np.linspace(low, high, SAMPLES))
         values = stress(z)
         best = int(np.argmax(values))
-        low, high = math.log(z[max(best - 1, 0)]), math.log(z[min(best + 1, COUNT - 1)])
+        low, high = math.log(z[max(best - 1, 0)]), math.log(z[min(best + 1, SAMPLES - 1)])
     below = EllipticPeak(float(values[best]), float(z[best]))
     at_ends = _ends(slenderness) * abs(1.0 - 2.0 * poisson) * math.sqrt(3.0)
     return max(below, EllipticPeak(at_ends, 0.0))

@@ -33,14 +33,14 @@ from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
 
 __all__ = ["NormalCurve", "deepest", "normal_curve", "rough_depth", "stiffness_ratio"]
 
-MARGIN = 1e-3
-"""How far beyond the greatest depth the curve is known, for the trial steps of the march."""
-STRIDE = 1.3
-BEGINNING = 1e-3
-"""Part of the radius that the energy asks for of a power, where a search begins."""
-LADDER = ((1e-15, 128), (1e-13, 512))
+DEPTH_MARGIN = 1e-3
+"""How far beyond the greatest depth the curve is computed, for the trial steps of the march."""
+SEARCH_FACTOR = 1.3
+SEARCH_START = 1e-3
+"""Part of the radius at which a power profile would store the energy, where a search begins."""
+PANEL_TOLERANCES = ((1e-15, 128), (1e-13, 512))
 """Relative errors that are tried one after the other, with so many panels: g by quadrature is not exact to rounding."""
-LAST = 1e-11
+LAST_TOLERANCE = 1e-11
 
 
 class NormalCurve(NamedTuple):
@@ -96,15 +96,19 @@ class NormalCurve(NamedTuple):
             middle, half = 0.5 * (low + high), 0.5 * (high - low)
             panel = min(max(bisect_right(edges, middle), 1), len(edges) - 1) - 1
             start, stop = edges[panel], edges[panel + 1]
-            place = middle + half * PLACES
+            place = middle + half * GAUSS_POINTS
             t = np.clip((2.0 * place - start - stop) / (stop - start), -1.0, 1.0)
-            excess = half * WEIGHTS * (np.cos(np.outer(np.arccos(t), self.orders)) @ self.rows[panel][:, 0] - stiffness)
+            excess = (
+                half
+                * GAUSS_WEIGHTS
+                * (np.cos(np.outer(np.arccos(t), self.orders)) @ self.rows[panel][:, 0] - stiffness)
+            )
             linear += float(np.sum(excess))
             square += 2.0 * float(excess @ (depth - place))
         return linear, square
 
 
-PLACES, WEIGHTS = np.polynomial.legendre.leggauss(10)
+GAUSS_POINTS, GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(10)
 """Exact for the panels' polynomials, times a straight line."""
 
 
@@ -116,12 +120,12 @@ def normal_curve(bed: Bed, depth: float) -> NormalCurve:
     Raises
     ------
     OutsideValidity
-        If a contact on the way is no disc.
+        If a contact along the path is no disc.
     NotConverged
         If the profile is too rough.
     """
     end = _limit(bed)
-    last = min(depth * (1.0 + MARGIN), end)
+    last = min(depth * (1.0 + DEPTH_MARGIN), end)
     kinks = np.array([b for b, _ in bed.kinks if b < min(bed.reach, bed.rim)])
     breaks = bed.gap(kinks) if kinks.size else kinks
     if math.isfinite(bed.rim) and bed.rim <= bed.reach:
@@ -149,7 +153,7 @@ def normal_curve(bed: Bed, depth: float) -> NormalCurve:
 def _radii(bed: Bed, depths: Array, widest: float) -> Array:
     """Return the contact radii at depths that are not beyond that of the widest contact, which is known to be a disc.
 
-    Where g rises all the way to its edge the smaller contacts are discs as well, and need not be looked at one by one.
+    Where g rises up to its edge the smaller contacts are discs as well, and need not be checked one by one.
     """
     if bed.rising or widest == 0.0 or not (isinstance(bed.medium, HomogeneousMedium) and rises(bed, widest)):
         return at_depth(bed, depths)[1]
@@ -171,12 +175,12 @@ def _radii(bed: Bed, depths: Array, widest: float) -> Array:
 
 def _panels(stiffness: Curve, edges: Array, greatest: float) -> Panels:
     """Return the stiffness on panels, to rounding or as well as its own errors allow."""
-    for tolerance, most in LADDER:
+    for tolerance, most in PANEL_TOLERANCES:
         try:
             return fit_panels(stiffness, edges, tolerance * greatest, most)
         except NotConverged:
             continue
-    return fit_panels(stiffness, edges, LAST * greatest)
+    return fit_panels(stiffness, edges, LAST_TOLERANCE * greatest)
 
 
 def _limit(bed: Bed) -> float:
@@ -206,14 +210,14 @@ def deepest(bed: Bed, energy: float) -> float:
         )
     low = high = min(rough_depth(bed, energy), end)
     while excess(low) > 0.0:
-        low /= STRIDE
+        low /= SEARCH_FACTOR
     while high < end and excess(high) < 0.0:  # with small steps: what is pressed far too deep may be no disc
-        high = min(STRIDE * high, end)
+        high = min(SEARCH_FACTOR * high, end)
     return between(excess, low, high, relative=1e-14)
 
 
-HALVINGS, FAR = 60, 1e3
-"""How often, and above which multiple of an energy, a depth is looked for again."""
+HALVINGS, ENERGY_FACTOR = 60, 1e3
+"""How often, and above which multiple of an energy, a depth is sought again."""
 
 
 def rough_depth(bed: Bed, energy: float) -> float:
@@ -224,12 +228,12 @@ def rough_depth(bed: Bed, energy: float) -> float:
         gap = bed.gap(radius)
         return np.asarray(0.4 * (bed.stiffness(radius) * gap - bed.gap_load(radius)) * gap)
 
-    radius = np.array([1e-6 * end if math.isfinite(end) else BEGINNING * rough_root(stored, energy)])
+    radius = np.array([1e-6 * end if math.isfinite(end) else SEARCH_START * rough_root(stored, energy)])
     low = np.zeros(1)
     while radius[0] < end and float(stored(radius)[0]) < energy:
         low, radius = radius, np.minimum(2.0 * radius, end)
     for _ in range(HALVINGS):  # beside a flat part, where it begins to rise, twice as wide may be very much deeper
-        if float(stored(0.999 * radius)[0]) <= FAR * energy:  # at the end itself a gap may be infinite
+        if float(stored(0.999 * radius)[0]) <= ENERGY_FACTOR * energy:  # at the end itself a gap may be infinite
             break
         middle = 0.5 * (low + radius)
         low, radius = (low, middle) if float(stored(middle)[0]) >= energy else (middle, radius)
@@ -251,7 +255,7 @@ def stiffness_ratio(bed: Bed, radius: float) -> float:
     if not alike(ratios):
         raise OutsideValidity(
             f"Impact: the springs' tangential stiffness is between {least:.4g} and {greatest:.4g} of their normal "
-            "one; an oblique impact is answered where that ratio is the same everywhere, on homogeneous and power-law "
+            "one; an oblique impact is computed where that ratio is the same everywhere, on homogeneous and power-law "
             "media: give such a medium, or a lateral and angular velocity of zero."
         )
     return least

@@ -1,7 +1,7 @@
 r"""The greatest von Mises stress in one part of a body under a contact, without friction or where all of it slides.
 
 A contact that slides along x under the pressure p carries the traction :math:`\mu p`: its stresses are those of the
-pressure, plus :math:`\mu` times those of the same springs directed along the surface.  They are looked for in the plane
+pressure, plus :math:`\mu` times those of the same springs directed along the surface.  They are sought in the plane
 of the load.  Of a paraboloid on a half-space only the factor
 :math:`\max\sigma_\mathrm{vM}/p_0 = H(\nu,\mu)` has to be found (Hamilton), once for all loads.
 
@@ -41,13 +41,13 @@ from winkler.profiles.power import Paraboloid
 
 __all__ = ["GreatestStress", "greatest_stress", "sharp_places"]
 
-NEAR = 0.1
+EXCLUDED_DISTANCE = 0.1
 """Distance from a sharp place within which stresses do not count, in contact radii."""
 INFINITE = ", so the elastic stress is infinite there and it yields there"
-UNRESOLVED = ", where the von Mises stress of an incompressible body is finite but was not looked for"
-COARSE = 4
+UNRESOLVED = ", where the von Mises stress of an incompressible body is finite but was not sought"
+REFINEMENTS_IN_LAYERS = 4
 """Rounds of refinement in layers, whose stresses are Hankel integrals: the value is good to about a per mille."""
-BELOW_FACE = 1e-9
+INTERFACE_OFFSET = 1e-9
 """How far below an interface the lower layer begins, of its depth."""
 
 
@@ -82,29 +82,29 @@ def greatest_stress(pressed: PressedSprings, part: StrongPart, friction: float =
         return _under_ellipse(pressed, bed.footprint, part, friction)
     refuse_unless_round(bed, "yield", "the stress below the surface")
     if type(pressed) is PressedSprings and _is_ball(pressed):
-        found = _ball(part.solid.poisson, friction)
+        largest = _ball(part.solid.poisson, friction)
         peak = 2.0 * bed.medium.modulus * pressed.depth / (math.pi * pressed.radius)  # type: ignore[attr-defined]
-        return GreatestStress(found.value * peak, found.x * pressed.radius, found.z * pressed.radius, "")
+        return GreatestStress(largest.value * peak, largest.x * pressed.radius, largest.z * pressed.radius, "")
     sharp = list(sharp_places(pressed, part.solid.poisson, friction)) if part.top == 0.0 else []
-    off = NEAR * pressed.radius
+    off = EXCLUDED_DISTANCE * pressed.radius
 
     def field(x: Array, z: Array) -> Array:
         stress = np.full(x.shape, -math.inf)
-        kept = np.ones(x.shape, dtype=bool)
+        regular = np.ones(x.shape, dtype=bool)
         for place, _ in sharp:
-            kept &= np.hypot(np.abs(x) - place, z) >= off
-        if kept.any():
-            stress[kept] = _stress(pressed, part, friction, x[kept], z[kept])
+            regular &= np.hypot(np.abs(x) - place, z) >= off
+        if regular.any():
+            stress[regular] = _stress(pressed, part, friction, x[regular], z[regular])
         return stress
 
     layered = isinstance(bed.medium, LayeredMedium)
     place = greatest(
         field,
         pressed.radius,
-        top=part.top * (1.0 + BELOW_FACE),
+        top=part.top * (1.0 + INTERFACE_OFFSET),
         bottom=part.bottom,
         both_sides=friction > 0.0,
-        zooms=COARSE if layered else REFINEMENTS,
+        zooms=REFINEMENTS_IN_LAYERS if layered else REFINEMENTS,
     )
     return GreatestStress(place.value, place.r, place.z, sharp[0][1] if sharp else "")
 
@@ -118,8 +118,8 @@ def _under_ellipse(
     radius = np.array([pressed.radius])
     force = float((pressed.bed.stiffness(radius) * pressed.depth - pressed.bed.gap_load(radius))[0])
     smaller, larger = sorted(float(axis[0]) for axis in outline.semi_axes(radius))
-    found = greatest_under_ellipse(smaller / larger, part.solid.poisson)
-    return GreatestStress(found.value * 1.5 * force / (math.pi * smaller * larger), 0.0, found.depth * smaller, "")
+    largest = greatest_under_ellipse(smaller / larger, part.solid.poisson)
+    return GreatestStress(largest.value * 1.5 * force / (math.pi * smaller * larger), 0.0, largest.depth * smaller, "")
 
 
 def sharp_places(pressed: PressedSprings, poisson: float, friction: float) -> Iterator[tuple[float, str]]:
@@ -181,5 +181,5 @@ def _ball(poisson: float, friction: float) -> GreatestStress:
     medium = HalfSpace(solid)
     unit, part = PressedSprings(Foundation(Paraboloid(1.0), medium), 1.0, 1.0), StrongPart("", solid, True)
     peak = 2.0 * medium.modulus / math.pi
-    found = greatest(lambda x, z: _stress(unit, part, friction, x, z) / peak, 1.0, both_sides=friction > 0.0)
-    return GreatestStress(found.value, found.r, found.z, "")
+    largest = greatest(lambda x, z: _stress(unit, part, friction, x, z) / peak, 1.0, both_sides=friction > 0.0)
+    return GreatestStress(largest.value, largest.r, largest.z, "")

@@ -22,7 +22,7 @@ from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.solve_contact import at_depth, at_force, at_radius
 from winkler.problems.normal.validity import indentation_notes
-from winkler.problems.normal.yield_statement import FRICTIONLESS, Rubbing
+from winkler.problems.normal.yield_statement import FRICTIONLESS, SurfaceFriction
 from winkler.problems.one_load import picked, single
 from winkler.validity import Assumption, Note
 from winkler.values import value
@@ -39,7 +39,7 @@ class Indentation:
     bed : Bed
         The springs: Foundation(profile, medium) or PlaneFoundation(plane_profile, medium).
     load : Force, Depth or Radius
-        What is prescribed; its value may be an array, the answers then have its shape.
+        What is prescribed; its value may be an array, the results then have its shape.
 
     References
     ----------
@@ -78,38 +78,38 @@ class Indentation:
         """
         match self.load:
             case Depth(depth):
-                given, asked = depth, "depth"
+                prescribed, quantity = depth, "depth"
             case Force(force):
-                given, asked = force, "force"
+                prescribed, quantity = force, "force"
             case Radius(radius):
-                given, asked = radius, "radius"
+                prescribed, quantity = radius, "radius"
             case _:
                 raise InvalidInput(
                     f"Indentation: the load is a {type(self.load).__name__}; give Force, Depth or Radius."
                 )
-        target = np.atleast_1d(np.asarray(given, dtype=float))
+        target = np.atleast_1d(np.asarray(prescribed, dtype=float))
         flat = target.ravel()
-        if asked == "radius":
+        if quantity == "radius":
             depth_, radius_ = at_radius(self.bed, flat)
-        elif asked == "depth":
+        elif quantity == "depth":
             depth_, radius_ = at_depth(self.bed, flat)
         else:
             depth_, radius_ = at_force(self.bed, flat)
-        load = flat if asked == "force" else self.bed.stiffness(radius_) * depth_ - self.bed.gap_load(radius_)
-        if asked == "depth":
+        load = flat if quantity == "force" else self.bed.stiffness(radius_) * depth_ - self.bed.gap_load(radius_)
+        if quantity == "depth":
             load = np.where(radius_ > 0.0, load, 0.0)
 
-        return IndentationSolution(self, *(shaped(answer, np.shape(given)) for answer in (depth_, load, radius_)))
+        return IndentationSolution(self, *(shaped(part, np.shape(prescribed)) for part in (depth_, load, radius_)))
 
 
 @value
 class IndentationSolution:
-    """The answer to an `Indentation`; every quantity has the shape of the load.
+    """The solution of an `Indentation`; every quantity has the shape of the load.
 
     Parameters
     ----------
     problem : Indentation
-        What was asked.
+        The problem that was solved.
     depth : float or ndarray
         d [m].
     force : float or ndarray
@@ -135,7 +135,7 @@ class IndentationSolution:
         Raises
         ------
         OutsideValidity
-            If the bed does not tell the area.
+            If the bed does not define the area.
         """
         area = np.asarray(self.problem.bed.footprint.area(np.asarray(self.radius)))
         return shaped(np.where(area > 0.0, self.force / np.where(area > 0.0, area, 1.0), 0.0))
@@ -192,7 +192,7 @@ class IndentationSolution:
         """How far the result can be trusted: assumptions, slopes, size of the body, onset of yield."""
         return self.notes_with(FRICTIONLESS)
 
-    def notes_with(self, rubbing: Rubbing) -> tuple[Note, ...]:
+    def notes_with(self, rubbing: SurfaceFriction) -> tuple[Note, ...]:
         """Return how far this contact can be trusted where its surfaces rub."""
         return indentation_notes(self.problem.bed, np.ravel(self.depth), np.ravel(self.radius), rubbing)
 

@@ -34,13 +34,13 @@ from winkler.values import value
 
 __all__ = ["NearlyRoundIndentation", "NearlyRoundSolution"]
 
-ROUNDS = 60
-MET = 1e-13
+MOST_ITERATIONS = 60
+FORCE_TOLERANCE = 1e-13
 DOUBLINGS = 60
-CLOSE = 1e-12
-SMALLEST = 1e-9
-"""Over the radius where g(a) = d, where a contour is looked for no more."""
-OVAL = 1.5
+END_MARGIN = 1e-12
+LEAST_RATIO = 1e-9
+"""Over the radius where g(a) = d, where a contour is no longer sought."""
+OVAL_RATIO = 1.5
 """Ratio of the largest to the smallest radius beyond which the contour is off by some per cent.
 
 Where it would be more than about 3 the equations have no solution any more.
@@ -61,7 +61,7 @@ class NearlyRoundIndentation:
     Parameters
     ----------
     profiles : tuple of Profile
-        The profile along equally spaced directions, all the way round.
+        The profile along equally spaced directions, around the axis.
     medium : HalfSpace
         Both bodies, homogeneous.
     load : Force or Depth
@@ -105,7 +105,7 @@ class NearlyRoundIndentation:
             )
 
     @property
-    def _given(self) -> Array:
+    def _prescribed(self) -> Array:
         return np.asarray(self.load.force if isinstance(self.load, Force) else self.load.depth, dtype=float)
 
     def solve(self) -> NearlyRoundSolution:
@@ -118,24 +118,24 @@ class NearlyRoundIndentation:
         NotConverged
             If the force does not settle.
         """
-        given = self._given
+        prescribed = self._prescribed
         springs = _Directions(self.profiles, self.medium)
         if isinstance(self.load, Force):
-            forces = given.ravel()
+            forces = prescribed.ravel()
             depths = invert(
                 lambda d: springs.pressed(d)[:2], forces, lower=0.0, upper=math.inf, guess=springs.shallow(forces)
             )
             _, stiffness, contours = springs.pressed(depths)
         else:
-            depths = given.ravel()
+            depths = prescribed.ravel()
             forces, stiffness, contours = springs.pressed(depths)
 
         return NearlyRoundSolution(
             self,
-            shaped(depths, given.shape),
-            shaped(forces, given.shape),
-            shaped(stiffness, given.shape),
-            contours.reshape((*given.shape, -1)),
+            shaped(depths, prescribed.shape),
+            shaped(forces, prescribed.shape),
+            shaped(stiffness, prescribed.shape),
+            contours.reshape((*prescribed.shape, -1)),
         )
 
 
@@ -143,12 +143,12 @@ class _Directions:
     """The springs of all directions, those of equal profiles once."""
 
     def __init__(self, profiles: tuple[Profile, ...], medium: HomogeneousMedium) -> None:
-        known: dict[Profile, int] = {}
-        self.which = np.array([known.setdefault(profile, len(known)) for profile in profiles])
-        self.beds = [Foundation(profile, medium) for profile in known]  # type: ignore[arg-type]
+        indices: dict[Profile, int] = {}
+        self.which = np.array([indices.setdefault(profile, len(indices)) for profile in profiles])
+        self.beds = [Foundation(profile, medium) for profile in indices]  # type: ignore[arg-type]
         self.rims = np.array([bed.rim for bed in self.beds])[self.which]
         # where a profile ends without a rim its g may be infinite
-        self.ends = np.array([min(bed.rim, bed.reach * (1.0 - CLOSE)) for bed in self.beds])[self.which]
+        self.ends = np.array([min(bed.rim, bed.reach * (1.0 - END_MARGIN)) for bed in self.beds])[self.which]
         self.twice = 2.0 * medium.modulus
 
     def shallow(self, forces: Array) -> float:
@@ -171,10 +171,10 @@ class _Directions:
         low = self._lows(depths, touching)
         radii = touching
         level = self._level(radii, depths)
-        for _ in range(ROUNDS):
+        for _ in range(MOST_ITERATIONS):
             radii = self._contour(level, depths, low, touching)
             new = self._level(radii, depths)
-            if np.all(np.abs(new - level) <= MET * np.abs(new)):
+            if np.all(np.abs(new - level) <= FORCE_TOLERANCE * np.abs(new)):
                 mean = np.mean(radii, axis=1)
                 return self.twice * new, self.twice * np.mean(radii**2, axis=1) / mean, radii
             level = new
@@ -186,22 +186,22 @@ class _Directions:
         pressed = self._pressed(radii.ravel(), depth, every).reshape(radii.shape)
         return np.asarray(np.mean(radii * pressed, axis=1) / np.mean(radii, axis=1))
 
-    def _told(self, word: str, radii: Array, index: Array) -> Array:
-        """Return what the bed of every direction says of radii (k,), those at `index` of all (m n,)."""
-        which, answer = self.which[index % self.which.size], np.empty(radii.size)
+    def _bed_values(self, word: str, radii: Array, index: Array) -> Array:
+        """Return a quantity of the bed of every direction at radii (k,), those at `index` of all (m n,)."""
+        which, rows = self.which[index % self.which.size], np.empty(radii.size)
         for number, bed in enumerate(self.beds):
             here = which == number
             if here.any():
-                answer[here] = getattr(bed, word)(radii[here])
-        return answer
+                rows[here] = getattr(bed, word)(radii[here])
+        return rows
 
     def _pressed(self, radii: Array, depth: Array, index: Array) -> Array:
         """Return I, the integral of d - g up to the contour [m^2]."""
-        return np.asarray(depth * radii - self._told("gap_load", radii, index) / self.twice)
+        return np.asarray(depth * radii - self._bed_values("gap_load", radii, index) / self.twice)
 
     def _balance(self, radii: Array, depth: Array, index: Array) -> Array:
         """Return I + a (d - g(a)), which falls where the contour may lie."""
-        return np.asarray(self._pressed(radii, depth, index) + radii * (depth - self._told("gap", radii, index)))
+        return np.asarray(self._pressed(radii, depth, index) + radii * (depth - self._bed_values("gap", radii, index)))
 
     def _lows(self, depths: Array, touching: Array) -> Array:
         """Return the radii from which on the balance falls; the rim where it never does."""
@@ -209,17 +209,17 @@ class _Directions:
 
         def steepness(logarithm: Array, index: Array) -> Array:
             a = np.exp(logarithm)
-            spring = depth[index] - self._told("gap", a, index)
-            return np.asarray(2.0 * spring - a * self._told("gap_slope", a, index))
+            spring = depth[index] - self._bed_values("gap", a, index)
+            return np.asarray(2.0 * spring - a * self._bed_values("gap_slope", a, index))
 
         high = np.log(touching).ravel()
         rising = steepness(high, np.arange(high.size)) >= 0.0
-        found = high.copy()
+        log_radius = high.copy()
         places = np.flatnonzero(~rising)
-        found[places] = between(
-            lambda at, index: steepness(at, places[index]), high[places] + math.log(SMALLEST), high[places]
+        log_radius[places] = between(
+            lambda at, index: steepness(at, places[index]), high[places] + math.log(LEAST_RATIO), high[places]
         )
-        return np.asarray(np.exp(found).reshape(touching.shape))
+        return np.asarray(np.exp(log_radius).reshape(touching.shape))
 
     def _contour(self, level: Array, depths: Array, low: Array, touching: Array) -> Array:
         """Return where the balance is `level` in every direction; the rim where it is more."""
@@ -231,7 +231,7 @@ class _Directions:
 
         bottom, top = np.log(low).ravel(), np.log(touching).ravel()
         every, end = np.arange(bottom.size), np.log(np.tile(self.ends, depths.size))
-        bad = missing(bottom, every) < -MET * wanted
+        bad = missing(bottom, every) < -FORCE_TOLERANCE * wanted
         if bad.any():
             raise OutsideValidity(
                 f"NearlyRoundIndentation: at the depth {depth[bad][0]:.6g} m there is no contour, the body is too far "
@@ -252,19 +252,19 @@ class _Directions:
                 f"direction {np.flatnonzero(short)[0] % count}; press less."
             )
         free = every[~pinned]
-        found = top.copy()
-        found[free] = between(lambda at, index: missing(at, free[index]), np.minimum(bottom, top)[free], top[free])
-        return np.asarray(np.exp(found).reshape(low.shape))
+        log_radius = top.copy()
+        log_radius[free] = between(lambda at, index: missing(at, free[index]), np.minimum(bottom, top)[free], top[free])
+        return np.asarray(np.exp(log_radius).reshape(low.shape))
 
 
 @value
 class NearlyRoundSolution:
-    """The answer to a `NearlyRoundIndentation`; quantities have the shape of the depth.
+    """The solution of a `NearlyRoundIndentation`; quantities have the shape of the depth.
 
     Parameters
     ----------
     problem : NearlyRoundIndentation
-        What was asked.
+        The problem that was solved.
     depth : float or ndarray
         d [m].
     force : float or ndarray
@@ -285,14 +285,14 @@ class NearlyRoundSolution:
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         ratio = float(np.max(np.max(self.contour, axis=-1) / np.min(self.contour, axis=-1)))
-        if ratio <= OVAL:
-            told = "forces within 0.1 and radii within 1 per cent of ellipses; of bodies with edges within 2 and 7"
+        if ratio <= OVAL_RATIO:
+            accuracy = "forces within 0.1 and radii within 1 per cent of ellipses; of bodies with edges within 2 and 7"
         else:
-            told = "forces within 4, areas and radii within 15 per cent of ellipses and pyramids like this"
+            accuracy = "forces within 4, areas and radii within 15 per cent of ellipses and pyramids like this"
         note = Note(
             Assumption.RESPONSE,
             Standing.APPROXIMATE,
-            f"The widest radius of the contact is {ratio:.3g} times the smallest: {told}.",
+            f"The widest radius of the contact is {ratio:.3g} times the smallest: {accuracy}.",
             MEASURED,
         )
         slope = 0.0

@@ -18,12 +18,12 @@ from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.numerics.equations.roots import bracketed
 from winkler.numerics.types import Array
-from winkler.problems.normal.single_contact import MOST_TURNS, SAMPLES, too_many
+from winkler.problems.normal.single_contact import MOST_TURNING_POINTS, SLOPE_SAMPLES, too_many
 
 __all__ = ["radii_at_depth", "radii_at_force"]
 
 
-class Climb(NamedTuple):
+class RisingInterval(NamedTuple):
     """An interval of x on which g rises above everything before it."""
 
     start: float
@@ -32,22 +32,22 @@ class Climb(NamedTuple):
 
 def _turns(bed: Bed, end: float) -> Array:
     """Return the places up to `end` where g' changes sign."""
-    x = np.linspace(0.0, end, SAMPLES + 1)[1:]
+    x = np.linspace(0.0, end, SLOPE_SAMPLES + 1)[1:]
     slope = bed.gap_slope(x)
     changes = np.flatnonzero(np.sign(slope[1:]) * np.sign(slope[:-1]) < 0)
-    if changes.size > MOST_TURNS:
+    if changes.size > MOST_TURNING_POINTS:
         raise OutsideValidity(too_many(end))
     low, high = x[changes], x[changes + 1]
     # a kink at which g' drops from above zero is a crest itself
     crests = np.array([b for b, strength in bed.kinks if strength < 0.0])
     next_crest = np.append(crests, np.inf)[np.searchsorted(crests, low)]
     crest = (slope[changes] > 0.0) & (next_crest < high)
-    found = np.where(crest, next_crest, low)
-    found[~crest] = bracketed(lambda t, _: bed.gap_slope(t), low[~crest], high[~crest])
-    return found
+    starts_ = np.where(crest, next_crest, low)
+    starts_[~crest] = bracketed(lambda t, _: bed.gap_slope(t), low[~crest], high[~crest])
+    return starts_
 
 
-def _climbs(bed: Bed, end: float) -> list[Climb]:
+def _rising_intervals(bed: Bed, end: float) -> list[RisingInterval]:
     bounds = np.concatenate([[0.0], _turns(bed, end), [end]])
     tops = bed.gap(bounds)
     # what was the highest before each: beyond a crest g is back at it only later
@@ -56,24 +56,24 @@ def _climbs(bed: Bed, end: float) -> list[Climb]:
     start, stop, before = bounds[climbing], bounds[climbing + 1], record[climbing]
     (late,) = np.nonzero(tops[climbing] < before)
     start[late] = bracketed(lambda t, i: bed.gap(t) - before[late][i], start[late], stop[late])
-    return [Climb(*ends) for ends in zip(start.tolist(), stop.tolist(), strict=True)]
+    return [RisingInterval(*ends) for ends in zip(start.tolist(), stop.tolist(), strict=True)]
 
 
 class _Landscape:
-    """What many loads ask of one bed, each found once: where g climbs, what it and the force are at single places."""
+    """Properties of one bed that many loads need, each computed once: where g rises, and g and the force at places."""
 
     def __init__(self, bed: Bed, end: float) -> None:
         self.bed, self.end = bed, end
-        self.climbs = functools.cache(lambda horizon: _climbs(bed, horizon))
+        self.intervals = functools.cache(lambda horizon: _rising_intervals(bed, horizon))
         self.gap = functools.cache(lambda x: float(bed.gap(np.array([x]))[0]))
         self.force = functools.cache(lambda x: float(_forces(bed, np.array([x]))[0]))
 
-    def horizon(self, value: Callable[[float], float], asked: float, guess: float) -> float:
+    def horizon(self, value: Callable[[float], float], target: float, guess: float) -> float:
         """Return a place at which a value is met, and not at half of it, by doubling or halving the guess."""
         place = guess
         for _ in range(400):
-            if value(place) >= asked:
-                if not value(0.5 * place) >= asked:
+            if value(place) >= target:
+                if not value(0.5 * place) >= target:
                     return place
                 place *= 0.5
             elif place >= self.end:
@@ -84,82 +84,82 @@ class _Landscape:
             "The load is not met at any contact radius that can be represented; check the profile's units."
         )
 
-    def at_depth(self, depth: float, guess: float) -> Climb:
-        """Return the climb on which g meets a depth, or refuse."""
-        for climb in self.climbs(self.horizon(self.gap, depth, guess)):
-            if self.gap(climb.stop) >= depth:
-                return climb
+    def at_depth(self, depth: float, guess: float) -> RisingInterval:
+        """Return the interval on which g meets a depth, or refuse."""
+        for interval in self.intervals(self.horizon(self.gap, depth, guess)):
+            if self.gap(interval.stop) >= depth:
+                return interval
         _refuse_unless_pinned(self.bed, f"depth {depth:.6g} m", self.end)
-        return Climb(self.end, self.end)
+        return RisingInterval(self.end, self.end)
 
-    def at_force(self, force: float, guess: float) -> Climb:
-        """Return the climb on which a force is met, or refuse."""
+    def at_force(self, force: float, guess: float) -> RisingInterval:
+        """Return the interval on which a force is met, or refuse."""
         place = self.horizon(self.force, force, guess)
         # in a valley of g the force may be met below the crest before it
         for horizon in (place, min(2.0 * place, self.end)):
-            for climb in self.climbs(horizon):
-                if force < self.force(climb.start):
+            for interval in self.intervals(horizon):
+                if force < self.force(interval.start):
                     raise OutsideValidity(
-                        f"force {force:.6g} N lies where the contact is no disc: up to {self.gap(climb.start):.6g} m "
-                        f"depth it closes inside, from {self.force(climb.start):.6g} N on as a disc of "
-                        f"{climb.start:.6g} m; ask for a force outside."
+                        f"force {force:.6g} N lies where the contact is no disc: up to {self.gap(interval.start):.6g} "
+                        f"m depth it closes inside, from {self.force(interval.start):.6g} N on as a disc of "
+                        f"{interval.start:.6g} m; give a force outside."
                     )
-                if force <= self.force(climb.stop):
-                    return climb
+                if force <= self.force(interval.stop):
+                    return interval
         _refuse_unless_pinned(self.bed, f"force {force:.6g} N", self.end)
-        return Climb(self.end, self.end)
+        return RisingInterval(self.end, self.end)
 
 
 def _forces(bed: Bed, a: Array) -> Array:
     return bed.stiffness(a) * bed.gap(a) - bed.gap_load(a)
 
 
-def _met(value: Callable[[Array], Array], asked: Array, climbs: list[Climb]) -> Array:
-    start, stop = np.array(climbs).T
+def _met(value: Callable[[Array], Array], target: Array, intervals: list[RisingInterval]) -> Array:
+    start, stop = np.array(intervals).T
     radius: Array = stop.copy()
     (free,) = np.nonzero(start < stop)
-    radius[free] = bracketed(lambda x, i: value(x) - asked[free][i], start[free], stop[free])
+    radius[free] = bracketed(lambda x, i: value(x) - target[free][i], start[free], stop[free])
     return radius
 
 
 def radii_at_depth(bed: Bed, depth: Array, end: float, guess: Callable[[float], float]) -> Array:
     """Return the contact radii at depths ``(m,)``, zero where there is no contact, or refuse, naming the load."""
-    seen = _Landscape(bed, end)
-    return _all_met(bed.gap, depth, lambda d: seen.at_depth(d, guess(d)))
+    landscape = _Landscape(bed, end)
+    return _all_met(bed.gap, depth, lambda d: landscape.at_depth(d, guess(d)))
 
 
 def radii_at_force(bed: Bed, force: Array, end: float, guess: Callable[[float], float]) -> Array:
     """Return the contact radii under forces ``(m,)``, zero without force, or refuse, naming the load."""
-    seen = _Landscape(bed, end)
-    return _all_met(functools.partial(_forces, bed), force, lambda load: seen.at_force(load, guess(load)))
+    landscape = _Landscape(bed, end)
+    return _all_met(functools.partial(_forces, bed), force, lambda load: landscape.at_force(load, guess(load)))
 
 
-def _all_met(value: Callable[[Array], Array], asked: Array, climb: Callable[[float], Climb]) -> Array:
-    radius = np.zeros(asked.shape)
-    (loaded,) = np.nonzero(asked > 0.0)
-    climbs = []
+def _all_met(value: Callable[[Array], Array], target: Array, interval: Callable[[float], RisingInterval]) -> Array:
+    radius = np.zeros(target.shape)
+    (loaded,) = np.nonzero(target > 0.0)
+    intervals = []
     for index in loaded:
         try:
-            climbs.append(climb(float(asked[index])))
+            intervals.append(interval(float(target[index])))
         except OutsideValidity as error:
-            raise OutsideValidity(f"{error} (load at index {index})" if asked.size > 1 else str(error)) from None
-    if climbs:
-        radius[loaded] = _met(value, asked[loaded], climbs)
+            raise OutsideValidity(f"{error} (load at index {index})" if target.size > 1 else str(error)) from None
+    if intervals:
+        radius[loaded] = _met(value, target[loaded], intervals)
     return radius
 
 
-def _refuse_unless_pinned(bed: Bed, asked: str, end: float) -> None:
+def _refuse_unless_pinned(bed: Bed, target: str, end: float) -> None:
     """Raise if a load that no free edge meets is not met by the rim either."""
     if not math.isfinite(end):
-        raise OutsideValidity(_falling(bed, asked))
+        raise OutsideValidity(_falling(bed, target))
     if bed.rim > bed.reach:
         raise OutsideValidity(
-            f"{asked} leads beyond the reach of the profile ({end:.6g} m), where nothing is known of it; ask for less."
+            f"{target} leads beyond the reach of the profile ({end:.6g} m), where nothing is known of it; give less."
         )
 
 
-def _falling(bed: Bed, asked: str) -> str:
+def _falling(bed: Bed, target: str) -> str:
     return (
-        f"{asked} is not met by a round contact: the profile falls with the distance from the axis, so that it touches "
-        "as a ring; give a profile that rises from its apex."
+        f"{target} is not met by a round contact: the profile falls with the distance from the axis, so that it "
+        "touches as a ring; give a profile that rises from its apex."
     )

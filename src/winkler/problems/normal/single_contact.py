@@ -1,4 +1,4 @@
-r"""Is the contact one disc?  Contacts are answered while they are, refused when they are not.
+r"""Is the contact one disc?  Contacts that are one disc are computed, others refused.
 
 A disc is accepted only if the restored pressure is nowhere tensile and the bodies do not overlap outside.  Both
 are sums over flat punches of radius x, which press with p1 and move the surface by u1,
@@ -7,7 +7,7 @@ are sums over flat punches of radius x, which press with p1 and move the surface
           s(r) = \int_a^r (1 - u_1(r;x))\,g'(x)\,\mathrm dx ,
 
 so that a g which never falls suffices where no flat punch pulls or sinks the surface farther than itself: on every
-homogeneous or power-law half-space, and on layers as far as `winkler.media.medium.PunchFacts` says so.
+homogeneous or power-law half-space, and on layers as far as `winkler.media.medium.PunchFacts` states it.
 """
 
 from __future__ import annotations
@@ -26,10 +26,10 @@ from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 
 __all__ = [
-    "FEWER",
-    "LEVEL",
-    "MOST_TURNS",
-    "SAMPLES",
+    "MOST_TURNING_POINTS",
+    "RISING_SAMPLES",
+    "SLOPE_ROUNDING",
+    "SLOPE_SAMPLES",
     "ended",
     "falling_kinks",
     "pulls",
@@ -42,35 +42,35 @@ __all__ = [
     "unfinished",
 ]
 
-SAMPLES = 4096
-"""How finely g' is searched for changes of sign; narrower waves are not seen."""
-FEWER = 1024
+SLOPE_SAMPLES = 4096
+"""How finely g' is searched for changes of sign; narrower waves are left out."""
+RISING_SAMPLES = 1024
 """The same for bodies whose homogeneous g is known to rise."""
-FAR = 1e6
-"""How many contact radii away overlap is looked for."""
-MOST_TURNS = 400
-"""More turning points than this cannot be told apart by the samples."""
-LEVEL = 1e-9
+OVERLAP_DISTANCE = 1e6
+"""How many contact radii away overlap is sought."""
+MOST_TURNING_POINTS = 400
+"""More turning points than this cannot be distinguished by the samples."""
+SLOPE_ROUNDING = 1e-9
 """A slope of g below zero by this part of the steepest is rounding."""
-QUICK = 24
-CLEAR = 1e-2
+QUICK_NODES = 24
+CLEAR_PRESSURE = 1e-2
 """A pressure this far from zero, against the greatest, is trusted to one quick rule; both without their root."""
 
 
 def too_many(end: float) -> str:
     """Return why a g that turns too often within `end` [m] is refused."""
     return (
-        f"g(x) turns more than {MOST_TURNS} times within {end:.3g} m; so many waves cannot be one contact: ask for a "
-        "smaller load, or treat the body as rough."
+        f"g(x) turns more than {MOST_TURNING_POINTS} times within {end:.3g} m; so many waves cannot be one contact: "
+        "give a smaller load, or treat the body as rough."
     )
 
 
 def rises(bed: Bed, radius: float) -> bool:
-    """Return whether g never falls up to a radius; looked for where it is not known."""
+    """Return whether g never falls up to a radius; sought where it is not known."""
     if bed.certain or radius == 0.0:
         return True
-    slope = bed.gap_slope(np.arange(1, FEWER) / FEWER * radius)
-    return not (np.any(slope < -LEVEL * np.max(slope[np.isfinite(slope)])) or falling_kinks(bed, radius))
+    slope = bed.gap_slope(np.arange(1, RISING_SAMPLES) / RISING_SAMPLES * radius)
+    return not (np.any(slope < -SLOPE_ROUNDING * np.max(slope[np.isfinite(slope)])) or falling_kinks(bed, radius))
 
 
 def falling_kinks(bed: Bed, radius: float) -> list[float]:
@@ -87,7 +87,7 @@ def refuse_unless_disc(bed: Bed, depth: float, radius: float, end: float) -> Non
 
 
 def ended(check: Callable[[], bool | None]) -> bool:
-    """Return what a check says, or true if it does not come to an end."""
+    """Return the result of a check, or true if it does not come to an end."""
     try:
         return bool(check())
     except NotConverged:
@@ -105,8 +105,8 @@ def unfinished(bed: Bed, depth: float, radius: float) -> str:
 
 
 @functools.lru_cache(maxsize=64)
-def _unfinished(given: Hashable, depth: float, radius: float) -> str:
-    bed = cast(Bed, given)
+def _unfinished(bed_key: Hashable, depth: float, radius: float) -> str:
+    bed = cast(Bed, bed_key)
     end = min(bed.reach, bed.rim)
     try:
         if bed.medium.punch_facts(radius).pulls and not surely_pressed(bed, np.array([depth]), np.array([radius]))[0]:
@@ -114,7 +114,7 @@ def _unfinished(given: Hashable, depth: float, radius: float) -> str:
         refuse_overlap(bed, depth, radius, end)
     except NotConverged as error:
         return str(error)
-    except OutsideValidity:  # of who answers it nevertheless
+    except OutsideValidity:  # of a contact that is computed nevertheless
         pass
     return ""
 
@@ -136,19 +136,19 @@ def refuse_overlap(bed: Bed, depth: float, radius: float, end: float) -> None:
         place = float(np.min(r[overlap]))
         raise OutsideValidity(
             f"At depth {depth:.6g} m the bodies would overlap outside the contact, at r = {place:.6g} m: there the "
-            f"contact has begun as a ring around the disc of {radius:.6g} m; ask for a smaller load."
+            f"contact has begun as a ring around the disc of {radius:.6g} m; give a smaller load."
         )
 
 
 def refuse_tension(bed: Bed, depth: float, radius: float) -> None:
     """Raise `OutsideValidity` if a disc of this radius would have to pull somewhere."""
-    slope = bed.gap_slope(np.linspace(0.0, 1.0, SAMPLES + 1)[1:-1] * radius)
+    slope = bed.gap_slope(np.linspace(0.0, 1.0, SLOPE_SAMPLES + 1)[1:-1] * radius)
     falling = falling_kinks(bed, radius)
     pulling = bed.medium.punch_facts(radius).pulls
     if not (falling or pulling or np.any(slope < 0.0)):
         return
     turns = int(np.count_nonzero(np.diff(np.sign(slope))))
-    if turns > MOST_TURNS:
+    if turns > MOST_TURNING_POINTS:
         raise OutsideValidity(too_many(radius))
     count = 400 + 4 * turns
     r = (np.arange(count) + 0.5) / count * radius
@@ -163,7 +163,7 @@ def refuse_tension(bed: Bed, depth: float, radius: float) -> None:
         cause = (
             "the true contact has a gap there; the profile is too concave or wavy for this load"
             if bed.medium.punch_facts(radius).gives_separation
-            else "the layers bend away from the body there; ask for another load, or for a softer or thicker coating"
+            else "the layers bend away from the body there; give another load, or a softer or thicker coating"
         )
         raise OutsideValidity(
             f"At depth {depth:.6g} m a round contact of {radius:.6g} m would need tension at r = {place:.6g} m: "
@@ -172,12 +172,12 @@ def refuse_tension(bed: Bed, depth: float, radius: float) -> None:
 
 
 def surely_pressed(bed: Bed, depth: Array, radius: Array) -> Array:
-    """Return of which contacts the pressure, by one quick rule, is far from zero: the others are looked at closely.
+    """Return of which contacts the pressure, by one quick rule, is far from zero: the others are examined closely.
 
     The pressure is the integral of p1(r; x) g'(x) from r to a, with x = r cosh(w) to take away the root of p1.
     """
     sure = np.zeros(radius.shape, dtype=bool)
-    nodes, weights = gauss_legendre(QUICK)
+    nodes, weights = gauss_legendre(QUICK_NODES)
     share = np.concatenate(
         [np.geomspace(2e-3, 0.5, 12), np.linspace(0.53, 0.95, 15), 1.0 - np.geomspace(2e-3, 0.04, 9)]
     )
@@ -192,7 +192,7 @@ def surely_pressed(bed: Bed, depth: Array, radius: Array) -> Array:
         pressure = np.sum(punches * r * np.sinh(width * nodes) * width * weights, axis=1)
         # it ends like a root at the edge
         pressure = pressure / np.sqrt((1.0 - share) * (1.0 + share))
-        sure[index] = np.min(pressure) > CLEAR * np.max(pressure)
+        sure[index] = np.min(pressure) > CLEAR_PRESSURE * np.max(pressure)
     return sure
 
 
@@ -203,7 +203,7 @@ def _clear_outside(bed: Bed, depth: float, radius: float, end: float) -> bool:
     """
     if radius >= end:
         return True
-    if isinstance(bed, PlaneFoundation):  # its g is given, as far as one may ask
+    if isinstance(bed, PlaneFoundation):  # its g is given up to its reach
         return rises(bed, min(1e3 * radius, end)) and bed.medium.punch_facts(4.0 * radius).most <= 1.0
     reached = _lowest_rise(bed, depth, radius, end) if bed.rising else _low_reach(bed, depth, radius, end)
     if not reached < np.inf or bed.medium.punch_facts(reached).most > 1.0:
@@ -248,48 +248,50 @@ def _low_reach(bed: Bed, depth: float, radius: float, end: float) -> float:
 
 def _rises_between(bed: Bed, low: float, high: float) -> bool:
     """Return whether g does not fall from one radius to another."""
-    slope = bed.gap_slope(low + (high - low) * np.arange(1, SAMPLES) / SAMPLES)
-    falls = np.any(slope < -LEVEL * np.max(slope[np.isfinite(slope)])) if high > low else False
+    slope = bed.gap_slope(low + (high - low) * np.arange(1, SLOPE_SAMPLES) / SLOPE_SAMPLES)
+    falls = np.any(slope < -SLOPE_ROUNDING * np.max(slope[np.isfinite(slope)])) if high > low else False
     return not (falls or any(b >= low for b in falling_kinks(bed, high)))
 
 
 def _bulge(bed: Bed, radius: float, least: float) -> float:
     """Return how far the surface outside may rise [m]: where g' > 0 punches lift it by -`least`, else by one."""
-    inside = np.diff(bed.gap(radius * np.linspace(0.0, 1.0, SAMPLES + 1)))
+    inside = np.diff(bed.gap(radius * np.linspace(0.0, 1.0, SLOPE_SAMPLES + 1)))
     return float(np.sum(np.maximum(inside, 0.0)) * max(-least, 0.0) - np.sum(np.minimum(inside, 0.0)))
 
 
 def _outside(radius: float, end: float) -> tuple[Array, Array]:
     """Return places near outside a contact, and far."""
-    near = np.linspace(radius, min(3.0 * radius, end), SAMPLES + 1)[1:]
+    near = np.linspace(radius, min(3.0 * radius, end), SLOPE_SAMPLES + 1)[1:]
     near = near[near > radius]
-    return near, np.geomspace(3.0 * radius, min(FAR * radius, end), SAMPLES) if end > 3.0 * radius else near[:0]
+    return near, np.geomspace(
+        3.0 * radius, min(OVERLAP_DISTANCE * radius, end), SLOPE_SAMPLES
+    ) if end > 3.0 * radius else near[:0]
 
 
 def _where_it_may_overlap(bed: Bed, depth: float, radius: float, end: float) -> Array:
     """Return places outside the contact at which the bodies might overlap.
 
-    Where springs tell the separation, they cannot where g >= d all the way from the edge, nor where f >= d; on layers
-    the surface may bulge.
+    Where the springs determine the separation, the bodies cannot overlap where g >= d from the edge outwards, nor
+    where f >= d; on layers the surface may bulge.
     """
     near, far = _outside(radius, end)
     facts = bed.medium.punch_facts(radius)
     if not facts.gives_separation:
         places = np.concatenate(
-            [near[:: SAMPLES // 400], _troughs(bed, near), far[:: SAMPLES // 400], _troughs(bed, far)]
+            [near[:: SLOPE_SAMPLES // 400], _troughs(bed, near), far[:: SLOPE_SAMPLES // 400], _troughs(bed, far)]
         )
         return np.asarray(places[bed.height(places) < depth + _bulge(bed, radius, facts.least)])
-    found = []
+    crossings = []
     if np.any(bed.gap(near) < depth):
-        found += [near[:: SAMPLES // 400], _troughs(bed, near)]
+        crossings += [near[:: SLOPE_SAMPLES // 400], _troughs(bed, near)]
     if isinstance(bed, PlaneFoundation):
         if np.any(bed.gap(far) < depth):
-            found += [far, _troughs(bed, far)]
+            crossings += [far, _troughs(bed, far)]
     else:
         with np.errstate(over="ignore", invalid="ignore"):
             low = bed.height(far) < depth
-        found += [far[low], _troughs(bed, far)]
-    places = np.concatenate(found) if found else near[:0]
+        crossings += [far[low], _troughs(bed, far)]
+    places = np.concatenate(crossings) if crossings else near[:0]
     return np.asarray(places[bed.height(places) < depth] if places.size else places)
 
 

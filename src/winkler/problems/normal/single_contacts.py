@@ -1,4 +1,4 @@
-r"""Are the contacts under many loads one disc each?  Where g rises, one contact answers for many.
+r"""Are the contacts under many loads one disc each?  Where g rises, the check of one contact holds for many.
 
 In the sums of `winkler.problems.normal.single_contact` a wider contact has more punches; between the radii of two
 contacts, if g does not fall there, they add
@@ -22,8 +22,8 @@ from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.numerics.types import Array
 from winkler.problems.normal.single_contact import (
-    FEWER,
-    LEVEL,
+    RISING_SAMPLES,
+    SLOPE_ROUNDING,
     ended,
     falling_kinks,
     pulls,
@@ -41,7 +41,7 @@ def refuse_unless_discs(bed: Bed, depth: Array, radius: Array, end: float) -> No
 
     Where g rises from one radius to the next, what is added to the sums has a known sign: with p1 >= 0 the pressure
     rises everywhere, with u1 <= 1 the separation falls.  Of such a family the narrowest contact clears all of tension,
-    the widest all of overlap.  A check that does not come to an end refuses nothing: `unfinished` tells of it.
+    the widest all of overlap.  A check that does not come to an end refuses nothing: `unfinished` reports it.
     """
     (touching,) = np.nonzero(radius > 0.0)
     if bed.certain or not touching.size:
@@ -65,14 +65,14 @@ def refuse_unless_discs(bed: Bed, depth: Array, radius: Array, end: float) -> No
         _refuse_in_turn(tension, pushing, depth.size)
         for index in pulling:
             _refuse_in_turn(tension, np.array([index]), depth.size)
-        if ended(functools.partial(_sinks_least, bed, widest)):
+        if ended(functools.partial(_is_pressed_deepest, bed, widest)):
             _refuse_in_turn(overlap, family[::-1], depth.size)
         else:
             for index in family:
                 _refuse_in_turn(overlap, np.array([index]), depth.size)
 
 
-def _sinks_least(bed: Bed, radius: float) -> bool:
+def _is_pressed_deepest(bed: Bed, radius: float) -> bool:
     """Return whether no flat punch up to a radius sinks the surface outside farther than itself."""
     return bed.medium.punch_facts(radius).most <= 1.0
 
@@ -82,12 +82,12 @@ def _families(bed: Bed, radius: Array, loaded: Array) -> list[Array]:
     own = radius[loaded]
     if bed.rising and rises(bed, float(own[-1])):
         return [loaded]
-    share = 0.5 + 0.5 * np.arange(1, FEWER) / FEWER
+    share = 0.5 + 0.5 * np.arange(1, RISING_SAMPLES) / RISING_SAMPLES
     falls = [falling_kinks(bed, float(own[-1]))]
     for octave in range(math.floor(math.log2(own[0] / own[-1])), 1):
         x = own[-1] * 2.0**octave * share
         slope = bed.gap_slope(x)
-        falls.append(x[slope < -LEVEL * np.max(slope[np.isfinite(slope)])].tolist())
+        falls.append(x[slope < -SLOPE_ROUNDING * np.max(slope[np.isfinite(slope)])].tolist())
     part = np.searchsorted(np.sort(np.concatenate(falls)), own)
     return np.split(loaded, np.flatnonzero(np.diff(part)) + 1)
 

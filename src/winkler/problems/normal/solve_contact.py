@@ -58,11 +58,11 @@ def _indices(bad: Array) -> str:
     return f" at index {', '.join(map(str, places[:5]))}" + (" and more" if places.size > 5 else "")
 
 
-def _refuse_beyond(bed: Bed, bad: Array, given: Array, word: str, unit: str, most: float) -> None:
+def _refuse_beyond(bed: Bed, bad: Array, prescribed: Array, word: str, unit: str, most: float) -> None:
     if bad.any():
         raise OutsideValidity(
-            f"{word} {given[bad][0]:.6g} {unit}{_indices(bad)} leads beyond the reach of the profile ({bed.reach:.6g} "
-            f"m), where nothing is known of it; at most {most:.6g} {unit} can be answered."
+            f"{word} {prescribed[bad][0]:.6g} {unit}{_indices(bad)} leads beyond the reach of the profile "
+            f"({bed.reach:.6g} m), where nothing is known of it; give at most {most:.6g} {unit}."
         )
 
 
@@ -81,8 +81,8 @@ def at_radius(bed: Bed, radius: Array) -> tuple[Array, Array]:
     bad = (radius > 0.0) & (radius <= flat)
     if bad.any():
         raise OutsideValidity(
-            f"radius {radius[bad][0]:.6g} m{_indices(bad)} does not tell the load: the body is flat up to {flat:.6g} m "
-            "and touches there at once; give a force or a depth."
+            f"radius {radius[bad][0]:.6g} m{_indices(bad)} does not determine the load: the body is flat up to "
+            f"{flat:.6g} m and touches there at once; give a force or a depth."
         )
     depth = bed.gap(radius)
     refuse_unless_discs(bed, depth, radius, end)
@@ -111,16 +111,16 @@ def _radii_at_depth(bed: Bed, depth: Array) -> Array:
     free = (depth > 0.0) & ~pinned
     if free.any():
         upper, guess = _bracket(bed, bed.gap, depth[free])
-        found = invert(
+        root = invert(
             lambda a: (bed.gap(a), bed.gap_slope(a)), depth[free], lower=flat_radius(bed), upper=upper, guess=guess
         )
-        radius[free] = _not_beyond(bed, found, bed.gap(found) > (1.0 + 1e-6) * depth[free])
+        radius[free] = _not_beyond(bed, root, bed.gap(root) > (1.0 + 1e-6) * depth[free])
     return radius
 
 
-def _met_before(bed: Bed, value: Callable[[Array], Array], asked: Array) -> bool:
-    """Return whether all loads are met well before the profile ends; there it may cost much to know its g."""
-    end, most = _end(bed), float(np.max(asked, initial=0.0))
+def _met_before(bed: Bed, value: Callable[[Array], Array], target: Array) -> bool:
+    """Return whether all loads are met well before the profile ends; there its g may take long to compute."""
+    end, most = _end(bed), float(np.max(target, initial=0.0))
     if not np.isfinite(end):
         return False
     place = _guess(bed, value, most)
@@ -153,7 +153,7 @@ def at_force(bed: Bed, force: Array) -> tuple[Array, Array]:
             "pressed together: give a force of zero or more."
         )
     radius = _radius_at_force(bed, force)
-    # F = k(a) d - load(a) hardly feels the rounding of a, g(a) may: close above a flat, or deep in a steep flank
+    # F = k(a) d - load(a) hardly depends on the rounding of a, g(a) may: close above a flat, or deep in a steep flank
     stiffness = bed.stiffness(radius)
     touching = stiffness > 0.0
     depth = np.where(touching, (force + bed.gap_load(radius)) / np.where(touching, stiffness, 1.0), 0.0)
@@ -190,20 +190,20 @@ def _radii_at_force(bed: Bed, force: Array) -> Array:
 
     if free.any():
         upper, guess = _bracket(bed, lambda a: force_and_slope(a)[0], force[free])
-        found = invert(force_and_slope, force[free], lower=flat_radius(bed), upper=upper, guess=guess)
-        radius[free] = _not_beyond(bed, found, force_and_slope(found)[0] > (1.0 + 1e-6) * force[free])
+        root = invert(force_and_slope, force[free], lower=flat_radius(bed), upper=upper, guess=guess)
+        radius[free] = _not_beyond(bed, root, force_and_slope(root)[0] > (1.0 + 1e-6) * force[free])
     return radius
 
 
-def _guess(bed: Bed, value: Callable[[Array], Array], asked: float) -> float:
+def _guess(bed: Bed, value: Callable[[Array], Array], target: float) -> float:
     """Return a radius of the order of the lengths of body, layers and load, where the search begins."""
-    return _guesses(bed, value)(asked)
+    return _guesses(bed, value)(target)
 
 
 def _guesses(bed: Bed, value: Callable[[Array], Array]) -> Callable[[float], float]:
     """Return what gives such a radius for each of many loads."""
     length = _length(bed)
-    return lambda asked: length if np.isfinite(length) else rough_root(value, asked)
+    return lambda target: length if np.isfinite(length) else rough_root(value, target)
 
 
 def _length(bed: Bed) -> float:
@@ -218,15 +218,15 @@ def _length(bed: Bed) -> float:
     return min([layers, *(b for b, _ in bed.kinks)])
 
 
-def _bracket(bed: Bed, value: Callable[[Array], Array], asked: Array) -> tuple[float, float | Array]:
+def _bracket(bed: Bed, value: Callable[[Array], Array], target: Array) -> tuple[float, float | Array]:
     """Return a radius beyond all that are sought, and one or many where the search may begin.
 
-    Layers are not asked for contacts far wider than those sought: these take long, or cannot be carried.
+    Layers are not solved for contacts far wider than those sought: these take long, or cannot be carried.
     """
-    end, place = _end(bed), _guess(bed, value, float(np.max(asked)))
+    end, place = _end(bed), _guess(bed, value, float(np.max(target)))
     if not np.isfinite(thickness_of(bed.medium)):
         return end, place
-    flat, most = flat_radius(bed), float(np.max(asked))
+    flat, most = flat_radius(bed), float(np.max(target))
     places, values = [place], [float(value(np.array([place]))[0])]
     while values[-1] < most:
         place = flat + 2.0 * (place - flat)
@@ -234,8 +234,8 @@ def _bracket(bed: Bed, value: Callable[[Array], Array], asked: Array) -> tuple[f
         if place >= end:  # where g may be infinite
             break
         values.append(float(value(np.array([place]))[0]))
-    known = [(place - flat, own) for place, own in zip(places, values, strict=False) if own > 0.0]
-    if len(places) < 2 or not known:
+    samples = [(place - flat, own) for place, own in zip(places, values, strict=False) if own > 0.0]
+    if len(places) < 2 or not samples:
         return end, places[0]
-    beside, below = np.log(np.array(known)).T
-    return places[-1], np.clip(flat + np.exp(np.interp(np.log(asked), below, beside)), places[0], places[-1])
+    beside, below = np.log(np.array(samples)).T
+    return places[-1], np.clip(flat + np.exp(np.interp(np.log(target), below, beside)), places[0], places[-1])

@@ -1,4 +1,4 @@
-"""How the tangential stiffness of the springs compares with the normal one: the same everywhere, or not."""
+"""Ratio of tangential to normal stiffness of the springs: the same everywhere, or not."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from winkler.path import Path
 
 __all__ = ["alike", "refuse_plane", "stiffness_ratios"]
 
-LIKENESS = 1e-9
+RATIO_TOLERANCE = 1e-9
 """Springs whose ratio differs by less, relatively, are alike."""
 
 
@@ -23,7 +23,7 @@ def stiffness_ratios(bed: Bed, radius: float) -> tuple[float, float]:
     Raises
     ------
     OutsideValidity
-        If the bed does not know its tangential stiffness.
+        If the tangential stiffness of the bed is not known.
     """
     place = radius * np.linspace(0.0, 1.0, 129)[1:]
     ratio = bed.tangential_stiffness(place) / bed.normal_stiffness(place)
@@ -40,7 +40,7 @@ def refuse_plane(owner: str, bed: Bed, path: Path) -> None:
     """
     if path.in_plane and isinstance(bed.footprint, EllipticOutline):
         raise OutsideValidity(
-            f"{owner}: the path leaves its line, and an ellipse gives way differently along and across; give a path in "
+            f"{owner}: the path leaves its line, and an ellipse yields differently along and across; give a path in "
             "one direction, with EllipticFoundation(bodies, medium) for shear along x, its `turned` for y."
         )
 
@@ -48,4 +48,4 @@ def refuse_plane(owner: str, bed: Bed, path: Path) -> None:
 def alike(ratios: tuple[float, float]) -> bool:
     """Return whether a least and a greatest ratio are the same but for rounding."""
     least, greatest = ratios
-    return greatest - least <= LIKENESS * greatest
+    return greatest - least <= RATIO_TOLERANCE * greatest

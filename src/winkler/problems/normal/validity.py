@@ -1,4 +1,4 @@
-"""What an indentation says about its own validity: slopes, size of the body, pinned edges, onset of yield."""
+"""Validity notes of an indentation: slopes, size of the body, pinned edges, onset of yield."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from winkler.foundation.bed import Bed
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.film import film_notes
 from winkler.problems.normal.single_contact import rises, unfinished
-from winkler.problems.normal.yield_statement import FRICTIONLESS, Rubbing, yield_notes_of_bed
+from winkler.problems.normal.yield_statement import FRICTIONLESS, SurfaceFriction, yield_notes_of_bed
 from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["contact_notes", "indentation_notes", "large_body_note", "size_note", "slope_note", "steepness_note"]
@@ -19,7 +19,9 @@ JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, doi:10.1017/CBO9781
 HAY = "J. C. Hay, A. Bolshakov, G. M. Pharr, J. Mater. Res. 14 (1999) 2296, doi:10.1557/JMR.1999.0306"
 
 
-def indentation_notes(bed: Bed, depth: Array, radius: Array, rubbing: Rubbing = FRICTIONLESS) -> tuple[Note, ...]:
+def indentation_notes(
+    bed: Bed, depth: Array, radius: Array, rubbing: SurfaceFriction = FRICTIONLESS
+) -> tuple[Note, ...]:
     """Return the notes of an indentation; of several loads, those of the widest contact.
 
     Parameters
@@ -27,14 +29,14 @@ def indentation_notes(bed: Bed, depth: Array, radius: Array, rubbing: Rubbing = 
     bed : Bed
     depth, radius : ndarray, (m,)
         [m].
-    rubbing : Rubbing, optional
+    rubbing : SurfaceFriction, optional
         What is known of friction, for the onset of yield.
     """
     return (*bed.notes, *contact_notes(bed, depth, radius), *yield_notes_of_bed(bed, depth, radius, rubbing))
 
 
 def contact_notes(bed: Bed, depth: Array, radius: Array) -> tuple[Note, ...]:
-    """Return what the widest of several contacts says about itself: slopes, size, a pinned edge, one disc."""
+    """Return the notes on the validity of the widest of several contacts: slopes, size, a pinned edge, one disc."""
     if not np.any(radius > 0.0):
         return (
             Note(
@@ -66,7 +68,7 @@ def contact_notes(bed: Bed, depth: Array, radius: Array) -> tuple[Note, ...]:
 
 
 def _disc_note(bed: Bed, depth: float, radius: float) -> Note:
-    """Return what was looked at to know that the contact is one disc."""
+    """Return the note on how it was checked that the contact is one disc."""
     failed = unfinished(bed, depth, radius)
     if failed:
         return Note(
@@ -77,15 +79,15 @@ def _disc_note(bed: Bed, depth: float, radius: float) -> Note:
             "a-posteriori check of pressure and separation, at sampled places",
         )
     if not rises(bed, radius):
-        looked = "the equivalent profile falls somewhere, so the restored pressure and the separation were looked at"
+        checks = "the equivalent profile falls somewhere, so the restored pressure and the separation were examined"
     elif bed.medium.punch_facts(radius).pulls:
-        looked = "the equivalent profile rises, but flat punches of this width pull, so the pressure was looked at"
+        checks = "the equivalent profile rises, but flat punches of this width pull, so the pressure was examined"
     else:
-        looked = "the equivalent profile rises wherever it was looked at, and no flat punch up to this radius pulls"
+        checks = "the equivalent profile rises wherever it was examined, and no flat punch up to this radius pulls"
     return Note(
         Assumption.SINGLE_CONTACT,
         Standing.EXACT,
-        f"That the contact is one disc was checked: {looked}; no tension inside, no overlap outside.",
+        f"That the contact is one disc was checked: {checks}; no tension inside, no overlap outside.",
         "a-posteriori check of pressure and separation, at sampled places",
     )
 

@@ -16,7 +16,7 @@ __all__ = ["ellipse_yield_notes", "map_yield_notes", "spots_yield_notes"]
 
 THOMAS = "H. R. Thomas, V. A. Hoersch, Univ. Illinois Eng. Exp. Station Bulletin 212 (1930); R. von Mises (1913)"
 HERTZ = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 6.1, doi:10.1017/CBO9781139171731"
-FAR = 0.1
+SAFE_PRESSURE = 0.1
 """Pressure over that at which a round contact of Hertz yields, below which spots of usual shapes do not."""
 
 
@@ -65,7 +65,7 @@ def ellipse_yield_notes(
 
 
 def map_yield_notes(medium: object, pressure: float) -> tuple[Note, ...]:
-    """Return what the greatest pressure of a height map says about yield.
+    """Return the yield note of the greatest pressure of a height map.
 
     Parameters
     ----------
@@ -79,12 +79,12 @@ def map_yield_notes(medium: object, pressure: float) -> tuple[Note, ...]:
         return ()
     part, limit = _weakest(parts)
     share = pressure / part.solid.strength
-    said = f"The greatest pressure is {share_of(share, part)}; under a round contact of Hertz yielding begins at "
-    return (_of_pressure(share / limit, f"{said}{limit:.3g} times"),)
+    fact = f"The greatest pressure is {share_of(share, part)}; under a round contact of Hertz yielding begins at "
+    return (_of_pressure(share / limit, f"{fact}{limit:.3g} times"),)
 
 
 def spots_yield_notes(medium: object, pressure: float) -> tuple[Note, ...]:
-    """Return what the mean pressure in the true area of a rough contact says about yield.
+    """Return the yield note of the mean pressure in the true area of a rough contact.
 
     Parameters
     ----------
@@ -98,9 +98,9 @@ def spots_yield_notes(medium: object, pressure: float) -> tuple[Note, ...]:
         return ()
     part, limit = _weakest(parts)
     share, mean = pressure / part.solid.strength, limit / 1.5
-    said = f"The mean pressure in the true area of contact is {share_of(share, part)}, single summits bear more; under "
+    fact = f"The mean pressure in the true area of contact is {share_of(share, part)}, single summits bear more; under "
     return (
-        _of_pressure(share / mean, f"{said}a round contact of Hertz yielding begins at a mean of {mean:.3g} times"),
+        _of_pressure(share / mean, f"{fact}a round contact of Hertz yielding begins at a mean of {mean:.3g} times"),
     )
 
 
@@ -110,12 +110,12 @@ def _weakest(parts: tuple[StrongPart, ...]) -> tuple[StrongPart, float]:
     return min(zip(parts, limits, strict=True), key=lambda pair: pair[1] * pair[0].solid.strength)
 
 
-def _of_pressure(share: float, said: str) -> Note:
+def _of_pressure(share: float, fact: str) -> Note:
     """Return the verdict on a pressure that is `share` of the one at which a round contact yields."""
     if share >= 1.0:
         standing, verdict = Standing.OUTSIDE, "spots of this pressure have yielded, and the result is not elastic"
-    elif share <= FAR:
+    elif share <= SAFE_PRESSURE:
         standing, verdict = Standing.ASYMPTOTIC, "far below that spots stay elastic, unless they are sharp"
     else:
         standing, verdict = Standing.APPROXIMATE, "the onset of yield is not known because the spots are not round"
-    return Note(Assumption.ELASTIC, standing, f"{said} the strength: {verdict}.", f"{MISES}; {HERTZ}")
+    return Note(Assumption.ELASTIC, standing, f"{fact} the strength: {verdict}.", f"{MISES}; {HERTZ}")

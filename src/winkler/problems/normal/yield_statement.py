@@ -1,9 +1,9 @@
-r"""Does a contact stay elastic?  One answer for every problem whose bodies have a strength.
+r"""Does a contact stay elastic?  One statement for every problem whose bodies have a strength.
 
 The greatest von Mises stress L of the frictionless contact bounds from below what friction makes of it: the contact
-sheared the other way is its mirror image, and the stress of their mean is not greater than theirs.  Where all of the
-contact slides with the coefficient :math:`\mu` it is U (`winkler.problems.normal.greatest_stress`); under partial
-slip the traction is smaller.  So with the strength Y
+sheared in the opposite direction is its mirror image, and the stress of their mean is not greater than theirs.  Where
+all of the contact slides with the coefficient :math:`\mu` it is U (`winkler.problems.normal.greatest_stress`); under
+partial slip the traction is smaller.  So with the strength Y
 
 .. math:: U < Y: \text{elastic}, \qquad L \ge Y: \text{yields}, \qquad L < Y \le U: \text{yields if all of it slides} .
 """
@@ -32,7 +32,7 @@ from winkler.validity import Assumption, Note, Standing
 __all__ = [
     "FRICTIONLESS",
     "MISES",
-    "Rubbing",
+    "SurfaceFriction",
     "relaxing_yield",
     "share_of",
     "slid_depth",
@@ -43,15 +43,15 @@ __all__ = [
 
 MISES = "R. von Mises, Nachr. Ges. Wiss. Goettingen (1913) 582; largest von Mises stress of the restored field"
 HAMILTON = "G. M. Hamilton, Proc. Inst. Mech. Eng. C 197 (1983) 53, doi:10.1243/PIME_PROC_1983_197_076_02"
-SHARES = (0.25, 0.5, 0.75, 1.0)
-"""Parts of the contact radius that are looked at where the profile may fall."""
-SLID = 1e-9
+RADIUS_SHARES = (0.25, 0.5, 0.75, 1.0)
+"""Parts of the contact radius that are examined where the profile may fall."""
+SLIDING_ROUNDING = 1e-9
 """By which part the shear force may fall short of what friction bears where all slides: rounding."""
-WIDE = 10.0
+WIDEST_ON_LAYER = 10.0
 """Contact radius over the thickness of the uppermost layer beyond which stresses in layers are not computed here."""
 
 
-class Rubbing(NamedTuple):
+class SurfaceFriction(NamedTuple):
     """What is known of the friction in a contact.
 
     Parameters
@@ -69,10 +69,12 @@ class Rubbing(NamedTuple):
     kinetic: float = math.nan
 
 
-FRICTIONLESS = Rubbing()
+FRICTIONLESS = SurfaceFriction()
 
 
-def yield_notes_of_bed(bed: Bed, depth: Array, radius: Array, rubbing: Rubbing = FRICTIONLESS) -> tuple[Note, ...]:
+def yield_notes_of_bed(
+    bed: Bed, depth: Array, radius: Array, rubbing: SurfaceFriction = FRICTIONLESS
+) -> tuple[Note, ...]:
     """Return whether the deepest of several contacts stays elastic; nothing where no body has a strength.
 
     Parameters
@@ -80,32 +82,32 @@ def yield_notes_of_bed(bed: Bed, depth: Array, radius: Array, rubbing: Rubbing =
     bed : Bed
     depth, radius : ndarray, (m,)
         [m].
-    rubbing : Rubbing
+    rubbing : SurfaceFriction
     """
     depths, radii = np.ravel(depth), np.ravel(radius)
     if not np.any(radii > 0.0):
         return ()
-    if not strong_parts(bed.medium):  # of a height map springs know no more than what it was pressed into
-        return unknown_yield(getattr(bed, "pressed_into", None), "the bed does not tell the outline of the contact")
+    if not strong_parts(bed.medium):  # the springs of a height map hold only the medium it was pressed into
+        return unknown_yield(getattr(bed, "pressed_into", None), "the bed does not define the outline of the contact")
     last = int(np.argmax(depths))
     widest = PressedSprings(bed, float(depths[last]), float(radii[last]))
     contacts = [widest]
     if not bed.rising and widest.radius < bed.rim:  # a falling profile may be stressed more under less load
-        earlier = np.array(SHARES[:-1]) * widest.radius
+        earlier = np.array(RADIUS_SHARES[:-1]) * widest.radius
         opened = earlier[earlier > flat_radius(bed)]
         gaps = bed.gap(opened)
         contacts += [PressedSprings(bed, float(d), float(a)) for d, a in zip(gaps, opened, strict=True) if d > 0.0]
     return yield_notes(contacts, rubbing)
 
 
-def yield_notes(contacts: list[PressedSprings], rubbing: Rubbing = FRICTIONLESS) -> tuple[Note, ...]:
+def yield_notes(contacts: list[PressedSprings], rubbing: SurfaceFriction = FRICTIONLESS) -> tuple[Note, ...]:
     """Return whether the parts that have a strength stay elastic in all of these contacts of one bed.
 
     Parameters
     ----------
     contacts : list of PressedSprings
         The deepest first.
-    rubbing : Rubbing
+    rubbing : SurfaceFriction
 
     Returns
     -------
@@ -127,7 +129,7 @@ class _Verdict(NamedTuple):
     source: str
 
 
-def _verdict(contacts: list[PressedSprings], part: StrongPart, rubbing: Rubbing) -> _Verdict:
+def _verdict(contacts: list[PressedSprings], part: StrongPart, rubbing: SurfaceFriction) -> _Verdict:
     """Return what is known of one part; the share is that of its strength."""
     try:
         _refuse_costly(contacts[0])
@@ -151,14 +153,14 @@ def _refuse_costly(pressed: PressedSprings) -> None:
     medium = pressed.bed.medium
     if isinstance(medium, RelaxingMedium):
         raise OutsideValidity("the stresses in a relaxing body follow the history of the load.")
-    if isinstance(medium, CoatedHalfSpace) and pressed.radius > WIDE * medium.layers[0].thickness:
+    if isinstance(medium, CoatedHalfSpace) and pressed.radius > WIDEST_ON_LAYER * medium.layers[0].thickness:
         raise OutsideValidity(
-            f"the contact is more than {WIDE:g} times as wide as the uppermost layer is thick; ask peak_stress for "
-            "the stresses inside."
+            f"the contact is more than {WIDEST_ON_LAYER:g} times as wide as the uppermost layer is thick; use "
+            "peak_stress for the stresses inside."
         )
 
 
-def _friction_unknown(pressed: PressedSprings, rubbing: Rubbing) -> str:
+def _friction_unknown(pressed: PressedSprings, rubbing: SurfaceFriction) -> str:
     """Return why the stresses under friction are not known, or nothing."""
     medium = pressed.bed.medium
     if not isinstance(medium, HalfSpace):
@@ -171,12 +173,12 @@ def _friction_unknown(pressed: PressedSprings, rubbing: Rubbing) -> str:
 
 
 def _frictionless(
-    pressed: PressedSprings, part: StrongPart, found: GreatestStress, share: float, added: str
+    pressed: PressedSprings, part: StrongPart, largest: GreatestStress, share: float, added: str
 ) -> _Verdict:
-    where = f"{share_of(share, part)}, at r = {found.x:.3g} m, z = {_signed(part, found.z):.3g} m"
+    where = f"{share_of(share, part)}, at r = {largest.x:.3g} m, z = {_signed(part, largest.z):.3g} m"
     load = _onset_of_ball(pressed, share)
-    if found.sharp:
-        return _at_sharp(part, found, share, "")
+    if largest.sharp:
+        return _at_sharp(part, largest, share, "")
     if share < 1.0:
         onset = f"yielding begins at {load:.4g} N; " if load else ""
         return _Verdict(
@@ -195,7 +197,7 @@ def _frictionless(
     )
 
 
-def _rubbed(pressed: PressedSprings, part: StrongPart, rubbing: Rubbing, plain: float, lower: str) -> _Verdict:
+def _rubbed(pressed: PressedSprings, part: StrongPart, rubbing: SurfaceFriction, plain: float, lower: str) -> _Verdict:
     """Return what is known of a contact with friction that without it would stay elastic."""
     mu = rubbing.coefficient
     kinetic = mu if math.isnan(rubbing.kinetic) else rubbing.kinetic
@@ -231,9 +233,9 @@ def _rubbed(pressed: PressedSprings, part: StrongPart, rubbing: Rubbing, plain: 
     return _Verdict(Standing.APPROXIMATE, bound, statement, HAMILTON)
 
 
-def _at_sharp(part: StrongPart, found: GreatestStress, share: float, friction: str) -> _Verdict:
+def _at_sharp(part: StrongPart, largest: GreatestStress, share: float, friction: str) -> _Verdict:
     """Return what is known where the elastic stress is infinite in a point or along a circle."""
-    own = found.sharp[0].upper() + found.sharp[1:]
+    own = largest.sharp[0].upper() + largest.sharp[1:]
     beyond = f"a tenth of the contact radius away from there the greatest von Mises stress is {share_of(share, part)}"
     if share >= 1.0:
         return _Verdict(Standing.OUTSIDE, share, f"{own}; and {beyond}: the result is not elastic.", MISES)
@@ -275,7 +277,7 @@ def slid_depth(coefficient: float, depth: Array, force: Array, shear_force: Arra
     sheared = np.hypot(*shear_force.T) if shear_force.ndim > force.ndim else np.abs(shear_force)
     if not 0.0 < coefficient < math.inf:
         return 0.0
-    slid = (force > 0.0) & (sheared >= (1.0 - SLID) * coefficient * force)
+    slid = (force > 0.0) & (sheared >= (1.0 - SLIDING_ROUNDING) * coefficient * force)
     return float(np.max(np.where(slid, depth, 0.0), initial=0.0))
 
 
@@ -284,7 +286,7 @@ def relaxing_yield(medium: object) -> tuple[Note, ...]:
     return unknown_yield(medium, "the stresses in bodies that relax follow the history of the load")
 
 
-def unknown_yield(medium: object, why: str, known: str = "") -> tuple[Note, ...]:
+def unknown_yield(medium: object, why: str, addition: str = "") -> tuple[Note, ...]:
     """Return that the onset of yield is not known, if a part of the medium has a strength.
 
     Parameters
@@ -293,10 +295,10 @@ def unknown_yield(medium: object, why: str, known: str = "") -> tuple[Note, ...]
         Any.
     why : str
         Why it is not known, the end of a sentence.
-    known : str
-        What can be said nevertheless, a sentence.
+    addition : str
+        What is certain nevertheless, a sentence.
     """
     if not strong_parts(medium):
         return ()
-    statement = f"The onset of yield is not known because {why}. {known}".rstrip()
+    statement = f"The onset of yield is not known because {why}. {addition}".rstrip()
     return (Note(Assumption.ELASTIC, Standing.APPROXIMATE, statement, MISES),)

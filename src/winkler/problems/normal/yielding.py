@@ -20,11 +20,11 @@ from winkler.values import value
 
 __all__ = ["YieldOnset", "YieldOnsetSolution"]
 
-STEPS = 40
+MOST_STEPS = 40
 OCTAVES = 500
-LAST = 0.999
-"""Part of the reach of a profile that becomes vertical there, up to which the onset is looked for."""
-WEAK = 10.0
+REACH_SHARE = 0.999
+"""Part of the reach of a profile that becomes vertical there, up to which the onset is sought."""
+STRENGTH_FACTOR = 10.0
 """A strength so many times the modulus times the slope there is not reached."""
 
 
@@ -55,7 +55,7 @@ class YieldOnset:
     def __post_init__(self) -> None:
         if not isinstance(self.bed.medium, HalfSpace):
             raise InvalidInput(
-                f"YieldOnset: the medium is a {type(self.bed.medium).__name__}; the onset of yield is looked for in "
+                f"YieldOnset: the medium is a {type(self.bed.medium).__name__}; the onset of yield is sought in "
                 "homogeneous, isotropic bodies only: give a HalfSpace."
             )
         if min(self.bed.medium.strengths) == math.inf:
@@ -72,16 +72,16 @@ class YieldOnset:
         NotConverged
             If the contact radius at the onset is not found.
         """
-        found, missed = [], []
+        onsets, missed = [], []
         for part in strong_parts(self.bed.medium):
             onset = _onset(self.bed, part)
             if isinstance(onset, str):
                 missed.append(onset)
             else:
-                found.append((*onset, part.first))
-        if not found:
+                onsets.append((*onset, part.first))
+        if not onsets:
             raise OutsideValidity(missed[0])
-        radius, place, first = min(found, key=lambda onset: onset[0])
+        radius, place, first = min(onsets, key=lambda onset: onset[0])
         at = np.array([radius])
         depth = float(self.bed.gap(at)[0])
         force = float((self.bed.stiffness(at) * depth - self.bed.gap_load(at))[0])
@@ -92,12 +92,12 @@ class YieldOnset:
 
 @value
 class YieldOnsetSolution:
-    """The answer to `YieldOnset`.
+    """The solution of `YieldOnset`.
 
     Parameters
     ----------
     problem : YieldOnset
-        What was asked.
+        The problem that was solved.
     depth, force, radius : float
         [m], [N], [m] when yielding begins.
     r, z : float
@@ -147,16 +147,16 @@ def _onset(bed: Bed, part: StrongPart) -> tuple[float, GreatestStress] | str:
                 f"{strength:.6g} Pa; the body does not yield before the profile ends."
             )
     elif math.isfinite(end):
-        steepest = float(bed.gap_slope(np.array([LAST * end]))[0])
-        if WEAK * bed.medium.modulus * steepest < strength:
+        steepest = float(bed.gap_slope(np.array([REACH_SHARE * end]))[0])
+        if STRENGTH_FACTOR * bed.medium.modulus * steepest < strength:
             return (
-                f"YieldOnset: at {LAST * end:.6g} m, where the profile is nearly vertical, its slope times the modulus "
-                f"is {steepest * bed.medium.modulus:.6g} Pa, far below the strength, {strength:.6g} Pa: the body does "
-                "not yield before; check the units of strength and modulus."
+                f"YieldOnset: at {REACH_SHARE * end:.6g} m, where the profile is nearly vertical, its slope times the "
+                f"modulus is {steepest * bed.medium.modulus:.6g} Pa, far below the strength, {strength:.6g} Pa: the "
+                "body does not yield before; check the units of strength and modulus."
             )
     low, high = flat, end
     last: tuple[float, float] | None = None
-    for _ in range(STEPS):
+    for _ in range(MOST_STEPS):
         place = stress(a)
         miss = math.log(place.value / strength)
         if abs(miss) < 1e-10:
@@ -173,7 +173,7 @@ def _onset(bed: Bed, part: StrongPart) -> tuple[float, GreatestStress] | str:
         if abs(new - a) <= 1e-14 * a:
             return a, place
         a = new
-    raise NotConverged(f"YieldOnset: the radius at which yielding begins was not found in {STEPS} steps.")
+    raise NotConverged(f"YieldOnset: the radius at which yielding begins was not found in {MOST_STEPS} steps.")
 
 
 def _start(bed: Bed, flat: float, end: float, strength: float) -> float:

@@ -29,14 +29,14 @@ from winkler.values import value
 
 __all__ = ["ContactLaw", "ContactLawSolution"]
 
-FIRST = 8
+FIRST_INTERVALS = 8
 """Intervals at the beginning, closer towards the touch."""
-ROUNDS, MOST = 24, 100_000
+MOST_HALVINGS, MOST_ROWS = 24, 100_000
 """Halvings of an interval, and rows, at most."""
-BETWEEN = np.array([0.15, 0.35, 0.5, 0.65, 0.85])
-"""Where an interval is looked at, as parts of it."""
-SAFETY = 0.7
-"""The error there is kept below this part of what is allowed: it may be a little greater elsewhere."""
+CHECK_POSITIONS = np.array([0.15, 0.35, 0.5, 0.65, 0.85])
+"""Where an interval is checked, as parts of it."""
+SAFETY_FACTOR = 0.7
+"""The error there stays below this part of what is allowed: it may be a little greater elsewhere."""
 
 
 @value
@@ -83,22 +83,24 @@ class ContactLaw:
         ------
         OutsideValidity
             If the bed does not reach so deep, or its springs' tangential stiffness is not in proportion to the normal
-            one, so that no one number tells the tangential stiffness.
+            one, so that no single number describes the tangential stiffness.
         NotConverged
             If the tolerance would need more than 100 000 rows.
         """
         flat = _first_radius(self.bed)
-        depth = self.deepest * np.linspace(0.0, 1.0, FIRST + 1) ** 2
-        for _ in range(ROUNDS):
-            answer = Indentation(self.bed, Depth(depth)).solve()
-            force, radius, stiffness = (np.array(part) for part in (answer.force, answer.radius, answer.stiffness))
+        depth = self.deepest * np.linspace(0.0, 1.0, FIRST_INTERVALS + 1) ** 2
+        for _ in range(MOST_HALVINGS):
+            pressed_ = Indentation(self.bed, Depth(depth)).solve()
+            force, radius, stiffness = (
+                np.array(part) for part in (pressed_.force, pressed_.radius, pressed_.stiffness)
+            )
             radius[0], stiffness[0] = flat, float(self.bed.stiffness(np.array([flat]))[0])  # as it begins to touch
             errors = self._errors(depth, force, stiffness) / force[-1]
-            coarse = np.flatnonzero(np.max(errors, axis=1) > SAFETY * self.tolerance)
+            coarse = np.flatnonzero(np.max(errors, axis=1) > SAFETY_FACTOR * self.tolerance)
             if not coarse.size:
                 break
-            if depth.size + coarse.size > MOST:
-                raise NotConverged(f"ContactLaw: more than {MOST} rows would be needed; give a greater tolerance.")
+            if depth.size + coarse.size > MOST_ROWS:
+                raise NotConverged(f"ContactLaw: more than {MOST_ROWS} rows would be needed; give a greater tolerance.")
             depth = np.sort(np.concatenate([depth, 0.5 * (depth[coarse] + depth[coarse + 1])]))
         else:
             raise NotConverged(
@@ -108,8 +110,8 @@ class ContactLaw:
         if not alike(ratios):
             raise OutsideValidity(
                 f"ContactLaw: the springs' tangential stiffness is between {ratios[0]:.4g} and {ratios[1]:.4g} of the "
-                "normal one, so that no one number tells it; give a homogeneous or power-law medium, or march along a "
-                "path with Tangential."
+                "normal one, so that no single number describes it; give a homogeneous or power-law medium, or march "
+                "along a path with Tangential."
             )
         return ContactLawSolution(
             self,
@@ -118,14 +120,14 @@ class ContactLaw:
             radius,
             stiffness,
             ratios[0] * stiffness,
-            np.asarray(answer.energy),
+            np.asarray(pressed_.energy),
             float(np.max(errors)),
             float(np.max(_triangles(depth, force, stiffness)) / force[-1]),
         )
 
     def _errors(self, depth: Array, force: Array, stiffness: Array) -> Array:
         """Return the error of the cubic between the rows [N], ``(intervals, places)``."""
-        places = depth[:-1, None] + np.diff(depth)[:, None] * BETWEEN
+        places = depth[:-1, None] + np.diff(depth)[:, None] * CHECK_POSITIONS
         true = np.asarray(Indentation(self.bed, Depth(places.ravel())).solve().force).reshape(places.shape)
         return np.asarray(np.abs(_cubic(depth, force, stiffness) - true))
 
@@ -138,8 +140,8 @@ def _first_radius(bed: Bed) -> float:
 
 
 def _cubic(depth: Array, force: Array, stiffness: Array) -> Array:
-    """Return Hermite's cubic at `BETWEEN` in every interval."""
-    t, step = BETWEEN, np.diff(depth)[:, None]
+    """Return Hermite's cubic at `CHECK_POSITIONS` in every interval."""
+    t, step = CHECK_POSITIONS, np.diff(depth)[:, None]
     return np.asarray(
         (1.0 + 2.0 * t) * (1.0 - t) ** 2 * force[:-1, None]
         + t * (1.0 - t) ** 2 * step * stiffness[:-1, None]
@@ -165,7 +167,7 @@ class ContactLawSolution:
     Parameters
     ----------
     problem : ContactLaw
-        What was asked.
+        The problem that was solved.
     depth, force, radius : ndarray, (rows,)
         d [m] from zero on, F_N [N], a [m].
     stiffness : ndarray, (rows,)

@@ -4,7 +4,7 @@ The normal force is Hertz', :math:`F_N=\tfrac43E^*\sqrt R\,d^{3/2}`.  The shear 
 each contact, which stick and slip (`winkler.numerics.springs.contact_kernels`).  A twist about the normal is borne up
 to
 :math:`\tfrac{3\pi}{16}\mu F_Na` with the stiffness :math:`\tfrac{16}3G_ta^3`; rolling up to :math:`e F_N` with
-:math:`\tfrac43E^*a^3`, that of a disc that is tilted.  Shear, twist and rolling do not know of each other.
+:math:`\tfrac43E^*a^3`, that of a disc that is tilted.  Shear, twist and rolling do not affect each other.
 """
 
 from __future__ import annotations
@@ -144,11 +144,11 @@ class Contacts:
         checked(Whole(1, what="springs"), "Contacts", "count", count)
         moduli = (medium.modulus, medium.shear_modulus, medium.torsional_modulus)
         try:
-            given = np.broadcast_arrays(*np.atleast_1d(curvature_radius, *moduli, coefficient, rolling_arm, reach))
+            broadcast = np.broadcast_arrays(*np.atleast_1d(curvature_radius, *moduli, coefficient, rolling_arm, reach))
         except ValueError as error:
             raise InvalidInput(f"Contacts: one number for all, or one for each contact; {error}") from None
-        radii, normal, shear, torsional, friction, arm, deepest = (np.array(x, dtype=float) for x in given)
-        many = given[0].shape
+        radii, normal, shear, torsional, friction, arm, deepest = (np.array(x, dtype=float) for x in broadcast)
+        many = broadcast[0].shape
         return cls(
             curvature_radius=radii,
             modulus=normal,
@@ -196,7 +196,7 @@ class Contacts:
     def along(
         self, depth: ArrayLike, *, motion: ArrayLike = 0.0, twist: ArrayLike = 0.0, roll: ArrayLike = 0.0
     ) -> tuple[Contacts, ContactTrace]:
-        """Return the contacts after many steps, and what happened on the way.
+        """Return the contacts after many steps, and the forces and losses of every step.
 
         Parameters
         ----------
@@ -234,8 +234,8 @@ class Contacts:
                 f"Contacts: contact {deep[0]} is pressed {np.max(d[deep[0]]):g} m deep, beyond the "
                 f"{self.reach[deep[0]]:g} m its springs were made for; make the contacts with a greater reach."
             )
-        way = np.concatenate([self.depth[:, np.newaxis], d], axis=1)
-        pressed = np.maximum(way, 0.0)
+        depths = np.concatenate([self.depth[:, np.newaxis], d], axis=1)
+        pressed = np.maximum(depths, 0.0)
         radius = np.sqrt(self.curvature_radius[:, np.newaxis] * pressed)
         normal = _hertz(self, pressed)
         u, twisted, rolled = np.array(self.displaced), np.zeros((many, 2)), np.array(self.rolled)
@@ -257,7 +257,7 @@ class Contacts:
                 spacing[part],
                 single[part],
                 slope[part],
-                way[part],
+                depths[part],
                 move[part],
                 shear[part],
                 stored[0, part],
@@ -350,14 +350,14 @@ def _hertz(contacts: Contacts, pressed: Array) -> Array:
     return np.asarray(stiffness[:, np.newaxis] * pressed**1.5)
 
 
-def _between(given: ArrayLike, axes: int) -> Array:
+def _between(broadcast: ArrayLike, axes: int) -> Array:
     """Return what is given for one step with an axis of steps after that of the contacts."""
-    numbers = np.asarray(given, dtype=float)
+    numbers = np.asarray(broadcast, dtype=float)
     return np.expand_dims(numbers, axis=1) if numbers.ndim == axes else numbers
 
 
-def _filled(word: str, given: ArrayLike, shape: tuple[int, ...]) -> Array:
-    numbers = np.asarray(given, dtype=float)
+def _filled(word: str, broadcast: ArrayLike, shape: tuple[int, ...]) -> Array:
+    numbers = np.asarray(broadcast, dtype=float)
     if numbers.shape not in ((), shape):
         raise InvalidInput(f"Contacts: {word} has the shape {numbers.shape}; give {shape}, or one number for all.")
     if not np.all(np.isfinite(numbers)):

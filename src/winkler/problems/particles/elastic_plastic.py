@@ -2,7 +2,7 @@ r"""An elastic-plastic, adhesive particle against a rigid plane, as discrete ele
 
 The springs are those of half an ellipse: a ball's while the particle is elastic; once it has yielded, the ones that the
 greatest depth so far has left (`winkler.problems.particles.elastic_plastic_springs`).  Attraction holds the edge of
-the contact as in Johnson, Kendall and Roberts, with what closing gains and opening costs told apart:
+the contact as in Johnson, Kendall and Roberts, with different works for closing and opening:
 
 .. math:: F = E_c\int_{-a}^{a}(d_e-g(x))\,\mathrm dx, \qquad g(a)-d_e = \sqrt{2\pi a w/E_c}
           \ \text{ while the edge moves.}
@@ -24,7 +24,7 @@ from winkler.loading import Depth, Force
 from winkler.materials.elastic import Elastic
 from winkler.numerics.types import Array
 from winkler.problems.answer import gather
-from winkler.problems.particles.elastic_plastic_march import March, ParticleHistory
+from winkler.problems.particles.elastic_plastic_march import ParticleHistory, ParticleMarch
 from winkler.problems.particles.elastic_plastic_springs import material_of
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
@@ -37,7 +37,7 @@ ENGINEERING = Note(
     Standing.APPROXIMATE,
     "An engineering law: the yield pressure is fitted to finite elements, the force jumps by d/13R and the elastic "
     "part of the depth by 15 % where yield begins; the particle does not grow sideways (at d = R/10 that is worth "
-    "1.7 % of the force), and the squeeze between several contacts is left out.",
+    "1.7 % of the force), and the interaction of several contacts is left out.",
     ZUNKER,
 )
 ELASTIC = Note(
@@ -136,16 +136,16 @@ class ElasticPlasticParticle:
             If the particle is pressed in by more than R/2, or a dead load tears it off; the states before that step
             have been yielded.
         """
-        march = March(
+        march = ParticleMarch(
             material_of(self.curvature_radius, self.solid), float(self.work_closing), float(self.work_opening)
         )
         state = march.fresh()
         for level in self._levels.tolist():
             state = march.to_depth(state, level) if isinstance(self.path, Depth) else march.to_force(state, level)
-            yield _seen(march, state, self.path, level)
+            yield _state_of(march, state, self.path, level)
 
     def gathered(self, states: Iterable[ParticleState]) -> ParticleSolution:
-        """Return the answer from these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its beginning."""
         return gather(ParticleSolution, self, states)
 
     def solve(self) -> ParticleSolution:
@@ -163,13 +163,13 @@ class ElasticPlasticParticle:
         return self.gathered(self.steps())
 
 
-def _seen(march: March, state: ParticleHistory, path: Depth | Force, level: float) -> ParticleState:
+def _state_of(march: ParticleMarch, state: ParticleHistory, path: Depth | Force, level: float) -> ParticleState:
     springs = march.material.springs(state.largest)
-    force = springs.force(state.angle, state.felt) if state.touching else 0.0
+    force = springs.force(state.angle, state.compression) if state.touching else 0.0
     energy = march.energy(state)
     held = isinstance(path, Force)
     return ParticleState(
-        depth=springs.depth(state.felt) if held else level,
+        depth=springs.depth(state.compression) if held else level,
         force=level if held else force,
         radius=springs.radius(state.angle),
         residual_depth=springs.origin,
@@ -208,12 +208,12 @@ class ParticleState:
 
 @value
 class ParticleSolution:
-    """The answer to an `ElasticPlasticParticle`, point by point of its path.
+    """The solution of an `ElasticPlasticParticle`, point by point of its path.
 
     Parameters
     ----------
     problem : ElasticPlasticParticle
-        What was asked.
+        The problem that was solved.
     depth : ndarray, (steps,)
         d [m].
     force : ndarray, (steps,)

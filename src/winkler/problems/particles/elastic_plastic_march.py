@@ -1,6 +1,6 @@
 r"""The march of an elastic-plastic particle that is pressed against a plane and let go, again and again.
 
-Where the edge of the contact stands is told by three rules: it advances when it gains more than closing needs, it
+The edge of the contact follows three rules: it advances when it gains more than closing needs, it
 recedes when parting is paid for, else it rests.  The work of each such stretch is a difference of potentials, and so is
 that of yielding: no step is too long.
 """
@@ -13,20 +13,25 @@ import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.numerics.equations.roots import between
-from winkler.problems.particles.elastic_plastic_springs import LIMIT, RIM, Material, ParticleSprings
+from winkler.problems.particles.elastic_plastic_springs import (
+    DEPTH_LIMIT,
+    FULL_CONTACT_ANGLE,
+    Material,
+    ParticleSprings,
+)
 
-__all__ = ["March", "ParticleHistory"]
+__all__ = ["ParticleHistory", "ParticleMarch"]
 
 
 class ParticleHistory(NamedTuple):
-    """What a particle remembers.
+    """The memory of a particle.
 
     Parameters
     ----------
     largest : float
         Its greatest depth so far [m].
-    felt : float
-        What its springs feel now [m].
+    compression : float
+        By how much its springs are compressed now [m].
     angle : float
         Where the edge is; zero where the bodies are apart.
     touching : bool
@@ -36,13 +41,13 @@ class ParticleHistory(NamedTuple):
     """
 
     largest: float
-    felt: float
+    compression: float
     angle: float
     touching: bool
     work: float
 
 
-class March(NamedTuple):
+class ParticleMarch(NamedTuple):
     """A particle and the works of adhesion.
 
     Parameters
@@ -61,54 +66,56 @@ class March(NamedTuple):
         """Return a particle that was never touched."""
         return ParticleHistory(0.0, -np.inf, 0.0, False, 0.0)
 
-    def potential(self, springs: ParticleSprings, angle: float, felt: float, work: float) -> float:
-        """Return elastic and surface energy, as a prescribed depth feels them [J]."""
-        energy = springs.sums(angle, felt)[1]
+    def potential(self, springs: ParticleSprings, angle: float, compression: float, work: float) -> float:
+        """Return elastic and surface energy, at a prescribed depth [J]."""
+        energy = springs.sums(angle, compression)[1]
         return springs.stretch * (energy - work * np.pi * springs.radius(angle) ** 2)
 
     def energy(self, state: ParticleHistory) -> float:
         """Return what is stored, less what closing has gained [J]."""
         if not state.touching:
             return 0.0
-        return self.potential(self.material.springs(state.largest), state.angle, state.felt, self.closing)
+        return self.potential(self.material.springs(state.largest), state.angle, state.compression, self.closing)
 
     def to_depth(self, state: ParticleHistory, depth: float) -> ParticleHistory:
         """Return the particle at a depth."""
-        if depth > LIMIT * self.material.radius:
+        if depth > DEPTH_LIMIT * self.material.radius:
             raise OutsideValidity(
-                f"ElasticPlasticParticle: a depth of {depth:g} m is beyond {LIMIT:g} of the radius; there the particle "
-                "is squeezed as a whole, which this law of one contact leaves out; stay below it."
+                f"ElasticPlasticParticle: a depth of {depth:g} m is beyond {DEPTH_LIMIT:g} of the radius; there the "
+                "particle is compressed as a whole, which this law of one contact leaves out; stay below it."
             )
         springs = self.material.springs(state.largest)
         roof = max(state.largest, self.material.yield_depth)
-        state = self._within(springs, state, springs.felt(min(depth, roof)))
+        state = self._within(springs, state, springs.compression(min(depth, roof)))
         largest = max(state.largest, depth)
         if depth <= roof:
             return state._replace(largest=largest)
         work = state.work + self.material.work(depth) - self.material.work(roof)
-        return ParticleHistory(largest, self.material.springs(largest).felt(depth), RIM, True, work)
+        return ParticleHistory(
+            largest, self.material.springs(largest).compression(depth), FULL_CONTACT_ANGLE, True, work
+        )
 
-    def _within(self, springs: ParticleSprings, state: ParticleHistory, felt: float) -> ParticleHistory:
+    def _within(self, springs: ParticleSprings, state: ParticleHistory, compression: float) -> ParticleHistory:
         """Move while the particle does not yield."""
         if not state.touching:
-            if felt < 0.0:
-                return state._replace(felt=felt)
-            state = state._replace(felt=0.0, angle=springs.edge(0.0, self.closing), touching=True)
+            if compression < 0.0:
+                return state._replace(compression=compression)
+            state = state._replace(compression=0.0, angle=springs.edge(0.0, self.closing), touching=True)
         angle = state.angle
         low, high = springs.balanced(angle, self.closing), springs.balanced(angle, self.opening)
-        if felt > low:
-            return self._moved(springs, state, felt, springs.edge(felt, self.closing), self.closing)
-        if felt >= high:
-            return self._moved(springs, state, felt, angle, self.opening)
+        if compression > low:
+            return self._moved(springs, state, compression, springs.edge(compression, self.closing), self.closing)
+        if compression >= high:
+            return self._moved(springs, state, compression, angle, self.opening)
         least = springs.critical(self.opening, 0.5)
-        if angle < least or felt < springs.balanced(least, self.opening):
+        if angle < least or compression < springs.balanced(least, self.opening):
             end = min(angle, least)
             last = self._moved(springs, state, springs.balanced(end, self.opening), end, self.opening)
-            return last._replace(felt=felt, angle=0.0, touching=False)
-        return self._moved(springs, state, felt, springs.edge(felt, self.opening), self.opening)
+            return last._replace(compression=compression, angle=0.0, touching=False)
+        return self._moved(springs, state, compression, springs.edge(compression, self.opening), self.opening)
 
     def _moved(
-        self, springs: ParticleSprings, state: ParticleHistory, felt: float, angle: float, work: float
+        self, springs: ParticleSprings, state: ParticleHistory, compression: float, angle: float, work: float
     ) -> ParticleHistory:
         """Let the edge rest, go to an angle while it is just held, and rest again; what that takes."""
 
@@ -118,13 +125,13 @@ class March(NamedTuple):
             return springs.stretch * (springs.sums(at, stop)[1] - springs.sums(at, start)[1])
 
         if angle == state.angle:
-            spent = rest(angle, state.felt, felt)
+            spent = rest(angle, state.compression, compression)
         else:
             first = springs.balanced(state.angle, work)
-            last = springs.balanced(angle, work) if angle == RIM else felt
-            spent = rest(state.angle, state.felt, first) + rest(angle, last, felt)
+            last = springs.balanced(angle, work) if angle == FULL_CONTACT_ANGLE else compression
+            spent = rest(state.angle, state.compression, first) + rest(angle, last, compression)
             spent += self.potential(springs, angle, last, work) - self.potential(springs, state.angle, first, work)
-        return state._replace(felt=felt, angle=angle, work=state.work + spent)
+        return state._replace(compression=compression, angle=angle, work=state.work + spent)
 
     def to_force(self, state: ParticleHistory, force: float) -> ParticleHistory:
         """Return the particle under a dead load."""
@@ -132,23 +139,23 @@ class March(NamedTuple):
         if not state.touching:
             # brought to touch without a force, where attraction holds it
             angle = springs.edge_under(0.0, self.closing)
-            state = state._replace(felt=springs.balanced(angle, self.closing), angle=angle, touching=True)
+            state = state._replace(compression=springs.balanced(angle, self.closing), angle=angle, touching=True)
         return self.to_depth(state, self._depth_under(springs, state, force))
 
     def _depth_under(self, springs: ParticleSprings, state: ParticleHistory, force: float) -> float:
         material = self.material
         roof = max(state.largest, material.yield_depth)
-        deepest = LIMIT * material.radius
+        deepest = DEPTH_LIMIT * material.radius
         angle = state.angle
         if force > springs.edge_force(angle, self.closing):
             angle = springs.edge_under(force, self.closing)
-            felt = self._felt(springs, angle, self.closing, force)
-            if springs.depth(felt) <= min(roof, deepest):
-                return springs.depth(felt)
+            compression = self._compression(springs, angle, self.closing, force)
+            if springs.depth(compression) <= min(roof, deepest):
+                return springs.depth(compression)
             if roof > deepest or force > material.force(deepest):
                 raise OutsideValidity(
-                    f"ElasticPlasticParticle: a force of {force:g} N presses the particle deeper than {LIMIT:g} of its "
-                    "radius, beyond which this law of one contact does not hold; give a smaller one."
+                    f"ElasticPlasticParticle: a force of {force:g} N presses the particle deeper than {DEPTH_LIMIT:g} "
+                    "of its radius, beyond which this law of one contact does not hold; give a smaller one."
                 )
             if force <= material.force(roof):
                 return roof
@@ -162,11 +169,11 @@ class March(NamedTuple):
                     "prescribe depths to follow it beyond, or stay above."
                 )
             angle = springs.edge_under(force, self.opening)
-            return springs.depth(self._felt(springs, angle, self.opening, force))
-        return springs.depth(self._felt(springs, angle, self.opening, force))
+            return springs.depth(self._compression(springs, angle, self.opening, force))
+        return springs.depth(self._compression(springs, angle, self.opening, force))
 
-    def _felt(self, springs: ParticleSprings, angle: float, work: float, force: float) -> float:
-        """Return what the springs feel under a force with the edge at an angle."""
+    def _compression(self, springs: ParticleSprings, angle: float, work: float, force: float) -> float:
+        """Return the compression of the springs under a force with the edge at an angle [m]."""
         held = springs.balanced(angle, work)
         if angle == 0.0:
             return held

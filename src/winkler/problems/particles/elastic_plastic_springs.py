@@ -9,9 +9,9 @@ While it is elastic, :math:`A=4R`, :math:`b=R`: a ball.  Once its mean pressure 
 
 .. math:: b^2 = 2DR - D^2 + d_Y^2 - d_YR, \qquad A = 4p_Y(D)\,b/E_c ,
 
-fully pressed in at :math:`D`, which means the uniform pressure :math:`p_Y`.  The springs then feel the depth
-:math:`(d-d_0)/s`, where :math:`s-1` tells how far the rest of the particle gives way, and :math:`d_0` is what remains
-when it is let go.
+fully pressed in at :math:`D`, which means the uniform pressure :math:`p_Y`.  The springs then have the depth
+:math:`(d-d_0)/s`, where :math:`s-1` is the share by which the rest of the particle yields, and :math:`d_0` is what
+remains when it is let go.
 """
 
 from __future__ import annotations
@@ -24,19 +24,19 @@ import numpy as np
 from winkler.materials.elastic import Elastic
 from winkler.numerics.equations.roots import between
 
-__all__ = ["LIMIT", "RIM", "Material", "ParticleSprings", "material_of"]
+__all__ = ["DEPTH_LIMIT", "FULL_CONTACT_ANGLE", "Material", "ParticleSprings", "material_of"]
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(16)
-RIM = 0.5 * math.pi
+FULL_CONTACT_ANGLE = 0.5 * math.pi
 """The angle at which all springs are in contact."""
-LIMIT = 0.5
+DEPTH_LIMIT = 0.5
 """Depth over radius up to which the law is followed."""
-RISE, FALL = 1.75, 4.4
+YIELD_PRESSURE_RISE, YIELD_PRESSURE_FALL = 1.75, 4.4
 """Of the yield pressure, fitted by Zunker and Kamrin to finite elements."""
 
 
 class ParticleSprings(NamedTuple):
-    """ParticleSprings under half an ellipse; angles tell the edge of the contact, a = b sin(angle).
+    """Springs under half an ellipse; the edge of the contact is given by an angle, a = b sin(angle).
 
     Parameters
     ----------
@@ -47,7 +47,7 @@ class ParticleSprings(NamedTuple):
     half_width : float
         b [m].
     origin, stretch : float
-        d0 [m] and s [-]: the springs feel (d - d0) / s.
+        d0 [m] and s [-]: the springs are compressed by (d - d0) / s.
     """
 
     modulus: float
@@ -56,13 +56,13 @@ class ParticleSprings(NamedTuple):
     origin: float
     stretch: float
 
-    def felt(self, depth: float) -> float:
-        """Return what the springs feel of a depth [m]."""
+    def compression(self, depth: float) -> float:
+        """Return by how much a depth compresses the springs [m]."""
         return (depth - self.origin) / self.stretch
 
-    def depth(self, felt: float) -> float:
-        """Return the depth of which the springs feel so much [m]."""
-        return self.origin + self.stretch * felt
+    def depth(self, compression: float) -> float:
+        """Return the depth that compresses the springs so much [m]."""
+        return self.origin + self.stretch * compression
 
     def radius(self, angle: float) -> float:
         """Return the radius of the contact [m]."""
@@ -72,19 +72,19 @@ class ParticleSprings(NamedTuple):
         """Return g at the edge of the contact [m]."""
         return self.height * math.sin(0.5 * angle) ** 2
 
-    def sums(self, angle: float, felt: float) -> tuple[float, float]:
+    def sums(self, angle: float, compression: float) -> tuple[float, float]:
         """Return force [N] and elastic energy of the springs [J], from quadrature that is exact to rounding."""
         theta = 0.5 * angle * (NODES + 1.0)
-        pressed = felt - self.height * np.sin(0.5 * theta) ** 2
+        pressed = compression - self.height * np.sin(0.5 * theta) ** 2
         weight = self.modulus * self.half_width * angle * WEIGHTS * np.cos(theta)
         return float(weight @ pressed), 0.5 * float(weight @ pressed**2)
 
-    def force(self, angle: float, felt: float) -> float:
+    def force(self, angle: float, compression: float) -> float:
         """Return the force [N]."""
-        return self.sums(angle, felt)[0]
+        return self.sums(angle, compression)[0]
 
     def balanced(self, angle: float, work: float) -> float:
-        """Return how much the springs feel when an edge at the angle is just held by a work of adhesion [m]."""
+        """Return the compression of the springs when an edge at the angle is just held by a work of adhesion [m]."""
         return self.gap(angle) - math.sqrt(2.0 * math.pi * self.radius(angle) * work / self.modulus)
 
     def critical(self, work: float, factor: float) -> float:
@@ -95,18 +95,18 @@ class ParticleSprings(NamedTuple):
         if work == 0.0:
             return 0.0
         number = 2.0 * factor * math.sqrt(2.0 * math.pi * self.half_width * work / self.modulus) / self.height
-        return between(lambda angle: math.sin(angle) ** 1.5 - number * math.cos(angle), 0.0, RIM)
+        return between(lambda angle: math.sin(angle) ** 1.5 - number * math.cos(angle), 0.0, FULL_CONTACT_ANGLE)
 
-    def edge(self, felt: float, work: float) -> float:
+    def edge(self, compression: float, work: float) -> float:
         """Return the angle of the stable edge; zero if there is none."""
         if work == 0.0:
-            return 2.0 * math.asin(math.sqrt(min(max(felt, 0.0) / self.height, 0.5)))
+            return 2.0 * math.asin(math.sqrt(min(max(compression, 0.0) / self.height, 0.5)))
         least = self.critical(work, 0.5)
-        if felt < self.balanced(least, work):
+        if compression < self.balanced(least, work):
             return 0.0
-        if felt >= self.balanced(RIM, work):
-            return RIM
-        return between(lambda angle: self.balanced(angle, work) - felt, least, RIM)
+        if compression >= self.balanced(FULL_CONTACT_ANGLE, work):
+            return FULL_CONTACT_ANGLE
+        return between(lambda angle: self.balanced(angle, work) - compression, least, FULL_CONTACT_ANGLE)
 
     def edge_force(self, angle: float, work: float) -> float:
         """Return the force while the edge is just held [N]."""
@@ -115,11 +115,11 @@ class ParticleSprings(NamedTuple):
     def edge_under(self, force: float, work: float) -> float:
         """Return the angle of the stable edge under a dead load that is not below the least one."""
         least = self.critical(work, 1.5)
-        if force >= self.edge_force(RIM, work):
-            return RIM
+        if force >= self.edge_force(FULL_CONTACT_ANGLE, work):
+            return FULL_CONTACT_ANGLE
         if force <= self.edge_force(least, work):
             return least
-        return between(lambda angle: self.edge_force(angle, work) - force, least, RIM)
+        return between(lambda angle: self.edge_force(angle, work) - force, least, FULL_CONTACT_ANGLE)
 
 
 class Material(NamedTuple):
@@ -144,7 +144,7 @@ class Material(NamedTuple):
 
     def yield_pressure(self, depth: float) -> float:
         """Return p_Y [Pa] at a depth."""
-        return self.solid.strength * (RISE * math.exp(-FALL * depth / self.radius) + 1.0)
+        return self.solid.strength * (YIELD_PRESSURE_RISE * math.exp(-YIELD_PRESSURE_FALL * depth / self.radius) + 1.0)
 
     def _square(self, depth: float) -> float:
         """Return b^2 [m^2]: that of Hertz where yield begins, then that of a ball cut off at the depth."""
@@ -159,10 +159,10 @@ class Material(NamedTuple):
         """Return the integral of that force over the depth, up to a constant [J]."""
         radius, onset = self.radius, self.yield_depth
         offset = onset * (onset - radius)
-        rate = FALL / radius
+        rate = YIELD_PRESSURE_FALL / radius
         plain = depth * (offset + depth * (radius - depth / 3.0))
         falling = self._square(depth) / rate + 2.0 * (radius - depth) / rate**2 - 2.0 / rate**3
-        return math.pi * self.solid.strength * (plain - RISE * math.exp(-rate * depth) * falling)
+        return math.pi * self.solid.strength * (plain - YIELD_PRESSURE_RISE * math.exp(-rate * depth) * falling)
 
     def springs(self, largest: float) -> ParticleSprings:
         """Return the springs after the particle was once pressed to a depth."""
@@ -171,14 +171,14 @@ class Material(NamedTuple):
         square = self._square(largest)
         b = math.sqrt(square)
         height = 4.0 * self.yield_pressure(largest) * b / self.modulus
-        felt = 0.5 * height
-        centre = self.radius - (largest - felt)
+        compression = 0.5 * height
+        centre = self.radius - (largest - compression)
         far = math.hypot(b, centre)
         nu = self.solid.poisson
         # how far the centre of the particle moves under the uniform pressure, against its surface far away
         bent = 2.0 * square * (nu - 1.0) - (2.0 * nu - 1.0) * centre * (far - centre)
-        given = self.force(largest) * bent / (2.0 * math.pi * self.solid.shear * square * far)
-        return ParticleSprings(self.modulus, height, b, largest - felt - given, 1.0 + given / felt)
+        bulk = self.force(largest) * bent / (2.0 * math.pi * self.solid.shear * square * far)
+        return ParticleSprings(self.modulus, height, b, largest - compression - bulk, 1.0 + bulk / compression)
 
 
 def material_of(radius: float, solid: Elastic) -> Material:
@@ -189,6 +189,6 @@ def material_of(radius: float, solid: Elastic) -> Material:
     def excess(depth: float) -> float:
         return 4.0 * modulus * math.sqrt(depth / radius) / (3.0 * math.pi) - material.yield_pressure(depth)
 
-    if math.isinf(solid.strength) or excess(LIMIT * radius) <= 0.0:
+    if math.isinf(solid.strength) or excess(DEPTH_LIMIT * radius) <= 0.0:
         return material
-    return material._replace(yield_depth=between(excess, 0.0, LIMIT * radius))
+    return material._replace(yield_depth=between(excess, 0.0, DEPTH_LIMIT * radius))

@@ -1,7 +1,7 @@
 r"""Many balls that strike at once, straight or obliquely, each with its own velocities.
 
 The equations are those of one `Impact`, integrated by Verlet's steps; the springs of every contact follow each step
-exactly along its straight line.  Energy is kept to second order in the steps.
+exactly along its straight line.  Energy is conserved to second order in the steps.
 """
 
 from __future__ import annotations
@@ -27,12 +27,12 @@ from winkler.values import value
 
 __all__ = ["BallImpacts", "BallImpactsSolution"]
 
-DEEPEST = (15.0 / 16.0) ** 0.4
-LASTING = 2.868265699
+HERTZ_DEPTH = (15.0 / 16.0) ** 0.4
+HERTZ_DURATION = 2.868265699
 """Of Hertz' impact: d_max and the duration in terms of m, v, E* and R."""
-MARGIN = 1e-3
+REACH_MARGIN = 1e-3
 """By which the springs reach further than Hertz' greatest depth."""
-MORE = 5
+EXTRA_STEPS = 5
 """Steps beyond Hertz' duration."""
 
 
@@ -103,10 +103,10 @@ class BallImpacts:
                 f"BallImpacts: sliding_velocity has the shape {shape}; give finite numbers, (contacts, 2)."
             )
         for name in ("curvature_radius", "coefficient", "mass", "mobility", "velocity"):
-            given = np.shape(getattr(self, name))
-            if given not in ((), shape[:1]):
+            shape_ = np.shape(getattr(self, name))
+            if shape_ not in ((), shape[:1]):
                 raise InvalidInput(
-                    f"BallImpacts: {name} has the shape {given} for {shape[0]} contacts; give one number for each, "
+                    f"BallImpacts: {name} has the shape {shape_} for {shape[0]} contacts; give one number for each, "
                     "or one for all."
                 )
 
@@ -125,8 +125,8 @@ class BallImpacts:
         )
         normal, shear = np.full(many, self.medium.modulus), np.full(many, self.medium.shear_modulus)
         scale = (mass / normal) ** 0.4 / radius**0.2
-        deepest = DEEPEST * scale * velocity**0.8
-        interval = LASTING * scale / velocity**0.2 / self.steps
+        deepest = HERTZ_DEPTH * scale * velocity**0.8
+        interval = HERTZ_DURATION * scale / velocity**0.2 / self.steps
         slope = coefficient * normal / shear
         loss, peak, time = np.zeros((3, many))
         after = velocity.copy()
@@ -141,8 +141,8 @@ class BallImpacts:
                 mass[part],
                 mobility[part],
                 interval[part],
-                (1.0 + MARGIN) * deepest[part],
-                self.steps + MORE,
+                (1.0 + REACH_MARGIN) * deepest[part],
+                self.steps + EXTRA_STEPS,
                 after[part],
                 sliding[part],
                 loss[part],
@@ -156,12 +156,12 @@ class BallImpacts:
 
 @value
 class BallImpactsSolution:
-    """The answer to `BallImpacts`, after the last ball has parted.
+    """The solution of `BallImpacts`, after the last ball has parted.
 
     Parameters
     ----------
     problem : BallImpacts
-        What was asked.
+        The problem that was solved.
     velocity : ndarray, (contacts,)
         Of approach [m/s]: negative, since the balls part.
     sliding_velocity : ndarray, (contacts, 2)
@@ -171,7 +171,7 @@ class BallImpactsSolution:
     greatest_depth : ndarray, (contacts,)
         Hertz' greatest depth [m].
     greatest_shear_force : ndarray, (contacts,)
-        Greatest shear force on the way [N].
+        Greatest shear force during the impact [N].
     duration : ndarray, (contacts,)
         How long the bodies touch [s], a whole number of steps.
     """

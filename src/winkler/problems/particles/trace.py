@@ -26,8 +26,8 @@ PLANE = Note(
 SIMILAR = Note(
     Assumption.UNCOUPLED,
     Standing.ASYMPTOTIC,
-    "The bodies are taken as elastically similar: contacts know moduli alone, not Dundurs' constant; Tangential with "
-    "the same medium says how far that holds.",
+    "The bodies are taken as elastically similar: contacts have moduli alone, not Dundurs' constant; Tangential with "
+    "the same medium states how far that holds.",
     POPOV,
 )
 UNCOUPLED = Note(

@@ -26,12 +26,12 @@ KALKER = (
     "doi:10.1007/978-94-015-7889-9"
 )
 POPOV_HESS = "V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015, doi:10.1007/978-3-642-53876-6"
-HERTZIAN = 0.01
+HERTZIAN_DEPARTURE = 0.01
 """How far a profile may be from a parabola, in parts of the depth, to be called Hertzian."""
 
 
 class Calibration(Protocol):
-    """What the springs of a rolling contact are given."""
+    """The stiffness and bound of the springs of a rolling contact."""
 
     def stiffness(self, bed: Bed) -> tuple[float, float]:
         """Return the stiffness of the springs along and across the direction of rolling [Pa]."""
@@ -44,7 +44,7 @@ class Calibration(Protocol):
 
 @value
 class Kalker:
-    """Springs that are as stiff as Kalker's coefficients of a round contact want them: the default."""
+    """Springs with the stiffness that gives Kalker's coefficients of a round contact: the default."""
 
     def stiffness(self, bed: Bed) -> tuple[float, float]:
         """Return c11 G / 2 and c22 G / 2 [Pa].
@@ -62,12 +62,12 @@ class Kalker:
             If Poisson's ratio is negative.
         """
         pair = rolling_pair(bed.medium)
-        known = creep_coefficients(1.0, pair.poisson)
-        return 0.5 * known.longitudinal * pair.shear, 0.5 * known.lateral * pair.shear
+        coefficients = creep_coefficients(1.0, pair.poisson)
+        return 0.5 * coefficients.longitudinal * pair.shear, 0.5 * coefficients.lateral * pair.shear
 
     def notes(self, bed: Bed, radius: float) -> tuple[Note, ...]:
         """Return what was measured of calibrated springs."""
-        if departure(bed, radius) <= HERTZIAN:
+        if departure(bed, radius) <= HERTZIAN_DEPARTURE:
             return (
                 Note(
                     Assumption.CALIBRATION,

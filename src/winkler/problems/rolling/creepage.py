@@ -5,8 +5,8 @@ and were both rigid, with the velocity
 
 .. math:: w_x = V\,(\xi - \varphi\,y), \qquad w_y = V\,(\eta + \varphi\,x) .
 
-The traction with which the second body drags the first points the way it slips: a positive creepage makes a positive
-force.
+The traction with which the second body drags the first points in the direction of slip: a positive creepage makes a
+positive force.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ from winkler.errors import InvalidInput
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.values import value
 
-__all__ = ["AtCreepages", "Creepage", "Creeping"]
+__all__ = ["Creepage", "CreepageProblem", "CreepageSolution"]
 
-MOST = {"longitudinal": 1e9, "lateral": 1e9, "spin": math.inf}
-"""Beyond it nothing rolls any more; of spin only the size of the contact tells."""
+LARGEST_CREEPAGE = {"longitudinal": 1e9, "lateral": 1e9, "spin": math.inf}
+"""Beyond it nothing rolls any more; for spin only the size of the contact decides."""
 UNITS = {"longitudinal": "", "lateral": "", "spin": " in 1/m"}
 
 
@@ -40,7 +40,7 @@ class Creepage:
     spin : float or ndarray, optional
         phi [1/m], rotation about the normal of the contact per distance rolled.
 
-    All three may be arrays, of shapes that fit each other; the answers then have the common shape.
+    All three may be arrays, of shapes that fit each other; the results then have the common shape.
 
     Raises
     ------
@@ -58,10 +58,10 @@ class Creepage:
 
     def __post_init__(self) -> None:
         for word, unit in UNITS.items():
-            given = np.asarray(getattr(self, word))
-            good = given.dtype.kind in "fiu" and given.size > 0 and np.all(np.isfinite(given))
-            if not good or np.any(np.abs(given) > MOST[word]):
-                most = f", of at most {MOST[word]:g}" if math.isfinite(MOST[word]) else ""
+            prescribed = np.asarray(getattr(self, word))
+            good = prescribed.dtype.kind in "fiu" and prescribed.size > 0 and np.all(np.isfinite(prescribed))
+            if not good or np.any(np.abs(prescribed) > LARGEST_CREEPAGE[word]):
+                most = f", of at most {LARGEST_CREEPAGE[word]:g}" if math.isfinite(LARGEST_CREEPAGE[word]) else ""
                 shown = " ".join(repr(getattr(self, word)).split())  # arrays are written in lines
                 raise InvalidInput(f"Creepage: {word} is {shown}; give a number{unit}, or an array of them{most}.")
         try:
@@ -83,7 +83,7 @@ class Creepage:
         return along.ravel(), across.ravel(), turning.ravel()
 
 
-class Creeping(Protocol):
+class CreepageProblem(Protocol):
     """A problem of rolling at one creepage, or at many."""
 
     @property
@@ -91,17 +91,17 @@ class Creeping(Protocol):
         """How the bodies creep."""
 
 
-class AtCreepages:
-    """The part of an answer that its creepages tell."""
+class CreepageSolution:
+    """The part of a solution that follows from its creepages."""
 
-    problem: Creeping
+    problem: CreepageProblem
 
     @property
     def longitudinal_creepage(self) -> Quantity:
-        """xi [-], in the shape of the answers."""
+        """xi [-], in the shape of the results."""
         return shaped(np.broadcast_to(self.problem.creepage.longitudinal, self.problem.creepage.shape))
 
     @property
     def lateral_creepage(self) -> Quantity:
-        """eta [-], in the shape of the answers."""
+        """eta [-], in the shape of the results."""
         return shaped(np.broadcast_to(self.problem.creepage.lateral, self.problem.creepage.shape))

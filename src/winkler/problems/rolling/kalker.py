@@ -103,7 +103,7 @@ def rolling_pair(medium: Medium) -> RollingPair:
     if not isinstance(medium, HalfSpace):
         raise InvalidInput(
             f"Kalker's creep coefficients are not known for a {type(medium).__name__}; give a HalfSpace of isotropic "
-            "bodies, or ask for Rolling(..., calibration=Uncalibrated()) on any homogeneous medium."
+            "bodies, or use Rolling(..., calibration=Uncalibrated()) on any homogeneous medium."
         )
     bodies = [body for body in (medium.first, medium.second) if isinstance(body, Elastic)]
     softness = sum(1.0 / body.shear for body in bodies)

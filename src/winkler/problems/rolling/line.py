@@ -5,7 +5,7 @@ rolled.  It never bears more than its bound :math:`b(x)=\mu c_N(d-g)`, so that
 
 .. math:: q_x(x) = \min_{x\le y\le a}\,\bigl[q_x^0(y) + \kappa\,(y-x)\bigr],\qquad q_x^0 = b,\quad q_x^0(a)=0 .
 
-Which springs begin and cease to slide is seen on sampled springs; where exactly is then looked for, and the force is
+Which springs begin and cease to slide is determined on sampled springs; the places are then refined, and the force is
 summed in closed form over the pieces.
 """
 
@@ -22,17 +22,17 @@ from winkler.numerics.types import Array
 from winkler.problems.normal.indentation import IndentationSolution
 from winkler.values import value
 
-__all__ = ["RollingLine", "Sticking"]
+__all__ = ["RollingLine", "StickZones"]
 
 SAMPLES = 256
 """Springs on half of the line by which sliding is noticed, evenly spaced."""
-EDGE = 40
+EDGE_HALVINGS = 40
 """And how often more of them halve the distance from the edge."""
 BLOCK = 256
-"""How many creepages are looked at together."""
+"""How many creepages are computed together."""
 
 
-class Sticking(NamedTuple):
+class StickZones(NamedTuple):
     """Pieces of the line that stick, of all creepages together; each array ``(pieces,)``.
 
     Parameters
@@ -40,7 +40,7 @@ class Sticking(NamedTuple):
     creepage
         Which creepage a piece belongs to.
     front, back
-        Where it begins, seen from the leading edge, and where it ends [m].
+        Where it begins, measured from the leading edge, and where it ends [m].
     load
         Line load at its front [N/m].
     """
@@ -102,11 +102,11 @@ class RollingLine:
     def _places(self) -> Array:
         """Sampled springs [m], from the leading edge to the trailing one."""
         a = self.radius
-        near = towards(a, [b for b, _ in self.contact.problem.bed.kinks], EDGE)
+        near = towards(a, [b for b, _ in self.contact.problem.bed.kinks], EDGE_HALVINGS)
         half = np.union1d(near, a * np.linspace(0.0, 1.0, SAMPLES + 1))
         return np.concatenate([half[::-1], -half[1:]])
 
-    def sticking(self, rate: Array) -> Sticking:
+    def sticking(self, rate: Array) -> StickZones:
         """Return the pieces that stick.
 
         Parameters
@@ -116,12 +116,12 @@ class RollingLine:
         """
         x = self._places
         bound = self.bound(x)
-        found = [
+        roots = [
             self._refined(rate, begin + which, front, back, x, bound)
             for begin in range(0, rate.size, BLOCK)
             for which, front, back in self._sampled(rate[begin : begin + BLOCK], x, bound)
         ]
-        return Sticking(*(np.concatenate(part) for part in zip(*found, strict=True)))
+        return StickZones(*(np.concatenate(part) for part in zip(*roots, strict=True)))
 
     def _sampled(self, rate: Array, x: Array, bound: Array) -> Iterator[tuple[Array, Array, Array]]:
         """Yield creepage, last spring that slides before a sticking piece (or the edge), first that slides after it."""
@@ -134,7 +134,7 @@ class RollingLine:
         nearest = np.minimum.accumulate(ends[:, ::-1], axis=1)[:, ::-1]
         yield which, front, nearest[which, front]
 
-    def _refined(self, rate: Array, which: Array, front: Array, back: Array, x: Array, bound: Array) -> Sticking:
+    def _refined(self, rate: Array, which: Array, front: Array, back: Array, x: Array, bound: Array) -> StickZones:
         """Return the pieces with their ends where they are, not where the next sampled spring is."""
         kappa = rate[which]
         start, load = x[front], np.where(front == 0, 0.0, bound[front])
@@ -172,16 +172,16 @@ class RollingLine:
                 end[slid[crossed]] = between(
                     lambda place, index: spare(place, crossed[index]), before[crossed], behind[crossed]
                 )
-        return Sticking(which, start, np.minimum(end, start), load)
+        return StickZones(which, start, np.minimum(end, start), load)
 
-    def force(self, rate: Array, pieces: Sticking) -> Array:
+    def force(self, rate: Array, pieces: StickZones) -> Array:
         """Return the force of the springs along the line [N], ``(m,)``."""
         width = pieces.front - pieces.back
         stuck = width * (pieces.load + 0.5 * rate[pieces.creepage] * width)
         spared = self._bound_before(pieces.front) - self._bound_before(pieces.back) - stuck
         return np.asarray(self.most - np.bincount(pieces.creepage, spared, rate.size))
 
-    def stick_share(self, rate: Array, pieces: Sticking) -> Array:
+    def stick_share(self, rate: Array, pieces: StickZones) -> Array:
         """Return the part of the line that sticks [-], ``(m,)``."""
         width = (pieces.front - pieces.back) / (2.0 * self.radius)
         return np.asarray(np.bincount(pieces.creepage, width, rate.size))

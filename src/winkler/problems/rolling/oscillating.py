@@ -37,12 +37,12 @@ from winkler.values import value
 
 __all__ = ["OscillatingRolling", "OscillatingRollingSolution", "RockingState"]
 
-KALKER = Kalker()
+DEFAULT_CALIBRATION = Kalker()
 WETTER = (
     "R. Wetter, V. L. Popov, Influence of the alignment of load and oscillation on the frictional shakedown of an "
     "elastic rolling contact with Coulomb friction, Physical Mesomechanics 17 (2014)"
 )
-ROUNDING = 1e-9
+FORCE_ROUNDING = 1e-9
 """Part of the sliding force by which a march may miss it."""
 
 
@@ -101,7 +101,7 @@ class OscillatingRolling:
     amplitude: Positive
     shear_force: NonNegative
     load: OneLoad
-    calibration: Kalker | Uncalibrated = KALKER
+    calibration: Kalker | Uncalibrated = DEFAULT_CALIBRATION
     cycles: Annotated[int, Whole(1, 100_000)] = 30
     count: Annotated[int, Whole(20, 100_000)] = 200
 
@@ -133,7 +133,7 @@ class OscillatingRolling:
             If the bodies do not touch, or friction does not bear the shear force.
         """
         line = self._line
-        if self.shear_force > line.most * (1.0 - ROUNDING):
+        if self.shear_force > line.most * (1.0 - FORCE_ROUNDING):
             raise OutsideValidity(
                 f"OscillatingRolling: friction bears {line.most:.6g} N, no more than the shear force of "
                 f"{self.shear_force:.6g} N; give less."
@@ -141,9 +141,9 @@ class OscillatingRolling:
         sampled, count = springs("OscillatingRolling", line, self.amplitude, 1, self.count)
         stiffness = self.calibration.stiffness(self.bed)[0]
         load, shift = np.zeros(sampled.x.size), 0.0
-        ways = (((0, 1),), ((1, count), (-1, 2 * count), (1, count)))
+        strokes = (((0, 1),), ((1, count), (-1, 2 * count), (1, count)))
         for cycle in range(self.cycles + 1):
-            for direction, steps in ways[min(cycle, 1)]:
+            for direction, steps in strokes[min(cycle, 1)]:
                 gained, borne = push(
                     load, sampled.bound, sampled.weight, sampled.part, direction, self.shear_force, steps
                 )
@@ -156,7 +156,7 @@ class OscillatingRolling:
             yield RockingState(cycle=cycle, shift=shift, x=sampled.x, shear_load=load)
 
     def gathered(self, states: Iterable[RockingState]) -> OscillatingRollingSolution:
-        """Return the answer from these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its beginning."""
         contact = touching("OscillatingRolling", self.bed, self.load)
         return gather(OscillatingRollingSolution, self, states, contact=contact, shakedown_force=self.shakedown_force)
 
@@ -203,12 +203,12 @@ class RockingState:
 
 @value
 class OscillatingRollingSolution:
-    """The answer to an `OscillatingRolling`.
+    """The solution of an `OscillatingRolling`.
 
     Parameters
     ----------
     problem : OscillatingRolling
-        What was asked.
+        The problem that was solved.
     contact : IndentationSolution
         The contact under its normal load.
     shakedown_force : float

@@ -27,7 +27,7 @@ from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import ROLLING
 from winkler.problems.normal.yield_of_pressure import ellipse_yield_notes
-from winkler.problems.rolling.creepage import AtCreepages, Creepage
+from winkler.problems.rolling.creepage import Creepage, CreepageSolution
 from winkler.problems.rolling.kalker import CreepCoefficients, creep_coefficients, rolling_pair
 from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
 from winkler.validity import Assumption, Note, Standing
@@ -36,7 +36,7 @@ from winkler.values import value
 __all__ = ["RollingTraction", "SimplifiedRolling", "SimplifiedRollingSolution"]
 
 JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 4.2, doi:10.1017/CBO9781139171731"
-MOMENT = 0.25 * math.pi
+HALF_BOUND_INTEGRAL = 0.25 * math.pi
 """Half the integral of the bound over the unit disc: sums over it become forces over mu F_N."""
 
 
@@ -113,37 +113,42 @@ class SimplifiedRolling:
             If the ellipse or Poisson's ratio lies outside Kalker's table.
         """
         a, b = self.footprint.semi_axes(self.medium.modulus, float(self.load.force))
-        known = creep_coefficients(a / b, rolling_pair(self.medium).poisson)
+        creep_coefficients_ = creep_coefficients(a / b, rolling_pair(self.medium).poisson)
         sums = np.empty((self.creepage.broadcast()[0].size, 4))
-        rolled(self.drives(a, b, known), self.count, sums)
+        rolled(self.drives(a, b, creep_coefficients_), self.count, sums)
         most = self.friction.coefficient * float(self.load.force)
-        forces = most * sums.T / (2.0 * MOMENT)
+        forces = most * sums.T / (2.0 * HALF_BOUND_INTEGRAL)
 
-        def shaped(answer: Array) -> Quantity:
-            return float(answer[0]) if self.creepage.shape == () else answer.reshape(self.creepage.shape)
+        def shaped(result: Array) -> Quantity:
+            return float(result[0]) if self.creepage.shape == () else result.reshape(self.creepage.shape)
 
         moment = a * forces[2] - b * forces[3]
-        return SimplifiedRollingSolution(self, a, b, known, *(shaped(q) for q in (forces[0], forces[1], moment)))
+        return SimplifiedRollingSolution(
+            self, a, b, creep_coefficients_, *(shaped(q) for q in (forces[0], forces[1], moment))
+        )
 
-    def drives(self, a: float, b: float, known: CreepCoefficients) -> Array:
+    def drives(self, a: float, b: float, creep_coefficients_: CreepCoefficients) -> Array:
         """Return how fast sticking tractions grow, in units of the disc and of the greatest bound, ``(m, 4)``."""
         xi, eta, spin = self.creepage.broadcast()
         shear = rolling_pair(self.medium).shear
-        first, second = 8.0 * a / (3.0 * known.longitudinal * shear), 8.0 * a / (3.0 * known.lateral * shear)
-        third = math.pi * a * math.sqrt(a / b) / (4.0 * known.spin * shear)
+        first, second = (
+            8.0 * a / (3.0 * creep_coefficients_.longitudinal * shear),
+            8.0 * a / (3.0 * creep_coefficients_.lateral * shear),
+        )
+        third = math.pi * a * math.sqrt(a / b) / (4.0 * creep_coefficients_.spin * shear)
         bound = 2.0 * self.friction.coefficient * float(self.load.force) / (math.pi * a * b)
         unit = a / bound
         return np.stack([xi / first, eta / second, spin * b / third, spin * a / third], axis=1) * unit
 
 
 @value
-class SimplifiedRollingSolution(AtCreepages):
-    """The answer to a `SimplifiedRolling`; forces and moment have the shape of the creepage.
+class SimplifiedRollingSolution(CreepageSolution):
+    """The solution of a `SimplifiedRolling`; forces and moment have the shape of the creepage.
 
     Parameters
     ----------
     problem : SimplifiedRolling
-        What was asked.
+        The problem that was solved.
     longitudinal_semi_axis, lateral_semi_axis : float
         a and b [m].
     coefficients : CreepCoefficients
@@ -164,7 +169,7 @@ class SimplifiedRollingSolution(AtCreepages):
 
     @property
     def spin_creepage(self) -> Quantity:
-        """phi [1/m], in the shape of the answers."""
+        """phi [1/m], in the shape of the results."""
         return shaped(np.broadcast_to(self.problem.creepage.spin, self.problem.creepage.shape))
 
     @property
@@ -215,12 +220,12 @@ class SimplifiedRollingSolution(AtCreepages):
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        asked, axes, creep = self.problem, (self.longitudinal_semi_axis, self.lateral_semi_axis), self.problem.creepage
-        turned, aside = (bool(np.any(np.asarray(part) != 0.0)) for part in (creep.spin, creep.lateral))
-        moments = (*((self._moment_note,) if aside else ()), *((SPIN,) if turned else ()))
-        coupled = sticking_note(asked.medium, asked.friction.coefficient)
-        yielding = ellipse_yield_notes(asked.medium, axes, asked.load.force, asked.friction.coefficient)
-        return (*asked.medium.notes, self._size_note, coupled, CREEP, *moments, *yielding)
+        stated, axes, creep = self.problem, (self.longitudinal_semi_axis, self.lateral_semi_axis), self.problem.creepage
+        with_spin, aside = (bool(np.any(np.asarray(part) != 0.0)) for part in (creep.spin, creep.lateral))
+        moments = (*((self._moment_note,) if aside else ()), *((SPIN,) if with_spin else ()))
+        coupled = sticking_note(stated.medium, stated.friction.coefficient)
+        yielding = ellipse_yield_notes(stated.medium, axes, stated.load.force, stated.friction.coefficient)
+        return (*stated.medium.notes, self._size_note, coupled, CREEP, *moments, *yielding)
 
     @property
     def _moment_note(self) -> Note:
@@ -229,9 +234,9 @@ class SimplifiedRollingSolution(AtCreepages):
         Of the exact theory it begins as -G (ab)^1.5 c23 eta; of springs, whose p_y = (l - x) eta / L_2 grows from the
         leading edge l on, as -eta / L_2 times the integral of x^2 over the ellipse.
         """
-        known = self.coefficients
+        creep_coefficients_ = self.coefficients
         slender = math.sqrt(self.longitudinal_semi_axis / self.lateral_semi_axis)
-        part = 3.0 * math.pi / 32.0 * known.lateral / known.spin * slender
+        part = 3.0 * math.pi / 32.0 * creep_coefficients_.lateral / creep_coefficients_.spin * slender
         return Note(
             Assumption.CALIBRATION,
             Standing.APPROXIMATE,
@@ -247,7 +252,7 @@ class SimplifiedRollingSolution(AtCreepages):
             case CurvedBodies(along, across):
                 ratio = max(self.longitudinal_semi_axis / along, self.lateral_semi_axis / across)
             case _:
-                return GIVEN
+                return PRESCRIBED_PRESSURE
         if ratio <= 0.1:
             standing, verdict = Standing.ASYMPTOTIC, "the bodies may be taken for half-spaces"
         elif ratio <= 0.5:
@@ -284,7 +289,7 @@ class RollingTraction:
         return np.asarray(np.hypot(self.longitudinal, self.lateral))
 
 
-GIVEN = Note(
+PRESCRIBED_PRESSURE = Note(
     Assumption.SHAPE,
     Standing.ASYMPTOTIC,
     "The ellipse was given: that these bodies touch on it under this load, and are large beside it, is not checked.",

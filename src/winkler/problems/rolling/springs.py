@@ -33,52 +33,52 @@ class RollingSprings(NamedTuple):
     part: float
 
 
-MOST = 1_000_000
+MOST_SPRINGS = 1_000_000
 """Springs on half of a contact; more would fill the memory."""
-LONGEST = 1e10
+MOST_SPRING_STEPS = 1e10
 """Steps of all springs together; more would take minutes."""
 
 
-def springs(owner: str, line: RollingLine, way: float, pieces: int, count: int) -> tuple[RollingSprings, int]:
-    """Return springs for a contact that moves `way` in so many pieces, and the steps of one piece.
+def springs(owner: str, line: RollingLine, travel: float, pieces: int, count: int) -> tuple[RollingSprings, int]:
+    """Return springs for a contact that travels a distance in so many pieces, and the steps of one piece.
 
     Parameters
     ----------
     owner : str
-        Who asks.
+        Name of the problem, for the error sentences.
     line : RollingLine
-    way : float
+    travel : float
         [m], positive.
     pieces : int
-        After each of which the contact is looked at.
+        After each of which a state is returned.
     count : int
         Springs on half of the contact, at least.
 
     Raises
     ------
     OutsideValidity
-        If the way is too short or too long for that.
+        If the distance is too short or too long for that.
     """
     a = line.radius
-    steps = max(1.0, way / pieces * count / a)
-    if not a / (way / pieces / steps) <= MOST:
+    steps = max(1.0, travel / pieces * count / a)
+    if not a / (travel / pieces / steps) <= MOST_SPRINGS:
         raise OutsideValidity(
-            f"{owner}: each of {pieces} parts of its way, {way:.6g} m, is so short beside the contact radius of "
-            f"{a:.6g} m that more than {MOST} springs are needed; give a longer way, or look at it less often."
+            f"{owner}: each of {pieces} parts of its travel, {travel:.6g} m, is so short beside the contact radius of "
+            f"{a:.6g} m that more than {MOST_SPRINGS} springs are needed; give a longer travel, or fewer states."
         )
-    if not pieces * steps * count <= LONGEST:
+    if not pieces * steps * count <= MOST_SPRING_STEPS:
         raise OutsideValidity(
-            f"{owner}: a way of {way:.6g} m is so long beside the contact radius of {a:.6g} m that {count} springs "
-            "cannot be followed along it; give a shorter way."
+            f"{owner}: a travel of {travel:.6g} m is so long beside the contact radius of {a:.6g} m that {count} "
+            "springs cannot be followed along it; give a shorter travel."
         )
     steps = math.ceil(steps)
-    apart = way / pieces / steps
+    apart = travel / pieces / steps
     half = math.floor(a / apart * (1.0 + 1e-12))
     x = apart * np.arange(-half, half + 1)
     left = max(a - apart * half, 0.0)
     weight = np.full(x.size, apart)
     weight[0] = weight[-1] = 0.5 * apart + left
-    # the mean bound of what a spring stands for: at the edge, where it falls to nothing, one place would not tell it
+    # the mean bound over the spacing of a spring: at the edge, where it falls to zero, one place would not give it
     cuts = np.concatenate([[-a], x[:-1] + 0.5 * apart, [a]])
     bound = np.maximum(line.bearing(cuts[:-1], cuts[1:]), 0.0) / weight
     return RollingSprings(x, bound, weight, left / apart), steps

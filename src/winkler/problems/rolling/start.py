@@ -36,9 +36,9 @@ from winkler.values import value
 
 __all__ = ["RollingStart", "RollingStartSolution", "RollingState"]
 
-KALKER = Kalker()
-AT_REST = ShearForce(0.0)
-ROUNDING = 1e-12
+DEFAULT_CALIBRATION = Kalker()
+NO_SHEAR_FORCE = ShearForce(0.0)
+BOUND_ROUNDING = 1e-12
 """Part of its bound by which a spring that slides may miss it."""
 
 
@@ -66,7 +66,7 @@ class RollingStart:
     calibration : Kalker or Uncalibrated, optional
         How stiff the springs are along the surface.
     points : int, optional
-        How many states are looked at on the way, evenly spaced.
+        How many states are returned along the travel, evenly spaced.
     count : int, optional
         Springs on half of the contact, at least.
 
@@ -101,8 +101,8 @@ class RollingStart:
     creepage: Creepage
     load: OneLoad
     distance: Annotated[Positive, Advice("how far it rolls")]
-    start: Annotated[ShearForce, ONE_FORCE] = AT_REST
-    calibration: Kalker | Uncalibrated = KALKER
+    start: Annotated[ShearForce, ONE_FORCE] = NO_SHEAR_FORCE
+    calibration: Kalker | Uncalibrated = DEFAULT_CALIBRATION
     points: Annotated[int, Whole(1, 100_000)] = 100
     count: Annotated[int, Whole(20, 100_000)] = 400
 
@@ -122,11 +122,11 @@ class RollingStart:
 
     @property
     def total(self) -> int:
-        """How many states `steps` yields: that at rest, and one after every part of the way."""
+        """How many states `steps` yields: that at rest, and one after every part of the travel."""
         return self.points + 1
 
     def steps(self) -> Iterator[RollingState]:
-        """Yield the contact at rest, and then after every part of the way.
+        """Yield the contact at rest, and then after every part of the travel.
 
         Raises
         ------
@@ -150,7 +150,7 @@ class RollingStart:
         for point in range(self.points + 1):
             if point > 0:
                 roll(load, sampled.bound, sampled.part, rate * apart, count)
-            sticking = np.abs(load) < sampled.bound * (1.0 - ROUNDING)
+            sticking = np.abs(load) < sampled.bound * (1.0 - BOUND_ROUNDING)
             yield RollingState(
                 distance=self.distance * point / self.points,
                 shear_force=float(sampled.weight @ load),
@@ -160,7 +160,7 @@ class RollingStart:
             )
 
     def gathered(self, states: Iterable[RollingState]) -> RollingStartSolution:
-        """Return the answer from these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its beginning."""
         contact = touching("RollingStart", self.bed, self.load)
         return gather(RollingStartSolution, self, states, contact=contact)
 
@@ -206,12 +206,12 @@ class RollingState:
 
 @value
 class RollingStartSolution:
-    """The answer to a `RollingStart`, from rest on.
+    """The solution of a `RollingStart`, from rest on.
 
     Parameters
     ----------
     problem : RollingStart
-        What was asked.
+        The problem that was solved.
     contact : IndentationSolution
         The contact under its normal load.
     distance : ndarray, (steps,)
@@ -246,7 +246,7 @@ class RollingStartSolution:
 TRANSIENT = Note(
     Assumption.CALIBRATION,
     Standing.APPROXIMATE,
-    "The way to the steady state: that it takes one width of the contact is the line's own; a calibration was made "
-    "for the steady force, not for how it is reached.",
+    "The transition to the steady state: that it takes one width of the contact is the line's own; a calibration was "
+    "made for the steady force, not for how it is reached.",
     "the springs' rule; not compared with a theory in three dimensions",
 )

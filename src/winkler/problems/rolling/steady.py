@@ -27,9 +27,9 @@ from winkler.path import OneLoad
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import ROLLING
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
-from winkler.problems.normal.yield_statement import Rubbing
+from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.problems.rolling.calibration import Kalker, Uncalibrated
-from winkler.problems.rolling.creepage import AtCreepages, Creepage
+from winkler.problems.rolling.creepage import Creepage, CreepageSolution
 from winkler.problems.rolling.line import RollingLine
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
@@ -37,7 +37,7 @@ from winkler.values import value
 __all__ = ["Rolling", "RollingSolution", "check_rolling", "rolling_notes", "touching"]
 
 VERMEULEN = "P. J. Vermeulen, K. L. Johnson, J. Appl. Mech. 31 (1964) 338-340"
-KALKER = Kalker()
+DEFAULT_CALIBRATION = Kalker()
 
 
 @value
@@ -92,7 +92,7 @@ class Rolling:
     friction: Sliding
     creepage: Creepage
     load: OneLoad
-    calibration: Kalker | Uncalibrated = KALKER
+    calibration: Kalker | Uncalibrated = DEFAULT_CALIBRATION
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "vermeulen_johnson_1964", "kalker_1990")
     assumptions: ClassVar[frozenset[Assumption]] = ROLLING
@@ -124,21 +124,21 @@ class Rolling:
         force = line.force(rate, pieces)
         direction = drive / np.where(rate > 0.0, rate, 1.0)
 
-        def shaped(answer: Array) -> Quantity:
-            return float(answer[0]) if self.creepage.shape == () else answer.reshape(self.creepage.shape)
+        def shaped(result: Array) -> Quantity:
+            return float(result[0]) if self.creepage.shape == () else result.reshape(self.creepage.shape)
 
-        answers = (*(direction * force), line.stick_share(rate, pieces))
-        return RollingSolution(self, contact, *(shaped(answer) for answer in answers))
+        results = (*(direction * force), line.stick_share(rate, pieces))
+        return RollingSolution(self, contact, *(shaped(result) for result in results))
 
 
 @value
-class RollingSolution(AtCreepages):
-    """The answer to a `Rolling`; every quantity has the shape of the creepage.
+class RollingSolution(CreepageSolution):
+    """The solution of a `Rolling`; every quantity has the shape of the creepage.
 
     Parameters
     ----------
     problem : Rolling
-        What was asked.
+        The problem that was solved.
     contact : IndentationSolution
         The contact under its normal load.
     longitudinal_force, lateral_force : float or ndarray
@@ -186,7 +186,7 @@ class RollingSolution(AtCreepages):
         Raises
         ------
         InvalidInput
-            If the creepage is an array; ask for one.
+            If the creepage is an array; give one creepage.
         """
         if self.problem.creepage.shape != ():
             raise InvalidInput("RollingSolution.shear_load: the creepage is an array; solve for one creepage.")
@@ -219,8 +219,8 @@ TOGETHER = Note(
 STRIPS = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
-    "The line tells forces, not where on the surface they act: the zone of stick of a round contact is no strip "
-    "between parallels; ask SimplifiedRolling for a map.",
+    "The line gives forces, not where on the surface they act: the zone of stick of a round contact is no strip "
+    "between parallels; use SimplifiedRolling for a map.",
     VERMEULEN,
 )
 
@@ -231,7 +231,7 @@ def rolling_notes(
     """Return what is assumed of springs that roll."""
     bed = contact.problem.bed
     notes = calibration.notes(bed, float(contact.radius))
-    rubbing = Rubbing(friction.coefficient, math.inf if slides else 0.0)
+    rubbing = SurfaceFriction(friction.coefficient, math.inf if slides else 0.0)
     return (*contact.notes_with(rubbing), sticking_note(bed.medium, friction.coefficient), *notes, STRIPS)
 
 
@@ -250,7 +250,7 @@ def check_rolling(owner: str, bed: Bed, creepage: Creepage) -> None:
     if np.any(np.asarray(creepage.spin) != 0.0):
         raise OutsideValidity(
             f"{owner}: spin turns the traction around the contact, and a line of springs has no counterpart of that; "
-            "ask for SimplifiedRolling."
+            "use SimplifiedRolling."
         )
 
 

@@ -1,7 +1,7 @@
 r"""Friction of rough surfaces on an elastomer: a tool for trends.
 
 Every wave q of the roughness shears the elastomer at the angular frequency v q.  While a line of springs touches only
-here and there, it loses a part :math:`G''/|G|` of what the slopes ask for,
+here and there, it loses a part :math:`G''/|G|` of what the slopes require,
 
 .. math:: \mu(v) \approx h'\,\frac{\int q^3 C(q)\,\frac{G''(qv)}{|G(qv)|}\,\mathrm dq}{\int q^3 C(q)\,\mathrm dq} ,
 
@@ -24,7 +24,7 @@ from winkler.values import value
 
 __all__ = ["ElastomerFriction", "ElastomerFrictionSolution"]
 
-WAVES = 400
+WAVE_NUMBERS = 400
 LI = "Q. Li et al., Phys. Rev. Lett. 111 (2013) 034301, doi:10.1103/PhysRevLett.111.034301"
 DISPUTE = "I. A. Lyashenko, L. Pastewka, B. N. J. Persson, Phys. Rev. Lett. 111 (2013) 189401"
 
@@ -72,7 +72,7 @@ class ElastomerFriction:
 
     def solve(self) -> ElastomerFrictionSolution:
         """Return the coefficient of friction at every velocity."""
-        q = wave_numbers_for(self.spectrum, WAVES)
+        q = wave_numbers_for(self.spectrum, WAVE_NUMBERS)
         logs = np.log(q)
         weight = q**4 * self.spectrum.at(q)
         omega = np.ravel(self.velocity)[:, None] * q
@@ -83,12 +83,12 @@ class ElastomerFriction:
 
 @value
 class ElastomerFrictionSolution:
-    """The answer to an `ElastomerFriction`.
+    """The solution of an `ElastomerFriction`.
 
     Parameters
     ----------
     problem : ElastomerFriction
-        What was asked.
+        The problem that was solved.
     coefficient : ndarray
         mu [-], in the shape of the velocity.
     """
@@ -98,7 +98,7 @@ class ElastomerFrictionSolution:
 
     @property
     def velocity(self) -> Array:
-        """The velocities [m/s] that were asked for."""
+        """The velocities [m/s]."""
         return self.problem.velocity
 
     @property

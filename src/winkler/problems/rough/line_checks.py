@@ -1,4 +1,4 @@
-"""What every rough line refuses, and what it says of waves that it does not see."""
+"""What every rough line refuses, and its notes on waves that it leaves out."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["LineSprings", "Realisations", "check_ensemble", "line_notes"]
 
-ROUNDING = 1e-9
+CUT_OFF_ROUNDING = 1e-9
 
 
 Realisations: TypeAlias = Annotated[int, Whole(1, MOST_SPRINGS)]
@@ -40,9 +40,9 @@ def line_notes(solution: Any) -> tuple[Note, ...]:
     spectrum, length, count = problem.spectrum, problem.length, problem.count
     yielding = spots_yield_notes(problem.medium, float(np.max(np.asarray(solution.force) / np.asarray(solution.area))))
     left_out = []
-    if spectrum.smallest * length < 2.0 * math.pi * (1.0 - ROUNDING):
+    if spectrum.smallest * length < 2.0 * math.pi * (1.0 - CUT_OFF_ROUNDING):
         left_out.append(f"longer than the line ({length:.4g} m)")
-    if spectrum.greatest * length > math.pi * count * (1.0 + ROUNDING):
+    if spectrum.greatest * length > math.pi * count * (1.0 + CUT_OFF_ROUNDING):
         left_out.append(f"shorter than two springs ({2.0 * length / count:.4g} m; give a larger count)")
     if not left_out:
         return yielding

@@ -27,7 +27,7 @@ from winkler.values import value
 
 __all__ = ["RoughContact", "RoughContactSolution"]
 
-SQUARE = 1.1523
+LINE_OVER_SIDE = 1.1523
 """Length of the line over the side of a square surface, by which both are as stiff when everything touches."""
 LYASHENKO = "I. A. Lyashenko, L. Pastewka, B. N. J. Persson, Tribol. Lett. 52 (2013) 223-229"
 POHRT = "R. Pohrt, V. L. Popov, Phys. Rev. Lett. 108 (2012) 104301, doi:10.1103/PhysRevLett.108.104301"
@@ -44,15 +44,15 @@ class RoughContact:
     medium : HalfSpace
         Both bodies, homogeneous.
     side : float
-        Of the square [m]: waves longer than the line of 1.1523 sides are not seen.
+        Of the square [m]: waves longer than the line of 1.1523 sides are left out.
     load : Force or Depth
         What is prescribed, positive; depths from the first touch of the highest point.
     realisations : int, optional
         How many random lines.
     count : int, optional
-        Springs in each; waves shorter than two of them are not seen.
+        Springs in each; waves shorter than two of them are left out.
     seed : int, optional
-        Of the phases; equal seeds, equal answers.
+        Of the phases; equal seeds, equal results.
 
     Raises
     ------
@@ -84,7 +84,7 @@ class RoughContact:
     @property
     def length(self) -> float:
         """Of the line [m]."""
-        return SQUARE * self.side
+        return LINE_OVER_SIDE * self.side
 
     def lines(self) -> Iterator[RoughLine]:
         """Yield the lines.
@@ -110,12 +110,12 @@ class RoughContact:
 
 @value
 class RoughContactSolution(RoughSolution):
-    """The answer to a `RoughContact`.
+    """The solution of a `RoughContact`.
 
     Parameters
     ----------
     problem : RoughContact
-        What was asked.
+        The problem that was solved.
     depth, force, stiffness : float or ndarray
         d [m], F [N], dF/dd [N/m]: the median of all lines, in the shape of the load.
     depth_band, force_band, stiffness_band : ndarray, (2, ...)
@@ -156,7 +156,7 @@ class RoughContactSolution(RoughSolution):
             Note(
                 Assumption.ROUGHNESS,
                 Standing.OUTSIDE,
-                "The line has no true area of contact and no mean gap: springs do not know of one another. Those given "
+                "The line has no true area of contact and no mean gap: springs do not affect one another. Those given "
                 "here are Persson's, of which the area is up to a third too small, the gap within 20 per cent up to "
                 "pressures of 0.2 E* h'; a SurfaceContact computes them.",
                 LYASHENKO,

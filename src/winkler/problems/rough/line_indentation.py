@@ -48,15 +48,15 @@ class RoughIndentation:
     bed : Foundation
         The smooth body, on a homogeneous medium.
     length : float
-        Of the line [m]; wider than the contact. Waves longer than it are not seen.
+        Of the line [m]; wider than the contact. Waves longer than it are left out.
     load : Force or Depth
         What is prescribed, positive; depths from the first touch of the highest point.
     realisations : int, optional
         How many random lines.
     count : int, optional
-        Springs in each; waves shorter than two of them are not seen.
+        Springs in each; waves shorter than two of them are left out.
     seed : int, optional
-        Of the phases; equal seeds, equal answers.
+        Of the phases; equal seeds, equal results.
 
     Raises
     ------
@@ -149,12 +149,12 @@ class RoughIndentation:
 
 @value
 class RoughIndentationSolution(RoughSolution):
-    """The answer to a `RoughIndentation`.
+    """The solution of a `RoughIndentation`.
 
     Parameters
     ----------
     problem : RoughIndentation
-        What was asked.
+        The problem that was solved.
     depth, force, stiffness : float or ndarray
         d [m], F [N], dF/dd [N/m]: the median of all lines, in the shape of the load.
     depth_band, force_band, stiffness_band : ndarray, (2, ...)
@@ -177,12 +177,12 @@ class RoughIndentationSolution(RoughSolution):
         nodes, weights = gauss_legendre(NODES)
         # r = a sin: pressures of flat ends and of smooth edges are both tame in the angle
         angle = 0.5 * math.pi * nodes
-        answer = []
+        areas = []
         for depth, radius in zip(depths.tolist(), radii.tolist(), strict=True):
             pressure = self.problem.medium.pressure(PressedSprings(bed, depth, radius), radius * np.sin(angle))
             touching = area_fraction(pressure, self.problem.medium.modulus, slope)
-            answer.append(math.pi**2 * radius**2 * float(np.sum(weights * touching * np.sin(angle) * np.cos(angle))))
-        return shaped(np.array(answer), np.shape(self.force))
+            areas.append(math.pi**2 * radius**2 * float(np.sum(weights * touching * np.sin(angle) * np.cos(angle))))
+        return shaped(np.array(areas), np.shape(self.force))
 
     @property
     def validity(self) -> tuple[Note, ...]:

@@ -1,4 +1,4 @@
-"""What every ensemble of rough lines answers: depth, force and stiffness with their bands, and what it conducts."""
+"""Solutions of ensembles of rough lines: depth, force and stiffness with their bands, and what it conducts."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ __all__ = ["RoughSolution"]
 
 @value
 class RoughSolution:
-    """What many rough lines tell of one load, or of many.
+    """Statistics of many rough lines under one load, or under many.
 
     Parameters
     ----------
     problem : RoughContact or RoughIndentation
-        What was asked.
+        The problem that was solved.
     depth, force, stiffness : float or ndarray
         d [m], F [N], dF/dd [N/m]: the median of all lines, in the shape of the load.
     depth_band, force_band, stiffness_band : ndarray, (2, ...)

@@ -26,12 +26,12 @@ from winkler.profiles.rough.spectrum import Spectrum, wave_numbers_for
 
 __all__ = ["area_fraction", "mean_separation"]
 
-GAMMA = 0.45
+ENERGY_SHARE = 0.45
 """Share of the elastic energy that is stored in the asperities, after Yang and Persson (2008)."""
-WAVES = 2001
+WAVE_NUMBERS = 2001
 """Wave numbers, crowded towards the smallest."""
 NODES = 24
-FARTHEST = 6.0
+FARTHEST_S = 6.0
 """Where exp(-s^2) has faded."""
 
 
@@ -63,8 +63,8 @@ def area_fraction(pressure: Array, modulus: float, rms_slope: float) -> Array:
     """
     from scipy.special import erf
 
-    given = _checked(pressure, "area_fraction", modulus=modulus, rms_slope=rms_slope)
-    return np.asarray(erf(np.sqrt(2.0) * given / (modulus * rms_slope)))
+    prescribed = _checked(pressure, "area_fraction", modulus=modulus, rms_slope=rms_slope)
+    return np.asarray(erf(np.sqrt(2.0) * prescribed / (modulus * rms_slope)))
 
 
 def mean_separation(pressure: Array, modulus: float, spectrum: Spectrum) -> Array:
@@ -88,32 +88,32 @@ def mean_separation(pressure: Array, modulus: float, spectrum: Spectrum) -> Arra
     ----------
     C. Yang, B. N. J. Persson, J. Phys.: Condens. Matter 20 (2008) 215214, doi:10.1088/0953-8984/20/21/215214
     """
-    given = _checked(pressure, "mean_separation", modulus=modulus)
-    if np.any(given == 0.0):
+    prescribed = _checked(pressure, "mean_separation", modulus=modulus)
+    if np.any(prescribed == 0.0):
         raise InvalidInput(
             "mean_separation: a pressure is zero; without any the surfaces are as far apart as you like."
         )
-    q = wave_numbers_for(spectrum, WAVES, crowded=2.0)
+    q = wave_numbers_for(spectrum, WAVE_NUMBERS, crowded=2.0)
     power = math.pi * q**4 * spectrum.at(q)
     t = np.sqrt(np.concatenate(([0.0], np.cumsum(0.5 * (power[1:] + power[:-1]) * np.diff(np.log(q))))))
-    answer = np.zeros(given.size)
+    separation = np.zeros(prescribed.size)
     risen = t > 0.0  # a measured spectrum may begin with waves of no power
-    for i, p in enumerate(given.ravel().tolist()):
+    for i, p in enumerate(prescribed.ravel().tolist()):
         inner = np.zeros(t.size)  # exp(-s^2) at t = 0
         inner[risen] = _work(p / (modulus * t[risen]))
-        answer[i] = 2.0 / math.sqrt(math.pi) * np.trapezoid(inner / q, t)
-    return answer.reshape(given.shape)
+        separation[i] = 2.0 / math.sqrt(math.pi) * np.trapezoid(inner / q, t)
+    return separation.reshape(prescribed.shape)
 
 
 def _checked(pressure: Array, owner: str, **numbers: float) -> Array:
     """Return the pressures, none of which may pull."""
-    given = np.asarray(pressure, dtype=float)
-    if not np.all(np.isfinite(given) & (given >= 0.0)):
+    prescribed = np.asarray(pressure, dtype=float)
+    if not np.all(np.isfinite(prescribed) & (prescribed >= 0.0)):
         raise InvalidInput(f"{owner}: pressure must not be negative, and finite; surfaces are pressed together.")
     for word, number in numbers.items():
         if not 0.0 < number < math.inf:
             raise InvalidInput(f"{owner}: {word} is {number!r}; it must be positive and finite.")
-    return given
+    return prescribed
 
 
 def _work(start: Array) -> Array:
@@ -121,7 +121,9 @@ def _work(start: Array) -> Array:
     from scipy.special import erf, exp1
 
     nodes, weights = gauss_legendre(NODES)
-    rest = np.maximum(FARTHEST - start, 0.0)[:, None]
+    rest = np.maximum(FARTHEST_S - start, 0.0)[:, None]
     s = start[:, None] + rest * nodes
     with_touching = np.sum(rest * weights * erf(s) ** 2 * np.exp(-(s**2)) / s, axis=1)
-    return np.asarray(0.5 * GAMMA * exp1(np.minimum(start**2, 700.0)) + 3.0 * (1.0 - GAMMA) * with_touching)
+    return np.asarray(
+        0.5 * ENERGY_SHARE * exp1(np.minimum(start**2, 700.0)) + 3.0 * (1.0 - ENERGY_SHARE) * with_touching
+    )

@@ -24,7 +24,7 @@ from winkler.media.medium import Medium
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array
 from winkler.problems.normal.yield_statement import unknown_yield
-from winkler.problems.rough.contact_springs import Points, room, springs_of
+from winkler.problems.rough.contact_springs import ContactPoints, force_uncertainty, springs_of
 from winkler.problems.rough.surface_contact import SurfaceContact
 from winkler.problems.rough.surface_states import SurfaceState
 from winkler.profiles.rough.topography import Topography
@@ -34,26 +34,26 @@ from winkler.values import value
 __all__ = ["Reduction", "ReductionSolution", "reduce"]
 
 BARBER = "J. R. Barber, J. Strain Anal. 9 (1974) 230-232, doi:10.1243/03093247V094230"
-ENOUGH = 200
-"""Pixels of the deepest contact that are asked for."""
-STEP = 2.0
+LEAST_PIXELS = 200
+"""Least number of pixels of the deepest contact."""
+DEPTH_FACTOR = 2.0
 """Depths are first divided by this, until forces are small."""
-DOWN = 16
-SMALL, BETWEEN, MET = 0.3, 0.8, 0.15
+MOST_DIVISIONS = 16
+SMALLEST_FORCE_SHARE, BETWEEN_SHARE, POINT_SHARE = 0.3, 0.8, 0.15
 """Parts of the tolerance: of the smallest force, of what may be missed between contacts, and at them."""
-MOST = 129
-NARROW = 1.01
+MOST_CONTACTS = 129
+NARROWEST_RATIO = 1.01
 """Depths closer than this are not divided: between them pixels come into contact one by one."""
-BEYOND = 1.0 + 1e-6
-"""The bed reaches a little deeper than asked, so that the asked depth is inside."""
+DEPTH_MARGIN = 1.0 + 1e-6
+"""The bed reaches a little deeper than requested, so that the requested depth is inside."""
 
-Row = tuple[float, float, float, float]
+ContactRow = tuple[float, float, float, float]
 """Depth [m], force [N], stiffness [N/m] and pixels of a contact."""
 
 
 @value
 class Reduction:
-    """The question for springs that bear forces like a height map.
+    """The problem of finding springs that bear forces like a height map.
 
     Parameters
     ----------
@@ -97,33 +97,33 @@ class Reduction:
 
     @property
     def total(self) -> None:
-        """How many states `steps` yields shows only on the way."""
+        """How many states `steps` yields is not known before."""
 
     def steps(self) -> Iterator[SurfaceState]:
-        """Yield the contacts that are computed: depths halve their distances where there is room for other forces.
+        """Yield the contacts that are computed: depths halve their distances where the force is too uncertain.
 
         Raises
         ------
         NotConverged
             If the tolerance is not met.
         """
-        deepest = next(SurfaceContact(self.topography, self.medium, Depth(BEYOND * self.depth)).steps())
+        deepest = next(SurfaceContact(self.topography, self.medium, Depth(DEPTH_MARGIN * self.depth)).steps())
         yield deepest
         pixels = int(np.count_nonzero(deepest.pressure))
-        if pixels < ENOUGH:
+        if pixels < LEAST_PIXELS:
             raise OutsideValidity(
-                f"reduce: at the depth {self.depth:.6g} m only {pixels} pixels touch, which tells too little of the "
-                f"contacts before; press until at least {ENOUGH} do, or give the map more pixels."
+                f"reduce: at the depth {self.depth:.6g} m only {pixels} pixels touch, which determines too little of "
+                f"the contacts before; press until at least {LEAST_PIXELS} do, or give the map more pixels."
             )
         done, allowed, state = [_row(deepest)], self.tolerance * deepest.force, deepest
-        while state.force > SMALL * allowed and len(done) < DOWN:
-            state = next(SurfaceContact(self.topography, self.medium, Depth(state.depth / STEP)).steps())
+        while state.force > SMALLEST_FORCE_SHARE * allowed and len(done) < MOST_DIVISIONS:
+            state = next(SurfaceContact(self.topography, self.medium, Depth(state.depth / DEPTH_FACTOR)).steps())
             done.insert(0, _row(state))
             yield state
-        while asked := self._between(done, BETWEEN * allowed):
-            if len(done) + len(asked) > MOST:
+        while requested := self._between(done, BETWEEN_SHARE * allowed):
+            if len(done) + len(requested) > MOST_CONTACTS:
                 raise self._lost(done)
-            for state in SurfaceContact(self.topography, self.medium, Depth(np.array(asked))).steps():
+            for state in SurfaceContact(self.topography, self.medium, Depth(np.array(requested))).steps():
                 done.append(_row(state))
                 yield state
             done.sort()
@@ -131,25 +131,25 @@ class Reduction:
             raise self._lost(done)
 
     @staticmethod
-    def _between(done: list[Row], allowed: float) -> list[float]:
-        """Return depths between contacts that leave more room for the force."""
-        pairs = zip(itertools.pairwise(row[0] for row in done), room(_points(done)).tolist(), strict=True)
-        return [math.sqrt(low * high) for (low, high), left in pairs if left > allowed and high > NARROW * low]
+    def _between(done: list[ContactRow], allowed: float) -> list[float]:
+        """Return depths between contacts between which the force is least determined."""
+        pairs = zip(itertools.pairwise(row[0] for row in done), force_uncertainty(_points(done)).tolist(), strict=True)
+        return [math.sqrt(low * high) for (low, high), left in pairs if left > allowed and high > NARROWEST_RATIO * low]
 
-    def _lost(self, done: list[Row]) -> NotConverged:
+    def _lost(self, done: list[ContactRow]) -> NotConverged:
         return NotConverged(
-            f"reduce: {len(done)} contacts do not tell F(d) to {self.tolerance:.3g} of the greatest force; ask for a "
+            f"reduce: {len(done)} contacts do not determine F(d) to {self.tolerance:.3g} of the greatest force; give a "
             "larger tolerance, or give the map more pixels."
         )
 
-    def _springs(self, points: Points) -> tuple[MeasuredBed, float]:
+    def _springs(self, points: ContactPoints) -> tuple[MeasuredBed, float]:
         """Return the springs behind contacts, and the bound on their misfit over the greatest force."""
         most = float(points.force[-1])
-        bed, missed = springs_of(points, self.medium, MET * self.tolerance * most)
-        return bed, (missed + max(float(np.max(room(points))), float(points.force[0]))) / most
+        bed, missed = springs_of(points, self.medium, POINT_SHARE * self.tolerance * most)
+        return bed, (missed + max(float(np.max(force_uncertainty(points))), float(points.force[0]))) / most
 
     def gathered(self, states: Iterable[SurfaceState]) -> ReductionSolution:
-        """Return the answer from these contacts, all or the first of them; its misfit tells how well it is known.
+        """Return the solution made of these contacts, all or the first of them; its misfit is its error.
 
         Raises
         ------
@@ -173,27 +173,27 @@ class Reduction:
         return self.gathered(self.steps())
 
 
-def _row(state: SurfaceState) -> Row:
+def _row(state: SurfaceState) -> ContactRow:
     return state.depth, state.force, state.stiffness, float(np.count_nonzero(state.pressure))
 
 
-def _points(done: list[Row]) -> Points:
-    return Points(*np.array(done).T)
+def _points(done: list[ContactRow]) -> ContactPoints:
+    return ContactPoints(*np.array(done).T)
 
 
 @value
 class ReductionSolution:
-    """The answer to a `Reduction`.
+    """The solution of a `Reduction`.
 
     Parameters
     ----------
     problem : Reduction
-        What was asked.
+        The problem that was solved.
     bed : MeasuredBed
         The springs; `bed.scatter` is the root mean square by which they miss the computed forces [N].
     misfit : float
         Bound on the difference between the forces of springs and map at any depth, over the greatest force: both bend
-        upwards, which leaves little room between computed contacts.
+        upwards, which leaves little uncertainty between computed contacts.
     depth, force, stiffness : ndarray, (n,)
         The contacts behind them [m], [N], [N/m].
     """
@@ -207,23 +207,23 @@ class ReductionSolution:
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """How well the springs bear the computed forces, and what they cannot tell."""
+        """How well the springs bear the computed forces, and what they do not determine."""
         return (
             Note(
                 Assumption.RESOLUTION,
                 Standing.ASYMPTOTIC,
                 f"Springs under a height map, from {self.depth.size} contacts by boundary elements; their forces "
                 f"differ by at most {self.misfit:.1g} of the greatest one, since between contacts force curves that "
-                "bend upwards have no more room. Stiffness, and with it conductance, is less certain: it was within 4 "
-                "per cent on rough maps at a tolerance of 1e-3, worse at light loads.",
+                "bend upwards have no other force. Stiffness, and with it conductance, is less certain: it was within "
+                "4 per cent on rough maps at a tolerance of 1e-3, worse at light loads.",
                 BARBER,
             ),
             *self.bed.notes[1:],
-            *unknown_yield(self.problem.medium, "the springs of a height map do not know its pressures"),
+            *unknown_yield(self.problem.medium, "the springs of a height map do not have its pressures"),
         )
 
     def on(self, medium: Medium) -> PlaneFoundation:
-        """Return the same map on another half-space, elastic or viscoelastic: radii and g do not know the modulus.
+        """Return the same map on another half-space, elastic or viscoelastic: radii and g do not depend on the modulus.
 
         Parameters
         ----------
@@ -255,7 +255,7 @@ def reduce(topography: Topography, medium: HomogeneousMedium, depth: float, *, t
     Returns
     -------
     MeasuredBed
-        For every problem that asks for no more than forces and depths.
+        For every problem that requires no more than forces and depths.
 
     Raises
     ------

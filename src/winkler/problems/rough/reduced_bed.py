@@ -19,9 +19,9 @@ from winkler.values import value
 __all__ = ["ReducedBed"]
 
 SMOOTHNESS = 1e-3
-MAP = UnknownOutline(
+UNKNOWN_OUTLINE = UnknownOutline(
     "a height map",
-    "ask SurfaceContact(topography, medium, load) for its pressure and area, SurfaceConduction for what it conducts, "
+    "use SurfaceContact(topography, medium, load) for its pressure and area, SurfaceConduction for what it conducts, "
     "or give Foundation(profile, medium)",
 )
 
@@ -32,9 +32,9 @@ def _none() -> Array:
 
 @value
 class ReducedBed(MeasuredBed):
-    """Springs that bear forces like a height map, for every problem that asks for no more than forces and depths.
+    """Springs that bear forces like a height map, for every problem that needs no more than forces and depths.
 
-    Making one solves some ten contacts by boundary elements; what is asked of it afterwards takes milliseconds.
+    Making one solves some ten contacts by boundary elements; its forces and depths afterwards take milliseconds.
 
     Parameters
     ----------
@@ -69,12 +69,12 @@ class ReducedBed(MeasuredBed):
     @property
     def footprint(self) -> UnknownOutline:
         """Not known: spots of any outline."""
-        return MAP
+        return UNKNOWN_OUTLINE
 
     def __post_init__(self) -> None:
-        found = _springs(Reduction(self.topography, self.pressed_into, self.depth, self.tolerance))
+        reduced = _springs(Reduction(self.topography, self.pressed_into, self.depth, self.tolerance))
         for field in dataclasses.fields(MeasuredBed):
-            object.__setattr__(self, field.name, getattr(found, field.name))
+            object.__setattr__(self, field.name, getattr(reduced, field.name))
 
 
 @functools.lru_cache(maxsize=16)

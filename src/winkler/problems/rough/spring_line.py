@@ -4,7 +4,7 @@ With gaps :math:`\gamma_1\le\gamma_2\le\dots` below the highest point,
 
 .. math:: F(d) = E^*\Delta x\sum_{\gamma_i<d}(d-\gamma_i) , \qquad k(d) = E^*\Delta x\,\#\{\gamma_i<d\} .
 
-Many lines at random tell a median, and between which forces eight surfaces of ten lie.
+Many random lines give a median, and between which forces eight surfaces of ten lie.
 """
 
 from __future__ import annotations
@@ -20,9 +20,9 @@ from winkler.loading import Depth, Force
 from winkler.numerics.types import Array
 from winkler.values import value
 
-__all__ = ["Ensemble", "RoughLine", "ensemble", "line_seeds", "prescribed"]
+__all__ = ["LineStatistics", "RoughLine", "ensemble", "line_seeds", "prescribed"]
 
-BAND = (0.1, 0.9)
+QUANTILES = (0.1, 0.9)
 """Quantiles between which eight of ten surfaces lie."""
 
 
@@ -80,8 +80,8 @@ class RoughLine:
         return np.asarray(self.modulus * self.length / gaps.size * count)
 
 
-class Ensemble(NamedTuple):
-    """What many lines tell: medians in the shape of the load, bands with one more axis in front."""
+class LineStatistics(NamedTuple):
+    """Statistics of many lines: medians in the shape of the load, bands with one more axis in front."""
 
     depth: Array
     """d [m]."""
@@ -107,8 +107,8 @@ def line_seeds(seed: int, realisations: int) -> list[int]:
     return [int(word) for word in np.random.SeedSequence(seed).generate_state(realisations)]
 
 
-def ensemble(lines: Iterable[RoughLine], load: Force | Depth) -> Ensemble:
-    """Return what lines tell under a load, one after the other so that no two need be kept.
+def ensemble(lines: Iterable[RoughLine], load: Force | Depth) -> LineStatistics:
+    """Return the statistics of lines under a load, one after the other so that no two need be stored.
 
     Parameters
     ----------
@@ -116,15 +116,15 @@ def ensemble(lines: Iterable[RoughLine], load: Force | Depth) -> Ensemble:
     load : Force or Depth
         Not negative.
     """
-    given = prescribed(load)
-    flat = given.ravel()
+    prescribed_ = prescribed(load)
+    flat = prescribed_.ravel()
     rows: list[tuple[Array, Array, Array]] = []
     for line in lines:
         depth = line.depth(flat) if isinstance(load, Force) else flat
         rows.append((depth, flat if isinstance(load, Force) else line.force(flat), line.stiffness(depth)))
     columns = [np.stack(column) for column in zip(*rows, strict=True)]
-    told: list[Array] = []
+    statistics: list[Array] = []
     for column in columns:
-        told.append(np.median(column, axis=0).reshape(given.shape))
-        told.append(np.quantile(column, BAND, axis=0).reshape((2, *given.shape)))
-    return Ensemble(*told)
+        statistics.append(np.median(column, axis=0).reshape(prescribed_.shape))
+        statistics.append(np.quantile(column, QUANTILES, axis=0).reshape((2, *prescribed_.shape)))
+    return LineStatistics(*statistics)

@@ -4,7 +4,7 @@ Conductance and stiffness are in proportion, whatever the contact looks like (Ba
 
 .. math:: \frac{1}{R} = \frac{2}{E^*(\rho_1+\rho_2)}\,\frac{\mathrm dF_N}{\mathrm dd} ,
 
-so whatever tells k(F) tells the resistance.  The map lies between a flat and the same flat raised by its height s from
+so k(F) determines the resistance.  The map lies between a flat and the same flat raised by its height s from
 the lowest valley to the highest peak.  With the stiffness :math:`k_\infty` of the flat, which touches all over, the
 tangents to both force curves bound that of the rough surface by :math:`F/(F/k_\infty+s)\le k\le k_\infty`.
 """
@@ -32,7 +32,7 @@ from winkler.values import value
 
 __all__ = ["SurfaceConduction", "SurfaceConductionSolution"]
 
-CURVED = 0.2
+LARGEST_CURVED_SHARE = 0.2
 """Part of the mean square height that a paraboloid may make up before lines of springs, rough alone, mislead."""
 BARBER = "J. R. Barber, Proc. R. Soc. A 459 (2003) 53-66, doi:10.1098/rspa.2002.1038"
 
@@ -55,7 +55,7 @@ class SurfaceConduction:
     Raises
     ------
     InvalidInput
-        If something of another kind is given, or a number is out of range.
+        If an argument has the wrong type, or a number is out of range.
     OutsideValidity
         If there is a film, a plating or a rod.
 
@@ -91,34 +91,34 @@ class SurfaceConduction:
         """
         rough, medium = self.contact.topography, self.contact.medium
         spectrum = spectrum_of(rough)  # first, since it may refuse
-        found = self.contact.solve()
+        contact_solution = self.contact.solve()
         side = math.sqrt(rough.area)
         line = RoughContact(
-            spectrum, medium, side, Force(found.force), realisations=self.realisations, seed=self.seed
+            spectrum, medium, side, Force(contact_solution.force), realisations=self.realisations, seed=self.seed
         ).solve()
         flat = math.inf
         if not rough.periodic:
             smooth = Topography(np.zeros_like(rough.heights), rough.lengths)
             flat = float(SurfaceContact(smooth, medium, Depth(1.0)).solve().stiffness)
-        force = np.asarray(found.force, dtype=float)
+        force = np.asarray(contact_solution.force, dtype=float)
         least = force / (force / flat + float(np.ptp(rough.heights)))
         return SurfaceConductionSolution(
             self,
-            found,
+            contact_solution,
             line,
-            *(found.depth, found.force, found.stiffness),
+            *(contact_solution.depth, contact_solution.force, contact_solution.stiffness),
             *(np.asarray(part) for part in (line.stiffness, least, np.full_like(least, flat))),
         )
 
 
 @value
 class SurfaceConductionSolution:
-    """The answer to a `SurfaceConduction`; quantities have the shape of the load.
+    """The solution of a `SurfaceConduction`; quantities have the shape of the load.
 
     Parameters
     ----------
     problem : SurfaceConduction
-        What was asked.
+        The problem that was solved.
     contact : SurfaceContactSolution
         The contact by boundary elements.
     line : RoughContactSolution
@@ -142,8 +142,8 @@ class SurfaceConductionSolution:
     greatest_stiffness: Quantity
 
     def _resistance(self, stiffness: Quantity) -> Array:
-        asked = self.problem
-        share = conductance_of_stiffness("SurfaceConduction", asked.contact.medium, asked.conductors)
+        stated = self.problem
+        share = conductance_of_stiffness("SurfaceConduction", stated.contact.medium, stated.conductors)
         return np.asarray(1.0 / (share * np.asarray(stiffness, dtype=float)))
 
     @property
@@ -174,7 +174,7 @@ class SurfaceConductionSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: the contact, the line, the bounds."""
-        line = [note for note in self.line.validity if note.standing is Standing.APPROXIMATE]  # no area is told here
+        line = [note for note in self.line.validity if note.standing is Standing.APPROXIMATE]  # no area is given here
         bounds = Note(
             Assumption.CONDUCTION,
             Standing.EXACT,
@@ -188,7 +188,7 @@ class SurfaceConductionSolution:
         curved = Note(
             Assumption.ROUGHNESS,
             Standing.OUTSIDE,
-            f"A plane or paraboloid makes up {shape:.0%} of the mean square height: lines of springs know the "
+            f"A plane or paraboloid makes up {shape:.0%} of the mean square height: lines of springs hold the "
             "roughness on it alone, their stiffness and resistance are not those of this map. Take a tilt off with "
             "topography.detrended(1); a rough ball is a RoughIndentation.",
             "comparison with boundary elements",
@@ -196,6 +196,6 @@ class SurfaceConductionSolution:
         return (
             *self.contact.validity,
             *(note for note in line if note not in self.contact.validity),
-            *((curved,) if shape > CURVED else ()),
+            *((curved,) if shape > LARGEST_CURVED_SHARE else ()),
             bounds,
         )

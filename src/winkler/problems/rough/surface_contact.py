@@ -1,4 +1,4 @@
-r"""A height map pressed into an elastic half-space: the boundary-element method, the judge of every short cut.
+r"""A height map pressed into an elastic half-space: the boundary-element method, the reference for approximate methods.
 
 Pressures p >= 0 and gaps w >= 0 with p w = 0 in every pixel, and
 
@@ -37,14 +37,14 @@ from winkler.values import value
 
 __all__ = ["SurfaceContact", "SurfaceContactSolution"]
 
-EDGE = (math.pi - 1.0 + math.log(2.0)) / 24.0
+EDGE_EXCESS = (math.pi - 1.0 + math.log(2.0)) / 24.0
 """What counted pixels give too much, per length of the edge of the contact and pixel size."""
-BLURRED = 0.25
+AREA_ERROR = 0.25
 """Error of the corrected area, likewise."""
-NEARBY = 0.25
+NEARBY_LOAD = 0.25
 """A load that differs by more than this part of it from the one before is begun on coarse grids: as fast."""
-PUNCHED = 3e-3
-"""Error of the depth under the flat punch that tells the stiffness: its own error is of the square, below 1e-6."""
+PUNCH_TOLERANCE = 3e-3
+"""Error of the depth under the flat punch that gives the stiffness: its own error is of the square, below 1e-6."""
 
 
 @value
@@ -92,7 +92,7 @@ class SurfaceContact:
     """
 
     topography: Topography
-    medium: Annotated[HomogeneousMedium, Advice("the boundary elements know no other")]
+    medium: Annotated[HomogeneousMedium, Advice("the boundary elements apply to no other")]
     load: Force | Depth
     hardness: PositiveOrInfinite = math.inf
     tolerance: Annotated[float, between(1e-12, 0.1)] = 1e-6
@@ -129,8 +129,8 @@ class SurfaceContact:
 
     @property
     def _loads(self) -> Array:
-        given = self.load.force if isinstance(self.load, Force) else self.load.depth
-        return np.ravel(np.asarray(given, dtype=float))
+        prescribed = self.load.force if isinstance(self.load, Force) else self.load.depth
+        return np.ravel(np.asarray(prescribed, dtype=float))
 
     def _refuse_too_large(self) -> None:
         shape = self.topography.heights.shape
@@ -138,7 +138,7 @@ class SurfaceContact:
         try:
             there = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
         except (AttributeError, ValueError, OSError):
-            return  # a system that does not say
+            return  # a system that does not report it
         if needed > there:
             raise InvalidInput(
                 f"SurfaceContact: a map of {shape[0]} x {shape[1]} pixels takes {needed / 2**30:.3g} GiB of memory, "
@@ -178,38 +178,39 @@ class SurfaceContact:
         gaps, start, under, before, stiffness = rough.gaps, np.empty(0), np.empty(0), math.inf, math.inf
         for load in self._loads.tolist():
             drive = ByDepth(load) if isinstance(self.load, Depth) else ByLoad(load / (modulus * patch))
-            near = abs(load / before - 1.0) <= NEARBY
+            near = abs(load / before - 1.0) <= NEARBY_LOAD
             if near and under.size and math.isinf(self.hardness):  # nearly a flat punch of the shape of the contact
                 more = load - before if isinstance(self.load, Depth) else (load - before) / stiffness
                 start = np.maximum(start + more * under, 0.0)
             try:
-                found = press(
+                solved = press(
                     gaps, pixel, drive, periodic=rough.periodic, ceiling=self.hardness / modulus,
                     tolerance=self.tolerance, start=start if near else np.empty(0),
                 )  # fmt: skip
             except NotConverged as error:
                 raise NotConverged(f"SurfaceContact: under the load {load:.6g}, {error}") from None
-            start, before = found.pressure, load
+            start, before = solved.pressure, load
             touching = start > 0.0
             if touching.all() and rough.periodic:
                 stiffness, under = math.inf, np.empty(0)
             else:
                 try:
-                    under = punch(touching, pixel, periodic=rough.periodic, tolerance=PUNCHED, start=under)
+                    under = punch(touching, pixel, periodic=rough.periodic, tolerance=PUNCH_TOLERANCE, start=under)
                 except NotConverged as error:
                     raise NotConverged(f"SurfaceContact: under the load {load:.6g}, {error}") from None
                 stiffness = modulus * patch * float(np.sum(under))
             yield SurfaceState(
-                found.depth, modulus * patch * float(np.sum(start)), stiffness, *_area(touching, pixel, rough.periodic),
-                float(np.mean(found.gap)), found.penetration, found.work, modulus * start, np.maximum(found.gap, 0.0),
+                solved.depth, modulus * patch * float(np.sum(start)), stiffness, *_area(touching, pixel,
+                rough.periodic), float(np.mean(solved.gap)), solved.penetration, solved.work, modulus * start,
+                np.maximum(solved.gap, 0.0),
             )  # fmt: skip
 
     def gathered(self, states: Iterable[SurfaceState]) -> SurfaceContactSolution:
-        """Return the answer from these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its beginning."""
         return SurfaceContactSolution.of(self, list(states))
 
     def solve(self) -> SurfaceContactSolution:
-        """Return the answers to all loads.
+        """Return the solution of all loads.
 
         Raises
         ------
@@ -232,17 +233,17 @@ def _area(touching: Array, pixel: tuple[float, float], periodic: bool) -> tuple[
     else:
         across, along = np.diff(touching, axis=0), np.diff(touching, axis=1)
     edge = pixel[1] * np.count_nonzero(across) * pixel[0] + pixel[0] * np.count_nonzero(along) * pixel[1]
-    return counted - EDGE * float(edge), BLURRED * float(edge)
+    return counted - EDGE_EXCESS * float(edge), AREA_ERROR * float(edge)
 
 
 @value
 class SurfaceContactSolution:
-    """The answer to a `SurfaceContact`; quantities have the shape of the load.
+    """The solution of a `SurfaceContact`; quantities have the shape of the load.
 
     Parameters
     ----------
     problem : SurfaceContact
-        What was asked.
+        The problem that was solved.
     depth, force, stiffness, area, area_error, mean_gap, penetration, misfit : float or ndarray
         As in `SurfaceState`.
     last : SurfaceState
@@ -264,13 +265,13 @@ class SurfaceContactSolution:
     def of(cls, problem: SurfaceContact, states: list[SurfaceState]) -> SurfaceContactSolution:
         """Gather states, of all loads or of the first of them."""
         load = problem.load
-        given = np.asarray(load.force if isinstance(load, Force) else load.depth)
+        prescribed = np.asarray(load.force if isinstance(load, Force) else load.depth)
 
         def column(word: str) -> Quantity:
             numbers = np.array([getattr(state, word) for state in states])
-            if given.ndim == 0:
+            if prescribed.ndim == 0:
                 return float(numbers[0])
-            return numbers.reshape(given.shape) if numbers.size == given.size else numbers
+            return numbers.reshape(prescribed.shape) if numbers.size == prescribed.size else numbers
 
         return cls(
             problem, column("depth"), column("force"), column("stiffness"), column("area"),
@@ -280,12 +281,12 @@ class SurfaceContactSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: border, residual, slopes, pixels."""
-        asked = self.problem
+        stated = self.problem
         blurred = float(np.max(np.asarray(self.area_error) / self.area))
-        notes = surface_notes(asked.topography, asked.hardness, blurred, self.penetration, self.misfit)
+        notes = surface_notes(stated.topography, stated.hardness, blurred, self.penetration, self.misfit)
         if float(np.max(self.depth)) > self.last.depth:
             return (
                 *notes,
-                *unknown_yield(asked.medium, "pressures are kept of the last load, which is not the greatest"),
+                *unknown_yield(stated.medium, "pressures are stored of the last load, which is not the greatest"),
             )
-        return (*notes, *map_yield_notes(asked.medium, float(np.max(self.last.pressure))))
+        return (*notes, *map_yield_notes(stated.medium, float(np.max(self.last.pressure))))

@@ -19,9 +19,9 @@ ALMQVIST = (
     "doi:10.1016/j.triboint.2005.11.008"
 )
 POLONSKY = "I. A. Polonsky, L. M. Keer, Wear 231 (1999) 206-219, doi:10.1016/S0043-1648(99)00113-1"
-FINE, LOST = 0.05, 0.4
-"""Error of the area, over the area: of a round spot of 500 pixels, and of nine, below which it is not seen any more."""
-STEEP = 0.1
+FINE_AREA_ERROR, LOST_AREA_ERROR = 0.05, 0.4
+"""Error of the area, over the area: of a round spot of 500 pixels, and of nine, below which it is lost."""
+STEEP_SLOPE = 0.1
 
 
 def surface_notes(
@@ -67,10 +67,14 @@ def surface_notes(
         notes.append(
             Note(
                 Assumption.RESOLUTION,
-                Standing.OUTSIDE if blurred > LOST else Standing.APPROXIMATE if blurred > FINE else Standing.ASYMPTOTIC,
+                Standing.OUTSIDE
+                if blurred > LOST_AREA_ERROR
+                else Standing.APPROXIMATE
+                if blurred > FINE_AREA_ERROR
+                else Standing.ASYMPTOTIC,
                 f"Spots of contact are about {0.5 / blurred:.2g} pixels wide: on this grid the area is known to about "
                 f"{100.0 * blurred:.2g} per cent, and the greatest pressure may be up to {600.0 * blurred**2:.2g} per "
-                f"cent too low{'; take a finer map.' if blurred > LOST else '.'}",
+                f"cent too low{'; take a finer map.' if blurred > LOST_AREA_ERROR else '.'}",
                 YASTREBOV,
             )
         )
@@ -78,7 +82,7 @@ def surface_notes(
     notes.append(
         Note(
             Assumption.SMALL_SLOPES,
-            Standing.OUTSIDE if slope > 1.0 else Standing.APPROXIMATE if slope > STEEP else Standing.ASYMPTOTIC,
+            Standing.OUTSIDE if slope > 1.0 else Standing.APPROXIMATE if slope > STEEP_SLOPE else Standing.ASYMPTOTIC,
             f"The heights have a root mean square slope of {slope:.2g}; half-space elasticity takes them as small"
             f"{', this is none: are heights and lengths both in m?' if slope > 1.0 else '.'}",
             "K. L. Johnson, Contact Mechanics, Cambridge 1985, doi:10.1017/CBO9781139171731",

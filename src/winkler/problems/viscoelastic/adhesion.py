@@ -28,7 +28,7 @@ from winkler.media.halfspace import HalfSpace
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.types import Array
 from winkler.path import Path
-from winkler.problems.adhesion.edge import Machine, adhesive_edge
+from winkler.problems.adhesion.edge import LoadingMachine, adhesive_edge
 from winkler.problems.adhesion.validity import adhesive_notes
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import ADHESIVE, BALANCED, RELAXING
@@ -40,7 +40,7 @@ from winkler.values import value
 
 __all__ = ["ViscoelasticAdhesion", "ViscoelasticAdhesionSolution", "ViscoelasticAdhesionState"]
 
-RESTING = 1e-8
+RESTING_EXCESS = 1e-8
 """An edge that is driven by this part more than slow opening takes does not move."""
 
 
@@ -79,7 +79,7 @@ class ViscoelasticAdhesionState:
     dissipation: float
 
 
-HELD = POSITIVE_OR_INFINITE._replace(demand="it must be positive{unit}, infinite for fixed grips")
+MACHINE_STIFFNESS_RANGE = POSITIVE_OR_INFINITE._replace(demand="it must be positive{unit}, infinite for fixed grips")
 
 
 @value
@@ -129,9 +129,9 @@ class ViscoelasticAdhesion:
     """
 
     bed: Bed
-    law: Annotated[CrackLaw, Advice("laws that know no speed are those of AdhesiveCycle")]
+    law: Annotated[CrackLaw, Advice("laws without a speed are those of AdhesiveCycle")]
     path: Path
-    machine_stiffness: Annotated[float, HELD] = math.inf
+    machine_stiffness: Annotated[float, MACHINE_STIFFNESS_RANGE] = math.inf
 
     references: ClassVar[tuple[str, ...]] = (
         "popov_hess_2015",
@@ -182,7 +182,7 @@ class ViscoelasticAdhesion:
         NotConverged
             If the edge cannot be followed.
         """
-        law, machine = self.law, Machine(1.0 / self.machine_stiffness)
+        law, machine = self.law, LoadingMachine(1.0 / self.machine_stiffness)
         times, positions = self.path.time.tolist(), self.path.across.tolist()
         edge = adhesive_edge(self._relaxed, ShortRange(law.work), machine, max(positions))
         crack = Crack(edge, machine, law)
@@ -192,14 +192,14 @@ class ViscoelasticAdhesion:
                 crack.follow(positions[i - 1], position, time - times[i - 1])
             depth, force, release = crack.at(crack.radius, position)
             crack.lowest = min(crack.lowest, force)
-            speed = float(law.speed(release)) if release > (1.0 + RESTING) * law.work else 0.0
+            speed = float(law.speed(release)) if release > (1.0 + RESTING_EXCESS) * law.work else 0.0
             energy = crack.energy(crack.radius, position)
             yield ViscoelasticAdhesionState(
                 time, position, depth, force, crack.radius, speed, crack.lowest, crack.work, energy, crack.lost
             )
 
     def gathered(self, states: Iterable[ViscoelasticAdhesionState]) -> ViscoelasticAdhesionSolution:
-        """Return the answer from these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its beginning."""
         return gather(ViscoelasticAdhesionSolution, self, states)
 
     def solve(self) -> ViscoelasticAdhesionSolution:
@@ -219,12 +219,12 @@ class ViscoelasticAdhesion:
 
 @value
 class ViscoelasticAdhesionSolution:
-    """The answer to a `ViscoelasticAdhesion`, point by point of its path.
+    """The solution of a `ViscoelasticAdhesion`, point by point of its path.
 
     Parameters
     ----------
     problem : ViscoelasticAdhesion
-        What was asked.
+        The problem that was solved.
     time : ndarray, (steps,)
         [s].
     position, depth : ndarray, (steps,)

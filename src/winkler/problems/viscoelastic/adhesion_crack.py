@@ -1,9 +1,10 @@
 r"""The edge of an adhesive contact as a crack whose speed is decided by its pull, carried along in time.
 
-What is unknown in a step is the energy release rate that the edge meets at its end: it tells the speed, the speed the
-place, and the place the energy release rate.  In these terms an edge that follows the machine closely, one that lags
-behind and one that has lost its hold and collapses are the same, and no step is too stiff.  Every step of second order
-(Alexander's, with both stages implicit) is made at once and in halves, which tells its error and removes most of it.
+What is unknown in a step is the energy release rate that the edge meets at its end: it determines the speed, the speed
+the place, and the place the energy release rate.  In these terms an edge that follows the machine closely, one that
+lags behind and one that has lost its hold and collapses are the same, and no step is too stiff.  Every step of second
+order (Alexander's, with both stages implicit) is made at once and in halves, which gives its error and removes most of
+it.
 """
 
 from __future__ import annotations
@@ -17,32 +18,32 @@ from winkler.errors import NotConverged, OutsideValidity
 from winkler.laws.crack import CrackLaw
 from winkler.numerics.types import Array
 from winkler.problems.adhesion import griffith
-from winkler.problems.adhesion.edge import AdhesiveEdge, Machine
+from winkler.problems.adhesion.edge import AdhesiveEdge, LoadingMachine
 
 __all__ = ["Crack"]
 
-GAMMA = 1.0 - math.sqrt(0.5)
+STAGE_WEIGHT = 1.0 - math.sqrt(0.5)
 """Of both stages of a step."""
-PACE = 0.05
+LONGEST_STEP = 0.05
 """Longest step: by this part of its radius the edge recedes, of its stretch the machine moves."""
-CLOSE = 1e-6
+STEP_TOLERANCE = 1e-6
 """Error of a step, in terms of the radius at the beginning."""
-GONE = 1e-4
-"""A contact of this part of its radius is none any more, if the edge still recedes."""
+LEAST_CONTACT = 1e-4
+"""A contact of this part of its radius counts as parted, if the edge still recedes."""
 SAMPLES = 401
-"""Where the lowest force is looked for between two steps."""
-SETTLED = 1e-12
+"""Where the lowest force is sought between two steps."""
+RADIUS_TOLERANCE = 1e-12
 """A place that moves by this part of the radius between two trials is found."""
-TRIALS = 200
-MOST = 50_000
+MOST_TRIALS = 200
+MOST_STEPS = 50_000
 """Steps between two points of a path."""
-NO_TIME = 1e-12
+TIME_ROUNDING = 1e-12
 """Part of the machine's longest step that is none."""
-AT_ONCE = 1e9
+INSTANT_SPEED = 1e9
 """An edge that crosses the contact so often while the machine makes its longest step takes no time."""
 
 
-class _Place(NamedTuple):
+class _CrackState(NamedTuple):
     """Radius [m], the energy release rate there [J/m^2], force [N], and force times time since the start [N s]."""
 
     radius: float
@@ -58,12 +59,12 @@ class Crack:
     ----------
     edge : AdhesiveEdge
         What it obeys when slow.
-    machine : Machine
+    machine : LoadingMachine
     law : CrackLaw
         How fast it opens.
     """
 
-    def __init__(self, edge: AdhesiveEdge, machine: Machine, law: CrackLaw) -> None:
+    def __init__(self, edge: AdhesiveEdge, machine: LoadingMachine, law: CrackLaw) -> None:
         self.edge, self.machine, self.law = edge, machine, law
         self.radius, self.lowest, self.pace, self.release = 0.0, 0.0, math.inf, 0.0
         self.work, self.lost = 0.0, 0.0
@@ -122,28 +123,28 @@ class Crack:
         stretch = float(griffith.stretch(bed, self.law.work, place)[0])
         # the depth follows a soft machine slowly
         yielding = 1.0 + float(bed.stiffness(place)[0]) * self.machine.compliance
-        longest = PACE * yielding * stretch / abs(rate) if rate != 0.0 else math.inf
-        fastest = AT_ONCE * first / min(longest, duration)
+        longest = LONGEST_STEP * yielding * stretch / abs(rate) if rate != 0.0 else math.inf
+        fastest = INSTANT_SPEED * first / min(longest, duration)
         time, position = 0.0, start
         pace = min(self.pace, longest, duration)
-        seen = [(0.0, self.at(first, start)[1])]
+        forces_reached = [(0.0, self.at(first, start)[1])]
         release = self.at(first, start)[2]
-        for _ in range(MOST):
+        for _ in range(MOST_STEPS):
             at_once = self.radius
-            self._run(position, fastest, GONE * first)
+            self._run(position, fastest, LEAST_CONTACT * first)
             if self.radius < at_once:
                 self._drop(at_once, self.radius, position)
                 release = self.at(self.radius, position)[2]
-            if time >= duration or self.radius <= GONE * first:
+            if time >= duration or self.radius <= LEAST_CONTACT * first:
                 break
             left = duration - time
             dt = left if pace >= (1.0 - 1e-9) * left else pace
             done = self._halves(position, rate, dt)
-            error = abs(done[0].radius - done[2].radius) / (CLOSE * first) if done else math.inf
+            error = abs(done[0].radius - done[2].radius) / (STEP_TOLERANCE * first) if done else math.inf
             if done is None or error > 1.0:
                 pace = dt * max(0.2, 0.9 * error ** (-1.0 / 3.0))
-                if pace < NO_TIME * min(longest, duration):  # nothing holds it: it recedes a little at once
-                    at_once, self.radius = self.radius, self.radius * (1.0 - 0.01 * PACE)
+                if pace < TIME_ROUNDING * min(longest, duration):  # nothing holds it: it recedes a little at once
+                    at_once, self.radius = self.radius, self.radius * (1.0 - 0.01 * LONGEST_STEP)
                     self._drop(at_once, self.radius, position)
                     release = self.at(self.radius, position)[2]
                     pace = dt
@@ -157,15 +158,15 @@ class Crack:
             position = end if dt == left else start + rate * time
             # how far machine and edge have come
             come = abs(rate) * dt / (yielding * stretch) + (before_it - self.radius) / first
-            seen.append((seen[-1][0] + come, two.force))
+            forces_reached.append((forces_reached[-1][0] + come, two.force))
             pace = min(dt * min(4.0, max(0.3, 0.9 * max(error, 1e-6) ** (-1.0 / 3.0))), longest)
             self.pace = pace
         else:
             raise NotConverged(f"ViscoelasticAdhesion: the edge takes ever shorter steps near {position:.6g} m.")
-        if self.radius <= GONE * first:
+        if self.radius <= LEAST_CONTACT * first:
             self._drop(self.radius, 0.0, position)
             self.radius = 0.0
-        self.lowest = min(self.lowest, _least(*np.array(seen).T))
+        self.lowest = min(self.lowest, _least(*np.array(forces_reached).T))
 
     def _drop(self, before: float, after: float, position: float) -> None:
         """Note what an edge loses that runs on while the machine does not move."""
@@ -178,14 +179,14 @@ class Crack:
             return not float(self.law.speed(self.at(radius, position)[2])) <= most
 
         while self.radius > least and fast(self.radius):
-            low, high = (1.0 - PACE) * self.radius, self.radius
+            low, high = (1.0 - LONGEST_STEP) * self.radius, self.radius
             if not fast(low):
                 while low < 0.5 * (low + high) < high:
                     middle = 0.5 * (low + high)
                     low, high = (low, middle) if fast(middle) else (middle, high)
             self.radius = low
 
-    def _halves(self, position: float, rate: float, dt: float) -> tuple[_Place, _Place, _Place] | None:
+    def _halves(self, position: float, rate: float, dt: float) -> tuple[_CrackState, _CrackState, _CrackState] | None:
         """Return where a step leads, made at once, half of it, and in halves; nothing if it is too long."""
         one = self._step(self.radius, position, rate, dt)
         half = self._step(self.radius, position, rate, 0.5 * dt) if one else None
@@ -194,30 +195,30 @@ class Crack:
             return None
         return one, half, two._replace(impulse=half.impulse + two.impulse)
 
-    def _step(self, radius: float, position: float, rate: float, dt: float) -> _Place | None:
+    def _step(self, radius: float, position: float, rate: float, dt: float) -> _CrackState | None:
         """Return where one step leads."""
-        first = self._stage(radius, radius, position + GAMMA * rate * dt, GAMMA * dt)
+        first = self._stage(radius, radius, position + STAGE_WEIGHT * rate * dt, STAGE_WEIGHT * dt)
         if first is None:
             return None
-        base = radius - (1.0 - GAMMA) / GAMMA * (radius - first.radius)
-        second = self._stage(radius, base, position + rate * dt, GAMMA * dt)
+        base = radius - (1.0 - STAGE_WEIGHT) / STAGE_WEIGHT * (radius - first.radius)
+        second = self._stage(radius, base, position + rate * dt, STAGE_WEIGHT * dt)
         if second is None:
             return None
-        return second._replace(impulse=dt * ((1.0 - GAMMA) * first.force + GAMMA * second.force))
+        return second._replace(impulse=dt * ((1.0 - STAGE_WEIGHT) * first.force + STAGE_WEIGHT * second.force))
 
-    def _stage(self, radius: float, base: float, position: float, dt: float) -> _Place | None:
+    def _stage(self, radius: float, base: float, position: float, dt: float) -> _CrackState | None:
         """Return where the edge is that recedes from `base` for a time at the speed of where it comes to."""
-        if base <= (1.0 - PACE) * radius:
+        if base <= (1.0 - LONGEST_STEP) * radius:
             return None
         _, force, most = self.at(base, position)
         if most <= self.law.work:
-            return _Place(base, most, force, 0.0)
-        limit = float(self.law.opening(PACE * radius / dt))
+            return _CrackState(base, most, force, 0.0)
+        limit = float(self.law.opening(LONGEST_STEP * radius / dt))
         low, high = self.law.work, min(most, limit)
         f_low = most - low
 
         def excess(release: float) -> tuple[float, float, float]:
-            place = max(base - dt * float(self.law.speed(release)), (1.0 - PACE) * radius)
+            place = max(base - dt * float(self.law.speed(release)), (1.0 - LONGEST_STEP) * radius)
             _, pull, there = self.at(place, position)
             return there - release, place, pull
 
@@ -231,11 +232,11 @@ class Crack:
         # from where the last stage came to; then the false position, which halves the end that stays (Illinois)
         release, side = high, 0
         trial = self.release if low < self.release < high else low + (high - low) * f_low / (f_low - f_high)
-        for _ in range(TRIALS):
+        for _ in range(MOST_TRIALS):
             if f_high == 0.0 or not low < trial < high:
                 break
             f, new, force = excess(trial)
-            settled = abs(new - place) <= SETTLED * radius
+            settled = abs(new - place) <= RADIUS_TOLERANCE * radius
             release, place = trial, new
             if f > 0.0:
                 low, f_low, f_high, side = trial, f, f_high * (0.5 if side > 0 else 1.0), 1
@@ -245,7 +246,7 @@ class Crack:
                 break
             trial = low + (high - low) * f_low / (f_low - f_high)
         self.release = release
-        return _Place(place, release, force, 0.0)
+        return _CrackState(place, release, force, 0.0)
 
 
 def _opened(first: float, half: float, last: float, *releases: float) -> float:
@@ -263,16 +264,16 @@ def _opened(first: float, half: float, last: float, *releases: float) -> float:
     return math.pi * whole * max(sum(w * (g - work) for w, g in zip(weights, (one, middle, two), strict=True)), 0.0)
 
 
-def _least(way: Array, forces: Array) -> float:
-    """Return the lowest of forces along a way, by the polynomial through the five places about it."""
+def _least(distance: Array, forces: Array) -> float:
+    """Return the lowest of forces along a distance, by the polynomial through the five places about it."""
     i = int(np.argmin(forces))
     if i in (0, forces.size - 1):
         return float(forces[i])
     near = slice(max(i - 2, 0), i + 3)
-    x, y = way[near], forces[near]
+    x, y = distance[near], forces[near]
     if np.any(np.diff(x) <= 0.0):
         return float(forces[i])
-    places = np.linspace(way[i - 1], way[i + 1], SAMPLES)
+    places = np.linspace(distance[i - 1], distance[i + 1], SAMPLES)
     between = np.zeros(SAMPLES)
     for k in range(x.size):
         others = np.delete(x, k)

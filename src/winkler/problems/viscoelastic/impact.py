@@ -29,21 +29,21 @@ from winkler.problems.normal.length_scale import shape_length
 from winkler.problems.normal.solve_contact import at_depth
 from winkler.problems.normal.validity import contact_notes
 from winkler.problems.normal.yield_statement import relaxing_yield
-from winkler.problems.viscoelastic.march import Carried, Row, elastic_like, refuse_rings, relaxation_of
+from winkler.problems.viscoelastic.march import SpringMemory, SpringRow, elastic_like, refuse_rings, relaxation_of
 from winkler.validity import Assumption, Note
 from winkler.values import value
 
 __all__ = ["ViscoelasticImpact", "ViscoelasticImpactSolution"]
 
-FIRST = 125
+FIRST_STEPS = 125
 """Steps in the time that the body would take, unslowed, to its greatest depth, of the first of ever finer marches."""
-MOST = 16_000
-LONGEST = 400
+MOST_STEPS = 16_000
+LONGEST_CONTACT = 400
 """Longest contact, in these times."""
-STILL = 1e-14
+REST_ENERGY = 1e-14
 """Part of the kinetic energy with which a body no longer moves."""
-CLOSE = 1e-2
-"""To which part that depth is found."""
+DEPTH_TOLERANCE = 1e-2
+"""Relative error of that depth."""
 SAMPLES = 257
 
 
@@ -62,7 +62,7 @@ class ViscoelasticImpact:
     count : int, optional
         How many springs.
     tolerance : float, optional
-        To which the restitution is found, by halving the steps.
+        To which the restitution is computed, by halving the steps.
 
     Raises
     ------
@@ -119,13 +119,13 @@ class ViscoelasticImpact:
         """
         series = relaxation_of("", self.bed)
         scale = self._scale(series)
-        # the first march only tells how wide the contact gets
+        # the first march only determines how wide the contact gets
         reach = 1.5 * scale
-        while (found := self._march(series, reach, scale / self.velocity / FIRST, 60)).deepest > reach:
+        while (trial := self._march(series, reach, scale / self.velocity / FIRST_STEPS, 60)).deepest > reach:
             reach = 2.0 * reach
-        reach = 1.02 * found.deepest
-        finer, last = FIRST, math.nan
-        while finer <= MOST:
+        reach = 1.02 * trial.deepest
+        finer, last = FIRST_STEPS, math.nan
+        while finer <= MOST_STEPS:
             march = self._march(series, reach, scale / self.velocity / finer, self.count)
             restitution = -march.velocity / self.velocity
             if abs(restitution - last) <= 3.0 * self.tolerance:
@@ -148,7 +148,7 @@ class ViscoelasticImpact:
         modulus = series.glassy if math.isfinite(series.glassy) else max(series.relaxed, series.viscosity)
         depth, last = _depth_of(elastic, energy / modulus, 1e-3 * shape_length(elastic)), 0.0
         for _ in range(60):
-            if abs(depth - last) <= CLOSE * depth:
+            if abs(depth - last) <= DEPTH_TOLERANCE * depth:
                 break
             modulus = abs(complex(series.dynamic(np.array(self.velocity / depth))))
             depth, last = _depth_of(elastic, energy / modulus, depth), depth
@@ -157,10 +157,14 @@ class ViscoelasticImpact:
     def _march(self, series: RelaxationSeries, deepest: float, dt: float, count: int) -> _Flight:
         elastic = elastic_like(self.bed)
         _, radius = at_depth(elastic, np.array([deepest]))
-        flight = _Flight(Row(elastic, Springs.of(elastic, float(radius[0]), count), series), self.mass, self.velocity)
-        for _ in range(int(LONGEST * deepest / self.velocity / dt)):
+        flight = _Flight(
+            SpringRow(elastic, Springs.of(elastic, float(radius[0]), count), series), self.mass, self.velocity
+        )
+        for _ in range(int(LONGEST_CONTACT * deepest / self.velocity / dt)):
             going = flight.goes_on(dt)
-            resting = flight.velocity**2 < STILL * self.velocity**2 and flight.time > 2.0 * deepest / self.velocity
+            resting = (
+                flight.velocity**2 < REST_ENERGY * self.velocity**2 and flight.time > 2.0 * deepest / self.velocity
+            )
             if not going or resting or (flight.row.depth > deepest and math.isinf(elastic.rim)):
                 return flight
         raise NotConverged(
@@ -171,7 +175,7 @@ class ViscoelasticImpact:
 class _Flight:
     """A body of a mass [kg] that flies against a row of springs, and what it has met so far."""
 
-    def __init__(self, row: Row, mass: float, velocity: float) -> None:
+    def __init__(self, row: SpringRow, mass: float, velocity: float) -> None:
         self.row, self.mass = row, mass
         self.time, self.velocity, self.lost = 0.0, velocity, 0.0
         self.lines = [(0.0, 0.0, velocity, 0.0, 0.0, 0.0, 0.0)]
@@ -194,7 +198,7 @@ class _Flight:
         refuse_rings("ViscoelasticImpact", np.array([self.time]), done.ring)
         return True
 
-    def _arrive(self, mean: float, dt: float, done: Carried) -> None:
+    def _arrive(self, mean: float, dt: float, done: SpringMemory) -> None:
         self.velocity, self.time = 2.0 * mean - self.velocity, self.time + dt
         depth = self.lines[-1][1] + mean * dt
         self.lost += float(done.lost[0])
@@ -226,7 +230,7 @@ def _depth_of(elastic: Bed, energy: float, guess: float) -> float:
 
 def _stored(elastic: Bed, depth: float) -> float:
     """Return the integral of the force over the depth [J]."""
-    if not elastic.rising:  # every radius is looked for by itself: one, and what its springs have stored
+    if not elastic.rising:  # every radius is sought by itself: one, and what its springs have stored
         _, radius = at_depth(elastic, np.array([depth]))
         springs = Springs.of(elastic, float(radius[0]), SAMPLES)
         return 0.5 * float(springs.stiffness @ (depth - springs.gap) ** 2)
@@ -238,18 +242,18 @@ def _stored(elastic: Bed, depth: float) -> float:
 
 @value
 class ViscoelasticImpactSolution:
-    """The answer to a `ViscoelasticImpact`.
+    """The solution of a `ViscoelasticImpact`.
 
     Parameters
     ----------
     problem : ViscoelasticImpact
-        What was asked.
+        The problem that was solved.
     time : ndarray, (steps,)
         Since first touch [s]; the last one is when the last spring lets go, or the body rests.
     depth : ndarray, (steps,)
         d [m].
     velocity : ndarray, (steps,)
-        Of approach [m/s], negative on the way back.
+        Of approach [m/s], negative during the rebound.
     force : ndarray, (steps,)
         F_N [N].
     radius : ndarray, (steps,)

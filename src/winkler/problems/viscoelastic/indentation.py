@@ -33,18 +33,18 @@ from winkler.problems.assumptions.times import path_notes
 from winkler.problems.normal.solve_contact import at_depth, at_force
 from winkler.problems.normal.validity import contact_notes
 from winkler.problems.normal.yield_statement import relaxing_yield
-from winkler.problems.viscoelastic.march import Row, elastic_like, refuse_rings, relaxation_of
+from winkler.problems.viscoelastic.march import SpringRow, elastic_like, refuse_rings, relaxation_of
 from winkler.problems.viscoelastic.states import ViscoelasticState
 from winkler.validity import Assumption, Note
 from winkler.values import value
 
 __all__ = ["ViscoelasticIndentation", "ViscoelasticSolution"]
 
-REST = 1e-11
+RESTING_FORCE = 1e-11
 """A body under no force rests on the surface with this part of the greatest one."""
-MARGIN = 1.001
+ROW_MARGIN = 1.001
 """The row reaches a little farther than the contact that is expected under forces."""
-SHORTEST = 1e-12
+SHORTEST_STEP = 1e-12
 """Part of a stretch of the path below which no step falls."""
 BLOCK = 4096
 """Points of the path in one go."""
@@ -112,7 +112,7 @@ class ViscoelasticIndentation:
         relaxation_of("ViscoelasticIndentation", self.bed)
         if not isinstance(self.path.lateral, Shift) or np.any(self.path.along != 0.0):
             raise InvalidInput(
-                "ViscoelasticIndentation: the path moves along the surface; ask for ViscoelasticTangential, or leave "
+                "ViscoelasticIndentation: the path moves along the surface; use ViscoelasticTangential, or leave "
                 "the lateral load out."
             )
         if isinstance(self.path.normal, Force) and np.min(self.path.across) < 0.0:
@@ -130,7 +130,7 @@ class ViscoelasticIndentation:
         medium = self.bed.medium
         assert isinstance(medium, RelaxingMedium)
         spent = float(self.path.time[-1] - self.path.time[0])
-        most *= MARGIN * float(medium.creep.at(np.array(spent)))
+        most *= ROW_MARGIN * float(medium.creep.at(np.array(spent)))
         if most == 0.0:  # a dashpot, and no time
             return 0.0
         depth, _ = at_force(elastic_like(self.bed), np.array([most]))
@@ -162,20 +162,20 @@ class ViscoelasticIndentation:
                 self.bed, time, depth, force, radius, work, stored, lost, springs.position, loads, row.place
             )
 
-    def _stretches(self, length: int) -> Iterator[tuple[Row, Array]]:
+    def _stretches(self, length: int) -> Iterator[tuple[SpringRow, Array]]:
         """Yield the row after every so many points of the path, and what a solution holds of them, a line each."""
         deepest = self._deepest
         if deepest == 0.0:
             raise OutsideValidity("ViscoelasticIndentation: the bodies never touch along this path; press them.")
         elastic = elastic_like(self.bed)
         _, reach = at_depth(elastic, np.array([deepest]))
-        row = Row(elastic, Springs.of(elastic, float(reach[0]), self.count), relaxation_of("", self.bed))
+        row = SpringRow(elastic, Springs.of(elastic, float(reach[0]), self.count), relaxation_of("", self.bed))
         if isinstance(self.path.normal, Depth):
             yield from self._by_depth(row, length)
         else:
             yield from self._by_force(row, deepest)
 
-    def _by_depth(self, row: Row, length: int) -> Iterator[tuple[Row, Array]]:
+    def _by_depth(self, row: SpringRow, length: int) -> Iterator[tuple[SpringRow, Array]]:
         times, depths = self.path.time, self.path.across
         row.motion[0] = min(float(depths[0]), 0.0)
         before = np.append(row.depth, depths[:-1])
@@ -196,12 +196,12 @@ class ViscoelasticIndentation:
         if end < times.size:
             raise OutsideValidity(
                 f"ViscoelasticIndentation: at {times[end]:.6g} s the depth rises suddenly to {depths[end]:.6g} m, "
-                "which a dashpot alongside answers with an infinite force; give the step some time."
+                "to which a dashpot alongside responds with an infinite force; give the step some time."
             )
 
-    def _by_force(self, row: Row, deepest: float) -> Iterator[tuple[Row, Array]]:
+    def _by_force(self, row: SpringRow, deepest: float) -> Iterator[tuple[SpringRow, Array]]:
         times, forces = self.path.time.tolist(), self.path.across.tolist()
-        driven = _Driven(row, self.tolerance * deepest, max(forces))
+        driven = _ForceDriven(row, self.tolerance * deepest, max(forces))
         for i, (time, force) in enumerate(zip(times, forces, strict=True)):
             if i and time > times[i - 1]:
                 driven.ramp(forces[i - 1], force, time - times[i - 1])
@@ -217,7 +217,7 @@ class ViscoelasticIndentation:
             yield row, np.array([[time, row.depth, force, driven.radius, driven.work, driven.stored, driven.lost]])
 
     def gathered(self, states: Iterable[ViscoelasticState]) -> ViscoelasticSolution:
-        """Return the answer from these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its beginning."""
         return gather(ViscoelasticSolution, self, states)
 
     def solve(self) -> ViscoelasticSolution:
@@ -235,18 +235,18 @@ class ViscoelasticIndentation:
         return ViscoelasticSolution(self, *np.concatenate([numbers for _, numbers in self._stretches(BLOCK)]).T)
 
 
-class _Driven:
+class _ForceDriven:
     """A row under forces; `little` is the error of depth that a step may have [m], `scale` the greatest force [N]."""
 
-    def __init__(self, row: Row, little: float, scale: float) -> None:
+    def __init__(self, row: SpringRow, little: float, scale: float) -> None:
         self.row, self.little, self.scale = row, little, scale
-        # where the force of a step is told by its mean, and where by its end
+        # where the force of a step is given by its mean, and where by its end
         self.parts = (0.25, 0.75, 0.5) if row.series.viscosity > 0.0 else (0.5, 1.0, 1.0)
         self.work, self.lost, self.stored, self.radius, self.ring = 0.0, 0.0, 0.0, 0.0, False
         self.rate, self.pace = 0.0, math.inf
 
     def _target(self, force: float) -> float:
-        return max(force, REST * self.scale)
+        return max(force, RESTING_FORCE * self.scale)
 
     def jump(self, force: float) -> None:
         """Put a force on, or take it off, at once."""
@@ -273,7 +273,7 @@ class _Driven:
             whole = self.row.towards(both, dt, first + second, self.scale)
             error = first + second - whole
             if abs(error) > self.little:
-                if dt < SHORTEST * duration:
+                if dt < SHORTEST_STEP * duration:
                     raise NotConverged(
                         "ViscoelasticIndentation: the depth under this force needs ever shorter steps; allow a greater "
                         "tolerance."
@@ -291,12 +291,12 @@ class _Driven:
 
 @value
 class ViscoelasticSolution:
-    """The answer to a `ViscoelasticIndentation`, point by point of its path.
+    """The solution of a `ViscoelasticIndentation`, point by point of its path.
 
     Parameters
     ----------
     problem : ViscoelasticIndentation
-        What was asked.
+        The problem that was solved.
     time : ndarray, (steps,)
         [s].
     depth : ndarray, (steps,)

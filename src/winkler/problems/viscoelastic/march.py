@@ -17,10 +17,10 @@ from winkler.numerics.springs.free_relaxation import Recovery
 from winkler.numerics.springs.relaxing_springs import STEP_NUMBERS, advance_springs, advance_to_force
 from winkler.numerics.types import Array
 
-__all__ = ["Carried", "Row", "elastic_like", "refuse_rings", "relaxation_of"]
+__all__ = ["SpringMemory", "SpringRow", "elastic_like", "refuse_rings", "relaxation_of"]
 
 
-class Carried(NamedTuple):
+class SpringMemory(NamedTuple):
     """What steps did, (steps,): work and loss [J], and at their ends energy stored [J], radius [m], force [N], ring."""
 
     work: Array
@@ -31,10 +31,10 @@ class Carried(NamedTuple):
     ring: Array
 
     @classmethod
-    def of(cls, row: Row, rates: Array, numbers: Array) -> Carried:
+    def of(cls, row: SpringRow, rates: Array, numbers: Array) -> SpringMemory:
         """Read what a kernel has written.
 
-        A dashpot loads a spring as soon as it is caught, so that the sum over the springs climbs in stairs; the part
+        A dashpot loads a spring as soon as it is caught, so that the sum over the springs rises in steps; the part
         between the last one and the edge is added.
         """
         force, _, work, _, _, stored, radius, held, ring, lost = numbers.T
@@ -59,13 +59,13 @@ def relaxation_of(owner: str, bed: Bed) -> RelaxationSeries:
 
 
 def elastic_like(bed: Bed) -> Bed:
-    """Return the bed as if it were elastic: on half-spaces with E* = 1 Pa, since g does not know the modulus."""
+    """Return the bed as if it were elastic: on half-spaces with E* = 1 Pa, since g does not depend on the modulus."""
     assert isinstance(bed, OnMedium)
     assert isinstance(bed.medium, RelaxingMedium)
     return bed.with_medium(bed.medium.elastic)
 
 
-class Row:
+class SpringRow:
     """Springs with their memories.
 
     Parameters
@@ -99,19 +99,19 @@ class Row:
         """Where the body is [m]."""
         return float(self.motion[0])
 
-    def copy(self) -> Row:
+    def copy(self) -> SpringRow:
         """Return a row that may be carried on without this one."""
-        twin = object.__new__(Row)
+        twin = object.__new__(SpringRow)
         twin.__dict__.update(self.__dict__)
         twin.place, twin.memory, twin.pressed = self.place.copy(), self.memory.copy(), self.pressed.copy()
         twin.counts, twin.motion = self.counts.copy(), self.motion.copy()
         return twin
 
-    def march(self, changes: Array, spans: Array) -> Carried:
+    def march(self, changes: Array, spans: Array) -> SpringMemory:
         """Carry the row through changes of depth [m] at steady rates, or suddenly where a span [s] is zero."""
         numbers = np.empty((changes.size, STEP_NUMBERS))
         advance_springs(self.law, self.row, self._state, self.motion, changes, spans, numbers)
-        return Carried.of(self, np.divide(changes, spans, out=np.zeros(changes.size), where=spans > 0.0), numbers)
+        return SpringMemory.of(self, np.divide(changes, spans, out=np.zeros(changes.size), where=spans > 0.0), numbers)
 
     def towards(self, force: float, dt: float, guess: float, scale: float) -> float:
         """Return the change of depth [m] after which the springs bear a force; the row stays where it is.

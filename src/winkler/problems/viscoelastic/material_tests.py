@@ -1,7 +1,7 @@
-r"""Tests of viscoelastic bodies whose answers are closed: creep, relaxation, and a small oscillation.
+r"""Tests of viscoelastic bodies with closed solutions: creep, relaxation, and a small oscillation.
 
-While the contact does not shrink, elastic answers stay true with the load replaced by its hereditary integral (Lee and
-Radok).  With :math:`\mathcal F(d)` the force of the bed at :math:`E^*=1`, a step of force and a step of depth give
+While the contact does not shrink, elastic solutions stay true with the load replaced by its hereditary integral (Lee
+and Radok).  With :math:`\mathcal F(d)` the force of the bed at :math:`E^*=1`, a step of force and a step of depth give
 
 .. math:: \mathcal F(d(t)) = F\,C(t) , \qquad F(t) = E^*(t)\,\mathcal F(d) ,
 
@@ -157,12 +157,12 @@ class RelaxationTest:
 
 @value
 class StepSolution:
-    """The answer to a `CreepTest` or a `RelaxationTest`.
+    """The solution of a `CreepTest` or a `RelaxationTest`.
 
     Parameters
     ----------
     problem : CreepTest or RelaxationTest
-        What was asked.
+        The problem that was solved.
     time : ndarray, (steps,)
         Since the step [s].
     depth : ndarray, (steps,)
@@ -199,7 +199,7 @@ class HarmonicIndentation:
     normal : Depth or Force
         The steady load about which it oscillates, one number; a Force needs a solid that does not flow for ever.
     angular_frequency : float or ndarray
-        omega [rad/s], positive; the answers have its shape.
+        omega [rad/s], positive; the results have its shape.
 
     Raises
     ------
@@ -268,12 +268,12 @@ class HarmonicIndentation:
 
 @value
 class HarmonicSolution:
-    """The answer to a `HarmonicIndentation`.
+    """The solution of a `HarmonicIndentation`.
 
     Parameters
     ----------
     problem : HarmonicIndentation
-        What was asked.
+        The problem that was solved.
     depth, radius : float
         d and a [m] of the steady contact.
     force : float
@@ -291,7 +291,7 @@ class HarmonicSolution:
 
     @property
     def angular_frequency(self) -> Quantity:
-        """Omega [rad/s], as asked."""
+        """Omega [rad/s], as prescribed."""
         return self.problem.angular_frequency
 
     @property

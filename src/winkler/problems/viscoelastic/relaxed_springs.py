@@ -12,9 +12,9 @@ from winkler.values import value
 
 __all__ = ["RelaxedSprings", "SmoothSprings", "smooth"]
 
-TERMS = 6
+POLYNOMIAL_TERMS = 6
 """Of the polynomial on a stretch, besides the straight line between its ends."""
-CLOSE = 1e-7
+POLYNOMIAL_TOLERANCE = 1e-7
 """How near a polynomial must come to all springs, over the greatest displacement."""
 
 
@@ -84,7 +84,7 @@ def smooth(
         panels = Panels(np.array([0.0, 1.0]), np.array([[float(displaced[0])]]))
         return (SmoothSprings(bed, float(radii[0]), panels, np.empty(0), float(displaced[0])),)
     ends = sorted({0, *parts, radii.size - 1})
-    little = CLOSE * float(np.max(displaced))
+    little = POLYNOMIAL_TOLERANCE * float(np.max(displaced))
     waiting = list(zip(ends[:-1], ends[1:], strict=True))[::-1]
     firsts, rows = [], []
     while waiting:
@@ -102,11 +102,11 @@ def smooth(
 
 def _polynomial(depths: Array, displaced: Array) -> tuple[Array, float]:
     """Return Chebyshev coefficients of a curve through both ends and near the springs between, and how near."""
-    row = np.zeros(TERMS + 2)
+    row = np.zeros(POLYNOMIAL_TERMS + 2)
     row[0], row[1] = 0.5 * (displaced[0] + displaced[-1]), 0.5 * (displaced[-1] - displaced[0])
     t = (2.0 * depths[1:-1] - depths[0] - depths[-1]) / (depths[-1] - depths[0])
     rest = displaced[1:-1] - row[0] - row[1] * t
-    terms = min(TERMS, t.size // 2)
+    terms = min(POLYNOMIAL_TERMS, t.size // 2)
     if terms:
         shapes = (1.0 - t * t)[:, None] * chebyshev.chebvander(t, terms - 1)
         factors = np.linalg.lstsq(shapes, rest, rcond=None)[0]

@@ -45,11 +45,11 @@ __all__ = ["SlidingLine", "SlidingResistance", "SlidingResistanceSolution"]
 DOUBLINGS = 200
 NODES = 8
 """For what fades within an interval by no more than e: exact to rounding."""
-AGAIN = 1e-6
+RECONTACT_MARGIN = 1e-6
 """A spring behind the contact is touched again when the body is this part of the depth below it."""
 
 
-class _Passed(NamedTuple):
+class _SlidPast(NamedTuple):
     """What a spring has met under a body at one depth, place by place, with force, resistance and trailing edge."""
 
     depth: float
@@ -82,7 +82,7 @@ class SlidingResistance:
     normal : Depth or Force
         The steady load, one positive number.
     speed : float or ndarray
-        v [m/s], positive; the answers have its shape.
+        v [m/s], positive; the results have its shape.
     count : int, optional
         Into how many parts the widest contact is cut; the error falls with its square, and is none of a paraboloid and
         a cone.
@@ -155,15 +155,15 @@ class SlidingResistance:
             return SlidingResistanceSolution(self, self.speed, *(float(column) for column in columns))
         return SlidingResistanceSolution(self, np.array(self.speed, dtype=float), *columns)
 
-    def _settled(self, speed: float) -> _Passed:
+    def _settled(self, speed: float) -> _SlidPast:
         """Return what the springs have met at the depth that is prescribed, or that gives the force."""
         if isinstance(self.normal, Depth):
             return self._passed(float(self.normal.depth), speed)
         wanted = float(self.normal.force)
         elastic = elastic_like(self.bed)
         series = relaxation_of("", self.bed)
-        known = [modulus for modulus in (series.relaxed, series.glassy) if 0.0 < modulus < math.inf]
-        modulus = known[0] if known else float(series.viscosity / np.max(series.times, initial=1.0))
+        finite = [modulus for modulus in (series.relaxed, series.glassy) if 0.0 < modulus < math.inf]
+        modulus = finite[0] if finite else float(series.viscosity / np.max(series.times, initial=1.0))
         end, most = at_end(elastic)
         high = low = end if wanted / modulus >= most else float(at_force(elastic, np.array([wanted / modulus]))[0][0])
         for _ in range(DOUBLINGS):
@@ -190,7 +190,7 @@ class SlidingResistance:
             depth = math.exp(between(missing, math.log(low), math.log(high), absolute=1e-15))
         return self._passed(depth, speed)
 
-    def _passed(self, depth: float, speed: float) -> _Passed:
+    def _passed(self, depth: float, speed: float) -> _SlidPast:
         """Let the body pass over a spring at a depth."""
         elastic = elastic_like(self.bed)
         _, radii = at_depth(elastic, np.array([depth]))
@@ -216,7 +216,7 @@ class SlidingResistance:
         )  # fmt: skip
         force, work, let_go = sums.tolist()
         self._refuse_again(place, recess, memory, let_go, depth, speed)
-        return _Passed(depth, radius, radius - place, loads, force, work, radius - let_go)
+        return _SlidPast(depth, radius, radius - place, loads, force, work, radius - let_go)
 
     def _refuse_again(
         self, place: Array, recess: Array, memory: Array, let_go: float, depth: float, speed: float
@@ -227,7 +227,7 @@ class SlidingResistance:
         left = depth - float(self.bed.gap(np.abs(np.array([0.5 * float(place[-1]) - let_go])))[0])
         weights = recovery.from_displacement * left + recovery.from_memory @ memory
         free = np.exp(-(place[behind, None] - let_go) / speed * recovery.rates) @ weights
-        if np.any(recess[behind] - free > AGAIN * depth):
+        if np.any(recess[behind] - free > RECONTACT_MARGIN * depth):
             raise OutsideValidity(
                 f"SlidingResistance: at {speed:.6g} m/s the body touches the surface again behind the contact, which "
                 "is no disc then; give a body whose flanks grow steeper, or another speed."
@@ -263,12 +263,12 @@ class SlidingLine:
 
 @value
 class SlidingResistanceSolution:
-    """The answer to a `SlidingResistance`; every quantity has the shape of the speed.
+    """The solution of a `SlidingResistance`; every quantity has the shape of the speed.
 
     Parameters
     ----------
     problem : SlidingResistance
-        What was asked.
+        The problem that was solved.
     speed : float or ndarray
         v [m/s].
     depth, force : float or ndarray
@@ -314,7 +314,7 @@ class SlidingResistanceSolution:
             speed, depth = (float(np.asarray(each)[index]) for each in (self.speed, self.depth))
         except (IndexError, TypeError):
             raise InvalidInput(
-                f"solution.line: there is no speed {index!r} in an answer of shape {np.shape(self.speed)}."
+                f"solution.line: there is no speed {index!r} in a solution of shape {np.shape(self.speed)}."
             ) from None
         done = self.problem._passed(depth, speed)
         return SlidingLine(done.place, done.loads)

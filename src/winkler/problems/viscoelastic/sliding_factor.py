@@ -24,24 +24,24 @@ from winkler.numerics.types import Array
 
 __all__ = ["share_of_line"]
 
-PIECES = 256
+LINE_PIECES = 256
 """Straight pieces that stand for a load."""
-SMALLEST = 1e-9
+LEAST_WAVE_NUMBER = 1e-9
 """Least wave number, times half of the width."""
-LARGEST = 200.0
+GREATEST_WAVE_NUMBER = 200.0
 """Greatest one: a load that ends straight has |q^|^2 ~ k^-4."""
 
 
 @functools.lru_cache(maxsize=1)
 def _waves() -> tuple[Array, Array, Array]:
     """Return wave numbers, their weights, and what every corner of a load between -1 and 1 gives to them."""
-    corner = np.linspace(-1.0, 1.0, PIECES + 1)
-    edges = np.concatenate([np.geomspace(SMALLEST, 1.0, 37), np.arange(3.0, LARGEST + 1.0, 2.0)])
+    corner = np.linspace(-1.0, 1.0, LINE_PIECES + 1)
+    edges = np.concatenate([np.geomspace(LEAST_WAVE_NUMBER, 1.0, 37), np.arange(3.0, GREATEST_WAVE_NUMBER + 1.0, 2.0)])
     node, share = gauss_legendre(8)
     middle, half = 0.5 * (edges[1:] + edges[:-1]), 0.5 * np.diff(edges)
     number = (middle[:, None] + half[:, None] * node).ravel()
     # a load that is straight between corners is a sum of hats, all with the same transform but for their place
-    step = 2.0 / PIECES
+    step = 2.0 / LINE_PIECES
     hat = step * np.sinc(number * step / (2.0 * np.pi)) ** 2
     angle = number[:, None] * corner
     return number, (half[:, None] * share).ravel() * hat**2, np.stack([np.cos(angle), np.sin(angle)])
@@ -61,7 +61,7 @@ def share_of_line(creep: CreepSeries, speed: float, position: Array, loads: Arra
     """
     number, weight, turns = _waves()
     half = 0.5 * float(position[-1] - position[0])
-    load = np.interp(np.linspace(position[0], position[-1], PIECES + 1), position, loads)
+    load = np.interp(np.linspace(position[0], position[-1], LINE_PIECES + 1), position, loads)
     energy = np.sum((turns @ load) ** 2, axis=0) * weight
     turn = number[:, None] * (speed / half) * creep.times
     root = np.sqrt(1.0 + turn * turn)

@@ -1,4 +1,4 @@
-r"""A viscoelastic contact that is pressed and moved along the surface, with friction: springs relax both ways.
+r"""A viscoelastic contact that is pressed and moved along the surface, with friction: springs relax in both directions.
 
 Every spring relaxes across and along the surface,
 
@@ -37,8 +37,14 @@ from winkler.problems.normal.solve_contact import at_depth
 from winkler.problems.normal.validity import contact_notes
 from winkler.problems.normal.yield_statement import relaxing_yield
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
-from winkler.problems.viscoelastic.march import Row, elastic_like, refuse_rings, relaxation_of
-from winkler.problems.viscoelastic.tangential_march import Dragged, Goal, Scales, shear_relaxation, travel
+from winkler.problems.viscoelastic.march import SpringRow, elastic_like, refuse_rings, relaxation_of
+from winkler.problems.viscoelastic.tangential_march import (
+    ErrorScales,
+    ShearedMarch,
+    StepTarget,
+    shear_relaxation,
+    travel,
+)
 from winkler.problems.viscoelastic.tangential_states import ViscoelasticTangentialState, stick_radius
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
@@ -141,7 +147,7 @@ class ViscoelasticTangential:
         row, scales = self._start()
         density = row.row.springs.density(row.row.bed)
         times = self.path.time.tolist()
-        goals = [Goal(*each) for each in zip(self.path.across.tolist(), self.path.along.tolist(), strict=True)]
+        goals = [StepTarget(*each) for each in zip(self.path.across.tolist(), self.path.along.tolist(), strict=True)]
         pace = math.inf
         for i, (time, goal) in enumerate(zip(times, goals, strict=True)):
             if i and time > times[i - 1]:
@@ -159,7 +165,7 @@ class ViscoelasticTangential:
                 row.displaced.copy(), row.stuck,
             )  # fmt: skip
 
-    def _start(self) -> tuple[Dragged, Scales]:
+    def _start(self) -> tuple[ShearedMarch, ErrorScales]:
         """Return the row before anything has happened, and what counts as little on this path."""
         deepest = self._normal._deepest
         if deepest == 0.0:
@@ -169,9 +175,9 @@ class ViscoelasticTangential:
         springs = Springs.of(elastic, float(reach[0]), self.count)
         normal, shear = relaxation_of("", self.bed), shear_relaxation(_medium(self.bed), self.bed.footprint.shear_share)
         by_depth, by_shift = isinstance(self.path.normal, Depth), isinstance(self.path.lateral, Shift)
-        row = Dragged(Row(elastic, springs, normal), shear, self.law.coefficient, by_depth, by_shift)
+        row = ShearedMarch(SpringRow(elastic, springs, normal), shear, self.law.coefficient, by_depth, by_shift)
         row.row.motion[0] = min(float(self.path.across[0]), 0.0) if by_depth else row.row.depth
-        # the hardest that the springs may answer: glassy, or as they are within the time that the path takes
+        # the greatest stiffness of the springs: glassy, or as they are within the time that the path takes
         quick = 1.0 / max(float(self.path.time[-1] - self.path.time[0]), 1e-300)
         hard, stiff = (
             series.glassy if math.isfinite(series.glassy) else float(abs(series.dynamic(np.array(quick))))
@@ -180,22 +186,22 @@ class ViscoelasticTangential:
         force = hard * springs.force(deepest) if by_depth else float(np.max(self.path.across))
         along = float(np.max(np.abs(self.path.along), initial=0.0))
         whole = stiff * float(np.sum(springs.stiffness))
-        way = along if by_shift else along / whole
-        borne = min(self.law.coefficient * force, whole * way) if self.law.coefficient > 0.0 else 0.0
+        slide_ = along if by_shift else along / whole
+        borne = min(self.law.coefficient * force, whole * slide_) if self.law.coefficient > 0.0 else 0.0
         borne = borne if borne > 0.0 else force
-        way = way if way > 0.0 else deepest
+        slide_ = slide_ if slide_ > 0.0 else deepest
         little = self.tolerance
-        return row, Scales(little * deepest, little * way, little * borne, little * borne * way, force)
+        return row, ErrorScales(little * deepest, little * slide_, little * borne, little * borne * slide_, force)
 
-    def _sudden(self, row: Dragged, goal: Goal, time: float, scales: Scales) -> Dragged:
+    def _sudden(self, row: ShearedMarch, goal: StepTarget, time: float, scales: ErrorScales) -> ShearedMarch:
         """Press and then move the bodies at once, as far as a dashpot lets them."""
         stubborn = row.row.series.viscosity > 0.0
-        here = Goal(goal.across, row.shift if row.by_shift else row.turn.shear_force)
+        here = StepTarget(goal.across, row.shift if row.by_shift else row.turn.shear_force)
         rising = row.by_depth and goal.across > max(row.row.depth, 0.0)
         if stubborn and rising:
             raise OutsideValidity(
                 f"ViscoelasticTangential: at {time:.6g} s the depth rises suddenly to {goal.across:.6g} m, which a "
-                "dashpot alongside answers with an infinite force; give the step some time."
+                "dashpot alongside responds to with an infinite force; give the step some time."
             )
         if row.by_depth or not stubborn:
             row = row.step(here, 0.0, max(goal.across, 0.0), scales)
@@ -205,12 +211,12 @@ class ViscoelasticTangential:
             if goal.along != row.shift and np.any(row.row.pressed):
                 raise OutsideValidity(
                     f"ViscoelasticTangential: at {time:.6g} s the bodies are moved suddenly along the surface, which a "
-                    "dashpot alongside answers with an infinite force; give the step some time."
+                    "dashpot alongside responds to with an infinite force; give the step some time."
                 )
-        return row.step(Goal(row.row.depth, goal.along), 0.0, row.turn.force, scales)
+        return row.step(StepTarget(row.row.depth, goal.along), 0.0, row.turn.force, scales)
 
     def gathered(self, states: Iterable[ViscoelasticTangentialState]) -> ViscoelasticTangentialSolution:
-        """Return the answer from these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its beginning."""
         return gather(ViscoelasticTangentialSolution, self, states)
 
     def solve(self) -> ViscoelasticTangentialSolution:
@@ -235,12 +241,12 @@ def _medium(bed: Bed) -> ViscoelasticHalfSpace:
 
 @value
 class ViscoelasticTangentialSolution:
-    """The answer to a `ViscoelasticTangential`, point by point of its path.
+    """The solution of a `ViscoelasticTangential`, point by point of its path.
 
     Parameters
     ----------
     problem : ViscoelasticTangential
-        What was asked.
+        The problem that was solved.
     time : ndarray, (steps,)
         [s].
     depth, force, radius : ndarray, (steps,)

@@ -15,16 +15,16 @@ from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSer
 from winkler.numerics.springs.free_relaxation import Recovery
 from winkler.numerics.springs.relaxing_friction import drag
 from winkler.numerics.types import Array
-from winkler.problems.viscoelastic.march import Row
+from winkler.problems.viscoelastic.march import SpringRow
 
-__all__ = ["Dragged", "Goal", "Scales", "Turn", "shear_relaxation", "travel"]
+__all__ = ["ErrorScales", "ShearedMarch", "ShearedRowState", "StepTarget", "shear_relaxation", "travel"]
 
-TRIALS = 200
-MET = 1e-12
+MOST_TRIALS = 200
+FORCE_TOLERANCE = 1e-12
 """Part of what friction bears to which a shear force is met."""
-SHORTEST = 1e-12
+SHORTEST_STEP = 1e-12
 """Part of a stretch of the path below which no step falls."""
-REST = 1e-11
+RESTING_FORCE = 1e-11
 """A body under no force rests on the surface with this part of the greatest one."""
 
 
@@ -46,18 +46,18 @@ def shear_relaxation(medium: ViscoelasticHalfSpace, share: float = 0.5) -> Relax
     return of_creep(total)
 
 
-class Goal(NamedTuple):
+class StepTarget(NamedTuple):
     """What is prescribed: a depth [m] or force [N] across the surface, a shift [m] or shear force [N] along it."""
 
     across: float
     along: float
 
-    def towards(self, other: Goal, part: float) -> Goal:
-        """Return what is prescribed a part of the way to another one."""
-        return Goal(*(mine + (its - mine) * part for mine, its in zip(self, other, strict=True)))
+    def towards(self, other: StepTarget, part: float) -> StepTarget:
+        """Return what is prescribed at a part of the step to another one."""
+        return StepTarget(*(mine + (its - mine) * part for mine, its in zip(self, other, strict=True)))
 
 
-class Scales(NamedTuple):
+class ErrorScales(NamedTuple):
     """What counts as little: errors of depth and shift [m], shear force [N], energy [J]; and the greatest force [N]."""
 
     depth: float
@@ -67,7 +67,7 @@ class Scales(NamedTuple):
     force: float
 
 
-class Turn(NamedTuple):
+class ShearedRowState(NamedTuple):
     """What a row bears and has spent: F [N], a [m], F_x [N], U [J], lost by friction, in bodies, work [J], a ring."""
 
     force: float
@@ -80,15 +80,15 @@ class Turn(NamedTuple):
     ring: bool
 
 
-STILL = Turn(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False)
+AT_REST = ShearedRowState(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False)
 
 
-class Dragged:
+class ShearedMarch:
     """A row of springs that relax in both directions.
 
     Parameters
     ----------
-    row : Row
+    row : SpringRow
         Across the surface.
     shear : RelaxationSeries
         G*(t).
@@ -98,7 +98,9 @@ class Dragged:
         What is prescribed.
     """
 
-    def __init__(self, row: Row, shear: RelaxationSeries, coefficient: float, by_depth: bool, by_shift: bool) -> None:
+    def __init__(
+        self, row: SpringRow, shear: RelaxationSeries, coefficient: float, by_depth: bool, by_shift: bool
+    ) -> None:
         self.row, self.shear, self.coefficient = row, shear, coefficient
         self.by_depth, self.by_shift = by_depth, by_shift
         count = row.springs.gap.size
@@ -107,12 +109,12 @@ class Dragged:
         self.displaced, self.memory = np.zeros(count), np.zeros((count, recovery.rates.size))
         self.free = np.zeros(count, dtype=bool)
         self.loads, self.bounds, self.stuck = np.zeros(count), np.zeros(count), np.zeros(count, dtype=bool)
-        self.shift, self.rate, self.slide, self.turn = 0.0, 0.0, 0.0, STILL
+        self.shift, self.rate, self.slide, self.turn = 0.0, 0.0, 0.0, AT_REST
         self.pressing, self.shearing = 0.0, 0.0
 
-    def copy(self) -> Dragged:
+    def copy(self) -> ShearedMarch:
         """Return a row that may be carried on without this one."""
-        twin = object.__new__(Dragged)
+        twin = object.__new__(ShearedMarch)
         twin.__dict__.update(self.__dict__)
         twin.row, twin.displaced, twin.memory = self.row.copy(), self.displaced.copy(), self.memory.copy()
         twin.free = self.free.copy()
@@ -123,7 +125,7 @@ class Dragged:
         loads = np.maximum(self.row.loads(), 0.0)
         return np.where(loads > 0.0, self.coefficient * np.where(loads > 0.0, loads, 1.0), 0.0)
 
-    def step(self, goal: Goal, dt: float, force: float, scales: Scales) -> Dragged:
+    def step(self, goal: StepTarget, dt: float, force: float, scales: ErrorScales) -> ShearedMarch:
         """Return the row after a step to what is prescribed at its end.
 
         `force` is what the springs are to bear across the surface, at the end or in the mean as `Row.towards` has it.
@@ -140,7 +142,7 @@ class Dragged:
         if change != 0.0 and np.any(caught):
             away = (row.springs.gap[caught] + place[caught] - depth) / change
             share[caught] = 1.0 - np.clip(away, 0.0, 1.0)
-        moved = goal.along - self.shift if self.by_shift else self._way(new.bounds, share, dt, goal.along)
+        moved = goal.along - self.shift if self.by_shift else self._shift_under(new.bounds, share, dt, goal.along)
         sums, new.loads, new.stuck = np.empty(6), np.empty(was.size), np.empty(was.size, dtype=bool)
         drag(
             self.law, row.row[1], self.bounds, new.bounds, share, dt, moved, new.displaced, new.memory, new.free,
@@ -150,31 +152,31 @@ class Dragged:
         new.shift, new.slide = self.shift + moved, moved / dt if dt > 0.0 else self.slide
         new.pressing = self.pressing + float(done.work[0])
         new.shearing = self.shearing + work + lost
-        new.turn = Turn(
+        new.turn = ShearedRowState(
             float(done.force[0]), float(done.radius[0]), shear_force, float(done.stored[0]) + stored,
             self.turn.friction + lost, self.turn.bulk + float(done.lost[0]) + bulk, new.pressing + new.shearing,
             bool(done.ring[0]),
         )  # fmt: skip
         return new
 
-    def _way(self, bounds: Array, share: Array, dt: float, wanted: float) -> float:
+    def _shift_under(self, bounds: Array, share: Array, dt: float, prescribed: float) -> float:
         """Return by how much the bodies move until the springs bear a shear force."""
         weights = self.row.row[1]
         most = float(weights @ np.where(np.isfinite(bounds), bounds, 0.0)) if math.isfinite(self.coefficient) else 0.0
-        close = MET * max(most, abs(wanted))
-        if math.isfinite(self.coefficient) and abs(wanted) > most + close:
+        close = FORCE_TOLERANCE * max(most, abs(prescribed))
+        if math.isfinite(self.coefficient) and abs(prescribed) > most + close:
             raise OutsideValidity(
-                f"ViscoelasticTangential: friction bears {most:.6g} N, less than the shear force of {wanted:.6g} N "
+                f"ViscoelasticTangential: friction bears {most:.6g} N, less than the shear force of {prescribed:.6g} N "
                 "that is prescribed; the bodies slide away: press them harder, or prescribe a Shift."
             )
         sums, loads, stuck = np.empty(6), np.empty(weights.size), np.empty(weights.size, dtype=bool)
         low, high, moved, stride = -math.inf, math.inf, self.slide * dt, 0.0
-        for turn in range(TRIALS):
+        for turn in range(MOST_TRIALS):
             drag(
                 self.law, weights, self.bounds, bounds, share, dt, moved, self.displaced.copy(), self.memory.copy(),
                 self.free.copy(), loads, stuck, sums,
             )  # fmt: skip
-            short = wanted - float(sums[0])
+            short = prescribed - float(sums[0])
             if abs(short) <= close:
                 return moved
             low, high = (moved, high) if short > 0.0 else (low, moved)
@@ -189,13 +191,15 @@ class Dragged:
             else:
                 stride = max(2.0 * stride, abs(moved), float(np.max(np.abs(self.displaced))), 1e-9 * self.row.depth)
                 moved += math.copysign(stride, short)
-        raise NotConverged(f"The springs find no shift at which they bear the shear force {wanted:.6g} N.")
+        raise NotConverged(f"The springs find no shift at which they bear the shear force {prescribed:.6g} N.")
 
 
-def travel(row: Dragged, start: Goal, end: Goal, duration: float, pace: float, scales: Scales) -> tuple[Dragged, float]:
+def travel(
+    row: ShearedMarch, start: StepTarget, end: StepTarget, duration: float, pace: float, scales: ErrorScales
+) -> tuple[ShearedMarch, float]:
     """Carry a row from one point of the path to the next, and return the pace at which it arrives.
 
-    Every step is made at once and in halves; the halves are kept, and what both disagree by is its error.
+    Every step is made at once and in halves; the halves are used, and what both disagree by is its error.
     """
     mean = row.row.series.viscosity > 0.0
     parts = (0.25, 0.75, 0.5) if mean else (0.5, 1.0, 1.0)
@@ -206,7 +210,9 @@ def travel(row: Dragged, start: Goal, end: Goal, duration: float, pace: float, s
             dt = duration - done
         begin, step = done / duration, dt / duration
         middle, last = (start.towards(end, begin + part * step) for part in (0.5, 1.0))
-        early, late, both = (max(start.towards(end, begin + part * step).across, REST * scales.force) for part in parts)
+        early, late, both = (
+            max(start.towards(end, begin + part * step).across, RESTING_FORCE * scales.force) for part in parts
+        )
         half = row.step(middle, 0.5 * dt, early, scales)
         two = half.step(last, 0.5 * dt, late, scales)
         one = row.step(last, dt, both, scales)
@@ -217,7 +223,7 @@ def travel(row: Dragged, start: Goal, end: Goal, duration: float, pace: float, s
             0.0 if row.by_depth else abs(one.row.depth - two.row.depth) / scales.depth,
         )
         if error > 1.0:
-            if dt < SHORTEST * duration:
+            if dt < SHORTEST_STEP * duration:
                 raise NotConverged(
                     "ViscoelasticTangential: the springs need ever shorter steps; allow a greater tolerance."
                 )

@@ -27,8 +27,8 @@ from winkler.path import OnePositiveNormal, OnePositiveSwing, numbers_of
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import WORN
 from winkler.problems.wear.input_checks import Cells, WearTolerance, wearable
-from winkler.problems.wear.line import Rubbed, WearLine, WornContact, wear_line
-from winkler.problems.wear.march import Moment
+from winkler.problems.wear.line import RubbedContact, WearLine, WornContact, wear_line
+from winkler.problems.wear.march import WearMoment
 from winkler.problems.wear.states import FrettingState, goals_of
 from winkler.problems.wear.validity import fretting_notes
 from winkler.problems.wear.worn_states import pressed_moment, worn_states
@@ -55,7 +55,7 @@ class FrettingWear:
     amplitude : Shift or ShearForce
         How far to each side, half of the whole stroke: one positive number.
     cycles : float or ndarray, (steps,)
-        After how many cycles the contact is told; one number stands for all cycles, and 41 states up to there.
+        After how many cycles the contact is returned; one number stands for all cycles, and 41 states up to there.
     count : int, optional
         Cells of the grid of radii.
     tolerance : float, optional
@@ -112,10 +112,10 @@ class FrettingWear:
 
     @property
     def goals(self) -> Array:
-        """After how many cycles the contact is told, ``(steps,)``."""
+        """After how many cycles the contact is returned, ``(steps,)``."""
         return goals_of("FrettingWear", "cycles", "", self.cycles)
 
-    def _rubbed(self, line: WearLine, contact: WornContact) -> Rubbed:
+    def _rubbed(self, line: WearLine, contact: WornContact) -> RubbedContact:
         coefficient, size = self.law.coefficient, float(numbers_of(self.amplitude))
         if isinstance(self.amplitude, ShearForce):
             size = line.shift_under(contact, coefficient, size)
@@ -135,7 +135,7 @@ class FrettingWear:
             )
 
     def _stick_radius(self, radius: float, nodes: Array) -> float:
-        """Return the radius of the core that sticks at first [m], looked for on an even grid; zero if all sticks."""
+        """Return the radius of the core that sticks at first [m], sought on an even grid; zero if all sticks."""
         line = wear_line(self.bed, nodes)
         core = self._rubbed(line, line.press(np.zeros(nodes.size), self.normal)).stick_radius
         return core if core < radius else 0.0
@@ -146,7 +146,7 @@ class FrettingWear:
         return int(self.goals.size)
 
     def steps(self, start: FrettingState | None = None) -> Iterator[FrettingState]:
-        """Yield the contact at every number of cycles that was asked for.
+        """Yield the contact at every requested number of cycles.
 
         Parameters
         ----------
@@ -164,18 +164,18 @@ class FrettingWear:
         """
         return worn_states(self, start, self._stick_radius)
 
-    def state(self, moment: Moment) -> FrettingState:
+    def state(self, moment: WearMoment) -> FrettingState:
         """Return what is known of the contact."""
-        line, contact, known = pressed_moment(self, moment)
+        line, contact, common = pressed_moment(self, moment)
         rubbed = self._rubbed(line, contact)
         lost = 4.0 * self.law.coefficient * float(line.rings.areas @ (contact.pressure * rubbed.slip))
         return FrettingState(
-            **known, shift=rubbed.shift, shear_force=rubbed.shear_force, stick_radius=rubbed.stick_radius,
+            **common, shift=rubbed.shift, shear_force=rubbed.shear_force, stick_radius=rubbed.stick_radius,
             slip=rubbed.slip, loss_per_cycle=lost,
         )  # fmt: skip
 
     def gathered(self, states: Iterable[FrettingState]) -> FrettingSolution:
-        """Return the answer from these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its beginning."""
         reached = list(states)
         cycles = np.array([state.elapsed for state in reached])
         return gather(FrettingSolution, self, reached, cycles=cycles)
@@ -197,12 +197,12 @@ class FrettingWear:
 
 @value
 class FrettingSolution:
-    """The answer to a `FrettingWear`, state by state.
+    """The solution of a `FrettingWear`, state by state.
 
     Parameters
     ----------
     problem : FrettingWear
-        What was asked.
+        The problem that was solved.
     cycles : ndarray, (steps,)
         n [-].
     depth, force, radius : ndarray, (steps,)

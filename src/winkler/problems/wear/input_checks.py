@@ -1,4 +1,4 @@
-"""What problems of wear take: springs that know their tractions, a law, one steady load, a grid and a tolerance."""
+"""Arguments of problems of wear: springs with known tractions, a law, one steady load, a grid and a tolerance."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def wearable(owner: str, bed: Foundation) -> None:
     if not isinstance(bed.medium, HomogeneousMedium | GradedHalfSpace):
         raise OutsideValidity(
             f"{owner}: in a {type(bed.medium).__name__} pressure and slip do not follow from the springs alone, and "
-            "layers wear away themselves; give HalfSpace(first, second) or GradedHalfSpace(first, second), or ask for "
+            "layers wear away themselves; give HalfSpace(first, second) or GradedHalfSpace(first, second), or use "
             "LimitingProfile, which takes elastic layers and gradings, too."
         )
 

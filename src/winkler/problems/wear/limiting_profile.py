@@ -31,7 +31,7 @@ from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import WORN
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
-from winkler.problems.normal.yield_statement import Rubbing
+from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.problems.wear.validity import debris_note, slip_note
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
@@ -41,7 +41,7 @@ __all__ = ["Core", "LimitingProfile", "LimitingSolution"]
 POPOV = "V. L. Popov, Sci. Rep. 4 (2014) 3749, doi:10.1038/srep03749"
 NODES = 64
 SAMPLES = 513
-MIDDLE = 1e-9
+MIDDLE_RADIUS = 1e-9
 """Part of the contact that stands for its middle, where springs of graded media are known in the limit only."""
 
 
@@ -82,7 +82,7 @@ class Core:
 ONE_DEPTH = Condition(
     lambda load: numbers_of(load).ndim == 0 and float(load.depth) > 0.0,
     "give Depth(d) with one positive number: under a steady force the core takes over what the worn ring lets go, "
-    "ask for FrettingWear",
+    "use FrettingWear",
 )
 ONE_SHIFT = Condition(
     lambda load: numbers_of(load).ndim == 0 and float(load.shift) > 0.0,
@@ -172,12 +172,12 @@ class LimitingProfile:
             return np.asarray(self.law.coefficient * ratio * (depth - bed.gap(x)) - moved)
 
         place = radius * np.linspace(0.0, 1.0, SAMPLES)
-        place[0] = MIDDLE * radius
+        place[0] = MIDDLE_RADIUS * radius
         sticks = margin(place) >= 0.0
         if not sticks[0]:
             raise OutsideValidity(
                 f"LimitingProfile: with an amplitude of {moved:.6g} m everything slips; such a contact wears without "
-                "end: give a smaller amplitude, or ask for FrettingWear."
+                "end: give a smaller amplitude, or use FrettingWear."
             )
         if np.all(sticks):
             raise OutsideValidity(
@@ -210,12 +210,12 @@ class LimitingProfile:
 
 @value
 class LimitingSolution:
-    """The answer to a `LimitingProfile`.
+    """The solution of a `LimitingProfile`.
 
     Parameters
     ----------
     problem : LimitingProfile
-        What was asked.
+        The problem that was solved.
     core : Core
         The springs that bear.
     radius : float
@@ -304,7 +304,7 @@ class LimitingSolution:
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         bed = self.problem.bed
-        rubbing = Rubbing(self.problem.law.coefficient)
+        rubbing = SurfaceFriction(self.problem.law.coefficient)
         notes = [*self.problem.contact.notes_with(rubbing), debris_note(), slip_note(bed)]
         notes.append(sticking_note(bed.medium, self.problem.law.coefficient))
         notes.append(

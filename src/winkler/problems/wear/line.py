@@ -1,7 +1,8 @@
 r"""The contact of a worn profile: depth, pressure and slip, from what has been worn off at the nodes of a grid.
 
-Per cycle of fretting (theory after Dimaki and co-workers): the worn profile is turned into springs, pressed and pushed
-to and fro by U; of what they do the pressure p and the slip s are restored.  With :math:`v = d - g` the springs bear
+Per cycle of fretting (theory after Dimaki and co-workers): the worn profile is transformed into springs, pressed and
+pushed to and fro by U; of what they do the pressure p and the slip s are restored.  With :math:`v = d - g` the springs
+bear
 
 .. math:: q = c_N\,v_+ , \qquad u_t = \min(U, \mu\tfrac{E^*}{G^*}\,v_+) , \qquad
           s(r) = \frac2\pi\int_0^r \frac{U-u_t(x)}{\sqrt{r^2-x^2}}\,\mathrm dx ,
@@ -26,14 +27,14 @@ from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.transforms.ring_transforms import Cuts, RingTransforms, SurfaceTransform
 from winkler.numerics.types import Array
 
-__all__ = ["Rubbed", "WearLine", "WornContact", "wear_line"]
+__all__ = ["RubbedContact", "WearLine", "WornContact", "wear_line"]
 
-TRIALS = 100
-MET = 1e-13
+MOST_TRIALS = 100
+FORCE_TOLERANCE = 1e-13
 """Part of a force to which it is met."""
-LOST, ROUNDED = 12, 1e-9
+LATE_TRIAL, LATE_TOLERANCE = 12, 1e-9
 """After so many trials a force may be met to that part, which rounding leaves."""
-CLOSE = 8.0 * np.finfo(float).eps
+DEPTH_TOLERANCE = 8.0 * np.finfo(float).eps
 """Part of the greatest gap to which a depth is known."""
 
 
@@ -57,7 +58,7 @@ class WornContact(NamedTuple):
     pressure: Array
 
 
-class Rubbed(NamedTuple):
+class RubbedContact(NamedTuple):
     """A pressed contact that is pushed to and fro.
 
     Parameters
@@ -114,8 +115,8 @@ class WearLine:
         return float(medium.modulus / medium.shear_modulus)
 
     @functools.cached_property
-    def answer(self) -> Array:
-        """At most how the pressure at each node answers worn depths of one metre, of any sign [Pa/m], ``(n,)``."""
+    def response(self) -> Array:
+        """Bound on the change of pressure at each node by worn depths of one metre, of any sign [Pa/m], ``(n,)``."""
         both = np.diff(np.append(self.rings.outside @ self.rings.gap, np.zeros((1, self.nodes.size)), axis=0), axis=0)
         both = both / self.rings.areas[:, None]
         return np.asarray(self.modulus * np.sum(np.abs(both), axis=1))
@@ -129,7 +130,7 @@ class WearLine:
 
     def depth_under(self, force: float, gap: Array) -> float:
         """Return the depth [m] at which springs under a gap [m] bear a force [N]."""
-        # the force at the depths of the nodes, as if g never fell, tells where to begin
+        # the force at the depths of the nodes, as if g never fell, gives the start
         climbing = np.maximum.accumulate(gap)
         squares = self.rings.squares
         areas = 2.0 * self.modulus * squares**self.rings.q / (1.0 + self.k)
@@ -137,16 +138,16 @@ class WearLine:
         depth = float(np.interp(force, climbing * areas - means, climbing))
         if depth == climbing[-1]:
             depth = float((force + means[-1]) / areas[-1])
-        for trial in range(TRIALS):
+        for trial in range(MOST_TRIALS):
             stretch = depth - gap
             cut = self._cuts(stretch)
             error = 2.0 * self.modulus * self.rings.integral(stretch, cut) - force
             # where much is worn off, depth and gap are great against the stretch: rounding leaves less of it
-            if abs(error) <= MET * force or (trial > LOST and abs(error) <= ROUNDED * force):
+            if abs(error) <= FORCE_TOLERANCE * force or (trial > LATE_TRIAL and abs(error) <= LATE_TOLERANCE * force):
                 return depth
             slope = 2.0 * self.modulus * self.rings.inside(cut, float(squares[-1]) if stretch[-1] > 0.0 else 0.0)
             following = depth - error / slope if slope > 0.0 else float(np.max(gap))
-            if abs(following - depth) <= CLOSE * float(np.max(np.abs(gap))):
+            if abs(following - depth) <= DEPTH_TOLERANCE * float(np.max(np.abs(gap))):
                 return following
             depth = following
         raise NotConverged(f"The worn contact finds no depth at which it bears {force:.6g} N; take more nodes.")
@@ -185,7 +186,7 @@ class WearLine:
         (grazed,) = np.nonzero((worn > 0.0) & (contact.stretch > -slack))
         return max(contact.radius, float(self.nodes[grazed[-1]]) if grazed.size else 0.0)
 
-    def rub(self, contact: WornContact, coefficient: float, shift: float) -> Rubbed:
+    def rub(self, contact: WornContact, coefficient: float, shift: float) -> RubbedContact:
         """Return what a contact does that is pushed to and fro by a shift [m]."""
         bound = coefficient * self.shear_ratio * np.maximum(contact.stretch, 0.0)
         short = shift - bound
@@ -197,7 +198,7 @@ class WearLine:
         # what slides bears the whole friction, less what its core has in excess of the shift
         excess = -short
         core = 2.0 * self.modulus / self.shear_ratio * self.rings.integral(excess, self._cuts(excess))
-        return Rubbed(shift, coefficient * contact.force - core, stick, np.maximum(slip, 0.0))
+        return RubbedContact(shift, coefficient * contact.force - core, stick, np.maximum(slip, 0.0))
 
     def shift_under(self, contact: WornContact, coefficient: float, shear_force: float) -> float:
         """Return the shift [m] of a shear force [N] (Ciavarella, Jaeger); at sliding the one from which all slides."""
@@ -209,10 +210,10 @@ class WearLine:
 
 
 @functools.lru_cache(maxsize=8)
-def _kept(bed: Foundation, nodes: bytes) -> WearLine:
+def _cached_line(bed: Foundation, nodes: bytes) -> WearLine:
     return WearLine(bed, np.frombuffer(nodes))
 
 
 def wear_line(bed: Foundation, nodes: Array) -> WearLine:
-    """Return a bed on a grid; the last few are kept."""
-    return _kept(bed, np.ascontiguousarray(nodes, dtype=float).tobytes())
+    """Return a bed on a grid; the last few are cached."""
+    return _cached_line(bed, np.ascontiguousarray(nodes, dtype=float).tobytes())

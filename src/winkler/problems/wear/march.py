@@ -1,9 +1,9 @@
 r"""How a worn profile is followed: in jumps over many cycles, as long as the error and the shortest waves allow.
 
 What is worn off spreads the pressure, the faster the shorter its waves; a jump that is too long for them would blow up.
-The jumps are steps of a method that is stable for them (`winkler.numerics.equations.stabilised`); each tells its own
+The jumps are steps of a method that is stable for them (`winkler.numerics.equations.stabilised`); each gives its own
 error, and one that is too inaccurate is taken again, shorter.  Where all slides, and the shortest waves have decayed
-many times on the way so far, jumps are implicit (`winkler.numerics.equations.implicit`): as long as the slow growth
+many times so far, jumps are implicit (`winkler.numerics.equations.implicit`): as long as the slow growth
 of the contact allows, over many nodes that come into contact.  The grid is fixed while the contact stays on it, finest
 beside the core that sticks, and follows a contact that grows.
 """
@@ -29,28 +29,28 @@ from winkler.numerics.types import Array
 from winkler.problems.wear.line import WearLine, WornContact, wear_line
 from winkler.problems.wear.rates import SlidingSystem, law_slope
 
-__all__ = ["Moment", "Wearing", "first_nodes", "march", "scale_of"]
+__all__ = ["WearMoment", "WearProblem", "first_nodes", "march_wear", "scale_of"]
 
-FIRST = 2e-3
+FIRST_JUMP = 2e-3
 """Part of the depth that the first jump wears off."""
-MARGIN = 1.2
+RATE_MARGIN = 1.2
 """On the fastest rate, which is a bound for steady slip; slip grows where wear sets in."""
-CROWDED = 0.95
+WIDENING_SHARE = 0.95
 """Part of the grid at which a growing contact gets a wider one."""
-GROWTH = 1.5
-SMALL = 1e-2
+GRID_GROWTH = 1.5
+UNCHECKED_SHARE = 1e-2
 """Part of the error allowed in a jump that may be worn off at once, without looking."""
-STIFF = 3000.0
+STIFF_DECAYS = 3000.0
 """How often the shortest waves must have decayed, by a factor e, before jumps are implicit."""
-FEW_STAGES = 4
+EXPLICIT_STAGES = 4
 """A jump of not more stages is cheaper than an implicit one."""
-SHORTER = 0.2
+RETRY_FACTOR = 0.2
 """Part of a jump that failed, to be tried next."""
-SHORTEST = 1e-13
-"""Part of a way at which jumps are given up."""
+SHORTEST_JUMP = 1e-13
+"""Part of a stretch at which jumps are given up."""
 
 
-class Moment(NamedTuple):
+class WearMoment(NamedTuple):
     """How far wear has come.
 
     Parameters
@@ -71,7 +71,7 @@ class Moment(NamedTuple):
     worn: Array
 
 
-class Wearing(Protocol):
+class WearProblem(Protocol):
     """What the march needs of a problem."""
 
     @property
@@ -118,15 +118,15 @@ def first_nodes(bed: Foundation, normal: Normal, radius: float, core: float, cou
     """
     if isinstance(normal, Depth) and radius < bed.rim:
         depth = float(normal.depth)
-        high = GROWTH * radius
+        high = GRID_GROWTH * radius
         while high < bed.reach and float(bed.height(np.array([min(high, bed.reach)]))[0]) < depth:
-            high *= GROWTH
+            high *= GRID_GROWTH
         high = min(high, bed.reach, bed.rim)
         if float(bed.height(np.array([high]))[0]) > depth:
-            found = between(lambda r, _: bed.height(r) - depth, np.array([0.5 * radius]), np.array([high]))
-            high = min(1.02 * float(found[0]), bed.reach, bed.rim)
+            crossing = between(lambda r, _: bed.height(r) - depth, np.array([0.5 * radius]), np.array([high]))
+            high = min(1.02 * float(crossing[0]), bed.reach, bed.rim)
     else:
-        high = min(GROWTH * radius, bed.reach, bed.rim)
+        high = min(GRID_GROWTH * radius, bed.reach, bed.rim)
     return _nodes(core, high, bed.rim, count)
 
 
@@ -143,7 +143,9 @@ def _nodes(core: float, reach: float, rim: float, count: int) -> Array:
     return np.append(inside, core + (reach - core) * np.linspace(0.0, 1.0, count - inner + 1) ** 2)
 
 
-def march(problem: Wearing, goals: Array, moment: Moment, *, everywhere: bool = False) -> Iterator[Moment]:
+def march_wear(
+    problem: WearProblem, goals: Array, moment: WearMoment, *, everywhere: bool = False
+) -> Iterator[WearMoment]:
     """Yield how far wear has come, at every goal beyond where it begins.
 
     Parameters
@@ -168,7 +170,7 @@ def march(problem: Wearing, goals: Array, moment: Moment, *, everywhere: bool = 
         yield moment
 
 
-class _Tried(NamedTuple):
+class _JumpTrial(NamedTuple):
     """What a jump came to: the worn depths and their rates ``(2, n)``, and its error over that allowed."""
 
     end: Array
@@ -176,10 +178,10 @@ class _Tried(NamedTuple):
     error: float
 
 
-class _Worn:
+class _WearRates:
     """A problem on one grid."""
 
-    def __init__(self, problem: Wearing, nodes: Array) -> None:
+    def __init__(self, problem: WearProblem, nodes: Array) -> None:
         self.problem, self.nodes, self.line = problem, nodes, wear_line(problem.bed, nodes)
 
     @functools.cached_property
@@ -193,41 +195,41 @@ class _Worn:
         there = self.contact(worn)
         return np.stack(worn_by(self.problem.wear, there.pressure)) * self.problem.slipped(self.line, there)
 
-    def explicit(self, worn: Array, first: Array, length: float, stages: int, scale: float) -> _Tried:
+    def explicit(self, worn: Array, first: Array, length: float, stages: int, scale: float) -> _JumpTrial:
         end = step(self.rates, worn, first, length, stages)
         last = self.rates(end)
         error = np.max(np.abs(step_error(worn, end, first, last, length).sum(axis=0)))
-        return _Tried(end, last, float(error) / scale)
+        return _JumpTrial(end, last, float(error) / scale)
 
-    def implicit(self, worn: Array, first: Array, length: float, scale: float) -> _Tried:
+    def implicit(self, worn: Array, first: Array, length: float, scale: float) -> _JumpTrial:
         end, last, error = implicit_step(self.system, worn.sum(axis=0), first.sum(axis=0), length)
         parts = np.stack([end - worn[1], worn[1]]), np.stack([last, np.zeros(last.size)])
-        return _Tried(*parts, float(np.max(np.abs(error))) / scale)
+        return _JumpTrial(*parts, float(np.max(np.abs(error))) / scale)
 
 
-def _advance(problem: Wearing, moment: Moment, goal: float, everywhere: bool) -> Moment:
+def _advance(problem: WearProblem, moment: WearMoment, goal: float, everywhere: bool) -> WearMoment:
     """Go on to a goal."""
     elapsed, jump, nodes, worn = moment
-    here = _Worn(problem, nodes)
+    here = _WearRates(problem, nodes)
     contact, first = here.contact(worn), here.rates(worn)
     problem.refuse(contact, elapsed)
     begun, overrun = elapsed, False
     while elapsed < goal:
-        if overrun or (here.nodes[-1] < _end(problem.bed) and contact.radius > CROWDED * here.nodes[-1]):
+        if overrun or (here.nodes[-1] < _end(problem.bed) and contact.radius > WIDENING_SHARE * here.nodes[-1]):
             nodes, worn = _wider(problem.bed, here.nodes, worn)
-            here, overrun = _Worn(problem, nodes), False
+            here, overrun = _WearRates(problem, nodes), False
             contact, first = here.contact(worn), here.rates(worn)
         fastest = float(np.max(first))
         scale = problem.tolerance * scale_of(problem, contact)
-        if fastest * (goal - elapsed) <= SMALL * scale:
-            return Moment(goal, jump, here.nodes, worn + (goal - elapsed) * first)
-        damping = MARGIN * _damping(problem, here.line, contact)
-        wanted = jump if jump > 0.0 else FIRST * contact.depth / fastest
+        if fastest * (goal - elapsed) <= UNCHECKED_SHARE * scale:
+            return WearMoment(goal, jump, here.nodes, worn + (goal - elapsed) * first)
+        damping = RATE_MARGIN * _damping(problem, here.line, contact)
+        wanted = jump if jump > 0.0 else FIRST_JUMP * contact.depth / fastest
         length = min(wanted, goal - elapsed)
-        settled = everywhere and elapsed * damping > STIFF and stages_for(length, damping) > FEW_STAGES
+        settled = everywhere and elapsed * damping > STIFF_DECAYS and stages_for(length, damping) > EXPLICIT_STAGES
         if not settled:
             length = min(length, longest(MOST_STAGES, damping))
-        if length < SHORTEST * max(goal - begun, elapsed) and length < goal - elapsed:
+        if length < SHORTEST_JUMP * max(goal - begun, elapsed) and length < goal - elapsed:
             raise NotConverged(
                 f"Wear: after {elapsed:.6g} the jumps become too short to go on; take more nodes or a smaller "
                 "tolerance."
@@ -239,13 +241,13 @@ def _advance(problem: Wearing, moment: Moment, goal: float, everywhere: bool) ->
                 else:
                     tried = here.explicit(worn, first, length, stages_for(length, damping), scale)
         except (FloatingPointError, NotConverged):
-            jump = SHORTER * length
+            jump = RETRY_FACTOR * length
             continue
         error = tried.error
         if not error <= 1.0:
-            jump = length * (max(0.2, 0.8 * error ** (-1.0 / 3.0)) if math.isfinite(error) else SHORTER)
+            jump = length * (max(0.2, 0.8 * error ** (-1.0 / 3.0)) if math.isfinite(error) else RETRY_FACTOR)
             continue
-        # what is worn off does not come back, whatever rounding says
+        # what is worn off does not come back, whatever rounding gives
         back = bool(np.any(tried.end < worn))
         end = np.maximum(tried.end, worn) if back else tried.end
         there = here.contact(end)
@@ -253,24 +255,24 @@ def _advance(problem: Wearing, moment: Moment, goal: float, everywhere: bool) ->
         if overrun:
             continue
         grown = length * min(5.0, 0.8 * max(error, 1e-9) ** (-1.0 / 3.0))
-        # a goal that was near does not tell how far the next jump may go
+        # a goal that was near does not limit the next jump
         jump = max(grown, wanted) if length == goal - elapsed else grown
         elapsed = goal if length == goal - elapsed else elapsed + length
         worn, contact = end, there
         problem.refuse(contact, elapsed)
         _refuse_outgrown(problem.bed, contact, here.nodes)
         first = here.rates(worn) if back else tried.last
-    return Moment(elapsed, jump, here.nodes, worn)
+    return WearMoment(elapsed, jump, here.nodes, worn)
 
 
-def scale_of(problem: Wearing, contact: WornContact) -> float:
+def scale_of(problem: WearProblem, contact: WornContact) -> float:
     """Return the displacement [m] in terms of which errors count."""
     return contact.depth if isinstance(problem.normal, Depth) else float(np.max(contact.stretch))
 
 
-def _damping(problem: Wearing, line: WearLine, contact: WornContact) -> float:
+def _damping(problem: WearProblem, line: WearLine, contact: WornContact) -> float:
     """Return a bound of how fast the shortest waves of the pressure decay."""
-    return float(np.max(law_slope(problem.wear, contact.pressure) * problem.slipped(line, contact) * line.answer))
+    return float(np.max(law_slope(problem.wear, contact.pressure) * problem.slipped(line, contact) * line.response))
 
 
 def _end(bed: Foundation) -> float:
@@ -289,7 +291,7 @@ def _refuse_outgrown(bed: Foundation, contact: WornContact, nodes: Array) -> Non
 
 def _wider(bed: Foundation, nodes: Array, worn: Array) -> tuple[Array, Array]:
     """Return a wider grid, and what was worn on it."""
-    reach = min(GROWTH * float(nodes[-1]), bed.reach, bed.rim)
+    reach = min(GRID_GROWTH * float(nodes[-1]), bed.reach, bed.rim)
     # the core has moved by then: a grid of even steps serves as well
     wide = _nodes(0.0, reach, bed.rim, nodes.size - 1)
     return wide, np.stack([ring_means(nodes**2, row, wide**2) for row in worn])

@@ -21,13 +21,13 @@ from winkler.problems.wear.line import WearLine, WornContact
 
 __all__ = ["SlidingSystem", "law_slope"]
 
-NEAR = 1e-6
+DIFFERENCE_STEP = 1e-6
 """Change over which differences are taken, relative to the greatest number around."""
 
 
 def law_slope(law: WearLaw, pressure: Array) -> Array:
     """Return how the worn depth per slip of both bodies grows with the pressure [1/Pa]."""
-    near = NEAR * float(np.max(pressure))
+    near = DIFFERENCE_STEP * float(np.max(pressure))
     if near == 0.0:
         return np.zeros(pressure.shape)
     here, there = (np.sum(worn_by(law, pressure + more), axis=0) for more in (0.0, near))
@@ -55,13 +55,13 @@ class SlidingSystem:
         count = rings.nodes.size
         outside = np.append(rings.outside, np.zeros((1, count)), axis=0)
         self._pressed = -np.diff(outside, axis=0) / rings.areas[:, None]
-        # the product of both over all springs that are pressed, kept up to date
+        # the product of both over all springs that are pressed, updated
         self._both = np.zeros((count, count))
         self._counted = np.zeros(count, dtype=bool)
         self._last: tuple[bytes, WornContact] | None = None
 
     def contact(self, worn: Array) -> WornContact:
-        """Return the contact of a worn profile; the last one is kept."""
+        """Return the contact of a worn profile; the last one is cached."""
         key = worn.tobytes()
         if self._last is None or self._last[0] != key:
             self._last = key, self.line.press(worn, self.load)
@@ -99,7 +99,7 @@ class SlidingSystem:
 
     def _difference(self, stretch: Array, node: int) -> tuple[Array, float]:
         """Return how pressures and force change with the stretch of one spring beside an edge."""
-        step = NEAR * float(np.max(np.abs(stretch[max(node - 1, 0) : node + 2])))
+        step = DIFFERENCE_STEP * float(np.max(np.abs(stretch[max(node - 1, 0) : node + 2])))
         sides = []
         for sign in (1.0, -1.0):
             moved = stretch.copy()

@@ -23,7 +23,7 @@ from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import WORN
 from winkler.problems.wear.input_checks import Cells, WearTolerance, wearable
 from winkler.problems.wear.line import WearLine, WornContact
-from winkler.problems.wear.march import Moment
+from winkler.problems.wear.march import WearMoment
 from winkler.problems.wear.states import WearState, goals_of
 from winkler.problems.wear.validity import sliding_notes
 from winkler.problems.wear.worn_states import pressed_moment, worn_states
@@ -33,7 +33,7 @@ from winkler.values import value
 __all__ = ["SlidingSolution", "SlidingWear"]
 
 
-ONE_BODY = Advice("the law of the body that stays in contact; where both wear, ask for FrettingWear")
+ONE_BODY = Advice("the law of the body that stays in contact; where both wear, use FrettingWear")
 
 
 @value
@@ -49,7 +49,7 @@ class SlidingWear:
     normal : Depth or Force
         The steady normal load, one positive number.
     distance : float or ndarray, (steps,)
-        After which distances slid [m] the contact is told, to and fro counted together; one number stands for the
+        After which distances slid [m] the contact is returned, to and fro counted together; one number stands for the
         whole distance, and 41 states up to there.
     count : int, optional
         Cells of the grid of radii.
@@ -101,7 +101,7 @@ class SlidingWear:
 
     @property
     def goals(self) -> Array:
-        """After which distances the contact is told [m], ``(steps,)``."""
+        """After which distances the contact is returned [m], ``(steps,)``."""
         return goals_of("SlidingWear", "distance", " in m", self.distance)
 
     def slipped(self, line: WearLine, contact: WornContact) -> Array:
@@ -117,7 +117,7 @@ class SlidingWear:
         return int(self.goals.size)
 
     def steps(self, start: WearState | None = None) -> Iterator[WearState]:
-        """Yield the contact at every distance that was asked for.
+        """Yield the contact at every requested distance.
 
         Parameters
         ----------
@@ -134,12 +134,12 @@ class SlidingWear:
         """
         return worn_states(self, start)
 
-    def state(self, moment: Moment) -> WearState:
+    def state(self, moment: WearMoment) -> WearState:
         """Return what is known of the contact."""
         return WearState(**pressed_moment(self, moment)[2])
 
     def gathered(self, states: Iterable[WearState]) -> SlidingSolution:
-        """Return the answer from these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its beginning."""
         reached = list(states)
         distance = np.array([state.elapsed for state in reached])
         return gather(SlidingSolution, self, reached, distance=distance)
@@ -161,12 +161,12 @@ class SlidingWear:
 
 @value
 class SlidingSolution:
-    """The answer to a `SlidingWear`, state by state.
+    """The solution of a `SlidingWear`, state by state.
 
     Parameters
     ----------
     problem : SlidingWear
-        What was asked.
+        The problem that was solved.
     distance : ndarray, (steps,)
         s [m].
     depth, force, radius : ndarray, (steps,)

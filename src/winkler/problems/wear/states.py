@@ -8,14 +8,14 @@ from winkler.errors import InvalidInput
 from winkler.foundation.foundation import Foundation
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.wear.line import wear_line
-from winkler.problems.wear.march import Moment
+from winkler.problems.wear.march import WearMoment
 from winkler.values import value
 
 __all__ = ["FrettingState", "WearState", "goals_of"]
 
-STATES = 41
-"""How many states are told if only the end is given."""
-FEW = 5
+DEFAULT_STATES = 41
+"""How many states are returned if only the end is given."""
+QUOTED = 5
 """So many numbers of a row are repeated in a sentence about it."""
 
 
@@ -53,9 +53,9 @@ class WearState:
     pressure: Array
 
     @property
-    def moment(self) -> Moment:
+    def moment(self) -> WearMoment:
         """From where the march goes on."""
-        return Moment(self.elapsed, self.jump, np.array(self.radii), np.stack([self.first_worn, self.second_worn]))
+        return WearMoment(self.elapsed, self.jump, np.array(self.radii), np.stack([self.first_worn, self.second_worn]))
 
     @property
     def worn(self) -> Array:
@@ -114,26 +114,26 @@ class FrettingState(WearState):
     loss_per_cycle: float
 
 
-def goals_of(owner: str, word: str, unit: str, given: Quantity) -> Array:
-    """Return where states are told, rising, zero or more.
+def goals_of(owner: str, word: str, unit: str, requested: Quantity) -> Array:
+    """Return where states are returned, rising, zero or more.
 
-    One number stands for so far and `STATES` states on the way, closer at the beginning where wear is fastest.
+    One number stands for the end and `DEFAULT_STATES` states up to it, closer at the beginning where wear is fastest.
 
     Raises
     ------
     InvalidInput
         If the numbers are negative, not finite, do not rise, or end at zero.
     """
-    numbers = np.asarray(given)
+    numbers = np.asarray(requested)
     sound = numbers.dtype.kind in "fiu" and numbers.size > 0 and numbers.ndim <= 1
     row = np.ravel(numbers) if sound else np.zeros(1)
-    more = ", ..." if row.size > FEW else ""
-    said = f"[{', '.join(f'{each:g}' for each in row[:FEW])}{more}]" if sound and numbers.ndim else repr(given)
+    more = ", ..." if row.size > QUOTED else ""
+    text = f"[{', '.join(f'{each:g}' for each in row[:QUOTED])}{more}]" if sound and numbers.ndim else repr(requested)
     if not (np.all(np.isfinite(row)) and row[0] >= 0.0 and row[-1] > 0.0 and np.all(np.diff(row) > 0.0)):
         raise InvalidInput(
-            f"{owner}: {word} is {said}; give one positive number{unit}, or a row of numbers that rise from zero or "
-            "more: where the contact is told."
+            f"{owner}: {word} is {text}; give one positive number{unit}, or a row of numbers that rise from zero or "
+            "more: where the contact is returned."
         )
     if numbers.ndim == 0:
-        return np.asarray(float(numbers) * np.linspace(0.0, 1.0, STATES) ** 2)
+        return np.asarray(float(numbers) * np.linspace(0.0, 1.0, DEFAULT_STATES) ** 2)
     return np.asarray(numbers, dtype=float)

@@ -13,7 +13,7 @@ from winkler.media.halfspace import HalfSpace
 from winkler.problems.assumptions.coupling import sliding_note, sticking_note
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.problems.normal.validity import indentation_notes
-from winkler.problems.normal.yield_statement import Rubbing, unknown_yield
+from winkler.problems.normal.yield_statement import SurfaceFriction, unknown_yield
 from winkler.problems.wear.states import WearState
 from winkler.validity import Assumption, Note, Standing
 
@@ -24,7 +24,7 @@ JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sect. 7.2, doi:10.1
 
 
 def debris_note() -> Note:
-    """Return what is said of debris."""
+    """Return the note on debris."""
     return Note(
         Assumption.WEAR,
         Standing.APPROXIMATE,
@@ -35,7 +35,7 @@ def debris_note() -> Note:
 
 
 def slip_note(bed: Bed) -> Note:
-    """Return what is said of the slip of a fretting contact."""
+    """Return the note on the slip of a fretting contact."""
     medium = bed.medium
     poisson = 0.0
     if isinstance(medium, HalfSpace):
@@ -56,8 +56,8 @@ def slip_note(bed: Bed) -> Note:
     )
 
 
-def _march_notes(bed: Bed, tolerance: float, states: Sequence[WearState], rubbing: Rubbing) -> list[Note]:
-    # what the profile's own slopes and yield say before wear
+def _march_notes(bed: Bed, tolerance: float, states: Sequence[WearState], rubbing: SurfaceFriction) -> list[Note]:
+    # the notes on the profile's own slopes and yield before wear
     depth, radius = (np.array([getattr(states[0], word)]) for word in ("depth", "radius"))
     notes = [*indentation_notes(bed, depth, radius, rubbing), *_worn_yield(bed, states), debris_note()]
     notes.append(
@@ -79,8 +79,8 @@ def _worn_yield(bed: Bed, states: Sequence[WearState]) -> tuple[Note, ...]:
         return ()
     least = min(part.solid.strength for part in parts)
     share = max(float(np.max(state.pressure)) for state in states[1:]) / least
-    known = f"The greatest mean pressure of a ring is {share:.3g} of the least strength."
-    return unknown_yield(bed.medium, "the stresses under the worn profile are not computed", known)
+    fact = f"The greatest mean pressure of a ring is {share:.3g} of the least strength."
+    return unknown_yield(bed.medium, "the stresses under the worn profile are not computed", fact)
 
 
 def fretting_notes(bed: Bed, coefficient: float, tolerance: float, states: Sequence[WearState]) -> tuple[Note, ...]:
@@ -97,13 +97,15 @@ def fretting_notes(bed: Bed, coefficient: float, tolerance: float, states: Seque
     states : sequence of WearState
     """
     coupled = sticking_note(bed.medium, coefficient)
-    return (*_march_notes(bed, tolerance, states, Rubbing(coefficient)), coupled, slip_note(bed))
+    return (*_march_notes(bed, tolerance, states, SurfaceFriction(coefficient)), coupled, slip_note(bed))
 
 
 def sliding_notes(bed: Bed, tolerance: float, states: Sequence[WearState]) -> tuple[Note, ...]:
     """Return how far a sliding contact can be trusted; parameters as `fretting_notes`."""
     return (
-        *_march_notes(bed, tolerance, states, Rubbing(math.inf)),  # the law of wear does not tell the friction
+        *_march_notes(
+            bed, tolerance, states, SurfaceFriction(math.inf)
+        ),  # the law of wear does not define the friction
         sliding_note(bed.medium, math.nan),
         Note(
             Assumption.WEAR,

@@ -11,7 +11,7 @@ from winkler.numerics.types import Array
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.wear.input_checks import touching
 from winkler.problems.wear.line import WearLine, WornContact, wear_line
-from winkler.problems.wear.march import Moment, Wearing, first_nodes, march, scale_of
+from winkler.problems.wear.march import WearMoment, WearProblem, first_nodes, march_wear, scale_of
 
 __all__ = ["pressed_moment", "worn_states"]
 
@@ -27,22 +27,22 @@ def worn_states(problem: Any, start: Any, core: Callable[[float, Array], float] 
         nodes = first_nodes(problem.bed, problem.normal, radius, 0.0, problem.count)
         if core is not None:  # it gets a node of its own
             nodes = first_nodes(problem.bed, problem.normal, radius, core(radius, nodes), problem.count)
-        moment = Moment(0.0, 0.0, nodes, np.zeros((2, nodes.size)))
+        moment = WearMoment(0.0, 0.0, nodes, np.zeros((2, nodes.size)))
         if problem.goals[0] == 0.0:
             yield problem.state(moment)
     else:
         moment = start.moment
-    for reached in march(problem, problem.goals, moment, everywhere=core is None):
+    for reached in march_wear(problem, problem.goals, moment, everywhere=core is None):
         yield problem.state(reached)
 
 
-def pressed_moment(problem: Wearing, moment: Moment) -> tuple[WearLine, WornContact, dict[str, Any]]:
+def pressed_moment(problem: WearProblem, moment: WearMoment) -> tuple[WearLine, WornContact, dict[str, Any]]:
     """Return the springs, the contact on them, and the numbers of a `winkler.problems.wear.states.WearState`."""
     line, worn = wear_line(problem.bed, moment.nodes), moment.worn.sum(axis=0)
     contact = line.press(worn, problem.normal)
     problem.refuse(contact, moment.elapsed)
     radius = line.touching(contact, worn, problem.tolerance * scale_of(problem, contact))
-    known = {"bed": problem.bed, "elapsed": moment.elapsed, "jump": moment.jump, "radii": moment.nodes,
+    common = {"bed": problem.bed, "elapsed": moment.elapsed, "jump": moment.jump, "radii": moment.nodes,
              "first_worn": moment.worn[0], "second_worn": moment.worn[1], "depth": contact.depth,
              "force": contact.force, "radius": radius, "pressure": contact.pressure}  # fmt: skip
-    return line, contact, known
+    return line, contact, common

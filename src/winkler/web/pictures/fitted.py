@@ -54,7 +54,8 @@ def _cards(outcome: FitOutcome) -> str:
         name = key_in_words(free.key).rpartition("› ")[2]
         cards.append(
             f'<div class="card"><div class="value">{safe(number_text(fit.value(free.path), word.unit))}</div>'
-            f'<div class="name">{safe(name)} {symbol(word.symbol)}<br>95 %: {with_fixed_units(f"{low} … {high}")}</div></div>'
+            f'<div class="name">{safe(name)} {symbol(word.symbol)}<br>'
+            f"95 %: {with_fixed_units(f'{low} … {high}')}</div></div>"
         )
     return f'<div class="cards">{"".join(cards)}</div>'
 
