@@ -34,7 +34,7 @@ def test_the_folder_is_private_and_its_name_cannot_be_guessed(place):
     assert stat.S_IMODE(one.stat().st_mode) == 0o700
     assert one.parent == place
     assert len({one.name, other.name}) == 2
-    assert other.is_dir()  # its process lives
+    assert other.is_dir()  # its process still runs
     caches._remove(one, os.getpid() + 1)
     assert one.is_dir()
     caches._remove(one, os.getpid())

@@ -308,7 +308,7 @@ def test_wrong_tables_of_paths(tmp_path, text, sentence):
     assert "path.csv" in str(caught.value)
 
 
-def test_holding_is_told_at_many_points():
+def test_a_hold_has_many_points():
     path = Program([Start(Force(2.0), Shift(np.array([1e-6, 2e-6]))), Hold(4.0, count=4)])
     assert path.time.tolist() == [0.0, 1.0, 2.0, 3.0, 4.0]
     assert path.across.tolist() == [2.0] * 5

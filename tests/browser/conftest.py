@@ -97,21 +97,21 @@ class Seen:
             self.mistakes.append(message.text)
 
     def _only_here(self, address):
-        def judge(route):
+        def decide(route):
             if route.request.url.startswith((address, "data:", "blob:")):
                 route.continue_()
             else:
                 self.left_machine.append(route.request.url)
                 route.abort()
 
-        return judge
+        return decide
 
     def settled(self, state="done"):
         """Wait until an answer is complete, or refused."""
         self.page.locator(f'.answer-side[data-state="{state}"]').wait_for(timeout=90_000)
 
     def busy(self):
-        """Wait until something was asked."""
+        """Wait until something was requested."""
         self.page.locator('.answer-side[data-state="busy"]').wait_for(timeout=20_000)
 
     def choose(self, path, name):

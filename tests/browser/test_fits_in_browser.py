@@ -51,10 +51,10 @@ def test_from_a_curve_to_its_modulus(fresh, tmp_path):
     seen.page.locator('[data-picture="fit"] .main-svg').first.wait_for()
     seen.shot("fit_gel")
 
-    asked = read_fit_study(EXAMPLES / "studies" / "fitting" / "fit_gel.toml")
-    fit = fit_study(asked).fitted[0].fit
+    gel_study = read_fit_study(EXAMPLES / "studies" / "fitting" / "fit_gel.toml")
+    fit = fit_study(gel_study).fitted[0].fit
     exported = rows_of(seen.taken("csv"))
-    for free in asked.free:
+    for free in gel_study.free:
         assert float(exported[free.key]) == fit.value(free.path)
         assert float(exported[f"{free.key}_error"]) == fit.error(free.path)
     assert seen.card("Young's modulus").startswith("3.99 kPa")
@@ -64,7 +64,7 @@ def test_from_a_curve_to_its_modulus(fresh, tmp_path):
     with zipfile.ZipFile(store) as pack:
         pack.extractall(tmp_path)
     again = fit_study(read_fit_study(tmp_path / "study.toml")).fitted[0].fit
-    assert again.value(asked.free[0].path) == fit.value(asked.free[0].path)
+    assert again.value(gel_study.free[0].path) == fit.value(gel_study.free[0].path)
     assert "Fitted numbers" in seen.taken("report").decode("utf-8")
     with zipfile.ZipFile(io.BytesIO(seen.taken("png"))) as pack:
         assert pack.namelist() == ["curve_1.png"]

@@ -37,7 +37,7 @@ def here(tmp_path, monkeypatch) -> Path:
 
 
 @pytest.mark.parametrize("name", list(kinds()))
-def test_show_tells_every_key_and_a_valid_example(name, capsys):
+def test_show_lists_every_key_and_a_valid_example(name, capsys):
     assert main(["show", name]) == 0
     message = capsys.readouterr().out
     assert message.startswith(f"{name} (a {slot_of(name)}): ")
@@ -73,7 +73,7 @@ def test_show_lists_everything(capsys):
     assert "sphero_conical" not in message
 
 
-def test_show_study_tells_the_grammar(capsys):
+def test_show_study_prints_the_grammar(capsys):
     assert main(["show", "study"]) == 0
     message = capsys.readouterr().out
     for section, keys in SECTIONS.items():
@@ -185,7 +185,7 @@ def test_new_writes_a_study_that_runs(problem, profile, here, capsys):
     + [("--bed", name) for name in CATALOGUE["bed"] if name != "foundation"],
 )
 def test_new_with_other_parts(option, kind, here):
-    relaxes = "relax" in kind or "visco" in kind  # no single answer exists: a march is asked for
+    relaxes = "relax" in kind or "visco" in kind  # no single answer exists: a march is requested
     problem = "viscoelastic_indentation" if relaxes else "indentation"
     assert main(["new", problem, option, kind]) == 0
     study = parse_study((here / f"{problem}.toml").read_text(encoding="utf-8"))

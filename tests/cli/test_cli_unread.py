@@ -65,7 +65,7 @@ def test_the_exit_code_is_that_of_the_command_if_the_reader_has_gone(words, code
         assert (here / "results" / Path(words[1]).stem / "provenance.json").is_file()
 
 
-def test_an_error_is_told_whoever_reads_what_came_before(here, unread, capfd, monkeypatch):
+def test_an_error_is_printed_whoever_reads_what_came_before(here, unread, capfd, monkeypatch):
     monkeypatch.setattr(sys, "stdout", unread)
     unread.write("what was said before")
     assert main(["run", "ball.tml"]) == 2

@@ -124,7 +124,7 @@ class Drawn:
         self.rng, self.wide, self.without = rng, wide, without
 
     def varied(self, table: dict[str, Any], deep: int = 0) -> dict[str, Any]:
-        """Return a kind's table with other numbers, lists and parts, each such as its class asks for."""
+        """Return a kind's table with other numbers, lists and parts, each such as its class takes."""
         rng, line, table = self.rng, kinds()[table["kind"]], dict(table)
         rows = rng.choice(("keep", "keep", "keep", "first", "twice", "last", "each"))  # of lists that go together
         for field, hint in hints(line.cls).items():

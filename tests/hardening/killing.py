@@ -1,4 +1,4 @@
-"""A process that has winkler loaded and warm, and forks children which run one command and are killed on the way.
+"""A process that has winkler loaded and warm, and forks children which run one command and are killed before its end.
 
 It reads one request per line from its standard input and answers with one line: see `ask` of `Killer`.  A child gets
 its signal before the n-th operation on a file (a hook of the interpreter counts them), or after so many seconds of its

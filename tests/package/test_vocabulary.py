@@ -11,22 +11,22 @@ import pint
 
 from winkler.vocabulary import GLOSSARY, OWNED, word
 
-SPOKEN = (
+USER_LAYERS = (
     "materials", "laws", "profiles", "loading", "path", "path_steps", "program", "media", "foundation", "problems",
     "fields", "peaks", "fitting",
 )  # fmt: skip
 """The layers whose values reach users; the mathematics below and the interfaces above have words of their own."""
 
-ANSWERED = ("problems", "fields", "peaks")
+RESULT_LAYERS = ("problems", "fields", "peaks")
 """The layers whose properties are results."""
 
 
-def classes(modules, floors):
-    """Return the public classes that were written on `floors`."""
+def classes(modules, layers):
+    """Return the public classes that were written in `layers`."""
     found = {}
     for module in modules:
         parts = module.__name__.split(".")
-        if len(parts) < 2 or parts[1] not in floors or any(part.startswith("_") for part in parts):
+        if len(parts) < 2 or parts[1] not in layers or any(part.startswith("_") for part in parts):
             continue
         for name, item in vars(module).items():
             if inspect.isclass(item) and item.__module__ == module.__name__ and not name.startswith("_"):
@@ -42,7 +42,7 @@ def known(owner: str, field: str) -> bool:
 
 
 def test_every_public_field_is_a_word(modules):
-    values = {path: cls for path, cls in classes(modules, SPOKEN).items() if dataclasses.is_dataclass(cls)}
+    values = {path: cls for path, cls in classes(modules, USER_LAYERS).items() if dataclasses.is_dataclass(cls)}
     assert len(values) > 20
     strangers = [
         f"{path}.{field.name}"
@@ -55,7 +55,7 @@ def test_every_public_field_is_a_word(modules):
 
 def test_every_public_property_of_an_answer_is_a_word(modules):
     strangers = []
-    for path, cls in classes(modules, ANSWERED).items():
+    for path, cls in classes(modules, RESULT_LAYERS).items():
         for name, _member in inspect.getmembers(cls, lambda item: isinstance(item, property)):
             if not name.startswith("_") and not known(cls.__name__, name):
                 strangers.append(f"{path}.{name}")
@@ -64,7 +64,7 @@ def test_every_public_property_of_an_answer_is_a_word(modules):
 
 def test_an_owned_word_has_an_owner(modules):
     """A word of one class alone belongs to a class that exists and has it."""
-    owners = {cls.__name__: cls for cls in classes(modules, (*SPOKEN, "study", "plot", "io")).values()}
+    owners = {cls.__name__: cls for cls in classes(modules, (*USER_LAYERS, "study", "plot", "io")).values()}
     for owner, field in OWNED:
         assert owner in owners, f"{owner} does not exist"
         names = (

@@ -153,7 +153,7 @@ def test_jumps_are_no_part_of_the_line():
     assert np.any(np.isclose(x, snap.position * 1e6, atol=1e-9) & np.isclose(y, snap.radius * 1e6))
 
 
-def test_a_sheared_contact_is_drawn_to_where_it_gives_way():
+def test_a_sheared_contact_is_drawn_to_its_limit():
     solution = wk.AdhesiveShear(BALL, LAW, wk.Force(0.0), wk.ShearForce(1e-4)).solve()
     x, y = numbers(draw(solution).axes[0].lines[0])
     assert y[-1] == pytest.approx(solution.limit.shear_force * 1e6, rel=1e-12)

@@ -180,7 +180,7 @@ def test_what_cannot_be_drawn(item):
         draw(item)
 
 
-def test_a_profile_need_not_be_a_shape_of_the_house():
+def test_a_profile_need_not_be_a_shape_of_winkler():
     class Mine:
         """Fulfils the contract without inheriting."""
 
@@ -275,7 +275,7 @@ def test_figures_come_without_pyplot_and_leave_the_readers_settings(tmp_path):
     assert (tmp_path / "ball.pdf").read_bytes().startswith(b"%PDF")
 
 
-def test_the_floor_is_light_until_something_is_drawn():
+def test_the_package_is_light_until_something_is_drawn():
     code = "import sys, winkler.plot; assert 'matplotlib' not in sys.modules"
     subprocess.run([sys.executable, "-c", code], check=True, timeout=60)
 

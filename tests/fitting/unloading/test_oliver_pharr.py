@@ -294,7 +294,7 @@ def test_pile_up_is_shouted(share, standing):
     ("creep", "standing"),
     [(0.0, Standing.ASYMPTOTIC), (5e-10, Standing.APPROXIMATE), (2e-9, Standing.OUTSIDE)],
 )
-def test_creep_is_judged_by_the_rates(creep, standing):
+def test_creep_is_classified_by_the_rates(creep, standing):
     """S dh/dt over dF/dt by hand: dF/dt = 1 mN in 5 s, S = 1.5 F/(h - h_f)."""
     found = read(impression(0.6, creep=creep))
     ((stated, sentence),) = said(found, "Creep")

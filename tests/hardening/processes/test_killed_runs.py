@@ -112,11 +112,11 @@ def prepared(folder, name):
     """Write a study, and the curves it may need."""
     (folder / "gel").mkdir(parents=True)
     (folder / "study.toml").write_text(STUDIES[name][1], encoding="utf-8")
-    way = np.linspace(-1e-6, 1e-6, 60)
+    depth = np.linspace(-1e-6, 1e-6, 60)
     for number in range(1, 5):
         noise = np.random.default_rng(number).standard_normal(60)
-        force = 4.0 / 3.0 * 1e3 * number / 0.75 * np.sqrt(5e-6) * np.maximum(way, 0.0) ** 1.5 + 5e-12 * noise
-        rows = (f"{1e9 * d:.3f}, {1e9 * f:.6f}\n" for d, f in zip(way, force, strict=True))
+        force = 4.0 / 3.0 * 1e3 * number / 0.75 * np.sqrt(5e-6) * np.maximum(depth, 0.0) ** 1.5 + 5e-12 * noise
+        rows = (f"{1e9 * d:.3f}, {1e9 * f:.6f}\n" for d, f in zip(depth, force, strict=True))
         (folder / f"gel/curve{number}.csv").write_text("depth [nm], force [nN]\n" + "".join(rows), encoding="utf-8")
     return folder
 

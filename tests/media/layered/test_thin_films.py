@@ -93,7 +93,7 @@ def test_punches_on_films_by_equal_panels(poisson, a):
 
 
 @pytest.mark.parametrize("a", [3.0, 30.0])
-def test_the_judge_does_not_move_with_half_its_panels(a):
+def test_the_reference_solution_does_not_move_with_half_its_panels(a):
     _, w, phi = compared(0.5, a)
     _, finer, twice = compared(0.5, a, step=0.25)
     assert float(finer @ twice) == pytest.approx(float(w @ phi), rel=1e-10)

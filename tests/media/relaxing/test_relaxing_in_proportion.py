@@ -71,7 +71,7 @@ def test_a_stiffening_body_creeps():
     assert found.depth[1] == pytest.approx(elastic.depth, rel=5e-3)
 
 
-def test_a_homogeneous_body_is_the_same_either_way():
+def test_a_homogeneous_body_is_the_same_in_both_classes():
     """Against ViscoelasticHalfSpace, along a path with unloading, lost touch and a second one."""
     solid = Prony(0.5, [1.0, 0.5], [0.1, 1.0], poisson=0.3)
     one = wk.Foundation(BALL, ViscoelasticHalfSpace(solid))

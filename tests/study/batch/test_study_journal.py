@@ -88,7 +88,7 @@ def test_a_stopped_run_goes_on_where_it_was(tmp_path, counted):
         np.testing.assert_array_equal(mine.content, theirs.content)
 
 
-def test_a_recalled_point_solves_again_when_it_is_asked_for_its_solution(tmp_path, counted):
+def test_a_recalled_point_solves_again_when_its_solution_is_requested(tmp_path, counted):
     path = tmp_path / "x.journal"
     first(STUDY, path, 2)
     with Journal(path, STUDY) as journal:

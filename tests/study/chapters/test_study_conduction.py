@@ -1,4 +1,4 @@
-"""Conduction in study files: every kind is read, written and described, answered and reported."""
+"""Conduction in study files: every kind is read, written and described, solved and reported."""
 
 from __future__ import annotations
 

@@ -96,7 +96,7 @@ def test_paths_come_back_from_their_tables(path):
     assert build(unbuild(path), "path") == path
 
 
-def test_what_is_not_told_is_not_written():
+def test_what_is_not_stated_is_not_written():
     assert unbuild(wk.Ramp(wk.Force(2.0))) == {"kind": "ramp", "normal": {"kind": "force", "force": "2 N"}}
     assert unbuild(wk.Hold()) == {"kind": "hold"}
     assert set(unbuild(LOOP)) == {"kind", "steps"}
@@ -245,7 +245,7 @@ FRICTION = ("tangential", "torsion", "friction_damping", "bimodal_damping", "rel
 
 
 @pytest.mark.parametrize("name", [*FRICTION, "adhesive_impact", "elastic_plastic_particle"])
-def test_every_kind_is_cited_told_and_has_formulas(name):
+def test_every_kind_is_cited_described_and_has_formulas(name):
     problem = build(example_study(name)["problem"])
     study = Study("", problem)
     assert len(cite(problem)) >= 3

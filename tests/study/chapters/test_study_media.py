@@ -145,7 +145,7 @@ def test_the_formula_of_the_layered_profile_is_the_one_that_is_computed():
     assert float(bed.stiffness(edge)[0]) == pytest.approx(2.0 * film.modulus * float(dt @ phi), rel=1e-9)
 
 
-def test_layers_are_asked_for_in_words_and_rows():
+def test_layers_are_listed_in_words_and_rows():
     study = Study("x", ball_on(STACK))
     message = in_words(study)
     assert "The coating, from the surface down: layer (" in message

@@ -278,9 +278,9 @@ def test_tables_are_shown_with_prefixes(page):
     assert f'<td class="number">{depth * 1e6:.6g}</td>' in table
 
 
-def test_expectations_are_judged_in_sight():
+def test_expectations_and_results_are_shown():
     study = Study(
-        "Judged",
+        "Compared",
         pressed(),
         expect=(Expectation("depth", 1.191e-6, 1e-3), Expectation("pressure", 1e9, 1e-3, (("r", 0.0),))),
     )
@@ -290,7 +290,7 @@ def test_expectations_are_judged_in_sight():
     assert "depth as expected" in text
 
 
-def test_a_problem_that_tells_nothing_about_its_springs():
+def test_a_problem_that_states_nothing_about_its_springs():
     outcome = run(SAMPLES["one load"])
 
     class Odd:
