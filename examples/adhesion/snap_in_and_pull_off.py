@@ -3,7 +3,7 @@ Snap-in and pull-off: the energy of one touch
 =============================================
 
 A glass ball touches soft rubber and is pulled off again, held in stiff grips. The moment the surfaces meet, the contact
-jumps open; on the way back it holds beyond the place where it was made, then jumps shut. The area between the two ways
+jumps open; on the return it holds beyond the place where it was made, then jumps shut. The area between the branches
 is lost. In units of :math:`(w^5 R^4/E^{*2})^{1/3}` it is 7.0922, whatever the ball and the rubber.
 """
 

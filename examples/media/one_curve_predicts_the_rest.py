@@ -2,8 +2,8 @@
 One measured curve predicts the rest
 ====================================
 
-Somebody presses a body that is not round into a half-space and hands you the force curve, with scatter. Two functions
-decide everything else that is asked of this contact, its stiffness k and its depth, and the curve holds both: the
+Somebody presses a body that is not round into a half-space and gives you the force curve, with scatter. Two functions
+decide everything else about this contact, its stiffness k and its depth, and the curve holds both: the
 stiffness is its slope. So the same curve predicts other loads, the energy, the tangential stiffness, and even the
 electrical and thermal resistance of the contact. This page checks each against the exact answer.
 """
