@@ -87,7 +87,7 @@ def test_a_path_without_a_home_is_no_place():
     assert not caches._writable(Path(os.devnull) / "numba")
 
 
-def test_without_any_place_kernels_are_kept_nowhere_and_figures_are_refused(place, monkeypatch):
+def test_without_any_place_kernels_are_stored_nowhere_and_figures_are_refused(place, monkeypatch):
     def none():
         raise FileNotFoundError("No usable temporary directory found")
 

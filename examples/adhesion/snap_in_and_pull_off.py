@@ -42,7 +42,7 @@ assert np.isclose(snap_in.loss / unit, 6.418315112, rtol=1e-9)
 # The curve of equilibrium below it
 # ---------------------------------
 # Every contact radius has one depth and one force. Grips that hold the depth cannot follow the curve where it bends
-# back: the dashed part is never seen.
+# back: the dashed part is never measured.
 
 radius = np.geomspace(2e-6, 1.05 * touch.radius.max(), 500)
 states = AdhesiveIndentation(bed, law, Radius(radius)).solve()

@@ -163,7 +163,7 @@ def interrupt():
     raise KeyboardInterrupt
 
 
-def test_what_was_fitted_before_a_stop_is_kept_and_the_same_command_goes_on(here, monkeypatch, capsys):
+def test_what_was_fitted_before_a_stop_is_stored_and_the_same_command_goes_on(here, monkeypatch, capsys):
     assert main(["fit", "gel.toml", "--quiet", "--output", "whole"]) == 0
     with monkeypatch.context() as patch:
         stopping(patch, "curve3.csv", interrupt)
@@ -284,10 +284,10 @@ def test_ctrl_c_prints_the_best_numbers_so_far(here, monkeypatch, capsys):
 
     plain = Search.record
 
-    def stopped(self, *seen):
+    def stopped(self, *evaluation):
         if self.evaluations == 9:
             os.kill(os.getpid(), signal.SIGINT)
-        plain(self, *seen)
+        plain(self, *evaluation)
 
     monkeypatch.setattr(Search, "record", stopped)
     one_curve(here)

@@ -212,7 +212,7 @@ def test_what_is_commented_out_is_valid_too(load):
     assert len(outcome.solved) == 9
 
 
-def test_new_does_not_replace_a_file_unasked(here, capsys):
+def test_new_does_not_replace_a_file_without_consent(here, capsys):
     (here / "indentation.toml").write_text("mine")
     assert main(["new"]) == 2
     assert capsys.readouterr().err == (
@@ -486,19 +486,19 @@ def test_help_keeps_what_stands_in_brackets(capsys, monkeypatch):
     from winkler.cli.app import app
 
     monkeypatch.setenv("COLUMNS", "200")
-    seen = []
+    listed = []
     for command in app.registered_commands:
         callback = command.callback
         hints = typing.get_type_hints(callback, include_extras=True)
         given = [note.help for hint in hints.values() for note in getattr(hint, "__metadata__", ())]
         message = "\n".join(filter(None, [callback.__doc__, *given])).replace("\\[", "[")
         brackets = re.findall(r"\[[a-z]+\]", message)
-        seen += brackets
+        listed += brackets
         assert main([callback.__name__, "--help"]) == 0
         shown = capsys.readouterr().out
         for bracket in brackets:
             assert bracket in shown, (callback.__name__, bracket)
-    assert {"[fit]", "[app]", "[s]"} <= set(seen)
+    assert {"[fit]", "[app]", "[s]"} <= set(listed)
 
 
 @pytest.mark.parametrize(

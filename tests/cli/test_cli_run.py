@@ -226,9 +226,9 @@ def test_a_full_disk_leaves_nothing(here, monkeypatch, capsys):
 
     monkeypatch.setattr("winkler.study.report.writing.study_text", full)
     assert main(["run", "ball.toml"]) == 2
-    said = capsys.readouterr().err
-    assert "cannot be written (no space left on device); give" in said
-    assert said.count("\n") == 1
+    errors = capsys.readouterr().err
+    assert "cannot be written (no space left on device); give" in errors
+    assert errors.count("\n") == 1
     assert [path.name for path in here.iterdir()] == ["ball.toml"]
 
 

@@ -25,7 +25,7 @@ FOUND = Path(__file__).parent / "found"
 LIMIT = 20.0
 """Seconds of processor time after which a case hangs; nothing is timed otherwise."""
 MEMORY = 2 * 2**30
-"""Bytes that a case may ask for beyond what stands already."""
+"""Bytes that a case may allocate beyond what is in use already."""
 SHOWN = 5
 """Faults that are shown of one test."""
 

@@ -213,7 +213,7 @@ MARCHING = ("viscoelastic_adhesion", "fretting_wear", "sliding_wear")
 
 
 def solvable(rng: Random, problem: str) -> dict[str, Any]:
-    """Return a study of a problem to be solved: a variation of one of the examples that ask it."""
+    """Return a study of a problem to be solved: a variation of one of the examples that state it."""
     known = [study["problem"] for study in examples().values() if study["problem"]["kind"] == problem]
     chosen = rng.choice([table for table in known if problem not in MARCHING or not _lasts(table)])
     wide = 0.0 if problem in MARCHING or _lasts(chosen) or rng.random() < 0.05 else rng.choice((0.0, 1.0, 4.0))

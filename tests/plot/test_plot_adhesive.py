@@ -1,4 +1,4 @@
-"""Pictures of bodies that stick: what they draw is what the answers say, and what is cut off is said."""
+"""Pictures of bodies that stick: what they draw is what the solutions state, and what is cut off is stated."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ def test_every_answer_has_a_picture(name):
         assert all("[" in label for label in labels) or not axes.axison
 
 
-def test_the_tension_at_the_edge_is_cut_off_and_said():
+def test_the_tension_at_the_edge_is_cut_off_and_stated():
     axes = draw(STUCK).axes[2]
     text = texts(axes.figure)
     assert "infinite tension at the edge, cut off" in text

@@ -143,7 +143,7 @@ def test_bounds(low, high, unit, content):
     assert fit_form.bounds(low, high, unit) == content
 
 
-def test_both_studies_are_kept_while_one_turns():
+def test_both_studies_are_unchanged_while_one_turns():
     calls = []
     entered = StudyForm(lambda: calls.append("form"), lambda: calls.append("solve"))
     entered.change("problem.load.force", "3 N", "quantity [N]")

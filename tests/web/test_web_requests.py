@@ -120,15 +120,15 @@ def test_a_march_reports_progress_and_ends_for_another_study(kind, total, tmp_pa
     mine.send(Solve(1, tomli_w.dumps(form.initial_table(kind)), Path(tmp_path), True))
     assert mine.recv() == (1, Progress(1, total))
     mine.send(Solve(2, tomli_w.dumps(form.initial_table("indentation")), Path(tmp_path), True))
-    said = []
-    while (2, "MomentComplete") not in said:
+    replies = []
+    while (2, "MomentComplete") not in replies:
         assert mine.poll(60.0)
         number, reply = mine.recv()
-        said.append((number, type(reply).__name__))
+        replies.append((number, type(reply).__name__))
     mine.close()
     worker.join(20.0)
-    assert {kind for number, kind in said if number == 1} <= {"Progress", "Done"}
-    assert (1, "Done") in said
+    assert {kind for number, kind in replies if number == 1} <= {"Progress", "Done"}
+    assert (1, "Done") in replies
 
 
 def _worked(pipe):

@@ -44,7 +44,7 @@ def test_a_run_with_figures_and_report(closed, tmp_path, monkeypatch):
     assert closed == []
 
 
-def test_words_that_only_tell(closed, capsys):
+def test_commands_that_only_print(closed, capsys):
     for words in (["show"], ["show", "materials"], ["show", "sphere"], ["--version"]):
         assert main(words) == 0
     assert capsys.readouterr().out

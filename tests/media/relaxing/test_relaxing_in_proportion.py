@@ -180,7 +180,7 @@ def test_what_has_no_single_answer():
         medium.gap_load(BALL, x)
 
 
-def test_what_is_assumed_is_said():
+def test_what_is_assumed_is_stated():
     found = pressed(bed(FILM), [0.0, 1.0], Depth([0.0, 0.01]), count=50)
     text = " ".join(note.statement for note in found.validity)
     assert "same function of time" in text

@@ -42,15 +42,15 @@ MAP = [curve(0), UnreadCurve("map.jpk, curve 1", "map.jpk: it is broken."), curv
 @pytest.fixture
 def counted(monkeypatch):
     """Count the curves that are fitted."""
-    seen = []
+    calls = []
     plain = fit_run._fit_curve
 
     def watched(study, one, where, watch):
-        seen.append(one)
+        calls.append(one)
         return plain(study, one, where, watch)
 
     monkeypatch.setattr(fit_run, "_fit_curve", watched)
-    return seen
+    return calls
 
 
 def fitted(path, study=STUDY, todo=MAP, count=None):
@@ -157,7 +157,7 @@ def test_a_batch_without_any_answer_leaves_no_journal(tmp_path):
 
 
 @pytest.mark.parametrize(("before", "sentence"), [(2, "2 of 4 curves are kept in '{}'"), (0, "No curve was fitted.")])
-def test_when_workers_die_it_is_said_what_is_kept(before, sentence, tmp_path, monkeypatch):
+def test_when_workers_die_it_is_stated_what_is_stored(before, sentence, tmp_path, monkeypatch):
     def dead(*_):
         raise NotConverged("workers: a worker process ended before its time.")
 

@@ -122,14 +122,14 @@ def test_what_dask_raises_becomes_a_sentence(monkeypatch):
     distributed = pytest.importorskip("distributed")
     deadly = distributed.KilledWorker("_solved-1", types.SimpleNamespace(address="tcp://host:9"), 3)
     raised = iter((deadly, CancelledError(), OSError("in <TCP>: Stream is closed")))
-    said = ("died whenever they solved certain points", *2 * ("is gone; start it and its workers, and run again",))
+    sentences = ("died whenever they solved certain points", *2 * ("is gone; start it and its workers, and run again",))
 
     def broken(*_, **__):
         raise next(raised)
 
     with inside() as local:
         monkeypatch.setattr("distributed.wait", broken)
-        for sentence in said:
+        for sentence in sentences:
             with pytest.raises(NotConverged, match=sentence):
                 run(ONE_BY_ONE, workers=Cluster(local.scheduler_address))
 

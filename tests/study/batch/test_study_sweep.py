@@ -148,18 +148,18 @@ def test_wrong_numbers_of_workers(workers):
 
 def test_points_are_a_stream():
     """A point is handed out before the next one is solved."""
-    seen = []
+    forces = []
 
     class Recorded(wk.Indentation):
         def solve(self):
-            seen.append(self.load.force)
+            forces.append(self.load.force)
             return super().solve()
 
     points = solve_points(Study("x", Recorded(BED, wk.Force(1.0)), sweep=(FORCES,)))
     next(points)
-    assert seen == [1.0]
+    assert forces == [1.0]
     next(points)
-    assert seen == [1.0, 2.0]
+    assert forces == [1.0, 2.0]
 
 
 def test_a_pool_gives_the_same_numbers():

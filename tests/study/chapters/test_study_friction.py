@@ -162,7 +162,7 @@ PULLED = dataclasses.replace(
 """Friction bears 20 N."""
 
 
-def test_what_was_reached_before_an_error_is_kept():
+def test_what_was_reached_before_an_error_is_stored():
     march = solve_march(PULLED)
     assert march.code == OutsideValidity("").exit_code
     assert march.stopped.startswith("After 3 of 5 points of the path, which are kept, the march ended: Tangential: at")
@@ -188,7 +188,7 @@ def test_an_interrupted_march_keeps_what_it_reached():
     assert np.array_equal(points[0].answers["shear_force"], RUBBED.solve().shear_force[:4])
 
 
-def test_nothing_is_kept_of_a_march_that_did_not_begin():
+def test_nothing_is_stored_of_a_march_that_did_not_begin():
     def watch(states, total):
         raise KeyboardInterrupt
         yield
@@ -303,7 +303,7 @@ def test_examples_with_every_part_of_a_path_have_an_answer(name):
     assert problem.solve() is not None
 
 
-def test_the_command_says_what_an_interrupted_march_kept(tmp_path, monkeypatch, capsys):
+def test_the_command_states_what_an_interrupted_march_stored(tmp_path, monkeypatch, capsys):
     from winkler.cli import main
     from winkler.problems.friction.tangential import Tangential
 

@@ -179,11 +179,11 @@ def test_the_study_of_three_layers_lies_between_its_layer_and_its_stiffest_part(
     outcome = run(study)
     assert outcome.failed == ()
     medium = study.problem.bed.medium
-    seen = (outcome.answer("stiffness") / (2.0 * outcome.answer("radius")))[:, 0]
+    apparent = (outcome.answer("stiffness") / (2.0 * outcome.answer("radius")))[:, 0]
     tip = wk.Elastic(1140e9, 0.07)
     soft = wk.HalfSpace(wk.Elastic(180e9, 0.22), tip).modulus
     hard = wk.HalfSpace(wk.Elastic(300e9, 0.24), tip).modulus
     assert medium.modulus == pytest.approx(soft, rel=1e-14)
-    assert np.all((seen > soft) & (seen < hard))
-    assert np.all(np.diff(seen) > 0.0)
+    assert np.all((apparent > soft) & (apparent < hard))
+    assert np.all(np.diff(apparent) > 0.0)
     assert outcome.answer("depth")[:, 0].tolist() == pytest.approx([1e-8, 2e-8, 5e-8, 1e-7, 2e-7, 3e-7], rel=1e-12)

@@ -27,17 +27,17 @@ SENTENCE = "winkler made a mistake (LookupError: no such word at winkler.study.b
 @pytest.fixture
 def broken(monkeypatch):
     """Let winkler stumble over the force of 2 N, and count what is solved."""
-    seen = []
+    solved = []
 
     @functools.wraps(SOLVE)
     def solve(self):
-        seen.append(self.load.force)
+        solved.append(self.load.force)
         if self.load.force == 2.0:
             raise LookupError("no such\n word")
         return SOLVE(self)
 
     monkeypatch.setattr(wk.Indentation, "solve", solve)
-    return seen
+    return solved
 
 
 def test_the_others_are_solved(broken):

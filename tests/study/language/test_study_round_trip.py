@@ -238,7 +238,7 @@ def test_equal_values_have_one_canonical_form():
     assert '"inf"' in canonical(one)  # the strength that was not given
 
 
-def test_examples_stand_where_they_are_said_to_stand():
+def test_examples_stand_where_they_are_stated_to_stand():
     for name in kinds():
         table = table_at(example_study(name), place_of(name))
         assert table["kind"] == name or f"'kind': '{name}'" in str(table)

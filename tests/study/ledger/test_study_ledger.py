@@ -145,12 +145,12 @@ def test_every_physics_has_two_outside_sources():
 
 def test_no_case_says_the_same_as_another():
     """Problem, sweep and expectations of any two cases differ."""
-    seen: dict[str, str] = {}
+    stems: dict[str, str] = {}
     for path in case_files():
         content = tomllib.loads(path.read_text(encoding="utf-8"))
         message = repr([content.get(key) for key in ("problem", "function", "sweep", "fit", "expect")])
-        assert message not in seen, (path.stem, seen[message])
-        seen[message] = path.stem
+        assert message not in stems, (path.stem, stems[message])
+        stems[message] = path.stem
 
 
 @pytest.mark.parametrize(
@@ -176,7 +176,7 @@ def test_a_case_is_in_its_chapter(name, chapter):
     assert chapter in CHAPTERS
 
 
-def test_cases_ask_for_problems_that_are_there():
+def test_cases_solve_problems_that_are_there():
     contents = [tomllib.loads(path.read_text(encoding="utf-8")) for path in case_files()]
     solved = {content["problem"]["kind"] for content in contents if "problem" in content}
     assert solved <= set(CATALOGUE["problem"])

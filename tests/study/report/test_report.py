@@ -231,7 +231,7 @@ def test_failed_points_are_listed_with_their_reasons(written, page):
     assert f"radius = 2 mm: {outcome.failed[0].reason}" in text
 
 
-def test_what_is_not_known_is_said_in_a_sentence(page):
+def test_what_is_not_known_is_stated_in_a_sentence(page):
     text = Page(page("crystal")).text
     assert "Not shown: The stresses inside a TransverselyIsotropicHalfSpace are not known to winkler" in text
     text = Page(page("no contact")).text
