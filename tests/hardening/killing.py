@@ -1,8 +1,8 @@
 """A process that has winkler loaded and warm, and forks children which run one command and are killed before its end.
 
 It reads one request per line from its standard input and replies with one line: see `request` of `Killer`.  A child
-gets its signal before the n-th operation on a file (a hook of the interpreter counts them), or after so many seconds of its
-own processor time, which does not depend on how busy the machine is.
+gets its signal before the n-th operation on a file (a hook of the interpreter counts them), or after so many seconds of
+its own processor time, which does not depend on how busy the machine is.
 """
 
 from __future__ import annotations
