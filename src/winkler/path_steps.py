@@ -18,6 +18,7 @@ from winkler.numerics.equations.oscillation_times import sine, swings
 from winkler.numerics.types import Array
 from winkler.path import PER_CYCLE, OneNormal, OnePositiveSwing, Path, numbers_of
 from winkler.values import value
+from winkler.vocabulary import words
 
 __all__ = ["Circle", "Follow", "Hold", "Kept", "Oscillate", "Ramp", "Rows", "Start", "Step"]
 
@@ -100,6 +101,8 @@ class Ramp:
         If a load is of another kind or an array, or a number out of bounds.
     """
 
+    __words__ = words(duration=("T", "s", "how long it takes"))
+
     normal: NextNormal = Kept()
     lateral: NextLateral = Kept()
     duration: NonNegative = 1.0
@@ -133,6 +136,8 @@ class Hold:
     InvalidInput
         If a number is out of its range.
     """
+
+    __words__ = words(duration=("T", "s", "how long"))
 
     duration: NonNegative = 1.0
     count: Annotated[int, Whole(1, PATH_POINTS, "points")] = 1
@@ -172,6 +177,8 @@ class Oscillate:
     InvalidInput
         If a load is of another kind or an array, or a number out of bounds.
     """
+
+    __words__ = words(phase=(r"\varphi", "rad", "by which the lateral load is ahead"))
 
     normal: NextNormal = Kept()
     lateral: NextLateral = Kept()
@@ -251,6 +258,8 @@ class Follow:
     InvalidInput
         If there is no path, or the number is not a whole one, at least one.
     """
+
+    __words__ = words(cycles=("n", None, "how many times"), path=("", None, "a path with its own loads"))
 
     path: Path
     cycles: Count = 1

@@ -99,7 +99,7 @@ def specimen(name: str) -> Any:
 
 def differences(solution: Any, other: Any, units: Units, close: float) -> list[str]:
     """Return in which answers a solution and that in other units differ."""
-    owner = type(solution).__name__
+    owner = type(solution)
     before, after = answers_of(solution), answers_of(other)
     if list(before) != list(after):
         return [f"answers: {sorted(set(before) ^ set(after))}"]
@@ -109,7 +109,7 @@ def differences(solution: Any, other: Any, units: Units, close: float) -> list[s
         got = np.asarray(after[name])
         limit = close
         if close > SAME:
-            limit = max(close, ROUNDED.get((owner, name), Rounded(0.0, "")).tolerance)
+            limit = max(close, ROUNDED.get((owner.__name__, name), Rounded(0.0, "")).tolerance)
         if np.isinf(limit):
             continue
         if got.shape != expected.shape:
@@ -144,7 +144,7 @@ def field_differences(fields: Any, others: Any, units: Units) -> list[str]:
     for field in dataclasses.fields(fields):
         content = getattr(fields, field.name)
         if isinstance(content, np.ndarray):
-            expected = content * units.factor(word(type(fields).__name__, field.name).unit or "")
+            expected = content * units.factor(word(type(fields), field.name).unit or "")
             size = float(np.max(np.abs(expected[np.isfinite(expected)]), initial=0.0))
             if not np.allclose(getattr(others, field.name), expected, rtol=0.0, atol=CLOSE * size, equal_nan=True):
                 found.append(field.name)

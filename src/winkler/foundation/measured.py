@@ -26,6 +26,7 @@ from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, ArrayLike
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
+from winkler.vocabulary import words
 
 __all__ = ["MeasuredBed"]
 
@@ -68,6 +69,11 @@ class MeasuredBed:
     InvalidInput
         If the arrays do not fit one another, or do not rise.
     """
+
+    __words__ = words(
+        radii=("a_i", "m", "contact radii, those of discs of equal stiffness"),
+        depths=("d_i", "m", "indentation depths, one for each contact radius"),
+    )
 
     radii: Annotated[Array, Numbers(NON_NEGATIVE, FEWEST, MEASURED_PLACES, "rising"), GROW]
     stiffnesses: Annotated[Array, Numbers(NON_NEGATIVE, FEWEST, MEASURED_PLACES, "rising"), GROW]

@@ -17,6 +17,7 @@ from winkler.foundation.bed import Bed, Pressed
 from winkler.media.medium import Displacement
 from winkler.numerics.types import Array, Quantity
 from winkler.values import value
+from winkler.vocabulary import words
 
 __all__ = ["ShearRamps", "ShearStep", "ShearedSprings"]
 
@@ -37,6 +38,13 @@ class ShearRamps:
     jump : float
         Step at the last radius [m].
     """
+
+    __words__ = words(
+        depths=(r"\gamma_j", "m", "depths at which ramps of the springs' displacement end"),
+        radii=("x_j", "m", "contact radii at these depths"),
+        slopes=("B_j", "", "slopes of the ramps"),
+        jump=("J", "m", "step at the last radius"),
+    )
 
     bed: Bed
     radii: Array
@@ -98,6 +106,8 @@ class ShearStep:
         u_t [m].
     """
 
+    __words__ = words(edge=("u_t", "m", "how far the springs are stretched"))
+
     radius: float
     edge: float
 
@@ -141,6 +151,13 @@ class ShearedSprings:
     InvalidInput
         If the shapes do not fit.
     """
+
+    __words__ = words(
+        depths=(r"\gamma_j", "m", "depths at which ramps of the springs' displacement end"),
+        radii=("x_j", "m", "contact radii at these depths"),
+        slopes=("B_j", "", "slopes of the ramps"),
+        steps=("J_j", "m", "steps of the springs' displacement"),
+    )
 
     pressed: Pressed
     mindlin_ratio: float

@@ -87,7 +87,7 @@ def _columns(solution: Any) -> dict[str, tuple[Word, Array]]:
         if not isinstance(numbers, np.ndarray) or numbers.dtype.kind != "f":
             continue
         steps = steps or len(numbers)
-        known = word(type(solution).__name__, field.name)
+        known = word(type(solution), field.name)
         if numbers.shape == (steps,):
             found[field.name] = (known, numbers)
         elif numbers.shape == (steps, 2):

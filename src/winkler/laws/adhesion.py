@@ -13,6 +13,7 @@ from typing import Annotated
 from winkler.checks.number_checks import NON_NEGATIVE, POSITIVE, Advice, Positive, checked
 from winkler.errors import InvalidInput
 from winkler.values import value
+from winkler.vocabulary import words
 
 __all__ = ["AdhesionLaw", "DerjaguinMullerToporov", "Dugdale", "ShortRange"]
 
@@ -110,6 +111,8 @@ class Dugdale:
     >>> Dugdale(work=0.05, strength=100e6).range
     5e-10
     """
+
+    __words__ = words(strength=(r"\sigma_0", "Pa", "stress with which the surfaces attract each other"))
 
     work: Annotated[Positive, ATTRACTION]
     strength: Annotated[Positive, ATTRACTION]

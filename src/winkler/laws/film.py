@@ -7,6 +7,7 @@ from typing import Annotated
 
 from winkler.checks.number_checks import POSITIVE_OR_INFINITE, NonNegative
 from winkler.values import value
+from winkler.vocabulary import words
 
 __all__ = ["SurfaceFilm", "ThermalInterface"]
 
@@ -46,6 +47,8 @@ class ThermalInterface:
     InvalidInput
         If it is not positive.
     """
+
+    __words__ = words(area_resistance=("1/h", "m^2 K/W", "temperature drop per heat flux"))
 
     interface_conductance: Annotated[float, PASSING] = math.inf
 

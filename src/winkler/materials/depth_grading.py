@@ -25,6 +25,7 @@ from winkler.checks.number_checks import (
 from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
 from winkler.values import value
+from winkler.vocabulary import words
 
 __all__ = ["DepthGrading", "ExponentialGrading", "SigmoidalGrading", "TabulatedGrading"]
 
@@ -69,6 +70,8 @@ class ExponentialGrading:
     poisson : float
         The same everywhere [-].
     """
+
+    __words__ = words(depth_scale=("c_0", "m", "depth over which the difference of moduli falls to 1/e"))
 
     surface_young: PositiveNotTiny
     deep_young: PositiveNotTiny

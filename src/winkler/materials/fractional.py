@@ -21,6 +21,7 @@ from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.numerics.types import Array
 from winkler.values import value
+from winkler.vocabulary import words
 
 __all__ = ["FractionalZener", "PowerLawSolid"]
 
@@ -72,6 +73,8 @@ class PowerLawSolid(ViscoelasticSolid):
     >>> bool(abs(cell.relaxation(0.01) / (500.0 * 0.01**-0.2) - 1.0) <= cell.series_error <= 1e-4)
     True
     """
+
+    __words__ = words(exponent=(r"\alpha", "", "power of time by which a stress relaxes"))
 
     shear: Positive
     time_scale: Positive
@@ -148,6 +151,8 @@ class FractionalZener(ViscoelasticSolid):
     >>> round(float(solid.relaxation(1.0)), 5)  # e erfc(1)
     0.42758
     """
+
+    __words__ = words(exponent=(r"\alpha", "", "power of time by which a stress relaxes"))
 
     relaxed_shear: NonNegative
     shear: Positive

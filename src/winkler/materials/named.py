@@ -13,6 +13,7 @@ from winkler.errors import InvalidInput, suggest
 from winkler.materials.conductor import ElectricalConductor, ThermalConductor
 from winkler.materials.elastic import Elastic
 from winkler.values import value
+from winkler.vocabulary import words
 
 __all__ = [
     "Figure",
@@ -40,6 +41,12 @@ class Figure:
     source : str
         Where it stands.
     """
+
+    __words__ = words(
+        quantity=("", None, "word of the glossary that a number stands for"),
+        number=("", None, "a number in the glossary's SI unit"),
+        source=("", None, "where a number stands"),
+    )
 
     quantity: str
     number: float
@@ -72,6 +79,12 @@ class NamedMaterial:
     >>> silica.number("density")
     2203.0
     """
+
+    __words__ = words(
+        name=("", None, "name of the material"),
+        told=("", None, "which sort of the material"),
+        figures=("", None, "the numbers that are known, with their sources"),
+    )
 
     name: str
     told: str
@@ -177,6 +190,8 @@ class NamedElastic(Elastic):
     411000000000.0
     """
 
+    __words__ = words(name=("", None, "name in the table of materials"))
+
     young: float = dataclasses.field(init=False, default=math.nan)
     poisson: float = dataclasses.field(init=False, default=math.nan)
     strength: float = dataclasses.field(init=False, default=math.inf)
@@ -206,6 +221,8 @@ class NamedElectricalConductor(ElectricalConductor):
     1.587e-08
     """
 
+    __words__ = words(name=("", None, "name in the table of materials"))
+
     resistivity: float = dataclasses.field(init=False, default=math.nan)
     temperature_coefficient: float = dataclasses.field(init=False, default=0.0)
     name: str
@@ -233,6 +250,8 @@ class NamedThermalConductor(ThermalConductor):
     >>> round(NamedThermalConductor("copper").diffusivity * 1e6, 1)
     116.2
     """
+
+    __words__ = words(name=("", None, "name in the table of materials"))
 
     conductivity: float = dataclasses.field(init=False, default=math.nan)
     diffusivity: float = dataclasses.field(init=False, default=math.nan)

@@ -20,6 +20,7 @@ from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries, merged, of_creep
 from winkler.numerics.types import Array
 from winkler.values import value
+from winkler.vocabulary import words
 
 __all__ = ["CreepData", "DynamicData", "RelaxationData"]
 
@@ -127,6 +128,8 @@ class CreepData(_Measured):
     >>> bool(fluid.series_error < 1e-3)
     True
     """
+
+    __words__ = words(compliance=("J", "1/Pa", "shear compliance, one number for each time"))
 
     time: Annotated[Array, Numbers(POSITIVE, FEWEST, MEASURED_TIMES, "rising"), SORT]
     compliance: Annotated[Array, Numbers(POSITIVE, FEWEST, MEASURED_TIMES)]

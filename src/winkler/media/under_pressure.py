@@ -29,6 +29,7 @@ from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.transforms.cosine_transform import Response, transform
 from winkler.numerics.types import Array
 from winkler.values import value
+from winkler.vocabulary import words
 
 __all__ = ["PressedIn", "pressed_in"]
 
@@ -64,6 +65,13 @@ class PressedIn:
     share : Panels
         K phi [m] as a function of x, zero without layers.
     """
+
+    __words__ = words(
+        exponent=("k", "", "exponent of the grading"),
+        uniform=("", "m", "how far springs sink under the pressure at the edge"),
+        bulge=("", None, "how far springs sink under the rest of the pressure, on panels"),
+        share=("", None, "what layers add to the displacement of the springs, on panels"),
+    )
 
     radius: float
     exponent: float

@@ -29,6 +29,7 @@ from winkler.profiles.profile import Shape
 from winkler.profiles.smoothing import Spline, choose
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
+from winkler.vocabulary import words
 
 __all__ = ["Measured"]
 
@@ -60,6 +61,10 @@ class Measured(Shape):
     --------
     winkler.read_profile : reads a file with units, and folds a scan that crosses the apex.
     """
+
+    __words__ = words(
+        radii=("r_i", "m", "measured distances from the axis"), heights=("f_i", "m", "measured heights above the apex")
+    )
 
     radii: Annotated[Array, Numbers(NON_NEGATIVE, fewest=0, most=4 * MEASURED_PLACES), FOLD]
     heights: Annotated[Array, Numbers(fewest=0, most=4 * MEASURED_PLACES), Advice("remove these points")]

@@ -13,6 +13,7 @@ from winkler.checks.number_checks import Positive, PositiveNotTiny, PositiveOfAn
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape
 from winkler.values import value
+from winkler.vocabulary import words
 
 __all__ = ["Paraboloid", "PowerLaw"]
 
@@ -83,6 +84,11 @@ class PowerLaw(Shape):
     ----------
     L. A. Galin, Prikl. Mat. Mekh. 10 (1946) 425-448.
     """
+
+    __words__ = words(
+        coefficient=("c", "m^(1-n)", "coefficient of the shape f = c r^n"),
+        exponent=("n", "", "exponent of the shape f = c r^n"),
+    )
 
     coefficient: PositiveOfAnySize
     exponent: Positive

@@ -27,6 +27,7 @@ from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.outline import BASELINE_POINTS, FEWEST, STANDS_OUT, Outline, far_force, one_way, outline
 from winkler.numerics.types import Array
 from winkler.values import value
+from winkler.vocabulary import words
 
 __all__ = ["Flag", "Outline", "examined", "outline", "refuse", "unsaturated"]
 
@@ -54,6 +55,8 @@ class Flag:
     statement : str
         One sentence.
     """
+
+    __words__ = words(name=("", None, "one word"), statement=("", None, "one sentence"))
 
     name: str
     statement: str

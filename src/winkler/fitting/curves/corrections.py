@@ -13,6 +13,7 @@ from winkler.fitting.curves.checks import outline
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.numerics.types import Array
 from winkler.values import value
+from winkler.vocabulary import words
 
 __all__ = [
     "FreeLine",
@@ -46,6 +47,11 @@ class FreeLine:
     noise : float
         Standard deviation of the force about the line [N].
     """
+
+    __words__ = words(
+        origin=("D", "m", "position at which the baseline holds"),
+        noise=(r"\sigma", "N", "standard deviation of the force about the line"),
+    )
 
     origin: float
     baseline: float

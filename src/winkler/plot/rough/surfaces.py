@@ -14,7 +14,7 @@ from winkler.plot.drawing import sheet_of
 from winkler.plot.normal.springs import at_first_touch, springs_panel
 from winkler.plot.panel import Axis, Bars, Line, Panel, Sheet, titled
 from winkler.plot.rough.roughness import Bounds, heights_of, image_of, map_panel, models_panel
-from winkler.plot.series import Series, series, told
+from winkler.plot.series import Series, series, shared_series, told
 from winkler.plot.viscoelastic.contacts import refuse_extent
 from winkler.problems.rough.reduce import ReductionSolution
 from winkler.problems.rough.surface_conduction import SurfaceConductionSolution
@@ -32,14 +32,14 @@ ELEMENTS, LINES, PART = "boundary elements", "lines of springs", "part of the ma
 
 def _map_panels(item: Topography, state: SurfaceState) -> tuple[Panel, ...]:
     """Return contact, pressure and distance."""
-    touching = series("SurfaceState", "pressure", np.where(state.pressure > 0.0, 1.0, np.nan))
+    touching = shared_series("pressure", np.where(state.pressure > 0.0, 1.0, np.nan))
     contact = dataclasses.replace(image_of(item, touching, (style.RED,)), place="")
     relief = map_panel(item, heights_of(item), style.RELIEFS, label="height $z$", lowest=np.inf)
-    pressed = series("SurfaceState", "pressure", np.where(state.pressure > 0.0, state.pressure, np.nan))
+    pressed = shared_series("pressure", np.where(state.pressure > 0.0, state.pressure, np.nan))
     panels = (
         relief.plus(contact),
         map_panel(item, pressed, style.SHADES),
-        map_panel(item, series("SurfaceState", "separation", state.separation), style.SHADES),
+        map_panel(item, shared_series("separation", state.separation), style.SHADES),
     )
     share = 100.0 * float(state.area) / item.area
     return titled(panels, f"contact (red): {share:.3g} % of the map", "pressure", "distance of the surfaces")
@@ -143,7 +143,7 @@ def reduction_sheet(item: ReductionSolution, *, extent: float | None = None) -> 
     curves = {"force": k * d - bed.gap_load(radius), "stiffness": k}
     panels = []
     for (name, content), corner in zip(curves.items(), ("upper left", "lower right"), strict=True):
-        along, of = series("ReductionSolution", "depth", d), series("ReductionSolution", name, content)
+        along, of = shared_series("depth", d), shared_series(name, content)
         look: dict[str, Any] = {"width": 0.0, "marker": "o", "size": 4.0, "name": ELEMENTS}
         marks = Line(d, content, name="springs"), Line(item.depth, getattr(item, name), style.RED, **look)
         axes = Axis.of(along, low=0.0), Axis.of(of, low=0.0)

@@ -20,7 +20,7 @@ from winkler.plot.friction.curves import (
     stick_band,
 )
 from winkler.plot.panel import Area, Axis, Line, Panel, Rule, Sheet, note, titled
-from winkler.plot.series import Series, common_scale, series, told
+from winkler.plot.series import Series, common_scale, series, shared_series, told
 from winkler.plot.viscoelastic.contacts import TELLING, depth_and_radius, refuse_extent
 from winkler.plot.viscoelastic.springs import no_contact, recovering_panel, width_of
 from winkler.problems.viscoelastic.adhesion import ViscoelasticAdhesionSolution
@@ -43,7 +43,7 @@ def dragged_sheet(item: ViscoelasticTangentialSolution, *, extent: float | None 
     state, time = item.states[int(bearing[-1]) if bearing.size else 0], _series(item, "time")
     mu = item.problem.law.coefficient
     lines = [(_series(item, "shear_force"), "$F_x$")]
-    lines += bounds(type(item), "shear_force", mu * item.force) if math.isfinite(mu) else []
+    lines += bounds("shear_force", mu * item.force) if math.isfinite(mu) else []
     names = {"friction_loss": "lost to friction", "bulk_loss": "lost in the bodies", "stored_energy": "stored"}
     radii = [(_series(item, "radius"), "contact"), (_series(item, "stick_radius"), "stick")]
     panels = (
@@ -78,9 +78,9 @@ def _loads_panel(state: ViscoelasticTangentialState, coefficient: float) -> Pane
     """Return the load of the springs along the surface, and what friction lets them bear."""
     if state.radius == 0.0:
         return no_contact()
-    along = series("Foundation", "x", state.position)
+    along = shared_series("x", state.position)
     bound = coefficient * state.line_load if math.isfinite(coefficient) else np.zeros(state.line_load.shape)
-    of, limit = (series("ViscoelasticTangentialState", "shear_load", loads) for loads in (state.shear_load, bound))
+    of, limit = (shared_series("shear_load", loads) for loads in (state.shear_load, bound))
     x, y = style.mirrored(along.content, of.content)
     marks = (
         *stick_band(state.stick_radius),
@@ -123,7 +123,7 @@ def sliding_sheet(item: SlidingResistanceSolution, *, extent: float | None = Non
 def _trace_panel(curve: SlidingResistanceSolution, place: int) -> Panel:
     """Return q(x) under the body, which moves to the right."""
     trace = curve.line(tuple(int(part) for part in np.unravel_index(place, np.shape(curve.speed))))
-    along, of = series("Foundation", "x", trace.position), series("SlidingLine", "line_load", trace.line_load)
+    along, of = shared_series("x", trace.position), shared_series("line_load", trace.line_load)
     marks = (
         Line(along.content, of.content),
         Area(along.content, of.content, 0.0),

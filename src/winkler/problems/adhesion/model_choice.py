@@ -27,6 +27,7 @@ from winkler.problems.assumptions.adhesion_range import GREENWOOD, STRETCH
 from winkler.problems.normal.indentation import Indentation
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
+from winkler.vocabulary import words
 
 __all__ = ["ModelError", "Recommendation", "maugis_parameter", "tabor_parameter", "which_model"]
 
@@ -129,6 +130,8 @@ class ModelError:
     pull_off_error, radius_error : float
         Relative [-], against Maugis.
     """
+
+    __words__ = words(pull_off=("F_A", "N", "force at which a dead load tears the contact off"))
 
     model: str
     pull_off: float

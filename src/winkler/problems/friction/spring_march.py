@@ -37,6 +37,7 @@ from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.stiffness_ratio import refuse_plane
 from winkler.validity import Assumption, Note
 from winkler.values import value
+from winkler.vocabulary import words
 
 __all__ = ["SpringMarch", "SpringState", "SpringTrace", "march"]
 
@@ -67,6 +68,8 @@ class SpringTrace:
     stored_energy, dissipation : ndarray, (steps,)
         Of the tangential displacement, and lost since the beginning [J].
     """
+
+    __words__ = words(work=("W", "J", "what the lateral motion has spent since the beginning"))
 
     problem: SpringMarch
     depth: Array

@@ -16,6 +16,7 @@ from winkler.numerics.types import Array, Quantity
 from winkler.path import Path
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
+from winkler.vocabulary import words
 
 __all__ = ["OwnLaw", "Shearing", "SpringLaw", "SpringState", "spring_notes"]
 
@@ -81,6 +82,12 @@ class SpringState:
     displacement : ndarray, (n,) or (n, 2)
         u_t of every spring [m].
     """
+
+    __words__ = words(
+        springs=("", None, "the row of springs"),
+        displacement=("u_t", "m", "displacement of every spring along the surface"),
+        work=("W", "J", "what the lateral motion has spent since the beginning"),
+    )
 
     bed: Bed
     springs: Springs

@@ -18,6 +18,7 @@ from winkler.numerics.fields.round_source import line_source, projected
 from winkler.numerics.types import Array
 from winkler.problems.normal.indentation import IndentationSolution
 from winkler.values import value
+from winkler.vocabulary import words
 
 __all__ = ["HeatSource", "heat_source", "heat_sources", "loads_over"]
 
@@ -36,6 +37,8 @@ class HeatSource:
     source : LineSource
         Line load of the flux, whose integral is 1 W.
     """
+
+    __words__ = words(fast=("", "W/m", "what conductivity, temperature and root of the speed tend to, for 1 W"))
 
     pressed: Pressed
     source: LineSource

@@ -36,6 +36,7 @@ from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.yield_statement import Rubbing
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
+from winkler.vocabulary import words
 
 __all__ = ["TransientHeating", "TransientHeatingSolution"]
 
@@ -90,6 +91,8 @@ class TransientHeating:
     >>> round(float(start.flash_temperature[0] / start.stationary_temperature), 4)
     0.7682
     """
+
+    __words__ = words(speed=("v", "m/s", "speed of sliding"))
 
     bed: Bed
     law: Overcome

@@ -37,6 +37,7 @@ from winkler.problems.impact.states import AdhesiveImpactState
 from winkler.problems.impact.validity import Moments, gravity_note
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
+from winkler.vocabulary import words
 
 __all__ = ["AdhesiveImpact", "AdhesiveImpactSolution"]
 
@@ -196,6 +197,8 @@ class AdhesiveImpactSolution:
     captured : bool
         Whether the body stays: it then swings on in contact.
     """
+
+    __words__ = words(energy=("U", "J", "energy of bodies and surfaces, less what closing has gained"))
 
     problem: AdhesiveImpact
     time: Array

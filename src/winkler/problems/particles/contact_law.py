@@ -26,6 +26,7 @@ from winkler.problems.normal.solve_contact import flat_radius
 from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
 from winkler.validity import Assumption, Note
 from winkler.values import value
+from winkler.vocabulary import words
 
 __all__ = ["ContactLaw", "ContactLawSolution"]
 
@@ -68,6 +69,8 @@ class ContactLaw:
     >>> law.depth.size, bool(law.hermite_error < 1e-3)
     (9, True)
     """
+
+    __words__ = words(deepest=("d", "m", "greatest depth of the table"))
 
     bed: Bed
     deepest: Positive
@@ -179,6 +182,11 @@ class ContactLawSolution:
     linear_error : float
         Bound of the error by straight lines, over the greatest force; of a contact that grows with the depth.
     """
+
+    __words__ = words(
+        hermite_error=("", "", "error of the force by cubics, over the greatest force"),
+        linear_error=("", "", "error by straight lines, over the greatest force, at most"),
+    )
 
     problem: ContactLaw
     depth: Array

@@ -21,6 +21,7 @@ from winkler.numerics.integrals.bisected_quadrature import towards
 from winkler.numerics.types import Array
 from winkler.problems.normal.indentation import IndentationSolution
 from winkler.values import value
+from winkler.vocabulary import words
 
 __all__ = ["RollingLine", "Sticking"]
 
@@ -62,6 +63,8 @@ class RollingLine:
     contact : IndentationSolution
         The contact under its normal load, one number.
     """
+
+    __words__ = words(most=(r"\mu F_N", "N", "shear force from which all springs slide"))
 
     coefficient: float
     contact: IndentationSolution

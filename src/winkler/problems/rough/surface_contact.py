@@ -34,6 +34,7 @@ from winkler.problems.rough.surface_states import SurfaceState
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note
 from winkler.values import value
+from winkler.vocabulary import words
 
 __all__ = ["SurfaceContact", "SurfaceContactSolution"]
 
@@ -248,6 +249,8 @@ class SurfaceContactSolution:
     last : SurfaceState
         The contact under the last load, with its maps of pressure and separation.
     """
+
+    __words__ = words(misfit=("", "", "pressure times gap that is left, over force times depth"))
 
     problem: SurfaceContact
     depth: Quantity

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from winkler.numerics.types import Array
 from winkler.values import value
+from winkler.vocabulary import words
 
 __all__ = ["SurfaceState"]
 
@@ -37,6 +38,8 @@ class SurfaceState:
     separation : ndarray, (nx, ny)
         Distance of the surfaces [m].
     """
+
+    __words__ = words(misfit=("", "", "pressure times gap that is left, over force times depth"))
 
     depth: float
     force: float

@@ -37,6 +37,7 @@ from winkler.problems.viscoelastic.march import Row, elastic_like, refuse_rings,
 from winkler.problems.viscoelastic.states import ViscoelasticState
 from winkler.validity import Assumption, Note
 from winkler.values import value
+from winkler.vocabulary import words
 
 __all__ = ["ViscoelasticIndentation", "ViscoelasticSolution"]
 
@@ -93,6 +94,8 @@ class ViscoelasticIndentation:
     >>> contact.force.round(4), contact.radius.round(3)
     (array([0.    , 0.4881, 0.1857]), array([0.   , 1.   , 0.921]))
     """
+
+    __words__ = words(count=("n", "", "how many springs"))
 
     bed: Bed
     path: Path
@@ -312,6 +315,11 @@ class ViscoelasticSolution:
     dissipation : ndarray, (steps,)
         Energy lost since the beginning [J], summed up over the dashpots of all springs.
     """
+
+    __words__ = words(
+        work=("W", "J", "what was spent since the beginning, the integral of the force"),
+        stored_energy=("U", "J", "energy stored in all springs, also in those set free"),
+    )
 
     problem: ViscoelasticIndentation
     time: Array

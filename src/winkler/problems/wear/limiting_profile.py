@@ -35,6 +35,7 @@ from winkler.problems.normal.yield_statement import Rubbing
 from winkler.problems.wear.validity import debris_note, slip_note
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
+from winkler.vocabulary import words
 
 __all__ = ["Core", "LimitingProfile", "LimitingSolution"]
 
@@ -130,6 +131,8 @@ class LimitingProfile:
     (0.05, 0.1229791, 0.7593)
     """
 
+    __words__ = words(contact=("", None, "the contact before wear"), amplitude=("", None, "amplitude of the shift"))
+
     bed: Foundation
     law: Sliding
     normal: Annotated[Depth, ONE_DEPTH]
@@ -221,6 +224,8 @@ class LimitingSolution:
     radius : float
         a_inf [m], where the worn part ends.
     """
+
+    __words__ = words(radius=(r"a_\infty", "m", "radius where the worn part ends"))
 
     problem: LimitingProfile
     core: Core

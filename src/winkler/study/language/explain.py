@@ -82,7 +82,7 @@ def keys_of(name: str) -> tuple[Key, ...]:
     fields = {field.name: field for field in dataclasses.fields(line.cls)}
     for field, hint in hints(line.cls).items():
         required = fields[field].default is fields[field].default_factory is dataclasses.MISSING
-        known = word(line.cls.__name__, field)
+        known = word(line.cls, field)
         found.append(Key(field, known, _takes(line.cls, field, hint), told.get(field, ""), required))
     if line.reader is not None:
         meaning = "a file with the same content, beside the study, in place of the other keys"
@@ -91,7 +91,7 @@ def keys_of(name: str) -> tuple[Key, ...]:
         for option, hint in options(line).items():
             if option not in fields:
                 plain = hint in (bool, int, str)
-                how = Word("", None, "how the file is read") if plain else word(line.cls.__name__, option)
+                how = Word("", None, "how the file is read") if plain else word(line.cls, option)
                 how = how._replace(meaning=f"{how.meaning}; with a file only")
                 found.append(Key(option, how, _takes(line.cls, option, hint), told.get(option, ""), False))
     return tuple(found)
