@@ -20,7 +20,7 @@ from winkler.errors import InvalidInput
 from winkler.io.whole_file import write_whole_text
 from winkler.numerics.types import Array
 from winkler.problems.answer import is_solution
-from winkler.vocabulary import GLOSSARY, Word, word
+from winkler.vocabulary import GLOSSARY, Word, own_word, word
 
 __all__ = ["CONVENTIONS", "asked_of", "write_trace"]
 
@@ -35,6 +35,8 @@ CONVENTIONS = (
     "Energies are in J since the beginning; dissipation never falls.",
 )
 ENDINGS = (".csv", ".yaml", ".yml")
+Stated = tuple[str, str | float, str]
+"""A dotted name of what was given, its content, its unit."""
 
 
 def write_trace(solution: Any, path: str | os.PathLike[str]) -> Path:
@@ -67,7 +69,7 @@ def write_trace(solution: Any, path: str | os.PathLike[str]) -> Path:
         raise InvalidInput(
             f"write_trace: the {type(solution).__name__} has no columns; solve for many loads, or along a path."
         )
-    asked = asked_of(solution.problem)
+    asked = tuple(_told(solution.problem, "problem"))
     text = _csv(columns, asked) if path.suffix == ".csv" else _yaml(columns, asked)
     write_whole_text(path, text)
     return path
@@ -75,7 +77,7 @@ def write_trace(solution: Any, path: str | os.PathLike[str]) -> Path:
 
 def asked_of(problem: Any) -> dict[str, str | float]:
     """Return what a problem holds, by dotted names; rows are left out."""
-    return dict(_told(problem, "problem"))
+    return {name: content for name, content, _ in _told(problem, "problem")}
 
 
 def _columns(solution: Any) -> dict[str, tuple[Word, Array]]:
@@ -95,16 +97,17 @@ def _columns(solution: Any) -> dict[str, tuple[Word, Array]]:
     return found
 
 
-def _told(thing: Any, name: str) -> Iterator[tuple[str, str | float]]:
-    """Yield what a value holds, by dotted names; rows are columns or paths and are left out."""
+def _told(thing: Any, name: str, unit: str = "") -> Iterator[Stated]:
+    """Yield what a value holds, by dotted names, with units; rows are columns or paths and are left out."""
     if dataclasses.is_dataclass(thing) and not isinstance(thing, type):
-        yield name, type(thing).__name__
+        yield name, type(thing).__name__, ""
         for field in dataclasses.fields(thing):
-            yield from _told(getattr(thing, field.name), f"{name}.{field.name}")
+            entry = own_word(type(thing), field.name) or GLOSSARY.get(field.name)
+            yield from _told(getattr(thing, field.name), f"{name}.{field.name}", (entry and entry.unit) or "")
     elif isinstance(thing, bool | str):
-        yield name, str(thing)
+        yield name, str(thing), ""
     elif isinstance(thing, int | float):
-        yield name, float(thing)
+        yield name, float(thing), unit
     elif isinstance(thing, tuple):
         for index, part in enumerate(thing):
             yield from _told(part, f"{name}.{index}")
@@ -124,12 +127,10 @@ def _unit(known: Word) -> str:
     return known.unit or "-"
 
 
-def _csv(columns: dict[str, tuple[Word, Array]], asked: dict[str, str | float]) -> str:
+def _csv(columns: dict[str, tuple[Word, Array]], asked: tuple[Stated, ...]) -> str:
     lines = [f"# {sentence}" for sentence in CONVENTIONS]
-    for name, thing in asked.items():
-        known = GLOSSARY.get(name.rpartition(".")[2])
-        told = f"{_number(thing)} {known.unit if known and known.unit else ''}" if isinstance(thing, float) else thing
-        lines.append(f"# {name} = {told}".rstrip())
+    for name, thing, unit in asked:
+        lines.append(f"# {name} = {f'{_number(thing)} {unit}' if isinstance(thing, float) else thing}".rstrip())
     lines += [f"# {name} [{_unit(known)}]: {known.meaning}" for name, (known, _) in columns.items()]
     lines.append(", ".join(f"{name} [{_unit(known)}]" for name, (known, _) in columns.items()))
     rows = zip(*(numbers.tolist() for _, numbers in columns.values()), strict=True)
@@ -137,9 +138,9 @@ def _csv(columns: dict[str, tuple[Word, Array]], asked: dict[str, str | float]) 
     return "\n".join(lines) + "\n"
 
 
-def _yaml(columns: dict[str, tuple[Word, Array]], asked: dict[str, str | float]) -> str:
+def _yaml(columns: dict[str, tuple[Word, Array]], asked: tuple[Stated, ...]) -> str:
     lines = ["conventions:", *(f"  - {json.dumps(sentence)}" for sentence in CONVENTIONS), "asked:"]
-    for name, thing in asked.items():
+    for name, thing, _ in asked:
         lines.append(f"  {json.dumps(name)}: {_number(thing) if isinstance(thing, float) else json.dumps(thing)}")
     lines.append("columns:")
     for name, (known, numbers) in columns.items():

@@ -116,10 +116,7 @@ class SaturatingWork:
     array([0.05, 0.55, 1.05])
     """
 
-    __words__ = words(
-        work=("w_0", "J/m^2", "work of slow opening, and of closing, per area"),
-        exponent=("n", "", "exponent of the speed in the work of opening"),
-    )
+    __words__ = RateDependentWork.__words__
 
     work: Positive
     fast_work: Positive

@@ -152,7 +152,7 @@ class FractionalZener(ViscoelasticSolid):
     0.42758
     """
 
-    __words__ = words(exponent=(r"\alpha", "", "power of time by which a stress relaxes"))
+    __words__ = PowerLawSolid.__words__
 
     relaxed_shear: NonNegative
     shear: Positive

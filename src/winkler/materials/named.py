@@ -221,7 +221,7 @@ class NamedElectricalConductor(ElectricalConductor):
     1.587e-08
     """
 
-    __words__ = words(name=("", None, "name in the table of materials"))
+    __words__ = NamedElastic.__words__
 
     resistivity: float = dataclasses.field(init=False, default=math.nan)
     temperature_coefficient: float = dataclasses.field(init=False, default=0.0)
@@ -251,7 +251,7 @@ class NamedThermalConductor(ThermalConductor):
     116.2
     """
 
-    __words__ = words(name=("", None, "name in the table of materials"))
+    __words__ = NamedElastic.__words__
 
     conductivity: float = dataclasses.field(init=False, default=math.nan)
     diffusivity: float = dataclasses.field(init=False, default=math.nan)

@@ -83,7 +83,7 @@ class AdhesiveState:
         Those on the way from the point before.
     """
 
-    __words__ = words(position=("D", "m", "where the far end of the machine stands"))
+    __words__ = EdgeState.__words__
 
     position: float
     depth: float

@@ -36,7 +36,6 @@ from winkler.problems.normal.solve_contact import at_depth, at_force
 from winkler.problems.normal.validity import contact_notes
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
-from winkler.vocabulary import words
 
 __all__ = ["Torsion", "TorsionSolution"]
 
@@ -225,7 +224,7 @@ class TorsionSolution:
         One by one, with the springs from which fields are restored.
     """
 
-    __words__ = words(work=("W", "J", "what the twist has spent since the beginning"))
+    __words__ = TorsionState.__words__
 
     problem: Torsion
     time: Array

@@ -37,7 +37,6 @@ from winkler.problems.impact.states import AdhesiveImpactState
 from winkler.problems.impact.validity import Moments, gravity_note
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
-from winkler.vocabulary import words
 
 __all__ = ["AdhesiveImpact", "AdhesiveImpactSolution"]
 
@@ -198,7 +197,7 @@ class AdhesiveImpactSolution:
         Whether the body stays: it then swings on in contact.
     """
 
-    __words__ = words(energy=("U", "J", "energy of bodies and surfaces, less what closing has gained"))
+    __words__ = AdhesiveImpactState.__words__
 
     problem: AdhesiveImpact
     time: Array

@@ -34,7 +34,6 @@ from winkler.problems.rough.surface_states import SurfaceState
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note
 from winkler.values import value
-from winkler.vocabulary import words
 
 __all__ = ["SurfaceContact", "SurfaceContactSolution"]
 
@@ -250,7 +249,7 @@ class SurfaceContactSolution:
         The contact under the last load, with its maps of pressure and separation.
     """
 
-    __words__ = words(misfit=("", "", "pressure times gap that is left, over force times depth"))
+    __words__ = SurfaceState.__words__
 
     problem: SurfaceContact
     depth: Quantity

@@ -248,10 +248,7 @@ class ViscoelasticAdhesionSolution:
         Energy lost since the beginning [J], in jumps and by opening.
     """
 
-    __words__ = words(
-        position=("D", "m", "where the far end of the machine stands"),
-        work=("W", "J", "what the machine has spent since the beginning"),
-    )
+    __words__ = ViscoelasticAdhesionState.__words__
 
     problem: ViscoelasticAdhesion
     time: Array

@@ -316,10 +316,7 @@ class ViscoelasticSolution:
         Energy lost since the beginning [J], summed up over the dashpots of all springs.
     """
 
-    __words__ = words(
-        work=("W", "J", "what was spent since the beginning, the integral of the force"),
-        stored_energy=("U", "J", "energy stored in all springs, also in those set free"),
-    )
+    __words__ = ViscoelasticState.__words__
 
     problem: ViscoelasticIndentation
     time: Array

@@ -96,7 +96,7 @@ class ViscoelasticTangential:
     array([0.6464, 0.6464])
     """
 
-    __words__ = words(count=("n", "", "how many springs"))
+    __words__ = ViscoelasticIndentation.__words__
 
     bed: Bed
     law: Coulomb
