@@ -69,7 +69,7 @@ def write_trace(solution: Any, path: str | os.PathLike[str]) -> Path:
         raise InvalidInput(
             f"write_trace: the {type(solution).__name__} has no columns; solve for many loads, or along a path."
         )
-    asked = tuple(_told(solution.problem, "problem"))
+    asked = tuple(_stated(solution.problem, "problem"))
     text = _csv(columns, asked) if path.suffix == ".csv" else _yaml(columns, asked)
     write_whole_text(path, text)
     return path
@@ -77,7 +77,7 @@ def write_trace(solution: Any, path: str | os.PathLike[str]) -> Path:
 
 def asked_of(problem: Any) -> dict[str, str | float]:
     """Return what a problem holds, by dotted names; rows are left out."""
-    return {name: content for name, content, _ in _told(problem, "problem")}
+    return {name: content for name, content, _ in _stated(problem, "problem")}
 
 
 def _columns(solution: Any) -> dict[str, tuple[Word, Array]]:
@@ -97,20 +97,20 @@ def _columns(solution: Any) -> dict[str, tuple[Word, Array]]:
     return found
 
 
-def _told(thing: Any, name: str, unit: str = "") -> Iterator[Stated]:
+def _stated(thing: Any, name: str, unit: str = "") -> Iterator[Stated]:
     """Yield what a value holds, by dotted names, with units; rows are columns or paths and are left out."""
     if dataclasses.is_dataclass(thing) and not isinstance(thing, type):
         yield name, type(thing).__name__, ""
         for field in dataclasses.fields(thing):
             entry = own_word(type(thing), field.name) or GLOSSARY.get(field.name)
-            yield from _told(getattr(thing, field.name), f"{name}.{field.name}", (entry and entry.unit) or "")
+            yield from _stated(getattr(thing, field.name), f"{name}.{field.name}", (entry and entry.unit) or "")
     elif isinstance(thing, bool | str):
         yield name, str(thing), ""
     elif isinstance(thing, int | float):
         yield name, float(thing), unit
     elif isinstance(thing, tuple):
         for index, part in enumerate(thing):
-            yield from _told(part, f"{name}.{index}")
+            yield from _stated(part, f"{name}.{index}")
 
 
 def _number(number: float) -> str:
