@@ -9,17 +9,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from winkler.fields import SurfaceFields
-from winkler.plot.series import (
-    Scale,
-    common_scale,
-    middle_scale,
-    places,
-    pretty_unit,
-    scale_of,
-    series,
-    shared_series,
-    told,
-)
+from winkler.plot.series import Scale, common_scale, middle_scale, places, pretty_unit, scale_of, series, told
 
 
 @pytest.mark.parametrize(
@@ -94,12 +84,12 @@ def test_superscripts():
 
 
 def test_a_label_has_name_symbol_and_unit():
-    force = shared_series("force", [0.0, 2e4])
+    force = series("force", [0.0, 2e4])
     assert force.label() == "force $F_N$ [kN]"
     assert_allclose(force.shown(), [0.0, 20.0], rtol=1e-15)
     assert force.label(Scale(1.0, "N")) == "force $F_N$ [N]"
-    assert shared_series("poisson", 0.3).label() == r"Poisson's ratio $\nu$"
-    assert series(SurfaceFields, "gap", 1.0).word.symbol == "h"
+    assert series("poisson", 0.3).label() == r"Poisson's ratio $\nu$"
+    assert series("gap", 1.0, SurfaceFields).word.symbol == "h"
 
 
 def test_every_symbol_of_the_glossary_can_be_drawn(entries):
@@ -116,7 +106,7 @@ def test_every_symbol_of_the_glossary_can_be_drawn(entries):
 
 
 def test_a_common_scale_fits_the_greatest_of_all():
-    small, great = shared_series("gap", [1e-9]), shared_series("gap", [1e-6])
+    small, great = series("gap", [1e-9]), series("gap", [1e-6])
     assert common_scale(small, great).unit == "µm"
 
 

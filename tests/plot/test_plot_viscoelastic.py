@@ -13,7 +13,7 @@ from winkler.plot import draw
 from winkler.plot.decades import Quantity, decades_panel
 from winkler.plot.panel import Sheet
 from winkler.plot.render import render
-from winkler.plot.series import scale_of, shared_series, told
+from winkler.plot.series import scale_of, series, told
 
 RUBBER = wk.StandardSolid(relaxed_shear=1e6, shear=3e6, relaxation_time=0.1)
 MEDIUM = wk.ViscoelasticHalfSpace(RUBBER)
@@ -128,8 +128,8 @@ def test_what_was_asked_lies_on_the_curve():
 
 
 def test_a_curve_that_falls_to_nothing_ends_the_axis():
-    along = shared_series("time", np.geomspace(1.0, 1e2, 9))
-    falling = Quantity(shared_series("shear", np.exp(-along.content)))
+    along = series("time", np.geomspace(1.0, 1e2, 9))
+    falling = Quantity(series("shear", np.exp(-along.content)))
     axes = render(Sheet((decades_panel(along, [falling]),))).axes[0]
     assert axes.get_yscale() == "log"
     assert axes.get_ylim()[0] > 1e-6

@@ -16,7 +16,7 @@ from winkler.numerics.types import Array, ArrayLike
 from winkler.readable import Scale, middle_scale, pretty_unit, scale_of
 from winkler.readable import with_unit as told
 from winkler.values import value
-from winkler.vocabulary import GLOSSARY, Word, word
+from winkler.vocabulary import Word, word
 
 __all__ = [
     "Curve",
@@ -30,7 +30,6 @@ __all__ = [
     "round_numbers",
     "scale_of",
     "series",
-    "shared_series",
     "spoken",
     "told",
 ]
@@ -107,14 +106,9 @@ class Curve(NamedTuple):
     of: Series
 
 
-def series(owner: type, name: str, content: ArrayLike) -> Series:
-    """Return numbers of the field `name` of the class `owner`, with its entry of the glossary."""
+def series(name: str, content: ArrayLike, owner: type = object) -> Series:
+    """Return numbers of the field `name`, with its shared entry of the glossary, or that of the class `owner`."""
     return Series(name, word(owner, name), np.asarray(content, dtype=float))
-
-
-def shared_series(name: str, content: ArrayLike) -> Series:
-    """Return numbers of a quantity that means the same everywhere, with its entry of the glossary."""
-    return Series(name, GLOSSARY[name], np.asarray(content, dtype=float))
 
 
 def common_scale(*many: Series) -> Scale:

@@ -14,7 +14,7 @@ from winkler.loading import Depth, Force, ShearForce, Shift
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.panel import Arrow, Axis, Line, Panel, Polygon, note, zero
-from winkler.plot.series import series, shared_series, told
+from winkler.plot.series import series, told
 from winkler.problems.adhesion.cycle import AdhesiveCycle, AdhesiveCycleSolution
 from winkler.problems.adhesion.cycle_states import AdhesiveState, EdgeState
 from winkler.problems.adhesion.equilibrium import EquilibriumCurve
@@ -80,7 +80,7 @@ def cycle_panels(solution: AdhesiveCycleSolution) -> tuple[Panel, Panel]:
     by_depth = isinstance(solution.problem.path, Depth)
     name = "position" if by_depth else "depth"
     path = _followed(solution)
-    along = series(AdhesiveCycleSolution, name, path.place)
+    along = series(name, path.place, AdhesiveCycleSolution)
     felt = path.place[(path.force != 0.0) | (path.radius > 0.0)]
     low, margin = float(np.min(path.place)), MARGIN * float(np.ptp(path.place))
     if felt.size:  # not the whole path along which the bodies are apart
@@ -88,7 +88,7 @@ def cycle_panels(solution: AdhesiveCycleSolution) -> tuple[Panel, Panel]:
     across = Axis.of(along, margin=MARGIN, low=low if felt.size else None)
     panels = []
     for what, content in (("force", path.force), ("radius", path.radius)):
-        of = series(AdhesiveCycleSolution, what, content)
+        of = series(what, content, AdhesiveCycleSolution)
         marks: list[Any] = [Line(*_broken(path.place, content, path.leaps))]
         for leap in np.flatnonzero(path.leaps):
             start, stop = ((float(path.place[at]), float(content[at])) for at in (leap, leap + 1))
@@ -174,10 +174,10 @@ def sheared_panels(solution: AdhesiveShearSolution) -> tuple[Panel, Panel]:
     share = 1.0 - (1.0 - np.linspace(0.0, 1.0, SHEARED)) ** 2  # dense where the radius falls steeply
     most = Shift(limit.shift * share) if isinstance(problem.lateral, Shift) else ShearForce(limit.shear_force * share)
     whole = AdhesiveShear(problem.bed, problem.law, problem.normal, most).solve()
-    shift = shared_series("shift", whole.shift)
+    shift = series("shift", whole.shift)
     panels = []
     for name, last in (("shear_force", limit.shear_force), ("radius", limit.radius)):
-        of = shared_series(name, getattr(whole, name))
+        of = series(name, getattr(whole, name))
         given = np.abs(np.ravel(solution.shift)), np.abs(np.ravel(getattr(solution, name)))
         end = np.array([float(limit.shift)]), np.array([float(last)])
         marks = (

@@ -14,7 +14,7 @@ from winkler.loading import Depth, Force
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.panel import Arrow, Axis, Line, Panel, Rule, note, zero
-from winkler.plot.series import shared_series
+from winkler.plot.series import series
 from winkler.problems.adhesion.equilibrium import Equilibrium, EquilibriumCurve
 from winkler.problems.adhesion.indentation import AdhesiveIndentation, AdhesiveSolution
 from winkler.problems.adhesion.law_states import states_of
@@ -55,7 +55,7 @@ def radii_panel(curve: EquilibriumCurve) -> Panel:
 
 
 def _over(curve: EquilibriumCurve, name: str) -> Panel:
-    x, y = (shared_series(one, getattr(curve, one)) for one in ("depth", name))
+    x, y = (series(one, getattr(curve, one)) for one in ("depth", name))
     unstable = "" if curve.stable.all() else "unstable"
     lines = [Line(x.content, y.content, style.MUTED, width=1.2, dash=style.DASHES[1], name=unstable)]
     for place, inside in enumerate(_stretches(curve)):

@@ -55,7 +55,7 @@ def conduction_map(item: JouleHeatingSolution | ThermalConstrictionSolution) -> 
 
 
 def _map(fields: CurrentFields | HeatFields, radius: float | None = None) -> Panel:
-    warm = series(type(fields), NAMES[type(fields)].warm, getattr(fields, NAMES[type(fields)].warm))
+    warm = series(NAMES[type(fields)].warm, getattr(fields, NAMES[type(fields)].warm), type(fields))
     x = np.concatenate([-fields.r[:0:-1], fields.r])
     y, c = (np.concatenate([part[:0:-1], part]) for part in (fields.z, warm.content))
     if np.ptp(c) <= 1e-12 * max(1.0, float(np.max(np.abs(c)))):
@@ -68,8 +68,8 @@ def _map(fields: CurrentFields | HeatFields, radius: float | None = None) -> Pan
     if radius is not None:
         marks.append(Line(np.array([-radius, radius]), np.zeros(2), width=3.0))
     scale = scale_of("m", fields.r, fields.z)
-    across = Axis.of(series(type(fields), "r", fields.r), scale)
-    upright = Axis.of(series(type(fields), "z", fields.z), scale, falling=True)
+    across = Axis.of(series("r", fields.r, type(fields)), scale)
+    upright = Axis.of(series("z", fields.z, type(fields)), scale, falling=True)
     upright = dataclasses.replace(upright, label=upright.label.replace("depth below the surface", "depth"))
     return Panel(tuple(marks), across, upright, equal=True, grid="", title=AROUND)
 
@@ -85,13 +85,13 @@ def crossing_panel(item: JouleHeatingSolution | ThermalConstrictionSolution) -> 
     a = float(item.radius)
     r = places(FAR * a, (a,))
     fields: Any = restore_conduction(item, r, 0.0)
-    return _line_panel(fields, series(type(fields), "r", r)).plus(title="over the surface of the first body")
+    return _line_panel(fields, series("r", r, type(fields))).plus(title="over the surface of the first body")
 
 
 def _line_panel(fields: CurrentFields | HeatFields, along: Series) -> Panel:
     names = NAMES[type(fields)]
-    density = series(type(fields), names.density, np.abs(getattr(fields, names.density)))
-    warm = series(type(fields), names.warm, getattr(fields, names.warm))
+    density = series(names.density, np.abs(getattr(fields, names.density)), type(fields))
+    warm = series(names.warm, getattr(fields, names.warm), type(fields))
     finite = density.content[np.isfinite(density.content)]
     positive = finite[finite > 0.0]
     top = 1.05 * float(np.max(positive)) if positive.size else 1.0
@@ -125,7 +125,7 @@ def fields_sheet(item: CurrentFields | HeatFields, *, extent: float | None = Non
         if np.size(item.r) < 2:
             raise InvalidInput("draw: one place is no curve; restore along a line or on a grid.")
         name = "r" if np.ptp(item.r) >= np.ptp(item.z) else "z"
-        panel = _line_panel(item, series(type(item), name, getattr(item, name))).plus(title="along a line")
+        panel = _line_panel(item, series(name, getattr(item, name), type(item))).plus(title="along a line")
     if extent is not None:
         low = 0.0 if np.ndim(item.r) == 1 else -extent
         panel = panel.plus(across=dataclasses.replace(panel.across, low=low, high=extent))

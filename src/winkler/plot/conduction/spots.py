@@ -12,7 +12,7 @@ from winkler.loading import Depth, Force
 from winkler.plot import style
 from winkler.plot.drawing import sheet_of
 from winkler.plot.panel import Area, Axis, Bars, Line, Map, Panel, Rule, Sheet, plane
-from winkler.plot.series import scale_of, shared_series, told
+from winkler.plot.series import scale_of, series, told
 from winkler.problems.conduction.bounds import ConductanceBoundsSolution
 from winkler.problems.conduction.spots import SpotClusterSolution
 from winkler.problems.normal.indentation import Indentation
@@ -78,7 +78,7 @@ def bounds_sheet(item: ConductanceBoundsSolution, *, extent: float | None = None
             break
         except ValueError:
             continue
-    along, of = shared_series("depth", depth + rough), shared_series("force", np.asarray(smooth))
+    along, of = series("depth", depth + rough), series("force", np.asarray(smooth))
     force, shifted = of.content, depth + rough
     marks: list[Any] = [
         Line(depth, force, name="smooth"),

@@ -13,7 +13,7 @@ from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.friction.curves import lines_panel
 from winkler.plot.panel import Axis, Line, Panel, Polygon, Rule, Sheet, note, titled, zero
-from winkler.plot.series import Series, middle_scale, shared_series, told
+from winkler.plot.series import Series, middle_scale, series, told
 from winkler.problems.friction.bimodal_damping import BimodalDampingSolution
 from winkler.problems.friction.damping import FrictionDamping, FrictionDampingSolution
 from winkler.problems.friction.relaxation_damping import RelaxationDamperSolution
@@ -57,8 +57,8 @@ def damping_sheet(item: FrictionDampingSolution) -> Sheet:
 
 def _over(curve: FrictionDampingSolution, item: FrictionDampingSolution, name: str, reach: float, **ends: Any) -> Panel:
     """Return one quantity over the amplitude of the shift, with what was asked."""
-    along = shared_series("shift", np.asarray(curve.shift))
-    of = shared_series(name, np.asarray(getattr(curve, name)))
+    along = series("shift", np.asarray(curve.shift))
+    of = series(name, np.asarray(getattr(curve, name)))
     shift, asked = (np.ravel(np.asarray(part, dtype=float)) for part in (item.shift, getattr(item, name)))
     moving = shift > 0.0
     marks = (
@@ -76,8 +76,8 @@ def _cycle_panel(problem: FrictionDamping, amplitude: float) -> Panel:
     share = np.linspace(0.0, 1.0, LOOP)
     first = np.asarray(dataclasses.replace(problem, amplitude=Shift(amplitude * share)).solve().shear_force)
     shift, force = amplitude * (2.0 * share - 1.0), 2.0 * first - first[-1]
-    along = shared_series("shift", np.concatenate([shift, -shift]))
-    of = shared_series("shear_force", np.concatenate([force, -force]))
+    along = series("shift", np.concatenate([shift, -shift]))
+    of = series("shear_force", np.concatenate([force, -force]))
     loss = dataclasses.replace(problem, amplitude=Shift(amplitude)).solve().loss_per_cycle
     marks = (
         Polygon(along.content, of.content, style.RED, 0.14),
@@ -97,7 +97,7 @@ def bimodal_sheet(item: BimodalDampingSolution) -> Sheet:
     )
     place = int(np.argmax(np.ravel(item.loss_per_cycle)))
     path = problem.path(float(ahead.ravel()[place]), float(pushed.ravel()[place]), cycles=1)
-    depth, shift = shared_series("depth", path.across), shared_series("shift", path.along)
+    depth, shift = series("depth", path.across), series("shift", path.along)
     across, upright = Axis.of(shift, margin=0.08), Axis.of(depth, margin=0.08, falling=True)
     left = Panel((Line(shift.content, depth.content), zero()), across, upright)
     by_amplitude = bool(np.ptp(pushed) > 0.0)
@@ -105,7 +105,7 @@ def bimodal_sheet(item: BimodalDampingSolution) -> Sheet:
     along = _varied(curve, "shift_amplitude" if by_amplitude else "phase")
     loss = np.ravel(np.asarray(curve.loss_per_cycle))
     order = np.argsort(along.content, kind="stable")
-    of = shared_series("loss_per_cycle", loss[order])
+    of = series("loss_per_cycle", loss[order])
     marks = [Line(along.content[order], of.content, marker="o" if pushed.size > 1 and loss.size <= 40 else "")]
     if pushed.size == 1:
         marks.append(Line(ahead.ravel(), np.ravel(item.loss_per_cycle), style.RED, width=0.0, marker="o"))
@@ -128,7 +128,7 @@ def _over_phase(item: BimodalDampingSolution) -> BimodalDampingSolution:
 
 def _varied(item: BimodalDampingSolution, name: str) -> Series:
     content = np.broadcast_to(np.asarray(getattr(item.problem, name), dtype=float), np.shape(item.loss_per_cycle))
-    return shared_series(name, np.ravel(content))
+    return series(name, np.ravel(content))
 
 
 def relaxation_sheet(item: RelaxationDamperSolution) -> Sheet:
@@ -140,8 +140,8 @@ def relaxation_sheet(item: RelaxationDamperSolution) -> Sheet:
         float(dataclasses.replace(problem, depth_amplitude=float(amplitude)).solve().damping)
         for amplitude in amplitudes
     ]
-    along = shared_series("depth_amplitude", amplitudes)
-    of = shared_series("damping", np.array(damping))
+    along = series("depth_amplitude", amplitudes)
+    of = series("damping", np.array(damping))
     point = Line(np.array([most]), np.array([float(item.damping)]), style.RED, width=0.0, marker="o")
     panel = lines_panel(along, [(of, "damping")], f"damping ${of.word.symbol}$", low=0.0).plus(point)
     return Sheet((panel.plus(title="viscous damper that the contact amounts to"),), width=4.8, height=3.2)

@@ -16,7 +16,7 @@ from winkler.plot import style
 from winkler.plot.friction.curves import Restored
 from winkler.plot.normal.stresses import stress_map
 from winkler.plot.panel import Line, Panel, note
-from winkler.plot.series import shared_series, told
+from winkler.plot.series import series, told
 
 __all__ = ["body_stress_panel", "dragged_stress_panel"]
 
@@ -87,5 +87,5 @@ def body_stress_panel(fields: BodyFields) -> Panel:
         )
     if not np.isfinite(fields.von_mises).any():
         raise InvalidInput("draw: none of the restored stresses is finite; restore them below the surface.")
-    x, z, stress = (shared_series(name, getattr(fields, name)) for name in ("x", "z", "von_mises"))
+    x, z, stress = (series(name, getattr(fields, name)) for name in ("x", "z", "von_mises"))
     return stress_map(x, z, stress, label="along the motion $x$")

@@ -12,7 +12,7 @@ from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.drawing import sheet_of
 from winkler.plot.panel import Area, Arrow, Axis, Band, Line, Map, Panel, Rule, Sheet, note, plane, titled
-from winkler.plot.series import common_scale, middle_scale, scale_of, series, shared_series, told
+from winkler.plot.series import common_scale, middle_scale, scale_of, series, told
 from winkler.plot.viscoelastic.contacts import refuse_extent
 from winkler.problems.heating.fretting import FrettingHeatSolution
 from winkler.problems.heating.heated_body import HeatedBody
@@ -73,7 +73,7 @@ def _map_panel(body: HeatedBody) -> Panel:
     rise = body.temperature(x[:, None], y[None, :])
     fine_x, fine_y = (np.linspace(line[0], line[-1], FINE * line.size) for line in (x, y))
     fine = np.maximum(RectBivariateSpline(x, np.concatenate([-y[:0:-1], y]), _mirror(rise))(fine_x, fine_y), 0.0)
-    along, of = shared_series("x", fine_x), shared_series("temperature", _mirror(fine))
+    along, of = series("x", fine_x), series("temperature", _mirror(fine))
     bar = Axis("rise of temperature", of.scale)
     look: dict[str, Any] = {"levels": LEVELS, "colours": style.HEATS, "line_width": 0.4, "shrink": 0.78}
     turn = np.linspace(0.0, 2.0 * np.pi, 181)
@@ -105,9 +105,9 @@ def _wake_panel(item: FrictionHeatingSolution) -> Panel:
         moves = f"moves, Pe = {told(body.peclet, '', 3)}" if body.speed else "rests"
         marks.append(Line(x, body.temperature(x), colour, dash=dash, name=f"{name}: {moves}"))
     marks.append(Band(-a, a, style.MUTED, 0.12))
-    rises = [shared_series("temperature", line.y) for line in marks[:2]]
+    rises = [series("temperature", line.y) for line in marks[:2]]
     high = 1.42 * max(float(np.max(rise.content)) for rise in rises)
-    across = Axis("$x$ along the motion", shared_series("x", x).scale)
+    across = Axis("$x$ along the motion", series("x", x).scale)
     upright = Axis("rise of temperature $T$", common_scale(*rises), low=0.0, high=high)
     return Panel(tuple(marks), across, upright, legend="upper left")
 
@@ -137,9 +137,9 @@ def _many(item: FrictionHeatingSolution) -> Sheet:
     """Return flash temperature and share over what was varied: the Peclet number, or else the force."""
     pe = np.maximum(np.asarray(item.first_peclet), np.asarray(item.second_peclet))
     warm = np.ravel(np.asarray(item.heat_rate)) > 0.0
-    along = shared_series("heat_rate", np.ravel(np.asarray(item.heat_rate)))
+    along = series("heat_rate", np.ravel(np.asarray(item.heat_rate)))
     if np.ptp(pe) > 0.0:
-        along = shared_series("peclet", np.ravel(pe))
+        along = series("peclet", np.ravel(pe))
     kept = dataclasses.replace(along, content=along.content[warm])
     order = np.argsort(kept.content, kind="stable")
     steep = bool(np.min(kept.content) > 0.0 and np.max(kept.content) > 20.0 * np.min(kept.content))
@@ -148,7 +148,7 @@ def _many(item: FrictionHeatingSolution) -> Sheet:
     panels = []
     for names in (("first_max_temperature", "second_max_temperature", "stationary_temperature"), ("first_share",)):
         many = [
-            series(FrictionHeatingSolution, name, np.ravel(np.asarray(getattr(item, name)))[warm]) for name in names
+            series(name, np.ravel(np.asarray(getattr(item, name)))[warm], FrictionHeatingSolution) for name in names
         ]
         scale = scale_of(many[0].word.unit, *(one.content for one in many))
         looks = zip(
@@ -186,8 +186,8 @@ def transient_heating_sheet(item: TransientHeatingSolution, *, extent: float | N
         low, high = low / 30.0, high * 30.0
     curve = dataclasses.replace(item.problem, time=np.geomspace(low, high, 61)).solve()
     a = float(item.contact.radius)
-    time = shared_series("time", curve.time)
-    of = shared_series("flash_temperature", curve.flash_temperature)
+    time = series("time", curve.time)
+    of = series("flash_temperature", curve.flash_temperature)
     mean = np.maximum(curve.first_mean_temperature, curve.second_mean_temperature)
     final = item.stationary_temperature
     look: dict[str, Any] = {"width": 0.0, "marker": "o", "size": 3.5, "name": "asked"}
@@ -206,10 +206,10 @@ def transient_heating_sheet(item: TransientHeatingSolution, *, extent: float | N
         Line(r, row, (style.HEATS, float(share)), name=told(float(moment), "s", 3))
         for row, moment, share in zip(rows, moments.time, np.linspace(0.1, 0.9, MOMENTS), strict=True)
     ]
-    rise = shared_series("temperature", rows)
+    rise = series("temperature", rows)
     edge = Rule(a, upright=True, width=0.9, dash=style.DOTTED)
     upright = Axis("rise of temperature $T$", rise.scale, low=0.0)
-    right = Panel((*lines, edge), Axis.of(shared_series("r", r)), upright, legend="upper right")
+    right = Panel((*lines, edge), Axis.of(series("r", r)), upright, legend="upper right")
     titles = ("how the contact warms up", "surface of the first body")
     return Sheet(titled((left, right), *titles), width=4.6, height=3.3)
 
@@ -221,14 +221,14 @@ def fretting_heat_sheet(item: FrettingHeatSolution, *, extent: float | None = No
     a = item.source.radius
     stick = a * float(item.source.joints[1])  # what does not slip ends there; at the rim if all slips
     places = np.linspace(0.0, 1.8, 3 * ALONG) * a
-    along, of = shared_series("r", places), shared_series("flux", item.flux.at(places))
+    along, of = series("r", places), series("flux", item.flux.at(places))
     marks: list[Any] = [Area(places, of.content, 0.0, style.RED), Line(places, of.content, style.RED)]
     if 0.0 < stick < a:
         marks.append(Rule(stick, upright=True, width=0.9, dash=style.DOTTED))
         marks.append(note(f"sticks within {told(stick, 'm', 3)}", "upper left"))
     left = Panel(tuple(marks), Axis.of(along), Axis("mean heat flux $q$", of.scale, low=0.0))
     r = np.linspace(0.0, 1.8, ALONG) * a
-    rise = shared_series("temperature", item.temperature(r))
+    rise = series("temperature", item.temperature(r))
     warm = (
         Line(r, rise.content),
         Rule(a, upright=True, width=0.9, dash=style.DOTTED),

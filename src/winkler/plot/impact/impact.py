@@ -81,7 +81,7 @@ def adhesive_impact_sheet(item: AdhesiveImpactSolution) -> Sheet:
 
 
 def _series(item: Any, name: str) -> Series:
-    return series(type(item), name, getattr(item, name))
+    return series(name, getattr(item, name), type(item))
 
 
 def _restitution(item: ImpactSolution) -> str:

@@ -13,7 +13,7 @@ from winkler.plot import style
 from winkler.plot.extent import is_singular, is_torn, marks_of
 from winkler.plot.medium import OFF_AXIS
 from winkler.plot.panel import Area, Axis, Line, Panel, Text, note, zero
-from winkler.plot.series import Curve, Series, places, scale_of, shared_series, told
+from winkler.plot.series import Curve, Series, places, scale_of, series, told
 from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.answer import Restorable
 from winkler.problems.normal.indentation import IndentationSolution
@@ -55,7 +55,7 @@ def line_load(solution: Restorable, extent: float) -> Curve:
     q = pressed.bed.normal_stiffness(x) * pressed.value(x) if a > 0.0 else np.zeros(1)
     x, q = np.append(x, [a, max(extent, a)]), np.append(q, [0.0, 0.0])
     both = style.mirrored(x, q)
-    return Curve(shared_series("x", both[0]), shared_series("line_load", both[1]))
+    return Curve(series("x", both[0]), series("line_load", both[1]))
 
 
 def surface(solution: Restorable, extent: float) -> SurfaceFields:
@@ -79,7 +79,7 @@ def load_curves(solution: IndentationSolution | AdhesiveSolution) -> dict[str, C
     order = np.argsort(np.ravel(solution.depth), kind="stable")
 
     def sorted_series(name: str) -> Series:
-        return shared_series(name, np.ravel(getattr(solution, name))[order])
+        return series(name, np.ravel(getattr(solution, name))[order])
 
     depth = sorted_series("depth")
     names = ("force", "radius") if isinstance(solution, AdhesiveSolution) else ("force", "radius", "stiffness")
@@ -105,7 +105,7 @@ def force_depth(pressed: Pressed) -> Curve:
     force = np.where(depth >= np.maximum.accumulate(depth), force, np.nan)
     end = bed.stiffness(a[-1:]) * pressed.depth - bed.gap_load(a[-1:])
     depth, force = np.append(depth, pressed.depth), np.append(force, end)
-    return Curve(shared_series("depth", depth), shared_series("force", force))
+    return Curve(series("depth", depth), series("force", force))
 
 
 def curve_panel(curve: Curve, colour: str = style.BLUE, **look: Any) -> Panel:
@@ -183,7 +183,7 @@ def pressure_panel(solution: Restorable, extent: float, mean: float | None = Non
     """
     fields, pressed = surface(solution, extent), solution.pressed
     radius, singular, torn = pressed.radius, is_singular(pressed), is_torn(pressed)
-    r, p = shared_series("r", fields.r), shared_series("pressure", fields.pressure)
+    r, p = series("r", fields.r), series("pressure", fields.pressure)
     finite = p.content[np.isfinite(p.content)]
     top = 1.12 * float(np.max(finite, initial=0.0))
     if singular and mean:
@@ -221,7 +221,7 @@ def surface_pressure_panel(fields: SurfaceFields) -> Panel:
     """
     order = np.argsort(fields.r, kind="stable")
     pressure = np.where(np.isfinite(fields.pressure), fields.pressure, np.nan)[order]
-    curve = Curve(shared_series("r", fields.r[order]), shared_series("pressure", pressure))
+    curve = Curve(series("r", fields.r[order]), series("pressure", pressure))
     panel = curve_panel(curve)
     return panel if np.any(pressure < 0.0) else panel.plus(upright=Axis.of(curve.of, low=0.0))
 
@@ -240,4 +240,4 @@ def surface_panel(fields: SurfaceFields) -> Panel:
     )
     low = 1.2 * min(float(np.min(sunk, initial=0.0)), 0.0)
     upright = Axis("along the axis", scale_of("m", [top]), low=low, high=top)
-    return Panel(lines, Axis.of(shared_series("r", r)), upright, legend="upper right")
+    return Panel(lines, Axis.of(series("r", r)), upright, legend="upper right")

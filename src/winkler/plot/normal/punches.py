@@ -7,7 +7,7 @@ import numpy as np
 from winkler.fields import restore
 from winkler.plot import style
 from winkler.plot.panel import Axis, Line, Panel, Polygon, Rule
-from winkler.plot.series import places, scale_of, shared_series
+from winkler.plot.series import places, scale_of, series
 from winkler.stairs import Staircase
 
 __all__ = ["pressures_panel", "steps_panel"]
@@ -42,7 +42,7 @@ def steps_panel(stairs: Staircase, extent: float) -> Panel:
         x, shape = np.append(x, pressed.radius), np.append(shape, 0.0)
     marks.append(Line(*style.mirrored(x, shape), style.INK, width=1.6, order=5.0, name="$g(x) − d$"))
     marks.append(Rule(0.0, dash=style.DASHED, order=1.0))
-    across = Axis.of(shared_series("x", x), scale_of("m", [extent]), low=-extent, high=extent)
+    across = Axis.of(series("x", x), scale_of("m", [extent]), low=-extent, high=extent)
     upright = Axis("height", scale_of("m", [pressed.depth]), low=-1.08 * pressed.depth, high=0.32 * pressed.depth)
     return Panel(tuple(marks), across, upright, grid="", legend="upper right", columns=2, unframed=True)
 
@@ -68,8 +68,8 @@ def pressures_panel(stairs: Staircase, extent: float) -> Panel:
     name = f"sum of {stairs.radii.size} punches" if stairs.radii.size > 1 else "one punch"
     marks.append(Line(r, stairs.pressure(r), style.RED, width=1.1, order=4.0, name=name))
     marks.append(Line(r, exact, style.INK, width=2.0, dash=style.DASHES[1], order=5.0, name="infinitely many"))
-    across = Axis.of(shared_series("r", r), scale_of("m", [extent]), low=0.0, high=extent)
-    upright = Axis.of(shared_series("pressure", exact), scale_of("Pa", [top]), low=0.0, high=top)
+    across = Axis.of(series("r", r), scale_of("m", [extent]), low=0.0, high=extent)
+    upright = Axis.of(series("pressure", exact), scale_of("Pa", [top]), low=0.0, high=top)
     return Panel(tuple(marks), across, upright, legend="upper right")
 
 

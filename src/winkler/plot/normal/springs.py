@@ -13,7 +13,7 @@ from winkler.plot import style
 from winkler.plot.extent import solid_until
 from winkler.plot.medium import OFF_AXIS, is_varied
 from winkler.plot.panel import Area, Arrow, Axis, Line, Panel, Rule, Strokes, Text, note
-from winkler.plot.series import Series, places, round_numbers, scale_of, shared_series
+from winkler.plot.series import Series, places, round_numbers, scale_of, series
 
 __all__ = [
     "Frame",
@@ -93,7 +93,7 @@ def plane_profile(bed: Bed, end: float) -> tuple[Series, Series]:
     x = np.concatenate([[0.0], inner, [end]])
     g = np.asarray(bed.gap(x), dtype=float)
     known = np.isfinite(g)
-    return shared_series("x", x[known]), shared_series("gap", g[known])
+    return series("x", x[known]), series("gap", g[known])
 
 
 def spring_places(extent: float) -> Array:
@@ -162,7 +162,7 @@ def row_panel(row: Row, bed: Bed | None, depth: float, frame: Frame, shift: floa
         marks.append(Area(both + shift, lower, top, style.BODY, 0.75, order=4.0))
         marks.append(Line(both + shift, lower, width=2.0, order=5.0))
     marks.append(Rule(0.0, dash=style.DASHED, order=1.0))
-    across = Axis.of(shared_series("x", ends), low=-extent, high=extent)
+    across = Axis.of(series("x", ends), low=-extent, high=extent)
     upright = Axis("height", scale_of("m", [unit]), low=bottom - thick, high=top)
     return Panel(tuple(marks), across, upright, grid="")
 

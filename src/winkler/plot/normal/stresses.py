@@ -16,7 +16,7 @@ from winkler.plot import style
 from winkler.plot.extent import is_singular
 from winkler.plot.medium import interfaces
 from winkler.plot.panel import Axis, Line, Map, Panel, Rule, note
-from winkler.plot.series import Series, common_scale, round_numbers, scale_of, shared_series, told
+from winkler.plot.series import Series, common_scale, round_numbers, scale_of, series, told
 from winkler.problems.answer import Restorable
 
 __all__ = [
@@ -124,7 +124,7 @@ def field_panel(fields: SubsurfaceFields) -> Panel:
     x, y, both = (
         np.concatenate([sign * part[first:][::-1], part]) for part, sign in ((r, -1.0), (z, 1.0), (stress, 1.0))
     )
-    return stress_map(shared_series("r", x), shared_series("z", y), shared_series("von_mises", both))
+    return stress_map(series("r", x), series("z", y), series("von_mises", both))
 
 
 def stress_map(along: Series, down: Series, stress: Series, label: str = "") -> Panel:
@@ -174,10 +174,10 @@ def along_panel(fields: SubsurfaceFields) -> Panel:
         r and z of shape (n,).
     """
     name = "z" if np.ptp(fields.z) >= np.ptp(fields.r) else "r"
-    along = shared_series(name, np.ravel(getattr(fields, name)))
+    along = series(name, np.ravel(getattr(fields, name)))
     order = np.argsort(along.content, kind="stable")
     names = ("radial_stress", "hoop_stress", "axial_stress", "shear_stress", "von_mises")
-    stresses = [shared_series(one, np.ravel(getattr(fields, one))) for one in names]
+    stresses = [series(one, np.ravel(getattr(fields, one))) for one in names]
     marker = "o" if order.size <= 40 else ""
     lines = [
         Line(

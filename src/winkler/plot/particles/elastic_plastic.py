@@ -14,7 +14,7 @@ from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.friction.curves import lost_words
 from winkler.plot.panel import Axis, Line, Panel, Rule, Sheet, note, titled, zero
-from winkler.plot.series import series, shared_series, told
+from winkler.plot.series import series, told
 from winkler.problems.particles.elastic_plastic import ParticleSolution
 
 __all__ = ["particle_sheet"]
@@ -62,8 +62,8 @@ def _headline(item: ParticleSolution) -> str:
 
 def _panel(item: ParticleSolution, legs: list[_Leg], name: str) -> Panel:
     """Return one quantity over the depth."""
-    along = shared_series("depth", np.concatenate([leg.depth for leg in legs]))
-    of = series(ParticleSolution, name, np.concatenate([getattr(leg, name) for leg in legs]))
+    along = series("depth", np.concatenate([leg.depth for leg in legs]))
+    of = series(name, np.concatenate([getattr(leg, name) for leg in legs]), ParticleSolution)
     named: set[bool] = set()
     marks: list[Line | Rule] = []
     for leg in legs:

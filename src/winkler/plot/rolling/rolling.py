@@ -11,7 +11,7 @@ from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.drawing import sheet_of
 from winkler.plot.panel import Area, Axis, Line, Map, Panel, Rule, Sheet, Text, Vectors, note, titled, zero
-from winkler.plot.series import Series, middle_scale, series, shared_series
+from winkler.plot.series import Series, middle_scale, series
 from winkler.problems.rolling.creepage import Creepage
 from winkler.problems.rolling.oscillating import OscillatingRollingSolution
 from winkler.problems.rolling.simplified_theory import SimplifiedRollingSolution
@@ -95,7 +95,7 @@ def _creep_panel(item: Any, force: float) -> Panel:
 def _along(curve: Any, name: str) -> Series:
     creepage = curve.problem.creepage
     content = np.broadcast_to(np.asarray(getattr(creepage, name), dtype=float), creepage.shape)
-    return series(Creepage, name, np.ravel(content))
+    return series(name, np.ravel(content), Creepage)
 
 
 def _far(item: Any) -> float:
@@ -124,7 +124,7 @@ TO_THE_RIGHT = "load of the springs, rolling to the right"
 
 
 def _line_panel(x: Array, load: Array, bound: Array) -> Panel:
-    along, of = shared_series("x", x), shared_series("shear_load", load)
+    along, of = series("x", x), series("shear_load", load)
     sticks = load < bound * (1.0 - 1e-9)
     marks: list[Any] = [
         Line(x, bound, style.MUTED, dash=style.DASHES[1], name=BOUND),
@@ -158,7 +158,7 @@ def _outlined(item: SimplifiedRollingSolution, *marks: Any, room: float = 0.05) 
 def _traction_panel(item: SimplifiedRollingSolution) -> Panel:
     field = item.traction
     across = field.y[:, :1] * np.ones_like(field.x)
-    size = shared_series("traction", field.traction)
+    size = series("traction", field.traction)
     rows = np.unique(np.linspace(2, field.x.shape[0] - 3, ARROWS).round().astype(int))
     columns = np.unique(np.linspace(3, field.x.shape[1] - 4, ARROWS).round().astype(int))
     place = np.ix_(rows, columns)
@@ -182,7 +182,7 @@ def _zones_panel(item: SimplifiedRollingSolution) -> Panel:
 @sheet_of.register(RollingStartSolution)
 def start_sheet(item: RollingStartSolution, *, extent: float | None = None) -> Sheet:
     """Return the force over the distance rolled, and the springs at some places along it."""
-    along, force = shared_series("distance", item.distance), r"shear force $F_x/(\mu F_N)$"
+    along, force = series("distance", item.distance), r"shear force $F_x/(\mu F_N)$"
     steady = float(item.steady.saturation)
     marks: list[Any] = [
         Line(along.content, item.shear_force / _most(item.problem, float(item.contact.force)), name="$F_x$"),
@@ -213,8 +213,8 @@ def _states_panel(item: RollingStartSolution | OscillatingRollingSolution, chose
     lines = [Line(x, sign * bound, name=BOUND if sign > 0.0 else "", **dashed) for sign in signs]
     for colour, (index, name) in zip(style.CYCLE, chosen, strict=False):
         lines.append(Line(x, states[index].shear_load, colour, width=1.4, name=name))
-    upright = Axis.of(shared_series("shear_load", bound))
-    return Panel(tuple(lines), Axis.of(shared_series("x", x)), upright, legend="upper left", outside=True)
+    upright = Axis.of(series("shear_load", bound))
+    return Panel(tuple(lines), Axis.of(series("x", x)), upright, legend="upper left", outside=True)
 
 
 @sheet_of.register(OscillatingRollingSolution)
@@ -223,7 +223,7 @@ def rocking_sheet(item: OscillatingRollingSolution, *, extent: float | None = No
     problem, radius = item.problem, float(item.contact.radius)
     most = _most(problem, float(item.contact.force))
     shift = Line(item.cycle, item.shift, marker="o" if item.cycle.size < 40 else "", size=3.5)
-    upright = Axis.of(shared_series("shift", item.shift), low=0.0)
+    upright = Axis.of(series("shift", item.shift), low=0.0)
     last = len(item.states) - 1
     after = sorted({0, 1, min(4, last), last})
     names = [(k, "at rest" if k == 0 else f"{k} cycles" if k > 1 else "1 cycle") for k in after]

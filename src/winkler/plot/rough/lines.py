@@ -13,7 +13,7 @@ from winkler.plot import style
 from winkler.plot.drawing import sheet_of
 from winkler.plot.panel import Axis, Line, Panel, Sheet, plane, titled
 from winkler.plot.rough.roughness import Bounds, framed, image_of, models_panel, spectrum_panel
-from winkler.plot.series import Series, scale_of, series, shared_series, told
+from winkler.plot.series import Series, scale_of, series, told
 from winkler.plot.viscoelastic.contacts import refuse_extent
 from winkler.problems.normal.elliptic import EllipticSolution
 from winkler.problems.normal.near_round import NearlyRoundSolution
@@ -32,7 +32,7 @@ TURNS = 256
 
 
 def _flat(item: Any, name: str) -> Series:
-    return series(type(item), name, np.ravel(np.asarray(getattr(item, name), dtype=float)))
+    return series(name, np.ravel(np.asarray(getattr(item, name), dtype=float)), type(item))
 
 
 def _banded(item: Any, name: str) -> Bounds:
@@ -128,7 +128,7 @@ def _ellipse_panel(item: EllipticSolution) -> Panel:
     step = 2.0 * wide / PIXELS
     x = (np.arange(PIXELS) + 0.5) * step - wide
     pressure = item.pressure(x[:, None], x[None, :])
-    shown = shared_series("pressure", np.where(pressure > 0.0, pressure, np.nan))
+    shown = series("pressure", np.where(pressure > 0.0, pressure, np.nan))
     square = Topography(np.zeros((PIXELS, PIXELS)), np.array([2.0 * wide, 2.0 * wide]))
     ends = np.array([-wide, wide])
     image = dataclasses.replace(image_of(square, shown, style.SHADES), x=ends, y=ends)
@@ -139,7 +139,7 @@ def _ellipse_panel(item: EllipticSolution) -> Panel:
 def elastomer_sheet(item: ElastomerFrictionSolution, *, extent: float | None = None) -> Sheet:
     """Return the coefficient of friction over the velocity, and the spectrum behind it."""
     refuse_extent(item, extent)
-    velocity = series(ElastomerFrictionSolution, "velocity", np.ravel(item.problem.velocity))
+    velocity = series("velocity", np.ravel(item.problem.velocity), ElastomerFrictionSolution)
     panels = models_panel(velocity, [(_flat(item, "coefficient"), "")]), spectrum_panel([(item.problem.spectrum, "")])
     titles = ("friction over velocity: a trend", "power spectrum of the surface")
     return Sheet(titled(panels, *titles), height=3.2)

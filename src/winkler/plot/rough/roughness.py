@@ -13,7 +13,7 @@ from winkler.plot import style
 from winkler.plot.drawing import sheet_of
 from winkler.plot.families import spans_decades
 from winkler.plot.panel import Area, Axis, Line, Map, Panel, Sheet, note, plane
-from winkler.plot.series import Scale, Series, middle_scale, scale_of, shared_series, told
+from winkler.plot.series import Scale, Series, middle_scale, scale_of, series, told
 from winkler.plot.viscoelastic.contacts import refuse_extent
 from winkler.profiles.rough.map_spectrum import spectrum_of
 from winkler.profiles.rough.spectrum import PowerSpectrum, SelfAffine, Spectrum
@@ -102,7 +102,7 @@ def framed(image: Map, scale: Scale) -> Panel:
 
 def heights_of(item: Topography) -> Series:
     """Return the heights above their mean."""
-    return shared_series("heights", item.heights - np.nanmean(item.heights))
+    return series("heights", item.heights - np.nanmean(item.heights))
 
 
 def cuts_panel(item: Topography) -> Panel:

@@ -10,7 +10,7 @@ from winkler.numerics.types import Array
 from winkler.plot.decades import Quantity, decades_panel
 from winkler.plot.drawing import sheet_of
 from winkler.plot.panel import Sheet, titled
-from winkler.plot.series import series, shared_series, told
+from winkler.plot.series import series, told
 from winkler.plot.viscoelastic.contacts import refuse_extent
 from winkler.problems.viscoelastic.material_tests import CreepTest, HarmonicSolution, StepSolution
 
@@ -28,11 +28,11 @@ def step_sheet(item: StepSolution, *, extent: float | None = None) -> Sheet:
     refuse_extent(item, extent)
     names = ("depth", "radius") if isinstance(item.problem, CreepTest) else ("force",)
     asked = np.asarray(item.time)
-    along = shared_series("time", _between(asked))
+    along = series("time", _between(asked))
     curve = dataclasses.replace(item.problem, time=along.content).solve()
     panels = []
     for name in names:
-        of = shared_series(name, getattr(curve, name))
+        of = series(name, getattr(curve, name))
         panel = decades_panel(along, [Quantity(of, points=(asked, np.asarray(getattr(item, name))))])
         panels.append(panel.plus(title=TITLES[name]))
     return Sheet(tuple(panels), width=4.6, height=3.3)
@@ -43,12 +43,12 @@ def harmonic_sheet(item: HarmonicSolution, *, extent: float | None = None) -> Sh
     """Return storage and loss stiffness over the frequency, and the tangent of loss; what was asked as points."""
     refuse_extent(item, extent)
     asked = np.ravel(np.asarray(item.problem.angular_frequency, dtype=float))
-    along = shared_series("angular_frequency", _between(asked))
+    along = series("angular_frequency", _between(asked))
     curve = dataclasses.replace(item.problem, angular_frequency=along.content).solve()
 
     def quantity(name: str, label: str = "") -> Quantity:
         points = (asked, np.ravel(np.asarray(getattr(item, name), dtype=float)))
-        return Quantity(series(HarmonicSolution, name, np.asarray(getattr(curve, name))), label, points)
+        return Quantity(series(name, np.asarray(getattr(curve, name)), HarmonicSolution), label, points)
 
     pair = [quantity("storage_stiffness", "storage $k'$"), quantity("loss_stiffness", "loss $k''$")]
     panels = decades_panel(along, pair, "stiffness"), decades_panel(along, [quantity("loss_tangent")])

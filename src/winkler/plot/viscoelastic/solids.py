@@ -16,7 +16,7 @@ from winkler.numerics.types import Array
 from winkler.plot.decades import Quantity, decades_panel
 from winkler.plot.drawing import sheet_of
 from winkler.plot.panel import Sheet, note, titled
-from winkler.plot.series import Series, shared_series, told
+from winkler.plot.series import Series, series, told
 from winkler.plot.viscoelastic.contacts import refuse_extent
 from winkler.vocabulary import Word
 
@@ -80,8 +80,8 @@ def _sheet(
     points: tuple[tuple[Array, Array], ...],
     unit: str = "Pa",
 ) -> Sheet:
-    time = shared_series("time", np.geomspace(*span, POINTS))
-    omega = shared_series("angular_frequency", 1.0 / time.content[::-1])
+    time = series("time", np.geomspace(*span, POINTS))
+    omega = series("angular_frequency", 1.0 / time.content[::-1])
     dynamic = known.dynamic(omega.content)
 
     def of(content: Array, symbol: str, unit: str, meaning: str) -> Series:

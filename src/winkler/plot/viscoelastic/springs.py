@@ -9,7 +9,7 @@ from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.normal.springs import Frame, Row, row_panel, spring_places
 from winkler.plot.panel import Area, Axis, Line, Panel, note
-from winkler.plot.series import places, shared_series
+from winkler.plot.series import places, series
 from winkler.problems.viscoelastic.states import ViscoelasticState
 from winkler.problems.viscoelastic.tangential_states import ViscoelasticTangentialState
 
@@ -77,6 +77,6 @@ def pressure_panel(state: ViscoelasticState) -> Panel:
     pressure: Array = state.pressure(r)
     known = np.isfinite(pressure)
     x, p = style.mirrored(r[known], pressure[known])
-    across = Axis.of(shared_series("r", r[known]), low=-extent, high=extent)
-    upright = Axis.of(shared_series("pressure", pressure[known]), low=0.0)
+    across = Axis.of(series("r", r[known]), low=-extent, high=extent)
+    upright = Axis.of(series("pressure", pressure[known]), low=0.0)
     return Panel((Area(x, p, 0.0, style.RED), Line(x, p, style.RED)), across, upright)

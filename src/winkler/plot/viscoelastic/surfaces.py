@@ -20,7 +20,7 @@ from winkler.plot.friction.curves import (
     stick_band,
 )
 from winkler.plot.panel import Area, Axis, Line, Panel, Rule, Sheet, note, titled
-from winkler.plot.series import Series, common_scale, series, shared_series, told
+from winkler.plot.series import Series, common_scale, series, told
 from winkler.plot.viscoelastic.contacts import TELLING, depth_and_radius, refuse_extent
 from winkler.plot.viscoelastic.springs import no_contact, recovering_panel, width_of
 from winkler.problems.viscoelastic.adhesion import ViscoelasticAdhesionSolution
@@ -78,9 +78,9 @@ def _loads_panel(state: ViscoelasticTangentialState, coefficient: float) -> Pane
     """Return the load of the springs along the surface, and what friction lets them bear."""
     if state.radius == 0.0:
         return no_contact()
-    along = shared_series("x", state.position)
+    along = series("x", state.position)
     bound = coefficient * state.line_load if math.isfinite(coefficient) else np.zeros(state.line_load.shape)
-    of, limit = (shared_series("shear_load", loads) for loads in (state.shear_load, bound))
+    of, limit = (series("shear_load", loads) for loads in (state.shear_load, bound))
     x, y = style.mirrored(along.content, of.content)
     marks = (
         *stick_band(state.stick_radius),
@@ -102,11 +102,11 @@ def sliding_sheet(item: SlidingResistanceSolution, *, extent: float | None = Non
     speeds = np.geomspace(low, high, POINTS)
     curve = item if asked.size >= POINTS else dataclasses.replace(item.problem, speed=speeds).solve()
     order = np.argsort(np.ravel(np.asarray(curve.speed)), kind="stable")
-    along = series(type(item), "speed", np.ravel(np.asarray(curve.speed))[order])
+    along = series("speed", np.ravel(np.asarray(curve.speed))[order], type(item))
 
     def quantity(name: str, label: str = "") -> Quantity:
         points = (asked, np.ravel(np.asarray(getattr(item, name), dtype=float)))
-        return Quantity(series(type(item), name, np.ravel(np.asarray(getattr(curve, name)))[order]), label, points)
+        return Quantity(series(name, np.ravel(np.asarray(getattr(curve, name)))[order], type(item)), label, points)
 
     pair = [quantity("shear_force", "of the body"), quantity("line_shear_force", "of the line of springs")]
     place = int(np.argmax(np.ravel(np.asarray(curve.coefficient))))
@@ -123,7 +123,7 @@ def sliding_sheet(item: SlidingResistanceSolution, *, extent: float | None = Non
 def _trace_panel(curve: SlidingResistanceSolution, place: int) -> Panel:
     """Return q(x) under the body, which moves to the right."""
     trace = curve.line(tuple(int(part) for part in np.unravel_index(place, np.shape(curve.speed))))
-    along, of = shared_series("x", trace.position), shared_series("line_load", trace.line_load)
+    along, of = series("x", trace.position), series("line_load", trace.line_load)
     marks = (
         Line(along.content, of.content),
         Area(along.content, of.content, 0.0),
@@ -140,7 +140,7 @@ def adhesion_sheet(item: ViscoelasticAdhesionSolution, *, extent: float | None =
     refuse_extent(item, extent)
     time = _series(item, "time")
     opening = np.where(item.crack_speed > 0.0, item.crack_speed, np.nan)
-    edge, opens = series(type(item), "crack_speed", opening), bool(np.any(item.crack_speed > 0.0))
+    edge, opens = series("crack_speed", opening, type(item)), bool(np.any(item.crack_speed > 0.0))
     speed = lines_panel(time, [(edge, "")], "speed of the edge", log=opens)
     panels = (
         loop_panel(_series(item, "position"), _series(item, "force"), float(item.dissipation[-1])),
@@ -153,4 +153,4 @@ def adhesion_sheet(item: ViscoelasticAdhesionSolution, *, extent: float | None =
 
 
 def _series(item: Any, name: str) -> Series:
-    return series(type(item), name, getattr(item, name))
+    return series(name, getattr(item, name), type(item))
