@@ -30,8 +30,7 @@ from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.answer import Dragged, Restorable, is_dragged, is_restorable
 from winkler.problems.friction.torsion_fields import TwistedFields, body_of_twisted, twisted_surface
 from winkler.problems.friction.torsion_states import TorsionState
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = [
     "SubsurfaceFields",

@@ -7,8 +7,7 @@ a `winkler.path.Path`.
 from __future__ import annotations
 
 from winkler.checks.number_checks import FiniteQuantity, NonNegativeQuantity
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["Angle", "Depth", "Force", "Lateral", "Load", "Normal", "Radius", "ShearForce", "Shift", "Torque"]
 

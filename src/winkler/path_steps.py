@@ -17,8 +17,7 @@ from winkler.loading import Lateral, Normal, ShearForce, Shift
 from winkler.numerics.equations.oscillation_times import sine, swings
 from winkler.numerics.types import Array
 from winkler.path import PER_CYCLE, OneNormal, OnePositiveSwing, Path, numbers_of
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["Circle", "Follow", "Hold", "Kept", "Oscillate", "Ramp", "Rows", "Start", "Step"]
 

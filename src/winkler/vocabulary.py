@@ -8,11 +8,9 @@ field that is no quantity.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from types import MappingProxyType
 from typing import NamedTuple
 
-__all__ = ["GLOSSARY", "Word", "own_word", "word", "words"]
+__all__ = ["GLOSSARY", "Word", "own_word", "word"]
 
 
 class Word(NamedTuple):
@@ -451,17 +449,6 @@ GLOSSARY: dict[str, Word] = {
     "area_error": Word(r"\Delta A", "m^2", "estimated error of the area of contact"),
     "mean_gap": Word(r"\bar u", "m", "mean distance of the surfaces"),
 }
-
-
-def words(**entries: tuple[str, str | None, str]) -> Mapping[str, Word]:
-    """Return the words of one class, for its attribute ``__words__``: symbol, unit and one line of each name.
-
-    Examples
-    --------
-    >>> words(radius=("b", "m", "radius of the punch"))["radius"].unit
-    'm'
-    """
-    return MappingProxyType({name: Word(*entry) for name, entry in entries.items()})
 
 
 def own_word(owner: type, field: str) -> Word | None:

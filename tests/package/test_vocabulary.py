@@ -11,7 +11,8 @@ import pint
 import pytest
 
 from winkler.profiles.flat import FlatPunch
-from winkler.vocabulary import GLOSSARY, word, words
+from winkler.values import words
+from winkler.vocabulary import GLOSSARY, word
 
 SPOKEN = (
     "materials", "laws", "profiles", "loading", "path", "path_steps", "program", "media", "foundation", "problems",

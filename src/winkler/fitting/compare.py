@@ -23,8 +23,7 @@ from winkler.fitting.outcome import AnyFit
 from winkler.fitting.validity import Model
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["AnyFit", "Comparison", "compare"]
 

@@ -10,8 +10,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged
 from winkler.numerics.types import Array
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["FitState", "Search"]
 

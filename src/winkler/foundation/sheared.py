@@ -16,8 +16,7 @@ from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed, Pressed
 from winkler.media.medium import Displacement
 from winkler.numerics.types import Array, Quantity
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["ShearRamps", "ShearStep", "ShearedSprings"]
 

@@ -12,8 +12,7 @@ from typing import Annotated
 
 from winkler.checks.number_checks import NON_NEGATIVE, POSITIVE, Advice, Positive, checked
 from winkler.errors import InvalidInput
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["AdhesionLaw", "DerjaguinMullerToporov", "Dugdale", "ShortRange"]
 

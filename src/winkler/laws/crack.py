@@ -20,8 +20,7 @@ import numpy as np
 from winkler.checks.number_checks import Number, Positive
 from winkler.errors import InvalidInput
 from winkler.numerics.types import Array, ArrayLike
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["CrackLaw", "RateDependentWork", "SaturatingWork"]
 

@@ -6,8 +6,7 @@ import math
 from typing import Annotated
 
 from winkler.checks.number_checks import POSITIVE_OR_INFINITE, NonNegative
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["SurfaceFilm", "ThermalInterface"]
 

@@ -12,8 +12,7 @@ from typing import Annotated, TypeAlias
 from winkler.checks.field_checks import Such
 from winkler.checks.number_checks import Number, PositiveNotTiny
 from winkler.errors import InvalidInput
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["Coulomb", "Friction", "Overcome", "Sliding", "StaticKinetic"]
 

@@ -24,8 +24,7 @@ from winkler.checks.number_checks import (
 )
 from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["DepthGrading", "ExponentialGrading", "SigmoidalGrading", "TabulatedGrading"]
 

@@ -20,8 +20,7 @@ from winkler.limits import SLOWEST
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.numerics.types import Array
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["FractionalZener", "PowerLawSolid"]
 

@@ -14,8 +14,7 @@ from typing import Annotated
 
 from winkler.checks.number_checks import Number, PoissonRatio, PositiveNotTiny
 from winkler.errors import InvalidInput
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["PowerLawGraded"]
 

@@ -12,8 +12,7 @@ from typing import Any
 from winkler.errors import InvalidInput, suggest
 from winkler.materials.conductor import ElectricalConductor, ThermalConductor
 from winkler.materials.elastic import Elastic
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = [
     "Figure",

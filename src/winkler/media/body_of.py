@@ -32,8 +32,7 @@ from winkler.media.medium import Displacement, Medium
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.transforms import graded_abel
 from winkler.numerics.types import Array, Curve
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["Imprint", "Springs", "exponent_of", "height", "slope", "surface_slope", "thickness_of"]
 

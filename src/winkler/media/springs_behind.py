@@ -22,8 +22,7 @@ from winkler.numerics.equations.roots import invert, rough_root
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.panels.convex_spline import ConvexCurve
 from winkler.numerics.types import Array
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["Behind", "Tabulated", "springs_behind"]
 

@@ -9,8 +9,7 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile, Shape
 from winkler.validity import Note
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["CappedCylinder", "Cylinder", "FlatPunch"]
 

@@ -12,8 +12,7 @@ import numpy as np
 from winkler.checks.number_checks import Positive, PositiveNotTiny, PositiveOfAnySize
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["Paraboloid", "PowerLaw"]
 

@@ -26,8 +26,7 @@ from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.outline import BASELINE_POINTS, FEWEST, STANDS_OUT, Outline, far_force, one_way, outline
 from winkler.numerics.types import Array
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["Flag", "Outline", "examined", "outline", "refuse", "unsaturated"]
 

@@ -12,8 +12,7 @@ from winkler.errors import InvalidInput
 from winkler.fitting.curves.checks import outline
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.numerics.types import Array
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = [
     "FreeLine",

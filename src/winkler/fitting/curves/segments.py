@@ -10,8 +10,7 @@ import numpy as np
 from winkler.errors import InvalidInput, suggest
 from winkler.fitting.curves.directions import HELD, IN, OUT
 from winkler.numerics.types import Array
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["Segment", "SegmentKind", "segments_of", "stated_directions"]
 

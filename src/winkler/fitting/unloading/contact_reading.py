@@ -19,8 +19,7 @@ from winkler.materials.elastic import Elastic, Rigid, Solid
 from winkler.numerics.equations.roots import between
 from winkler.profiles.area import AreaFunction
 from winkler.profiles.profile import Profile
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = [
     "CalibratedArea",

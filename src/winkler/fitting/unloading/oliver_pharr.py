@@ -35,8 +35,7 @@ from winkler.fitting.unloading.unloading_law import fitted_power_law
 from winkler.fitting.unloading.unloading_notes import UnloadingFacts, unloading_notes
 from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["OliverPharr", "OliverPharrSolution"]
 

@@ -22,8 +22,7 @@ from winkler.media.layered.depth_response import NormalDepthResponse, Tangential
 from winkler.media.punch_field import BodyField
 from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["DepthGradedHalfSpace"]
 

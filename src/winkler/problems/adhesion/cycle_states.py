@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["AdhesiveJump", "AdhesiveState", "EdgeState"]
 

@@ -27,8 +27,7 @@ from winkler.numerics.types import Array
 from winkler.problems.adhesion.edge_states import stored_energy
 from winkler.problems.adhesion.maugis_integrals import Springs, edges_of, gap_moment, pulled
 from winkler.problems.adhesion.maugis_zone import Zone, widest_within, zone
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["CohesiveStates", "Ringed"]
 

@@ -26,8 +26,7 @@ from winkler.problems.adhesion.pull_off import PullOff
 from winkler.problems.assumptions.adhesion_range import GREENWOOD, STRETCH
 from winkler.problems.normal.indentation import Indentation
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["ModelError", "Recommendation", "maugis_parameter", "tabor_parameter", "which_model"]
 

@@ -34,8 +34,7 @@ from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import ADHESIVE
 from winkler.problems.normal.yield_statement import Rubbing
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["AdhesiveShear", "AdhesiveShearSolution", "ShearLimit"]
 

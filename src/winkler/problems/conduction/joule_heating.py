@@ -25,8 +25,7 @@ from winkler.problems.conduction.disc import resistances_of
 from winkler.problems.conduction.heated_contact import Cold, Hot, hot_at_current, hot_at_voltage
 from winkler.problems.conduction.solution import ConductingSolution
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["JouleHeating", "JouleHeatingSolution", "cold_contact"]
 

@@ -23,8 +23,7 @@ from winkler.materials.conductor import ElectricalConductor
 from winkler.numerics.fields.disc_charges import currents
 from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["SpotCluster", "SpotClusterSolution"]
 

@@ -33,8 +33,7 @@ from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
 from winkler.problems.normal.yield_statement import Rubbing, slid_depth
 from winkler.validity import Assumption, Note
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["FrictionDamping", "FrictionDampingSolution"]
 

@@ -22,8 +22,7 @@ import numpy as np
 
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.types import Array
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["SpringCycle"]
 

@@ -36,8 +36,7 @@ from winkler.problems.friction.spring_states import Shearing, SpringLaw, SpringS
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.stiffness_ratio import refuse_plane
 from winkler.validity import Assumption, Note
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["SpringMarch", "SpringState", "SpringTrace", "march"]
 

@@ -15,8 +15,7 @@ from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.numerics.types import Array, Quantity
 from winkler.path import Path
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["OwnLaw", "Shearing", "SpringLaw", "SpringState", "spring_notes"]
 

@@ -33,8 +33,7 @@ from winkler.problems.friction.tangential_states import TangentialState, frictio
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.stiffness_ratio import alike, refuse_plane, stiffness_ratios
 from winkler.validity import Assumption, Note
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["Tangential", "TangentialSolution"]
 

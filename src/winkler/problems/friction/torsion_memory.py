@@ -23,8 +23,7 @@ import numpy as np
 from winkler.numerics.panels.kink_panels import Sample
 from winkler.numerics.types import Array
 from winkler.problems.friction.torsion_bound import Press, TwistBound
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["Move", "Ring", "TwistMemory", "fresh", "moved", "pieces_of", "slid_along", "stuck_work"]
 

@@ -32,8 +32,7 @@ from winkler.problems.assumptions.temperature import temperature_note
 from winkler.problems.friction.tangential import Tangential, TangentialSolution
 from winkler.problems.heating.input_checks import thick_bodies
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["FrettingHeat", "FrettingHeatSolution"]
 

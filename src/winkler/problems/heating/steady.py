@@ -41,8 +41,7 @@ from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.yield_statement import Rubbing
 from winkler.problems.one_load import single
 from winkler.validity import Assumption, Note
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["FrictionHeating", "FrictionHeatingSolution"]
 

@@ -35,8 +35,7 @@ from winkler.problems.heating.validity import STEADY_SOURCE
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.yield_statement import Rubbing
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["TransientHeating", "TransientHeatingSolution"]
 

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from winkler.problems.adhesion.cycle_states import AdhesiveJump
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["AdhesiveImpactState", "ImpactStage", "ImpactState"]
 

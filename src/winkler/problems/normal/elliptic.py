@@ -27,8 +27,7 @@ from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.yield_of_pressure import ellipse_yield_notes
 from winkler.profiles.ellipse import CurvedBodies
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["EllipticIndentation", "EllipticSolution"]
 

@@ -30,8 +30,7 @@ from winkler.problems.normal.validity import steepness_note
 from winkler.problems.normal.yield_statement import unknown_yield
 from winkler.profiles.profile import Profile
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["NearlyRoundIndentation", "NearlyRoundSolution"]
 

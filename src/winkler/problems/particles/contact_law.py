@@ -25,8 +25,7 @@ from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.solve_contact import flat_radius
 from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
 from winkler.validity import Assumption, Note
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["ContactLaw", "ContactLawSolution"]
 

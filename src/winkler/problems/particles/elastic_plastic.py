@@ -27,8 +27,7 @@ from winkler.problems.answer import gather
 from winkler.problems.particles.elastic_plastic_march import March, ParticleHistory
 from winkler.problems.particles.elastic_plastic_springs import material_of
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["ElasticPlasticParticle", "ParticleSolution", "ParticleState"]
 

@@ -23,8 +23,7 @@ from winkler.problems.assumptions.inertia import wave_loss, wave_note
 from winkler.problems.normal.validity import steepness_note
 from winkler.problems.particles.trace import PLANE, SPRINGS
 from winkler.validity import Assumption, Note
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["BallImpacts", "BallImpactsSolution"]
 

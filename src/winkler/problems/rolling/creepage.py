@@ -18,8 +18,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.numerics.types import Array, Quantity, shaped
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["AtCreepages", "Creepage", "Creeping"]
 

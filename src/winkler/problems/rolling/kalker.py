@@ -15,8 +15,7 @@ from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.media.medium import Medium
 from winkler.numerics.types import Array
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["CreepCoefficients", "RollingPair", "creep_coefficients", "rolling_pair"]
 

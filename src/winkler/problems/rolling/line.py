@@ -20,8 +20,7 @@ from winkler.numerics.equations.bracketing import between
 from winkler.numerics.integrals.bisected_quadrature import towards
 from winkler.numerics.types import Array
 from winkler.problems.normal.indentation import IndentationSolution
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["RollingLine", "Sticking"]
 

@@ -33,8 +33,7 @@ from winkler.problems.rolling.line import RollingLine
 from winkler.problems.rolling.springs import springs
 from winkler.problems.rolling.steady import check_rolling, rolling_notes, touching
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["OscillatingRolling", "OscillatingRollingSolution", "RockingState"]
 

@@ -31,8 +31,7 @@ from winkler.problems.rolling.creepage import AtCreepages, Creepage
 from winkler.problems.rolling.kalker import CreepCoefficients, creep_coefficients, rolling_pair
 from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["RollingTraction", "SimplifiedRolling", "SimplifiedRollingSolution"]
 

@@ -20,8 +20,7 @@ from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.numerics.types import Array
 from winkler.profiles.rough.spectrum import Spectrum, wave_numbers_for
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["ElastomerFriction", "ElastomerFrictionSolution"]
 

@@ -29,8 +29,7 @@ from winkler.problems.rough.spring_line import RoughLine, ensemble, line_seeds, 
 from winkler.profiles.rough.random_rough import random_lines
 from winkler.profiles.rough.spectrum import Spectrum
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["RoughIndentation", "RoughIndentationSolution"]
 

@@ -14,8 +14,7 @@ from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.problems.rough.reduce import Reduction
 from winkler.profiles.rough.topography import Topography
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["ReducedBed"]
 

@@ -18,8 +18,7 @@ import numpy as np
 from winkler.checks.number_checks import Numbers, Positive
 from winkler.loading import Depth, Force
 from winkler.numerics.types import Array
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["Ensemble", "RoughLine", "ensemble", "line_seeds", "prescribed"]
 

@@ -28,8 +28,7 @@ from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContac
 from winkler.profiles.rough.map_spectrum import spectrum_of
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["SurfaceConduction", "SurfaceConductionSolution"]
 

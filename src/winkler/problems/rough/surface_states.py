@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from winkler.numerics.types import Array
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["SurfaceState"]
 

@@ -36,8 +36,7 @@ from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.normal.yield_statement import relaxing_yield
 from winkler.problems.viscoelastic.adhesion_crack import Crack
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["ViscoelasticAdhesion", "ViscoelasticAdhesionSolution", "ViscoelasticAdhesionState"]
 

@@ -31,8 +31,7 @@ from winkler.problems.normal.validity import contact_notes
 from winkler.problems.normal.yield_statement import relaxing_yield
 from winkler.problems.viscoelastic.march import Carried, Row, elastic_like, refuse_rings, relaxation_of
 from winkler.validity import Assumption, Note
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["ViscoelasticImpact", "ViscoelasticImpactSolution"]
 

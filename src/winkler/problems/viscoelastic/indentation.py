@@ -36,8 +36,7 @@ from winkler.problems.normal.yield_statement import relaxing_yield
 from winkler.problems.viscoelastic.march import Row, elastic_like, refuse_rings, relaxation_of
 from winkler.problems.viscoelastic.states import ViscoelasticState
 from winkler.validity import Assumption, Note
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["ViscoelasticIndentation", "ViscoelasticSolution"]
 

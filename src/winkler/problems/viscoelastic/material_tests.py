@@ -28,8 +28,7 @@ from winkler.problems.normal.validity import contact_notes
 from winkler.problems.normal.yield_statement import relaxing_yield
 from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["CreepTest", "HarmonicIndentation", "HarmonicSolution", "RelaxationTest", "StepSolution"]
 

@@ -8,8 +8,7 @@ from numpy.polynomial import chebyshev
 from winkler.foundation.bed import Bed, Pressed
 from winkler.numerics.panels.chebyshev import Panels
 from winkler.numerics.types import Array
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["RelaxedSprings", "SmoothSprings", "smooth"]
 

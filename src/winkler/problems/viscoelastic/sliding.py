@@ -38,8 +38,7 @@ from winkler.problems.normal.yield_statement import relaxing_yield
 from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
 from winkler.problems.viscoelastic.sliding_factor import share_of_line
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["SlidingLine", "SlidingResistance", "SlidingResistanceSolution"]
 

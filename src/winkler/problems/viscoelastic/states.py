@@ -11,8 +11,7 @@ from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.viscoelastic.relaxed_springs import RelaxedSprings, smooth
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["ViscoelasticState"]
 

@@ -41,8 +41,7 @@ from winkler.problems.viscoelastic.march import Row, elastic_like, refuse_rings,
 from winkler.problems.viscoelastic.tangential_march import Dragged, Goal, Scales, shear_relaxation, travel
 from winkler.problems.viscoelastic.tangential_states import ViscoelasticTangentialState, stick_radius
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["ViscoelasticTangential", "ViscoelasticTangentialSolution"]
 

@@ -7,8 +7,7 @@ import math
 import numpy as np
 
 from winkler.numerics.types import Array
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["ViscoelasticTangentialState", "stick_radius"]
 

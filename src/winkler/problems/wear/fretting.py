@@ -33,8 +33,7 @@ from winkler.problems.wear.states import FrettingState, goals_of
 from winkler.problems.wear.validity import fretting_notes
 from winkler.problems.wear.worn_states import pressed_moment, worn_states
 from winkler.validity import Assumption, Note
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["FrettingSolution", "FrettingWear"]
 

@@ -34,8 +34,7 @@ from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
 from winkler.problems.normal.yield_statement import Rubbing
 from winkler.problems.wear.validity import debris_note, slip_note
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["Core", "LimitingProfile", "LimitingSolution"]
 

@@ -9,8 +9,7 @@ from winkler.foundation.foundation import Foundation
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.wear.line import wear_line
 from winkler.problems.wear.march import Moment
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["FrettingState", "WearState", "goals_of"]
 

@@ -20,8 +20,7 @@ from winkler.errors import InvalidInput
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 from winkler.profiles.rough.spectrum import PER_DECADE, PowerSpectrum
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["LineScan", "spectrum_of_lines"]
 

@@ -19,8 +19,7 @@ from winkler.checks.contract import offered
 from winkler.checks.number_checks import POSITIVE, Number, Numbers, Positive, PositiveOrInfinite
 from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
-from winkler.values import value
-from winkler.vocabulary import words
+from winkler.values import value, words
 
 __all__ = ["PowerSpectrum", "SelfAffine", "Spectrum", "wave_numbers_for"]
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.numerics.types import Array
-from winkler.values import frozen_array, value
-from winkler.vocabulary import words
+from winkler.values import frozen_array, value, words
 
 __all__ = ["Spikes"]
 
