@@ -80,7 +80,7 @@ def cycle_panels(solution: AdhesiveCycleSolution) -> tuple[Panel, Panel]:
     by_depth = isinstance(solution.problem.path, Depth)
     name = "position" if by_depth else "depth"
     path = _detailed_path(solution)
-    along = series("AdhesiveCycleSolution", name, path.place)
+    along = series(name, path.place, AdhesiveCycleSolution)
     interacting = path.place[(path.force != 0.0) | (path.radius > 0.0)]
     low, margin = float(np.min(path.place)), MARGIN * float(np.ptp(path.place))
     if interacting.size:  # leave out most of the path on which the bodies are separated
@@ -90,7 +90,7 @@ def cycle_panels(solution: AdhesiveCycleSolution) -> tuple[Panel, Panel]:
     across = Axis.of(along, margin=MARGIN, low=low if interacting.size else None)
     panels = []
     for what, content in (("force", path.force), ("radius", path.radius)):
-        of = series("AdhesiveCycleSolution", what, content)
+        of = series(what, content, AdhesiveCycleSolution)
         marks: list[Any] = [Line(*_with_gaps(path.place, content, path.is_jump))]
         for index in np.flatnonzero(path.is_jump):
             start, stop = ((float(path.place[at]), float(content[at])) for at in (index, index + 1))
@@ -181,10 +181,10 @@ def sheared_panels(solution: AdhesiveShearSolution) -> tuple[Panel, Panel]:
     share = 1.0 - (1.0 - np.linspace(0.0, 1.0, SHEAR_STATES)) ** 2  # dense where the radius falls steeply
     most = Shift(limit.shift * share) if isinstance(problem.lateral, Shift) else ShearForce(limit.shear_force * share)
     whole = AdhesiveShear(problem.bed, problem.law, problem.normal, most).solve()
-    shift = series("AdhesiveShearSolution", "shift", whole.shift)
+    shift = series("shift", whole.shift)
     panels = []
     for name, last in (("shear_force", limit.shear_force), ("radius", limit.radius)):
-        of = series("AdhesiveShearSolution", name, getattr(whole, name))
+        of = series(name, getattr(whole, name))
         requested = np.abs(np.ravel(solution.shift)), np.abs(np.ravel(getattr(solution, name)))
         end = np.array([float(limit.shift)]), np.array([float(last)])
         marks = (

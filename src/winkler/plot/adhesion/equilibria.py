@@ -54,7 +54,7 @@ def radii_panel(curve: EquilibriumCurve) -> Panel:
 
 
 def _over(curve: EquilibriumCurve, name: str) -> Panel:
-    x, y = (series("EquilibriumCurve", one, getattr(curve, one)) for one in ("depth", name))
+    x, y = (series(one, getattr(curve, one)) for one in ("depth", name))
     unstable = "" if curve.stable.all() else "unstable"
     lines = [Line(x.content, y.content, style.MUTED, width=1.2, dash=style.DASHES[1], name=unstable)]
     for place, inside in enumerate(_stable_branches(curve)):

@@ -87,7 +87,7 @@ def _resistance_parts(curve: Steady) -> list[tuple[str, Array]]:
 def _resistance_panel(curve: Steady, item: Steady) -> Panel:
     """Return the resistance over the force, its parts, and the requested points."""
     owner = type(curve)
-    along, whole = series(owner, "force", curve.force), series(owner, "resistance", curve.resistance)
+    along, whole = series("force", curve.force, owner), series("resistance", curve.resistance, owner)
     marks = [Line(along.content, whole.content, style.INK, name="resistance")]
     parts = _resistance_parts(curve)
     for place, (label, part) in enumerate(parts if len(parts) > 1 else []):
@@ -113,11 +113,11 @@ def _resistance_panel(curve: Steady, item: Steady) -> Panel:
 def _parts_panel(curve: Steady) -> Panel:
     """Return the parts of the resistance in per cent."""
     owner = type(curve)
-    along = series(owner, "force", curve.force)
+    along = series("force", curve.force, owner)
     across = Axis.of(along, middle_scale("N", along.content), log=True)
     parts = _resistance_parts(curve)
     if len(parts) == 1:
-        radius = series(owner, "radius", curve.radius)
+        radius = series("radius", curve.radius, owner)
         title = "springs in contact conduct: $R\\propto1/a$"
         return Panel((Line(along.content, radius.content),), across, Axis.of(radius, log=True), title=title)
     rows = np.cumsum([np.zeros(along.content.shape), *(100.0 * part / curve.resistance for _, part in parts)], axis=0)
@@ -170,7 +170,7 @@ def _solved_at_voltages(item: JouleHeatingSolution) -> tuple[JouleHeatingSolutio
 
 
 def _collected(solutions: tuple[JouleHeatingSolution, ...], name: str) -> Series:
-    return series(JouleHeatingSolution, name, np.array([getattr(one, name) for one in solutions]))
+    return series(name, np.array([getattr(one, name) for one in solutions]), JouleHeatingSolution)
 
 
 def _voltages_panel(item: JouleHeatingSolution) -> Panel:
@@ -201,11 +201,11 @@ def _current_panel(item: JouleHeatingSolution) -> Panel:
 def _heated_over_force(item: JouleHeatingSolution) -> Sheet:
     """Return temperature and voltage over the force, for many loads."""
     curve = _curve_over_force(item)
-    along = series(JouleHeatingSolution, "force", curve.force)
+    along = series("force", curve.force, JouleHeatingSolution)
     across = Axis.of(along, middle_scale("N", along.content), log=True)
     panels = []
     for name in ("max_temperature", "resistance"):
-        of = series(JouleHeatingSolution, name, getattr(curve, name))
+        of = series(name, getattr(curve, name), JouleHeatingSolution)
         marks = [Line(along.content, of.content, name="hot" if name == "resistance" else "")]
         force, requested = (np.ravel(np.asarray(part, dtype=float)) for part in (item.force, getattr(item, name)))
         if requested.size <= POINTS:

@@ -78,7 +78,7 @@ def bounds_sheet(item: ConductanceBoundsSolution, *, extent: float | None = None
             break
         except ValueError:
             continue
-    along, of = series("Indentation", "depth", depth + rough), series("Indentation", "force", np.asarray(smooth))
+    along, of = series("depth", depth + rough), series("force", np.asarray(smooth))
     force, shifted = of.content, depth + rough
     marks: list[Any] = [
         Line(depth, force, name="smooth"),

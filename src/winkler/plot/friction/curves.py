@@ -118,9 +118,9 @@ BOUNDS = (r"$\pm\mu F_N$", "bound of friction")
 """Names of bounds in a legend."""
 
 
-def bounds(owner: type[Any] | str, field: str, limit: Array, name: str = BOUNDS[0]) -> list[tuple[Series, str]]:
+def bounds(field: str, limit: Array, name: str = BOUNDS[0]) -> list[tuple[Series, str]]:
     """Return a bound in both directions, as `lines_panel` draws it."""
-    return [(series(owner, field, sign * limit), name if sign > 0.0 else "_") for sign in (1.0, -1.0)]
+    return [(series(field, sign * limit), name if sign > 0.0 else "_") for sign in (1.0, -1.0)]
 
 
 def energies_panel(solution: Any, names: dict[str, str], along: str = "time", height_factor: float = 1.0) -> Panel:
@@ -138,7 +138,7 @@ def energies_panel(solution: Any, names: dict[str, str], along: str = "time", he
         Height of the upright axis, relative to what the energies need.
     """
     owner = type(solution)
-    across = series(owner, along, getattr(solution, along))
+    across = series(along, getattr(solution, along), owner)
     rows = np.cumsum([np.zeros(across.content.shape), *(getattr(solution, name) for name in names)], axis=0)
     scale, greatest = scale_of("J", rows[-1]), float(np.max(rows[-1]))
     areas = [
@@ -177,9 +177,9 @@ def traction_panel(fields: ShearedFields, coefficient: float, stick: float) -> P
         x, y = style.mirrored(fields.r, row)
         marks += [Line(x, y, colour, name=name), Area(x, y, 0.0, colour, 0.12)]
     low = max(min(0.0, *(float(np.min(row)) for row in rows)), -top)
-    of = series("ShearedFields", "traction", rows[0])
+    of = series("traction", rows[0])
     upright = Axis.of(of, scale, low=1.15 * low, high=1.45 * top if top > 0.0 else scale.factor)
-    across = Axis.of(series("ShearedFields", "r", fields.r), scale_of("m", [extent]), low=-extent, high=extent)
+    across = Axis.of(series("r", fields.r), scale_of("m", [extent]), low=-extent, high=extent)
     return Panel(tuple(marks), across, upright, legend="upper right")
 
 
@@ -211,7 +211,7 @@ def slip_panel(fields: ShearedFields, radius: float, stick: float) -> Panel:
         look: dict[str, Any] = {"dash": style.DASHES[1], "name": f"$s{index}$ slipped"}
         marks.append(Line(fields.r, slip, style.CYCLE[2 * place + 1], **look))
     marks += [Rule(radius, upright=True, width=0.9, dash=style.DOTTED), zero()]
-    across = Axis.of(series("ShearedFields", "r", fields.r), scale_of("m", [extent]), low=0.0, high=extent)
+    across = Axis.of(series("r", fields.r), scale_of("m", [extent]), low=0.0, high=extent)
     scale = scale_of("m", *moved, *slips)
     upright = Axis("along the surface", scale, margin=0.08, headroom=0.35 if len(moved) == 1 else 0.5)
     letters = sum(len(mark.name) for mark in marks if isinstance(mark, Line | Band))

@@ -57,8 +57,8 @@ def damping_sheet(item: FrictionDampingSolution) -> Sheet:
 
 def _over(curve: FrictionDampingSolution, item: FrictionDampingSolution, name: str, reach: float, **ends: Any) -> Panel:
     """Return one quantity over the amplitude of the shift, with the requested points."""
-    along = series("FrictionDampingSolution", "shift", np.asarray(curve.shift))
-    of = series("FrictionDampingSolution", name, np.asarray(getattr(curve, name)))
+    along = series("shift", np.asarray(curve.shift))
+    of = series(name, np.asarray(getattr(curve, name)))
     shift, requested = (np.ravel(np.asarray(part, dtype=float)) for part in (item.shift, getattr(item, name)))
     moving = shift > 0.0
     marks = (
@@ -76,8 +76,8 @@ def _cycle_panel(problem: FrictionDamping, amplitude: float) -> Panel:
     share = np.linspace(0.0, 1.0, LOOP_POINTS)
     first = np.asarray(dataclasses.replace(problem, amplitude=Shift(amplitude * share)).solve().shear_force)
     shift, force = amplitude * (2.0 * share - 1.0), 2.0 * first - first[-1]
-    along = series("FrictionDampingSolution", "shift", np.concatenate([shift, -shift]))
-    of = series("FrictionDampingSolution", "shear_force", np.concatenate([force, -force]))
+    along = series("shift", np.concatenate([shift, -shift]))
+    of = series("shear_force", np.concatenate([force, -force]))
     loss = dataclasses.replace(problem, amplitude=Shift(amplitude)).solve().loss_per_cycle
     marks = (
         Polygon(along.content, of.content, style.RED, 0.14),
@@ -97,7 +97,7 @@ def bimodal_sheet(item: BimodalDampingSolution) -> Sheet:
     )
     place = int(np.argmax(np.ravel(item.loss_per_cycle)))
     path = problem.path(float(phase_angle.ravel()[place]), float(amplitudes_along.ravel()[place]), cycles=1)
-    depth, shift = series("BimodalDamping", "depth", path.across), series("TangentialSolution", "shift", path.along)
+    depth, shift = series("depth", path.across), series("shift", path.along)
     across, upright = Axis.of(shift, margin=0.08), Axis.of(depth, margin=0.08, falling=True)
     left = Panel((Line(shift.content, depth.content), zero()), across, upright)
     by_amplitude = bool(np.ptp(amplitudes_along) > 0.0)
@@ -105,7 +105,7 @@ def bimodal_sheet(item: BimodalDampingSolution) -> Sheet:
     along = _varied(curve, "shift_amplitude" if by_amplitude else "phase")
     loss = np.ravel(np.asarray(curve.loss_per_cycle))
     order = np.argsort(along.content, kind="stable")
-    of = series("BimodalDampingSolution", "loss_per_cycle", loss[order])
+    of = series("loss_per_cycle", loss[order])
     marks = [
         Line(along.content[order], of.content, marker="o" if amplitudes_along.size > 1 and loss.size <= 40 else "")
     ]
@@ -130,7 +130,7 @@ def _over_phase(item: BimodalDampingSolution) -> BimodalDampingSolution:
 
 def _varied(item: BimodalDampingSolution, name: str) -> Series:
     content = np.broadcast_to(np.asarray(getattr(item.problem, name), dtype=float), np.shape(item.loss_per_cycle))
-    return series("BimodalDamping", name, np.ravel(content))
+    return series(name, np.ravel(content))
 
 
 def relaxation_sheet(item: RelaxationDamperSolution) -> Sheet:
@@ -142,8 +142,8 @@ def relaxation_sheet(item: RelaxationDamperSolution) -> Sheet:
         float(dataclasses.replace(problem, depth_amplitude=float(amplitude)).solve().damping)
         for amplitude in amplitudes
     ]
-    along = series("RelaxationDamper", "depth_amplitude", amplitudes)
-    of = series("RelaxationDamperSolution", "damping", np.array(damping))
+    along = series("depth_amplitude", amplitudes)
+    of = series("damping", np.array(damping))
     point = Line(np.array([greatest]), np.array([float(item.damping)]), style.RED, width=0.0, marker="o")
     panel = lines_panel(along, [(of, "damping")], f"damping ${of.word.symbol}$", low=0.0).plus(point)
     return Sheet((panel.plus(title="viscous damper that the contact amounts to"),), width=4.8, height=3.2)

@@ -107,14 +107,14 @@ def tangential_state_sheet(item: TangentialState | SpringState, extent: float | 
 def sheared_sheet(item: ShearedFields) -> Sheet:
     """Return restored tractions and slips over the distance from the axis."""
     order = np.argsort(np.ravel(item.r), kind="stable")
-    r = series("ShearedFields", "r", np.ravel(item.r)[order])
+    r = series("r", np.ravel(item.r)[order])
 
     def lines(*words: str) -> list[tuple[Series, str]]:
         quantities = []
         for word in words:
             content = np.asarray(getattr(item, word)).reshape(order.size, -1)[order]
             for place in range(content.shape[1]):
-                one = series("ShearedFields", word, content[:, place])
+                one = series(word, content[:, place])
                 mark = "" if content.shape[1] == 1 else f", {'xy'[place]}"
                 quantities.append((one, one.label().partition(" [")[0] + mark))
         return quantities
@@ -132,8 +132,8 @@ def body_sheet(item: BodyFields) -> Sheet:
 def torsion_sheet(item: TorsionSolution) -> Sheet:
     """Return the loop, torque and energies along a path of twists, and the traction at its last contact."""
     touching = np.flatnonzero(item.radius > 0.0)
-    time, angle, torque = (series("TorsionSolution", name, getattr(item, name)) for name in ("time", "angle", "torque"))
-    lines = [(torque, "torque"), *bounds("TorsionSolution", "torque", item.torque_limit, BOUNDS[1])]
+    time, angle, torque = (series(name, getattr(item, name), TorsionSolution) for name in ("time", "angle", "torque"))
+    lines = [(torque, "torque"), *bounds("torque", item.torque_limit, BOUNDS[1])]
     panels = titled(
         (
             loop_panel(angle, torque, float(item.dissipation[-1])),
@@ -180,8 +180,8 @@ def _twist_panel(state: TorsionState) -> Panel:
         zero(),
     )
     low = -top if np.nanmin(traction) < -0.02 * top else 0.0
-    across = Axis.of(series("SurfaceFields", "r", r), scale_of("m", [radius]), low=0.0, high=1.05 * radius)
-    of, high = series("ShearedFields", "traction", traction), 1.25 * top if top > 0.0 else scale.factor
+    across = Axis.of(series("r", r), scale_of("m", [radius]), low=0.0, high=1.05 * radius)
+    of, high = series("traction", traction), 1.25 * top if top > 0.0 else scale.factor
     return Panel(marks, across, Axis.of(of, scale, low=1.05 * low, high=high), legend="upper left")
 
 
@@ -207,7 +207,7 @@ def _path_panel(item: TangentialSolution) -> Panel:
     """Return the shear force over the shift; in the plane its path, within the bound of friction at the end."""
     lost = float(item.dissipation[-1])
     if item.shear_force.ndim == 1:
-        shift, force = (series("TangentialSolution", name, getattr(item, name)) for name in ("shift", "shear_force"))
+        shift, force = (series(name, getattr(item, name), TangentialSolution) for name in ("shift", "shear_force"))
         return loop_panel(shift, force, lost).plus(title="shear force over shift")
     x, y = item.shear_force.T
     bound = _coefficient(item.problem.law) * float(item.force[-1])
@@ -229,13 +229,10 @@ def _path_panel(item: TangentialSolution) -> Panel:
 
 def _forces_panel(item: TangentialSolution) -> Panel:
     """Return the shear force between the bounds of friction, over time."""
-    time = series("TangentialSolution", "time", item.time)
+    time = series("time", item.time)
     mu = _coefficient(item.problem.law)
     components = [item.shear_force] if item.shear_force.ndim == 1 else list(item.shear_force.T)
-    lines = [
-        (series("TangentialSolution", "shear_force", one), name)
-        for one, name in zip(components, ("$F_x$", "$F_y$"), strict=False)
-    ]
+    lines = [(series("shear_force", one), name) for one, name in zip(components, ("$F_x$", "$F_y$"), strict=False)]
     if math.isfinite(mu):
-        lines += bounds("TangentialSolution", "shear_force", mu * np.asarray(item.force))
+        lines += bounds("shear_force", mu * np.asarray(item.force))
     return lines_panel(time, lines, "shear force" if isinstance(item.problem.path.lateral, ShearForce) else "force")

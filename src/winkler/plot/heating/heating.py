@@ -78,7 +78,7 @@ def _map_panel(body: HeatedBody) -> Panel:
     rise = body.temperature(x[:, None], y[None, :])
     fine_x, fine_y = (np.linspace(line[0], line[-1], REFINEMENT * line.size) for line in (x, y))
     fine = np.maximum(RectBivariateSpline(x, np.concatenate([-y[:0:-1], y]), _mirror(rise))(fine_x, fine_y), 0.0)
-    along, of = series("HeatedBody", "x", fine_x), series("FrictionHeatingSolution", "temperature", _mirror(fine))
+    along, of = series("x", fine_x), series("temperature", _mirror(fine))
     bar = Axis("rise of temperature", of.scale)
     look: dict[str, Any] = {"levels": LEVELS, "colours": style.HEATS, "line_width": 0.4, "shrink": 0.78}
     turn = np.linspace(0.0, 2.0 * np.pi, 181)
@@ -110,9 +110,9 @@ def _wake_panel(item: FrictionHeatingSolution) -> Panel:
         moves = f"moves, Pe = {with_unit(body.peclet, '', 3)}" if body.speed else "rests"
         marks.append(Line(x, body.temperature(x), colour, dash=dash, name=f"{name}: {moves}"))
     marks.append(Band(-a, a, style.MUTED, 0.12))
-    rises = [series("FrictionHeatingSolution", "temperature", line.y) for line in marks[:2]]
+    rises = [series("temperature", line.y) for line in marks[:2]]
     high = 1.42 * max(float(np.max(rise.content)) for rise in rises)
-    across = Axis("$x$ along the motion", series("HeatedBody", "x", x).scale)
+    across = Axis("$x$ along the motion", series("x", x).scale)
     upright = Axis("rise of temperature $T$", common_scale(*rises), low=0.0, high=high)
     return Panel(tuple(marks), across, upright, legend="upper left")
 
@@ -142,9 +142,9 @@ def _curves_sheet(item: FrictionHeatingSolution) -> Sheet:
     """Return flash temperature and heat partition over the varied quantity: Peclet number or heat rate."""
     pe = np.maximum(np.asarray(item.first_peclet), np.asarray(item.second_peclet))
     is_heated = np.ravel(np.asarray(item.heat_rate)) > 0.0
-    along = series("FrictionHeatingSolution", "heat_rate", np.ravel(np.asarray(item.heat_rate)))
+    along = series("heat_rate", np.ravel(np.asarray(item.heat_rate)))
     if np.ptp(pe) > 0.0:
-        along = series("HeatedBody", "peclet", np.ravel(pe))
+        along = series("peclet", np.ravel(pe))
     heated = dataclasses.replace(along, content=along.content[is_heated])
     order = np.argsort(heated.content, kind="stable")
     logarithmic = bool(np.min(heated.content) > 0.0 and np.max(heated.content) > 20.0 * np.min(heated.content))
@@ -153,7 +153,7 @@ def _curves_sheet(item: FrictionHeatingSolution) -> Sheet:
     panels = []
     for names in (("first_max_temperature", "second_max_temperature", "stationary_temperature"), ("first_share",)):
         many = [
-            series("FrictionHeatingSolution", name, np.ravel(np.asarray(getattr(item, name)))[is_heated])
+            series(name, np.ravel(np.asarray(getattr(item, name)))[is_heated], FrictionHeatingSolution)
             for name in names
         ]
         scale = scale_of(many[0].word.unit, *(one.content for one in many))
@@ -194,8 +194,8 @@ def transient_heating_sheet(item: TransientHeatingSolution, *, extent: float | N
         low, high = low / 30.0, high * 30.0
     curve = dataclasses.replace(item.problem, time=np.geomspace(low, high, 61)).solve()
     a = float(item.contact.radius)
-    time = series("TransientHeatingSolution", "time", curve.time)
-    of = series("TransientHeatingSolution", "flash_temperature", curve.flash_temperature)
+    time = series("time", curve.time)
+    of = series("flash_temperature", curve.flash_temperature)
     mean = np.maximum(curve.first_mean_temperature, curve.second_mean_temperature)
     final = item.stationary_temperature
     look: dict[str, Any] = {"width": 0.0, "marker": "o", "size": 3.5, "name": "requested"}
@@ -214,10 +214,10 @@ def transient_heating_sheet(item: TransientHeatingSolution, *, extent: float | N
         Line(r, row, (style.HEATS, float(share)), name=with_unit(float(moment), "s", 3))
         for row, moment, share in zip(rows, moments.time, np.linspace(0.1, 0.9, MOMENTS_DRAWN), strict=True)
     ]
-    rise = series("FrictionHeatingSolution", "temperature", rows)
+    rise = series("temperature", rows)
     edge = Rule(a, upright=True, width=0.9, dash=style.DOTTED)
     upright = Axis("rise of temperature $T$", rise.scale, low=0.0)
-    right = Panel((*lines, edge), Axis.of(series("HeatedBody", "r", r)), upright, legend="upper right")
+    right = Panel((*lines, edge), Axis.of(series("r", r)), upright, legend="upper right")
     titles = ("temperature of the contact", "surface of the first body")
     return Sheet(titled((left, right), *titles), width=4.6, height=3.3)
 
@@ -229,14 +229,14 @@ def fretting_heat_sheet(item: FrettingHeatSolution, *, extent: float | None = No
     a = item.source.radius
     stick = a * float(item.source.joints[1])  # radius of the stick zone
     places = np.linspace(0.0, 1.8, 3 * POINTS_ALONG) * a
-    along, of = series("HeatedBody", "r", places), series("RoundFlux", "flux", item.flux.at(places))
+    along, of = series("r", places), series("flux", item.flux.at(places))
     marks: list[Any] = [Area(places, of.content, 0.0, style.RED), Line(places, of.content, style.RED)]
     if 0.0 < stick < a:
         marks.append(Rule(stick, upright=True, width=0.9, dash=style.DOTTED))
         marks.append(note(f"sticks within {with_unit(stick, 'm', 3)}", "upper left"))
     left = Panel(tuple(marks), Axis.of(along), Axis("mean heat flux $q$", of.scale, low=0.0))
     r = np.linspace(0.0, 1.8, POINTS_ALONG) * a
-    rise = series("FrettingHeatSolution", "temperature", item.temperature(r))
+    rise = series("temperature", item.temperature(r))
     is_heated = (
         Line(r, rise.content),
         Rule(a, upright=True, width=0.9, dash=style.DOTTED),

@@ -55,7 +55,7 @@ def line_load(solution: Restorable, extent: float) -> Curve:
     q = pressed.bed.normal_stiffness(x) * pressed.value(x) if a > 0.0 else np.zeros(1)
     x, q = np.append(x, [a, max(extent, a)]), np.append(q, [0.0, 0.0])
     both = style.mirrored(x, q)
-    return Curve(series("IndentationSolution", "x", both[0]), series("IndentationSolution", "line_load", both[1]))
+    return Curve(series("x", both[0]), series("line_load", both[1]))
 
 
 def surface(solution: Restorable, extent: float) -> SurfaceFields:
@@ -79,7 +79,7 @@ def load_curves(solution: IndentationSolution | AdhesiveSolution) -> dict[str, C
     order = np.argsort(np.ravel(solution.depth), kind="stable")
 
     def sorted_series(name: str) -> Series:
-        return series("IndentationSolution", name, np.ravel(getattr(solution, name))[order])
+        return series(name, np.ravel(getattr(solution, name))[order])
 
     depth = sorted_series("depth")
     names = ("force", "radius") if isinstance(solution, AdhesiveSolution) else ("force", "radius", "stiffness")
@@ -105,7 +105,7 @@ def force_depth(pressed: PressedSprings) -> Curve:
     force = np.where(depth >= np.maximum.accumulate(depth), force, np.nan)
     end = bed.stiffness(a[-1:]) * pressed.depth - bed.gap_load(a[-1:])
     depth, force = np.append(depth, pressed.depth), np.append(force, end)
-    return Curve(series("IndentationSolution", "depth", depth), series("IndentationSolution", "force", force))
+    return Curve(series("depth", depth), series("force", force))
 
 
 def curve_panel(curve: Curve, colour: str = style.BLUE, **look: Any) -> Panel:
@@ -183,7 +183,7 @@ def pressure_panel(solution: Restorable, extent: float, mean: float | None = Non
     """
     fields, pressed = surface(solution, extent), solution.pressed
     radius, singular, in_tension = pressed.radius, is_singular(pressed), has_tensile_singularity(pressed)
-    r, p = series("SurfaceFields", "r", fields.r), series("SurfaceFields", "pressure", fields.pressure)
+    r, p = series("r", fields.r), series("pressure", fields.pressure)
     finite = p.content[np.isfinite(p.content)]
     top = 1.12 * float(np.max(finite, initial=0.0))
     if singular and mean:
@@ -221,7 +221,7 @@ def surface_pressure_panel(fields: SurfaceFields) -> Panel:
     """
     order = np.argsort(fields.r, kind="stable")
     pressure = np.where(np.isfinite(fields.pressure), fields.pressure, np.nan)[order]
-    curve = Curve(series("SurfaceFields", "r", fields.r[order]), series("SurfaceFields", "pressure", pressure))
+    curve = Curve(series("r", fields.r[order]), series("pressure", pressure))
     panel = curve_panel(curve)
     return panel if np.any(pressure < 0.0) else panel.plus(upright=Axis.of(curve.of, low=0.0))
 
@@ -240,4 +240,4 @@ def surface_panel(fields: SurfaceFields) -> Panel:
     )
     low = 1.2 * min(float(np.min(sunk, initial=0.0)), 0.0)
     upright = Axis("along the axis", scale_of("m", [top]), low=low, high=top)
-    return Panel(lines, Axis.of(series("SurfaceFields", "r", r)), upright, legend="upper right")
+    return Panel(lines, Axis.of(series("r", r)), upright, legend="upper right")

@@ -93,7 +93,7 @@ def plane_profile(bed: Bed, end: float) -> tuple[Series, Series]:
     x = np.concatenate([[0.0], inner, [end]])
     g = np.asarray(bed.gap(x), dtype=float)
     finite = np.isfinite(g)
-    return series("Foundation", "x", x[finite]), series("Foundation", "gap", g[finite])
+    return series("x", x[finite]), series("gap", g[finite])
 
 
 def spring_places(extent: float) -> Array:
@@ -166,7 +166,7 @@ def row_panel(row: SpringRow, bed: Bed | None, depth: float, frame: SpringFrame,
         marks.append(Area(both + shift, lower, top, style.BODY, 0.75, order=4.0))
         marks.append(Line(both + shift, lower, width=2.0, order=5.0))
     marks.append(Rule(0.0, dash=style.DASHED, order=1.0))
-    across = Axis.of(series("Foundation", "x", ends), low=-extent, high=extent)
+    across = Axis.of(series("x", ends), low=-extent, high=extent)
     upright = Axis("height", scale_of("m", [unit]), low=bottom - thick, high=top)
     return Panel(tuple(marks), across, upright, grid="")
 

@@ -130,8 +130,7 @@ def field_panel(fields: SubsurfaceFields) -> Panel:
     x, y, both = (
         np.concatenate([sign * part[first:][::-1], part]) for part, sign in ((r, -1.0), (z, 1.0), (stress, 1.0))
     )
-    owner = "SubsurfaceFields"
-    return stress_map(series(owner, "r", x), series(owner, "z", y), series(owner, "von_mises", both))
+    return stress_map(series("r", x), series("z", y), series("von_mises", both))
 
 
 def stress_map(along: Series, down: Series, stress: Series, label: str = "") -> Panel:
@@ -181,10 +180,10 @@ def along_panel(fields: SubsurfaceFields) -> Panel:
         r and z of shape (n,).
     """
     name = "z" if np.ptp(fields.z) >= np.ptp(fields.r) else "r"
-    along = series("SubsurfaceFields", name, np.ravel(getattr(fields, name)))
+    along = series(name, np.ravel(getattr(fields, name)))
     order = np.argsort(along.content, kind="stable")
     names = ("radial_stress", "hoop_stress", "axial_stress", "shear_stress", "von_mises")
-    stresses = [series("SubsurfaceFields", one, np.ravel(getattr(fields, one))) for one in names]
+    stresses = [series(one, np.ravel(getattr(fields, one))) for one in names]
     marker = "o" if order.size <= 40 else ""
     lines = [
         Line(

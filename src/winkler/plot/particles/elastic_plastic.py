@@ -63,8 +63,8 @@ def _headline(item: ParticleSolution) -> str:
 
 def _panel(item: ParticleSolution, legs: list[_Leg], name: str) -> Panel:
     """Return one quantity over the depth."""
-    along = series("ParticleSolution", "depth", np.concatenate([leg.depth for leg in legs]))
-    of = series("ParticleSolution", name, np.concatenate([getattr(leg, name) for leg in legs]))
+    along = series("depth", np.concatenate([leg.depth for leg in legs]))
+    of = series(name, np.concatenate([getattr(leg, name) for leg in legs]), ParticleSolution)
     labelled: set[bool] = set()
     marks: list[Line | Rule] = []
     for leg in legs:

@@ -98,7 +98,7 @@ def _creep_panel(item: Any, force: float) -> Panel:
 def _along(curve: Any, name: str) -> Series:
     creepage = curve.problem.creepage
     content = np.broadcast_to(np.asarray(getattr(creepage, name), dtype=float), creepage.shape)
-    return series(Creepage, name, np.ravel(content))
+    return series(name, np.ravel(content), Creepage)
 
 
 def _end_factor(item: Any) -> float:
@@ -127,7 +127,7 @@ TO_THE_RIGHT = "load of the springs, rolling to the right"
 
 
 def _line_panel(x: Array, load: Array, bound: Array) -> Panel:
-    along, of = series("RollingState", "x", x), series("RollingState", "shear_load", load)
+    along, of = series("x", x), series("shear_load", load)
     sticks = load < bound * (1.0 - 1e-9)
     marks: list[Any] = [
         Line(x, bound, style.MUTED, dash=style.DASHES[1], name=BOUND),
@@ -161,7 +161,7 @@ def _ellipse_panel(item: SimplifiedRollingSolution, *marks: Any, margin_across: 
 def _traction_panel(item: SimplifiedRollingSolution) -> Panel:
     field = item.traction
     across = field.y[:, :1] * np.ones_like(field.x)
-    size = series("RollingTraction", "traction", field.traction)
+    size = series("traction", field.traction)
     rows = np.unique(np.linspace(2, field.x.shape[0] - 3, ARROWS_ACROSS).round().astype(int))
     columns = np.unique(np.linspace(3, field.x.shape[1] - 4, ARROWS_ACROSS).round().astype(int))
     place = np.ix_(rows, columns)
@@ -185,7 +185,7 @@ def _zones_panel(item: SimplifiedRollingSolution) -> Panel:
 @sheet_of.register(RollingStartSolution)
 def start_sheet(item: RollingStartSolution, *, extent: float | None = None) -> Sheet:
     """Return the force over the distance rolled, and the springs at some distances."""
-    along, force = series("RollingStartSolution", "distance", item.distance), r"shear force $F_x/(\mu F_N)$"
+    along, force = series("distance", item.distance), r"shear force $F_x/(\mu F_N)$"
     steady = float(item.steady.saturation)
     marks: list[Any] = [
         Line(along.content, item.shear_force / _friction_bound(item.problem, float(item.contact.force)), name="$F_x$"),
@@ -216,8 +216,8 @@ def _states_panel(item: RollingStartSolution | OscillatingRollingSolution, chose
     lines = [Line(x, sign * bound, name=BOUND if sign > 0.0 else "", **dashed) for sign in signs]
     for colour, (index, name) in zip(style.CYCLE, chosen, strict=False):
         lines.append(Line(x, states[index].shear_load, colour, width=1.4, name=name))
-    upright = Axis.of(series("RollingState", "shear_load", bound))
-    return Panel(tuple(lines), Axis.of(series("RollingState", "x", x)), upright, legend="upper left", outside=True)
+    upright = Axis.of(series("shear_load", bound))
+    return Panel(tuple(lines), Axis.of(series("x", x)), upright, legend="upper left", outside=True)
 
 
 @sheet_of.register(OscillatingRollingSolution)
@@ -226,7 +226,7 @@ def rocking_sheet(item: OscillatingRollingSolution, *, extent: float | None = No
     problem, radius = item.problem, float(item.contact.radius)
     bound_force = _friction_bound(problem, float(item.contact.force))
     shift = Line(item.cycle, item.shift, marker="o" if item.cycle.size < 40 else "", size=3.5)
-    upright = Axis.of(series("OscillatingRollingSolution", "shift", item.shift), low=0.0)
+    upright = Axis.of(series("shift", item.shift), low=0.0)
     last = len(item.states) - 1
     after = sorted({0, 1, min(4, last), last})
     labels = [(k, "at rest" if k == 0 else f"{k} cycles" if k > 1 else "1 cycle") for k in after]

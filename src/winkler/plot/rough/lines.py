@@ -32,7 +32,7 @@ CONTOUR_DIRECTIONS = 256
 
 
 def _flat(item: Any, name: str) -> Series:
-    return series(type(item), name, np.ravel(np.asarray(getattr(item, name), dtype=float)))
+    return series(name, np.ravel(np.asarray(getattr(item, name), dtype=float)), type(item))
 
 
 def _band_of(item: Any, name: str) -> Bounds:
@@ -128,7 +128,7 @@ def _ellipse_panel(item: EllipticSolution) -> Panel:
     step = 2.0 * half_width / PIXELS_ACROSS
     x = (np.arange(PIXELS_ACROSS) + 0.5) * step - half_width
     pressure = item.pressure(x[:, None], x[None, :])
-    drawn = series("SurfaceFields", "pressure", np.where(pressure > 0.0, pressure, np.nan))
+    drawn = series("pressure", np.where(pressure > 0.0, pressure, np.nan))
     square = Topography(np.zeros((PIXELS_ACROSS, PIXELS_ACROSS)), np.array([2.0 * half_width, 2.0 * half_width]))
     ends = np.array([-half_width, half_width])
     image = dataclasses.replace(image_of(square, drawn, style.SHADES), x=ends, y=ends)
@@ -139,7 +139,7 @@ def _ellipse_panel(item: EllipticSolution) -> Panel:
 def elastomer_sheet(item: ElastomerFrictionSolution, *, extent: float | None = None) -> Sheet:
     """Return the coefficient of friction over the velocity, and the spectrum of the surface."""
     refuse_extent(item, extent)
-    velocity = series("ElastomerFriction", "velocity", np.ravel(item.problem.velocity))
+    velocity = series("velocity", np.ravel(item.problem.velocity), ElastomerFrictionSolution)
     panels = models_panel(velocity, [(_flat(item, "coefficient"), "")]), spectrum_panel([(item.problem.spectrum, "")])
     titles = ("friction over velocity: a trend", "power spectrum of the surface")
     return Sheet(titled(panels, *titles), height=3.2)

@@ -102,7 +102,7 @@ def framed(image: Map, scale: Scale) -> Panel:
 
 def heights_of(item: Topography) -> Series:
     """Return the heights above their mean."""
-    return series("Topography", "heights", item.heights - np.nanmean(item.heights))
+    return series("heights", item.heights - np.nanmean(item.heights))
 
 
 def cuts_panel(item: Topography) -> Panel:

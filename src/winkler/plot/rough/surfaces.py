@@ -32,14 +32,14 @@ ELEMENTS_NAME, LINES_NAME, AREA_LABEL = "boundary elements", "lines of springs",
 
 def _map_panels(item: Topography, state: SurfaceState) -> tuple[Panel, ...]:
     """Return contact area, pressure and separation."""
-    touching = series("SurfaceState", "pressure", np.where(state.pressure > 0.0, 1.0, np.nan))
+    touching = series("pressure", np.where(state.pressure > 0.0, 1.0, np.nan))
     contact = dataclasses.replace(image_of(item, touching, (style.RED,)), place="")
     relief = map_panel(item, heights_of(item), style.RELIEFS, label="height $z$", lowest=np.inf)
-    pressed = series("SurfaceState", "pressure", np.where(state.pressure > 0.0, state.pressure, np.nan))
+    pressed = series("pressure", np.where(state.pressure > 0.0, state.pressure, np.nan))
     panels = (
         relief.plus(contact),
         map_panel(item, pressed, style.SHADES),
-        map_panel(item, series("SurfaceState", "separation", state.separation), style.SHADES),
+        map_panel(item, series("separation", state.separation), style.SHADES),
     )
     share = 100.0 * float(state.area) / item.area
     return titled(panels, f"contact (red): {share:.3g} % of the map", "pressure", "distance of the surfaces")
@@ -66,7 +66,7 @@ def _share(area: ArrayLike, item: SurfaceContactSolution) -> Series:
 
 
 def _along(item: SurfaceContactSolution | SurfaceConductionSolution, name: str) -> Series:
-    return series(type(item), name, np.ravel(np.asarray(getattr(item, name), dtype=float)))
+    return series(name, np.ravel(np.asarray(getattr(item, name), dtype=float)), type(item))
 
 
 @sheet_of.register(SurfaceContactSolution)
@@ -102,7 +102,7 @@ def conduction_sheet(item: SurfaceConductionSolution, *, extent: float | None = 
     least, most = (np.ravel(np.asarray(part)) for part in (item.least_stiffness, item.greatest_stiffness))
     top = np.where(np.isfinite(most), most, 1e3 * np.max(np.asarray(item.stiffness)[np.isfinite(item.stiffness)]))
     factor = conductance.content / _along(item, "stiffness").content
-    line = series(type(item), "conductance", factor * _along(item, "line_stiffness").content)
+    line = series("conductance", factor * _along(item, "line_stiffness").content, type(item))
 
     def between(factor: Any) -> list[Bounds]:
         return [
@@ -125,7 +125,7 @@ def _single_panel(item: SurfaceConductionSolution) -> Panel:
     """Return the resistance of one load between its bounds."""
     names = ("least_resistance", "resistance", "line_resistance", "greatest_resistance")
     labels = ("lower bound", ELEMENTS_NAME, LINES_NAME, "upper bound")
-    of = series(type(item), "resistance", np.array([float(np.ravel(getattr(item, name))[0]) for name in names]))
+    of = series("resistance", np.array([float(np.ravel(getattr(item, name))[0]) for name in names]), type(item))
     places = np.arange(4.0)
     bars = Bars(places, of.content, (style.MUTED, style.BLUE, style.RED, style.MUTED))
     upright = Axis(ticks=places, names=labels, falling=True)
@@ -143,7 +143,7 @@ def reduction_sheet(item: ReductionSolution, *, extent: float | None = None) -> 
     curves = {"force": k * d - bed.gap_load(radius), "stiffness": k}
     panels = []
     for (name, content), corner in zip(curves.items(), ("upper left", "lower right"), strict=True):
-        along, of = series("ReductionSolution", "depth", d), series("ReductionSolution", name, content)
+        along, of = series("depth", d), series(name, content)
         look: dict[str, Any] = {"width": 0.0, "marker": "o", "size": 4.0, "name": ELEMENTS_NAME}
         marks = Line(d, content, name="springs"), Line(item.depth, getattr(item, name), style.RED, **look)
         axes = Axis.of(along, low=0.0), Axis.of(of, low=0.0)

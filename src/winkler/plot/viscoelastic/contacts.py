@@ -102,4 +102,4 @@ def impact_sheet(item: ViscoelasticImpactSolution, *, extent: float | None = Non
 
 
 def _series(item: Any, name: str) -> Series:
-    return series(type(item), name, getattr(item, name))
+    return series(name, getattr(item, name), type(item))

@@ -77,6 +77,6 @@ def pressure_panel(state: ViscoelasticState) -> Panel:
     pressure: Array = state.pressure(r)
     finite = np.isfinite(pressure)
     x, p = style.mirrored(r[finite], pressure[finite])
-    across = Axis.of(series("SurfaceFields", "r", r[finite]), low=-extent, high=extent)
-    upright = Axis.of(series("ViscoelasticState", "pressure", pressure[finite]), low=0.0)
+    across = Axis.of(series("r", r[finite]), low=-extent, high=extent)
+    upright = Axis.of(series("pressure", pressure[finite]), low=0.0)
     return Panel((Area(x, p, 0.0, style.RED), Line(x, p, style.RED)), across, upright)

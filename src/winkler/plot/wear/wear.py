@@ -106,7 +106,7 @@ def limiting_sheet(item: LimitingSolution, *, extent: float | None = None) -> Sh
 
 
 def _series(item: Any, name: str) -> Series:
-    return series(type(item), name, getattr(item, name))
+    return series(name, getattr(item, name), type(item))
 
 
 def _chosen(states: tuple[WearState, ...]) -> list[int]:
@@ -148,8 +148,8 @@ def rows_panel(name: str, lines: list[Line], most: float = np.inf) -> Panel:
     most : float
         [SI].
     """
-    along = series("WearState", "radii", np.concatenate([line.x for line in lines]))
-    of = series("WearState", name, np.minimum(np.concatenate([line.y for line in lines]), most))
+    along = series("radii", np.concatenate([line.x for line in lines]), WearState)
+    of = series(name, np.minimum(np.concatenate([line.y for line in lines]), most), WearState)
     top = float(np.max(of.content))
     high = 1.08 * top if top > 0.0 else of.scale.factor
     return Panel(tuple(lines), Axis("$r$", along.scale), Axis.of(of, low=0.0, high=high))
@@ -198,9 +198,9 @@ def moment_panels(states: Sequence[WearState], moment: int) -> tuple[Panel, Pane
         ("pressure", pressure, (), top),
     ):
         panel = rows_panel(name, lines)
-        scale = series("WearState", name, np.array([high])).scale
+        scale = series(name, np.array([high]), WearState).scale
         upright = dataclasses.replace(panel.upright, scale=scale, high=1.08 * high if high > 0.0 else scale.factor)
-        across = Axis.of(series("SurfaceFields", "r", r), low=0.0, high=reach)
+        across = Axis.of(series("r", r), low=0.0, high=reach)
         panels.append(panel.plus(*marks, across=across, upright=upright, legend="best"))
     return panels[0], panels[1], panels[2]
 

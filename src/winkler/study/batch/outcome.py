@@ -102,7 +102,7 @@ def _numbers_of(cls: type[Any]) -> tuple[str, ...]:
 
 def _has_unit(cls: type, name: str) -> bool:
     try:
-        return not name.startswith("_") and word(cls.__name__, name).unit is not None
+        return not name.startswith("_") and word(cls, name).unit is not None
     except KeyError:
         return False
 
@@ -243,7 +243,7 @@ class Outcome:
             return keys.word_at(self.study, name)
         having = (point for point in self.solved if any(name == one for one, _ in point.found))
         owner = next((point.answer_type for point in having), type(None))
-        return word(owner.__name__, name)
+        return word(owner, name)
 
     def table(self) -> tuple[Column, ...]:
         """Return the long table, one row per point and load: swept keys, answers, and failures if there are any."""
