@@ -218,7 +218,7 @@ class BimodalDamping:
 
         def density(x: Array, _: Array) -> Array:
             gap = self.bed.gap(x) - self.depth
-            lost = self._released(cycle, gap) if math.isinf(bound) else cycle.loss(gap)
+            lost = cycle.released(gap) if math.isinf(bound) else cycle.loss(gap)
             return np.asarray(2.0 * self.bed.tangential_stiffness(x) * lost)
 
         return float(along_springs(density, edges, np.array([self._tolerance(cycle)]), "loss of the springs")[0])
@@ -244,18 +244,6 @@ class BimodalDamping:
                 lowest + (radius - lowest) * 0.5 ** np.arange(1, EDGE_HALVINGS),
             ]
         return np.unique(np.concatenate(parts))
-
-    def _released(self, cycle: SpringCycle, gap: Array) -> Array:
-        """Return what springs that never slide lose when they part, over their stiffness [m^2]."""
-        n, m = self.normal_cycles, self.lateral_cycles
-        share = math.sin(cycle.phase) ** 2 * n if n <= 2 else 0.5 * n
-        span = self.depth_amplitude
-        if span == 0.0:
-            return np.zeros(gap.shape)
-        touching = np.arccos(np.clip(gap / span, -1.0, 1.0))
-        never = (gap <= -span) | (gap >= span)
-        lost = 2.0 * share * cycle.shift_amplitude**2 * np.sin(m * touching / n) ** 2
-        return np.where(never, 0.0, lost)
 
 
 @value
