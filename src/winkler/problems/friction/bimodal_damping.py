@@ -56,7 +56,6 @@ TOLERANCE = 1e-12
 EDGE_HALVINGS = 30
 """How often the panels halve their distance from the edges of the widest and the narrowest contact."""
 
-
 WITH_FRICTION = Condition(
     lambda law: law.coefficient > 0.0,
     "give Coulomb(coefficient) with a positive coefficient, infinite if nothing slides",
@@ -170,12 +169,8 @@ class BimodalDamping:
         pushed, ahead = np.broadcast_arrays(
             np.asarray(self.shift_amplitude, dtype=float), np.asarray(self.phase, dtype=float)
         )
-        loss = np.array(
-            [
-                self._lost(ratios[0], radius, float(a), float(p))
-                for a, p in zip(pushed.ravel(), ahead.ravel(), strict=True)
-            ]
-        )
+        pairs = zip(pushed.ravel().tolist(), ahead.ravel().tolist(), strict=True)
+        loss = np.array([self._lost(ratios[0], radius, a, p) for a, p in pairs])
         if pushed.ndim == 0:
             return BimodalDampingSolution(self, deepest, float(loss[0]))
         return BimodalDampingSolution(self, deepest, loss.reshape(pushed.shape))
@@ -239,10 +234,8 @@ class BimodalDamping:
         kinks = [b for b, _ in self.bed.kinks]
         parts = [towards(radius, kinks, EDGE_HALVINGS)]
         if 0.0 < lowest < radius:
-            parts += [
-                towards(lowest, [], EDGE_HALVINGS),
-                lowest + (radius - lowest) * 0.5 ** np.arange(1, EDGE_HALVINGS),
-            ]
+            outside = lowest + (radius - lowest) * 0.5 ** np.arange(1, EDGE_HALVINGS)
+            parts += [towards(lowest, [], EDGE_HALVINGS), outside]
         return np.unique(np.concatenate(parts))
 
 
