@@ -37,7 +37,7 @@ from winkler.problems.friction.torsion_march import (
     torque_of,
     torsion_step,
 )
-from winkler.problems.friction.torsion_memory import TwistMemory, fresh, pieces_of
+from winkler.problems.friction.torsion_pieces import TwistMemory, fresh, pieces_of
 from winkler.problems.friction.torsion_states import TorsionState, TwistedSprings
 from winkler.problems.friction.torsion_yield import torsion_yield_notes
 from winkler.problems.normal.solve_contact import at_depth, at_force
