@@ -61,7 +61,7 @@ class TwistPiece(NamedTuple):
     bound: PressedState
 
     def values(self, bound: TwistBound) -> Array:
-        """Return h [Pa] at the places of a bound."""
+        """Return h [Pa] at the nodes of a bound."""
         result = np.full(bound.x.shape, self.held)
         if self.entered != 0.0:
             result += self.entered * bound.clock
