@@ -125,15 +125,15 @@ def follow_contacts(
     return FrictionState(u, twisted[:, 0], rolled, heat[:, -1]), trace
 
 
-def with_step_axis(broadcast: ArrayLike, axes: int) -> Array:
+def with_step_axis(values: ArrayLike, axes: int) -> Array:
     """Return what is given for one step with an axis of steps after that of the contacts."""
-    numbers = np.asarray(broadcast, dtype=float)
+    numbers = np.asarray(values, dtype=float)
     return np.expand_dims(numbers, axis=1) if numbers.ndim == axes else numbers
 
 
-def numbers_of_shape(word: str, broadcast: ArrayLike, shape: tuple[int, ...]) -> Array:
+def numbers_of_shape(word: str, values: ArrayLike, shape: tuple[int, ...]) -> Array:
     """Return finite numbers of a shape, from these or from one for all; refuse what is neither."""
-    numbers = np.asarray(broadcast, dtype=float)
+    numbers = np.asarray(values, dtype=float)
     if numbers.shape not in ((), shape):
         raise InvalidInput(f"Contacts: {word} has the shape {numbers.shape}; give {shape}, or one number for all.")
     if not np.all(np.isfinite(numbers)):
