@@ -28,7 +28,7 @@ from winkler.problems.normal.validity import contact_notes
 from winkler.problems.normal.yield_statement import relaxing_yield
 from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["CreepTest", "HarmonicIndentation", "HarmonicSolution", "RelaxationTest", "StepSolution"]
 
@@ -281,6 +281,8 @@ class HarmonicSolution:
     storage_stiffness, loss_stiffness : float or ndarray
         Amplitudes of the force in phase with the motion and a quarter of a turn ahead, over that of the motion [N/m].
     """
+
+    __words__ = words(loss_stiffness=("k''", "N/m", "force a quarter turn ahead of a motion, over the motion"))
 
     problem: HarmonicIndentation
     depth: float

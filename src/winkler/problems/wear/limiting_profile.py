@@ -34,7 +34,7 @@ from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
 from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.problems.wear.validity import debris_note, slip_note
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["Core", "LimitingProfile", "LimitingSolution"]
 
@@ -130,6 +130,8 @@ class LimitingProfile:
     (0.05, 0.1229791, 0.7593)
     """
 
+    __words__ = words(contact=("", None, "the contact before wear"), amplitude=("", None, "amplitude of the shift"))
+
     bed: Foundation
     law: Sliding
     normal: Annotated[Depth, ONE_DEPTH]
@@ -221,6 +223,8 @@ class LimitingSolution:
     radius : float
         a_inf [m], where the worn part ends.
     """
+
+    __words__ = words(radius=(r"a_\infty", "m", "radius where the worn part ends"))
 
     problem: LimitingProfile
     core: Core
