@@ -84,13 +84,13 @@ def test_what_is_wrong_stands_beside_its_field(fresh, tmp_path):
     spoilt = tmp_path / "spoilt.csv"
     spoilt.write_text("piezo [nm], force [nN]\n1, 2\n3, four\n", encoding="utf-8")
     uploaded(app_page, spoilt)
-    said = app_page.page.locator(".study-side .wrong", has_text="spoilt.csv")
-    said.wait_for(timeout=20_000)
+    sentence = app_page.page.locator(".study-side .wrong", has_text="spoilt.csv")
+    sentence.wait_for(timeout=20_000)
     app_page.settled("wrong")
     app_page.shot("fit_spoilt")
     uploaded(app_page, EXAMPLES / "data" / "gel_bead.csv")
     app_page.settled()
-    assert said.count() == 0
+    assert sentence.count() == 0
     bound = f"fit.free.{YOUNG}.0"
     app_page.type(f"fit.free.{YOUNG}.1", "10 MPa")
     app_page.type(bound, "10 kg")

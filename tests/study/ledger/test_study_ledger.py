@@ -125,9 +125,7 @@ def test_what_an_outside_source_is():
 
 def test_second_solvers_of_our_own_are_graded_as_such():
     """They verify the code and not the physics, as do formulas of the springs themselves."""
-    own = re.compile(
-        r"^own |^independent |the springs' own|layered_judge|another root finder|rule of springs|ahead of the"
-    )
+    own = re.compile(r"^own |^independent |the springs' own|another root finder|rule of springs|ahead of the")
     for path in case_files():
         content = tomllib.loads(path.read_text(encoding="utf-8"))
         if own.search(content["source"]):

@@ -329,9 +329,9 @@ def test_a_real_browser_shows_it_without_a_network_and_without_sideways_scrollin
     probe = """<script>window.onload = () => {
       const wide = [...document.querySelectorAll('section, figure, figure > svg, h1, p, li')]
         .filter(e => e.getBoundingClientRect().right > document.documentElement.clientWidth + 1);
-      const asked = performance.getEntriesByType('resource').filter(e => !e.name.startsWith('data:'));
+      const requests = performance.getEntriesByType('resource').filter(e => !e.name.startsWith('data:'));
       const small = [...document.querySelectorAll('figure > svg')].filter(e => e.getBoundingClientRect().height < 100);
-      document.title = 'wide ' + wide.length + ' asked ' + asked.length + ' small ' + small.length
+      document.title = 'wide ' + wide.length + ' requests ' + requests.length + ' small ' + small.length
         + ' scroll ' + (document.documentElement.scrollWidth - document.documentElement.clientWidth)
         + ' math ' + (document.querySelector('mfrac').getBoundingClientRect().height > 20);
     };</script></body>"""
@@ -359,4 +359,4 @@ def test_a_real_browser_shows_it_without_a_network_and_without_sideways_scrollin
     )  # fmt: skip
     title = re.search(r"<title>(.*?)</title>", answer.stdout)
     assert title, answer.stdout[:500] + answer.stderr[-500:]
-    assert title[1] == "wide 0 asked 0 small 0 scroll 0 math true"
+    assert title[1] == "wide 0 requests 0 small 0 scroll 0 math true"
