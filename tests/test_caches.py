@@ -1,4 +1,4 @@
-"""Where nothing of the user can be written there is a private folder, or nothing is kept; see .ci/unprivileged."""
+"""Where nothing of the user can be written there is a private folder, or nothing is stored; see .ci/unprivileged."""
 
 from __future__ import annotations
 

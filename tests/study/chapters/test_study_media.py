@@ -86,7 +86,7 @@ def test_a_thickness_of_one_layer_and_the_solid_of_another_can_be_swept():
     force = outcome.answer("force")[:, 0]
     own = wk.HalfSpace(wk.Elastic(180e9, 0.22))
     alone = wk.Indentation(wk.Foundation(wk.Paraboloid(5e-5), own), wk.Depth(1e-7)).solve().force
-    assert abs(force[1] / alone - 1.0) < abs(force[0] / alone - 1.0)  # the thicker, the less is felt of the rest
+    assert abs(force[1] / alone - 1.0) < abs(force[0] / alone - 1.0)  # the thicker, the less the rest matters
 
 
 def test_a_designed_body_can_be_written_and_read():
