@@ -24,8 +24,8 @@ from winkler.numerics.equations.roots import invert
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.near_round_contour import Directions
+from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.normal.validity import steepness_note
-from winkler.problems.normal.yield_statement import unknown_yield
 from winkler.profiles.profile import Profile
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value

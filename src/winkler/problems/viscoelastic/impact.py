@@ -27,8 +27,8 @@ from winkler.problems.assumptions.inertia import wave_loss, wave_note
 from winkler.problems.assumptions.times import times_notes
 from winkler.problems.normal.length_scale import shape_length
 from winkler.problems.normal.solve_contact import at_depth
+from winkler.problems.normal.unknown_yield import relaxing_yield
 from winkler.problems.normal.validity import contact_notes
-from winkler.problems.normal.yield_statement import relaxing_yield
 from winkler.problems.viscoelastic.march import SpringMemory, SpringRow, elastic_like, refuse_rings, relaxation_of
 from winkler.validity import Assumption, Note
 from winkler.values import value

@@ -31,8 +31,8 @@ from winkler.problems.assumptions.declared import BALANCED, RELAXING
 from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.assumptions.times import path_notes
 from winkler.problems.normal.solve_contact import at_depth, at_force
+from winkler.problems.normal.unknown_yield import relaxing_yield
 from winkler.problems.normal.validity import contact_notes
-from winkler.problems.normal.yield_statement import relaxing_yield
 from winkler.problems.viscoelastic.march import SpringRow, elastic_like, refuse_rings, relaxation_of
 from winkler.problems.viscoelastic.states import ViscoelasticState
 from winkler.validity import Assumption, Note

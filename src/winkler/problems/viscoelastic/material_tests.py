@@ -24,8 +24,8 @@ from winkler.path import OnePositiveNormal
 from winkler.problems.assumptions.declared import RELAXING
 from winkler.problems.assumptions.times import times_notes
 from winkler.problems.normal.indentation import Indentation
+from winkler.problems.normal.unknown_yield import relaxing_yield
 from winkler.problems.normal.validity import contact_notes
-from winkler.problems.normal.yield_statement import relaxing_yield
 from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value

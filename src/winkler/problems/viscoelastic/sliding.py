@@ -33,8 +33,8 @@ from winkler.path import OnePositiveNormal
 from winkler.problems.assumptions.declared import RELAXING
 from winkler.problems.assumptions.times import times_notes
 from winkler.problems.normal.solve_contact import at_depth, at_end, at_force
+from winkler.problems.normal.unknown_yield import relaxing_yield
 from winkler.problems.normal.validity import contact_notes
-from winkler.problems.normal.yield_statement import relaxing_yield
 from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
 from winkler.problems.viscoelastic.sliding_factor import share_of_line
 from winkler.validity import Assumption, Note, Standing

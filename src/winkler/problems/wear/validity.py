@@ -12,8 +12,9 @@ from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.problems.assumptions.coupling import sliding_note, sticking_note
 from winkler.problems.normal.strong_parts import strong_parts
+from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.normal.validity import indentation_notes
-from winkler.problems.normal.yield_statement import SurfaceFriction, unknown_yield
+from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.problems.wear.states import WearState
 from winkler.validity import Assumption, Note, Standing
 
