@@ -89,9 +89,10 @@ from winkler.peaks import PeakStress, PlacedStress, peak_stress
 from winkler.problems.adhesion.cycle import AdhesiveCycle, AdhesiveCycleSolution
 from winkler.problems.adhesion.equilibrium import Equilibrium, EquilibriumCurve
 from winkler.problems.adhesion.indentation import AdhesiveIndentation, AdhesiveSolution
-from winkler.problems.adhesion.model_choice import maugis_parameter, tabor_parameter, which_model
+from winkler.problems.adhesion.model_choice import which_model
 from winkler.problems.adhesion.pull_off import PullOff, PullOffSolution
 from winkler.problems.adhesion.shear import AdhesiveShear, AdhesiveShearSolution
+from winkler.problems.adhesion.tabor import maugis_parameter, tabor_parameter
 from winkler.problems.conduction.bounds import ConductanceBounds, ConductanceBoundsSolution
 from winkler.problems.conduction.constriction import Constriction, ConstrictionSolution
 from winkler.problems.conduction.fields import CurrentFields, HeatFields, restore_conduction
