@@ -140,7 +140,8 @@ from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContac
 from winkler.problems.viscoelastic.adhesion import ViscoelasticAdhesion, ViscoelasticAdhesionSolution
 from winkler.problems.viscoelastic.impact import ViscoelasticImpact, ViscoelasticImpactSolution
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation, ViscoelasticSolution
-from winkler.problems.viscoelastic.material_tests import CreepTest, HarmonicIndentation, RelaxationTest
+from winkler.problems.viscoelastic.material_tests import CreepTest, RelaxationTest
+from winkler.problems.viscoelastic.oscillation import HarmonicIndentation
 from winkler.problems.viscoelastic.sliding import SlidingResistance, SlidingResistanceSolution
 from winkler.problems.viscoelastic.tangential import ViscoelasticTangential, ViscoelasticTangentialSolution
 from winkler.problems.wear.fretting import FrettingSolution, FrettingWear
