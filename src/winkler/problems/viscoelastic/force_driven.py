@@ -9,7 +9,7 @@ import numpy as np
 from winkler.errors import NotConverged
 from winkler.problems.viscoelastic.march import SpringRow
 
-__all__ = ["ForceDriven"]
+__all__ = ["RESTING_FORCE", "SHORTEST_STEP", "ForceDriven"]
 
 RESTING_FORCE = 1e-11
 """A body under no force rests on the surface with this part of the greatest one."""
