@@ -35,7 +35,7 @@ from winkler.fitting.unloading.unloading_law import fitted_power_law
 from winkler.fitting.unloading.unloading_notes import UnloadingFacts, unloading_notes
 from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["OliverPharr", "OliverPharrSolution"]
 
@@ -69,6 +69,12 @@ class OliverPharr:
     W. C. Oliver, G. M. Pharr, J. Mater. Res. 7 (1992) 1564-1583, doi:10.1557/JMR.1992.1564
     G. M. Pharr, A. Bolshakov, J. Mater. Res. 17 (2002) 2660-2671, doi:10.1557/JMR.2002.0386
     """
+
+    __words__ = words(
+        upper=("", "", "part of the greatest force where the fitted part begins"),
+        lower=("", "", "part of the greatest force where the fitted part ends"),
+        shape_factor=(r"\beta", "", "factor of the stiffness of a tip that is not round"),
+    )
 
     curve: ForceCurve
     profile: Tip
@@ -243,6 +249,14 @@ class OliverPharrSolution:
     fitted_points : ndarray
         Indices of the fitted points of the curve.
     """
+
+    __words__ = words(
+        exponent=("m", "", "exponent of the unloading"),
+        modulus=("E_r", "Pa", "reduced modulus, that of the pair"),
+        scatter=("s", "N", "standard deviation of the forces about the power law"),
+        fitted_force=("F", "N", "force of the fitted law at the depth of the peak"),
+        fitted_points=("", None, "indices of the points that were fitted"),
+    )
 
     problem: OliverPharr
     force: float

@@ -24,7 +24,7 @@ from winkler.problems.adhesion.tabor import MAUGIS_OVER_TABOR
 from winkler.problems.assumptions.adhesion_range import GREENWOOD, PULL_OFF_STRETCH
 from winkler.problems.normal.indentation import Indentation
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["ModelError", "Recommendation", "which_model"]
 
@@ -48,6 +48,8 @@ class ModelError:
     pull_off_error, radius_error : float
         Relative [-], against Maugis.
     """
+
+    __words__ = words(pull_off=("F_A", "N", "force at which a dead load tears the contact off"))
 
     model: str
     pull_off: float

@@ -33,7 +33,7 @@ from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
 from winkler.problems.normal.yield_statement import SurfaceFriction, slid_depth
 from winkler.validity import Assumption, Note
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["FrictionDamping", "FrictionDampingSolution"]
 
@@ -89,6 +89,8 @@ class FrictionDamping:
     >>> round(swing.loss_per_cycle * swing.contact.radius * medium.shear_modulus / 0.5e-3**2, 9)
     0.041057384
     """
+
+    __words__ = words(amplitude=("", None, "amplitude of the shift or of the shear force"))
 
     bed: Bed
     law: Sliding

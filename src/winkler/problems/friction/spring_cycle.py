@@ -22,7 +22,7 @@ import numpy as np
 
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["SpringCycle"]
 
@@ -58,6 +58,8 @@ class SpringCycle:
     bound : float
         beta [-]: how far a spring is displaced when it begins to slide, over how far it is pressed.
     """
+
+    __words__ = words(bound=(r"\beta", "", "displacement at which a spring slides, over how far it is pressed"))
 
     depth_amplitude: float
     shift_amplitude: float

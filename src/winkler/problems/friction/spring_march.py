@@ -36,7 +36,7 @@ from winkler.problems.friction.spring_states import SpringLaw, SpringProblem, Sp
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.stiffness_ratio import refuse_plane
 from winkler.validity import Assumption, Note
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["SpringMarch", "SpringState", "SpringTrace", "march_springs"]
 
@@ -67,6 +67,8 @@ class SpringTrace:
     stored_energy, dissipation : ndarray, (steps,)
         Of the tangential displacement, and lost since the beginning [J].
     """
+
+    __words__ = words(work=("W", "J", "what the lateral motion has spent since the beginning"))
 
     problem: SpringMarch
     depth: Array

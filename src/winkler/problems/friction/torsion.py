@@ -232,6 +232,8 @@ class TorsionSolution:
         One by one, with the springs from which fields are restored.
     """
 
+    __words__ = TorsionState.__words__
+
     problem: Torsion
     time: Array
     depth: Array

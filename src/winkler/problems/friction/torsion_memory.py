@@ -23,7 +23,7 @@ import numpy as np
 from winkler.numerics.panels.kink_panels import Sample
 from winkler.numerics.types import Array
 from winkler.problems.friction.torsion_bound import PressedState, TwistBound
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["TwistMemory", "TwistMove", "TwistRing", "fresh", "moved", "pieces_of", "slid_along", "stuck_work"]
 
@@ -52,6 +52,17 @@ class TwistMemory:
     bounds : ndarray, (m, 3)
         Level, radius and excess of the contact whose bound it is.
     """
+
+    __words__ = words(
+        press=("", None, "how the contact is pressed"),
+        level=("", None, "depth or force, as prescribed"),
+        excess=("d-g(a)", "m", "depth beyond that at which the contact fills the body"),
+        edges=("x_j", "m", "ends of the stretches"),
+        held=(r"\alpha", "Pa", "constant part of the load over x"),
+        entered=(r"\beta", None, "part of the load over x that grows with the level of first touch"),
+        sides=(r"\sigma", "", "part of the load over x that is a bound"),
+        bounds=("", None, "the contacts whose bounds these are"),
+    )
 
     level: float
     radius: float

@@ -42,7 +42,7 @@ from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.problems.one_load import single
 from winkler.validity import Assumption, Note
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["FrictionHeating", "FrictionHeatingSolution"]
 
@@ -174,6 +174,11 @@ class FrictionHeatingSolution:
     first_mean_temperature, second_mean_temperature : float or ndarray
         Mean temperature of either surface over the contact [K].
     """
+
+    __words__ = words(
+        first=("1", None, "the first body with its temperature"),
+        second=("2", None, "the second body with its temperature"),
+    )
 
     problem: FrictionHeating
     contact: IndentationSolution

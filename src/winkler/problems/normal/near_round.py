@@ -28,7 +28,7 @@ from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.normal.validity import steepness_note
 from winkler.profiles.profile import Profile
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["NearlyRoundIndentation", "NearlyRoundSolution"]
 
@@ -82,6 +82,8 @@ class NearlyRoundIndentation:
     >>> round(oval.force / (4.0 / 3.0 * 1.0276201**0.5 * 0.01**1.5) - 1.0, 4)
     0.0
     """
+
+    __words__ = words(profiles=("", None, "the profile along equally spaced directions"))
 
     profiles: tuple[Profile, ...]
     medium: HomogeneousMedium

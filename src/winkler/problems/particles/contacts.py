@@ -25,7 +25,7 @@ from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.normal.validity import steepness_note
 from winkler.problems.particles.trace import PLANE, SIMILAR, SPRINGS, UNCOUPLED, ContactTrace
 from winkler.validity import Assumption, Note
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["Contacts"]
 
@@ -65,6 +65,11 @@ class Contacts:
     InvalidInput
         If the shapes do not agree, or a number has the wrong sign.
     """
+
+    __words__ = words(
+        coefficient=(r"\mu", "", "friction coefficient"),
+        reach=("d_{max}", "m", "greatest depth that the springs are made for"),
+    )
 
     curvature_radius: Annotated[Array, Numbers(POSITIVE, fewest=0)]
     modulus: Annotated[Array, Numbers(POSITIVE, fewest=0)]

@@ -31,7 +31,7 @@ from winkler.problems.rolling.creepage import Creepage, CreepageSolution
 from winkler.problems.rolling.kalker import CreepCoefficients, creep_coefficients, rolling_pair
 from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["RollingTraction", "SimplifiedRolling", "SimplifiedRollingSolution"]
 
@@ -89,6 +89,8 @@ class SimplifiedRolling:
     >>> round(spun.lateral_force / (0.3 * 80e3), 3), round(abs(spun.longitudinal_force), 6)
     (0.216, 0.0)
     """
+
+    __words__ = words(count=("n", "", "strips across the contact, and steps along each"))
 
     footprint: ContactEllipse | CurvedBodies
     medium: Annotated[HalfSpace, ISOTROPIC]
@@ -158,6 +160,12 @@ class SimplifiedRollingSolution(CreepageSolution):
     moment : float or ndarray
         M_z [N m], with which it turns it: an approximation of its own, see `validity`.
     """
+
+    __words__ = words(
+        moment=("M_z", "N m", "moment about the normal of the contact"),
+        coefficients=("c_{ij}", None, "Kalker's creep coefficients of the ellipse"),
+        traction=("", None, "tractions over the contact"),
+    )
 
     problem: SimplifiedRolling
     longitudinal_semi_axis: float
@@ -276,6 +284,12 @@ class RollingTraction:
     sliding : ndarray of bool, (strips, places)
         Where the surfaces slide.
     """
+
+    __words__ = words(
+        longitudinal=(r"\tau_x", "Pa", "traction along the direction of rolling"),
+        lateral=(r"\tau_y", "Pa", "traction across the direction of rolling"),
+        sliding=("", None, "where the surfaces slide"),
+    )
 
     x: Array
     y: Array

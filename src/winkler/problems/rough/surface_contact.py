@@ -250,6 +250,8 @@ class SurfaceContactSolution:
         The contact under the last load, with its maps of pressure and separation.
     """
 
+    __words__ = SurfaceState.__words__
+
     problem: SurfaceContact
     depth: Quantity
     force: Quantity

@@ -32,7 +32,7 @@ from winkler.problems.normal.validity import contact_notes
 from winkler.problems.viscoelastic.flight import Flight
 from winkler.problems.viscoelastic.march import SpringRow, elastic_like, relaxation_of
 from winkler.validity import Assumption, Note
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["ViscoelasticImpact", "ViscoelasticImpactSolution"]
 
@@ -86,6 +86,8 @@ class ViscoelasticImpact:
     >>> round(ViscoelasticImpact(bed, mass=1.0, velocity=1.0).solve().restitution, 4)
     0.2801
     """
+
+    __words__ = words(count=("n", "", "how many springs"))
 
     bed: Bed
     mass: PositiveNotTiny
@@ -221,6 +223,8 @@ class ViscoelasticImpactSolution:
     bulk_loss : ndarray, (steps,)
         Energy lost in the bodies since first touch [J], summed up over the dashpots of all springs.
     """
+
+    __words__ = words(stored_energy=("U", "J", "energy stored in all springs, also in those set free"))
 
     problem: ViscoelasticImpact
     time: Array

@@ -37,7 +37,7 @@ from winkler.problems.viscoelastic.force_driven import ForceDriven
 from winkler.problems.viscoelastic.march import SpringRow, elastic_like, refuse_rings, relaxation_of
 from winkler.problems.viscoelastic.states import ViscoelasticState
 from winkler.validity import Assumption, Note
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["ViscoelasticIndentation", "ViscoelasticSolution"]
 
@@ -90,6 +90,8 @@ class ViscoelasticIndentation:
     >>> contact.force.round(4), contact.radius.round(3)
     (array([0.    , 0.4881, 0.1857]), array([0.   , 1.   , 0.921]))
     """
+
+    __words__ = words(count=("n", "", "how many springs"))
 
     bed: Bed
     path: Path
@@ -255,6 +257,8 @@ class ViscoelasticSolution:
     dissipation : ndarray, (steps,)
         Energy lost since the beginning [J], summed up over the dashpots of all springs.
     """
+
+    __words__ = ViscoelasticState.__words__
 
     problem: ViscoelasticIndentation
     time: Array

@@ -22,7 +22,7 @@ from winkler.problems.normal.unknown_yield import relaxing_yield
 from winkler.problems.normal.validity import contact_notes
 from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["HarmonicIndentation", "HarmonicSolution"]
 
@@ -120,6 +120,8 @@ class HarmonicSolution:
     storage_stiffness, loss_stiffness : float or ndarray
         Amplitudes of the force in phase with the motion and a quarter of a turn ahead, over that of the motion [N/m].
     """
+
+    __words__ = words(loss_stiffness=("k''", "N/m", "force a quarter turn ahead of a motion, over the motion"))
 
     problem: HarmonicIndentation
     depth: float

@@ -32,7 +32,7 @@ from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
 from winkler.problems.viscoelastic.passing import pass_at_depth, pass_under_load
 from winkler.problems.viscoelastic.sliding_factor import share_of_line
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["SlidingLine", "SlidingResistance", "SlidingResistanceSolution"]
 
@@ -79,6 +79,8 @@ class SlidingResistance:
     >>> (rolling.coefficient / rolling.speed).round(3)
     array([1.   , 0.995, 0.969])
     """
+
+    __words__ = words(count=("n", "", "into how many parts the contact is cut"))
 
     bed: Bed
     normal: OnePositiveNormal
@@ -163,6 +165,8 @@ class SlidingResistanceSolution:
     shear_force : float or ndarray
         F_x [N] of the body: that of the line, less what waves aslant do not lose.
     """
+
+    __words__ = words(coefficient=(r"\mu", "", "resistance over normal force"))
 
     problem: SlidingResistance
     speed: Quantity

@@ -48,7 +48,7 @@ from winkler.problems.viscoelastic.tangential_march import (
 )
 from winkler.problems.viscoelastic.tangential_states import ViscoelasticTangentialState, stick_radius
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["ViscoelasticTangential", "ViscoelasticTangentialSolution"]
 
@@ -101,6 +101,8 @@ class ViscoelasticTangential:
     >>> (held.shear_force / (0.3 * held.force)).round(4)  # 1 - 2^(-3/2)
     array([0.6464, 0.6464])
     """
+
+    __words__ = ViscoelasticIndentation.__words__
 
     bed: Bed
     law: Coulomb
@@ -241,6 +243,11 @@ class ViscoelasticTangentialSolution:
     states : tuple of ViscoelasticTangentialState
         The states themselves.
     """
+
+    __words__ = words(
+        work=("W", "J", "what the machine has spent since the beginning"),
+        stored_energy=("U", "J", "energy stored in all springs, both ways"),
+    )
 
     problem: ViscoelasticTangential
     time: Array

@@ -33,7 +33,7 @@ from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.problems.wear.core import Core
 from winkler.problems.wear.validity import debris_note, limiting_notes, slip_note
 from winkler.validity import Assumption, Note
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["LimitingProfile", "LimitingSolution"]
 
@@ -93,6 +93,8 @@ class LimitingProfile:
     >>> round(limit.stick_radius, 6), round(limit.radius, 7), round(limit.worn_volume * 1e4, 5)
     (0.05, 0.1229791, 0.7593)
     """
+
+    __words__ = words(contact=("", None, "the contact before wear"), amplitude=("", None, "amplitude of the shift"))
 
     bed: Foundation
     law: Sliding
@@ -185,6 +187,8 @@ class LimitingSolution:
     radius : float
         a_inf [m], where the worn part ends.
     """
+
+    __words__ = words(radius=(r"a_\infty", "m", "radius where the worn part ends"))
 
     problem: LimitingProfile
     core: Core

@@ -86,7 +86,7 @@ def sample(unit: str) -> str:
 
 def unit_of(owner: type, field: str) -> str | None:
     """Return the unit of a field from the glossary; None if it is no quantity."""
-    return word(owner.__name__, field).unit
+    return word(owner, field).unit
 
 
 def endless(owner: type, field: str) -> bool:
@@ -103,7 +103,7 @@ def dependent(owner: type) -> tuple[str, ...]:
 
 def settled(unit: str, owner: type, content: dict[str, Any]) -> str:
     """Return a unit such as ``m^(1-n)`` with the fields of `owner` that it names put in: ``m^-1``."""
-    symbols = {word(owner.__name__, item.name).symbol: item.name for item in dataclasses.fields(owner)}
+    symbols = {word(owner, item.name).symbol: item.name for item in dataclasses.fields(owner)}
 
     def power(match: re.Match[str]) -> str:
         exponent = float(match[1]) + (-1.0 if match[2] == "-" else 1.0) * float(content[symbols[match[3]]])
