@@ -206,7 +206,7 @@ def test_the_report_has_formulas_and_tables(name):
     assert all(formula(one.latex).startswith("<math") for one in formulas_of(problem))
     says = " ".join(one.says for one in formulas_of(problem))
     assert ("ring ends" in says) == (name == "ring")
-    assert ("from afar" in says) == (name == "far")
+    assert ("Long-range attraction" in says) == (name == "far")
     assert ("sheared" in says) == (name == "shear")
     assert "just touches" not in says
     html = page(outcome, ())

@@ -190,7 +190,7 @@ def test_every_problem_is_cited_told_and_has_formulas(name):
     for one in found:
         assert formula(one.latex).startswith("<math")
     assert "standard solid" in in_words(Study("", problem))
-    assert all(given.message for given in inputs(Study("", problem)))
+    assert all(given.meaning for given in inputs(Study("", problem)))
 
 
 def test_the_law_of_temperature_is_among_the_formulas():
@@ -214,7 +214,7 @@ def test_figures_of_a_march():
     assert [shown.name for shown in figures_of(single)] == ["answer_relaxing"]
     text = page(single)
     assert "The method in pictures" not in text
-    assert "Every spring remembers how it was pressed" in text
+    assert "The load of every spring is a hereditary integral of its compression" in text
 
 
 def test_figures_of_a_sweep(unprinted):
