@@ -190,7 +190,7 @@ def test_every_problem_is_cited_told_and_has_formulas(name):
     for one in found:
         assert formula(one.latex).startswith("<math")
     assert "standard solid" in in_words(Study("", problem))
-    assert all(given.meaning for given in inputs(Study("", problem)))
+    assert all(given.text for given in inputs(Study("", problem)))
 
 
 def test_the_law_of_temperature_is_among_the_formulas():
