@@ -3,7 +3,7 @@ From DMT to JKR
 ===============
 
 How far do surfaces attract each other? If that is little against how far the attraction stretches them, JKR holds and a
-ball comes off at :math:`-\tfrac32\pi wR`; if it is much, DMT, at :math:`-2\pi wR`. Tabor's parameter tells which, and
+ball comes off at :math:`-\tfrac32\pi wR`; if it is much, DMT, at :math:`-2\pi wR`. Tabor's parameter decides which, and
 Maugis' equations connect both.
 """
 

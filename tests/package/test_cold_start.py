@@ -91,7 +91,7 @@ def test_a_report_loads_what_draws_and_writes_it(tmp_path):
     assert (tmp_path / "results/ball/report.html").is_file()
 
 
-def test_the_names_come_when_they_are_asked_for():
+def test_the_names_come_when_they_are_requested():
     code = (
         "import sys, winkler; assert 'winkler.public' not in sys.modules; assert not hasattr(winkler, '__wrapped__'); "
         "assert 'winkler.public' not in sys.modules; import winkler.punch_staircase; "

@@ -117,7 +117,7 @@ def test_no_bare_handler_swallows_an_error(pages):
     assert bad == []
 
 
-def test_every_module_tells_its_idea(pages):
+def test_every_module_states_its_idea(pages):
     assert [page.name for page in pages if not ast.get_docstring(page.tree)] == []
 
 

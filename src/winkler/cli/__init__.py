@@ -92,7 +92,7 @@ def _report_error(error: Exception, received: stopping.ReceivedSignal) -> int:
 
 
 def _stopped(received: stopping.ReceivedSignal) -> int:
-    """Return the exit code of a run that was stopped; after Ctrl-C a sentence states what was kept."""
+    """Return the exit code of a run that was stopped; after Ctrl-C a sentence states what was stored."""
     if received.code == stopping.TERMINATED:
         return received.code
     _write_error(f"interrupted; {received.kept or 'nothing was written'}.")

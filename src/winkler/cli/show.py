@@ -75,7 +75,7 @@ def _list(only: str) -> None:
             table.add_section()
     out = console()
     out.print(table)
-    out.print("`winkler show KIND` tells what a kind takes, `winkler show study` what a study file may say.")
+    out.print("`winkler show KIND` shows what a kind takes, `winkler show study` what a study file may contain.")
 
 
 @until_closed()

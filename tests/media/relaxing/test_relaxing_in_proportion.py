@@ -72,7 +72,7 @@ def test_a_stiffening_body_creeps():
     assert found.depth[1] == pytest.approx(elastic.depth, rel=5e-3)
 
 
-def test_a_homogeneous_body_is_the_same_either_way():
+def test_a_homogeneous_body_is_the_same_in_both_classes():
     """Against ViscoelasticHalfSpace, along a path with unloading, lost touch and a second one."""
     solid = Prony(0.5, [1.0, 0.5], [0.1, 1.0], poisson=0.3)
     one = wk.Foundation(BALL, ViscoelasticHalfSpace(solid))
@@ -181,7 +181,7 @@ def test_what_has_no_single_answer():
         medium.gap_load(BALL, x)
 
 
-def test_what_is_assumed_is_said():
+def test_what_is_assumed_is_stated():
     found = pressed(bed(FILM), [0.0, 1.0], Depth([0.0, 0.01]), count=50)
     text = " ".join(note.statement for note in found.validity)
     assert "same function of time" in text

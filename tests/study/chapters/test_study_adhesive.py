@@ -1,4 +1,4 @@
-"""Studies on bodies that stick: read from files, swept, written down again, kept with their jumps, and reported."""
+"""Studies on bodies that stick: read from files, swept, written down again, stored with their jumps, and reported."""
 
 from __future__ import annotations
 
@@ -130,7 +130,7 @@ def test_curves_of_different_lengths_stand_side_by_side():
     assert rows["radius"].size == sum(lengths)
 
 
-def test_jumps_branches_and_limits_are_kept(tmp_path):
+def test_jumps_branches_and_limits_are_stored(tmp_path):
     import xarray
 
     for name, question in (("jumps", "cycle"), ("branches", "equilibrium"), ("limit", "shear")):
@@ -179,7 +179,7 @@ def test_a_cycle_that_never_touches_shows_no_contact():
 
 
 def quiet(monkeypatch):
-    """Draw nothing: what is asked for is the page."""
+    """Draw nothing: what is requested is the page."""
     monkeypatch.setattr(
         figures, "drawn", lambda name, title, sentence, picture: ReportFigure(name, title, sentence, None)
     )

@@ -231,7 +231,7 @@ def test_failed_points_are_listed_with_their_reasons(written, page):
     assert f"radius = 2 mm: {outcome.failed[0].reason}" in text
 
 
-def test_what_is_not_known_is_said_in_a_sentence(page):
+def test_what_is_not_known_is_stated_in_a_sentence(page):
     text = Page(page("crystal")).text
     assert "Not shown: The stresses inside a TransverselyIsotropicHalfSpace are not known to winkler" in text
     text = Page(page("no contact")).text
@@ -278,9 +278,9 @@ def test_tables_are_shown_with_prefixes(page):
     assert f'<td class="number">{depth * 1e6:.6g}</td>' in table
 
 
-def test_expectations_are_judged_in_sight():
+def test_expectations_and_results_are_shown():
     study = Study(
-        "Judged",
+        "Compared",
         pressed(),
         expect=(Expectation("depth", 1.191e-6, 1e-3), Expectation("pressure", 1e9, 1e-3, (("r", 0.0),))),
     )
@@ -290,7 +290,7 @@ def test_expectations_are_judged_in_sight():
     assert "depth as expected" in text
 
 
-def test_a_problem_that_tells_nothing_about_its_springs():
+def test_a_problem_that_states_nothing_about_its_springs():
     outcome = run(SAMPLES["one load"])
 
     class Odd:
@@ -329,9 +329,9 @@ def test_a_real_browser_shows_it_without_a_network_and_without_sideways_scrollin
     probe = """<script>window.onload = () => {
       const wide = [...document.querySelectorAll('section, figure, figure > svg, h1, p, li')]
         .filter(e => e.getBoundingClientRect().right > document.documentElement.clientWidth + 1);
-      const asked = performance.getEntriesByType('resource').filter(e => !e.name.startsWith('data:'));
+      const requests = performance.getEntriesByType('resource').filter(e => !e.name.startsWith('data:'));
       const small = [...document.querySelectorAll('figure > svg')].filter(e => e.getBoundingClientRect().height < 100);
-      document.title = 'wide ' + wide.length + ' asked ' + asked.length + ' small ' + small.length
+      document.title = 'wide ' + wide.length + ' requests ' + requests.length + ' small ' + small.length
         + ' scroll ' + (document.documentElement.scrollWidth - document.documentElement.clientWidth)
         + ' math ' + (document.querySelector('mfrac').getBoundingClientRect().height > 20);
     };</script></body>"""
@@ -359,4 +359,4 @@ def test_a_real_browser_shows_it_without_a_network_and_without_sideways_scrollin
     )  # fmt: skip
     title = re.search(r"<title>(.*?)</title>", answer.stdout)
     assert title, answer.stdout[:500] + answer.stderr[-500:]
-    assert title[1] == "wide 0 asked 0 small 0 scroll 0 math true"
+    assert title[1] == "wide 0 requests 0 small 0 scroll 0 math true"

@@ -76,7 +76,7 @@ def test_a_name_that_is_no_formula_is_shown_as_it_is():
     assert symbol("") == ""
 
 
-def test_inputs_are_told_part_by_part():
+def test_inputs_are_listed_part_by_part():
     found = inputs(SAMPLES["one load"])
     assert [(row.group, row.name, row.text) for row in found] == [
         ("profile: paraboloid", "curvature radius", "10 mm"),
