@@ -27,7 +27,8 @@ from winkler.study.language.reading import parse_study, study_text
 from winkler.study.language.study import Axis, Study
 from winkler.study.report.citing import cite
 from winkler.study.report.describe import in_words, inputs
-from winkler.study.report.figures import ReportFigure, figures_of
+from winkler.study.report.figure import ReportFigure
+from winkler.study.report.figures import figures_of
 from winkler.study.report.mathml import formula
 from winkler.study.report.report import page
 
