@@ -26,6 +26,7 @@ def main() -> int:
         usual = signal.getsignal(signal.SIGINT) is signal.default_int_handler
         if usual:
             signal.signal(signal.SIGINT, leave)
+        gc.set_threshold(100_000)  # loaded modules stay: searching them for garbage takes a tenth of a short run
         from winkler.cli import main as command
 
         if usual:

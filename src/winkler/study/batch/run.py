@@ -5,9 +5,10 @@ from __future__ import annotations
 import datetime
 import functools
 import platform
+import re
 import time
 from collections.abc import Callable, Iterable
-from importlib.metadata import version
+from importlib.metadata import distribution, version
 from pathlib import Path
 from typing import TypeVar
 
@@ -133,5 +134,6 @@ def provenance(question: str, seconds: float, source: str) -> Provenance:
 
 @functools.cache
 def _version(package: str) -> str:
-    """Return the version of an installed package; its files are read once."""
-    return version(package)
+    """Return the version of an installed package; its files are read once, and not all of their text is parsed."""
+    stated = re.search(r"^Version: *(\S+)", distribution(package).read_text("METADATA") or "", re.MULTILINE)
+    return stated[1] if stated else version(package)
