@@ -10,7 +10,7 @@ import time
 from collections.abc import Callable, Iterable
 from importlib.metadata import distribution, version
 from pathlib import Path
-from typing import TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 from winkler.errors import InvalidInput, Mistake, NotConverged, OutsideValidity, WinklerError
 from winkler.study.batch.journal import Journal
@@ -19,8 +19,10 @@ from winkler.study.batch.pool import Workers
 from winkler.study.batch.sweep import solve_points
 from winkler.study.batch.verdicts import compared
 from winkler.study.language.canonical import digest
-from winkler.study.language.fit_study import FitStudy
 from winkler.study.language.study import Study
+
+if TYPE_CHECKING:
+    from winkler.study.language.fit_study import FitStudy
 
 __all__ = ["ERRORS", "first_failure", "gather", "named", "provenance", "raised", "resumed", "run"]
 
