@@ -27,6 +27,7 @@ def main() -> int:
         if usual:
             signal.signal(signal.SIGINT, leave)
         gc.set_threshold(100_000)  # loaded modules stay: searching them for garbage takes a tenth of a short run
+        os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")  # sought in all that is installed; none is used
         from winkler.cli import main as command
 
         if usual:
