@@ -8,9 +8,11 @@ what is stale is never used; see `winkler.numerics.jit`.
 from __future__ import annotations
 
 import gc
+import importlib
 import os
 import tempfile
 from pathlib import Path
+from typing import Any
 
 os.environ["MPLBACKEND"] = "Agg"
 
@@ -57,6 +59,27 @@ def shared_data() -> Path:
     if not folder.is_dir():
         pytest.skip("the measured files are not here: set WINKLER_SHARED_DATA to their folder")
     return folder
+
+
+@pytest.fixture(scope="session")
+def owners(root: Path) -> list[type]:
+    """The classes that have words of their own."""
+    source = root / "src"
+    pages = [page for page in source.rglob("*.py") if "__words__ = " in page.read_text(encoding="utf-8")]
+    modules = [importlib.import_module(".".join(page.relative_to(source).with_suffix("").parts)) for page in pages]
+    named = {item for module in modules for item in vars(module).values() if isinstance(item, type)}
+    found = sorted((item for item in named if "__words__" in vars(item)), key=str)
+    assert len(found) > 100
+    return found
+
+
+@pytest.fixture(scope="session")
+def entries(owners: list[type]) -> dict[str, Any]:
+    """Every entry of the glossary: the shared ones, and those of classes as ``Class.field``."""
+    from winkler.vocabulary import GLOSSARY
+
+    owned = {f"{cls.__name__}.{name}": entry for cls in owners for name, entry in vars(cls)["__words__"].items()}
+    return GLOSSARY | owned
 
 
 @pytest.fixture(autouse=True)

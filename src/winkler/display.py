@@ -94,10 +94,10 @@ def _rows(content: Any) -> Iterator[FieldRow]:
             yield _row(_owner(content.model, path), path.rpartition(".")[2], number)._replace(name=path, error=error)
         fields = [name for name in fields if name not in {*FIT_FIELDS, "correlation"}]
     for name in fields:
-        yield _row(type(content).__name__, name, getattr(content, name))
+        yield _row(type(content), name, getattr(content, name))
 
 
-def _row(owner: str, name: str, content: Any) -> FieldRow:
+def _row(owner: type, name: str, content: Any) -> FieldRow:
     try:
         entry = word(owner, name)
     except KeyError:
@@ -105,12 +105,12 @@ def _row(owner: str, name: str, content: Any) -> FieldRow:
     return FieldRow(name, entry.unit, entry.meaning, content)
 
 
-def _owner(model: Any, path: str) -> str:
+def _owner(model: Any, path: str) -> type:
     """Return the class that a path such as ``bed.medium.first.young`` ends in."""
     inside = model
     for step in path.split(".")[:-1]:
         inside = inside[int(step)] if step.isdecimal() and isinstance(inside, tuple) else getattr(inside, step, None)
-    return type(inside).__name__
+    return type(inside)
 
 
 def _notes(content: Any) -> list[str]:

@@ -30,7 +30,7 @@ from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.answer import Dragged, Restorable, is_dragged, is_restorable
 from winkler.problems.friction.torsion_fields import TwistedFields, body_of_twisted, twisted_surface
 from winkler.problems.friction.torsion_states import TorsionState
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = [
     "SubsurfaceFields",
@@ -60,6 +60,8 @@ class SurfaceFields:
     gap : ndarray
         Distance of the deformed surfaces [m]: zero in contact; infinite beyond the reach of the profile.
     """
+
+    __words__ = words(gap=("h", "m", "distance of the deformed surfaces"))
 
     r: Array
     pressure: Array

@@ -7,7 +7,7 @@ a `winkler.path.Path`.
 from __future__ import annotations
 
 from winkler.checks.number_checks import FiniteQuantity, NonNegativeQuantity
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["Angle", "Depth", "Force", "Lateral", "Load", "Normal", "Radius", "ShearForce", "Shift", "Torque"]
 
@@ -47,6 +47,8 @@ class Radius:
     radius : float or ndarray
         [m], not negative.
     """
+
+    __words__ = words(radius=("a", "m", "prescribed radius of the contact"))
 
     radius: NonNegativeQuantity
 

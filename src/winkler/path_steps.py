@@ -17,7 +17,7 @@ from winkler.loading import Lateral, Normal, ShearForce, Shift
 from winkler.numerics.equations.oscillation_times import oscillation_moments, sine
 from winkler.numerics.types import Array
 from winkler.path import POINTS_PER_CYCLE, OneNormal, OnePositiveSwing, Path, numbers_of
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["Circle", "Follow", "Hold", "Oscillate", "PathRows", "Ramp", "Start", "Step", "Unchanged"]
 
@@ -100,6 +100,8 @@ class Ramp:
         If a load is of another kind or an array, or a number out of bounds.
     """
 
+    __words__ = words(duration=("T", "s", "how long it takes"))
+
     normal: NextNormal = Unchanged()
     lateral: NextLateral = Unchanged()
     duration: NonNegative = 1.0
@@ -133,6 +135,8 @@ class Hold:
     InvalidInput
         If a number is out of its range.
     """
+
+    __words__ = words(duration=("T", "s", "how long"))
 
     duration: NonNegative = 1.0
     count: Annotated[int, Whole(1, PATH_POINTS, "points")] = 1
@@ -172,6 +176,8 @@ class Oscillate:
     InvalidInput
         If a load is of another kind or an array, or a number out of bounds.
     """
+
+    __words__ = words(phase=(r"\varphi", "rad", "by which the lateral load is ahead"))
 
     normal: NextNormal = Unchanged()
     lateral: NextLateral = Unchanged()
@@ -251,6 +257,8 @@ class Follow:
     InvalidInput
         If there is no path, or the number is not a whole one, at least one.
     """
+
+    __words__ = words(cycles=("n", None, "how many times"), path=("", None, "a path with its own loads"))
 
     path: Path
     cycles: Count = 1

@@ -3,13 +3,15 @@
 Every problem and every solution of winkler is a value.  Two studies with equal content are equal, so a
 value can be a key of a cache, a point of a sweep, or one side of an assertion.  Arrays become read-only copies
 (again after unpickling), lists become tuples, so that nothing changes behind the reader's back.
+What its names mean stands in the glossary, or, if they mean something else in one class, there in ``__words__``.
 """
 
 from __future__ import annotations
 
 import dataclasses
 import functools
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
 from typing import Any, TypeVar, dataclass_transform
 
 import numpy as np
@@ -19,11 +21,23 @@ from winkler.checks.float_range import guarded, guarded_result, guarded_stream
 from winkler.checks.outline import refuse_outline, refuse_relaxing
 from winkler.display import html_table, short
 from winkler.errors import InvalidInput, WinklerError
+from winkler.vocabulary import Word
 from winkler.wrong_names import checked_arguments, unknown_attribute
 
-__all__ = ["frozen_array", "value"]
+__all__ = ["frozen_array", "value", "words"]
 
 T = TypeVar("T")
+
+
+def words(**entries: tuple[str, str | None, str]) -> Mapping[str, Word]:
+    """Return the words of one class, for its attribute ``__words__``: symbol, unit and one line of each name.
+
+    Examples
+    --------
+    >>> words(radius=("b", "m", "radius of the punch"))["radius"].unit
+    'm'
+    """
+    return MappingProxyType({name: Word(*entry) for name, entry in entries.items()})
 
 
 def frozen_array(array: Any) -> np.ndarray:

@@ -130,6 +130,13 @@ def test_traces_of_loading_and_of_impacts(tmp_path):
     assert '  "problem.mass": 1.0e-05\n' in entries
 
 
+def test_units_of_what_was_given_are_those_of_its_class(tmp_path):
+    """The coefficient of friction has none, that of a shape has one."""
+    pressed = wk.Indentation(wk.Foundation(wk.PowerLaw(1e3, 3.0), GLASS), wk.Force([1.0, 2.0])).solve()
+    text = write_trace(pressed, tmp_path / "pressed.csv").read_text(encoding="utf-8")
+    assert "# problem.bed.profile.coefficient = 1000.0 m^(1-n)\n" in text
+
+
 def test_traces_that_cannot_be_written(loop, tmp_path):
     with pytest.raises(wk.InvalidInput, match="ending"):
         write_trace(loop, tmp_path / "loop.txt")

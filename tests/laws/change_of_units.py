@@ -61,7 +61,7 @@ class Units(NamedTuple):
         if (cls.__name__, name) in INDEXED:
             units = INDEXED[cls.__name__, name]
             return tuple(number * self.factor(units(place)) for place, number in enumerate(inside))
-        unit = word(cls.__name__, name).unit
+        unit = word(cls, name).unit
         if name in dependent(cls):
             unit = settled(unit, cls, {item.name: getattr(owner, item.name) for item in dataclasses.fields(owner)})
         if unit is None:

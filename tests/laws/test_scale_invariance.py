@@ -1,6 +1,6 @@
 """Every kind in other units: all lengths, moduli, times, temperatures and currents times some factors of their own.
 
-A result must then be what its dimension says. Factors that are powers of two round nothing, so that what differs shows
+An answer must then be what its dimension says. Factors that are powers of two round nothing, so that what differs shows
 an absolute length, force or modulus in a solver; but searches that double an absolute start could hide from them.
 Factors that are powers of ten find these, and round anew: what an iteration leaves is then another number of the same
 size.
@@ -40,18 +40,18 @@ ALL = [
 ]
 
 SAME = 1e-11
-"""Of the greatest number in a result: what powers of two may change; they change nothing but roots and powers."""
+"""Of the greatest number in an answer: what powers of two may change; they change nothing but roots and powers."""
 CLOSE = 1e-9
 """What powers of ten may change."""
 
 
 class Rounded(NamedTuple):
-    """How far rounding moves a result, where that is farther than `CLOSE`.
+    """How far rounding moves an answer, where that is farther than `CLOSE`.
 
     Parameters
     ----------
     tolerance
-        Of the greatest number in the result; infinite where the result is itself nothing but rounding.
+        Of the greatest number in the answer; infinite where the answer is itself nothing but rounding.
     why
         The reason.
     """
@@ -68,7 +68,7 @@ ROUNDED: dict[tuple[str, str], Rounded] = {
     ("OscillatingRollingSolution", "shift_per_cycle"): ERROR,
     ("SurfaceContactSolution", "penetration"): ERROR,
     ("SurfaceContactSolution", "misfit"): ERROR,
-    ("ReductionSolution", "misfit"): Rounded(1e-6, "it is compared with contacts of a tolerance of 1e-6"),
+    ("ReductionSolution", "misfit"): Rounded(1e-6, "it is judged by contacts of a tolerance of 1e-6"),
     ("ReductionSolution", "force"): Rounded(1e-8, "each contact has a tolerance of 1e-6"),
     **{("SlidingSolution", name): STEPS for name in ("depth", "radius", "worn_depth", "mean_pressure")},
     **{
@@ -76,21 +76,21 @@ ROUNDED: dict[tuple[str, str], Rounded] = {
         for name in ("time", "depth", "velocity", "force", "radius", "duration", "dissipation")
     },
 }
-"""Results that follow rounding farther, with the number."""
+"""Answers that follow rounding farther, with the number."""
 
 OF_NATURE = {Assumption.ADHESION, Assumption.CONTINUUM, Assumption.INERTIA, Assumption.TEMPERATURE}
-"""Depend on constants of nature: the reach of attraction, the free path of electrons, gravity, what solids stand."""
+"""Judged with constants of nature: the reach of attraction, the free path of electrons, gravity, what solids stand."""
 NAMED = {
     "named_elastic": "a name stands for numbers in SI units",
     "named_electrical_conductor": "a name stands for numbers in SI units",
     "named_thermal_conductor": "a name stands for numbers in SI units",
-    "formula": "its constants have units that only the formula has",
+    "formula": "its constants have units that only the formula knows",
 }
 """Kinds that cannot be written in other units, and why."""
 
 
 def specimen(name: str) -> Any:
-    """Return the problem of an example study; of a crack that runs slowly, a shorter path."""
+    """Return the problem of an example study; of a crack that takes its time, a shorter way."""
     problem = build(example_study(name)["problem"])
     if name == "viscoelastic_adhesion":
         return dataclasses.replace(problem, path=wk.Path([0.0, 1.0, 3.0], wk.Depth([5e-6, 1e-6, -3e-6])))
@@ -98,8 +98,8 @@ def specimen(name: str) -> Any:
 
 
 def differences(solution: Any, other: Any, units: Units, close: float) -> list[str]:
-    """Return in which numbers a solution and that in other units differ."""
-    owner = type(solution).__name__
+    """Return in which answers a solution and that in other units differ."""
+    owner = type(solution)
     before, after = answers_of(solution), answers_of(other)
     if list(before) != list(after):
         return [f"answers: {sorted(set(before) ^ set(after))}"]
@@ -109,7 +109,7 @@ def differences(solution: Any, other: Any, units: Units, close: float) -> list[s
         got = np.asarray(after[name])
         limit = close
         if close > SAME:
-            limit = max(close, ROUNDED.get((owner, name), Rounded(0.0, "")).tolerance)
+            limit = max(close, ROUNDED.get((owner.__name__, name), Rounded(0.0, "")).tolerance)
         if np.isinf(limit):
             continue
         if got.shape != expected.shape:
@@ -144,7 +144,7 @@ def field_differences(fields: Any, others: Any, units: Units) -> list[str]:
     for field in dataclasses.fields(fields):
         content = getattr(fields, field.name)
         if isinstance(content, np.ndarray):
-            expected = content * units.factor(word(type(fields).__name__, field.name).unit or "")
+            expected = content * units.factor(word(type(fields), field.name).unit or "")
             size = float(np.max(np.abs(expected[np.isfinite(expected)]), initial=0.0))
             if not np.allclose(getattr(others, field.name), expected, rtol=0.0, atol=CLOSE * size, equal_nan=True):
                 found.append(field.name)
@@ -152,7 +152,7 @@ def field_differences(fields: Any, others: Any, units: Units) -> list[str]:
 
 
 def standings(solution: Any) -> list[tuple[Assumption, str]]:
-    """Return what the notes of a solution state of which assumption, but for constants of nature."""
+    """Return what the notes of a solution say of which assumption, but for constants of nature."""
     notes = solution.validity
     return [(note.assumption, note.standing.value) for note in notes if note.assumption not in OF_NATURE]
 

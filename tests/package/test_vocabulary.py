@@ -8,17 +8,21 @@ import keyword
 import re
 
 import pint
+import pytest
 
-from winkler.vocabulary import GLOSSARY, OWNED, word
+from winkler.profiles.flat import FlatPunch
+from winkler.values import words
+from winkler.vocabulary import GLOSSARY, word
 
 SPOKEN = (
     "materials", "laws", "profiles", "loading", "path", "path_steps", "program", "media", "foundation", "problems",
     "fields", "peaks", "fitting",
 )  # fmt: skip
-"""The layers whose values reach users; the mathematics below and the interfaces above have words of their own."""
+"""The floors whose values are met by users; the mathematics below and the doors above have words of their own."""
 
 ANSWERED = ("problems", "fields", "peaks")
-"""The layers whose properties are results."""
+"""The floors whose properties are answers."""
+PLACE = "put these names into __words__ of their classes, or into winkler/vocabulary.py if others have them too"
 
 
 def classes(modules, floors):
@@ -34,7 +38,7 @@ def classes(modules, floors):
     return found
 
 
-def known(owner: str, field: str) -> bool:
+def known(owner: type, field: str) -> bool:
     try:
         return bool(word(owner, field))
     except KeyError:
@@ -48,51 +52,67 @@ def test_every_public_field_is_a_word(modules):
         f"{path}.{field.name}"
         for path, cls in values.items()
         for field in dataclasses.fields(cls)
-        if not field.name.startswith("_") and not known(cls.__name__, field.name)
+        if not field.name.startswith("_") and not known(cls, field.name)
     ]
-    assert strangers == [], "put these fields into winkler/vocabulary.py"
+    assert strangers == [], PLACE
 
 
 def test_every_public_property_of_an_answer_is_a_word(modules):
     strangers = []
     for path, cls in classes(modules, ANSWERED).items():
         for name, _member in inspect.getmembers(cls, lambda item: isinstance(item, property)):
-            if not name.startswith("_") and not known(cls.__name__, name):
+            if not name.startswith("_") and not known(cls, name):
                 strangers.append(f"{path}.{name}")
-    assert strangers == [], "put these properties into winkler/vocabulary.py"
+    assert strangers == [], PLACE
 
 
-def test_an_owned_word_has_an_owner(modules):
-    """A word of one class alone belongs to a class that exists and has it."""
-    owners = {cls.__name__: cls for cls in classes(modules, (*SPOKEN, "study", "plot", "io")).values()}
-    for owner, field in OWNED:
-        assert owner in owners, f"{owner} does not exist"
-        names = (
-            {item.name for item in dataclasses.fields(owners[owner])}
-            if dataclasses.is_dataclass(owners[owner])
-            else set()
-        )
-        assert field in names or hasattr(owners[owner], field), f"{owner} has no {field}"
+def test_the_words_of_a_class_are_of_its_fields_and_properties(owners):
+    strangers = [
+        f"{cls.__qualname__}.{name}"
+        for cls in owners
+        for name in vars(cls)["__words__"]
+        if name not in getattr(cls, "__dataclass_fields__", {}) and not hasattr(cls, name)
+    ]
+    assert strangers == []
 
 
-ENTRIES = [*GLOSSARY.items(), *((".".join(key), entry) for key, entry in OWNED.items())]
+def test_a_word_of_a_class_comes_before_that_of_its_base_and_the_shared_one():
+    class Base:
+        __words__ = words(radius=("b", "m", "of the base"), depth=("e", "m", "of the base"))
+
+    class Derived(Base):
+        __words__ = words(radius=("c", "m", "its own"))
+
+    assert [word(Derived, name).meaning for name in ("radius", "depth")] == ["its own", "of the base"]
+    assert word(Derived, "force") == GLOSSARY["force"]
+    with pytest.raises(KeyError):
+        word(Derived, "nonsense")
+
+
+def test_words_are_no_part_of_a_value():
+    """No field, and nothing that is pickled, shown or compared."""
+    punch = FlatPunch(1e-3)
+    assert word(FlatPunch, "radius").symbol == "b"
+    assert [field.name for field in dataclasses.fields(punch)] == list(dataclasses.asdict(punch)) == ["radius"]
+    assert repr(punch) == "FlatPunch(radius=0.001)"
+    assert list(punch.__getstate__()) == ["radius"]
 
 
 def incomplete(name, entry):
-    """Return whether a name is none of Python, or its description is not one line with a whole symbol."""
+    """Return whether a name is none of Python, or what is said of it is not one line with a whole symbol."""
     named = all(part.isidentifier() and not keyword.iskeyword(part) for part in name.split("."))
-    stated = entry.meaning and "\n" not in entry.meaning and not entry.meaning.endswith(".")
-    return not (named and stated and "$" not in entry.symbol and entry.symbol.count("{") == entry.symbol.count("}"))
+    told = entry.meaning and "\n" not in entry.meaning and not entry.meaning.endswith(".")
+    return not (named and told and "$" not in entry.symbol and entry.symbol.count("{") == entry.symbol.count("}"))
 
 
-def test_every_entry_is_complete():
-    assert [name for name, entry in ENTRIES if incomplete(name, entry)] == []
+def test_every_entry_is_complete(entries):
+    assert [name for name, entry in entries.items() if incomplete(name, entry)] == []
 
 
-def test_every_unit_is_si_without_a_prefix():
+def test_every_unit_is_si_without_a_prefix(entries):
     """Apart from what is no quantity, and from units whose exponent depends on the law."""
     registry = pint.UnitRegistry()
-    units = {name: entry.unit or "dimensionless" for name, entry in ENTRIES if entry.unit is not None}
+    units = {name: entry.unit or "dimensionless" for name, entry in entries.items() if entry.unit is not None}
     fixed = {name: unit for name, unit in units.items() if "n" not in re.findall(r"\b[a-z]\b", unit.partition("^")[2])}
-    assert len(fixed) > 0.5 * len(ENTRIES)
+    assert len(fixed) > 0.5 * len(entries)
     assert [name for name, unit in fixed.items() if registry.Quantity(1.0, unit).to_base_units().magnitude != 1.0] == []

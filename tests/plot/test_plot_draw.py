@@ -244,9 +244,9 @@ def test_a_map_is_symmetric_and_deep_is_down():
 
 
 def test_families_tell_many_curves_apart():
-    x = series("Force", "force", np.geomspace(1.0, 1e3, 9))
+    x = series("force", np.geomspace(1.0, 1e3, 9))
     for count in (1, 3, 12):
-        curves = [series("Depth", "depth", (1 + n) * 1e-6 * x.content ** (2 / 3)) for n in range(count)]
+        curves = [series("depth", (1 + n) * 1e-6 * x.content ** (2 / 3)) for n in range(count)]
         figure = render(family_sheet([x] * count, curves, [f"R = {n} mm" for n in range(count)]))
         axes = figure.axes[0]
         looks = {(line.get_color(), str(line.get_linestyle())) for line in axes.lines}
@@ -257,7 +257,7 @@ def test_families_tell_many_curves_apart():
 
 
 def test_bars_leave_out_what_has_no_answer():
-    figure = render(bar_sheet(["cone", "ball", "ring"], series("Depth", "depth", np.array([1e-6, 2e-6, np.nan]))))
+    figure = render(bar_sheet(["cone", "ball", "ring"], series("depth", np.array([1e-6, 2e-6, np.nan]))))
     assert [bar.get_width() for bar in figure.axes[0].patches] == pytest.approx([1.0, 2.0, 0.0])
 
 

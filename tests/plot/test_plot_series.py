@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from winkler.fields import SurfaceFields
 from winkler.plot.series import (
     Scale,
     common_scale,
@@ -18,7 +19,6 @@ from winkler.plot.series import (
     series,
     with_unit,
 )
-from winkler.vocabulary import GLOSSARY, OWNED
 
 
 @pytest.mark.parametrize(
@@ -93,20 +93,20 @@ def test_superscripts():
 
 
 def test_a_label_has_name_symbol_and_unit():
-    force = series("IndentationSolution", "force", [0.0, 2e4])
+    force = series("force", [0.0, 2e4])
     assert force.label() == "force $F_N$ [kN]"
     assert_allclose(force.shown(), [0.0, 20.0], rtol=1e-15)
     assert force.label(Scale(1.0, "N")) == "force $F_N$ [N]"
-    assert series("Elastic", "poisson", 0.3).label() == r"Poisson's ratio $\nu$"
-    assert series("SurfaceFields", "gap", 1.0).word.symbol == "h"
+    assert series("poisson", 0.3).label() == r"Poisson's ratio $\nu$"
+    assert series("gap", 1.0, SurfaceFields).word.symbol == "h"
 
 
-def test_every_symbol_of_the_glossary_can_be_drawn():
+def test_every_symbol_of_the_glossary_can_be_drawn(entries):
     from matplotlib.mathtext import MathTextParser
 
     parse = MathTextParser("path").parse
     refused = []
-    for symbol in {entry.symbol for entry in (*GLOSSARY.values(), *OWNED.values())} - {""}:
+    for symbol in {entry.symbol for entry in entries.values()} - {""}:
         try:
             parse(f"${symbol}$")
         except ValueError as error:
@@ -115,7 +115,7 @@ def test_every_symbol_of_the_glossary_can_be_drawn():
 
 
 def test_a_common_scale_fits_the_greatest_of_all():
-    small, great = series("Foundation", "gap", [1e-9]), series("Foundation", "gap", [1e-6])
+    small, great = series("gap", [1e-9]), series("gap", [1e-6])
     assert common_scale(small, great).unit == "µm"
 
 

@@ -15,14 +15,14 @@ from winkler.study.language.study import Axis, Study
 from winkler.study.language.varied import Range
 from winkler.study.report.figures import answers_over
 from winkler.study.report.sweep_figures import mapped, varied_series
-from winkler.vocabulary import word
+from winkler.vocabulary import GLOSSARY
 
 BED = wk.Foundation(wk.Paraboloid(1e-3), wk.HalfSpace(wk.Elastic(1e9, 0.25)))
 PROBLEM = wk.Indentation(BED, wk.Force(1.0))
 
 
 def named(name: str, content) -> Series:
-    return Series(name, word("IndentationSolution", name), np.asarray(content, dtype=float))
+    return Series(name, GLOSSARY[name], np.asarray(content, dtype=float))
 
 
 def test_a_map_shows_every_number_in_its_place():

@@ -128,8 +128,8 @@ def test_requested_points_lie_on_the_curve():
 
 
 def test_a_curve_that_falls_to_nothing_ends_the_axis():
-    along = series("CreepTest", "time", np.geomspace(1.0, 1e2, 9))
-    falling = Quantity(series("RelaxationData", "shear", np.exp(-along.content)))
+    along = series("time", np.geomspace(1.0, 1e2, 9))
+    falling = Quantity(series("shear", np.exp(-along.content)))
     axes = render(Sheet((decades_panel(along, [falling]),))).axes[0]
     assert axes.get_yscale() == "log"
     assert axes.get_ylim()[0] > 1e-6

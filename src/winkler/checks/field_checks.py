@@ -118,7 +118,7 @@ def _ending(cls: type, field: str, advice: str) -> Ending:
 
     def ending(demand: str) -> str:
         try:
-            unit = word(cls.__name__, field).unit
+            unit = word(cls, field).unit
         except KeyError:
             unit = None
         return ended(demand, unit, advice)

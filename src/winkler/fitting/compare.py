@@ -23,7 +23,7 @@ from winkler.fitting.outcome import AnyFit
 from winkler.fitting.validity import Model
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["AnyFit", "Comparison", "compare"]
 
@@ -45,6 +45,14 @@ class Comparison:
     refused : tuple of str
         Models that could not be fitted, with their reasons.
     """
+
+    __words__ = words(
+        models=("", None, "names of the models, the best first"),
+        fits=("", None, "their fits"),
+        aic=("AIC", "", "Akaike's criterion"),
+        bic=("BIC", "", "Schwarz' criterion"),
+        refused=("", None, "models that could not be fitted, with the reason"),
+    )
 
     models: tuple[str, ...]
     fits: tuple[AnyFit, ...]

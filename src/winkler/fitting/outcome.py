@@ -17,7 +17,7 @@ from winkler.problems.normal.validity import contact_notes
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.problems.viscoelastic.march import elastic_like
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["AnyFit", "CreepFit", "Fit", "ViscoelasticFit"]
 
@@ -33,6 +33,20 @@ QUASISTATIC = Note(
 @value
 class _FitResult(FitEstimate):
     """Common fields of all fits."""
+
+    __words__ = words(
+        model=("", None, "the model with the fitted numbers"),
+        names=("", None, "what was varied"),
+        values=("", None, "the fitted numbers, in SI units"),
+        correlation=("", "", "correlation of the numbers' errors"),
+        lows=("", None, "lower bounds"),
+        highs=("", None, "upper bounds"),
+        noise=(r"\sigma", "N", "standard deviation of the forces"),
+        weights=("", "", "what residuals were multiplied with"),
+        scatter=("s", "N", "standard deviation of the weighted residuals"),
+        predicted=("F", "N", "fitted forces with the baseline"),
+        flags=("", None, "what speaks against the numbers"),
+    )
 
     curve: ForceCurve
     model: Any
@@ -99,6 +113,8 @@ class Fit(_FitResult):
         Points in contact.
     """
 
+    __words__ = words(contact=("", None, "where the tip is in contact"))
+
     model: Model
     contact: Array
 
@@ -133,6 +149,8 @@ class Fit(_FitResult):
 @value
 class _RelaxingFit(_FitResult):
     """Fit of a relaxing contact, by forces or positions."""
+
+    __words__ = words(logarithmic=("", None, "of which numbers the logarithm was varied"))
 
     model: ViscoelasticIndentation
     logarithmic: tuple[bool, ...]
@@ -237,6 +255,12 @@ class CreepFit(_RelaxingFit):
     depth : ndarray, (n,)
         Fitted d [m].
     """
+
+    __words__ = words(
+        noise=(r"\sigma", "m", "standard deviation of the positions"),
+        scatter=("s", "m", "standard deviation of the weighted residuals"),
+        predicted=("D", "m", "fitted positions"),
+    )
 
     @property
     def residuals(self) -> Array:

@@ -96,7 +96,7 @@ def unit_of(model: Any, path: str) -> str:
     owner, unit = model, ""
     for step in _steps(path):
         if isinstance(step, str) and dataclasses.is_dataclass(owner):
-            unit = word(type(owner).__name__, step).unit or ""
+            unit = word(type(owner), step).unit or ""
         owner = _next(owner, step, path)
     return unit
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["FitState", "Search"]
 
@@ -30,6 +30,13 @@ class FitState:
     scatter : float
         Standard deviation of the weighted residuals there, in units of the fitted quantity.
     """
+
+    __words__ = words(
+        evaluations=("", "", "how often the curve was predicted"),
+        names=("", None, "what is varied"),
+        values=("", None, "the best numbers so far, in SI units"),
+        scatter=("s", None, "standard deviation of the weighted residuals there"),
+    )
 
     evaluations: int
     names: tuple[str, ...]

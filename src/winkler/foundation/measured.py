@@ -25,7 +25,7 @@ from winkler.numerics.panels.power_splines import PowerSplines
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, ArrayLike
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["MeasuredBed"]
 
@@ -68,6 +68,11 @@ class MeasuredBed:
     InvalidInput
         If the arrays do not fit one another, or do not rise.
     """
+
+    __words__ = words(
+        radii=("a_i", "m", "contact radii, those of discs of equal stiffness"),
+        depths=("d_i", "m", "indentation depths, one for each contact radius"),
+    )
 
     radii: Annotated[Array, Numbers(NON_NEGATIVE, FEWEST_POINTS, MEASURED_PLACES, "rising"), RISING_ADVICE]
     stiffnesses: Annotated[Array, Numbers(NON_NEGATIVE, FEWEST_POINTS, MEASURED_PLACES, "rising"), RISING_ADVICE]

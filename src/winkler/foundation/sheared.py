@@ -16,7 +16,7 @@ from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed, PressedSprings
 from winkler.media.medium import Displacement
 from winkler.numerics.types import Array, Quantity
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["ShearRamps", "ShearStep", "ShearedSprings"]
 
@@ -37,6 +37,13 @@ class ShearRamps:
     jump : float
         Step at the last radius [m].
     """
+
+    __words__ = words(
+        depths=(r"\gamma_j", "m", "depths at which ramps of the springs' displacement end"),
+        radii=("x_j", "m", "contact radii at these depths"),
+        slopes=("B_j", "", "slopes of the ramps"),
+        jump=("J", "m", "step at the last radius"),
+    )
 
     bed: Bed
     radii: Array
@@ -98,6 +105,8 @@ class ShearStep:
         u_t [m].
     """
 
+    __words__ = words(edge=("u_t", "m", "how far the springs are stretched"))
+
     radius: float
     edge: float
 
@@ -141,6 +150,13 @@ class ShearedSprings:
     InvalidInput
         If the shapes do not fit.
     """
+
+    __words__ = words(
+        depths=(r"\gamma_j", "m", "depths at which ramps of the springs' displacement end"),
+        radii=("x_j", "m", "contact radii at these depths"),
+        slopes=("B_j", "", "slopes of the ramps"),
+        steps=("J_j", "m", "steps of the springs' displacement"),
+    )
 
     pressed: PressedSprings
     mindlin_ratio: float

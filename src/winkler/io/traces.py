@@ -87,7 +87,7 @@ def _columns(solution: Any) -> dict[str, tuple[Word, Array]]:
         if not isinstance(numbers, np.ndarray) or numbers.dtype.kind != "f":
             continue
         steps = steps or len(numbers)
-        entry = word(type(solution).__name__, field.name)
+        entry = word(type(solution), field.name)
         if numbers.shape == (steps,):
             rows[field.name] = (entry, numbers)
         elif numbers.shape == (steps, 2):

@@ -12,7 +12,7 @@ from typing import Annotated
 
 from winkler.checks.number_checks import NON_NEGATIVE, POSITIVE, Advice, Positive, checked
 from winkler.errors import InvalidInput
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["AdhesionLaw", "DerjaguinMullerToporov", "Dugdale", "ShortRange"]
 
@@ -110,6 +110,8 @@ class Dugdale:
     >>> Dugdale(work=0.05, strength=100e6).range
     5e-10
     """
+
+    __words__ = words(strength=(r"\sigma_0", "Pa", "stress with which the surfaces attract each other"))
 
     work: Annotated[Positive, NO_ATTRACTION_ADVICE]
     strength: Annotated[Positive, NO_ATTRACTION_ADVICE]

@@ -21,7 +21,7 @@ import numpy as np
 from winkler.checks.number_checks import Number, Positive
 from winkler.errors import InvalidInput
 from winkler.numerics.types import Array, ArrayLike
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["CrackLaw", "RateDependentWork", "SaturatingWork"]
 
@@ -61,6 +61,11 @@ class RateDependentWork:
     >>> law.opening([0.0, 1e-6, 1e-5]).round(4)
     array([0.05  , 0.1   , 0.2491])
     """
+
+    __words__ = words(
+        work=("w_0", "J/m^2", "work of slow opening, and of closing, per area"),
+        exponent=("n", "", "exponent of the speed in the work of opening"),
+    )
 
     work: Positive
     reference_speed: Positive
@@ -110,6 +115,8 @@ class SaturatingWork:
     >>> law.opening([0.0, 1e-3, 1e9]).round(4)
     array([0.05, 0.55, 1.05])
     """
+
+    __words__ = RateDependentWork.__words__
 
     work: Positive
     fast_work: Positive

@@ -6,7 +6,7 @@ import math
 from typing import Annotated
 
 from winkler.checks.number_checks import POSITIVE_OR_INFINITE, NonNegative
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["SurfaceFilm", "ThermalInterface"]
 
@@ -48,6 +48,8 @@ class ThermalInterface:
     InvalidInput
         If it is not positive.
     """
+
+    __words__ = words(area_resistance=("1/h", "m^2 K/W", "temperature drop per heat flux"))
 
     interface_conductance: Annotated[float, CONDUCTANCE_RANGE] = math.inf
 

@@ -12,7 +12,7 @@ from typing import Annotated, TypeAlias
 from winkler.checks.field_checks import Condition
 from winkler.checks.number_checks import Number, PositiveNotTiny
 from winkler.errors import InvalidInput
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["Coulomb", "Friction", "Overcome", "Sliding", "StaticKinetic"]
 
@@ -31,6 +31,8 @@ class Coulomb:
     InvalidInput
         If it is negative or no number.
     """
+
+    __words__ = words(coefficient=(r"\mu", "", "friction coefficient"))
 
     coefficient: Annotated[float, Number("give zero or a positive number, or infinity if nothing may slide", 0.0)]
 
@@ -67,6 +69,11 @@ class StaticKinetic:
     InvalidInput
         If a coefficient is below 1e-60 or not finite, or the kinetic one is the greater.
     """
+
+    __words__ = words(
+        static_coefficient=(r"\mu_s", "", "friction coefficient of points that stick"),
+        kinetic_coefficient=(r"\mu_k", "", "friction coefficient of points that slide"),
+    )
 
     static_coefficient: PositiveNotTiny
     kinetic_coefficient: PositiveNotTiny

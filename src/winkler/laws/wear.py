@@ -18,7 +18,7 @@ from winkler.checks.contract import offered
 from winkler.checks.number_checks import POSITIVE
 from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["Archard", "OwnWear", "PairWear", "WearLaw", "worn_by"]
 
@@ -79,6 +79,8 @@ class PairWear:
     InvalidInput
         If one of them is no law of wear.
     """
+
+    __words__ = words(first=("1", None, "how the body below wears"), second=("2", None, "how the body above wears"))
 
     first: Archard | OwnWear
     second: Archard | OwnWear

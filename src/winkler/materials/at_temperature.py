@@ -6,7 +6,7 @@ from winkler.checks.number_checks import Positive
 from winkler.materials.temperature import Arrhenius, WilliamsLandelFerry
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["AtTemperature"]
 
@@ -45,6 +45,11 @@ class AtTemperature(ViscoelasticSolid):
     >>> round(float(warm.series.times[0]), 6) == round(law.factor(320.0), 6)
     True
     """
+
+    __words__ = words(
+        solid=("", None, "the solid at the temperature at which it is known"),
+        law=("", None, "how temperature changes its times"),
+    )
 
     solid: ViscoelasticSolid
     law: WilliamsLandelFerry | Arrhenius

@@ -7,7 +7,7 @@ import math
 from winkler.checks.number_checks import Positive, PositiveNotTiny
 from winkler.errors import InvalidInput
 from winkler.materials.conductor import ElectricalConductor, ThermalConductor
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["ConductingBody", "Conductor", "Plated", "Rod", "bulk_of", "resistivity_of", "surface_of"]
 
@@ -33,6 +33,8 @@ class Plated:
     InvalidInput
         If the thickness is not positive, or one part conducts current and the other heat.
     """
+
+    __words__ = words(on=("", None, "what carries the plating"), thickness=("h", "m", "thickness of the plating"))
 
     plating: Conductor
     thickness: PositiveNotTiny
@@ -63,6 +65,8 @@ class Rod:
     InvalidInput
         If a length is not positive.
     """
+
+    __words__ = words(radius=("b", "m", "radius of the rod"), length=("l", "m", "length of the rod"))
 
     conductor: Conductor
     radius: Positive

@@ -24,7 +24,7 @@ from winkler.checks.number_checks import (
 )
 from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["DepthGrading", "ExponentialGrading", "SigmoidalGrading", "TabulatedGrading"]
 
@@ -69,6 +69,8 @@ class ExponentialGrading:
     poisson : float
         The same everywhere [-].
     """
+
+    __words__ = words(depth_scale=("c_0", "m", "depth over which the difference of moduli falls to 1/e"))
 
     surface_young: PositiveNotTiny
     deep_young: PositiveNotTiny

@@ -20,7 +20,7 @@ from winkler.limits import LEAST_STEP_RATIO
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["FractionalZener", "PowerLawSolid"]
 
@@ -72,6 +72,8 @@ class PowerLawSolid(ViscoelasticSolid):
     >>> bool(abs(cell.relaxation(0.01) / (500.0 * 0.01**-0.2) - 1.0) <= cell.series_error <= 1e-4)
     True
     """
+
+    __words__ = words(exponent=(r"\alpha", "", "power of time by which a stress relaxes"))
 
     shear: Positive
     time_scale: Positive
@@ -148,6 +150,8 @@ class FractionalZener(ViscoelasticSolid):
     >>> round(float(solid.relaxation(1.0)), 5)  # e erfc(1)
     0.42758
     """
+
+    __words__ = PowerLawSolid.__words__
 
     relaxed_shear: NonNegative
     shear: Positive

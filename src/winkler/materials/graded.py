@@ -14,7 +14,7 @@ from typing import Annotated
 
 from winkler.checks.number_checks import Number, PoissonRatio, PositiveNotTiny
 from winkler.errors import InvalidInput
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["PowerLawGraded"]
 
@@ -54,6 +54,12 @@ class PowerLawGraded:
     >>> round(ceramic.young_at(0.02e-3) / 1e9, 3)
     110.261
     """
+
+    __words__ = words(
+        young=("E_0", "Pa", "Young's modulus at the depth c_0"),
+        depth_scale=("c_0", "m", "depth at which the modulus is E_0"),
+        exponent=("k", "", "exponent of the grading E = E_0 (z/c_0)^k"),
+    )
 
     young: PositiveNotTiny
     depth_scale: PositiveNotTiny

@@ -12,7 +12,7 @@ from typing import Any
 from winkler.errors import InvalidInput, suggest
 from winkler.materials.conductor import ElectricalConductor, ThermalConductor
 from winkler.materials.elastic import Elastic
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = [
     "NamedElastic",
@@ -40,6 +40,12 @@ class TabulatedProperty:
     source : str
         Where it stands.
     """
+
+    __words__ = words(
+        quantity=("", None, "word of the glossary that a number stands for"),
+        number=("", None, "a number in the glossary's SI unit"),
+        source=("", None, "where a number stands"),
+    )
 
     quantity: str
     number: float
@@ -72,6 +78,12 @@ class NamedMaterial:
     >>> silica.number("density")
     2203.0
     """
+
+    __words__ = words(
+        name=("", None, "name of the material"),
+        told=("", None, "which sort of the material"),
+        figures=("", None, "the numbers that are known, with their sources"),
+    )
 
     name: str
     told: str
@@ -177,6 +189,8 @@ class NamedElastic(Elastic):
     411000000000.0
     """
 
+    __words__ = words(name=("", None, "name in the table of materials"))
+
     young: float = dataclasses.field(init=False, default=math.nan)
     poisson: float = dataclasses.field(init=False, default=math.nan)
     strength: float = dataclasses.field(init=False, default=math.inf)
@@ -206,6 +220,8 @@ class NamedElectricalConductor(ElectricalConductor):
     1.587e-08
     """
 
+    __words__ = NamedElastic.__words__
+
     resistivity: float = dataclasses.field(init=False, default=math.nan)
     temperature_coefficient: float = dataclasses.field(init=False, default=0.0)
     name: str
@@ -233,6 +249,8 @@ class NamedThermalConductor(ThermalConductor):
     >>> round(NamedThermalConductor("copper").diffusivity * 1e6, 1)
     116.2
     """
+
+    __words__ = NamedElastic.__words__
 
     conductivity: float = dataclasses.field(init=False, default=math.nan)
     diffusivity: float = dataclasses.field(init=False, default=math.nan)

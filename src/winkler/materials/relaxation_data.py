@@ -19,7 +19,7 @@ from winkler.limits import MEASURED_TIMES
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries, merged, of_creep
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["CreepData", "DynamicData", "RelaxationData"]
 
@@ -127,6 +127,8 @@ class CreepData(_MeasuredSolid):
     >>> bool(fluid.series_error < 1e-3)
     True
     """
+
+    __words__ = words(compliance=("J", "1/Pa", "shear compliance, one number for each time"))
 
     time: Annotated[Array, Numbers(POSITIVE, FEWEST_ROWS, MEASURED_TIMES, "rising"), SORT_ADVICE]
     compliance: Annotated[Array, Numbers(POSITIVE, FEWEST_ROWS, MEASURED_TIMES)]

@@ -30,7 +30,7 @@ from winkler.media.medium import Displacement, Medium
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.transforms import graded_abel
 from winkler.numerics.types import Array, Curve
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["EquivalentProfile", "Imprint", "exponent_of", "height", "slope", "surface_slope", "thickness_of"]
 
@@ -67,6 +67,10 @@ class Imprint:
     radius : float
         Up to where the body is wanted [m].
     """
+
+    __words__ = words(
+        springs=("", None, "the springs whose body is wanted"), radius=("", "m", "up to where the body is wanted")
+    )
 
     springs: EquivalentProfile
     radius: float

@@ -22,7 +22,7 @@ from winkler.numerics.equations.roots import invert, rough_root
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.panels.convex_spline import ConvexCurve
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["CurveProfile", "TabulatedProfile", "springs_of_curve"]
 
@@ -51,6 +51,11 @@ class CurveProfile:
     joints : tuple of float
         Contact radii at the joints of the curve [m].
     """
+
+    __words__ = words(
+        flat=("b", "m", "radius of the flat end behind a force curve"),
+        joints=("a_i", "m", "contact radii where one piece of a force curve meets the next"),
+    )
 
     curve: ConvexCurve
     medium: Medium
@@ -97,6 +102,8 @@ class TabulatedProfile:
     slopes : Panels
         g'(x) [-] from the axis on.
     """
+
+    __words__ = words(slopes=("g'", None, "slope of the equivalent plane profile on panels"))
 
     slopes: Panels
 

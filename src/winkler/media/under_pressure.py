@@ -28,7 +28,7 @@ from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.transforms.cosine_transform import WaveResponse, transform
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["PressureIndentation", "pressed_in"]
 
@@ -64,6 +64,13 @@ class PressureIndentation:
     share : Panels
         K phi [m] as a function of x, zero without layers.
     """
+
+    __words__ = words(
+        exponent=("k", "", "exponent of the grading"),
+        uniform=("", "m", "how far springs sink under the pressure at the edge"),
+        bulge=("", None, "how far springs sink under the rest of the pressure, on panels"),
+        share=("", None, "what layers add to the displacement of the springs, on panels"),
+    )
 
     radius: float
     exponent: float

@@ -107,10 +107,9 @@ class Curve(NamedTuple):
     of: Series
 
 
-def series(owner: type[Any] | str, name: str, content: ArrayLike) -> Series:
-    """Return the numbers of the field `name` of `owner`, with its entry of the glossary."""
-    owner_name = owner if isinstance(owner, str) else owner.__name__
-    return Series(name, word(owner_name, name), np.asarray(content, dtype=float))
+def series(name: str, content: ArrayLike, owner: type = object) -> Series:
+    """Return numbers of the field `name`, with its shared entry of the glossary, or that of the class `owner`."""
+    return Series(name, word(owner, name), np.asarray(content, dtype=float))
 
 
 def common_scale(*many: Series) -> Scale:

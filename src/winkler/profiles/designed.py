@@ -19,7 +19,7 @@ from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["Designed"]
 
@@ -53,6 +53,12 @@ class Designed(Shape):
     InvalidInput
         If the arrays do not fit one another.
     """
+
+    __words__ = words(
+        edges=("r_i", "m", "radii where one panel ends and the next begins"),
+        slopes=("f'_{ij}", "", "Chebyshev coefficients of the slope, one row for each panel"),
+        tolerance=(r"\epsilon", "", "relative misfit of what was prescribed"),
+    )
 
     edges: Annotated[Array, Numbers(NON_NEGATIVE, order="rising"), Advice("ascend from 0")]
     slopes: Annotated[Array, Numbers(any_shape=True)]

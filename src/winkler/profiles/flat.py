@@ -9,7 +9,7 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile, Shape
 from winkler.validity import Note
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["CappedCylinder", "Cylinder", "FlatPunch"]
 
@@ -27,6 +27,8 @@ class FlatPunch(Shape):
     ----------
     J. Boussinesq, Application des potentiels, Gauthier-Villars, Paris 1885.
     """
+
+    __words__ = words(radius=("b", "m", "radius of the punch"))
 
     radius: Positive
 
@@ -81,6 +83,8 @@ class CappedCylinder(Shape):
     cap : Profile
         Shape of the end; must be known up to the rim.
     """
+
+    __words__ = words(radius=("b", "m", "radius of the cylinder, where the contact is pinned"))
 
     radius: Positive
     cap: Profile

@@ -28,7 +28,7 @@ from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape
 from winkler.profiles.smoothing import Spline, choose
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["Measured"]
 
@@ -60,6 +60,10 @@ class Measured(Shape):
     --------
     winkler.read_profile : reads a file with units, and folds a scan that crosses the apex.
     """
+
+    __words__ = words(
+        radii=("r_i", "m", "measured distances from the axis"), heights=("f_i", "m", "measured heights above the apex")
+    )
 
     radii: Annotated[Array, Numbers(NON_NEGATIVE, fewest=0, most=4 * MEASURED_PLACES), FOLDING_ADVICE]
     heights: Annotated[Array, Numbers(fewest=0, most=4 * MEASURED_PLACES), Advice("remove these points")]

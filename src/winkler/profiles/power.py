@@ -12,7 +12,7 @@ import numpy as np
 from winkler.checks.number_checks import Positive, PositiveNotTiny, PositiveOfAnySize
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["Paraboloid", "PowerLaw"]
 
@@ -83,6 +83,11 @@ class PowerLaw(Shape):
     ----------
     L. A. Galin, Prikl. Mat. Mekh. 10 (1946) 425-448.
     """
+
+    __words__ = words(
+        coefficient=("c", "m^(1-n)", "coefficient of the shape f = c r^n"),
+        exponent=("n", "", "exponent of the shape f = c r^n"),
+    )
 
     coefficient: PositiveOfAnySize
     exponent: Positive

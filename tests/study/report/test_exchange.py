@@ -12,7 +12,7 @@ import xarray
 import winkler as wk
 from winkler.study.batch.run import run
 from winkler.study.language.reading import parse_study
-from winkler.vocabulary import word
+from winkler.vocabulary import GLOSSARY
 
 BED = wk.Foundation(wk.Paraboloid(10e-3), wk.HalfSpace(wk.Elastic(210e9, 0.3)))
 FORCES = np.array([1.0, 10.0, 100.0])
@@ -34,8 +34,8 @@ def test_a_solution_is_a_dataset_with_units():
     np.testing.assert_array_equal(data.force, FORCES)
     np.testing.assert_array_equal(data.depth, PRESSED.depth)
     for name, content in data.data_vars.items():
-        assert content.attrs["units"] == (word("IndentationSolution", name).unit or "1")
-        assert content.attrs["long_name"] == word("IndentationSolution", name).meaning
+        assert content.attrs["units"] == (GLOSSARY[name].unit or "1")
+        assert content.attrs["long_name"] == GLOSSARY[name].meaning
     assert "exact: Homogeneous, isotropic, linear elastic half-spaces" in data.attrs["validity"]
 
 
@@ -107,7 +107,7 @@ def test_a_table_is_plain_columns():
     assert isinstance(table, pandas.DataFrame)
     assert list(table.columns) == list(wk.to_xarray(PRESSED).data_vars)
     np.testing.assert_array_equal(table["depth"], PRESSED.depth)
-    assert table.attrs["units"] == {name: word("IndentationSolution", name).unit for name in table.columns}
+    assert table.attrs["units"] == {name: GLOSSARY[name].unit for name in table.columns}
     assert len(wk.to_pandas(ONE)) == 1
 
 

@@ -17,10 +17,10 @@ from winkler.study.batch.run import run
 from winkler.study.chapters.answer import Equation
 from winkler.study.language.study import Axis, Study
 from winkler.study.report.describe import content_label, in_words, inputs, values_text
-from winkler.study.report.figures import answers_over, svg_element
+from winkler.study.report.figure import svg_element
+from winkler.study.report.figures import answers_over
 from winkler.study.report.markup import safe, table, with_fixed_units
 from winkler.study.report.mathml import formula, inline, symbol
-from winkler.vocabulary import GLOSSARY, OWNED
 
 FORMULAS = [
     item
@@ -40,8 +40,8 @@ def test_every_formula_of_the_report_is_well_formed(item):
             assert len(element) == counts[element.tag], ElementTree.tostring(element)
 
 
-def test_every_symbol_of_the_glossary_is_understood():
-    symbols = [entry.symbol for entry in (*GLOSSARY.values(), *OWNED.values())]
+def test_every_symbol_of_the_glossary_is_understood(entries):
+    symbols = [entry.symbol for entry in entries.values()]
     assert [text for text in symbols if symbol(text) != inline(text)] == []
 
 

@@ -34,7 +34,7 @@ from winkler.fitting.curves.outline import (
     single_direction,
 )
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["CurveOutline", "Flag", "examined", "outline", "refuse", "unsaturated"]
 
@@ -62,6 +62,8 @@ class Flag:
     statement : str
         One sentence.
     """
+
+    __words__ = words(name=("", None, "one word"), statement=("", None, "one sentence"))
 
     name: str
     statement: str

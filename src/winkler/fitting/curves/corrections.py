@@ -11,7 +11,7 @@ from winkler.errors import InvalidInput
 from winkler.fitting.curves.checks import outline
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = [
     "FreeLine",
@@ -45,6 +45,11 @@ class FreeLine:
     noise : float
         Standard deviation of the force about the line [N].
     """
+
+    __words__ = words(
+        origin=("D", "m", "position at which the baseline holds"),
+        noise=(r"\sigma", "N", "standard deviation of the force about the line"),
+    )
 
     origin: float
     baseline: float

@@ -23,7 +23,7 @@ from winkler.errors import InvalidInput
 from winkler.fitting.curves.directions import found_directions
 from winkler.fitting.curves.segments import Segment, segments_of, stated_directions
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["ForceCurve"]
 
@@ -76,6 +76,12 @@ class ForceCurve:
     >>> round(float(curve.depth(contact_point=1e-9)[2]), 15)
     5e-10
     """
+
+    __words__ = words(
+        position=("D", "m", "how far the machine has moved towards the sample"),
+        direction=("", "", "+1 going in, -1 coming out, 0 held"),
+        name=("", None, "where the curve comes from"),
+    )
 
     position: Annotated[Array, Numbers(fewest=FEWEST), POINTS_ADVICE]
     force: Annotated[Array, Numbers(fewest=FEWEST), POINTS_ADVICE]

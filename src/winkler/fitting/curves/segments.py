@@ -10,7 +10,7 @@ import numpy as np
 from winkler.errors import InvalidInput, suggest
 from winkler.fitting.curves.directions import HELD, IN, OUT
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["Segment", "SegmentKind", "segments_of", "stated_directions"]
 
@@ -42,6 +42,12 @@ class Segment:
     first, last : int
         Indices of its first and last point in the curve.
     """
+
+    __words__ = words(
+        kind=("", None, "loading, hold, partial unloading or last unloading"),
+        first=("", None, "index of the first point"),
+        last=("", None, "index of the last point"),
+    )
 
     kind: SegmentKind
     first: int

@@ -19,7 +19,7 @@ from winkler.materials.elastic import Elastic, Rigid, Solid
 from winkler.numerics.equations.roots import between
 from winkler.profiles.area import AreaFunction
 from winkler.profiles.profile import Profile
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = [
     "CalibratedArea",
@@ -67,6 +67,11 @@ class CalibratedArea:
     InvalidInput
         If there are no finite coefficients, or the depths do not grow.
     """
+
+    __words__ = words(
+        shallowest=("h_c", "m", "smallest contact depth of the calibration"),
+        deepest=("h_c", "m", "greatest contact depth of the calibration"),
+    )
 
     coefficients: tuple[float, ...]
     shallowest: NonNegative = 0.0
@@ -118,6 +123,8 @@ class ContactReading:
     hardness : float
         [Pa].
     """
+
+    __words__ = words(modulus=("E_r", "Pa", "reduced modulus, that of the pair"))
 
     contact_depth: float
     area: float

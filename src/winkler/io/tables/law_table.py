@@ -64,7 +64,7 @@ def _csv(law: ContactLawSolution) -> str:
     lines = [f"# {sentence}" for sentence in (*CONVENTIONS, *LAW_CONVENTIONS)]
     lines += [f"# {name} = {number!r}" for name, number in inputs_of(law.problem).items()]
     lines += [f"# {name} = {getattr(law, name)!r}" for name in ("hermite_error", "linear_error")]
-    lines.append(",".join(f"{name} [{word('ContactLawSolution', name).unit}]" for name in COLUMNS))
+    lines.append(",".join(f"{name} [{word(ContactLawSolution, name).unit}]" for name in COLUMNS))
     rows = zip(*(getattr(law, name).tolist() for name in COLUMNS), strict=True)
     return "\n".join([*lines, *(",".join(map(repr, row)) for row in rows)]) + "\n"
 
@@ -77,8 +77,8 @@ def _json(law: ContactLawSolution) -> str:
         "linear_error": law.linear_error,
         "columns": {
             name: {
-                "unit": word("ContactLawSolution", name).unit,
-                "meaning": word("ContactLawSolution", name).meaning,
+                "unit": word(ContactLawSolution, name).unit,
+                "meaning": word(ContactLawSolution, name).meaning,
                 "values": getattr(law, name).tolist(),
             }
             for name in COLUMNS

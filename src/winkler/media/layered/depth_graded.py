@@ -22,7 +22,7 @@ from winkler.media.layered.depth_response import NormalDepthResponse, Tangential
 from winkler.media.punch_field import BodyField
 from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["DepthGradedHalfSpace"]
 
@@ -58,6 +58,8 @@ class DepthGradedHalfSpace(LayeredMedium):
     >>> round(float(medium.punch_stiffness(np.array(1e-3)) / (2.0 * medium.modulus * 1e-3)), 5)
     2.06285
     """
+
+    __words__ = words(tolerance=(r"\epsilon", "", "relative error that is allowed in every stiffness"))
 
     grading: DepthGrading
     second: Solid = RIGID

@@ -11,7 +11,7 @@ from winkler.errors import InvalidInput
 from winkler.plot import style
 from winkler.plot.drawing import sheet_of
 from winkler.plot.extent import checked_extent
-from winkler.plot.panel import Axis, Line, Map, Panel, Rule, Sheet, note
+from winkler.plot.panel import Line, Map, Panel, PanelAxis, Rule, Sheet, note
 from winkler.plot.series import Series, places, scale_of, series
 from winkler.problems.conduction.fields import CurrentFields, HeatFields, restore_conduction
 from winkler.problems.conduction.joule_heating import JouleHeatingSolution
@@ -56,7 +56,7 @@ def conduction_map(item: JouleHeatingSolution | ThermalConstrictionSolution) -> 
 
 def _map(fields: CurrentFields | HeatFields, radius: float | None = None) -> Panel:
     temperature = series(
-        type(fields), FIELD_NAMES[type(fields)].temperature, getattr(fields, FIELD_NAMES[type(fields)].temperature)
+        FIELD_NAMES[type(fields)].temperature, getattr(fields, FIELD_NAMES[type(fields)].temperature), type(fields)
     )
     x = np.concatenate([-fields.r[:0:-1], fields.r])
     y, c = (np.concatenate([part[:0:-1], part]) for part in (fields.z, temperature.content))
@@ -64,14 +64,14 @@ def _map(fields: CurrentFields | HeatFields, radius: float | None = None) -> Pan
         return Panel((note("the same everywhere", "upper centre"),), title=MAP_TITLE)
     look: dict[str, Any] = {"colours": style.HEATS, "levels": LEVELS, "shrink": 0.8}
     marks: list[Any] = [
-        Map(x, y, c, Axis.of(temperature), line_width=0.5, line_alpha=0.8, lines="all", **look),
+        Map(x, y, c, PanelAxis.of(temperature), line_width=0.5, line_alpha=0.8, lines="all", **look),
         Rule(0.0, colour=style.INK),
     ]
     if radius is not None:
         marks.append(Line(np.array([-radius, radius]), np.zeros(2), width=3.0))
     scale = scale_of("m", fields.r, fields.z)
-    across = Axis.of(series(type(fields), "r", fields.r), scale)
-    upright = Axis.of(series(type(fields), "z", fields.z), scale, falling=True)
+    across = PanelAxis.of(series("r", fields.r, type(fields)), scale)
+    upright = PanelAxis.of(series("z", fields.z, type(fields)), scale, falling=True)
     upright = dataclasses.replace(upright, label=upright.label.replace("depth below the surface", "depth"))
     return Panel(tuple(marks), across, upright, equal=True, grid="", title=MAP_TITLE)
 
@@ -87,13 +87,13 @@ def crossing_panel(item: JouleHeatingSolution | ThermalConstrictionSolution) -> 
     a = float(item.radius)
     r = places(EXTENT_IN_RADII * a, (a,))
     fields: Any = restore_conduction(item, r, 0.0)
-    return _line_panel(fields, series(type(fields), "r", r)).plus(title="over the surface of the first body")
+    return _line_panel(fields, series("r", r, type(fields))).plus(title="over the surface of the first body")
 
 
 def _line_panel(fields: CurrentFields | HeatFields, along: Series) -> Panel:
     names = FIELD_NAMES[type(fields)]
-    density = series(type(fields), names.density, np.abs(getattr(fields, names.density)))
-    temperature = series(type(fields), names.temperature, getattr(fields, names.temperature))
+    density = series(names.density, np.abs(getattr(fields, names.density)), type(fields))
+    temperature = series(names.temperature, getattr(fields, names.temperature), type(fields))
     finite = density.content[np.isfinite(density.content)]
     positive = finite[finite > 0.0]
     top = 1.05 * float(np.max(positive)) if positive.size else 1.0
@@ -105,9 +105,9 @@ def _line_panel(fields: CurrentFields | HeatFields, along: Series) -> Panel:
     heat = Line(along.content, temperature.content, style.RED, dash=style.DASHES[1], beside=True)
     return Panel(
         (Line(along.content, drawn), heat),
-        Axis.of(along),
-        Axis(label, scale, low=0.0, high=top, colour=style.BLUE),
-        beside=(Axis(f"temperature ${temperature.word.symbol}$", temperature.scale, colour=style.RED),),
+        PanelAxis.of(along),
+        PanelAxis(label, scale, low=0.0, high=top, colour=style.BLUE),
+        beside=(PanelAxis(f"temperature ${temperature.word.symbol}$", temperature.scale, colour=style.RED),),
     )
 
 
@@ -127,7 +127,7 @@ def fields_sheet(item: CurrentFields | HeatFields, *, extent: float | None = Non
         if np.size(item.r) < 2:
             raise InvalidInput("draw: one point does not make a curve; restore along a line or on a grid.")
         name = "r" if np.ptp(item.r) >= np.ptp(item.z) else "z"
-        panel = _line_panel(item, series(type(item), name, getattr(item, name))).plus(title="along a line")
+        panel = _line_panel(item, series(name, getattr(item, name), type(item))).plus(title="along a line")
     if extent is not None:
         low = 0.0 if np.ndim(item.r) == 1 else -extent
         panel = panel.plus(across=dataclasses.replace(panel.across, low=low, high=extent))

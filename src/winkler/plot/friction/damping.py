@@ -12,7 +12,7 @@ from winkler.loading import ShearForce, Shift
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.friction.curves import lines_panel
-from winkler.plot.panel import Axis, Line, Panel, Polygon, Rule, Sheet, note, titled, zero
+from winkler.plot.panel import Line, Panel, PanelAxis, Polygon, Rule, Sheet, note, titled, zero
 from winkler.plot.series import Series, middle_scale, series, with_unit
 from winkler.problems.friction.bimodal_damping import BimodalDampingSolution
 from winkler.problems.friction.damping import FrictionDamping, FrictionDampingSolution
@@ -57,8 +57,8 @@ def damping_sheet(item: FrictionDampingSolution) -> Sheet:
 
 def _over(curve: FrictionDampingSolution, item: FrictionDampingSolution, name: str, reach: float, **ends: Any) -> Panel:
     """Return one quantity over the amplitude of the shift, with the requested points."""
-    along = series("FrictionDampingSolution", "shift", np.asarray(curve.shift))
-    of = series("FrictionDampingSolution", name, np.asarray(getattr(curve, name)))
+    along = series("shift", np.asarray(curve.shift))
+    of = series(name, np.asarray(getattr(curve, name)))
     shift, requested = (np.ravel(np.asarray(part, dtype=float)) for part in (item.shift, getattr(item, name)))
     moving = shift > 0.0
     marks = (
@@ -66,8 +66,8 @@ def _over(curve: FrictionDampingSolution, item: FrictionDampingSolution, name: s
         Line(shift[moving], requested[moving], style.RED, width=0.0, marker="o", name="requested"),
         Rule(reach, upright=True, width=0.9, dash=style.DOTTED, name="all slides"),
     )
-    across = Axis("amplitude of the shift $U$", middle_scale("m", along.content), log=True)
-    upright = Axis.of(of, middle_scale(of.word.unit, of.content), **ends)
+    across = PanelAxis("amplitude of the shift $U$", middle_scale("m", along.content), log=True)
+    upright = PanelAxis.of(of, middle_scale(of.word.unit, of.content), **ends)
     return Panel(marks, across, upright, legend="upper left")
 
 
@@ -76,8 +76,8 @@ def _cycle_panel(problem: FrictionDamping, amplitude: float) -> Panel:
     share = np.linspace(0.0, 1.0, LOOP_POINTS)
     first = np.asarray(dataclasses.replace(problem, amplitude=Shift(amplitude * share)).solve().shear_force)
     shift, force = amplitude * (2.0 * share - 1.0), 2.0 * first - first[-1]
-    along = series("FrictionDampingSolution", "shift", np.concatenate([shift, -shift]))
-    of = series("FrictionDampingSolution", "shear_force", np.concatenate([force, -force]))
+    along = series("shift", np.concatenate([shift, -shift]))
+    of = series("shear_force", np.concatenate([force, -force]))
     loss = dataclasses.replace(problem, amplitude=Shift(amplitude)).solve().loss_per_cycle
     marks = (
         Polygon(along.content, of.content, style.RED, 0.14),
@@ -86,7 +86,7 @@ def _cycle_panel(problem: FrictionDamping, amplitude: float) -> Panel:
         zero(),
         note(f"shaded: {with_unit(float(loss), 'J')}", "upper left"),
     )
-    return Panel(marks, Axis.of(along, margin=0.06), Axis.of(of, margin=0.12))
+    return Panel(marks, PanelAxis.of(along, margin=0.06), PanelAxis.of(of, margin=0.12))
 
 
 def bimodal_sheet(item: BimodalDampingSolution) -> Sheet:
@@ -97,21 +97,21 @@ def bimodal_sheet(item: BimodalDampingSolution) -> Sheet:
     )
     place = int(np.argmax(np.ravel(item.loss_per_cycle)))
     path = problem.path(float(phase_angle.ravel()[place]), float(amplitudes_along.ravel()[place]), cycles=1)
-    depth, shift = series("BimodalDamping", "depth", path.across), series("TangentialSolution", "shift", path.along)
-    across, upright = Axis.of(shift, margin=0.08), Axis.of(depth, margin=0.08, falling=True)
+    depth, shift = series("depth", path.across), series("shift", path.along)
+    across, upright = PanelAxis.of(shift, margin=0.08), PanelAxis.of(depth, margin=0.08, falling=True)
     left = Panel((Line(shift.content, depth.content), zero()), across, upright)
     by_amplitude = bool(np.ptp(amplitudes_along) > 0.0)
     curve = item if amplitudes_along.size > 1 else _over_phase(item)
     along = _varied(curve, "shift_amplitude" if by_amplitude else "phase")
     loss = np.ravel(np.asarray(curve.loss_per_cycle))
     order = np.argsort(along.content, kind="stable")
-    of = series("BimodalDampingSolution", "loss_per_cycle", loss[order])
+    of = series("loss_per_cycle", loss[order])
     marks = [
         Line(along.content[order], of.content, marker="o" if amplitudes_along.size > 1 and loss.size <= 40 else "")
     ]
     if amplitudes_along.size == 1:
         marks.append(Line(phase_angle.ravel(), np.ravel(item.loss_per_cycle), style.RED, width=0.0, marker="o"))
-    right = Panel(tuple(marks), Axis.of(along, margin=0.04), Axis.of(of, low=0.0))
+    right = Panel(tuple(marks), PanelAxis.of(along, margin=0.04), PanelAxis.of(of, low=0.0))
     panels = titled(
         (left, right),
         "the closed cycle" + (" of the greatest loss" if amplitudes_along.size > 1 else ""),
@@ -130,7 +130,7 @@ def _over_phase(item: BimodalDampingSolution) -> BimodalDampingSolution:
 
 def _varied(item: BimodalDampingSolution, name: str) -> Series:
     content = np.broadcast_to(np.asarray(getattr(item.problem, name), dtype=float), np.shape(item.loss_per_cycle))
-    return series("BimodalDamping", name, np.ravel(content))
+    return series(name, np.ravel(content))
 
 
 def relaxation_sheet(item: RelaxationDamperSolution) -> Sheet:
@@ -142,8 +142,8 @@ def relaxation_sheet(item: RelaxationDamperSolution) -> Sheet:
         float(dataclasses.replace(problem, depth_amplitude=float(amplitude)).solve().damping)
         for amplitude in amplitudes
     ]
-    along = series("RelaxationDamper", "depth_amplitude", amplitudes)
-    of = series("RelaxationDamperSolution", "damping", np.array(damping))
+    along = series("depth_amplitude", amplitudes)
+    of = series("damping", np.array(damping))
     point = Line(np.array([greatest]), np.array([float(item.damping)]), style.RED, width=0.0, marker="o")
     panel = lines_panel(along, [(of, "damping")], f"damping ${of.word.symbol}$", low=0.0).plus(point)
     return Sheet((panel.plus(title="viscous damper that the contact amounts to"),), width=4.8, height=3.2)

@@ -30,7 +30,7 @@ from winkler.plot.friction.curves import (
 )
 from winkler.plot.friction.springs import dragged_panel
 from winkler.plot.friction.stress import body_stress_panel, dragged_stress_panel
-from winkler.plot.panel import Axis, Line, Panel, Sheet, note, titled, zero
+from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, note, titled, zero
 from winkler.plot.series import Series, headline, places, scale_of, series, with_unit
 from winkler.problems.friction.spring_states import SpringState
 from winkler.problems.friction.tangential import TangentialSolution
@@ -107,14 +107,14 @@ def tangential_state_sheet(item: TangentialState | SpringState, extent: float | 
 def sheared_sheet(item: ShearedFields) -> Sheet:
     """Return restored tractions and slips over the distance from the axis."""
     order = np.argsort(np.ravel(item.r), kind="stable")
-    r = series("ShearedFields", "r", np.ravel(item.r)[order])
+    r = series("r", np.ravel(item.r)[order])
 
     def lines(*words: str) -> list[tuple[Series, str]]:
         quantities = []
         for word in words:
             content = np.asarray(getattr(item, word)).reshape(order.size, -1)[order]
             for place in range(content.shape[1]):
-                one = series("ShearedFields", word, content[:, place])
+                one = series(word, content[:, place])
                 mark = "" if content.shape[1] == 1 else f", {'xy'[place]}"
                 quantities.append((one, one.label().partition(" [")[0] + mark))
         return quantities
@@ -132,8 +132,8 @@ def body_sheet(item: BodyFields) -> Sheet:
 def torsion_sheet(item: TorsionSolution) -> Sheet:
     """Return the loop, torque and energies along a path of twists, and the traction at its last contact."""
     touching = np.flatnonzero(item.radius > 0.0)
-    time, angle, torque = (series("TorsionSolution", name, getattr(item, name)) for name in ("time", "angle", "torque"))
-    lines = [(torque, "torque"), *bounds("TorsionSolution", "torque", item.torque_limit, BOUNDS[1])]
+    time, angle, torque = (series(name, getattr(item, name), TorsionSolution) for name in ("time", "angle", "torque"))
+    lines = [(torque, "torque"), *bounds("torque", item.torque_limit, BOUNDS[1])]
     panels = titled(
         (
             loop_panel(angle, torque, float(item.dissipation[-1])),
@@ -180,9 +180,9 @@ def _twist_panel(state: TorsionState) -> Panel:
         zero(),
     )
     low = -top if np.nanmin(traction) < -0.02 * top else 0.0
-    across = Axis.of(series("SurfaceFields", "r", r), scale_of("m", [radius]), low=0.0, high=1.05 * radius)
-    of, high = series("ShearedFields", "traction", traction), 1.25 * top if top > 0.0 else scale.factor
-    return Panel(marks, across, Axis.of(of, scale, low=1.05 * low, high=high), legend="upper left")
+    across = PanelAxis.of(series("r", r), scale_of("m", [radius]), low=0.0, high=1.05 * radius)
+    of, high = series("traction", traction), 1.25 * top if top > 0.0 else scale.factor
+    return Panel(marks, across, PanelAxis.of(of, scale, low=1.05 * low, high=high), legend="upper left")
 
 
 def _coefficient(law: Any) -> float:
@@ -207,7 +207,7 @@ def _path_panel(item: TangentialSolution) -> Panel:
     """Return the shear force over the shift; in the plane its path, within the bound of friction at the end."""
     lost = float(item.dissipation[-1])
     if item.shear_force.ndim == 1:
-        shift, force = (series("TangentialSolution", name, getattr(item, name)) for name in ("shift", "shear_force"))
+        shift, force = (series(name, getattr(item, name), TangentialSolution) for name in ("shift", "shear_force"))
         return loop_panel(shift, force, lost).plus(title="shear force over shift")
     x, y = item.shear_force.T
     bound = _coefficient(item.problem.law) * float(item.force[-1])
@@ -223,19 +223,16 @@ def _path_panel(item: TangentialSolution) -> Panel:
         marks.append(Line(*circle, style.MUTED, width=1.1, dash=style.DASHES[1]))
         marks.append(note(r"dashed: $\mu F_N$ at the end", "lower left"))
     marks.append(note(loss_text(lost, item.shift, item.shear_force), "upper left"))
-    axes = Axis("shear force $F_x$", scale, margin=0.08), Axis("shear force $F_y$", scale, margin=0.08)
+    axes = PanelAxis("shear force $F_x$", scale, margin=0.08), PanelAxis("shear force $F_y$", scale, margin=0.08)
     return Panel(tuple(marks), *axes, title="path of the shear force", equal=True)
 
 
 def _forces_panel(item: TangentialSolution) -> Panel:
     """Return the shear force between the bounds of friction, over time."""
-    time = series("TangentialSolution", "time", item.time)
+    time = series("time", item.time)
     mu = _coefficient(item.problem.law)
     components = [item.shear_force] if item.shear_force.ndim == 1 else list(item.shear_force.T)
-    lines = [
-        (series("TangentialSolution", "shear_force", one), name)
-        for one, name in zip(components, ("$F_x$", "$F_y$"), strict=False)
-    ]
+    lines = [(series("shear_force", one), name) for one, name in zip(components, ("$F_x$", "$F_y$"), strict=False)]
     if math.isfinite(mu):
-        lines += bounds("TangentialSolution", "shear_force", mu * np.asarray(item.force))
+        lines += bounds("shear_force", mu * np.asarray(item.force))
     return lines_panel(time, lines, "shear force" if isinstance(item.problem.path.lateral, ShearForce) else "force")

@@ -87,5 +87,5 @@ def body_stress_panel(fields: BodyFields) -> Panel:
         )
     if not np.isfinite(fields.von_mises).any():
         raise InvalidInput("draw: none of the restored stresses is finite; restore them below the surface.")
-    x, z, stress = (series("BodyFields", name, getattr(fields, name)) for name in ("x", "z", "von_mises"))
+    x, z, stress = (series(name, getattr(fields, name)) for name in ("x", "z", "von_mises"))
     return stress_map(x, z, stress, label="along the motion $x$")

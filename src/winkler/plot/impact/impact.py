@@ -27,7 +27,7 @@ def impact_sheet(item: ImpactSolution) -> Sheet:
     mu = float(item.problem.law.coefficient)
     forces = [(_series(item, "force"), "$F_N$"), (_series(item, "shear_force"), "$F_x$")]
     if math.isfinite(mu) and np.any(item.shear_force):
-        forces += bounds("ImpactSolution", "shear_force", mu * item.force)
+        forces += bounds("shear_force", mu * item.force)
     speeds = [(_series(item, "velocity"), "approach $v$")]
     if item.problem.sliding_velocity != 0.0:
         speeds += [
@@ -81,7 +81,7 @@ def adhesive_impact_sheet(item: AdhesiveImpactSolution) -> Sheet:
 
 
 def _series(item: Any, name: str) -> Series:
-    return series(type(item), name, getattr(item, name))
+    return series(name, getattr(item, name), type(item))
 
 
 def _restitution(item: ImpactSolution) -> str:

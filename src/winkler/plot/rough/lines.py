@@ -11,7 +11,7 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.drawing import sheet_of
-from winkler.plot.panel import Axis, Line, Panel, Sheet, plane, titled
+from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, plane, titled
 from winkler.plot.rough.roughness import Bounds, framed, image_of, models_panel, spectrum_panel
 from winkler.plot.series import Series, scale_of, series, with_unit
 from winkler.plot.viscoelastic.contacts import refuse_extent
@@ -32,7 +32,7 @@ CONTOUR_DIRECTIONS = 256
 
 
 def _flat(item: Any, name: str) -> Series:
-    return series(type(item), name, np.ravel(np.asarray(getattr(item, name), dtype=float)))
+    return series(name, np.ravel(np.asarray(getattr(item, name), dtype=float)), type(item))
 
 
 def _band_of(item: Any, name: str) -> Bounds:
@@ -68,9 +68,9 @@ def _single_panel(item: Any, name: str) -> Panel:
     low, high = float(band[0]), float(band[-1])
     errors = np.array([[middle - low], [high - middle]])
     point = Line(np.zeros(1), np.array([middle]), marker="o", error_y=errors, cap=6.0)
-    across = Axis(low=-1.0, high=1.0, ticks=np.empty(0))
+    across = PanelAxis(low=-1.0, high=1.0, ticks=np.empty(0))
     title = f"{name} under {with_unit(float(np.ravel(item.force)[0]), 'N')}"
-    return Panel((point,), across, Axis.of(of, low=0.0, high=1.3 * max(high, middle)), title)
+    return Panel((point,), across, PanelAxis.of(of, low=0.0, high=1.3 * max(high, middle)), title)
 
 
 def _interpolated_contour(contour: Array) -> Array:
@@ -128,7 +128,7 @@ def _ellipse_panel(item: EllipticSolution) -> Panel:
     step = 2.0 * half_width / PIXELS_ACROSS
     x = (np.arange(PIXELS_ACROSS) + 0.5) * step - half_width
     pressure = item.pressure(x[:, None], x[None, :])
-    drawn = series("SurfaceFields", "pressure", np.where(pressure > 0.0, pressure, np.nan))
+    drawn = series("pressure", np.where(pressure > 0.0, pressure, np.nan))
     square = Topography(np.zeros((PIXELS_ACROSS, PIXELS_ACROSS)), np.array([2.0 * half_width, 2.0 * half_width]))
     ends = np.array([-half_width, half_width])
     image = dataclasses.replace(image_of(square, drawn, style.SHADES), x=ends, y=ends)
@@ -139,7 +139,7 @@ def _ellipse_panel(item: EllipticSolution) -> Panel:
 def elastomer_sheet(item: ElastomerFrictionSolution, *, extent: float | None = None) -> Sheet:
     """Return the coefficient of friction over the velocity, and the spectrum of the surface."""
     refuse_extent(item, extent)
-    velocity = series("ElastomerFriction", "velocity", np.ravel(item.problem.velocity))
+    velocity = series("velocity", np.ravel(item.problem.velocity), ElastomerFrictionSolution)
     panels = models_panel(velocity, [(_flat(item, "coefficient"), "")]), spectrum_panel([(item.problem.spectrum, "")])
     titles = ("friction over velocity: a trend", "power spectrum of the surface")
     return Sheet(titled(panels, *titles), height=3.2)

@@ -12,7 +12,7 @@ from winkler.numerics.types import ArrayLike
 from winkler.plot import style
 from winkler.plot.drawing import sheet_of
 from winkler.plot.normal.springs import at_first_touch, springs_panel
-from winkler.plot.panel import Axis, Bars, Line, Panel, Sheet, titled
+from winkler.plot.panel import Bars, Line, Panel, PanelAxis, Sheet, titled
 from winkler.plot.rough.roughness import Bounds, heights_of, image_of, map_panel, models_panel
 from winkler.plot.series import Series, series, with_unit
 from winkler.plot.viscoelastic.contacts import refuse_extent
@@ -32,14 +32,14 @@ ELEMENTS_NAME, LINES_NAME, AREA_LABEL = "boundary elements", "lines of springs",
 
 def _map_panels(item: Topography, state: SurfaceState) -> tuple[Panel, ...]:
     """Return contact area, pressure and separation."""
-    touching = series("SurfaceState", "pressure", np.where(state.pressure > 0.0, 1.0, np.nan))
+    touching = series("pressure", np.where(state.pressure > 0.0, 1.0, np.nan))
     contact = dataclasses.replace(image_of(item, touching, (style.RED,)), place="")
     relief = map_panel(item, heights_of(item), style.RELIEFS, label="height $z$", lowest=np.inf)
-    pressed = series("SurfaceState", "pressure", np.where(state.pressure > 0.0, state.pressure, np.nan))
+    pressed = series("pressure", np.where(state.pressure > 0.0, state.pressure, np.nan))
     panels = (
         relief.plus(contact),
         map_panel(item, pressed, style.SHADES),
-        map_panel(item, series("SurfaceState", "separation", state.separation), style.SHADES),
+        map_panel(item, series("separation", state.separation), style.SHADES),
     )
     share = 100.0 * float(state.area) / item.area
     return titled(panels, f"contact (red): {share:.3g} % of the map", "pressure", "distance of the surfaces")
@@ -66,7 +66,7 @@ def _share(area: ArrayLike, item: SurfaceContactSolution) -> Series:
 
 
 def _along(item: SurfaceContactSolution | SurfaceConductionSolution, name: str) -> Series:
-    return series(type(item), name, np.ravel(np.asarray(getattr(item, name), dtype=float)))
+    return series(name, np.ravel(np.asarray(getattr(item, name), dtype=float)), type(item))
 
 
 @sheet_of.register(SurfaceContactSolution)
@@ -102,7 +102,7 @@ def conduction_sheet(item: SurfaceConductionSolution, *, extent: float | None = 
     least, most = (np.ravel(np.asarray(part)) for part in (item.least_stiffness, item.greatest_stiffness))
     top = np.where(np.isfinite(most), most, 1e3 * np.max(np.asarray(item.stiffness)[np.isfinite(item.stiffness)]))
     factor = conductance.content / _along(item, "stiffness").content
-    line = series(type(item), "conductance", factor * _along(item, "line_stiffness").content)
+    line = series("conductance", factor * _along(item, "line_stiffness").content, type(item))
 
     def between(factor: Any) -> list[Bounds]:
         return [
@@ -125,12 +125,12 @@ def _single_panel(item: SurfaceConductionSolution) -> Panel:
     """Return the resistance of one load between its bounds."""
     names = ("least_resistance", "resistance", "line_resistance", "greatest_resistance")
     labels = ("lower bound", ELEMENTS_NAME, LINES_NAME, "upper bound")
-    of = series(type(item), "resistance", np.array([float(np.ravel(getattr(item, name))[0]) for name in names]))
+    of = series("resistance", np.array([float(np.ravel(getattr(item, name))[0]) for name in names]), type(item))
     places = np.arange(4.0)
     bars = Bars(places, of.content, (style.MUTED, style.BLUE, style.RED, style.MUTED))
-    upright = Axis(ticks=places, names=labels, falling=True)
+    upright = PanelAxis(ticks=places, names=labels, falling=True)
     title = f"resistance under {with_unit(float(np.ravel(np.asarray(item.force))[0]), 'N')}"
-    return Panel((bars,), Axis.of(of), upright, title, grid="x")
+    return Panel((bars,), PanelAxis.of(of), upright, title, grid="x")
 
 
 @sheet_of.register(ReductionSolution)
@@ -143,10 +143,10 @@ def reduction_sheet(item: ReductionSolution, *, extent: float | None = None) -> 
     curves = {"force": k * d - bed.gap_load(radius), "stiffness": k}
     panels = []
     for (name, content), corner in zip(curves.items(), ("upper left", "lower right"), strict=True):
-        along, of = series("ReductionSolution", "depth", d), series("ReductionSolution", name, content)
+        along, of = series("depth", d), series(name, content)
         look: dict[str, Any] = {"width": 0.0, "marker": "o", "size": 4.0, "name": ELEMENTS_NAME}
         marks = Line(d, content, name="springs"), Line(item.depth, getattr(item, name), style.RED, **look)
-        axes = Axis.of(along, low=0.0), Axis.of(of, low=0.0)
+        axes = PanelAxis.of(along, low=0.0), PanelAxis.of(of, low=0.0)
         panels.append(Panel(marks, *axes, title=f"{name} over depth", legend=corner))
     panels.append(springs_panel(at_first_touch(bed), bed.reach).plus(title="springs under $g(x)$"))
     return Sheet(tuple(panels), width=3.9, height=3.3)

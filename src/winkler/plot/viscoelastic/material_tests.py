@@ -12,7 +12,8 @@ from winkler.plot.drawing import sheet_of
 from winkler.plot.panel import Sheet, titled
 from winkler.plot.series import series, with_unit
 from winkler.plot.viscoelastic.contacts import refuse_extent
-from winkler.problems.viscoelastic.material_tests import CreepTest, HarmonicSolution, StepSolution
+from winkler.problems.viscoelastic.material_tests import CreepTest, StepSolution
+from winkler.problems.viscoelastic.oscillation import HarmonicSolution
 
 __all__ = ["harmonic_sheet", "step_sheet"]
 
@@ -28,11 +29,11 @@ def step_sheet(item: StepSolution, *, extent: float | None = None) -> Sheet:
     refuse_extent(item, extent)
     names = ("depth", "radius") if isinstance(item.problem, CreepTest) else ("force",)
     requested = np.asarray(item.time)
-    along = series("StepSolution", "time", _between(requested))
+    along = series("time", _between(requested))
     curve = dataclasses.replace(item.problem, time=along.content).solve()
     panels = []
     for name in names:
-        of = series("StepSolution", name, getattr(curve, name))
+        of = series(name, getattr(curve, name))
         panel = decades_panel(along, [Quantity(of, points=(requested, np.asarray(getattr(item, name))))])
         panels.append(panel.plus(title=PANEL_TITLES[name]))
     return Sheet(tuple(panels), width=4.6, height=3.3)
@@ -43,12 +44,12 @@ def harmonic_sheet(item: HarmonicSolution, *, extent: float | None = None) -> Sh
     """Return storage and loss stiffness over the frequency, and the tangent of loss; requested points marked."""
     refuse_extent(item, extent)
     requested = np.ravel(np.asarray(item.problem.angular_frequency, dtype=float))
-    along = series("HarmonicIndentation", "angular_frequency", _between(requested))
+    along = series("angular_frequency", _between(requested))
     curve = dataclasses.replace(item.problem, angular_frequency=along.content).solve()
 
     def quantity(name: str, label: str = "") -> Quantity:
         points = (requested, np.ravel(np.asarray(getattr(item, name), dtype=float)))
-        return Quantity(series("HarmonicSolution", name, np.asarray(getattr(curve, name))), label, points)
+        return Quantity(series(name, np.asarray(getattr(curve, name)), HarmonicSolution), label, points)
 
     pair = [quantity("storage_stiffness", "storage $k'$"), quantity("loss_stiffness", "loss $k''$")]
     panels = decades_panel(along, pair, "stiffness"), decades_panel(along, [quantity("loss_tangent")])

@@ -82,8 +82,8 @@ def _sheet(
     points: tuple[tuple[Array, Array], ...],
     unit: str = "Pa",
 ) -> Sheet:
-    time = series("CreepTest", "time", np.geomspace(*span, POINTS))
-    omega = series("HarmonicIndentation", "angular_frequency", 1.0 / time.content[::-1])
+    time = series("time", np.geomspace(*span, POINTS))
+    omega = series("angular_frequency", 1.0 / time.content[::-1])
     dynamic = relaxation_series.dynamic(omega.content)
 
     def of(content: Array, symbol: str, unit: str, meaning: str) -> Series:

@@ -19,7 +19,7 @@ from winkler.plot.friction.curves import (
     mirrored_bounds,
     stick_band,
 )
-from winkler.plot.panel import Area, Axis, Line, Panel, Rule, Sheet, note, titled
+from winkler.plot.panel import Area, Line, Panel, PanelAxis, Rule, Sheet, note, titled
 from winkler.plot.series import Series, common_scale, series, with_unit
 from winkler.plot.viscoelastic.contacts import LEAST_FORCE_SHARE, depth_and_radius, refuse_extent
 from winkler.plot.viscoelastic.springs import no_contact, recovering_panel, width_of
@@ -43,7 +43,7 @@ def dragged_sheet(item: ViscoelasticTangentialSolution, *, extent: float | None 
     state, time = item.states[int(bearing[-1]) if bearing.size else 0], _series(item, "time")
     mu = item.problem.law.coefficient
     lines = [(_series(item, "shear_force"), "$F_x$")]
-    lines += bounds(type(item), "shear_force", mu * item.force) if math.isfinite(mu) else []
+    lines += bounds("shear_force", mu * item.force) if math.isfinite(mu) else []
     names = {"friction_loss": "lost to friction", "bulk_loss": "lost in the bodies", "stored_energy": "stored"}
     radii = [(_series(item, "radius"), "contact"), (_series(item, "stick_radius"), "stick")]
     panels = (
@@ -78,9 +78,9 @@ def _loads_panel(state: ViscoelasticTangentialState, coefficient: float) -> Pane
     """Return the load of the springs along the surface, and the bound of friction."""
     if state.radius == 0.0:
         return no_contact()
-    along = series("Foundation", "x", state.position)
+    along = series("x", state.position)
     bound = coefficient * state.line_load if math.isfinite(coefficient) else np.zeros(state.line_load.shape)
-    of, limit = (series("ViscoelasticTangentialState", "shear_load", loads) for loads in (state.shear_load, bound))
+    of, limit = (series("shear_load", loads) for loads in (state.shear_load, bound))
     x, y = style.mirrored(along.content, of.content)
     marks = (
         *stick_band(state.stick_radius),
@@ -89,8 +89,8 @@ def _loads_panel(state: ViscoelasticTangentialState, coefficient: float) -> Pane
         Area(x, y, 0.0, style.RED, 0.12),
     )
     end = width_of(state)
-    upright = Axis.of(of, common_scale(of, limit), margin=0.2)
-    return Panel(marks, Axis.of(along, low=-end, high=end), upright, legend="upper right")
+    upright = PanelAxis.of(of, common_scale(of, limit), margin=0.2)
+    return Panel(marks, PanelAxis.of(along, low=-end, high=end), upright, legend="upper right")
 
 
 @sheet_of.register(SlidingResistanceSolution)
@@ -106,11 +106,11 @@ def sliding_sheet(item: SlidingResistanceSolution, *, extent: float | None = Non
     speeds = np.geomspace(low, high, POINTS)
     curve = item if requested.size >= POINTS else dataclasses.replace(item.problem, speed=speeds).solve()
     order = np.argsort(np.ravel(np.asarray(curve.speed)), kind="stable")
-    along = series(type(item), "speed", np.ravel(np.asarray(curve.speed))[order])
+    along = series("speed", np.ravel(np.asarray(curve.speed))[order], type(item))
 
     def quantity(name: str, label: str = "") -> Quantity:
         points = (requested, np.ravel(np.asarray(getattr(item, name), dtype=float)))
-        return Quantity(series(type(item), name, np.ravel(np.asarray(getattr(curve, name)))[order]), label, points)
+        return Quantity(series(name, np.ravel(np.asarray(getattr(curve, name)))[order], type(item)), label, points)
 
     pair = [quantity("shear_force", "of the body"), quantity("line_shear_force", "of the line of springs")]
     place = int(np.argmax(np.ravel(np.asarray(curve.coefficient))))
@@ -127,15 +127,15 @@ def sliding_sheet(item: SlidingResistanceSolution, *, extent: float | None = Non
 def _trace_panel(curve: SlidingResistanceSolution, place: int) -> Panel:
     """Return q(x) under the body, which moves to the right."""
     trace = curve.line(tuple(int(part) for part in np.unravel_index(place, np.shape(curve.speed))))
-    along, of = series("Foundation", "x", trace.position), series("SlidingLine", "line_load", trace.line_load)
+    along, of = series("x", trace.position), series("line_load", trace.line_load)
     marks = (
         Line(along.content, of.content),
         Area(along.content, of.content, 0.0),
         Rule(0.0, upright=True, dash=style.DASHED),
         note("moves to the right →", "upper left"),
     )
-    upright = Axis.of(of, low=0.0, high=1.25 * float(np.max(of.content)))
-    return Panel(marks, Axis.of(along, margin=0.04), upright)
+    upright = PanelAxis.of(of, low=0.0, high=1.25 * float(np.max(of.content)))
+    return Panel(marks, PanelAxis.of(along, margin=0.04), upright)
 
 
 @sheet_of.register(ViscoelasticAdhesionSolution)
@@ -144,7 +144,7 @@ def adhesion_sheet(item: ViscoelasticAdhesionSolution, *, extent: float | None =
     refuse_extent(item, extent)
     time = _series(item, "time")
     opening = np.where(item.crack_speed > 0.0, item.crack_speed, np.nan)
-    edge, opens = series(type(item), "crack_speed", opening), bool(np.any(item.crack_speed > 0.0))
+    edge, opens = series("crack_speed", opening, type(item)), bool(np.any(item.crack_speed > 0.0))
     speed = lines_panel(time, [(edge, "")], "speed of the edge", log=opens)
     panels = (
         loop_panel(_series(item, "position"), _series(item, "force"), float(item.dissipation[-1])),
@@ -157,4 +157,4 @@ def adhesion_sheet(item: ViscoelasticAdhesionSolution, *, extent: float | None =
 
 
 def _series(item: Any, name: str) -> Series:
-    return series(type(item), name, getattr(item, name))
+    return series(name, getattr(item, name), type(item))

@@ -32,7 +32,7 @@ from winkler.problems.adhesion.validity import adhesive_notes
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import ADHESIVE
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["AdhesiveCycle", "AdhesiveCycleSolution"]
 
@@ -200,6 +200,12 @@ class AdhesiveCycleSolution:
     jumps : tuple of AdhesiveJump
         All of them, one after the other.
     """
+
+    __words__ = words(
+        position=("D", "m", "where the far end of the machine stands"),
+        work=("W", "J", "what the machine has spent since the beginning"),
+        energy=("U", "J", "energy of bodies, machine and surfaces"),
+    )
 
     problem: AdhesiveCycle
     position: Array

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["AdhesiveJump", "AdhesiveState", "EdgeState"]
 
@@ -23,6 +23,8 @@ class EdgeState:
         a [m], zero without contact.
     """
 
+    __words__ = words(position=("D", "m", "where the far end of the machine stands"))
+
     position: float
     depth: float
     force: float
@@ -40,6 +42,8 @@ class AdhesiveJump:
     loss : float
         By how much the total potential fell [J], what opening costs more than closing gains included.
     """
+
+    __words__ = words(pull_off=("", None, "whether the bodies came apart in a jump"))
 
     before: EdgeState
     after: EdgeState
@@ -77,6 +81,8 @@ class AdhesiveState:
     jumps : tuple of AdhesiveJump
         Those since the point before.
     """
+
+    __words__ = EdgeState.__words__
 
     position: float
     depth: float

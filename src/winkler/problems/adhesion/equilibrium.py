@@ -25,7 +25,7 @@ from winkler.problems.adhesion.stability import Branch, branches
 from winkler.problems.adhesion.validity import adhesive_notes
 from winkler.problems.assumptions.declared import ADHESIVE
 from winkler.validity import Assumption, Note
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["AdhesiveBranch", "Equilibrium", "EquilibriumCurve", "EquilibriumJump"]
 
@@ -70,6 +70,8 @@ class Equilibrium:
     >>> len(curve.branches), round(curve.branches[0].start * 1e6, 3)  # (pi R^2 w / (8 E*))^(1/3) in micrometres
     (1, 24.511)
     """
+
+    __words__ = words(reach=("a_{max}", "m", "greatest contact radius of the curve"))
 
     bed: Bed
     law: AdhesionLaw

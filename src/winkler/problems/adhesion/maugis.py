@@ -27,7 +27,7 @@ from winkler.numerics.types import Array
 from winkler.problems.adhesion.edge_states import stored_energy
 from winkler.problems.adhesion.maugis_integrals import RingSprings, edges_of, gap_moment, pulled
 from winkler.problems.adhesion.maugis_zone import CohesiveZone, widest_within, zone
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["CohesiveStates", "RingedSprings"]
 
@@ -214,6 +214,11 @@ class RingedSprings(PressedSprings):
     count : int
         How often the panels halve towards the end of the ring, where the slope of u is infinite.
     """
+
+    __words__ = words(
+        amplitude=("A", "", "displacement of the ring's springs, u = -A (c^2 - x^2)^((1-k)/2)"),
+        exponent=("k", "", "exponent of the grading"),
+    )
 
     contact_radius: float
     outer_radius: float

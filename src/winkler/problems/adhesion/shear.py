@@ -34,7 +34,7 @@ from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import ADHESIVE
 from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["AdhesiveShear", "AdhesiveShearSolution", "ShearLimit"]
 
@@ -56,6 +56,8 @@ class ShearLimit:
     shift, shear_force : float
         u_x [m] and F_x [N], the greatest that is borne.
     """
+
+    __words__ = words(radius=("a", "m", "least stable radius of the contact"))
 
     depth: float
     force: float

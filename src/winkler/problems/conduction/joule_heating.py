@@ -25,7 +25,7 @@ from winkler.problems.conduction.disc import resistances_of
 from winkler.problems.conduction.heated_contact import ColdContact, HotContact, hot_at_current, hot_at_voltage
 from winkler.problems.conduction.solution import ConductingSolution
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["JouleHeating", "JouleHeatingSolution", "cold_contact"]
 
@@ -76,6 +76,11 @@ class JouleHeating:
     >>> round(hot.max_temperature, 2)  # sqrt(T0^2 + V^2/(4L))
     434.05
     """
+
+    __words__ = words(
+        temperature=("T_0", "K", "temperature of both bodies far from the contact"),
+        law=("", None, "how heat and current conduction go together"),
+    )
 
     bed: Bed
     conductors: ElectricalConductors
@@ -218,6 +223,8 @@ class JouleHeatingSolution(ConductingSolution):
     max_temperature : float or ndarray
         T_max [K]; inside the body that resists more, if they differ.
     """
+
+    __words__ = words(heat_rate=("Q", "W", "Joule heat"))
 
     problem: JouleHeating
     cold_resistance: Quantity

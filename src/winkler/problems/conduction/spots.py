@@ -23,7 +23,7 @@ from winkler.materials.conductor import ElectricalConductor
 from winkler.numerics.fields.disc_charges import currents
 from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["SpotCluster", "SpotClusterSolution"]
 
@@ -64,6 +64,12 @@ class SpotCluster:
     >>> round(pair.resistance, 5), round(pair.greenwood, 4)
     (1.00767, 1.0052)
     """
+
+    __words__ = words(
+        x=("x_i", "m", "middles of the spots, along x"),
+        y=("y_i", "m", "middles of the spots, along y"),
+        radii=("a_i", "m", "radii of the spots"),
+    )
 
     x: FiniteRow
     y: FiniteRow

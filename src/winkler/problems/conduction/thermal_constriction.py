@@ -22,7 +22,7 @@ from winkler.problems.assumptions.declared import CONDUCTING
 from winkler.problems.conduction.disc import conducting_disc
 from winkler.problems.conduction.solution import ConductingSolution
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["ThermalConstriction", "ThermalConstrictionSolution"]
 
@@ -133,6 +133,14 @@ class ThermalConstrictionSolution(ConductingSolution):
     first_drop, second_drop : float or ndarray
         By how much temperature falls within either body [K].
     """
+
+    __words__ = words(
+        resistance=("R", "K/W", "temperature drop over heat rate"),
+        conductance=(r"\Lambda", "W/K", "heat rate over temperature drop"),
+        constriction=("R_c", "K/W", "part that the narrow contact makes"),
+        bulk_resistance=("R_b", "K/W", "part that the length of rods makes"),
+        heat_rate=("Q", "W", "heat per time, from the first body to the second"),
+    )
 
     problem: ThermalConstriction
     constriction: Quantity

@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["LossPiece", "SlipMemory"]
 
@@ -75,6 +75,15 @@ class SlipMemory:
     slides : ndarray, (m,)
         Whether the springs of a piece are on their bound: on which side (+1, -1), else 0.
     """
+
+    __words__ = words(
+        stick_gap=(r"\gamma_c", "m", "gap of the outermost spring that sticks"),
+        corners=("", None, "depths and factors of the contacts that add up to the displacement"),
+        edges=(r"\gamma_j", "m", "gaps at which the straight pieces of the displacement meet"),
+        left=("u_t", "m", "displacement of the springs where a piece begins"),
+        right=("u_t", "m", "displacement of the springs where a piece ends"),
+        slides=(r"\sigma", "", "side to which springs slide: 1, -1, or 0 if they stick"),
+    )
 
     depth: float
     edges: Array

@@ -15,7 +15,7 @@ from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.numerics.types import Array, Quantity
 from winkler.path import Path
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["OwnLaw", "SpringLaw", "SpringProblem", "SpringState", "spring_notes"]
 
@@ -82,6 +82,12 @@ class SpringState:
     displacement : ndarray, (n,) or (n, 2)
         u_t of every spring [m].
     """
+
+    __words__ = words(
+        springs=("", None, "the row of springs"),
+        displacement=("u_t", "m", "displacement of every spring along the surface"),
+        work=("W", "J", "what the lateral motion has spent since the beginning"),
+    )
 
     bed: Bed
     springs: Springs

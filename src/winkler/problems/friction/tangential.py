@@ -33,7 +33,7 @@ from winkler.problems.friction.tangential_states import TangentialState, frictio
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.stiffness_ratio import alike, refuse_plane, stiffness_ratios
 from winkler.validity import Assumption, Note
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["Tangential", "TangentialSolution"]
 
@@ -172,6 +172,8 @@ class TangentialSolution:
     states : tuple
         The states themselves, from which fields are restored.
     """
+
+    __words__ = words(work=("W", "J", "what the lateral motion has spent since the beginning"))
 
     problem: Tangential
     time: Array

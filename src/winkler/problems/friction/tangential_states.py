@@ -23,7 +23,7 @@ from winkler.problems.normal.solve_contact import at_depth
 from winkler.problems.normal.validity import indentation_notes
 from winkler.problems.normal.yield_statement import SurfaceFriction, slid_depth
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["TangentialState", "friction_notes", "stick_radii"]
 
@@ -58,6 +58,11 @@ class TangentialState:
     memory : SlipMemory
         What the springs remember.
     """
+
+    __words__ = words(
+        sliding=("", None, "whether all springs in contact slide"),
+        work=("W", "J", "what the lateral motion has spent since the beginning"),
+    )
 
     bed: Bed
     law: Coulomb

@@ -16,8 +16,8 @@ from winkler.media.interior.twist_field import (
 )
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.friction.torsion_bound import TwistBound, twist_bound
-from winkler.problems.friction.torsion_memory import TwistMemory, pieces_of
-from winkler.values import value
+from winkler.problems.friction.torsion_pieces import TwistMemory, pieces_of
+from winkler.values import value, words
 
 __all__ = ["TorsionState", "TwistedSprings"]
 
@@ -39,6 +39,14 @@ class TwistedSprings:
     memory : TwistMemory
         What the springs remember.
     """
+
+    __words__ = words(
+        widest=("", "m", "a contact radius that was never exceeded"),
+        forced=("", None, "whether the memory counts forces, not depths"),
+        edge=("h(a)", "Pa", "load over x at the edge of the contact"),
+        coefficient=(r"\mu", "", "friction coefficient"),
+        kinks=("", None, "where the load over x is not smooth"),
+    )
 
     bed: Bed
     coefficient: float
@@ -126,6 +134,8 @@ class TorsionState:
     springs : TwistedSprings
         Their load.
     """
+
+    __words__ = words(work=("W", "J", "what the twist has spent since the beginning"))
 
     time: float
     depth: float

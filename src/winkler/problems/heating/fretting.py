@@ -32,7 +32,7 @@ from winkler.problems.assumptions.temperature import temperature_note
 from winkler.problems.friction.tangential import Tangential, TangentialSolution
 from winkler.problems.heating.input_checks import thick_bodies
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["FrettingHeat", "FrettingHeatSolution"]
 
@@ -183,6 +183,11 @@ class FrettingHeatSolution:
     source : LineSource
         The same as a line load.
     """
+
+    __words__ = words(
+        flux=("q", None, "mean heat per area and time"),
+        max_temperature=(r"T_\mathrm{max}", "K", "greatest mean rise of temperature in the contact"),
+    )
 
     problem: FrettingHeat
     march: TangentialSolution

@@ -17,7 +17,7 @@ from winkler.numerics.fields.line_source import LineSource
 from winkler.numerics.fields.round_source import line_source, projected
 from winkler.numerics.types import Array
 from winkler.problems.normal.indentation import IndentationSolution
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["HeatSource", "heat_source", "heat_sources", "loads_over"]
 
@@ -36,6 +36,8 @@ class HeatSource:
     source : LineSource
         Line load of the flux, whose integral is 1 W.
     """
+
+    __words__ = words(fast=("", "W/m", "what conductivity, temperature and root of the speed tend to, for 1 W"))
 
     pressed: PressedSprings
     source: LineSource

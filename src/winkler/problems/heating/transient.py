@@ -35,7 +35,7 @@ from winkler.problems.heating.validity import STEADY_SOURCE
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["TransientHeating", "TransientHeatingSolution"]
 
@@ -90,6 +90,8 @@ class TransientHeating:
     >>> round(float(start.flash_temperature[0] / start.stationary_temperature), 4)
     0.7682
     """
+
+    __words__ = words(speed=("v", "m/s", "speed of sliding"))
 
     bed: Bed
     law: Overcome

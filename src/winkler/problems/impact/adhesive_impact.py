@@ -197,6 +197,8 @@ class AdhesiveImpactSolution:
         Whether the body stays: it then swings on in contact.
     """
 
+    __words__ = AdhesiveImpactState.__words__
+
     problem: AdhesiveImpact
     time: Array
     depth: Array

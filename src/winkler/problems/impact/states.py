@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from winkler.problems.adhesion.cycle_states import AdhesiveJump
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["AdhesiveImpactState", "ImpactStage", "ImpactState"]
 
@@ -19,6 +19,8 @@ class ImpactStage:
     side : int
         Where the body slides at the edge of the contact: 1 forwards, -1 backwards, 0 nowhere.
     """
+
+    __words__ = words(start=("t_1", "s", "when it begins"), end=("t_2", "s", "when it ends"))
 
     start: float
     end: float
@@ -97,6 +99,8 @@ class AdhesiveImpactState:
     captured : bool
         Whether the body will stay.
     """
+
+    __words__ = words(energy=("U", "J", "energy of bodies and surfaces, less what closing has gained"))
 
     time: float
     depth: float

@@ -27,7 +27,7 @@ from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.yield_of_pressure import ellipse_yield_notes
 from winkler.profiles.ellipse import CurvedBodies
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["EllipticIndentation", "EllipticSolution"]
 
@@ -142,6 +142,11 @@ class EllipticSolution:
     longitudinal_semi_axis, lateral_semi_axis : float or ndarray
         a [m] along x and b [m] along y; zero without contact.
     """
+
+    __words__ = words(
+        longitudinal_semi_axis=("a", "m", "semi-axis of the contact along x"),
+        lateral_semi_axis=("b", "m", "semi-axis of the contact along y"),
+    )
 
     problem: EllipticIndentation
     depth: Quantity

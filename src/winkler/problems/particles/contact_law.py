@@ -25,7 +25,7 @@ from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.solve_contact import flat_radius
 from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
 from winkler.validity import Assumption, Note
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["ContactLaw", "ContactLawSolution"]
 
@@ -68,6 +68,8 @@ class ContactLaw:
     >>> law.depth.size, bool(law.hermite_error < 1e-3)
     (9, True)
     """
+
+    __words__ = words(deepest=("d", "m", "greatest depth of the table"))
 
     bed: Bed
     deepest: Positive
@@ -181,6 +183,11 @@ class ContactLawSolution:
     linear_error : float
         Bound of the error by straight lines, over the greatest force; of a contact that grows with the depth.
     """
+
+    __words__ = words(
+        hermite_error=("", "", "error of the force by cubics, over the greatest force"),
+        linear_error=("", "", "error by straight lines, over the greatest force, at most"),
+    )
 
     problem: ContactLaw
     depth: Array

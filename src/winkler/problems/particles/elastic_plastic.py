@@ -27,7 +27,7 @@ from winkler.problems.answer import gather
 from winkler.problems.particles.elastic_plastic_march import ParticleHistory, ParticleMarch
 from winkler.problems.particles.elastic_plastic_springs import material_of
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["ElasticPlasticParticle", "ParticleSolution", "ParticleState"]
 
@@ -86,6 +86,10 @@ class ElasticPlasticParticle:
     >>> round(pressed.yield_depth * 1e6, 3)
     12.944
     """
+
+    __words__ = words(
+        solid=("", None, "what the particle is made of"), curvature_radius=("R", "m", "radius of the particle")
+    )
 
     curvature_radius: PositiveNotTiny
     solid: Elastic
@@ -198,6 +202,8 @@ class ParticleState:
         Energy lost since the beginning [J].
     """
 
+    __words__ = words(energy=("U", "J", "stored in the particle, less what closing its surfaces has gained"))
+
     depth: float
     force: float
     radius: float
@@ -228,6 +234,11 @@ class ParticleSolution:
     dissipation : ndarray, (steps,)
         Energy lost since the beginning [J], in yielding and in jumps of the edge.
     """
+
+    __words__ = words(
+        energy=("U", "J", "stored in the particle, less what closing its surfaces has gained"),
+        work=("W", "J", "what was spent since the beginning"),
+    )
 
     problem: ElasticPlasticParticle
     depth: Array

@@ -23,7 +23,7 @@ from winkler.problems.assumptions.inertia import wave_loss, wave_note
 from winkler.problems.normal.validity import steepness_note
 from winkler.problems.particles.trace import PLANE, SPRINGS
 from winkler.validity import Assumption, Note
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["BallImpacts", "BallImpactsSolution"]
 
@@ -82,6 +82,8 @@ class BallImpacts:
     array([[ 0.035,  0.   ],
            [-0.361, -0.361]])
     """
+
+    __words__ = words(coefficient=(r"\mu", "", "friction coefficient"))
 
     medium: HalfSpace
     curvature_radius: Annotated[Array | float, Numbers(NOT_TINY, any_shape=True)]

@@ -18,7 +18,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.numerics.types import Array, Quantity, shaped
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["Creepage", "CreepageProblem", "CreepageSolution"]
 
@@ -51,6 +51,13 @@ class Creepage:
     ----------
     J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990, doi:10.1007/978-94-015-7889-9
     """
+
+    __words__ = words(
+        longitudinal=(r"\xi", "", "creepage along the direction of rolling"),
+        lateral=(r"\eta", "", "creepage across the direction of rolling"),
+        spin=(r"\varphi", "1/m", "rotation about the normal per distance rolled"),
+        shape=("", None, "the common shape of the three"),
+    )
 
     longitudinal: Quantity = 0.0
     lateral: Quantity = 0.0

@@ -15,7 +15,7 @@ from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.media.medium import Medium
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["CreepCoefficients", "RollingPair", "creep_coefficients", "rolling_pair"]
 
@@ -60,6 +60,12 @@ class CreepCoefficients:
     longitudinal, lateral, spin : float
         c11, c22 and c23 [-].
     """
+
+    __words__ = words(
+        longitudinal=("c_{11}", "", "Kalker's coefficient of longitudinal creepage"),
+        lateral=("c_{22}", "", "Kalker's coefficient of lateral creepage"),
+        spin=("c_{23}", "", "Kalker's coefficient of spin"),
+    )
 
     longitudinal: float
     lateral: float

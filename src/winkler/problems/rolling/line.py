@@ -20,7 +20,7 @@ from winkler.numerics.equations.bracketing import between
 from winkler.numerics.integrals.bisected_quadrature import towards
 from winkler.numerics.types import Array
 from winkler.problems.normal.indentation import IndentationSolution
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["RollingLine", "StickZones"]
 
@@ -62,6 +62,8 @@ class RollingLine:
     contact : IndentationSolution
         The contact under its normal load, one number.
     """
+
+    __words__ = words(most=(r"\mu F_N", "N", "shear force from which all springs slide"))
 
     coefficient: float
     contact: IndentationSolution

@@ -33,7 +33,7 @@ from winkler.problems.rolling.line import RollingLine
 from winkler.problems.rolling.springs import springs
 from winkler.problems.rolling.steady import check_rolling, rolling_notes, touching
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["OscillatingRolling", "OscillatingRollingSolution", "RockingState"]
 
@@ -95,6 +95,11 @@ class OscillatingRolling:
     >>> round(rocked.shakedown_force / (0.3 * rocked.contact.force), 6), rocked.ratchets
     (0.704, False)
     """
+
+    __words__ = words(
+        amplitude=("W", "m", "how far the contact rolls to each side"),
+        count=("n", "", "springs on half of the contact, at least"),
+    )
 
     bed: Bed
     friction: Sliding

@@ -32,7 +32,7 @@ from winkler.problems.rolling.line import RollingLine
 from winkler.problems.rolling.springs import springs
 from winkler.problems.rolling.steady import Rolling, RollingSolution, check_rolling, rolling_notes, touching
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["RollingStart", "RollingStartSolution", "RollingState"]
 
@@ -95,6 +95,12 @@ class RollingStart:
     >>> round(float(begun.shear_force[-1]), 4), round(begun.steady.longitudinal_force, 4)
     (10.6629, 10.6629)
     """
+
+    __words__ = words(
+        distance=("X", "m", "how far the contact rolls"),
+        start=("F_0", None, "shear force that the contact bears at rest"),
+        count=("n", "", "springs on half of the contact, at least"),
+    )
 
     bed: Bed
     friction: Sliding

@@ -20,7 +20,7 @@ from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.numerics.types import Array
 from winkler.profiles.rough.spectrum import Spectrum, wave_numbers_for
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["ElastomerFriction", "ElastomerFrictionSolution"]
 
@@ -63,6 +63,8 @@ class ElastomerFriction:
     array([0.09, 0.23, 0.03])
     """
 
+    __words__ = words(solid=("", None, "the elastomer"), velocity=("v", "m/s", "velocity of sliding"))
+
     spectrum: Spectrum
     solid: ViscoelasticSolid
     velocity: Annotated[Array, Numbers(POSITIVE, any_shape=True)]
@@ -92,6 +94,8 @@ class ElastomerFrictionSolution:
     coefficient : ndarray
         mu [-], in the shape of the velocity.
     """
+
+    __words__ = words(coefficient=(r"\mu", "", "coefficient of friction"), velocity=("v", "m/s", "velocity of sliding"))
 
     problem: ElastomerFriction
     coefficient: Array

@@ -29,7 +29,7 @@ from winkler.problems.rough.spring_line import RoughLine, ensemble, line_seeds, 
 from winkler.profiles.rough.random_rough import random_lines
 from winkler.profiles.rough.spectrum import Spectrum
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["RoughIndentation", "RoughIndentationSolution"]
 
@@ -68,6 +68,8 @@ class RoughIndentation:
     R. Pohrt, V. L. Popov, Phys. Rev. Lett. 108 (2012) 104301, doi:10.1103/PhysRevLett.108.104301; V. L. Popov, M. Hess,
     Method of Dimensionality Reduction, Springer 2015, doi:10.1007/978-3-642-53876-6
     """
+
+    __words__ = words(length=("L", "m", "length of the line"), count=("n", "", "springs of each line"))
 
     spectrum: Spectrum
     bed: Bed

@@ -14,7 +14,7 @@ from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.problems.rough.reduce import Reduction
 from winkler.profiles.rough.topography import Topography
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["ReducedBed"]
 
@@ -52,6 +52,13 @@ class ReducedBed(MeasuredBed):
     InvalidInput, OutsideValidity, NotConverged
         As `Reduction`.
     """
+
+    __words__ = words(
+        certain=("", None, "whether every contact is known to be one disc"),
+        rising=("", None, "whether the depth rises with the radius"),
+        depth=("d", "m", "greatest depth up to which the springs are known"),
+        tolerance=(r"\epsilon", "", "error of the force between the computed contacts"),
+    )
 
     radii: Array = dataclasses.field(init=False, repr=False, default_factory=_none)
     stiffnesses: Array = dataclasses.field(init=False, repr=False, default_factory=_none)

@@ -18,7 +18,7 @@ import numpy as np
 from winkler.checks.number_checks import Numbers, Positive
 from winkler.loading import Depth, Force
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["LineStatistics", "RoughLine", "ensemble", "line_seeds", "prescribed"]
 
@@ -45,6 +45,8 @@ class RoughLine:
     >>> line.force(np.array([1.0, 1.5])), line.depth(np.array([1.0, 2.0]))
     (array([1., 2.]), array([1. , 1.5]))
     """
+
+    __words__ = words(length=("L", "m", "length of the line"))
 
     heights: Annotated[Array, Numbers(fewest=2)]
     length: Positive

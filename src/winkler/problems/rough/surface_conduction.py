@@ -28,7 +28,7 @@ from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContac
 from winkler.profiles.rough.map_spectrum import spectrum_of
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["SurfaceConduction", "SurfaceConductionSolution"]
 
@@ -63,6 +63,8 @@ class SurfaceConduction:
     ----------
     J. R. Barber, Proc. R. Soc. A 459 (2003) 53-66, doi:10.1098/rspa.2002.1038
     """
+
+    __words__ = words(contact=("", None, "how the surface is pressed"))
 
     contact: SurfaceContact
     conductors: ElectricalConductors
@@ -130,6 +132,8 @@ class SurfaceConductionSolution:
     least_stiffness, greatest_stiffness : float or ndarray
         Bounds of dF/dd [N/m]; the second is infinite of a periodic map.
     """
+
+    __words__ = words(contact=("", None, "the contact by boundary elements"))
 
     problem: SurfaceConduction
     contact: SurfaceContactSolution

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["SurfaceState"]
 
@@ -37,6 +37,8 @@ class SurfaceState:
     separation : ndarray, (nx, ny)
         Distance of the surfaces [m].
     """
+
+    __words__ = words(misfit=("", "", "pressure times gap that is left, over force times depth"))
 
     depth: float
     force: float

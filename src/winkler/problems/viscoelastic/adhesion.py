@@ -33,10 +33,10 @@ from winkler.problems.adhesion.validity import adhesive_notes
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import ADHESIVE, BALANCED, RELAXING
 from winkler.problems.assumptions.energy import energy_note
-from winkler.problems.normal.yield_statement import relaxing_yield
+from winkler.problems.normal.unknown_yield import relaxing_yield
 from winkler.problems.viscoelastic.adhesion_crack import Crack
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["ViscoelasticAdhesion", "ViscoelasticAdhesionSolution", "ViscoelasticAdhesionState"]
 
@@ -66,6 +66,11 @@ class ViscoelasticAdhesionState:
     dissipation : float
         Energy lost since the beginning [J], in jumps and by opening.
     """
+
+    __words__ = words(
+        position=("D", "m", "where the far end of the machine stands"),
+        work=("W", "J", "what the machine has spent since the beginning"),
+    )
 
     time: float
     position: float
@@ -241,6 +246,8 @@ class ViscoelasticAdhesionSolution:
     dissipation : ndarray, (steps,)
         Energy lost since the beginning [J], in jumps and by opening.
     """
+
+    __words__ = ViscoelasticAdhesionState.__words__
 
     problem: ViscoelasticAdhesion
     time: Array

@@ -8,7 +8,7 @@ from numpy.polynomial import chebyshev
 from winkler.foundation.bed import Bed, PressedSprings
 from winkler.numerics.panels.chebyshev import Panels
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["RelaxedSprings", "SmoothSprings", "smooth"]
 
@@ -34,6 +34,12 @@ class SmoothSprings:
     jump : float
         u(a-) [m].
     """
+
+    __words__ = words(
+        panels=("u", None, "how far springs are displaced, polynomials of g"),
+        joints=("x_j", "m", "radii where one polynomial meets the next"),
+        jump=("J", "m", "step at the last radius"),
+    )
 
     bed: Bed
     radius: float
@@ -135,6 +141,11 @@ class RelaxedSprings(PressedSprings):
     borne : tuple of SmoothSprings
         The displacement of elastic springs that would bear the same, one if any spring is pressed.
     """
+
+    __words__ = words(
+        recess=("u", None, "how far springs are pressed in or have not yet recovered"),
+        borne=("b", None, "how far elastic springs would be pressed in that bear the same"),
+    )
 
     contact_radius: float
     recess: tuple[SmoothSprings, ...]

@@ -11,7 +11,7 @@ from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.viscoelastic.relaxed_springs import RelaxedSprings, smooth
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["ViscoelasticState"]
 
@@ -39,6 +39,11 @@ class ViscoelasticState:
     recess : ndarray, (n,)
         u(x) [m]: how far every spring is pressed in, or has not yet recovered.
     """
+
+    __words__ = words(
+        stored_energy=("U", "J", "energy stored in all springs, also in those set free"),
+        work=("W", "J", "what was spent since the beginning, the integral of the force"),
+    )
 
     bed: Bed
     time: float

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["ViscoelasticTangentialState", "stick_radius"]
 
@@ -39,6 +39,12 @@ class ViscoelasticTangentialState:
     sticking : ndarray, (n,)
         Which springs stick.
     """
+
+    __words__ = words(
+        work=("W", "J", "what the machine has spent since the beginning"),
+        stored_energy=("U", "J", "energy stored in all springs, both ways"),
+        displacement=("u_t", "m", "displacement of every spring along the surface"),
+    )
 
     time: float
     depth: float

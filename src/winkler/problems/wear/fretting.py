@@ -33,7 +33,7 @@ from winkler.problems.wear.states import FrettingState, goals_of
 from winkler.problems.wear.validity import fretting_notes
 from winkler.problems.wear.worn_states import pressed_moment, worn_states
 from winkler.validity import Assumption, Note
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["FrettingSolution", "FrettingWear"]
 
@@ -92,6 +92,13 @@ class FrettingWear:
     >>> (worn.force / (medium.modulus * 0.1 * 0.01)).round(2)  # from 4/3 to 11/12
     array([1.33, 1.21, 0.92])
     """
+
+    __words__ = words(
+        goals=("n", "", "after how many cycles the contact is returned"),
+        amplitude=("", None, "amplitude of the shift or of the shear force"),
+        count=("n", "", "cells of the grid of radii"),
+        tolerance=(r"\epsilon", "", "error of the worn depth in one jump, over the depth"),
+    )
 
     bed: Foundation
     wear: WearLaw
@@ -220,6 +227,10 @@ class FrettingSolution:
     states : tuple of FrettingState
         The states themselves, with the worn profiles.
     """
+
+    __words__ = words(
+        shift=("U", "m", "amplitude of the shift"), shear_force=("F_x", "N", "amplitude of the shear force")
+    )
 
     problem: FrettingWear
     cycles: Array

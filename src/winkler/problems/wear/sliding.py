@@ -28,7 +28,7 @@ from winkler.problems.wear.states import WearState, goals_of
 from winkler.problems.wear.validity import sliding_notes
 from winkler.problems.wear.worn_states import pressed_moment, worn_states
 from winkler.validity import Assumption, Note
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["SlidingSolution", "SlidingWear"]
 
@@ -83,6 +83,13 @@ class SlidingWear:
     >>> round(float(worn.radius[-1] / (4e-3 * 1e-14 * 50.0 / np.pi) ** 0.25), 1)
     1.0
     """
+
+    __words__ = words(
+        goals=("s", "m", "after which distances the contact is returned"),
+        distance=("s", "m", "distance slid"),
+        count=("n", "", "cells of the grid of radii"),
+        tolerance=(r"\epsilon", "", "error of the worn depth in one jump, over the depth"),
+    )
 
     bed: Foundation
     wear: Annotated[Archard | OwnWear, ONE_BODY]
@@ -178,6 +185,8 @@ class SlidingSolution:
     states : tuple of WearState
         The states themselves, with the worn profiles.
     """
+
+    __words__ = words(distance=("s", "m", "distance slid"))
 
     problem: SlidingWear
     distance: Array

@@ -9,7 +9,7 @@ from winkler.foundation.foundation import Foundation
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.wear.line import wear_line
 from winkler.problems.wear.march import WearMoment
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["FrettingState", "WearState", "goals_of"]
 
@@ -40,6 +40,8 @@ class WearState:
     pressure : ndarray, (n,)
         p [Pa], the mean over a ring about each node.
     """
+
+    __words__ = words(moment=("", None, "from where the march goes on"), radii=("r_i", "m", "distances from the axis"))
 
     bed: Foundation
     elapsed: float
@@ -106,6 +108,12 @@ class FrettingState(WearState):
     loss_per_cycle : float
         Energy lost in every cycle [J].
     """
+
+    __words__ = words(
+        shift=("U", "m", "amplitude of the shift"),
+        shear_force=("F_x", "N", "amplitude of the shear force"),
+        slip=("s", "m", "amplitude of the slip"),
+    )
 
     shift: float
     shear_force: float

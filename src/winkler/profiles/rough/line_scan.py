@@ -20,7 +20,7 @@ from winkler.errors import InvalidInput
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 from winkler.profiles.rough.spectrum import POINTS_PER_DECADE, PowerSpectrum
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["LineScan", "spectrum_of_lines"]
 
@@ -56,6 +56,8 @@ class LineScan:
     >>> round(scan.rms_height * 1e9, 1)  # of the wave; the tilt is none of the roughness
     70.7
     """
+
+    __words__ = words(position=("x", "m", "places along a line over a surface"))
 
     position: Annotated[Array, Numbers(fewest=FEWEST_HEIGHTS, order="rising")]
     heights: Annotated[Array, Numbers(fewest=FEWEST_HEIGHTS)]

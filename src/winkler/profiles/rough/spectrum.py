@@ -19,7 +19,7 @@ from winkler.checks.contract import offered
 from winkler.checks.number_checks import POSITIVE, Number, Numbers, Positive, PositiveOrInfinite
 from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["PowerSpectrum", "SelfAffine", "Spectrum", "wave_numbers_for"]
 
@@ -84,6 +84,11 @@ class SelfAffine:
     >>> round(blasted.rms_slope, 2)
     0.22
     """
+
+    __words__ = words(
+        longest=(r"\lambda_\mathrm{max}", "m", "longest wavelength"),
+        shortest=(r"\lambda_\mathrm{min}", "m", "shortest wavelength"),
+    )
 
     hurst: Annotated[float, Number("give a number above 0 and at most 1", 0.0, 1.0, (0.0,))]
     rms_height: Positive

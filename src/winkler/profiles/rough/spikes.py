@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.numerics.types import Array
-from winkler.values import frozen_array, value
+from winkler.values import frozen_array, value, words
 
 __all__ = ["Spikes"]
 
@@ -23,6 +23,12 @@ class Spikes:
     height : ndarray, (nx, ny)
         By how much the heights differ [m] from the surface bridged without them; zero where nothing was found.
     """
+
+    __words__ = words(
+        grains=("", None, "where grains and dropouts stand out of a surface"),
+        scars=("", None, "where scars of a scan stand out of a surface"),
+        height=("", "m", "by how much heights differ from the surface bridged without them"),
+    )
 
     grains: Array
     scars: Array

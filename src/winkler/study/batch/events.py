@@ -50,7 +50,7 @@ def events_of(solution: Any, name: str) -> tuple[tuple[Event, ...], ...]:
 def _numbers(item: Any) -> list[Event]:
     events = []
     for field in dataclasses.fields(item):
-        member, entry = getattr(item, field.name), word(type(item).__name__, field.name)
+        member, entry = getattr(item, field.name), word(type(item), field.name)
         if dataclasses.is_dataclass(member):
             events += [
                 Event(

@@ -167,7 +167,7 @@ def written_field(owner: Any, field: str, content: Any) -> Any:
         return np.asarray(content, dtype=float).tolist()
     if typing.get_type_hints(cls)[field] == tuple[int, int]:
         return list(content)
-    unit = word(cls.__name__, field).unit or ""
+    unit = word(cls, field).unit or ""
     if (cls.__name__, field) in maps.MAPS:
         return maps.written_map(content, unit)
     if field in quantities.dependent(cls):

@@ -82,7 +82,7 @@ def keys_of(name: str) -> tuple[Key, ...]:
     fields = {field.name: field for field in dataclasses.fields(line.cls)}
     for field, hint in hints(line.cls).items():
         required = fields[field].default is fields[field].default_factory is dataclasses.MISSING
-        entry = word(line.cls.__name__, field)
+        entry = word(line.cls, field)
         rows.append(Key(field, entry, _takes(line.cls, field, hint), parameters.get(field, ""), required))
     if line.reader is not None:
         meaning = "a file with the same content, beside the study, in place of the other keys"
@@ -91,7 +91,7 @@ def keys_of(name: str) -> tuple[Key, ...]:
         for option, hint in options(line).items():
             if option not in fields:
                 plain = hint in (bool, int, str)
-                how = Word("", None, "how the file is read") if plain else word(line.cls.__name__, option)
+                how = Word("", None, "how the file is read") if plain else word(line.cls, option)
                 how = how._replace(meaning=f"{how.meaning}; with a file only")
                 rows.append(Key(option, how, _takes(line.cls, option, hint), parameters.get(option, ""), False))
     return tuple(rows)

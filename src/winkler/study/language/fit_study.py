@@ -151,7 +151,7 @@ def _unit(problem: Any, key: str) -> str:
 
     owner, field, _ = keys.owner_at(problem, key.removeprefix("problem."))
     cls = type(owner)
-    unit = word(cls.__name__, field).unit or ""
+    unit = word(cls, field).unit or ""
     if field in quantities.dependent(cls):
         content = {item.name: getattr(owner, item.name) for item in dataclasses.fields(owner)}
         unit = quantities.settled(unit, cls, content)

@@ -110,7 +110,7 @@ def _remade(owner: Any, field: str, content: Any) -> Any:
 def word_at(root: Any, key: str) -> Word:
     """Return symbol, unit and meaning of the value at `key`."""
     owner, field, below = owner_at(root, key)
-    entry = word(type(owner).__name__, field)
+    entry = word(type(owner), field)
     if below and isinstance(below[0], int):
         names = _names(getattr(owner, field))
         return entry._replace(symbol=names[below[0]] if names else f"{entry.symbol}[{below[0]}]", unit=entry.unit or "")

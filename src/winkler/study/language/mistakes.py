@@ -124,7 +124,7 @@ def _missing(key: str, name: str, owner: Any) -> str:
     if owner is None:
         meaning = SECTIONS.get(where.partition("[")[0], {}).get(name, "")
         return f"{where} has no '{name}'{f' ({meaning.partition(chr(59))[0]})' if meaning else ''}; add it."
-    entry = word(owner.cls.__name__, name)
+    entry = word(owner.cls, name)
     unit = unit_of(owner.cls, name)
     such = owner.example.get(name)
     example = f', such as {name} = "{such if isinstance(such, str) else sample(unit)}"' if unit else ""

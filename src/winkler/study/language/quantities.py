@@ -28,7 +28,6 @@ __all__ = [
     "INFINITE",
     "WHERE",
     "dependent",
-    "either_file_or",
     "endless",
     "grid",
     "indexed",
@@ -87,7 +86,7 @@ def sample(unit: str) -> str:
 
 def unit_of(owner: type, field: str) -> str | None:
     """Return the unit of a field from the glossary; None if it is no quantity."""
-    return word(owner.__name__, field).unit
+    return word(owner, field).unit
 
 
 def endless(owner: type, field: str) -> bool:
@@ -104,7 +103,7 @@ def dependent(owner: type) -> tuple[str, ...]:
 
 def settled(unit: str, owner: type, content: dict[str, Any]) -> str:
     """Return a unit such as ``m^(1-n)`` with the fields of `owner` that it names put in: ``m^-1``."""
-    symbols = {word(owner.__name__, item.name).symbol: item.name for item in dataclasses.fields(owner)}
+    symbols = {word(owner, item.name).symbol: item.name for item in dataclasses.fields(owner)}
 
     def power(match: re.Match[str]) -> str:
         exponent = float(match[1]) + (-1.0 if match[2] == "-" else 1.0) * float(content[symbols[match[3]]])
@@ -281,39 +280,3 @@ def named(raw: Any) -> tuple[tuple[str, float], ...]:
         else:
             constants.append((name, _inside(item, "", f".{name}")))
     return tuple(constants)
-
-
-def either_file_or(
-    raw: Any, *, required: list[str], others: list[str], options: tuple[str, ...], alone: tuple[str, ...]
-) -> Any:
-    """Refuse a table with a file and with keys that the file replaces, or with neither.
-
-    Parameters
-    ----------
-    raw
-        The table.
-    required, others
-        Keys of the class that must be given, and those that may.
-    options
-        Options of the reader of the file.
-    alone
-        Those of them that are no keys of the class.
-    """
-    if not isinstance(raw, dict):
-        return raw
-    given = [key for key in required if key in raw and not ("file" in raw and key in options)]
-    listed = ", ".join(required[:-1]) + f" and {required[-1]}"
-    if "file" in raw:
-        if given:
-            wrong(f"{WHERE} has both file and {given[0]}; give the file, or {listed}.")
-        for key in others:
-            if key in raw and key not in options:
-                wrong(f"{WHERE} has both file and {key}, which the file states; leave one of them out.")
-        return raw
-    for key in alone:
-        if key in raw:
-            wrong(f"{WHERE}.{key} states how a file is read, but there is no file; leave it out.")
-    if len(given) < len(required):
-        missing = next(key for key in required if key not in raw)
-        wrong(f"{WHERE} has no '{missing}'; give {listed}, or a file.")
-    return raw

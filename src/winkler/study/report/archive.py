@@ -27,7 +27,7 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.study.batch.events import EVENTS
-from winkler.study.batch.outcome import Answered, Column, Outcome
+from winkler.study.batch.outcome import Answered, Outcome, ResultColumn
 from winkler.study.batch.sensitivity import SENSITIVITY, write_indices
 from winkler.study.batch.sensitivity import variables as index_variables
 from winkler.study.language import keys
@@ -93,7 +93,7 @@ def write_netcdf(data: xarray.Dataset, path: Path) -> None:
     data.to_netcdf(path, engine="h5netcdf", encoding=large)
 
 
-def write_table(columns: Iterable[Column], path: Path, *, nothing: str = "nan") -> None:
+def write_table(columns: Iterable[ResultColumn], path: Path, *, nothing: str = "nan") -> None:
     """Write columns as CSV, with units in the heading and all digits; `nothing` stands where there is no number."""
     columns = tuple(columns)
     headings = [heading(column.name, column.word) for column in columns]
@@ -116,7 +116,7 @@ def _write_surface(outcome: Outcome, path: Path) -> None:
     first = next(fields for point in outcome.solved for fields in point.surface)
     names = [field.name for field in dataclasses.fields(first)]
     headings = [heading(key, _swept_word(outcome, key)) for key in swept] + ([LOAD_DIMENSION] if many else [])
-    headings += [heading(name, word(type(first).__name__, name)) for name in names]
+    headings += [heading(name, word(type(first), name)) for name in names]
 
     def rows() -> Any:
         for point in outcome.solved:
@@ -208,7 +208,7 @@ def _add_fields(outcome: Outcome, dims: tuple[str, ...], variables: dict[str, An
         if not any(fields for _, fields in of_point):
             continue
         first = next(fields[0] for _, fields in of_point if fields)
-        owner = type(first).__name__
+        owner = type(first)
         loads = max(len(fields) for _, fields in of_point)
         outer = (*dims, *((LOAD_DIMENSION,) if loads > 1 else ()))
         inner = _place_dims(outcome, owner, below, outer, of_point, coords)
@@ -231,7 +231,7 @@ def _add_events(outcome: Outcome, dims: tuple[str, ...], variables: dict[str, An
 
 
 def _place_dims(
-    outcome: Outcome, owner: str, below: bool, outer: tuple[str, ...], of_point: list[Any], coords: dict[str, Any]
+    outcome: Outcome, owner: type, below: bool, outer: tuple[str, ...], of_point: list[Any], coords: dict[str, Any]
 ) -> tuple[str, ...]:
     """Add the places of the fields to `coords`, and return their dimensions."""
     dims = []

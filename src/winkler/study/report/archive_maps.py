@@ -8,6 +8,8 @@ import numpy as np
 
 from winkler.problems.rough.surface_conduction import SurfaceConductionSolution
 from winkler.problems.rough.surface_contact import SurfaceContactSolution
+from winkler.problems.rough.surface_states import SurfaceState
+from winkler.profiles.rough.topography import Topography
 from winkler.study.batch.outcome import Outcome
 from winkler.study.report.netcdf import netcdf_attributes
 from winkler.vocabulary import Word, word
@@ -32,7 +34,7 @@ def add_maps(outcome: Outcome, dims: tuple[str, ...], variables: dict[str, Any],
         return
     maps = [contact.problem.topography for _, contact in contacts]
     size = tuple(int(count) for count in np.max([item.heights.shape for item in maps], axis=0))
-    owners = {"heights": "Topography", **dict.fromkeys(MAP_QUANTITIES, "SurfaceState")}
+    owners = {"heights": Topography, **dict.fromkeys(MAP_QUANTITIES, SurfaceState)}
     for name, owner in owners.items():
         content = np.full((*outcome.shape, *size), np.nan)
         for (index, contact), item in zip(contacts, maps, strict=True):

@@ -17,7 +17,7 @@ from winkler.study.language.catalogue import kind_of
 from winkler.study.language.explain import summary
 from winkler.study.language.study import Study
 from winkler.study.language.varied import Axis, Range
-from winkler.vocabulary import OWNED, Word, word
+from winkler.vocabulary import Word, own_word, word
 
 __all__ = ["Input", "content_label", "in_words", "inputs", "setting_text", "values_text"]
 
@@ -80,13 +80,13 @@ def _label(content: Any) -> str:
     return KIND_LABELS.get(kind, kind).replace("_", " ")
 
 
-def _name(owner: str, field: str) -> str:
+def _name(owner: type, field: str) -> str:
     """Return the name of a field in words; a name with another meaning for its owner stays as it is."""
-    return field.replace("_", " ") if (owner, field) in OWNED else spoken(field)
+    return field.replace("_", " ") if own_word(owner, field) else spoken(field)
 
 
 def _rows(content: Any, path: str, group: str, swept: dict[str, Axis | Range]) -> Iterator[Input]:
-    owner = type(content).__name__
+    owner = type(content)
     below: list[tuple[Any, str, str]] = []
     for field in dataclasses.fields(content):
         inside = getattr(content, field.name)
@@ -127,7 +127,7 @@ def _unit(owner: Any, field: str) -> str | None:
     from winkler.study.language import quantities
 
     cls = type(owner)
-    unit = word(cls.__name__, field).unit
+    unit = word(cls, field).unit
     if unit is not None and field in quantities.dependent(cls):
         return quantities.settled(
             unit, cls, {item.name: getattr(owner, item.name) for item in dataclasses.fields(owner)}
@@ -240,13 +240,13 @@ def _described(content: Any, path: str, swept: set[str]) -> str:
         if not field.init or isinstance(inside, Unchanged):
             continue
         if key in swept:
-            parts.append(f"{_name(type(content).__name__, field.name)} varied")
+            parts.append(f"{_name(type(content), field.name)} varied")
         elif dataclasses.is_dataclass(inside):
             parts.append(_described(inside, key, swept))
         elif isinstance(inside, tuple) and inside and all(dataclasses.is_dataclass(item) for item in inside):
             parts.append(_listed(inside, key, swept))
         elif isinstance(inside, float | np.ndarray) and not _is_left_out(inside, field):
-            name = _name(type(content).__name__, field.name)
+            name = _name(type(content), field.name)
             parts.append(f"{name} = {_content_text(content, field.name, inside, path, {})}")
         elif isinstance(inside, str):
             parts.append(inside)

@@ -79,7 +79,7 @@ def to_xarray(answer: Any) -> xarray.Dataset:
     if _is_field(answer):
         variables, coords = _of_field(answer)
         return xarray.Dataset(variables, coords, {"title": type(answer).__name__, "program": "winkler"})
-    owner = type(answer).__name__
+    owner = type(answer)
     variables = {}
     for name, content in answers_of(answer).items():
         attributes = netcdf_attributes(_entry(owner, name))
@@ -114,7 +114,7 @@ def to_pandas(answer: Any) -> pandas.DataFrame:
         columns = {column.name: (column.content, column.word) for column in answer.table()}
     else:
         _check("to_pandas", answer)
-        owner = type(answer).__name__
+        owner = type(answer)
         columns = {name: (content, _entry(owner, name)) for name, content in _flat(answer).items()}
     rows = max(np.size(content) for content, _ in columns.values())
     table = pandas.DataFrame(
@@ -145,7 +145,7 @@ def _is_field(answer: Any) -> bool:
     return names[0] in PLACE_NAMES and all(isinstance(getattr(answer, name), np.ndarray | float) for name in names)
 
 
-def _entry(owner: str, name: str) -> Word:
+def _entry(owner: type, name: str) -> Word:
     """Return the glossary entry of an answer; that of a component (``shift_x``) is the entry of the vector."""
     whole, _, part = name.rpartition("_")
     return word(owner, whole if whole and part in (*PLANE_AXIS[1], *PRINCIPAL_AXIS[1]) else name)
@@ -193,7 +193,7 @@ def _where(field: Any) -> list[str]:
 
 def _of_field(field: Any) -> tuple[dict[str, Any], dict[str, Any]]:
     """Return the variables and the coordinates of a field."""
-    owner = type(field).__name__
+    owner = type(field)
     where = {name: np.asarray(getattr(field, name)) for name in _where(field)}
     shape = np.broadcast_shapes(*(places.shape for places in where.values()))
     dims, coords = _axes(owner, {name: np.broadcast_to(places, shape) for name, places in where.items()}, shape)
@@ -214,7 +214,7 @@ def _of_field(field: Any) -> tuple[dict[str, Any], dict[str, Any]]:
     return variables, coords
 
 
-def _axes(owner: str, where: dict[str, Any], shape: tuple[int, ...]) -> tuple[tuple[str, ...], dict[str, Any]]:
+def _axes(owner: type, where: dict[str, Any], shape: tuple[int, ...]) -> tuple[tuple[str, ...], dict[str, Any]]:
     """Return a name for every axis, that of the place which alone changes along it, and the places as coordinates."""
     along = {
         name: [axis for axis, count in enumerate(shape) if count > 1 and np.any(np.diff(places, axis=axis) != 0.0)]
