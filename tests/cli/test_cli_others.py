@@ -483,12 +483,11 @@ def test_the_module_is_the_command(here):
 
 def test_help_keeps_what_stands_in_brackets(capsys, monkeypatch):
     """Brackets are markup there; without a backslash "[fit]" and the extra of "winkler[app]" were lost."""
-    from winkler.cli.app import app
+    from winkler.cli.app import FUNCTIONS
 
     monkeypatch.setenv("COLUMNS", "200")
     listed = []
-    for command in app.registered_commands:
-        callback = command.callback
+    for callback in FUNCTIONS.values():
         hints = typing.get_type_hints(callback, include_extras=True)
         given = [note.help for hint in hints.values() for note in getattr(hint, "__metadata__", ())]
         message = "\n".join(filter(None, [callback.__doc__, *given])).replace("\\[", "[")

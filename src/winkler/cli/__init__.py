@@ -10,7 +10,6 @@ terminated.
 from __future__ import annotations
 
 import contextlib
-import gc
 import sys
 from collections.abc import Sequence
 
@@ -57,7 +56,6 @@ def _command(words: list[str]) -> int:
     from winkler.cli.app import command
 
     stopping.raise_pending()  # what is imported may swallow a signal
-    gc.set_threshold(100_000)  # loaded modules stay: searching them for garbage takes a tenth of a short run
     answer = command(args=words or ["--help"], prog_name="winkler", standalone_mode=False)
     stopping.raise_pending()
     if answer == stopping.INTERRUPTED:  # typer's exit code for Ctrl-C

@@ -50,7 +50,7 @@ def show(
     elif not name or name in CATALOGUE:
         _list(name)
     elif name in REFUSED:
-        REFUSED[name](1.0)
+        REFUSED[name].cls(1.0)
     elif materials.has(name):
         materials.one(name)
     else:

@@ -14,7 +14,8 @@ import pytest
 import winkler as wk
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.study.batch.outcome import Failed, Solved
-from winkler.study.batch.pool import THREAD_VARIABLES, Machine
+from winkler.study.batch.pool import Machine
+from winkler.study.batch.processes import THREAD_VARIABLES
 from winkler.study.batch.run import run
 from winkler.study.batch.sweep import solve_points
 from winkler.study.batch.tasks import tasks
@@ -202,7 +203,7 @@ def test_a_script_without_a_guard_is_refused_in_a_sentence(tmp_path):
 
 WORKER = """
 import json, os, sys
-from winkler.study.batch.pool import THREAD_VARIABLES, _quiet_start
+from winkler.study.batch.processes import THREAD_VARIABLES, _quiet_start
 import multiprocessing, signal
 def look():
     deaf = signal.SIGINT in signal.pthread_sigmask(signal.SIG_BLOCK, ())

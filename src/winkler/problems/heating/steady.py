@@ -191,6 +191,8 @@ class FrictionHeatingSolution:
     first_mean_temperature: Quantity
     second_mean_temperature: Quantity
 
+    per_load: ClassVar[str] = "heat_rate"
+
     @property
     def radius(self) -> Quantity:
         """Radius of the contact a [m]."""

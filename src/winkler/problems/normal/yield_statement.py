@@ -19,8 +19,8 @@ from winkler.errors import NotConverged, OutsideValidity
 from winkler.footprint import EllipticOutline
 from winkler.foundation.bed import Bed, PressedSprings
 from winkler.foundation.foundation import Foundation
+from winkler.media.families import CoatedBody
 from winkler.media.halfspace import HalfSpace
-from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array
 from winkler.problems.normal.greatest_stress import GreatestStress, greatest_stress
@@ -143,7 +143,7 @@ def _refuse_costly(pressed: PressedSprings) -> None:
     medium = pressed.bed.medium
     if isinstance(medium, RelaxingMedium):
         raise OutsideValidity("the stresses in a relaxing body follow the history of the load.")
-    if isinstance(medium, CoatedHalfSpace) and pressed.radius > WIDEST_ON_LAYER * medium.layers[0].thickness:
+    if isinstance(medium, CoatedBody) and pressed.radius > WIDEST_ON_LAYER * medium.layers[0].thickness:
         raise OutsideValidity(
             f"the contact is more than {WIDEST_ON_LAYER:g} times as wide as the uppermost layer is thick; use "
             "peak_stress for the stresses inside."

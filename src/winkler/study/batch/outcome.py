@@ -31,20 +31,22 @@ import dataclasses
 import functools
 import re
 from collections.abc import Iterable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.numerics.types import Array, Quantity
 from winkler.study.batch.points import Answered, ComparedNumber, Failed, Point, Recalled, Solved
-from winkler.study.batch.sensitivity import Indices, sensitivity
 from winkler.study.language import keys
 from winkler.study.language.designs import Sensitivity
 from winkler.study.language.study import Study
 from winkler.validity import Note, worst
 from winkler.values import value
 from winkler.vocabulary import Word, word
+
+if TYPE_CHECKING:
+    from winkler.study.batch.sensitivity import Indices
 
 __all__ = [
     "Answered",
@@ -230,6 +232,8 @@ class Outcome:
         """Indices of Sobol of each answer for every key; none unless the design is a `Sensitivity`."""
         if not isinstance(self.study.design, Sensitivity):
             return ()
+        from winkler.study.batch.sensitivity import sensitivity
+
         return sensitivity(self.study, {name: self.answer(name) for name in self.answers})
 
     @functools.cached_property

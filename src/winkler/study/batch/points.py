@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import functools
 from collections.abc import Iterator
 from typing import Any
@@ -66,10 +65,8 @@ def _loads(solution: Any) -> Iterator[Any]:
     if is_history(solution):
         yield from solution.states
         return
-    shape = max(
-        (np.shape(getattr(solution, field.name)) for field in dataclasses.fields(solution)), key=len, default=()
-    )
-    if shape == () or not many_loads(solution):
+    shape = np.shape(getattr(solution, solution.per_load)) if many_loads(solution) else ()
+    if not shape:
         yield solution
         return
     for index in np.ndindex(shape):

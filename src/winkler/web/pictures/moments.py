@@ -8,10 +8,9 @@ import numpy as np
 
 from winkler.loading import Depth
 from winkler.problems.adhesion.indentation import AdhesiveIndentation, AdhesiveSolution
-from winkler.problems.answer import is_march, is_recovering, is_restorable
+from winkler.problems.answer import is_march, is_recovering, is_restorable, is_worn
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
-from winkler.problems.wear.states import WearState
 from winkler.study.batch.points import Answered
 from winkler.study.chapters.answer import PicturedContact
 from winkler.study.chapters.contents import answer_of
@@ -52,7 +51,7 @@ def initial_moment(point: Answered, moments: Moments) -> int:
 
     Of wear it is the last.
     """
-    if moments.states and isinstance(moments.states[-1], WearState):
+    if moments.states and is_worn(moments.states[-1]):
         return moments.total - 1
     for name in ("shear_force", "torque", "depth", "force"):
         content = np.abs(np.nan_to_num(point.answers.get(name, np.zeros(0))))
