@@ -1,6 +1,6 @@
 """The entry point of the command ``winkler`` and of ``python -m winkler``.
 
-Nothing but the interpreter's own modules is imported before signals are heard: a Ctrl-C while the rest is loaded ends
+Nothing but the interpreter's own modules is imported before signals are handled: a Ctrl-C while the rest is loaded ends
 the process at once, without a traceback.
 """
 

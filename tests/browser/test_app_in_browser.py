@@ -52,7 +52,7 @@ def test_from_opening_to_a_result(kind, app_page):
 def test_files_to_take_along(app_page):
     report = app_page.taken("report").decode("utf-8")
     assert "<h1>" in report
-    assert "What came out" in report
+    assert "Results" in report
     assert "http" not in report.partition("<style>")[2].partition("</style>")[0]
     with zipfile.ZipFile(io.BytesIO(app_page.taken("png"))) as pack:
         names = pack.namelist()

@@ -162,7 +162,7 @@ def test_a_case_that_cannot_be_solved_is_missed(tmp_path):
     entry = run_case(tmp_path / "case.toml")
     assert not entry.passed
     assert "tensile" in entry.failure
-    assert "Not answered: force -1 N is tensile" in markdown([entry])
+    assert "Not solved: force -1 N is tensile" in markdown([entry])
 
 
 def test_cases_are_found_by_name_file_and_folder(tmp_path):

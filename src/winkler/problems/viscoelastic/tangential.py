@@ -246,7 +246,7 @@ class ViscoelasticTangentialSolution:
 
     __words__ = words(
         work=("W", "J", "what the machine has spent since the beginning"),
-        stored_energy=("U", "J", "energy stored in all springs, both ways"),
+        stored_energy=("U", "J", "energy stored in all springs, both directions"),
     )
 
     problem: ViscoelasticTangential

@@ -37,7 +37,7 @@ import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.numerics.types import Array, Quantity
-from winkler.study.batch.points import Answered, ComparedNumber, Failed, Point, Recalled, Solved
+from winkler.study.batch.points import ComparedNumber, Failed, Point, Recalled, Solved, SolvedPoint
 from winkler.study.language import keys
 from winkler.study.language.designs import Sensitivity
 from winkler.study.language.study import Study
@@ -49,7 +49,6 @@ if TYPE_CHECKING:
     from winkler.study.batch.sensitivity import Indices
 
 __all__ = [
-    "Answered",
     "ComparedNumber",
     "Failed",
     "Outcome",
@@ -58,6 +57,7 @@ __all__ = [
     "Recalled",
     "ResultColumn",
     "Solved",
+    "SolvedPoint",
     "answers_of",
     "worst_of_each",
 ]
@@ -190,7 +190,7 @@ class Outcome:
     provenance: Provenance
 
     @functools.cached_property
-    def solved(self) -> tuple[Answered, ...]:
+    def solved(self) -> tuple[SolvedPoint, ...]:
         """The points that were solved, in the order of the sweep."""
         return tuple(point for point in self.points if not isinstance(point, Failed))
 

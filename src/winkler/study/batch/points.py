@@ -16,7 +16,7 @@ from winkler.study.language.study import Expectation
 from winkler.validity import Note
 from winkler.values import value
 
-__all__ = ["Answered", "ComparedNumber", "Failed", "Point", "Recalled", "Solved"]
+__all__ = ["ComparedNumber", "Failed", "Point", "Recalled", "Solved", "SolvedPoint"]
 
 
 @value
@@ -142,7 +142,7 @@ class Recalled:
         Class of the solution.
     validity
         What was assumed and checked.
-    told
+    event_rows
         ``(kind of event, rows)``.
     verdicts
         Comparisons with the expected numbers.
@@ -181,7 +181,7 @@ class Recalled:
         return tuple(_loads(self.solution))
 
 
-Answered = Solved | Recalled
+SolvedPoint = Solved | Recalled
 Point = Solved | Recalled | Failed
 
 

@@ -17,7 +17,7 @@ from winkler.plot.method import Contact, method_sheet, pictures_of
 from winkler.plot.series import Series, spoken
 from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
-from winkler.study.batch.outcome import Answered, Outcome
+from winkler.study.batch.outcome import Outcome, SolvedPoint
 from winkler.study.chapters.answer import ALONG, Answer
 from winkler.study.chapters.answer import PicturedContact as Shows
 from winkler.study.chapters.contents import answer_of
@@ -36,12 +36,12 @@ MOST_CURVES = 24
 MOST_BARS = 40
 
 
-def shown_point(outcome: Outcome) -> Answered:
+def shown_point(outcome: Outcome) -> SolvedPoint:
     """Return the point whose contact the pictures show: the last one that was solved."""
     return outcome.solved[-1]
 
 
-def shown_contact(point: Answered) -> Contact | None:
+def shown_contact(point: SolvedPoint) -> Contact | None:
     """Return the contact of a point in the pictures, of its last load; None if there is none."""
     shows = answer_of(point.problem).contact
     if shows is Shows.NONE:
@@ -183,7 +183,7 @@ def _sheets(outcome: Outcome) -> Iterator[ReportFigure]:
             yield ReportFigure(f"answer_{name}", title, sentence, None, missing=re.sub(r"^\w+: ", "", str(error)))
 
 
-def settings_of(outcome: Outcome, point: Answered) -> str:
+def settings_of(outcome: Outcome, point: SolvedPoint) -> str:
     """Return the values of the varied keys at one point."""
     pairs = zip(outcome.study.sweep, point.settings, strict=True)
     return ", ".join(setting_text(outcome.study, axis, item) for axis, item in pairs)
@@ -245,7 +245,7 @@ def _over(outcome: Outcome, over: str) -> Iterator[ReportFigure]:
     for name in _answers_worth(outcome):
         if name != over and all(name in answers for answers in answers_of_points):
             of = [Series(name, outcome.word(name), answers[name]) for answers in answers_of_points]
-            sentence = f"All loads that were asked at once.{cut}"
+            sentence = f"All loads of the problem.{cut}"
             picture = family_sheet(along, of, labels)
             yield drawn(f"answer_{name}", capital(f"{spoken(name)} over {spoken(over)}"), sentence, picture)
 

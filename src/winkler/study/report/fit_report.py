@@ -130,7 +130,7 @@ def _question(outcome: FitOutcome) -> str:
         f"<p>{safe(_in_words(study))} The table holds the model as it was given; of the {len(study.free)} free numbers "
         "these are the values before the fit.</p>"
     )
-    return section("What was asked", lead, table(["what", "", "given", "meaning"], rows))
+    return section("The problem", lead, table(["what", "", "given", "meaning"], rows))
 
 
 def _in_words(study: FitStudy) -> str:
