@@ -254,6 +254,7 @@ def _with_errors(
         "scatter": uncertainty.scatter,
         "effective_count": uncertainty.effective_count,
         "predicted": prediction.fitted,
+        "logarithmic": tuple(p.logarithmic for p in task.parameters),
         "flags": (*flags, *task.doubts(numbers, errors)),
     }
     result = task.outcome(numbers, prediction, shared)

@@ -72,8 +72,6 @@ class FitTask(_TaskFields):
 
     settled: ClassVar[float]
     """Relative change of sum and coordinates at which least squares stop."""
-    must_settle: ClassVar[bool]
-    """Whether missing convergence is an error."""
     coarse_count: ClassVar[int]
     """Number of points for the choice between starts."""
     starts_improved: ClassVar[int]

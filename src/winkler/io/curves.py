@@ -19,7 +19,7 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.io.archive_file import is_archive, refuse_large_archive
-from winkler.io.foreign import quiet, sentence_of
+from winkler.io.foreign import in_file, quiet, sentence_of
 from winkler.io.hdf5_file import refuse_other_files
 from winkler.io.memory import limited_memory
 from winkler.io.segments import directions
@@ -253,8 +253,6 @@ def _translated(data: Any, name: str, file_name: str, overrides: dict[str, float
         )
     segment = np.asarray(data["segment"]) if "segment" in columns else np.zeros(0)
     time = np.asarray(data["time"], dtype=float) if "time" in columns else np.zeros(0)
-    try:
+    with in_file(file_name):
         curve = ForceCurve(position, force, float(stiffness), time, directions(position, force, segment), name)
-    except InvalidInput as error:
-        raise InvalidInput(f"{file_name}: {error}") from None
     return PlacedCurve(curve, *(float(data.metadata.get(f"position {axis}", np.nan)) for axis in "xy"))

@@ -42,7 +42,6 @@ class ElasticTask(FitTask):
     """A contact without relaxation, with the hysteresis of its edge."""
 
     settled = 1e-10
-    must_settle = True
     coarse_count = 200
     starts_improved = 2
     starts_are_trials = False

@@ -20,7 +20,7 @@ from winkler.fitting.viscoelastic.response import elastic_table, forces
 from winkler.numerics.types import Array
 from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
 
-__all__ = ["TIMES", "starts", "window"]
+__all__ = ["TIMES", "field_name", "starts", "window"]
 
 EXPONENT_TRIALS = (0.1, 0.3, 0.6)
 SINGLE_TIME_SHARES = (0.003, 0.03, 0.3)
@@ -79,7 +79,7 @@ def _trials(task: FitTask, rough_outline: CurveOutline | None) -> list[dict[str,
     elif point is not None and not point.has_start:
         low = float(task.curve.depth(0.0).min())
         choices.append([{"contact_point": point.inside(low - share * point.scale)} for share in (0.1, 1.0, 5.0)])
-    times = [p for p in task.parameters if not p.has_start and _field_name(p.name) in TIMES]
+    times = [p for p in task.parameters if not p.has_start and field_name(p.name) in TIMES]
     if times:
         _, duration = window(task)
         spans = [(one, one) for one in SINGLE_TIME_SHARES] if len(times) == 1 else list(TIME_SPREADS)
@@ -90,7 +90,7 @@ def _trials(task: FitTask, rough_outline: CurveOutline | None) -> list[dict[str,
     shapes = [
         p
         for p in task.parameters
-        if not p.has_start and p.name.startswith("bed.medium.") and _field_name(p.name) == "exponent"
+        if not p.has_start and p.name.startswith("bed.medium.") and field_name(p.name) == "exponent"
     ]
     if shapes:
         choices.append([{p.name: p.inside(number) for p in shapes} for number in EXPONENT_TRIALS])
@@ -103,7 +103,8 @@ def _trials(task: FitTask, rough_outline: CurveOutline | None) -> list[dict[str,
     return combined
 
 
-def _field_name(name: str) -> str:
+def field_name(name: str) -> str:
+    """Return the last field of a path, without an index."""
     return name.rpartition(".")[2].partition("[")[0]
 
 
@@ -144,7 +145,7 @@ def _has_free_part(task: FitTask, depth: Array) -> bool:
 
 def _is_modulus(task: FitTask, parameter: Parameter) -> bool:
     """Return whether the force at a given depth is proportional to it, or nearly so with an elastic second body."""
-    own = parameter.name.startswith("bed.medium.") and _field_name(parameter.name) not in ("young", "tolerance")
+    own = parameter.name.startswith("bed.medium.") and field_name(parameter.name) not in ("young", "tolerance")
     return own and unit_of(task.model, parameter.name) in ("Pa", "Pa s")
 
 

@@ -31,7 +31,6 @@ class RelaxingTask(FitTask):
     """A relaxing contact, including holds; subclasses define the input and the fitted quantity."""
 
     settled = 1e-9
-    must_settle = False
     coarse_count = 250
     starts_improved = 3
     starts_are_trials = True
@@ -93,11 +92,10 @@ class RelaxingTask(FitTask):
         return coordinates if np.array_equal(ordered, coordinates) else ordered
 
     def relaxing_fields(self, numbers: dict[str, float], prediction: Prediction) -> dict[str, Any]:
-        """Return fields of the contact: logarithmic parameters, depths and radii [m]."""
+        """Return fields of the contact: depths and radii [m]."""
         contact = prediction.contact
         table = elastic_table(elastic_like(self.with_numbers(numbers).bed), float(contact.edge.max()))
         return {
-            "logarithmic": tuple(p.logarithmic for p in self.parameters),
             "depth": contact.depth,
             "radius": np.where(prediction.touched, table.radius_at(contact.edge), 0.0),
         }
