@@ -14,8 +14,9 @@ from winkler import Elastic, Foundation, HalfSpace, Paraboloid
 from winkler.laws.adhesion import Dugdale, ShortRange
 from winkler.loading import Force
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
-from winkler.problems.adhesion.model_choice import maugis_parameter, which_model
+from winkler.problems.adhesion.model_choice import which_model
 from winkler.problems.adhesion.pull_off import PullOff
+from winkler.problems.adhesion.tabor import maugis_parameter
 
 RADIUS, WORK = 1e-6, 0.05
 polymer = HalfSpace.between(Elastic(young=2e9, poisson=0.4))

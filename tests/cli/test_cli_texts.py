@@ -16,7 +16,7 @@ import pytest
 import winkler.cli
 from winkler.cli import main, terminal
 from winkler.cli.streams import plain_json, safe, write_line
-from winkler.study.batch.outcome import Column
+from winkler.study.batch.outcome import ResultColumn
 from winkler.vocabulary import GLOSSARY
 
 SPHERE = """title = "{title}"
@@ -155,7 +155,7 @@ def test_what_is_infinite_is_written_in_words(here, capsys):
 
 def test_what_is_undefined_is_distinguished_from_what_has_no_answer(here, capsys):
     """As the restitution along the surface of bodies that do not move along it, and a point that is refused."""
-    column = Column("lateral_restitution", GLOSSARY["lateral_restitution"], np.array([0.5, np.nan, np.nan]))
+    column = ResultColumn("lateral_restitution", GLOSSARY["lateral_restitution"], np.array([0.5, np.nan, np.nan]))
     assert terminal._column_texts(column, np.array([False, False, True])) == ("", ["0.5", "undefined", "-"])
     text = (here / "c.toml").read_text(encoding="utf-8").replace('["0 N", "1 N"]', '"1 N"')
     (here / "c.toml").write_text(f'{text}\n[sweep]\n"problem.load.force" = ["1 N", "-1 N"]\n', encoding="utf-8")

@@ -63,7 +63,7 @@ def missing(name: str, result: Answer, manual: str, cases: set[str]) -> list[str
         "curves of numbers that it has": drawn <= known,
         "progress (total, steps and gathered), as it marches": not marches
         or all(hasattr(problem, member) for member in MEMBERS),
-        "a form in the app": form.begun(name)["problem"]["kind"] == name,
+        "a form in the app": form.initial_table(name)["problem"]["kind"] == name,
         "a section of the manual": re.search(rf"\b({problem.__name__}|{name})\b", manual),
         "a case from the literature": name in cases,
     }

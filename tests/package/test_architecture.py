@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import importlib.util
 
 MOST_FILES = 25
@@ -32,3 +33,12 @@ def test_no_folder_holds_too_many_files(root):
             if count > MOST_FILES:
                 full[folder.relative_to(root).as_posix()] = count
     assert full == {}
+
+
+def test_one_name_means_one_class(root):
+    places = {}
+    for path in sorted((root / "src" / "winkler").rglob("*.py")):
+        for node in ast.parse(path.read_text(encoding="utf-8")).body:
+            if isinstance(node, ast.ClassDef):
+                places.setdefault(node.name.lstrip("_"), []).append(path.relative_to(root).as_posix())
+    assert {name: files for name, files in places.items() if len(files) > 1} == {}

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from rich.text import Text
 
     from winkler.study.batch.fit_outcome import FitOutcome
-    from winkler.study.batch.outcome import Column, Outcome
+    from winkler.study.batch.outcome import Outcome, ResultColumn
 
 from winkler.cli.streams import safe
 
@@ -77,7 +77,7 @@ def prefixed(numbers: np.ndarray, unit: str | None) -> tuple[float, str]:
     return 10.0**-power, f"{PREFIXES[power]}{unit}"
 
 
-def _column_texts(column: Column, empty: np.ndarray) -> tuple[str, list[str]]:
+def _column_texts(column: ResultColumn, empty: np.ndarray) -> tuple[str, list[str]]:
     """Return the unit and the texts of a column; `empty` are rows without any answer."""
     if column.content.dtype.kind not in "fiu":
         return "", [str(item) for item in column.content]

@@ -12,7 +12,7 @@ from winkler.cli.streams import until_closed, write_json, write_line
 if TYPE_CHECKING:
     from rich.table import Table
 
-    from winkler.study.batch.outcome import Verdict
+    from winkler.study.batch.outcome import ComparedNumber
     from winkler.study.ledger.ledger import LedgerEntry
     from winkler.study.ledger.ledger_page import LedgerChapter
 
@@ -88,7 +88,7 @@ def _summary(parts: tuple[LedgerChapter, ...]) -> Table:
     return table
 
 
-def verdict_table(verdicts: Iterable[Verdict], points: Iterable[str] = ()) -> Table:
+def verdict_table(verdicts: Iterable[ComparedNumber], points: Iterable[str] = ()) -> Table:
     """Return a table of expected and computed numbers, with the points of a sweep as text."""
     from winkler.cli import terminal
     from winkler.study.ledger.ledger_page import digits, number_text, where
@@ -106,7 +106,7 @@ def verdict_table(verdicts: Iterable[Verdict], points: Iterable[str] = ()) -> Ta
     return table
 
 
-def verdict_json(verdict: Verdict) -> dict[str, Any]:
+def verdict_json(verdict: ComparedNumber) -> dict[str, Any]:
     """Return a verdict for JSON."""
     item = verdict.expectation
     return {

@@ -33,7 +33,7 @@ HALF_PLANE = 1
 """Number of planes for which an axisymmetric field is written in the half-plane y = 0, x > 0 alone."""
 
 
-class _Grid(NamedTuple):
+class _PointGrid(NamedTuple):
     """Points `(3, n1, n2, n3)`, and the fields there: scalars, vectors `(3, ...)` and tensors `(3, 3, ...)`."""
 
     points: Array
@@ -145,7 +145,7 @@ def _flux_half_plane(fields: CurrentFields | HeatFields) -> _HalfPlane:
     return _HalfPlane(r, z, {"excess_temperature": fields.excess_temperature}, {"heat_flux": flux}, {})
 
 
-def _revolved(half: _HalfPlane, around: int) -> _Grid:
+def _revolved(half: _HalfPlane, around: int) -> _PointGrid:
     """Return the field of a half-plane rotated about the axis."""
     angles = np.linspace(0.0, 2.0 * math.pi, around + 1) if around != HALF_PLANE else np.zeros(1)
     cos, sin = np.cos(angles)[:, None], np.sin(angles)[:, None]
@@ -170,10 +170,10 @@ def _revolved(half: _HalfPlane, around: int) -> _Grid:
         xz, yz = times(shear, cos), times(shear, sin)
         tensors[name] = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, full(axial)]])
     points = np.stack([times(half.r, cos), times(half.r, sin), full(half.z)])
-    return _Grid(points, {name: full(numbers) for name, numbers in half.scalars.items()}, vectors, tensors)
+    return _PointGrid(points, {name: full(numbers) for name, numbers in half.scalars.items()}, vectors, tensors)
 
 
-def _body_grid(fields: BodyFields) -> _Grid:
+def _body_grid(fields: BodyFields) -> _PointGrid:
     shape = np.shape(fields.x)
     if len(shape) > 3:
         raise InvalidInput(f"write_vtk: the places have the shape {shape}; give a grid of at most three axes.")
@@ -184,7 +184,7 @@ def _body_grid(fields: BodyFields) -> _Grid:
     )
     xz, yz = sign * xz, sign * yz
     displacement = [getattr(fields, f"{name}_displacement").reshape(whole) for name in "xyz"]
-    return _Grid(
+    return _PointGrid(
         np.stack([fields.x.reshape(whole), fields.y.reshape(whole), fields.z.reshape(whole)]),
         {"von_mises": fields.von_mises.reshape(whole), "max_shear": fields.max_shear.reshape(whole)},
         {"displacement": np.stack([displacement[0], displacement[1], sign * displacement[2]])},
@@ -192,7 +192,7 @@ def _body_grid(fields: BodyFields) -> _Grid:
     )
 
 
-def _file_content(grid: _Grid, title: str) -> bytes:
+def _file_content(grid: _PointGrid, title: str) -> bytes:
     """Return the bytes of a legacy file; the first axis runs fastest in it."""
     shape = grid.points.shape[1:]
     count = math.prod(shape)

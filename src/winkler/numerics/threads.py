@@ -29,7 +29,7 @@ def run_in_threads(work: Callable[[slice], None], count: int) -> None:
     >>> squares = np.zeros(5)
     >>> def work(part):
     ...     squares[part] = np.arange(5.0)[part] ** 2
-    >>> shared_out(work, 5)
+    >>> run_in_threads(work, 5)
     >>> squares
     array([ 0.,  1.,  4.,  9., 16.])
     """

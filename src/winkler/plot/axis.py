@@ -9,11 +9,11 @@ from winkler.plot import style
 from winkler.plot.series import Scale, Series
 from winkler.values import value
 
-__all__ = ["Axis", "plane"]
+__all__ = ["PanelAxis", "plane"]
 
 
 @value
-class Axis:
+class PanelAxis:
     """One axis of a panel.
 
     Parameters
@@ -58,7 +58,7 @@ class Axis:
     sparse: bool = False
 
     @classmethod
-    def of(cls, one: Series, scale: Scale | None = None, **more: Any) -> Axis:
+    def of(cls, one: Series, scale: Scale | None = None, **more: Any) -> PanelAxis:
         """Return the axis of a series: its name, symbol and unit; the scale that fits it if none is given."""
         scale = scale or one.scale
         return cls(one.label(Scale(1.0, "")), scale, **more)
@@ -69,6 +69,6 @@ class Axis:
         return f"{self.label} [{self.scale.unit}]" if self.scale.unit else self.label
 
 
-def plane(scale: Scale, **more: Any) -> tuple[Axis, Axis]:
+def plane(scale: Scale, **more: Any) -> tuple[PanelAxis, PanelAxis]:
     """Return the axes x and y of a plane in one unit; `more` is common to both."""
-    return Axis("$x$", scale, **more), Axis("$y$", scale, **more)
+    return PanelAxis("$x$", scale, **more), PanelAxis("$y$", scale, **more)

@@ -10,7 +10,7 @@ import numpy as np
 
 from winkler.plot import style
 from winkler.plot.families import spans_decades
-from winkler.plot.panel import Axis, Line, Panel
+from winkler.plot.panel import Line, Panel, PanelAxis
 from winkler.plot.series import Series, middle_scale
 
 __all__ = ["Quantity", "decades_panel"]
@@ -52,13 +52,13 @@ def decades_panel(along: Series, quantities: Sequence[Quantity], label: str = ""
         if 0 < one.points[0].size <= MOST_MARKED_POINTS:
             marks.append(Line(*one.points, colour, width=0.0, marker="o", size=4.0, order=5.0))
     crowded = np.ptp(np.log10(along.content)) > MOST_LABELLED_DECADES
-    across = Axis.of(along, margin=0.04, log=True, plain=True, parts=5 if crowded else 0)
+    across = PanelAxis.of(along, margin=0.04, log=True, plain=True, parts=5 if crowded else 0)
     greatest = float(np.max(contents))
     fitted = float(np.min(contents)) - MARGIN * float(np.ptp(contents))
     ends: dict[str, Any] = {"low": 0.0} if fitted > 0.0 else {}
     if spans_decades(contents):
         lowest = max(0.7 * float(np.min(contents)), LEAST_SHARE * greatest)
         ends = {"low": lowest, "high": 1.5 * greatest, "log": True, "plain": True}
-    upright = Axis.of(quantities[0].of, middle_scale(quantities[0].of.word.unit, contents), margin=MARGIN, **ends)
+    upright = PanelAxis.of(quantities[0].of, middle_scale(quantities[0].of.word.unit, contents), margin=MARGIN, **ends)
     upright = dataclasses.replace(upright, label=label) if label else upright
     return Panel(tuple(marks), across, upright, legend="best" if len(quantities) > 1 else "")

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from winkler.plot import style
-from winkler.plot.panel import Axis, Bars, Line, Panel, Sheet
+from winkler.plot.panel import Bars, Line, Panel, PanelAxis, Sheet
 from winkler.plot.series import Scale, Series, common_scale, middle_scale
 
 __all__ = ["bar_sheet", "family_sheet", "spans_decades"]
@@ -56,8 +56,8 @@ def family_sheet(
             name=labels[place] if not many or place in (0, len(of) // 2, len(of) - 1) else "",
         )
         lines.append(line)
-    across = Axis.of(along[0], _scale(along, logarithmic), margin=0.04, log=logarithmic, plain=logarithmic)
-    upright = Axis.of(
+    across = PanelAxis.of(along[0], _scale(along, logarithmic), margin=0.04, log=logarithmic, plain=logarithmic)
+    upright = PanelAxis.of(
         of[0], _scale(of, logarithmic_upright), margin=0.06, log=logarithmic_upright, plain=logarithmic_upright
     )
     names = [line.name for line in lines if line.name]
@@ -84,6 +84,6 @@ def bar_sheet(names: Sequence[str], of: Series) -> Sheet:
         One number for each bar; none where it is NaN.
     """
     places = np.arange(float(len(names)))
-    upright = Axis(ticks=places, names=tuple(names), falling=True)
-    panel = Panel((Bars(places, np.nan_to_num(of.content)),), Axis.of(of), upright, grid="x")
+    upright = PanelAxis(ticks=places, names=tuple(names), falling=True)
+    panel = Panel((Bars(places, np.nan_to_num(of.content)),), PanelAxis.of(of), upright, grid="x")
     return Sheet((panel,), width=4.6, height=max(1.6, 0.9 + 0.3 * len(names)))

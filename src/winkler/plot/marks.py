@@ -9,7 +9,7 @@ from typing import Any
 
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.axis import Axis
+from winkler.plot.axis import PanelAxis
 from winkler.values import value
 
 __all__ = [
@@ -240,7 +240,7 @@ class Map:
     x: Array
     y: Array
     z: Array
-    bar: Axis = Axis()
+    bar: PanelAxis = PanelAxis()
     kind: str = "contours"
     colours: str | tuple[str, ...] = "viridis_r"
     levels: Any = 12

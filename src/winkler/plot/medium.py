@@ -23,7 +23,7 @@ from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.media.medium import Medium
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.panel import Area, Axis, Line, Panel, Rule, Text
+from winkler.plot.panel import Area, Line, Panel, PanelAxis, Rule, Text
 from winkler.plot.series import scale_of, series, with_unit
 
 __all__ = [
@@ -175,8 +175,8 @@ def makeup_panel(medium: Medium, end: float, radius: float = 0.0) -> Panel:
         marks.append(Rule(radius, colour=style.RED, width=1.0, dash=style.DASHED))
         look: dict[str, Any] = {"across": "right", "upright": "bottom", "colour": style.RED, "framed": (True, False)}
         marks.append(Text(0.97, radius, "$z = a$", **look))
-    across = Axis.of(series("young", np.zeros(1)), scale_of("Pa", [stiffest]), low=0.0, high=right)
-    upright = Axis.of(series("z", np.zeros(1)), scale_of("m", [end]), low=end, high=0.0)
+    across = PanelAxis.of(series("young", np.zeros(1)), scale_of("Pa", [stiffest]), low=0.0, high=right)
+    upright = PanelAxis.of(series("z", np.zeros(1)), scale_of("m", [end]), low=end, high=0.0)
     return Panel(tuple(marks), across, upright, grid="")
 
 
@@ -194,7 +194,7 @@ def spring_stiffness_panel(medium: Medium, end: float, radius: float = 0.0) -> P
     x = end * np.linspace(0.0, 1.0, 401)[1:] ** 2
     stiffness = np.asarray(medium.normal_stiffness(x), dtype=float)
     top = float(np.max(stiffness[x >= 0.01 * end]))
-    upright = Axis.of(series("normal_stiffness", stiffness), scale_of("Pa", [top]), low=0.0)
+    upright = PanelAxis.of(series("normal_stiffness", stiffness), scale_of("Pa", [top]), low=0.0)
     marks: list[Any] = [Line(x, stiffness, style.RED, name="springs, $c_N(x)$")]
     layered = isinstance(medium, CoatedHalfSpace | DepthGradedHalfSpace)
     if isinstance(medium, CoatedHalfSpace | DepthGradedHalfSpace):
@@ -206,7 +206,7 @@ def spring_stiffness_panel(medium: Medium, end: float, radius: float = 0.0) -> P
         marks.append(Rule(radius, upright=True, colour=style.INK, width=0.9, dash=style.DASHED))
         look: dict[str, Any] = {"across": "left", "upright": "baseline", "size": 9.0, "framed": (False, True)}
         marks.append(Text(radius, 0.02, "$a$", right=3.0, **look))
-    across = Axis.of(series("x", x), scale_of("m", [end]), low=0.0, high=end)
+    across = PanelAxis.of(series("x", x), scale_of("m", [end]), low=0.0, high=end)
     upright = dataclasses.replace(upright, high=1.12 * top)
     return Panel(tuple(marks), across, upright, legend="best" if layered else "")
 
@@ -239,9 +239,9 @@ def stiffness_panel(bed: Bed, to: float, radius: float = 0.0) -> Panel:
     if radius > 0.0:
         here = bed.stiffness(np.array([radius]))
         marks.append(Line(np.array([radius]), here, style.RED, width=0.0, marker="o", name="this contact"))
-    across = Axis.of(series("radius", a), scale_of("m", [end]), low=0.0, high=1.02 * end)
+    across = PanelAxis.of(series("radius", a), scale_of("m", [end]), low=0.0, high=1.02 * end)
     of = series("stiffness", stiffness)
-    upright = Axis.of(of, low=0.0, high=1.08 * float(np.max(stiffness)))
+    upright = PanelAxis.of(of, low=0.0, high=1.08 * float(np.max(stiffness)))
     return Panel(tuple(marks), across, upright, legend="lower right")
 
 

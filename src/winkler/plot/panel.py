@@ -9,7 +9,7 @@ from __future__ import annotations
 import dataclasses
 from typing import Any
 
-from winkler.plot.axis import Axis, plane
+from winkler.plot.axis import PanelAxis, plane
 from winkler.plot.marks import (
     Area,
     Arrow,
@@ -31,7 +31,6 @@ from winkler.values import value
 __all__ = [
     "Area",
     "Arrow",
-    "Axis",
     "Band",
     "Bars",
     "Dots",
@@ -40,6 +39,7 @@ __all__ = [
     "Map",
     "Mark",
     "Panel",
+    "PanelAxis",
     "Polygon",
     "Rule",
     "Sheet",
@@ -84,10 +84,10 @@ class Panel:
     """
 
     marks: tuple[Any, ...] = ()
-    across: Axis = Axis()
-    upright: Axis = Axis()
+    across: PanelAxis = PanelAxis()
+    upright: PanelAxis = PanelAxis()
     title: str = ""
-    beside: tuple[Axis, ...] = ()
+    beside: tuple[PanelAxis, ...] = ()
     equal: bool = False
     grid: str = "both"
     legend: str = ""

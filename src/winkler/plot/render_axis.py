@@ -6,12 +6,12 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter
 
-from winkler.plot.panel import Axis
+from winkler.plot.panel import PanelAxis
 
 __all__ = ["set_axis"]
 
 
-def set_axis(axes: Axes, side: str, one: Axis) -> None:
+def set_axis(axes: Axes, side: str, one: PanelAxis) -> None:
     """Set label, limits, scale and ticks of one axis."""
     axis, upright = (axes.xaxis, False) if side == "x" else (axes.yaxis, True)
     set_limits = axes.set_ylim if upright else axes.set_xlim

@@ -16,7 +16,6 @@ from winkler.plot import style
 from winkler.plot.panel import (
     Area,
     Arrow,
-    Axis,
     Band,
     Bars,
     Dots,
@@ -24,6 +23,7 @@ from winkler.plot.panel import (
     Line,
     Map,
     Mark,
+    PanelAxis,
     Polygon,
     Rule,
     Strokes,
@@ -239,7 +239,7 @@ def _colour_bar(axes: Axes, mark: Map, drawn: Any) -> None:
         bar.outline.set_visible(False)
     bar.set_label(mark.bar.title)
     if mark.bar.plain:
-        set_axis(bar.ax, "y", Axis(mark.bar.label, mark.bar.scale, log=mark.bar.log, plain=mark.bar.log))
+        set_axis(bar.ax, "y", PanelAxis(mark.bar.label, mark.bar.scale, log=mark.bar.log, plain=mark.bar.log))
         bar.ax.minorticks_off()
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.families import spans_decades
-from winkler.plot.panel import Axis, Bars, Dots, Map, Panel, Sheet
+from winkler.plot.panel import Bars, Dots, Map, Panel, PanelAxis, Sheet
 from winkler.plot.series import Scale, Series, common_scale, middle_scale
 
 __all__ = ["VariancePart", "cloud_sheet", "map_sheet", "part_sheet"]
@@ -20,11 +20,11 @@ MOST_COLUMNS = 3
 """Most panels side by side."""
 
 
-def _axis(one: Series, **more: Any) -> Axis:
+def _axis(one: Series, **more: Any) -> PanelAxis:
     """Return an axis, logarithmic where the numbers span decades."""
     logarithmic = spans_decades(one.content)
     scale = middle_scale(one.word.unit, one.content) if logarithmic else common_scale(one)
-    return Axis.of(one, scale, log=logarithmic, plain=logarithmic, **more)
+    return PanelAxis.of(one, scale, log=logarithmic, plain=logarithmic, **more)
 
 
 def map_sheet(along: Series, up: Series, of: Series) -> Sheet:
@@ -122,6 +122,6 @@ def part_sheet(names: Sequence[str], parts: Sequence[VariancePart]) -> Sheet:
         at = places + (number - (len(parts) - 1) / 2.0) * thick
         ends = np.maximum(np.stack([part.content - part.low, part.high - part.content]), 0.0)
         bars.append(Bars(at, part.content, colour, 0.9 * thick, name=part.label, ends=ends))
-    across = Axis("part of the variance", low=min(0.0, float(np.min([part.low for part in parts]))))
-    panel = Panel(tuple(bars), across, Axis(ticks=places, names=tuple(names), falling=True), grid="x")
+    across = PanelAxis("part of the variance", low=min(0.0, float(np.min([part.low for part in parts]))))
+    panel = Panel(tuple(bars), across, PanelAxis(ticks=places, names=tuple(names), falling=True), grid="x")
     return Sheet((panel,), width=4.8, height=1.3 + 0.5 * len(names), below=len(parts))

@@ -19,7 +19,8 @@ from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.path import Path
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
-from winkler.problems.viscoelastic.material_tests import CreepTest, HarmonicIndentation, RelaxationTest
+from winkler.problems.viscoelastic.material_tests import CreepTest, RelaxationTest
+from winkler.problems.viscoelastic.oscillation import HarmonicIndentation
 
 SOLID = StandardSolid(2.0, 3.0, 0.3)
 BALL = wk.Paraboloid(1.0)

@@ -15,7 +15,7 @@ import winkler as wk
 from winkler.laws.friction import Coulomb
 from winkler.materials.graded import PowerLawGraded
 from winkler.media.graded.power_law import GradedHalfSpace
-from winkler.problems.impact import march
+from winkler.problems.impact import motion
 from winkler.problems.impact.impact import Impact
 
 MODULUS, MASS, SPEED = 1.0, 1.0, 0.01
@@ -233,7 +233,7 @@ def test_the_solution_has_converged(monkeypatch):
     """A march of a millionth of the accuracy comes to the same end."""
     problem = ball(BALL, 0.4, 0.009)
     fine = problem.solve()
-    monkeypatch.setattr(march, "PRECISION", 1e-8)
+    monkeypatch.setattr(motion, "PRECISION", 1e-8)
     coarse = problem.solve()
     assert coarse.sliding_velocity[-1] != fine.sliding_velocity[-1]
     assert coarse.sliding_velocity[-1] == pytest.approx(fine.sliding_velocity[-1], abs=1e-7 * SPEED)

@@ -9,7 +9,7 @@ import pytest
 
 import winkler as wk
 from winkler.errors import InvalidInput
-from winkler.study.batch.outcome import Verdict
+from winkler.study.batch.outcome import ComparedNumber
 from winkler.study.batch.run import run
 from winkler.study.batch.verdicts import compared
 from winkler.study.language.study import Expectation, Study
@@ -112,9 +112,9 @@ def test_a_wrong_expectation_stops_a_sweep_at_its_first_point(monkeypatch):
 
 def test_digits():
     expectation = Expectation("depth", 1.0, 1e-3)
-    assert Verdict((), expectation, 1.0, 0.0).digits == 16.0
-    assert Verdict((), expectation, 1.0, 1e-5).digits == pytest.approx(5.0)
-    assert Verdict((), expectation, 1.0, 7.0).digits == 0.0
+    assert ComparedNumber((), expectation, 1.0, 0.0).digits == 16.0
+    assert ComparedNumber((), expectation, 1.0, 1e-5).digits == pytest.approx(5.0)
+    assert ComparedNumber((), expectation, 1.0, 7.0).digits == 0.0
 
 
 CASE = """title = "A case"

@@ -19,6 +19,7 @@ from winkler.study.language.keys import replaced
 from winkler.study.language.reading import parse_study, study_text
 from winkler.study.language.study import Axis, Output, Study
 from winkler.study.report import figures
+from winkler.study.report.figure import ReportFigure
 from winkler.study.report.figures import figures_of, shown_contact, shown_point
 from winkler.study.report.mathml import formula
 from winkler.study.report.report import page
@@ -180,7 +181,7 @@ def test_a_cycle_that_never_touches_shows_no_contact():
 def quiet(monkeypatch):
     """Draw nothing: what is asked for is the page."""
     monkeypatch.setattr(
-        figures, "drawn", lambda name, title, sentence, picture: figures.ReportFigure(name, title, sentence, None)
+        figures, "drawn", lambda name, title, sentence, picture: ReportFigure(name, title, sentence, None)
     )
 
 
@@ -205,7 +206,7 @@ def test_the_report_has_formulas_and_tables(name):
     assert all(formula(one.latex).startswith("<math") for one in formulas_of(problem))
     says = " ".join(one.says for one in formulas_of(problem))
     assert ("ring ends" in says) == (name == "ring")
-    assert ("from afar" in says) == (name == "far")
+    assert ("Long-range attraction" in says) == (name == "far")
     assert ("sheared" in says) == (name == "shear")
     assert "just touches" not in says
     html = page(outcome, ())

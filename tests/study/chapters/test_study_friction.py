@@ -260,7 +260,7 @@ def test_every_kind_is_cited_told_and_has_formulas(name):
 
 
 def test_the_inputs_of_a_path_are_its_steps():
-    message = [(given.group, given.name, given.message) for given in inputs(Study("", RUBBED))]
+    message = [(given.group, given.name, given.text) for given in inputs(Study("", RUBBED))]
     assert ("step 2: ramp", "count", "2") in message
     assert ("step 3: oscillate", "cycles", "1.25") in message
     assert any("0.4 µm" in content or "400 nm" in content for _, name, content in message if name == "shift")

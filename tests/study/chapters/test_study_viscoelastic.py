@@ -27,7 +27,8 @@ from winkler.study.language.reading import parse_study, study_text
 from winkler.study.language.study import Axis, Study
 from winkler.study.report.citing import cite
 from winkler.study.report.describe import in_words, inputs
-from winkler.study.report.figures import ReportFigure, figures_of
+from winkler.study.report.figure import ReportFigure
+from winkler.study.report.figures import figures_of
 from winkler.study.report.mathml import formula
 from winkler.study.report.report import page
 
@@ -189,7 +190,7 @@ def test_every_problem_is_cited_told_and_has_formulas(name):
     for one in found:
         assert formula(one.latex).startswith("<math")
     assert "standard solid" in in_words(Study("", problem))
-    assert all(given.message for given in inputs(Study("", problem)))
+    assert all(given.text for given in inputs(Study("", problem)))
 
 
 def test_the_law_of_temperature_is_among_the_formulas():
@@ -213,7 +214,7 @@ def test_figures_of_a_march():
     assert [shown.name for shown in figures_of(single)] == ["answer_relaxing"]
     text = page(single)
     assert "The method in pictures" not in text
-    assert "Every spring remembers how it was pressed" in text
+    assert "The load of every spring is a hereditary integral of its compression" in text
 
 
 def test_figures_of_a_sweep(unprinted):

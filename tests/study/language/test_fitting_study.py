@@ -266,7 +266,7 @@ def test_a_force_map_is_laid_on_its_grid(here):
     outcome = gather_fits(study, fit_curves(study, todo), started=0.0)
     grid = map_grid(outcome)
     assert isinstance(grid, Grid)
-    assert np.allclose(grid.laid(outcome.numbers(study.free[0])), truth, rtol=0.02)
+    assert np.allclose(grid.arranged(outcome.numbers(study.free[0])), truth, rtol=0.02)
     assert np.allclose(grid.x, 1e-3 + 2e-6 * np.arange(3), rtol=1e-12)
 
 

@@ -17,7 +17,8 @@ from winkler.study.batch.run import run
 from winkler.study.chapters.answer import Equation
 from winkler.study.language.study import Axis, Study
 from winkler.study.report.describe import content_label, in_words, inputs, values_text
-from winkler.study.report.figures import answers_over, svg_element
+from winkler.study.report.figure import svg_element
+from winkler.study.report.figures import answers_over
 from winkler.study.report.markup import safe, table, with_fixed_units
 from winkler.study.report.mathml import formula, inline, symbol
 

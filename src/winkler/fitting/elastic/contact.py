@@ -25,8 +25,8 @@ from winkler.problems.adhesion.law_states import states_of
 from winkler.problems.normal.indentation import Indentation
 
 __all__ = [
+    "DirectionRun",
     "HeldContact",
-    "Run",
     "attached",
     "comparable",
     "held_contact",
@@ -39,7 +39,7 @@ MOST_PULLS_BEYOND = 2.0
 """Greatest tension of the continued branch, in multiples of the pull-off force."""
 
 
-class Run(NamedTuple):
+class DirectionRun(NamedTuple):
     """Points from `start` to `stop` of one direction; `turn` is the largest position [m] before the retraction."""
 
     start: int
@@ -71,17 +71,17 @@ class HeldContact(NamedTuple):
     adhesive: bool
 
 
-def runs_of(curve: ForceCurve) -> tuple[Run, ...]:
+def runs_of(curve: ForceCurve) -> tuple[DirectionRun, ...]:
     """Return the runs of one direction."""
     turns = np.flatnonzero(np.diff(curve.direction)) + 1
     edges = [0, *turns.tolist(), curve.count]
-    runs: list[Run] = []
+    runs: list[DirectionRun] = []
     for start, stop in zip(edges[:-1], edges[1:], strict=True):
         inward = bool(curve.direction[start] > 0.0)
         top = np.inf
         if not inward and runs and runs[-1].inward:
             top = max(float(curve.position[runs[-1].start : runs[-1].stop].max()), float(curve.position[start]))
-        runs.append(Run(start, stop, inward, top))
+        runs.append(DirectionRun(start, stop, inward, top))
     return tuple(runs)
 
 
@@ -105,7 +105,9 @@ def states_for(model: Model) -> EdgeStates:
             )
 
 
-def held_contact(model: Model, compliance: float, position: Array, runs: tuple[Run, ...], origin: float) -> HeldContact:
+def held_contact(
+    model: Model, compliance: float, position: Array, runs: tuple[DirectionRun, ...], origin: float
+) -> HeldContact:
     """Return the contact continued to all positions D from first touch.
 
     Parameters
@@ -200,7 +202,7 @@ def _unloaded(
     )
 
 
-def attached(held: HeldContact, measured: Array, runs: tuple[Run, ...], weights: Array) -> Array:
+def attached(held: HeldContact, measured: Array, runs: tuple[DirectionRun, ...], weights: Array) -> Array:
     """Return the points in contact.
 
     Parameters

@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
-from winkler.fitting.elastic.rising import Pair, RadiusTable, RisingPiece, tabulated
+from winkler.fitting.elastic.rising import Pair, RadiusTable, RisingBranch, tabulated
 from winkler.media.body_of import thickness_of
 from winkler.numerics.equations.roots import rough_root
 from winkler.numerics.types import Array
@@ -199,7 +199,9 @@ def response(states: EdgeStates, compliance: float, highest: float) -> MachineRe
     return MachineResponse(table, (level, force, stiffness, high), held)
 
 
-def _held(table: RadiusTable, piece: RisingPiece, states: EdgeStates, compliance: float, widest: float) -> Continuation:
+def _held(
+    table: RadiusTable, piece: RisingBranch, states: EdgeStates, compliance: float, widest: float
+) -> Continuation:
     """Return the continuation of the force of a branch."""
     start = table.start(piece)
     radius = table.radius(start)

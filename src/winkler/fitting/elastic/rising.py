@@ -16,7 +16,7 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["Pair", "PanelPlaces", "RadiusTable", "RisingPiece", "tabulated"]
+__all__ = ["Pair", "PanelPlaces", "RadiusTable", "RisingBranch", "tabulated"]
 
 DEGREE = 14
 RESOLUTION = 1e-10
@@ -32,7 +32,7 @@ FALL_TOLERANCE = 1e-9
 Pair = Callable[[Array], tuple[Array, Array]]
 
 
-class RisingPiece(NamedTuple):
+class RisingBranch(NamedTuple):
     """An interval on which the first function rises: coordinates s and increasing values."""
 
     places: Array
@@ -63,7 +63,7 @@ class RadiusTable(NamedTuple):
     left: Array
     right: Array
     series: Array
-    pieces: tuple[RisingPiece, ...]
+    pieces: tuple[RisingBranch, ...]
 
     def radius(self, places: PanelPlaces) -> Array:
         """Return the contact radii a [m]."""
@@ -71,7 +71,7 @@ class RadiusTable(NamedTuple):
         y = 0.5 * (left + right) + 0.5 * (right - left) * places.t
         return np.asarray(np.where(base > 0.0, np.hypot(base, y), y))
 
-    def start(self, piece: RisingPiece) -> PanelPlaces:
+    def start(self, piece: RisingBranch) -> PanelPlaces:
         """Return the place where a piece begins."""
         return self.places(piece.places[:1])
 
@@ -88,7 +88,7 @@ class RadiusTable(NamedTuple):
         y = np.sqrt(np.maximum((radius - base) * (radius + base), 0.0))
         return PanelPlaces(panel, np.clip((2.0 * y - left - right) / (right - left), -1.0, 1.0))
 
-    def where(self, piece: RisingPiece, target: Array) -> PanelPlaces:
+    def where(self, piece: RisingBranch, target: Array) -> PanelPlaces:
         """Return the positions on a piece at which the first function takes target values."""
         right = np.clip(np.searchsorted(piece.levels, target, side="left"), 1, len(piece.levels) - 1)
         low, high = piece.places[right - 1], piece.places[right]
@@ -234,7 +234,7 @@ def _resolved(function: Pair, base: Array, left: Array, right: Array, high: floa
     return tuple(column[rank] for column in columns[1:])
 
 
-def _pieces(rows: Array) -> tuple[RisingPiece, ...]:
+def _pieces(rows: Array) -> tuple[RisingBranch, ...]:
     """Return the intervals of rising D, from the Chebyshev coefficients of all panels."""
     count = rows.shape[0]
     derivative, samples = _grids()
@@ -265,15 +265,15 @@ def _pieces(rows: Array) -> tuple[RisingPiece, ...]:
     return _rising(s, grid, noise)
 
 
-def _rising(s: Array, level: Array, noise: float) -> tuple[RisingPiece, ...]:
+def _rising(s: Array, level: Array, noise: float) -> tuple[RisingBranch, ...]:
     """Return the intervals on which samples rise; falls within the tolerance are ignored."""
-    pieces: list[RisingPiece] = []
+    pieces: list[RisingBranch] = []
     start = 0
     falls = np.flatnonzero(np.diff(level) < 0.0)
     for stop in [*falls.tolist(), level.size - 1]:
         if stop > start and level[stop] - level[start] > noise:
             rising_level = np.maximum.accumulate(level[start : stop + 1])
             rises = np.concatenate([[True], np.diff(rising_level) > 0.0])
-            pieces.append(RisingPiece(s[start : stop + 1][rises], rising_level[rises]))
+            pieces.append(RisingBranch(s[start : stop + 1][rises], rising_level[rises]))
         start = stop + 1
     return tuple(pieces)

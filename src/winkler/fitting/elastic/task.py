@@ -18,8 +18,8 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.fitting.curves.checks import CurveOutline
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.elastic.contact import (
+    DirectionRun,
     HeldContact,
-    Run,
     attached,
     comparable,
     held_contact,
@@ -52,7 +52,7 @@ class ElasticTask(FitTask):
         return float(np.linalg.norm(self.curve.force * self.weights))
 
     @functools.cached_property
-    def runs(self) -> tuple[Run, ...]:
+    def runs(self) -> tuple[DirectionRun, ...]:
         """The parts of the curve of one direction."""
         return runs_of(self.curve)
 

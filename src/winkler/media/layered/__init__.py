@@ -1,1 +1,1 @@
-"""Layered bodies, and bodies graded in depth by any law."""
+"""Layered bodies, and bodies graded in depth by a given law."""

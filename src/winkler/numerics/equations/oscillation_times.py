@@ -70,7 +70,7 @@ def oscillation_moments(cycles: float, count: int, waves: tuple[tuple[float, flo
 
     Examples
     --------
-    >>> swings(1.0, 5)
+    >>> oscillation_moments(1.0, 5)
     array([0.  , 0.2 , 0.25, 0.4 , 0.6 , 0.75, 0.8 , 1.  ])
     """
     for word, number in (("cycles", cycles), *(("the ratio of frequencies", rate) for rate, _ in waves)):

@@ -13,7 +13,7 @@ from winkler.errors import OutsideValidity
 from winkler.loading import Depth, Force, ShearForce, Shift
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.panel import Arrow, Axis, Line, Panel, Polygon, note, zero
+from winkler.plot.panel import Arrow, Line, Panel, PanelAxis, Polygon, note, zero
 from winkler.plot.series import series, with_unit
 from winkler.problems.adhesion.cycle import AdhesiveCycle, AdhesiveCycleSolution
 from winkler.problems.adhesion.cycle_states import AdhesiveState, EdgeState
@@ -87,7 +87,7 @@ def cycle_panels(solution: AdhesiveCycleSolution) -> tuple[Panel, Panel]:
         low = max(
             low - margin, float(np.min(interacting)) - SEPARATED_SHARE * float(np.max(path.place) - np.min(interacting))
         )
-    across = Axis.of(along, margin=MARGIN, low=low if interacting.size else None)
+    across = PanelAxis.of(along, margin=MARGIN, low=low if interacting.size else None)
     panels = []
     for what, content in (("force", path.force), ("radius", path.radius)):
         of = series(what, content, AdhesiveCycleSolution)
@@ -98,7 +98,7 @@ def cycle_panels(solution: AdhesiveCycleSolution) -> tuple[Panel, Panel]:
         if solution.depth.size <= MOST_MARKED_POINTS:
             points = getattr(solution, name), getattr(solution, what)
             marks.append(Line(*points, width=0.0, marker="o", size=4.0))
-        upright = Axis.of(of, margin=0.08, low=0.0 if what == "radius" else None)
+        upright = PanelAxis.of(of, margin=0.08, low=0.0 if what == "radius" else None)
         panels.append(Panel(tuple(marks), across, upright))
     lost, closed = (
         with_unit(float(solution.dissipation[-1]), "J"),
@@ -110,7 +110,7 @@ def cycle_panels(solution: AdhesiveCycleSolution) -> tuple[Panel, Panel]:
     return panels[0].plus(zero(), *area, text), panels[1]
 
 
-class _Path(NamedTuple):
+class _CyclePath(NamedTuple):
     """States along a cycle, jumps included: between two neighbours there may be a jump."""
 
     place: Array
@@ -119,7 +119,7 @@ class _Path(NamedTuple):
     is_jump: Array
 
 
-def _detailed_path(solution: AdhesiveCycleSolution) -> _Path:
+def _detailed_path(solution: AdhesiveCycleSolution) -> _CyclePath:
     """Return the cycle with intermediate states; the solution depends on the turning points alone."""
     places: list[EdgeState | AdhesiveState] = []
     is_jump: list[bool] = []
@@ -131,7 +131,7 @@ def _detailed_path(solution: AdhesiveCycleSolution) -> _Path:
         is_jump.append(False)
         # is_jump[i] belongs to the step from state i to the next one
     numbers = np.array([(state.position, state.force, state.radius) for state in places])
-    return _Path(numbers[:, 0], numbers[:, 1], numbers[:, 2], np.array(is_jump))
+    return _CyclePath(numbers[:, 0], numbers[:, 1], numbers[:, 2], np.array(is_jump))
 
 
 def _refined(solution: AdhesiveCycleSolution) -> AdhesiveCycle:
@@ -192,5 +192,5 @@ def sheared_panels(solution: AdhesiveShearSolution) -> tuple[Panel, Panel]:
             Line(*requested, width=0.0, marker="o", name="requested", clipped=False),
             Line(*end, style.RED, width=0.0, marker="o", name="instability"),
         )
-        panels.append(Panel(marks, Axis.of(shift, margin=MARGIN), Axis.of(of, low=0.0)))
+        panels.append(Panel(marks, PanelAxis.of(shift, margin=MARGIN), PanelAxis.of(of, low=0.0)))
     return panels[0].plus(note("approximate", "upper left")), panels[1].plus(legend="lower left")

@@ -13,7 +13,7 @@ from winkler.laws.adhesion import ShortRange
 from winkler.loading import Depth, Force
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.panel import Arrow, Axis, Line, Panel, Rule, note, zero
+from winkler.plot.panel import Arrow, Line, Panel, PanelAxis, Rule, note, zero
 from winkler.plot.series import series
 from winkler.problems.adhesion.equilibrium import Equilibrium, EquilibriumCurve
 from winkler.problems.adhesion.indentation import AdhesiveIndentation, AdhesiveSolution
@@ -59,7 +59,7 @@ def _over(curve: EquilibriumCurve, name: str) -> Panel:
     lines = [Line(x.content, y.content, style.MUTED, width=1.2, dash=style.DASHES[1], name=unstable)]
     for place, inside in enumerate(_stable_branches(curve)):
         lines.append(Line(x.content[inside], y.content[inside], width=2.0, name="" if place else "stable"))
-    return Panel(tuple(lines), Axis.of(x, margin=MARGIN), Axis.of(y, margin=0.08))
+    return Panel(tuple(lines), PanelAxis.of(x, margin=MARGIN), PanelAxis.of(y, margin=0.08))
 
 
 def _stable_branches(curve: EquilibriumCurve) -> list[Array]:

@@ -15,7 +15,7 @@ from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.conduction.fields import conduction_map, crossing_panel
 from winkler.plot.drawing import sheet_of
-from winkler.plot.panel import Area, Axis, Line, Panel, Sheet
+from winkler.plot.panel import Area, Line, Panel, PanelAxis, Sheet
 from winkler.plot.series import Series, common_scale, middle_scale, series, with_unit
 from winkler.problems.conduction.constriction import ConstrictionSolution
 from winkler.problems.conduction.joule_heating import JouleHeatingSolution
@@ -98,7 +98,7 @@ def _resistance_panel(curve: Steady, item: Steady) -> Panel:
         marks.append(Line(force[touching], requested[touching], style.RED, width=0.0, marker="o", name="requested"))
     low = (0.3 if len(parts) > 1 else 0.7) * float(np.min(whole.content))
     is_sparse = bool(np.ptp(np.log10(whole.content)) > 0.8)
-    upright = Axis.of(
+    upright = PanelAxis.of(
         whole,
         middle_scale(whole.word.unit, whole.content),
         low=low,
@@ -106,7 +106,7 @@ def _resistance_panel(curve: Steady, item: Steady) -> Panel:
         log=True,
         sparse=is_sparse,
     )
-    across = Axis.of(along, middle_scale("N", along.content), log=True)
+    across = PanelAxis.of(along, middle_scale("N", along.content), log=True)
     return Panel(tuple(marks), across, upright, legend="upper right", title="resistance over force")
 
 
@@ -114,18 +114,18 @@ def _parts_panel(curve: Steady) -> Panel:
     """Return the parts of the resistance in per cent."""
     owner = type(curve)
     along = series("force", curve.force, owner)
-    across = Axis.of(along, middle_scale("N", along.content), log=True)
+    across = PanelAxis.of(along, middle_scale("N", along.content), log=True)
     parts = _resistance_parts(curve)
     if len(parts) == 1:
         radius = series("radius", curve.radius, owner)
         title = "springs in contact conduct: $R\\propto1/a$"
-        return Panel((Line(along.content, radius.content),), across, Axis.of(radius, log=True), title=title)
+        return Panel((Line(along.content, radius.content),), across, PanelAxis.of(radius, log=True), title=title)
     rows = np.cumsum([np.zeros(along.content.shape), *(100.0 * part / curve.resistance for _, part in parts)], axis=0)
     areas = [
         Area(along.content, low, high, colour, 0.6, label)
         for low, high, colour, (label, _) in zip(rows, rows[1:], style.CYCLE, parts, strict=False)
     ]
-    upright = Axis("part of the resistance [%]", low=0.0, high=100.0)
+    upright = PanelAxis("part of the resistance [%]", low=0.0, high=100.0)
     return Panel(tuple(areas), across, upright, legend="lower left", title="parts of the resistance")
 
 
@@ -185,8 +185,8 @@ def _voltages_panel(item: JouleHeatingSolution) -> Panel:
     point = np.array([float(item.voltage)]), np.array([float(item.max_temperature)])
     name = with_unit(float(item.current), "A")
     marks.append(Line(*point, style.RED, width=0.0, marker="o", clipped=False, name=name))
-    upright = Axis("temperature $T$", common_scale(hottest, contact))
-    return Panel(tuple(marks), Axis.of(along), upright, legend="upper left", title="temperature over voltage")
+    upright = PanelAxis("temperature $T$", common_scale(hottest, contact))
+    return Panel(tuple(marks), PanelAxis.of(along), upright, legend="upper left", title="temperature over voltage")
 
 
 def _current_panel(item: JouleHeatingSolution) -> Panel:
@@ -195,14 +195,14 @@ def _current_panel(item: JouleHeatingSolution) -> Panel:
     along, of = _collected(solutions, "voltage"), _collected(solutions, "current")
     point = np.array([float(item.voltage)]), np.array([float(item.current)])
     marks = Line(along.content, of.content), Line(*point, style.RED, width=0.0, marker="o")
-    return Panel(marks, Axis.of(along), Axis.of(of), title="current over voltage")
+    return Panel(marks, PanelAxis.of(along), PanelAxis.of(of), title="current over voltage")
 
 
 def _heated_over_force(item: JouleHeatingSolution) -> Sheet:
     """Return temperature and voltage over the force, for many loads."""
     curve = _curve_over_force(item)
     along = series("force", curve.force, JouleHeatingSolution)
-    across = Axis.of(along, middle_scale("N", along.content), log=True)
+    across = PanelAxis.of(along, middle_scale("N", along.content), log=True)
     panels = []
     for name in ("max_temperature", "resistance"):
         of = series(name, getattr(curve, name), JouleHeatingSolution)
@@ -210,7 +210,7 @@ def _heated_over_force(item: JouleHeatingSolution) -> Sheet:
         force, requested = (np.ravel(np.asarray(part, dtype=float)) for part in (item.force, getattr(item, name)))
         if requested.size <= POINTS:
             marks.append(Line(force, requested, style.RED, width=0.0, marker="o"))
-        upright = Axis.of(of, middle_scale(of.word.unit, of.content), log=name == "resistance")
+        upright = PanelAxis.of(of, middle_scale(of.word.unit, of.content), log=name == "resistance")
         panels.append(Panel(tuple(marks), across, upright, title=f"{name.removeprefix('max_')} over force"))
     cold = Line(along.content, np.asarray(curve.cold_resistance), style.MUTED, dash=style.DASHES[1], name="cold")
     return Sheet((panels[0], panels[1].plus(cold, legend="upper right")), height=3.2)

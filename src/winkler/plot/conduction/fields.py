@@ -11,7 +11,7 @@ from winkler.errors import InvalidInput
 from winkler.plot import style
 from winkler.plot.drawing import sheet_of
 from winkler.plot.extent import checked_extent
-from winkler.plot.panel import Axis, Line, Map, Panel, Rule, Sheet, note
+from winkler.plot.panel import Line, Map, Panel, PanelAxis, Rule, Sheet, note
 from winkler.plot.series import Series, places, scale_of, series
 from winkler.problems.conduction.fields import CurrentFields, HeatFields, restore_conduction
 from winkler.problems.conduction.joule_heating import JouleHeatingSolution
@@ -64,14 +64,14 @@ def _map(fields: CurrentFields | HeatFields, radius: float | None = None) -> Pan
         return Panel((note("the same everywhere", "upper centre"),), title=MAP_TITLE)
     look: dict[str, Any] = {"colours": style.HEATS, "levels": LEVELS, "shrink": 0.8}
     marks: list[Any] = [
-        Map(x, y, c, Axis.of(temperature), line_width=0.5, line_alpha=0.8, lines="all", **look),
+        Map(x, y, c, PanelAxis.of(temperature), line_width=0.5, line_alpha=0.8, lines="all", **look),
         Rule(0.0, colour=style.INK),
     ]
     if radius is not None:
         marks.append(Line(np.array([-radius, radius]), np.zeros(2), width=3.0))
     scale = scale_of("m", fields.r, fields.z)
-    across = Axis.of(series("r", fields.r, type(fields)), scale)
-    upright = Axis.of(series("z", fields.z, type(fields)), scale, falling=True)
+    across = PanelAxis.of(series("r", fields.r, type(fields)), scale)
+    upright = PanelAxis.of(series("z", fields.z, type(fields)), scale, falling=True)
     upright = dataclasses.replace(upright, label=upright.label.replace("depth below the surface", "depth"))
     return Panel(tuple(marks), across, upright, equal=True, grid="", title=MAP_TITLE)
 
@@ -105,9 +105,9 @@ def _line_panel(fields: CurrentFields | HeatFields, along: Series) -> Panel:
     heat = Line(along.content, temperature.content, style.RED, dash=style.DASHES[1], beside=True)
     return Panel(
         (Line(along.content, drawn), heat),
-        Axis.of(along),
-        Axis(label, scale, low=0.0, high=top, colour=style.BLUE),
-        beside=(Axis(f"temperature ${temperature.word.symbol}$", temperature.scale, colour=style.RED),),
+        PanelAxis.of(along),
+        PanelAxis(label, scale, low=0.0, high=top, colour=style.BLUE),
+        beside=(PanelAxis(f"temperature ${temperature.word.symbol}$", temperature.scale, colour=style.RED),),
     )
 
 

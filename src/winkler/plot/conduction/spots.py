@@ -11,7 +11,7 @@ from winkler.errors import InvalidInput
 from winkler.loading import Depth, Force
 from winkler.plot import style
 from winkler.plot.drawing import sheet_of
-from winkler.plot.panel import Area, Axis, Bars, Line, Map, Panel, Rule, Sheet, plane
+from winkler.plot.panel import Area, Bars, Line, Map, Panel, PanelAxis, Rule, Sheet, plane
 from winkler.plot.series import scale_of, series, with_unit
 from winkler.problems.conduction.bounds import ConductanceBoundsSolution
 from winkler.problems.conduction.spots import SpotClusterSolution
@@ -36,7 +36,7 @@ def spots_sheet(item: SpotClusterSolution, *, extent: float | None = None) -> Sh
     scale = scale_of("m", reach)
     # current over radius, against that of all spots together: the reduction by the other spots
     load = item.shares / problem.radii * np.sum(problem.radii)
-    bar = Axis("current over that of its radius' part")
+    bar = PanelAxis("current over that of its radius' part")
     marks: list[Any] = [Map(problem.x, problem.y, problem.radii, bar, kind="discs", levels=load, shrink=0.8)]
     if math.isfinite(item.holm_radius):
         weight, turn = problem.radii / np.sum(problem.radii), np.linspace(0.0, 2.0 * np.pi, 181)
@@ -55,8 +55,8 @@ def spots_sheet(item: SpotClusterSolution, *, extent: float | None = None) -> Sh
         for name, length, row, colour, start in parts
     ]
     greatest = max(item.greenwood, item.resistance)
-    across = Axis("resistance $R$", scale_of("ohm", [one[1] for one in parts]), low=0.0, high=1.08 * greatest)
-    upright = Axis(low=-0.6, high=2.3, ticks=np.array([0.0, 1.0]), names=("Greenwood", "one voltage"))
+    across = PanelAxis("resistance $R$", scale_of("ohm", [one[1] for one in parts]), low=0.0, high=1.08 * greatest)
+    upright = PanelAxis(low=-0.6, high=2.3, ticks=np.array([0.0, 1.0]), names=("Greenwood", "one voltage"))
     title = f"$R$ = {with_unit(item.resistance, 'ohm')}"
     return Sheet((left, Panel(tuple(bars), across, upright, title, grid="x", legend="upper left")), height=3.3)
 
@@ -91,6 +91,9 @@ def bounds_sheet(item: ConductanceBoundsSolution, *, extent: float | None = None
         line = np.array([-0.6, 0.6]) * depth0
         text = f"{name}: {with_unit(slope, 'N/m')}"
         marks.append(Line(depth0 + rough + line, problem.force + slope * line, colour, dash=style.DASHES[3], name=text))
-    across, upright = Axis.of(along, low=0.0, high=float(shifted[-1])), Axis.of(of, low=0.0, high=float(np.max(force)))
+    across, upright = (
+        PanelAxis.of(along, low=0.0, high=float(shifted[-1])),
+        PanelAxis.of(of, low=0.0, high=float(np.max(force))),
+    )
     title = f"conductance from {with_unit(item.least_conductance, 'S')} to {with_unit(item.greatest_conductance, 'S')}"
     return Sheet((Panel(tuple(marks), across, upright, title, legend="upper left"),), width=5.2, height=3.4)

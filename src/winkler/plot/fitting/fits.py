@@ -10,7 +10,7 @@ from winkler.fitting.compare import AnyFit
 from winkler.fitting.outcome import CreepFit, Fit
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.panel import Axis, Bars, Dots, Line, Map, Panel, Rule, Sheet
+from winkler.plot.panel import Bars, Dots, Line, Map, Panel, PanelAxis, Rule, Sheet
 from winkler.plot.series import Scale, Series, common_scale, middle_scale
 from winkler.vocabulary import Word
 
@@ -73,15 +73,15 @@ def fit_panels(fit: AnyFit, some: Array | None = None) -> tuple[Panel, Panel]:
         first_touch = Rule(0.0, upright=True, dash=style.DASHED, order=0.0)
         above.append(first_touch)
         below.append(first_touch)
-    across = Axis.of(along, margin=0.02)
+    across = PanelAxis.of(along, margin=0.02)
     upper = Panel(
         tuple(above),
-        Axis(scale=across.scale, margin=0.02),
-        Axis.of(measured, upright, margin=0.05),
+        PanelAxis(scale=across.scale, margin=0.02),
+        PanelAxis.of(measured, upright, margin=0.05),
         legend="upper left" if isinstance(fit, Fit) else "best",
         marker_scale=2.0,
     )
-    return upper, Panel(tuple(below), across, Axis.of(left))
+    return upper, Panel(tuple(below), across, PanelAxis.of(left))
 
 
 def origin_of(fit: AnyFit) -> float:
@@ -154,8 +154,10 @@ def numbers_sheet(of: Series, errors: Array) -> Sheet:
     middle = Rule(median, colour=style.RED, width=1.2)
     counts, edges = np.histogram(content, bins=min(MOST_BINS, max(5, int(np.sqrt(content.size)))))
     places, thick = 0.5 * (edges[1:] + edges[:-1]), float(edges[1] - edges[0])
-    left = Panel((points, middle), Axis("number of the curve", margin=0.03, parts=6), Axis.of(of, scale, margin=0.08))
-    right = Panel((Bars(places, counts, thick=thick), middle), Axis("curves", parts=3), Axis(scale=scale))
+    left = Panel(
+        (points, middle), PanelAxis("number of the curve", margin=0.03, parts=6), PanelAxis.of(of, scale, margin=0.08)
+    )
+    right = Panel((Bars(places, counts, thick=thick), middle), PanelAxis("curves", parts=3), PanelAxis(scale=scale))
     drawn = f"{median / scale.factor:.4g}{f' {scale.unit}' if scale.unit else ''}"
     return Sheet((left, right.plus(title=f"median {drawn}")), width=3.2, height=2.9, widths=(2.6, 1.0), shared="y")
 
@@ -226,8 +228,8 @@ def map_sheet(grid: Grid, of: Series) -> Sheet:
     of : Series
         One number for each curve; blank where there is none.
     """
-    bar = Axis.of(of, middle_scale(of.word.unit, of.content))
+    bar = PanelAxis.of(of, middle_scale(of.word.unit, of.content))
     look: dict[str, Any] = {"kind": "cells", "colours": "viridis", "ground": style.PALE}
     drawn = Map(grid.x - grid.x.min(), grid.y - grid.y.min(), grid.arranged(of.content), bar, **look)
-    axes = Axis("x", Scale(1e-6, "µm")), Axis("y", Scale(1e-6, "µm"))
+    axes = PanelAxis("x", Scale(1e-6, "µm")), PanelAxis("y", Scale(1e-6, "µm"))
     return Sheet((Panel((drawn,), *axes, equal=True, grid=""),), width=4.8, height=3.9)

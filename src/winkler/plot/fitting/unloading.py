@@ -9,7 +9,7 @@ import numpy as np
 from winkler.fitting.curves.segments import Segment, SegmentKind
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.panel import Axis, Band, Line, Panel, Rule, Sheet, Text, titled
+from winkler.plot.panel import Band, Line, Panel, PanelAxis, Rule, Sheet, Text, titled
 from winkler.plot.series import Series
 from winkler.vocabulary import Word
 
@@ -88,7 +88,7 @@ def _over_time(curve: ForceCurve, segments: tuple[Segment, ...]) -> Panel:
         if end - start > LEAST_LABELLED_SHARE * span:
             marks.append(Text(0.5 * (start + end), 0.98, part.kind.value, **look))
     marks.append(Line(along, force.content, style.INK, width=1.2))
-    return Panel(tuple(marks), Axis.of(order), Axis.of(force, headroom=HEADROOM))
+    return Panel(tuple(marks), PanelAxis.of(order), PanelAxis.of(force, headroom=HEADROOM))
 
 
 def _over_depth(depth: Series, curve: ForceCurve, segments: tuple[Segment, ...]) -> Panel:
@@ -99,7 +99,7 @@ def _over_depth(depth: Series, curve: ForceCurve, segments: tuple[Segment, ...])
         own = [_with_start(part, depth.content, force.content) for part in segments if part.kind is kind]
         look: dict[str, Any] = {"width": 0.8, "marker": ".", "size": 2.5, "coarse": curve.count > 4000}
         lines += [Line(*points, colour, name="" if place else kind.value, **look) for place, points in enumerate(own)]
-    return Panel(tuple(lines), Axis.of(depth, margin=0.02), Axis.of(force, margin=0.04), legend="upper left")
+    return Panel(tuple(lines), PanelAxis.of(depth, margin=0.02), PanelAxis.of(force, margin=0.04), legend="upper left")
 
 
 def _with_start(part: Segment, x: Array, y: Array) -> tuple[Array, Array]:

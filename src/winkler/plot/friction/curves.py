@@ -12,7 +12,7 @@ from winkler.foundation.sheared import ShearedSprings
 from winkler.foundation.sheared_fields import ShearedFields
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.panel import Area, Axis, Band, Line, Panel, Rule, note, zero
+from winkler.plot.panel import Area, Band, Line, Panel, PanelAxis, Rule, note, zero
 from winkler.plot.series import Series, common_scale, places, scale_of, series, with_unit
 
 __all__ = [
@@ -66,7 +66,7 @@ def loop_panel(along: Series, of: Series, lost: float | None = None) -> Panel:
         Line(x[-1:], y[-1:], style.RED, width=0.0, marker="o", order=6.0),
     ]
     marks += [] if lost is None else [note(loss_text(lost, x, y), "upper left")]
-    return Panel(tuple(marks), Axis.of(along, margin=0.06), Axis.of(of, margin=0.12))
+    return Panel(tuple(marks), PanelAxis.of(along, margin=0.06), PanelAxis.of(of, margin=0.12))
 
 
 def loss_text(lost: float, path: Array, load: Array) -> str:
@@ -102,7 +102,7 @@ def lines_panel(
         marks.append(Line(along.content, content, name=name if len(lines) > 1 else "", **look))
     names = [name for _, name in lines if not name.startswith("_")]
     columns = 3 if bounded else len(names) if sum(map(len, names)) <= MOST_LEGEND_LETTERS else 2
-    upright = Axis(
+    upright = PanelAxis(
         label,
         common_scale(*(line for line, _ in lines)),
         low=low,
@@ -111,7 +111,7 @@ def lines_panel(
         log=log,
     )
     legend: dict[str, Any] = {"legend": "upper center" if len(lines) > 1 else "", "columns": columns, "spaced": True}
-    return Panel(tuple(marks), Axis.of(along, margin=0.0), upright, **legend)
+    return Panel(tuple(marks), PanelAxis.of(along, margin=0.0), upright, **legend)
 
 
 BOUNDS = (r"$\pm\mu F_N$", "bound of friction")
@@ -147,9 +147,11 @@ def energies_panel(solution: Any, names: dict[str, str], along: str = "time", he
             rows, rows[1:], (style.RED, style.BLUE, style.GREEN, style.ORANGE), names.values(), strict=False
         )
     ]
-    upright = Axis("energy", scale, low=0.0, high=height_factor * (1.15 * greatest if greatest > 0.0 else scale.factor))
+    upright = PanelAxis(
+        "energy", scale, low=0.0, high=height_factor * (1.15 * greatest if greatest > 0.0 else scale.factor)
+    )
     line = Line(across.content, rows[-1], style.INK, width=1.0)
-    return Panel((*areas, line), Axis.of(across, margin=0.0), upright, legend="upper left")
+    return Panel((*areas, line), PanelAxis.of(across, margin=0.0), upright, legend="upper left")
 
 
 def traction_panel(fields: ShearedFields, coefficient: float, stick: float) -> Panel:
@@ -178,8 +180,8 @@ def traction_panel(fields: ShearedFields, coefficient: float, stick: float) -> P
         marks += [Line(x, y, colour, name=name), Area(x, y, 0.0, colour, 0.12)]
     low = max(min(0.0, *(float(np.min(row)) for row in rows)), -top)
     of = series("traction", rows[0])
-    upright = Axis.of(of, scale, low=1.15 * low, high=1.45 * top if top > 0.0 else scale.factor)
-    across = Axis.of(series("r", fields.r), scale_of("m", [extent]), low=-extent, high=extent)
+    upright = PanelAxis.of(of, scale, low=1.15 * low, high=1.45 * top if top > 0.0 else scale.factor)
+    across = PanelAxis.of(series("r", fields.r), scale_of("m", [extent]), low=-extent, high=extent)
     return Panel(tuple(marks), across, upright, legend="upper right")
 
 
@@ -211,9 +213,9 @@ def slip_panel(fields: ShearedFields, radius: float, stick: float) -> Panel:
         look: dict[str, Any] = {"dash": style.DASHES[1], "name": f"$s{index}$ slipped"}
         marks.append(Line(fields.r, slip, style.CYCLE[2 * place + 1], **look))
     marks += [Rule(radius, upright=True, width=0.9, dash=style.DOTTED), zero()]
-    across = Axis.of(series("r", fields.r), scale_of("m", [extent]), low=0.0, high=extent)
+    across = PanelAxis.of(series("r", fields.r), scale_of("m", [extent]), low=0.0, high=extent)
     scale = scale_of("m", *moved, *slips)
-    upright = Axis("along the surface", scale, margin=0.08, headroom=0.35 if len(moved) == 1 else 0.5)
+    upright = PanelAxis("along the surface", scale, margin=0.08, headroom=0.35 if len(moved) == 1 else 0.5)
     letters = sum(len(mark.name) for mark in marks if isinstance(mark, Line | Band))
     columns = (
         sum(bool(mark.name) for mark in marks if isinstance(mark, Line | Band)) if letters <= MOST_LEGEND_LETTERS else 2

@@ -12,7 +12,7 @@ from winkler.loading import ShearForce, Shift
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.friction.curves import lines_panel
-from winkler.plot.panel import Axis, Line, Panel, Polygon, Rule, Sheet, note, titled, zero
+from winkler.plot.panel import Line, Panel, PanelAxis, Polygon, Rule, Sheet, note, titled, zero
 from winkler.plot.series import Series, middle_scale, series, with_unit
 from winkler.problems.friction.bimodal_damping import BimodalDampingSolution
 from winkler.problems.friction.damping import FrictionDamping, FrictionDampingSolution
@@ -66,8 +66,8 @@ def _over(curve: FrictionDampingSolution, item: FrictionDampingSolution, name: s
         Line(shift[moving], requested[moving], style.RED, width=0.0, marker="o", name="requested"),
         Rule(reach, upright=True, width=0.9, dash=style.DOTTED, name="all slides"),
     )
-    across = Axis("amplitude of the shift $U$", middle_scale("m", along.content), log=True)
-    upright = Axis.of(of, middle_scale(of.word.unit, of.content), **ends)
+    across = PanelAxis("amplitude of the shift $U$", middle_scale("m", along.content), log=True)
+    upright = PanelAxis.of(of, middle_scale(of.word.unit, of.content), **ends)
     return Panel(marks, across, upright, legend="upper left")
 
 
@@ -86,7 +86,7 @@ def _cycle_panel(problem: FrictionDamping, amplitude: float) -> Panel:
         zero(),
         note(f"shaded: {with_unit(float(loss), 'J')}", "upper left"),
     )
-    return Panel(marks, Axis.of(along, margin=0.06), Axis.of(of, margin=0.12))
+    return Panel(marks, PanelAxis.of(along, margin=0.06), PanelAxis.of(of, margin=0.12))
 
 
 def bimodal_sheet(item: BimodalDampingSolution) -> Sheet:
@@ -98,7 +98,7 @@ def bimodal_sheet(item: BimodalDampingSolution) -> Sheet:
     place = int(np.argmax(np.ravel(item.loss_per_cycle)))
     path = problem.path(float(phase_angle.ravel()[place]), float(amplitudes_along.ravel()[place]), cycles=1)
     depth, shift = series("depth", path.across), series("shift", path.along)
-    across, upright = Axis.of(shift, margin=0.08), Axis.of(depth, margin=0.08, falling=True)
+    across, upright = PanelAxis.of(shift, margin=0.08), PanelAxis.of(depth, margin=0.08, falling=True)
     left = Panel((Line(shift.content, depth.content), zero()), across, upright)
     by_amplitude = bool(np.ptp(amplitudes_along) > 0.0)
     curve = item if amplitudes_along.size > 1 else _over_phase(item)
@@ -111,7 +111,7 @@ def bimodal_sheet(item: BimodalDampingSolution) -> Sheet:
     ]
     if amplitudes_along.size == 1:
         marks.append(Line(phase_angle.ravel(), np.ravel(item.loss_per_cycle), style.RED, width=0.0, marker="o"))
-    right = Panel(tuple(marks), Axis.of(along, margin=0.04), Axis.of(of, low=0.0))
+    right = Panel(tuple(marks), PanelAxis.of(along, margin=0.04), PanelAxis.of(of, low=0.0))
     panels = titled(
         (left, right),
         "the closed cycle" + (" of the greatest loss" if amplitudes_along.size > 1 else ""),

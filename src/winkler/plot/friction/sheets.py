@@ -30,7 +30,7 @@ from winkler.plot.friction.curves import (
 )
 from winkler.plot.friction.springs import dragged_panel
 from winkler.plot.friction.stress import body_stress_panel, dragged_stress_panel
-from winkler.plot.panel import Axis, Line, Panel, Sheet, note, titled, zero
+from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, note, titled, zero
 from winkler.plot.series import Series, headline, places, scale_of, series, with_unit
 from winkler.problems.friction.spring_states import SpringState
 from winkler.problems.friction.tangential import TangentialSolution
@@ -180,9 +180,9 @@ def _twist_panel(state: TorsionState) -> Panel:
         zero(),
     )
     low = -top if np.nanmin(traction) < -0.02 * top else 0.0
-    across = Axis.of(series("r", r), scale_of("m", [radius]), low=0.0, high=1.05 * radius)
+    across = PanelAxis.of(series("r", r), scale_of("m", [radius]), low=0.0, high=1.05 * radius)
     of, high = series("traction", traction), 1.25 * top if top > 0.0 else scale.factor
-    return Panel(marks, across, Axis.of(of, scale, low=1.05 * low, high=high), legend="upper left")
+    return Panel(marks, across, PanelAxis.of(of, scale, low=1.05 * low, high=high), legend="upper left")
 
 
 def _coefficient(law: Any) -> float:
@@ -223,7 +223,7 @@ def _path_panel(item: TangentialSolution) -> Panel:
         marks.append(Line(*circle, style.MUTED, width=1.1, dash=style.DASHES[1]))
         marks.append(note(r"dashed: $\mu F_N$ at the end", "lower left"))
     marks.append(note(loss_text(lost, item.shift, item.shear_force), "upper left"))
-    axes = Axis("shear force $F_x$", scale, margin=0.08), Axis("shear force $F_y$", scale, margin=0.08)
+    axes = PanelAxis("shear force $F_x$", scale, margin=0.08), PanelAxis("shear force $F_y$", scale, margin=0.08)
     return Panel(tuple(marks), *axes, title="path of the shear force", equal=True)
 
 

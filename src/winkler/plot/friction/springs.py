@@ -6,7 +6,7 @@ import numpy as np
 
 from winkler.foundation.sheared import ShearedSprings
 from winkler.plot import style
-from winkler.plot.normal.springs import SpringFrame, SpringRow, row_panel, spring_places
+from winkler.plot.normal.springs import DrawnSprings, SpringFrame, row_panel, spring_places
 from winkler.plot.panel import Line, Panel, note
 
 __all__ = ["dragged_panel"]
@@ -44,7 +44,7 @@ def dragged_panel(sheared: ShearedSprings, stick: float, extent: float, frame: S
         for touches, sticking in zip(touching, sticks, strict=True)
     ]
     strength = np.where(touching, 0.9, 0.5)
-    springs = SpringRow(place, sunk, lean * aside, tuple(colours), np.full(place.shape, 1.1), strength)
+    springs = DrawnSprings(place, sunk, lean * aside, tuple(colours), np.full(place.shape, 1.1), strength)
     depth = float(pressed.depth)
     shift = float(np.clip(np.ravel(sheared.shift)[0], -greatest, greatest)) * lean
     panel = row_panel(

@@ -11,7 +11,7 @@ from winkler.errors import OutsideValidity
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.drawing import sheet_of
-from winkler.plot.panel import Area, Arrow, Axis, Band, Line, Map, Panel, Rule, Sheet, note, plane, titled
+from winkler.plot.panel import Area, Arrow, Band, Line, Map, Panel, PanelAxis, Rule, Sheet, note, plane, titled
 from winkler.plot.series import common_scale, middle_scale, scale_of, series, with_unit
 from winkler.plot.viscoelastic.contacts import refuse_extent
 from winkler.problems.heating.fretting import FrettingHeatSolution
@@ -79,7 +79,7 @@ def _map_panel(body: HeatedBody) -> Panel:
     fine_x, fine_y = (np.linspace(line[0], line[-1], REFINEMENT * line.size) for line in (x, y))
     fine = np.maximum(RectBivariateSpline(x, np.concatenate([-y[:0:-1], y]), _mirror(rise))(fine_x, fine_y), 0.0)
     along, of = series("x", fine_x), series("temperature", _mirror(fine))
-    bar = Axis("rise of temperature", of.scale)
+    bar = PanelAxis("rise of temperature", of.scale)
     look: dict[str, Any] = {"levels": LEVELS, "colours": style.HEATS, "line_width": 0.4, "shrink": 0.78}
     turn = np.linspace(0.0, 2.0 * np.pi, 181)
     peak = np.array([body.warmest.x]), np.array([body.warmest.y])
@@ -112,8 +112,8 @@ def _wake_panel(item: FrictionHeatingSolution) -> Panel:
     marks.append(Band(-a, a, style.MUTED, 0.12))
     rises = [series("temperature", line.y) for line in marks[:2]]
     high = 1.42 * max(float(np.max(rise.content)) for rise in rises)
-    across = Axis("$x$ along the motion", series("x", x).scale)
-    upright = Axis("rise of temperature $T$", common_scale(*rises), low=0.0, high=high)
+    across = PanelAxis("$x$ along the motion", series("x", x).scale)
+    upright = PanelAxis("rise of temperature $T$", common_scale(*rises), low=0.0, high=high)
     return Panel(tuple(marks), across, upright, legend="upper left")
 
 
@@ -133,8 +133,8 @@ def _speeds_panel(item: FrictionHeatingSolution) -> Panel:
             marks.append(Line(speed, estimate, colour, width=1.2, dash=dash, name=label))
     requested = np.array([float(item.flash_temperature) / float(item.stationary_temperature)])
     marks.append(Line(np.array([sliding]), requested, style.RED, width=0.0, marker="o", name="requested", order=5.0))
-    across = Axis("speed of sliding $v$", middle_scale("m/s", speed), log=True)
-    upright = Axis("over that of bodies at rest [-]", low=0.0, high=1.7)
+    across = PanelAxis("speed of sliding $v$", middle_scale("m/s", speed), log=True)
+    upright = PanelAxis("over that of bodies at rest [-]", low=0.0, high=1.7)
     return Panel(tuple(marks), across, upright, legend="upper right", columns=2)
 
 
@@ -148,8 +148,8 @@ def _curves_sheet(item: FrictionHeatingSolution) -> Sheet:
     heated = dataclasses.replace(along, content=along.content[is_heated])
     order = np.argsort(heated.content, kind="stable")
     logarithmic = bool(np.min(heated.content) > 0.0 and np.max(heated.content) > 20.0 * np.min(heated.content))
-    label = Axis.of(heated).label.replace("peclet", "Peclet number")
-    across = Axis(label, middle_scale(heated.word.unit, heated.content), margin=0.03, log=logarithmic)
+    label = PanelAxis.of(heated).label.replace("peclet", "Peclet number")
+    across = PanelAxis(label, middle_scale(heated.word.unit, heated.content), margin=0.03, log=logarithmic)
     panels = []
     for names in (("first_max_temperature", "second_max_temperature", "stationary_temperature"), ("first_share",)):
         many = [
@@ -173,9 +173,11 @@ def _curves_sheet(item: FrictionHeatingSolution) -> Sheet:
             for one, (colour, dash, name) in zip(many, looks, strict=False)
         ]
         share = names == ("first_share",)
-        upright = Axis.of(many[0], scale, low=0.0, high=1.0)
+        upright = PanelAxis.of(many[0], scale, low=0.0, high=1.0)
         if not share:
-            upright = Axis("greatest rise of temperature", scale, low=None if logarithmic else 0.0, log=logarithmic)
+            upright = PanelAxis(
+                "greatest rise of temperature", scale, low=None if logarithmic else 0.0, log=logarithmic
+            )
         panels.append(Panel(tuple(lines), across, upright, legend="" if share else "upper left"))
     titles = ("temperature of the bodies", "part of the heat for the first body")
     return Sheet(titled(panels, *titles), width=4.6, height=3.3)
@@ -205,8 +207,8 @@ def transient_heating_sheet(item: TransientHeatingSolution, *, extent: float | N
         Rule(final, colour=style.GREEN, width=1.2, dash=style.DASHES[2], name="in the end"),
         Line(item.time, item.flash_temperature, style.RED, **look),
     )
-    across = Axis.of(time, middle_scale("s", time.content), log=True)
-    left = Panel(marks, across, Axis.of(of, low=0.0, high=1.15 * final), legend="lower right")
+    across = PanelAxis.of(time, middle_scale("s", time.content), log=True)
+    left = Panel(marks, across, PanelAxis.of(of, low=0.0, high=1.15 * final), legend="lower right")
     r = np.linspace(0.0, RADII_DRAWN, 61) * a
     moments = dataclasses.replace(item.problem, time=np.geomspace(low, high, MOMENTS_DRAWN)).solve()
     rows = moments.first_temperature(r)
@@ -216,8 +218,8 @@ def transient_heating_sheet(item: TransientHeatingSolution, *, extent: float | N
     ]
     rise = series("temperature", rows)
     edge = Rule(a, upright=True, width=0.9, dash=style.DOTTED)
-    upright = Axis("rise of temperature $T$", rise.scale, low=0.0)
-    right = Panel((*lines, edge), Axis.of(series("r", r)), upright, legend="upper right")
+    upright = PanelAxis("rise of temperature $T$", rise.scale, low=0.0)
+    right = Panel((*lines, edge), PanelAxis.of(series("r", r)), upright, legend="upper right")
     titles = ("temperature of the contact", "surface of the first body")
     return Sheet(titled((left, right), *titles), width=4.6, height=3.3)
 
@@ -234,7 +236,7 @@ def fretting_heat_sheet(item: FrettingHeatSolution, *, extent: float | None = No
     if 0.0 < stick < a:
         marks.append(Rule(stick, upright=True, width=0.9, dash=style.DOTTED))
         marks.append(note(f"sticks within {with_unit(stick, 'm', 3)}", "upper left"))
-    left = Panel(tuple(marks), Axis.of(along), Axis("mean heat flux $q$", of.scale, low=0.0))
+    left = Panel(tuple(marks), PanelAxis.of(along), PanelAxis("mean heat flux $q$", of.scale, low=0.0))
     r = np.linspace(0.0, 1.8, POINTS_ALONG) * a
     rise = series("temperature", item.temperature(r))
     is_heated = (
@@ -242,7 +244,7 @@ def fretting_heat_sheet(item: FrettingHeatSolution, *, extent: float | None = No
         Rule(a, upright=True, width=0.9, dash=style.DOTTED),
         note(f"swings by about ±{with_unit(item.swing, 'K', 2)}"),
     )
-    right = Panel(is_heated, Axis.of(along), Axis("mean rise of temperature", rise.scale, low=0.0))
+    right = Panel(is_heated, PanelAxis.of(along), PanelAxis("mean rise of temperature", rise.scale, low=0.0))
     title = f"{with_unit(item.loss_per_cycle, 'J')} in every cycle, {with_unit(item.heat_rate, 'W')}"
     titles = ("heat flux over the radius", "temperature of the surfaces")
     return Sheet(titled((left, right), *titles), width=4.6, height=3.3, title=title)

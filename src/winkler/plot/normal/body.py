@@ -17,7 +17,7 @@ from winkler.foundation.bed import PressedSprings
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.extent import BodyOutline, outline_end, sunk
-from winkler.plot.panel import Axis, Facets, Line, Panel, Polygon, Text
+from winkler.plot.panel import Facets, Line, Panel, PanelAxis, Polygon, Text
 from winkler.plot.series import with_unit
 from winkler.problems.answer import Restorable
 
@@ -208,8 +208,8 @@ def _with_scale_bars(marks: list[Any], extent: float, stretch: float) -> Panel:
         Line(np.full(2, 0.3), np.array([top - bar_height, top]), **line),
         Text(0.34, level, text, across="left"),
     )
-    upright = Axis(low=min(top - bar_height, level - 0.2))
-    return Panel((*marks, *bars), Axis(low=-1.08, high=1.12), upright, equal=True, bare=True)
+    upright = PanelAxis(low=min(top - bar_height, level - 0.2))
+    return Panel((*marks, *bars), PanelAxis(low=-1.08, high=1.12), upright, equal=True, bare=True)
 
 
 def _round(length: float) -> float:

@@ -12,7 +12,7 @@ from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.extent import has_tensile_singularity, is_singular, marks_of
 from winkler.plot.medium import OFFSET_FROM_AXIS
-from winkler.plot.panel import Area, Axis, Line, Panel, Text, note, zero
+from winkler.plot.panel import Area, Line, Panel, PanelAxis, Text, note, zero
 from winkler.plot.series import Curve, Series, places, scale_of, series, with_unit
 from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.answer import Restorable
@@ -120,7 +120,7 @@ def curve_panel(curve: Curve, colour: str = style.BLUE, **look: Any) -> Panel:
     """
     is_sparse = curve.along.content.size <= MOST_MARKED_POINTS
     line = Line(curve.along.content, curve.of.content, colour, **({"marker": "o" if is_sparse else ""} | look))
-    return Panel((line,), Axis.of(curve.along, margin=0.03 if is_sparse else 0.0), Axis.of(curve.of))
+    return Panel((line,), PanelAxis.of(curve.along, margin=0.03 if is_sparse else 0.0), PanelAxis.of(curve.of))
 
 
 def loaded_so_far(pressed: PressedSprings, force: float) -> Panel:
@@ -129,7 +129,7 @@ def loaded_so_far(pressed: PressedSprings, force: float) -> Panel:
     depth = float(pressed.depth)
     point = Line(np.array([depth]), np.array([force]), style.RED, width=0.0, marker="o", clipped=False)
     panel = curve_panel(curve, marker="").plus(point)
-    return panel.plus(across=Axis.of(curve.along), upright=Axis.of(curve.of, low=0.0))
+    return panel.plus(across=PanelAxis.of(curve.along), upright=PanelAxis.of(curve.of, low=0.0))
 
 
 def line_load_panel(solution: Restorable, extent: float, force: float | None = None, pull: float = 0.0) -> Panel:
@@ -153,10 +153,12 @@ def line_load_panel(solution: Restorable, extent: float, force: float | None = N
         for part, colour in ((np.maximum(q, 0.0), style.RED), (np.minimum(q, 0.0), style.BLUE))
     ]
     marks.append(Line(x, q, style.RED))
-    across = Axis.of(curve.along, low=-float(np.max(x)), high=float(np.max(x)))
+    across = PanelAxis.of(curve.along, low=-float(np.max(x)), high=float(np.max(x)))
     if not np.any(q != 0.0):
         return Panel(
-            (*marks, note("no contact", "upper centre")), across, Axis.of(curve.of, low=0.0, high=curve.of.scale.factor)
+            (*marks, note("no contact", "upper centre")),
+            across,
+            PanelAxis.of(curve.of, low=0.0, high=curve.of.scale.factor),
         )
     off_axis = q[np.abs(x) >= 0.03 * solution.pressed.radius]
     top, bottom = 1.12 * max(float(np.max(off_axis)), 0.0), 1.12 * min(float(np.min(off_axis)), 0.0)
@@ -164,7 +166,7 @@ def line_load_panel(solution: Restorable, extent: float, force: float | None = N
     if force is not None:
         text = f"area = {'$F_N$' if pull == 0.0 else '$F_N + F_w$'}\n= {with_unit(force + pull, 'N')}"
         marks.append(Text(0.0, 0.36 * (top if q[q.size // 2] > 0.0 else bottom), text, spacing=1.5))
-    return Panel(tuple(marks), across, Axis.of(curve.of, low=bottom, high=top))
+    return Panel(tuple(marks), across, PanelAxis.of(curve.of, low=bottom, high=top))
 
 
 def pressure_panel(solution: Restorable, extent: float, mean: float | None = None, remark: str = "") -> Panel:
@@ -207,8 +209,8 @@ def pressure_panel(solution: Restorable, extent: float, mean: float | None = Non
     elif singular:
         marks.append(note("infinite where\nthe curve leaves", "upper centre" if pressed.edge > 0.0 else "upper right"))
     end = float(np.max(x))
-    upright = Axis.of(p, scale, low=bottom, high=top if top > bottom else scale.factor)
-    return Panel(tuple(marks), Axis.of(r, low=-end, high=end), upright)
+    upright = PanelAxis.of(p, scale, low=bottom, high=top if top > bottom else scale.factor)
+    return Panel(tuple(marks), PanelAxis.of(r, low=-end, high=end), upright)
 
 
 def surface_pressure_panel(fields: SurfaceFields) -> Panel:
@@ -223,7 +225,7 @@ def surface_pressure_panel(fields: SurfaceFields) -> Panel:
     pressure = np.where(np.isfinite(fields.pressure), fields.pressure, np.nan)[order]
     curve = Curve(series("r", fields.r[order]), series("pressure", pressure))
     panel = curve_panel(curve)
-    return panel if np.any(pressure < 0.0) else panel.plus(upright=Axis.of(curve.of, low=0.0))
+    return panel if np.any(pressure < 0.0) else panel.plus(upright=PanelAxis.of(curve.of, low=0.0))
 
 
 def surface_panel(fields: SurfaceFields) -> Panel:
@@ -239,5 +241,5 @@ def surface_panel(fields: SurfaceFields) -> Panel:
         Line(r, gap, style.GREEN, marker=is_sparse, dash=style.DASHES[1], name="separation $h$"),
     )
     low = 1.2 * min(float(np.min(sunk, initial=0.0)), 0.0)
-    upright = Axis("along the axis", scale_of("m", [top]), low=low, high=top)
-    return Panel(lines, Axis.of(series("r", r)), upright, legend="upper right")
+    upright = PanelAxis("along the axis", scale_of("m", [top]), low=low, high=top)
+    return Panel(lines, PanelAxis.of(series("r", r)), upright, legend="upper right")

@@ -6,7 +6,7 @@ import numpy as np
 
 from winkler.plot import style
 from winkler.plot.extent import outline_end
-from winkler.plot.panel import Axis, Line, Panel
+from winkler.plot.panel import Line, Panel, PanelAxis
 from winkler.plot.series import places, scale_of
 from winkler.profiles.measured import Measured
 from winkler.profiles.profile import Profile
@@ -46,6 +46,6 @@ def profile_panel(profile: Profile, extent: float) -> Panel:
         marks.append(points)
     marks.append(Line(r, f, style.INK, name="shape $f(r)$"))
     marks.append(Line(r, g, dash=style.DASHES[1], name="equivalent profile $g(x)$"))
-    across = Axis("$r$, $x$", scale_of("m", [extent]), low=0.0, high=(1.25 if has_wall else 1.0) * extent)
-    upright = Axis("height", scale_of("m", [top]), low=-0.02 * top, high=top)
+    across = PanelAxis("$r$, $x$", scale_of("m", [extent]), low=0.0, high=(1.25 if has_wall else 1.0) * extent)
+    upright = PanelAxis("height", scale_of("m", [top]), low=-0.02 * top, high=top)
     return Panel(tuple(marks), across, upright, legend="upper left")

@@ -6,7 +6,7 @@ import numpy as np
 
 from winkler.fields import restore
 from winkler.plot import style
-from winkler.plot.panel import Axis, Line, Panel, Polygon, Rule
+from winkler.plot.panel import Line, Panel, PanelAxis, Polygon, Rule
 from winkler.plot.series import places, scale_of, series
 from winkler.punch_staircase import Staircase
 
@@ -44,8 +44,8 @@ def steps_panel(staircase: Staircase, extent: float) -> Panel:
         x, shape = np.append(x, pressed.radius), np.append(shape, 0.0)
     marks.append(Line(*style.mirrored(x, shape), style.INK, width=1.6, order=5.0, name="$g(x) − d$"))
     marks.append(Rule(0.0, dash=style.DASHED, order=1.0))
-    across = Axis.of(series("x", x), scale_of("m", [extent]), low=-extent, high=extent)
-    upright = Axis("height", scale_of("m", [pressed.depth]), low=-1.08 * pressed.depth, high=0.32 * pressed.depth)
+    across = PanelAxis.of(series("x", x), scale_of("m", [extent]), low=-extent, high=extent)
+    upright = PanelAxis("height", scale_of("m", [pressed.depth]), low=-1.08 * pressed.depth, high=0.32 * pressed.depth)
     return Panel(tuple(marks), across, upright, grid="", legend="upper right", columns=2, unframed=True)
 
 
@@ -70,8 +70,8 @@ def pressures_panel(staircase: Staircase, extent: float) -> Panel:
     name = f"sum of {staircase.radii.size} punches" if staircase.radii.size > 1 else "one punch"
     marks.append(Line(r, staircase.pressure(r), style.RED, width=1.1, order=4.0, name=name))
     marks.append(Line(r, exact, style.INK, width=2.0, dash=style.DASHES[1], order=5.0, name="infinitely many"))
-    across = Axis.of(series("r", r), scale_of("m", [extent]), low=0.0, high=extent)
-    upright = Axis.of(series("pressure", exact), scale_of("Pa", [top]), low=0.0, high=top)
+    across = PanelAxis.of(series("r", r), scale_of("m", [extent]), low=0.0, high=extent)
+    upright = PanelAxis.of(series("pressure", exact), scale_of("Pa", [top]), low=0.0, high=top)
     return Panel(tuple(marks), across, upright, legend="upper right")
 
 

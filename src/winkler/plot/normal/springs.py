@@ -12,12 +12,12 @@ from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.extent import outline_end
 from winkler.plot.medium import OFFSET_FROM_AXIS, is_varied
-from winkler.plot.panel import Area, Arrow, Axis, Line, Panel, Rule, Strokes, Text, note
+from winkler.plot.panel import Area, Arrow, Line, Panel, PanelAxis, Rule, Strokes, Text, note
 from winkler.plot.series import Series, places, round_numbers, scale_of, series
 
 __all__ = [
+    "DrawnSprings",
     "SpringFrame",
-    "SpringRow",
     "at_first_touch",
     "plane_profile",
     "row_panel",
@@ -54,7 +54,7 @@ class SpringFrame(NamedTuple):
     top: float
 
 
-class SpringRow(NamedTuple):
+class DrawnSprings(NamedTuple):
     """Drawn springs.
 
     Parameters
@@ -139,7 +139,7 @@ def springs_panel(pressed: PressedSprings, extent: float, frame: SpringFrame | N
     return panel.plus(*marks, upright=dataclasses.replace(panel.upright, ticks=visible_ticks))
 
 
-def row_panel(row: SpringRow, bed: Bed | None, depth: float, frame: SpringFrame, shift: float = 0.0) -> Panel:
+def row_panel(row: DrawnSprings, bed: Bed | None, depth: float, frame: SpringFrame, shift: float = 0.0) -> Panel:
     """Return springs on their base, and the plane profile above them.
 
     Parameters
@@ -166,8 +166,8 @@ def row_panel(row: SpringRow, bed: Bed | None, depth: float, frame: SpringFrame,
         marks.append(Area(both + shift, lower, top, style.BODY, 0.75, order=4.0))
         marks.append(Line(both + shift, lower, width=2.0, order=5.0))
     marks.append(Rule(0.0, dash=style.DASHED, order=1.0))
-    across = Axis.of(series("x", ends), low=-extent, high=extent)
-    upright = Axis("height", scale_of("m", [unit]), low=bottom - thick, high=top)
+    across = PanelAxis.of(series("x", ends), low=-extent, high=extent)
+    upright = PanelAxis("height", scale_of("m", [unit]), low=bottom - thick, high=top)
     return Panel(tuple(marks), across, upright, grid="")
 
 
@@ -183,7 +183,7 @@ def _visible_part(x: Array, lower: Array, top: float, wall: float) -> tuple[Arra
     return (np.append(x, x[-1]), np.append(lower, top)) if wall <= x[-1] * (1.0 + 1e-12) else (x, lower)
 
 
-def _spring_lines(row: SpringRow, bottom: float) -> Strokes:
+def _spring_lines(row: DrawnSprings, bottom: float) -> Strokes:
     """Return zigzags from the ground to the heads of the springs, each of which stands `aside` of its foot."""
     heights = np.concatenate([[0.0, 0.1], 0.1 + 0.8 * (np.arange(2 * COILS) + 0.5) / (2 * COILS), [0.9, 1.0]])
     side = np.concatenate([[0.0, 0.0], np.where(np.arange(2 * COILS) % 2 == 0, 1.0, -1.0), [0.0, 0.0]])
@@ -192,7 +192,7 @@ def _spring_lines(row: SpringRow, bottom: float) -> Strokes:
     return Strokes(x, bottom + heights * (-row.sunk - bottom)[:, None], row.colours, row.width, row.strength)
 
 
-def _spring_row(pressed: PressedSprings, extent: float) -> SpringRow:
+def _spring_row(pressed: PressedSprings, extent: float) -> DrawnSprings:
     x = spring_places(extent)
     place = np.abs(x)
     in_contact = (place <= pressed.radius) & (pressed.radius > 0.0)
@@ -205,7 +205,7 @@ def _spring_row(pressed: PressedSprings, extent: float) -> SpringRow:
         for pull, pressed_down in zip(is_stretched, in_contact, strict=True)
     ]
     strength = 0.55 + 0.45 * np.abs(sunk) / greatest
-    return SpringRow(x, sunk, np.zeros(x.shape), tuple(colours), _thickness(pressed.bed, place), strength)
+    return DrawnSprings(x, sunk, np.zeros(x.shape), tuple(colours), _thickness(pressed.bed, place), strength)
 
 
 def _greatest_stretch(pressed: PressedSprings) -> float:

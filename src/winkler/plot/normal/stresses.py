@@ -15,7 +15,7 @@ from winkler.peaks import PeakStress, peak_stress
 from winkler.plot import style
 from winkler.plot.extent import is_singular
 from winkler.plot.medium import interfaces
-from winkler.plot.panel import Axis, Line, Map, Panel, Rule, note
+from winkler.plot.panel import Line, Map, Panel, PanelAxis, Rule, note
 from winkler.plot.series import Series, common_scale, round_numbers, scale_of, series, with_unit
 from winkler.problems.answer import Restorable
 
@@ -151,7 +151,7 @@ def stress_map(along: Series, down: Series, stress: Series, label: str = "") -> 
         along.content,
         down.content,
         clipped_stress,
-        Axis.of(stress, scale_of("Pa", [levels[-1]])),
+        PanelAxis.of(stress, scale_of("Pa", [levels[-1]])),
         levels=levels,
         lines=levels[1:],
         line_width=0.4,
@@ -160,8 +160,8 @@ def stress_map(along: Series, down: Series, stress: Series, label: str = "") -> 
         place="inset",
     )
     scale, z = common_scale(along, down), down.content
-    upright = Axis.of(down, scale, low=max(float(np.max(z)), 0.0), high=min(float(np.min(z)), 0.0))
-    across = Axis(label, scale) if label else Axis.of(along, scale)
+    upright = PanelAxis.of(down, scale, low=max(float(np.max(z)), 0.0), high=min(float(np.min(z)), 0.0))
+    across = PanelAxis(label, scale) if label else PanelAxis.of(along, scale)
     return Panel((drawn,), across, upright, equal=True, grid="")
 
 
@@ -197,5 +197,5 @@ def along_panel(fields: SubsurfaceFields) -> Panel:
         )
         for place, one in enumerate(stresses)
     ]
-    upright = Axis("stress", common_scale(*stresses))
-    return Panel((*lines, Rule(0.0)), Axis.of(along), upright, legend="best")
+    upright = PanelAxis("stress", common_scale(*stresses))
+    return Panel((*lines, Rule(0.0)), PanelAxis.of(along), upright, legend="best")

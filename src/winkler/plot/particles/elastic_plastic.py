@@ -13,7 +13,7 @@ from winkler.loading import Depth, Force
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.friction.curves import loss_text
-from winkler.plot.panel import Axis, Line, Panel, Rule, Sheet, note, titled, zero
+from winkler.plot.panel import Line, Panel, PanelAxis, Rule, Sheet, note, titled, zero
 from winkler.plot.series import series, with_unit
 from winkler.problems.particles.elastic_plastic import ParticleSolution
 
@@ -78,8 +78,10 @@ def _panel(item: ParticleSolution, legs: list[_Leg], name: str) -> Panel:
     if item.depth.size <= MOST_MARKED_POINTS:
         look = {"colour": style.INK, "width": 0.0, "marker": "o", "size": 4.0, "order": 5.0}
         marks.append(Line(item.depth, getattr(item, name), name="points of the path", **look))
-    across = Axis(along.label().partition(" [")[0].replace("depth", "depth (overlap)", 1), along.scale, margin=0.04)
-    return Panel(tuple(marks), across, Axis.of(of, margin=0.08, headroom=0.0 if name == "radius" else 0.45))
+    across = PanelAxis(
+        along.label().partition(" [")[0].replace("depth", "depth (overlap)", 1), along.scale, margin=0.04
+    )
+    return Panel(tuple(marks), across, PanelAxis.of(of, margin=0.08, headroom=0.0 if name == "radius" else 0.45))
 
 
 def _legs(item: ParticleSolution) -> list[_Leg]:

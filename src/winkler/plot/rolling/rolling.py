@@ -10,7 +10,7 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.drawing import sheet_of
-from winkler.plot.panel import Area, Axis, Line, Map, Panel, Rule, Sheet, Text, Vectors, note, titled, zero
+from winkler.plot.panel import Area, Line, Map, Panel, PanelAxis, Rule, Sheet, Text, Vectors, note, titled, zero
 from winkler.plot.series import Series, middle_scale, series
 from winkler.problems.rolling.creepage import Creepage
 from winkler.problems.rolling.oscillating import OscillatingRollingSolution
@@ -90,8 +90,8 @@ def _creep_panel(item: Any, force: float) -> Panel:
     others = ", the others in proportion" if single and len(varied) > 1 else ""
     unit = f" [{along.scale.unit}]" if along.scale.unit else ""
     label = f"{varied[0]}{' creepage' if varied[0] != 'spin' else ''} ${along.word.symbol}${unit}{others}"
-    across = Axis(label, along.scale._replace(unit=""))
-    upright = Axis(r"creep force $F/(\mu F_N)$", margin=0.1)
+    across = PanelAxis(label, along.scale._replace(unit=""))
+    upright = PanelAxis(r"creep force $F/(\mu F_N)$", margin=0.1)
     return Panel((*marks, zero()), across, upright, title="creep force", legend="best" if lines > 1 else "")
 
 
@@ -135,8 +135,8 @@ def _line_panel(x: Array, load: Array, bound: Array) -> Panel:
         Area(x, np.where(sticks, load, np.nan), 0.0, alpha=0.15),
     ]
     marks += [note("shaded: sticks")] if np.any(sticks) else []
-    upright = Axis.of(of, middle_scale(of.word.unit, bound), low=0.0, high=1.15 * float(np.max(bound)))
-    return Panel(tuple(marks), Axis.of(along), upright, title=TO_THE_RIGHT, legend="upper left")
+    upright = PanelAxis.of(of, middle_scale(of.word.unit, bound), low=0.0, high=1.15 * float(np.max(bound)))
+    return Panel(tuple(marks), PanelAxis.of(along), upright, title=TO_THE_RIGHT, legend="upper left")
 
 
 @sheet_of.register(SimplifiedRollingSolution)
@@ -154,7 +154,7 @@ def _ellipse_panel(item: SimplifiedRollingSolution, *marks: Any, margin_across: 
     a, b = item.longitudinal_semi_axis, item.lateral_semi_axis
     scale, turn = middle_scale("m", np.array([a, b])), np.linspace(0.0, 2.0 * np.pi, 181)
     outline = Line(a * np.cos(turn), b * np.sin(turn), style.INK, width=1.0)
-    axes = Axis("$x$", scale, margin=0.05), Axis("$y$", scale, margin=margin_across)
+    axes = PanelAxis("$x$", scale, margin=0.05), PanelAxis("$y$", scale, margin=margin_across)
     return Panel((outline, *marks), *axes, equal=True, grid="")
 
 
@@ -166,7 +166,9 @@ def _traction_panel(item: SimplifiedRollingSolution) -> Panel:
     columns = np.unique(np.linspace(3, field.x.shape[1] - 4, ARROWS_ACROSS).round().astype(int))
     place = np.ix_(rows, columns)
     arrows = Vectors(field.x[place], across[place], field.longitudinal[place], field.lateral[place])
-    return _ellipse_panel(item, Map(field.x, across, size.content, Axis.of(size), kind="smooth", shrink=0.85), arrows)
+    return _ellipse_panel(
+        item, Map(field.x, across, size.content, PanelAxis.of(size), kind="smooth", shrink=0.85), arrows
+    )
 
 
 def _zones_panel(item: SimplifiedRollingSolution) -> Panel:
@@ -197,7 +199,9 @@ def start_sheet(item: RollingStartSolution, *, extent: float | None = None) -> S
         look: dict[str, Any] = {"across": "left", "upright": "baseline", "colour": style.MUTED, "size": 9.0}
         marks.append(Rule(width, upright=True, width=0.9, dash=style.DOTTED))
         marks.append(Text(width, 0.5, " $2a$", framed=(False, True), **look))
-    left = Panel(tuple(marks), Axis.of(along), Axis(force), legend="lower right", title="from rest to steady rolling")
+    left = Panel(
+        tuple(marks), PanelAxis.of(along), PanelAxis(force), legend="lower right", title="from rest to steady rolling"
+    )
     places = np.unique(np.linspace(0, len(item.states) - 1, STATES_DRAWN).round().astype(int))
     right = _states_panel(item, [(int(k), _rolled_so_far(item, int(k))) for k in places])
     return Sheet((left, right.plus(title=TO_THE_RIGHT)), height=3.3)
@@ -216,8 +220,8 @@ def _states_panel(item: RollingStartSolution | OscillatingRollingSolution, chose
     lines = [Line(x, sign * bound, name=BOUND if sign > 0.0 else "", **dashed) for sign in signs]
     for colour, (index, name) in zip(style.CYCLE, chosen, strict=False):
         lines.append(Line(x, states[index].shear_load, colour, width=1.4, name=name))
-    upright = Axis.of(series("shear_load", bound))
-    return Panel(tuple(lines), Axis.of(series("x", x)), upright, legend="upper left", outside=True)
+    upright = PanelAxis.of(series("shear_load", bound))
+    return Panel(tuple(lines), PanelAxis.of(series("x", x)), upright, legend="upper left", outside=True)
 
 
 @sheet_of.register(OscillatingRollingSolution)
@@ -226,7 +230,7 @@ def rocking_sheet(item: OscillatingRollingSolution, *, extent: float | None = No
     problem, radius = item.problem, float(item.contact.radius)
     bound_force = _friction_bound(problem, float(item.contact.force))
     shift = Line(item.cycle, item.shift, marker="o" if item.cycle.size < 40 else "", size=3.5)
-    upright = Axis.of(series("shift", item.shift), low=0.0)
+    upright = PanelAxis.of(series("shift", item.shift), low=0.0)
     last = len(item.states) - 1
     after = sorted({0, 1, min(4, last), last})
     labels = [(k, "at rest" if k == 0 else f"{k} cycles" if k > 1 else "1 cycle") for k in after]
@@ -244,9 +248,13 @@ def rocking_sheet(item: OscillatingRollingSolution, *, extent: float | None = No
         Text(0.55, 0.75, "creeps on", **look),
         Line(*this_load, colour, width=0.0, marker="o", clipped=False),
     )
-    axes = Axis("amplitude $W/a$", low=0.0, high=1.0), Axis(r"shear force $F_x/(\mu F_N)$", low=0.0, high=1.0)
+    axes = PanelAxis("amplitude $W/a$", low=0.0, high=1.0), PanelAxis(r"shear force $F_x/(\mu F_N)$", low=0.0, high=1.0)
     panels = titled(
-        (Panel((shift,), Axis("cycles $n$", margin=0.03), upright), _states_panel(item, labels), Panel(marks, *axes)),
+        (
+            Panel((shift,), PanelAxis("cycles $n$", margin=0.03), upright),
+            _states_panel(item, labels),
+            Panel(marks, *axes),
+        ),
         "creeps on" if item.ratchets else "comes to rest",
         "load of the springs, in the middle",
         "limit of shakedown",

@@ -11,7 +11,7 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.drawing import sheet_of
-from winkler.plot.panel import Axis, Line, Panel, Sheet, plane, titled
+from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, plane, titled
 from winkler.plot.rough.roughness import Bounds, framed, image_of, models_panel, spectrum_panel
 from winkler.plot.series import Series, scale_of, series, with_unit
 from winkler.plot.viscoelastic.contacts import refuse_extent
@@ -68,9 +68,9 @@ def _single_panel(item: Any, name: str) -> Panel:
     low, high = float(band[0]), float(band[-1])
     errors = np.array([[middle - low], [high - middle]])
     point = Line(np.zeros(1), np.array([middle]), marker="o", error_y=errors, cap=6.0)
-    across = Axis(low=-1.0, high=1.0, ticks=np.empty(0))
+    across = PanelAxis(low=-1.0, high=1.0, ticks=np.empty(0))
     title = f"{name} under {with_unit(float(np.ravel(item.force)[0]), 'N')}"
-    return Panel((point,), across, Axis.of(of, low=0.0, high=1.3 * max(high, middle)), title)
+    return Panel((point,), across, PanelAxis.of(of, low=0.0, high=1.3 * max(high, middle)), title)
 
 
 def _interpolated_contour(contour: Array) -> Array:

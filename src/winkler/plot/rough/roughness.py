@@ -12,7 +12,7 @@ from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.drawing import sheet_of
 from winkler.plot.families import spans_decades
-from winkler.plot.panel import Area, Axis, Line, Map, Panel, Sheet, note, plane
+from winkler.plot.panel import Area, Line, Map, Panel, PanelAxis, Sheet, note, plane
 from winkler.plot.series import Scale, Series, middle_scale, scale_of, series, with_unit
 from winkler.plot.viscoelastic.contacts import refuse_extent
 from winkler.profiles.rough.map_spectrum import spectrum_of
@@ -85,7 +85,7 @@ def image_of(item: Topography, of: Series, colours: Any, *, label: str = "", low
     reduced = _block_means(of.content)
     low, high, beyond = _limits(reduced[np.isfinite(reduced)])
     ends: dict[str, Any] = {"low": min(lowest, low), "high": high}
-    bar = Axis(label, of.scale, **ends) if label else Axis.of(of, **ends)
+    bar = PanelAxis(label, of.scale, **ends) if label else PanelAxis.of(of, **ends)
     x, y = (np.array([0.0, float(length)]) for length in item.lengths)
     return Map(x, y, reduced, bar, kind="pixels", colours=colours, extend=beyond, shrink=0.9, pad=0.02)
 
@@ -120,8 +120,8 @@ def cuts_panel(item: Topography) -> Panel:
         )
         for name, line, axis in (("along $x$", of.content[:, ny // 2], 0), ("along $y$", of.content[nx // 2], 1))
     ]
-    across = Axis("place", scale_of("m", item.lengths), margin=0.0)
-    upright = Axis(f"height ${of.word.symbol}$", of.scale, margin=0.25)
+    across = PanelAxis("place", scale_of("m", item.lengths), margin=0.0)
+    upright = PanelAxis(f"height ${of.word.symbol}$", of.scale, margin=0.25)
     return Panel(tuple(lines), across, upright, legend="upper right", columns=2)
 
 
@@ -146,9 +146,9 @@ def spectrum_panel(spectra: Sequence[tuple[Spectrum, str]]) -> Panel:
     contents = np.concatenate([line.y for line in lines])
     positive, most = contents[contents > 0.0], float(np.max(contents))
     has_window_floor = bool(np.min(positive) * (np.min(positive) / most) ** 0.08 < LEAST_DENSITY_SHARE * most)
-    across = Axis("wave number $q$ [1/m]", margin=0.05, log=True)
+    across = PanelAxis("wave number $q$ [1/m]", margin=0.05, log=True)
     low = LEAST_DENSITY_SHARE * most if has_window_floor else None
-    upright = Axis("spectral density $C$ [m⁴]", margin=0.08, log=True, low=low)
+    upright = PanelAxis("spectral density $C$ [m⁴]", margin=0.08, log=True, low=low)
     return Panel(tuple(lines), across, upright, legend="lower left")
 
 
@@ -237,8 +237,8 @@ def models_panel(
         low, high = 0.0, 1.15 * top
     first = lines[0][0]
     scale = middle_scale(along.word.unit, along.content) if clips_high else along.scale
-    across = Axis.of(along, scale, margin=0.04, log=clips_high, plain=clips_high)
+    across = PanelAxis.of(along, scale, margin=0.04, log=clips_high, plain=clips_high)
     scale = (middle_scale if steeper else scale_of)(first.word.unit, contents)
-    upright = Axis.of(first, scale, low=low, high=high, log=steeper, plain=steeper)
+    upright = PanelAxis.of(first, scale, low=low, high=high, log=steeper, plain=steeper)
     upright = dataclasses.replace(upright, label=label) if label else upright
     return Panel(tuple(marks), across, upright, legend="best")

@@ -12,7 +12,7 @@ from winkler.numerics.types import ArrayLike
 from winkler.plot import style
 from winkler.plot.drawing import sheet_of
 from winkler.plot.normal.springs import at_first_touch, springs_panel
-from winkler.plot.panel import Axis, Bars, Line, Panel, Sheet, titled
+from winkler.plot.panel import Bars, Line, Panel, PanelAxis, Sheet, titled
 from winkler.plot.rough.roughness import Bounds, heights_of, image_of, map_panel, models_panel
 from winkler.plot.series import Series, series, with_unit
 from winkler.plot.viscoelastic.contacts import refuse_extent
@@ -128,9 +128,9 @@ def _single_panel(item: SurfaceConductionSolution) -> Panel:
     of = series("resistance", np.array([float(np.ravel(getattr(item, name))[0]) for name in names]), type(item))
     places = np.arange(4.0)
     bars = Bars(places, of.content, (style.MUTED, style.BLUE, style.RED, style.MUTED))
-    upright = Axis(ticks=places, names=labels, falling=True)
+    upright = PanelAxis(ticks=places, names=labels, falling=True)
     title = f"resistance under {with_unit(float(np.ravel(np.asarray(item.force))[0]), 'N')}"
-    return Panel((bars,), Axis.of(of), upright, title, grid="x")
+    return Panel((bars,), PanelAxis.of(of), upright, title, grid="x")
 
 
 @sheet_of.register(ReductionSolution)
@@ -146,7 +146,7 @@ def reduction_sheet(item: ReductionSolution, *, extent: float | None = None) -> 
         along, of = series("depth", d), series(name, content)
         look: dict[str, Any] = {"width": 0.0, "marker": "o", "size": 4.0, "name": ELEMENTS_NAME}
         marks = Line(d, content, name="springs"), Line(item.depth, getattr(item, name), style.RED, **look)
-        axes = Axis.of(along, low=0.0), Axis.of(of, low=0.0)
+        axes = PanelAxis.of(along, low=0.0), PanelAxis.of(of, low=0.0)
         panels.append(Panel(marks, *axes, title=f"{name} over depth", legend=corner))
     panels.append(springs_panel(at_first_touch(bed), bed.reach).plus(title="springs under $g(x)$"))
     return Sheet(tuple(panels), width=3.9, height=3.3)

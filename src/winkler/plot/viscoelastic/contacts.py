@@ -11,7 +11,7 @@ from winkler.errors import InvalidInput
 from winkler.plot import style
 from winkler.plot.drawing import sheet_of
 from winkler.plot.friction.curves import energies_panel, lines_panel, loop_panel
-from winkler.plot.panel import Axis, Line, Panel, Sheet, titled
+from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, titled
 from winkler.plot.series import Series, series, with_unit
 from winkler.plot.viscoelastic.springs import pressure_panel, recovering_panel
 from winkler.problems.viscoelastic.impact import ViscoelasticImpactSolution
@@ -68,9 +68,9 @@ def depth_and_radius(item: Any) -> Panel:
             Line(time.content, depth.content),
             Line(time.content, radius.content, style.RED, dash=style.DASHES[1], beside=True),
         ),
-        Axis.of(time, margin=0.0),
-        Axis.of(depth, colour=style.BLUE, **sides),
-        beside=(Axis.of(radius, low=0.0, colour=style.RED),),
+        PanelAxis.of(time, margin=0.0),
+        PanelAxis.of(depth, colour=style.BLUE, **sides),
+        beside=(PanelAxis.of(radius, low=0.0, colour=style.RED),),
     )
 
 

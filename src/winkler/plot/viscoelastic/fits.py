@@ -13,7 +13,7 @@ from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.drawing import sheet_of
 from winkler.plot.fitting.fits import fit_panels, measured_dots, origin_of
-from winkler.plot.panel import Area, Axis, Band, Line, Panel, Sheet
+from winkler.plot.panel import Area, Band, Line, Panel, PanelAxis, Sheet
 from winkler.plot.series import Series, common_scale, middle_scale
 from winkler.plot.viscoelastic.contacts import refuse_extent
 from winkler.vocabulary import Word
@@ -63,8 +63,10 @@ def relaxing_loop(item: AnyFit, some: Array | None = None) -> Panel:
     marks: list[Any] = measured_dots(item, *measured, named=False)
     x, y = (np.where(near, part, np.nan)[drawn] for part in (item.depth, model.content))
     marks.append(Line(x, y, style.RED, width=1.2))
-    across = Axis.of(deep, _of(deep, near).scale, margin=0.03)
-    return Panel(tuple(marks), across, Axis.of(force, common_scale(_of(force, near), _of(model, near)), margin=0.06))
+    across = PanelAxis.of(deep, _of(deep, near).scale, margin=0.03)
+    return Panel(
+        tuple(marks), across, PanelAxis.of(force, common_scale(_of(force, near), _of(model, near)), margin=0.06)
+    )
 
 
 def _constant_force(item: AnyFit) -> Array:
@@ -88,8 +90,8 @@ def _relaxation(item: ViscoelasticFit | CreepFit) -> Panel:
         *(Band(low, high, style.MUTED, 0.15) for low, high in ((t[0], shortest), (longest, t[-1]))),
         *_terms(item),
     )
-    upright = Axis.of(modulus, middle_scale(unit, band.modulus), low=0.0)
-    return Panel(marks, Axis.of(time, log=True, margin=0.0), upright, legend="best")
+    upright = PanelAxis.of(modulus, middle_scale(unit, band.modulus), low=0.0)
+    return Panel(marks, PanelAxis.of(time, log=True, margin=0.0), upright, legend="best")
 
 
 def _terms(item: ViscoelasticFit | CreepFit) -> list[Line]:

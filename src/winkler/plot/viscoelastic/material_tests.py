@@ -12,7 +12,8 @@ from winkler.plot.drawing import sheet_of
 from winkler.plot.panel import Sheet, titled
 from winkler.plot.series import series, with_unit
 from winkler.plot.viscoelastic.contacts import refuse_extent
-from winkler.problems.viscoelastic.material_tests import CreepTest, HarmonicSolution, StepSolution
+from winkler.problems.viscoelastic.material_tests import CreepTest, StepSolution
+from winkler.problems.viscoelastic.oscillation import HarmonicSolution
 
 __all__ = ["harmonic_sheet", "step_sheet"]
 

@@ -7,8 +7,8 @@ import numpy as np
 from winkler.foundation.bed import Bed
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.normal.springs import SpringFrame, SpringRow, row_panel, spring_places
-from winkler.plot.panel import Area, Axis, Line, Panel, note
+from winkler.plot.normal.springs import DrawnSprings, SpringFrame, row_panel, spring_places
+from winkler.plot.panel import Area, Line, Panel, PanelAxis, note
 from winkler.plot.series import places, series
 from winkler.problems.viscoelastic.states import ViscoelasticState
 from winkler.problems.viscoelastic.tangential_states import ViscoelasticTangentialState
@@ -55,7 +55,7 @@ def recovering_panel(state: RecoveringState, bed: Bed | None = None, frame: Spri
         for sunk_here, pressed_down in zip(sunk, pressed, strict=True)
     ]
     strength = np.array([0.55 if colour == style.MUTED else 0.95 for colour in colours])
-    row = SpringRow(place, sunk, np.zeros(place.shape), tuple(colours), np.full(place.shape, 1.1), strength)
+    row = DrawnSprings(place, sunk, np.zeros(place.shape), tuple(colours), np.full(place.shape, 1.1), strength)
     names = (
         Line(NO_POINTS, NO_POINTS, style.RED, name="pressed"),
         Line(NO_POINTS, NO_POINTS, style.GREEN, name="recover freely"),
@@ -77,6 +77,6 @@ def pressure_panel(state: ViscoelasticState) -> Panel:
     pressure: Array = state.pressure(r)
     finite = np.isfinite(pressure)
     x, p = style.mirrored(r[finite], pressure[finite])
-    across = Axis.of(series("r", r[finite]), low=-extent, high=extent)
-    upright = Axis.of(series("pressure", pressure[finite]), low=0.0)
+    across = PanelAxis.of(series("r", r[finite]), low=-extent, high=extent)
+    upright = PanelAxis.of(series("pressure", pressure[finite]), low=0.0)
     return Panel((Area(x, p, 0.0, style.RED), Line(x, p, style.RED)), across, upright)

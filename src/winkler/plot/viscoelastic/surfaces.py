@@ -19,7 +19,7 @@ from winkler.plot.friction.curves import (
     mirrored_bounds,
     stick_band,
 )
-from winkler.plot.panel import Area, Axis, Line, Panel, Rule, Sheet, note, titled
+from winkler.plot.panel import Area, Line, Panel, PanelAxis, Rule, Sheet, note, titled
 from winkler.plot.series import Series, common_scale, series, with_unit
 from winkler.plot.viscoelastic.contacts import LEAST_FORCE_SHARE, depth_and_radius, refuse_extent
 from winkler.plot.viscoelastic.springs import no_contact, recovering_panel, width_of
@@ -89,8 +89,8 @@ def _loads_panel(state: ViscoelasticTangentialState, coefficient: float) -> Pane
         Area(x, y, 0.0, style.RED, 0.12),
     )
     end = width_of(state)
-    upright = Axis.of(of, common_scale(of, limit), margin=0.2)
-    return Panel(marks, Axis.of(along, low=-end, high=end), upright, legend="upper right")
+    upright = PanelAxis.of(of, common_scale(of, limit), margin=0.2)
+    return Panel(marks, PanelAxis.of(along, low=-end, high=end), upright, legend="upper right")
 
 
 @sheet_of.register(SlidingResistanceSolution)
@@ -134,8 +134,8 @@ def _trace_panel(curve: SlidingResistanceSolution, place: int) -> Panel:
         Rule(0.0, upright=True, dash=style.DASHED),
         note("moves to the right →", "upper left"),
     )
-    upright = Axis.of(of, low=0.0, high=1.25 * float(np.max(of.content)))
-    return Panel(marks, Axis.of(along, margin=0.04), upright)
+    upright = PanelAxis.of(of, low=0.0, high=1.25 * float(np.max(of.content)))
+    return Panel(marks, PanelAxis.of(along, margin=0.04), upright)
 
 
 @sheet_of.register(ViscoelasticAdhesionSolution)

@@ -11,7 +11,7 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.plot import style
 from winkler.plot.drawing import sheet_of
-from winkler.plot.panel import Area, Axis, Line, Panel, Rule, Sheet, titled
+from winkler.plot.panel import Area, Line, Panel, PanelAxis, Rule, Sheet, titled
 from winkler.plot.series import Series, series, with_unit
 from winkler.problems.wear.fretting import FrettingSolution
 from winkler.problems.wear.limiting_profile import LimitingSolution
@@ -152,7 +152,7 @@ def rows_panel(name: str, lines: list[Line], most: float = np.inf) -> Panel:
     of = series(name, np.minimum(np.concatenate([line.y for line in lines]), most), WearState)
     top = float(np.max(of.content))
     high = 1.08 * top if top > 0.0 else of.scale.factor
-    return Panel(tuple(lines), Axis("$r$", along.scale), Axis.of(of, low=0.0, high=high))
+    return Panel(tuple(lines), PanelAxis("$r$", along.scale), PanelAxis.of(of, low=0.0, high=high))
 
 
 def moment_panels(states: Sequence[WearState], moment: int) -> tuple[Panel, Panel, Panel]:
@@ -200,7 +200,7 @@ def moment_panels(states: Sequence[WearState], moment: int) -> tuple[Panel, Pane
         panel = rows_panel(name, lines)
         scale = series(name, np.array([high]), WearState).scale
         upright = dataclasses.replace(panel.upright, scale=scale, high=1.08 * high if high > 0.0 else scale.factor)
-        across = Axis.of(series("r", r), low=0.0, high=reach)
+        across = PanelAxis.of(series("r", r), low=0.0, high=reach)
         panels.append(panel.plus(*marks, across=across, upright=upright, legend="best"))
     return panels[0], panels[1], panels[2]
 
@@ -214,5 +214,5 @@ def _over(along: Series, rows: list[Series], label: str = "") -> Panel:
         for row, look in zip(rows, looks, strict=False)
     ]
     high = 1.12 * max(float(np.max(row.content)) for row in rows) or scale.factor
-    upright = Axis(label, scale, low=0.0, high=high) if label else Axis.of(rows[0], scale, low=0.0, high=high)
-    return Panel(tuple(lines), Axis.of(along), upright, legend="best" if len(rows) > 1 else "")
+    upright = PanelAxis(label, scale, low=0.0, high=high) if label else PanelAxis.of(rows[0], scale, low=0.0, high=high)
+    return Panel(tuple(lines), PanelAxis.of(along), upright, legend="best" if len(rows) > 1 else "")

@@ -56,7 +56,6 @@ TOLERANCE = 1e-12
 EDGE_HALVINGS = 30
 """How often the panels halve their distance from the edges of the widest and the narrowest contact."""
 
-
 WITH_FRICTION = Condition(
     lambda law: law.coefficient > 0.0,
     "give Coulomb(coefficient) with a positive coefficient, infinite if nothing slides",
@@ -170,12 +169,8 @@ class BimodalDamping:
         pushed, ahead = np.broadcast_arrays(
             np.asarray(self.shift_amplitude, dtype=float), np.asarray(self.phase, dtype=float)
         )
-        loss = np.array(
-            [
-                self._lost(ratios[0], radius, float(a), float(p))
-                for a, p in zip(pushed.ravel(), ahead.ravel(), strict=True)
-            ]
-        )
+        pairs = zip(pushed.ravel().tolist(), ahead.ravel().tolist(), strict=True)
+        loss = np.array([self._lost(ratios[0], radius, a, p) for a, p in pairs])
         if pushed.ndim == 0:
             return BimodalDampingSolution(self, deepest, float(loss[0]))
         return BimodalDampingSolution(self, deepest, loss.reshape(pushed.shape))
@@ -218,7 +213,7 @@ class BimodalDamping:
 
         def density(x: Array, _: Array) -> Array:
             gap = self.bed.gap(x) - self.depth
-            lost = self._released(cycle, gap) if math.isinf(bound) else cycle.loss(gap)
+            lost = cycle.released(gap) if math.isinf(bound) else cycle.loss(gap)
             return np.asarray(2.0 * self.bed.tangential_stiffness(x) * lost)
 
         return float(along_springs(density, edges, np.array([self._tolerance(cycle)]), "loss of the springs")[0])
@@ -239,23 +234,9 @@ class BimodalDamping:
         kinks = [b for b, _ in self.bed.kinks]
         parts = [towards(radius, kinks, EDGE_HALVINGS)]
         if 0.0 < lowest < radius:
-            parts += [
-                towards(lowest, [], EDGE_HALVINGS),
-                lowest + (radius - lowest) * 0.5 ** np.arange(1, EDGE_HALVINGS),
-            ]
+            outside = lowest + (radius - lowest) * 0.5 ** np.arange(1, EDGE_HALVINGS)
+            parts += [towards(lowest, [], EDGE_HALVINGS), outside]
         return np.unique(np.concatenate(parts))
-
-    def _released(self, cycle: SpringCycle, gap: Array) -> Array:
-        """Return what springs that never slide lose when they part, over their stiffness [m^2]."""
-        n, m = self.normal_cycles, self.lateral_cycles
-        share = math.sin(cycle.phase) ** 2 * n if n <= 2 else 0.5 * n
-        span = self.depth_amplitude
-        if span == 0.0:
-            return np.zeros(gap.shape)
-        touching = np.arccos(np.clip(gap / span, -1.0, 1.0))
-        never = (gap <= -span) | (gap >= span)
-        lost = 2.0 * share * cycle.shift_amplitude**2 * np.sin(m * touching / n) ** 2
-        return np.where(never, 0.0, lost)
 
 
 @value

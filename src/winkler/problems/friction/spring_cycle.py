@@ -16,6 +16,7 @@ Its loss per stiffness, :math:`\int\beta(d-\gamma)\,\mathrm dP` from there on, h
 from __future__ import annotations
 
 import itertools
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -140,6 +141,24 @@ class SpringCycle:
             for slide in slides:
                 lost[slide.which] += self._spent(slide, gap[slide.which])
         return lost
+
+    def released(self, gap: Array) -> Array:
+        """Return what springs that never slide lose when they lose contact, over tangential stiffness [m^2].
+
+        Parameters
+        ----------
+        gap : ndarray, (k,)
+            gamma - d_0 [m].
+        """
+        n, m = self.normal_cycles, self.lateral_cycles
+        share = math.sin(self.phase) ** 2 * n if n <= 2 else 0.5 * n
+        span = self.depth_amplitude
+        if span == 0.0:
+            return np.zeros(gap.shape)
+        touching = np.arccos(np.clip(gap / span, -1.0, 1.0))
+        never = (gap <= -span) | (gap >= span)
+        lost = 2.0 * share * self.shift_amplitude**2 * np.sin(m * touching / n) ** 2
+        return np.where(never, 0.0, lost)
 
     def _step(self, gap: Array, displaced: Array, start: float, stop: float) -> tuple[Array, list[_Slide]]:
         """Return the springs' displacements after a step, and which of them have slid."""

@@ -18,7 +18,7 @@ from typing import ClassVar
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.foundation.bed import Bed, PressedSprings
+from winkler.foundation.bed import Bed
 from winkler.laws.friction import Coulomb
 from winkler.loading import Angle, Depth, Torque
 from winkler.media.halfspace import HomogeneousMedium
@@ -28,32 +28,19 @@ from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import BALANCED, PRESSED
 from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.friction.torsion_bound import PressedState, TwistBound, twist_bound
-from winkler.problems.friction.torsion_march import (
-    ANGLE_TOLERANCE,
-    LOSS_TOLERANCE,
-    TorsionStep,
-    square,
-    step_to_torque,
-    torque_of,
-    torsion_step,
-)
-from winkler.problems.friction.torsion_memory import TwistMemory, fresh, pieces_of
+from winkler.problems.friction.torsion_march import TorsionStep, square, step_to_torque, torque_of, torsion_step
+from winkler.problems.friction.torsion_pieces import TwistMemory, fresh, pieces_of
 from winkler.problems.friction.torsion_states import TorsionState, TwistedSprings
-from winkler.problems.friction.torsion_yield import torsion_yield_notes
+from winkler.problems.friction.torsion_validity import torsion_notes, torsion_yield_notes
 from winkler.problems.normal.solve_contact import at_depth, at_force
 from winkler.problems.normal.validity import contact_notes
-from winkler.validity import Assumption, Note, Standing
+from winkler.validity import Assumption, Note
 from winkler.values import value
 
 __all__ = ["Torsion", "TorsionSolution"]
 
 LEVEL_TOLERANCE = 1e-12
 """Part of the level by which two contacts may differ whose bounds are the same."""
-
-TRACTION_ROUNDING = 1e-6
-"""Excess of the traction over friction that is none."""
-PATH_SAMPLES, RADIUS_SAMPLES = 24, 193
-"""At so many points of a path where the load falls the traction is examined, at so many radii."""
 
 
 @value
@@ -272,57 +259,12 @@ class TorsionSolution:
         problem = self.problem
         bed = problem.bed
         contact = (*bed.notes, *contact_notes(bed, self.depth, self.radius), *torsion_yield_notes(bed, self.states))
-        return (*contact, *_notes(self), energy_note(self.work, self.stored_energy, self.dissipation))
-
-
-def _notes(solution: TorsionSolution) -> Iterator[Note]:
-    yield Note(
-        Assumption.SLIP,
-        Standing.EXACT,
-        "Torsion of a round contact and its normal load do not act on each other, whatever the Poisson ratios are, "
-        "also of elastically dissimilar bodies: for small rotations the springs give the three-dimensional solution "
-        "itself, as long as what slides is an outer ring.",
-        "J. Jaeger, Arch. Appl. Mech. 65 (1995) 478-487, doi:10.1007/BF00835661",
-    )
-    bad = np.flatnonzero(~solution.nested.astype(bool))
-    excess, index = _excess(solution)
-    if bad.size or excess > TRACTION_ROUNDING:
-        yield Note(
-            Assumption.SLIP,
-            Standing.APPROXIMATE,
-            f"From index {min([*bad[:1].tolist(), index])} on springs have slid with sticking ones outside of them: "
-            "the normal load falls while the twist turns back.  There the law holds for the springs, but not on all "
-            f"of the surface: the traction exceeds coefficient times pressure by up to {excess:.1%}, where examined.",
-            "traction restored at points where the load falls",
+        by_torque = isinstance(problem.path.lateral, Torque)
+        return (
+            *contact,
+            *torsion_notes(bed, problem.law, self.states, by_torque),
+            energy_note(self.work, self.stored_energy, self.dissipation),
         )
-    moving = isinstance(solution.problem.path.lateral, Torque)
-    yield Note(
-        Assumption.RESOLUTION,
-        Standing.EXACT,
-        "Angle, torque and slip are known without a grid; under a changing normal load "
-        + (
-            f"the angle to {ANGLE_TOLERANCE:g} of what friction bears."
-            if moving
-            else f"the loss to {LOSS_TOLERANCE:g} of the energies."
-        ),
-        "moves along the path halved until they agree",
-    )
-
-
-def _excess(solution: TorsionSolution) -> tuple[float, int]:
-    """Return by which part the traction exceeds friction at most, where the load falls, and the first such point."""
-    last = len(solution.states)
-    falling = np.flatnonzero((np.diff(solution.depth) < 0.0) & (solution.radius[1:] > 0.0)) + 1
-    greatest, first = 0.0, last
-    for index in falling[:: max(1, falling.size // PATH_SAMPLES)].tolist():
-        state = solution.states[index]
-        r = np.linspace(0.02, 0.98, RADIUS_SAMPLES) * state.radius
-        pressed = PressedSprings(solution.problem.bed, state.depth, state.radius)
-        borne = solution.problem.law.coefficient * solution.problem.bed.medium.pressure(pressed, r)
-        excess = float(np.max(np.abs(state.traction(r)) / borne)) - 1.0 if borne.min() > 0.0 else 0.0
-        if excess > TRACTION_ROUNDING:
-            greatest, first = max(greatest, excess), min(first, index)
-    return greatest, first
 
 
 def _stick_radius(memory: TwistMemory) -> float:

@@ -14,7 +14,8 @@ import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.problems.friction.torsion_bound import PressedState, TwistBound
-from winkler.problems.friction.torsion_memory import TwistMemory, TwistMove, moved, pieces_of, slid_along, stuck_work
+from winkler.problems.friction.torsion_memory import TwistMove, moved, slid_along, stuck_work
+from winkler.problems.friction.torsion_pieces import TwistMemory, pieces_of
 
 __all__ = ["ANGLE_TOLERANCE", "LOSS_TOLERANCE", "TorsionStep", "square", "step_to_torque", "torque_of", "torsion_step"]
 

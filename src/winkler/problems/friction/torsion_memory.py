@@ -23,9 +23,9 @@ import numpy as np
 from winkler.numerics.panels.kink_panels import Sample
 from winkler.numerics.types import Array
 from winkler.problems.friction.torsion_bound import PressedState, TwistBound
-from winkler.values import value, words
+from winkler.problems.friction.torsion_pieces import NO_CONTACT, TwistMemory, TwistPiece, pieces_of
 
-__all__ = ["TwistMemory", "TwistMove", "TwistRing", "fresh", "moved", "pieces_of", "slid_along", "stuck_work"]
+__all__ = ["TwistMove", "TwistRing", "moved", "slid_along", "stuck_work"]
 
 BOUND_ROUNDING = 3e-13
 """Part of the bound inside the contact by which rounding may exceed it."""
@@ -33,50 +33,6 @@ NARROWEST_RING = 1e-9
 """A ring narrower than this part of the contact is none."""
 BISECTIONS = 60
 """At most so many, of the places where sliding begins."""
-
-
-@value
-class TwistMemory:
-    """The springs of a contact.
-
-    Parameters
-    ----------
-    level, radius, excess : float
-        How the contact is pressed: depth [m] or force [N]; a [m]; d - g(a) [m].
-    edges : ndarray, (m + 1,)
-        Ends of the stretches [m], from zero to a.
-    held, entered : ndarray, (m,)
-        alpha [Pa] and beta [Pa per unit of the level].
-    sides : ndarray, (m,)
-        sigma: 1, 0 or -1.
-    bounds : ndarray, (m, 3)
-        Level, radius and excess of the contact whose bound it is.
-    """
-
-    __words__ = words(
-        press=("", None, "how the contact is pressed"),
-        level=("", None, "depth or force, as prescribed"),
-        excess=("d-g(a)", "m", "depth beyond that at which the contact fills the body"),
-        edges=("x_j", "m", "ends of the stretches"),
-        held=(r"\alpha", "Pa", "constant part of the load over x"),
-        entered=(r"\beta", None, "part of the load over x that grows with the level of first touch"),
-        sides=(r"\sigma", "", "part of the load over x that is a bound"),
-        bounds=("", None, "the contacts whose bounds these are"),
-    )
-
-    level: float
-    radius: float
-    excess: float
-    edges: Array
-    held: Array
-    entered: Array
-    sides: Array
-    bounds: Array
-
-    @property
-    def press(self) -> PressedState:
-        """How the contact is pressed."""
-        return PressedState(self.level, self.radius, self.excess)
 
 
 class TwistRing(NamedTuple):
@@ -104,41 +60,8 @@ class TwistMove(NamedTuple):
     free: float
 
 
-class _TwistPiece(NamedTuple):
-    low: float
-    high: float
-    held: float
-    entered: float
-    side: float
-    bound: PressedState
-
-    def values(self, bound: TwistBound) -> Array:
-        result = np.full(bound.x.shape, self.held)
-        if self.entered != 0.0:
-            result += self.entered * bound.clock
-        if self.side != 0.0:
-            result += self.side * bound.at(self.bound)
-        return result
-
-
-NO_CONTACT = PressedState(0.0, 0.0, 0.0)
-
-
-def fresh(level: float = 0.0) -> TwistMemory:
-    """Return springs of which none is in contact."""
-    none = np.zeros(0)
-    return TwistMemory(level, 0.0, 0.0, np.zeros(1), none, none, none, np.zeros((0, 3)))
-
-
-def pieces_of(memory: TwistMemory) -> list[_TwistPiece]:
-    """Return the stretches one by one."""
-    edges, bounds = memory.edges, [PressedState(*bound) for bound in memory.bounds.tolist()]
-    numbers = (edges[:-1], edges[1:], memory.held, memory.entered, memory.sides)
-    return [_TwistPiece(*row) for row in zip(*(each.tolist() for each in numbers), bounds, strict=True)]
-
-
-def _memory_of(press: PressedState, pieces: list[_TwistPiece]) -> TwistMemory:
-    merged: list[_TwistPiece] = []
+def _memory_of(press: PressedState, pieces: list[TwistPiece]) -> TwistMemory:
+    merged: list[TwistPiece] = []
     for piece in pieces:
         if merged and merged[-1][2:] == piece[2:]:
             merged[-1] = merged[-1]._replace(high=piece.high)
@@ -164,17 +87,17 @@ def moved(bound: TwistBound, memory: TwistMemory, press: PressedState, twist: fl
         8 G_t times the change of the angle [Pa].
     """
     before, change = memory.press, press.level - memory.level
-    trials: list[tuple[_TwistPiece, bool]] = [
+    trials: list[tuple[TwistPiece, bool]] = [
         (piece._replace(high=min(piece.high, press.radius), held=piece.held + twist), False)
         for piece in pieces_of(memory)
         if piece.low < press.radius
     ]
     if press.radius > before.radius:
         rate = twist / change if change > 0.0 else 0.0
-        trials.append((_TwistPiece(before.radius, press.radius, rate * press.level, -rate, 0.0, NO_CONTACT), True))
+        trials.append((TwistPiece(before.radius, press.radius, rate * press.level, -rate, 0.0, NO_CONTACT), True))
     now = bound.at(press)
     slack = BOUND_ROUNDING * _read(bound, now, 0.5 * press.radius) if press.radius > 0.0 else 0.0
-    done: list[_TwistPiece] = []
+    done: list[TwistPiece] = []
     rings: list[TwistRing] = []
     states: list[tuple[float, int]] = []
     free = 0.0
@@ -186,7 +109,7 @@ def moved(bound: TwistBound, memory: TwistMemory, press: PressedState, twist: fl
                 done.append(trial._replace(low=low, high=high))
                 free += _free(bound, low, high, press.level, change) if entering else 2.0 / 3.0 * (high**3 - low**3)
                 continue
-            done.append(_TwistPiece(low, high, 0.0, 0.0, float(state), press))
+            done.append(TwistPiece(low, high, 0.0, 0.0, float(state), press))
             sample = bound.panels.sample(low, high)
             load = np.zeros_like(sample.x) if entering else sample.read(values) - twist
             rings.append(TwistRing(sample, load, sample.read(bound.clock), np.full(sample.x.shape, state)))
@@ -282,7 +205,7 @@ def _left(bound: TwistBound, memory: TwistMemory, press: PressedState, twist: fl
 
 
 def _stretches_of(
-    bound: TwistBound, trial: _TwistPiece, now: Array, values: Array, slack: float
+    bound: TwistBound, trial: TwistPiece, now: Array, values: Array, slack: float
 ) -> list[tuple[float, float, int]]:
     """Return where a stretch sticks (0) and where it slides to which side."""
     if bound.endless:

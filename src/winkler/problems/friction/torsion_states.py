@@ -16,7 +16,7 @@ from winkler.media.interior.twist_field import (
 )
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.friction.torsion_bound import TwistBound, twist_bound
-from winkler.problems.friction.torsion_memory import TwistMemory, pieces_of
+from winkler.problems.friction.torsion_pieces import TwistMemory, pieces_of
 from winkler.values import value, words
 
 __all__ = ["TorsionState", "TwistedSprings"]

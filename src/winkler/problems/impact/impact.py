@@ -28,7 +28,8 @@ from winkler.problems.assumptions.declared import BALANCED, SHEARED
 from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.assumptions.inertia import wave_loss, wave_note
-from winkler.problems.impact.march import ImpactMoment, ImpactProblem, stages, turning
+from winkler.problems.impact.moments import joined_stages, states_along
+from winkler.problems.impact.motion import ImpactProblem
 from winkler.problems.impact.states import ImpactStage, ImpactState
 from winkler.problems.impact.validity import PLANAR, Moments, gravity_note
 from winkler.problems.normal.force_curve import deepest, normal_curve, stiffness_ratio
@@ -166,53 +167,12 @@ class Impact:
         NotConverged
             If the profile is too rough, or the march comes to a halt.
         """
-        motion = self._motion
-        turn = turning(motion)
-        times = np.linspace(0.0, 2.0 * turn, self.count)
-        done, begun = 0, tuple[ImpactStage, ...]()
-        for stage in stages(motion, turn):
-            begun = (*begun, ImpactStage(stage.start, stage.end, stage.sign))
-            stop = int(np.searchsorted(times, stage.end, side="right"))
-            requested = times[done:stop]
-            moments = [stage.moment(time) for time in requested.tolist()]
-            if stop == self.count:
-                moments[-1] = _parted(moments[-1])
-            if moments:
-                yield from self._states(requested, moments, begun, 2.0 * turn)
-                done, begun = stop, ()
-
-    def _states(
-        self, times: Array, moments: list[ImpactMoment], begun: tuple[ImpactStage, ...], duration: float
-    ) -> list[ImpactState]:
-        gaps = np.array([(max(moment.depth, 0.0), max(moment.stuck, 0.0)) for moment in moments])
-        _, radii = at_depth(self.bed, gaps.ravel())
-        return [
-            ImpactState(
-                time=time,
-                depth=depth,
-                shift=moment.shift,
-                velocity=moment.velocity,
-                sliding_velocity=moment.sliding,
-                force=moment.force,
-                shear_force=moment.shear,
-                radius=radius,
-                stick_radius=min(stick, radius),
-                energy=moment.pressed,
-                stored_energy=moment.stored,
-                dissipation=moment.loss,
-                side=begun[-1].side,
-                stages=() if place else begun,
-                duration=duration,
-            )
-            for place, (time, moment, (depth, _), (radius, stick)) in enumerate(
-                zip(times.tolist(), moments, gaps.tolist(), radii.reshape(-1, 2).tolist(), strict=True)
-            )
-        ]
+        yield from states_along(self.bed, self._motion, self.count)
 
     def gathered(self, states: Iterable[ImpactState]) -> ImpactSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""
         every = list(states)
-        stages = _joined([stage for state in every for stage in state.stages], every[-1].time)
+        stages = joined_stages([stage for state in every for stage in state.stages], every[-1].time)
         return gather(ImpactSolution, self, every, duration=every[-1].duration, stages=stages)
 
     def solve(self) -> ImpactSolution:
@@ -228,24 +188,6 @@ class Impact:
             As `steps`.
         """
         return self.gathered(self.steps())
-
-
-def _parted(end: ImpactMoment) -> ImpactMoment:
-    """Return the moment after the last springs have parted: what they still stored is lost."""
-    loss = end.loss + end.stored
-    return end._replace(depth=0.0, loss=loss, force=0.0, shear=0.0, pressed=0.0, stored=0.0, stuck=0.0)
-
-
-def _joined(stages: list[ImpactStage], last: float) -> tuple[ImpactStage, ...]:
-    """Return the stages up to a time [s], those of one side after the other as one."""
-    joined: list[ImpactStage] = []
-    for stage in stages:
-        end = min(stage.end, last)
-        if joined and stage.side == joined[-1].side:
-            joined[-1] = ImpactStage(joined[-1].start, end, stage.side)
-        else:
-            joined.append(ImpactStage(stage.start, end, stage.side))
-    return tuple(joined)
 
 
 @value

@@ -22,111 +22,18 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import NotConverged
-from winkler.numerics.equations.marching import IntegratedStates, StopCondition, integrate_to_stop
+from winkler.numerics.equations.marching import IntegratedStates, StopCondition
 from winkler.numerics.types import Array
 from winkler.problems.impact.memory import NO_HISTORY, EnteredSprings, RecalledPoint, SlidSprings, Stuck, ring
-from winkler.problems.normal.force_curve import NormalCurve
+from winkler.problems.impact.motion import ImpactMoment, ImpactProblem, Stage, integrate, integrate_stuck, stuck_stage
 
-__all__ = ["ImpactMoment", "ImpactProblem", "Stage", "stages", "turning"]
+__all__ = ["stages"]
 
-PRECISION = 3e-14
-"""Relative error allowed per step."""
 DEGREE = 7
 """Of the integrator's own interpolation within a step."""
 MOST_STAGES = 1000
 NODES = np.cos(np.pi * (np.arange(DEGREE + 1) + 0.5) / (DEGREE + 1))
 POWERS = np.linalg.inv(np.vander(NODES, increasing=True))
-
-
-class ImpactProblem(NamedTuple):
-    """What moves, and on which springs.
-
-    Parameters
-    ----------
-    curve : NormalCurve
-    depth : float
-        The greatest depth [m].
-    mass : float
-        [kg].
-    mobility : float
-        kappa [1/kg].
-    velocity, sliding : float
-        v and w at first touch [m/s].
-    ratio : float
-        rho, tangential over normal stiffness of the springs.
-    coefficient : float
-        mu; infinite where nothing slides.
-    """
-
-    curve: NormalCurve
-    depth: float
-    mass: float
-    mobility: float
-    velocity: float
-    sliding: float
-    ratio: float
-    coefficient: float
-
-    def beta(self) -> float:
-        """mu / rho, by which the bound of the displacement rises with the depth."""
-        return self.coefficient / self.ratio
-
-    def scales(self) -> Array:
-        """What is large for d, v, U, w, the loss, the shear force and the stored energy."""
-        time = self.depth / self.velocity
-        climb = self.beta() if math.isfinite(self.coefficient) else 0.0
-        # where springs slide by little, it is the difference of two large lengths and known to their rounding
-        sliding = max(abs(self.sliding), 1e-3 * self.velocity * max(1.0, climb))
-        energy = 0.5 * sliding**2 / self.mobility
-        return np.array(
-            [self.depth, self.velocity, sliding * time, sliding, energy, sliding / (self.mobility * time), energy]
-        )
-
-
-class ImpactMoment(NamedTuple):
-    """One moment of the contact.
-
-    Parameters
-    ----------
-    depth, velocity, shift, sliding, loss : float
-        d [m], v [m/s], U [m], w [m/s], energy lost since first touch [J].
-    force, shear : float
-        F_N and F_x [N].
-    pressed, stored : float
-        Elastic energy of the normal and of the tangential displacement [J].
-    stuck : float
-        The gap up to which springs stick [m].
-    """
-
-    depth: float
-    velocity: float
-    shift: float
-    sliding: float
-    loss: float
-    force: float
-    shear: float
-    pressed: float
-    stored: float
-    stuck: float
-
-
-class Stage(NamedTuple):
-    """A stretch of time over which the same springs slide towards the same side, or none.
-
-    Parameters
-    ----------
-    start, end : float
-        [s].
-    sign : int
-        The side to which the edge slides; zero where all stick.
-    moment : Callable
-        Time -> Moment.
-    """
-
-    start: float
-    end: float
-    sign: int
-    moment: Callable[[float], ImpactMoment]
 
 
 def stages(motion: ImpactProblem, turn: float) -> Iterator[Stage]:
@@ -146,52 +53,6 @@ def stages(motion: ImpactProblem, turn: float) -> Iterator[Stage]:
     if math.isinf(motion.coefficient) or motion.sliding == 0.0:
         return _without_slip(motion, turn)
     return _with_slip(motion, turn)
-
-
-def _march(
-    motion: ImpactProblem,
-    rates: Callable[[float, Array], list[float]],
-    span: tuple[float, float],
-    start: Array,
-    stops: list[StopCondition],
-) -> IntegratedStates:
-    unit, scales = motion.depth / motion.velocity, motion.scales()[: start.size]
-    return integrate_to_stop(rates, span, start, unit=unit, precision=PRECISION, scales=scales, stops=stops)
-
-
-def turning(motion: ImpactProblem) -> float:
-    """Return when the depth is greatest [s]."""
-
-    def rates(time: float, state: Array) -> list[float]:
-        return [state[1], -motion.curve.at(state[0])[1] / motion.mass]
-
-    longest = 2.0 * motion.depth / motion.velocity  # the force never falls with the depth
-    stopped = StopCondition(lambda time, state: state[1], -1)
-    integrated = _march(motion, rates, (0.0, longest), np.array([0.0, motion.velocity]), [stopped])
-    return integrated.end
-
-
-def _stick(
-    motion: ImpactProblem, span: tuple[float, float], start: Array, stops: list[StopCondition]
-) -> IntegratedStates:
-    """March on while all springs stick: d, v, U, w, loss, shear force and stored energy."""
-    mass, ratio, mobility = motion.mass, motion.ratio, motion.mobility
-
-    def rates(time: float, state: Array) -> list[float]:
-        depth, velocity, _, sliding, _, shear, _ = state.tolist()
-        stiffness, force, _ = motion.curve.at(depth)
-        return [velocity, -force / mass, sliding, -mobility * shear, 0.0, ratio * stiffness * sliding, shear * sliding]
-
-    return _march(motion, rates, span, start, stops)
-
-
-def _sticking(motion: ImpactProblem, integrated: IntegratedStates) -> Stage:
-    def moment(time: float) -> ImpactMoment:
-        depth, velocity, shift, sliding, loss, shear, stored = integrated.at(time).tolist()
-        _, force, pressed = motion.curve.at(depth)
-        return ImpactMoment(depth, velocity, shift, sliding, loss, force, shear, pressed, stored, depth)
-
-    return Stage(float(integrated.times[0]), integrated.end, 0, moment)
 
 
 def _entered(motion: ImpactProblem, integrated: IntegratedStates, turn: float) -> EnteredSprings:
@@ -215,9 +76,9 @@ def _with_slip(motion: ImpactProblem, turn: float) -> Iterator[Stage]:
         if sign == 0:
             forward = StopCondition(lambda time, y: y[3] - beta * y[1], 1)
             backward = StopCondition(lambda time, y: y[3] + beta * y[1], -1)
-            integrated = _stick(motion, (time, turn), np.array([*state, shear, stored]), [forward, backward])
+            integrated = integrate_stuck(motion, (time, turn), np.array([*state, shear, stored]), [forward, backward])
             if integrated.end > time:
-                yield _sticking(motion, integrated)
+                yield stuck_stage(motion, integrated)
                 memory.append(_entered(motion, integrated, turn))
             time, state = integrated.end, integrated.last[:5]
             ahead, back = integrated.stopped
@@ -298,7 +159,7 @@ class _Slip(NamedTuple):
             StopCondition(eaten, 1),
             StopCondition(passed, -1),
         ]
-        return _march(motion, rates, (time, end), start, stops)
+        return integrate(motion, rates, (time, end), start, stops)
 
     def reader(self, integrated: IntegratedStates) -> Callable[[float], ImpactMoment]:
         def moment(time: float) -> ImpactMoment:
@@ -318,8 +179,10 @@ def _without_slip(motion: ImpactProblem, turn: float) -> Iterator[Stage]:
     With the displacement :math:`\delta` of the springs at the edge the loss is
     :math:`\tfrac12\varrho\int\delta^2\mathrm dK`, integrated by parts because K may jump.
     """
-    loaded = _stick(motion, (0.0, turn), np.array([0.0, motion.velocity, 0.0, motion.sliding, 0.0, 0.0, 0.0]), [])
-    yield _sticking(motion, loaded)
+    loaded = integrate_stuck(
+        motion, (0.0, turn), np.array([0.0, motion.velocity, 0.0, motion.sliding, 0.0, 0.0, 0.0]), []
+    )
+    yield stuck_stage(motion, loaded)
     mass, ratio, mobility, curve = motion.mass, motion.ratio, motion.mobility, motion.curve
     sign = 0
 
@@ -335,7 +198,7 @@ def _without_slip(motion: ImpactProblem, turn: float) -> Iterator[Stage]:
         lost = ratio * stiffness * displaced * (sliding + float(earlier[3]))
         return [velocity, -force / mass, sliding, -mobility * shear, lost]
 
-    parted = _march(motion, rates, (turn, 2.0 * turn), loaded.last[:5], [])
+    parted = integrate(motion, rates, (turn, 2.0 * turn), loaded.last[:5], [])
 
     def moment(time: float) -> ImpactMoment:
         depth, velocity, shift, sliding, loss = parted.at(time).tolist()

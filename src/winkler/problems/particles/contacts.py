@@ -2,8 +2,7 @@ r"""Many small contacts of balls at once, each with its history: what a discrete
 
 The normal force is Hertz', :math:`F_N=\tfrac43E^*\sqrt R\,d^{3/2}`.  The shear force is that of a row of springs for
 each contact, which stick and slip (`winkler.numerics.springs.contact_kernels`).  A twist about the normal is borne up
-to
-:math:`\tfrac{3\pi}{16}\mu F_Na` with the stiffness :math:`\tfrac{16}3G_ta^3`; rolling up to :math:`e F_N` with
+to :math:`\tfrac{3\pi}{16}\mu F_Na` with the stiffness :math:`\tfrac{16}3G_ta^3`; rolling up to :math:`e F_N` with
 :math:`\tfrac43E^*a^3`, that of a disc that is tilted.  Shear, twist and rolling do not affect each other.
 """
 
@@ -15,14 +14,18 @@ from typing import Annotated, ClassVar
 import numpy as np
 
 from winkler.checks.number_checks import NON_NEGATIVE, POSITIVE, Numbers, Whole, checked
-from winkler.checks.physical_size import refuse_size
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.media.halfspace import HalfSpace
-from winkler.numerics.springs.contact_kernels import move_balls, turn_balls
-from winkler.numerics.threads import run_in_threads
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.normal.validity import steepness_note
+from winkler.problems.particles.contact_steps import (
+    BallPairs,
+    FrictionState,
+    follow_contacts,
+    numbers_of_shape,
+    with_step_axis,
+)
 from winkler.problems.particles.trace import PLANE, SIMILAR, SPRINGS, UNCOUPLED, ContactTrace
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
@@ -91,7 +94,7 @@ class Contacts:
         many = np.shape(self.depth)
         if len(many) != 1:
             raise InvalidInput(f"Contacts: depth has the shape {many}; give one number for each contact.")
-        for word in (*PROPERTIES, "twisted", "dissipation"):
+        for word in (*BallPairs._fields, "twisted", "dissipation"):
             if np.shape(getattr(self, word)) != many:
                 raise InvalidInput(
                     f"Contacts: {word} has the shape {np.shape(getattr(self, word))} for {many[0]} contacts; give one "
@@ -192,9 +195,9 @@ class Contacts:
         """
         after, _ = self.along(
             np.asarray(depth, dtype=float)[..., np.newaxis],
-            motion=_between(motion, 2),
-            twist=_between(twist, 1),
-            roll=_between(roll, 2),
+            motion=with_step_axis(motion, 2),
+            twist=with_step_axis(twist, 1),
+            roll=with_step_axis(roll, 2),
         )
         return after
 
@@ -228,75 +231,34 @@ class Contacts:
         """
         many = self.depth.size
         steps = np.shape(depth)[-1] if np.ndim(depth) else 1
-        d = _filled("depth", depth, (many, steps))
-        move = _filled("motion", motion, (many, steps, 2))
-        turns = np.zeros((many, steps, 2))
-        turns[:, :, 0] = _filled("twist", twist, (many, steps))
-        rolls = _filled("roll", roll, (many, steps, 2))
+        d = numbers_of_shape("depth", depth, (many, steps))
+        move = numbers_of_shape("motion", motion, (many, steps, 2))
+        turns = numbers_of_shape("twist", twist, (many, steps))
+        rolls = numbers_of_shape("roll", roll, (many, steps, 2))
         deep = np.flatnonzero(np.any(d > self.reach[:, np.newaxis], axis=1))
         if deep.size:
             raise OutsideValidity(
                 f"Contacts: contact {deep[0]} is pressed {np.max(d[deep[0]]):g} m deep, beyond the "
                 f"{self.reach[deep[0]]:g} m its springs were made for; make the contacts with a greater reach."
             )
+        before = FrictionState(self.displaced, self.twisted, self.rolled, self.dissipation)
         depths = np.concatenate([self.depth[:, np.newaxis], d], axis=1)
-        pressed = np.maximum(depths, 0.0)
-        radius = np.sqrt(self.curvature_radius[:, np.newaxis] * pressed)
-        normal = _hertz(self, pressed)
-        u, twisted, rolled = np.array(self.displaced), np.zeros((many, 2)), np.array(self.rolled)
-        twisted[:, 0] = self.twisted
-        shear, torque, moment = np.zeros((3, many, steps, 2))
-        stored, lost = np.zeros((2, 3, many, steps))
-        spacing = np.sqrt(self.curvature_radius * self.reach) / u.shape[1]
-        slope = self.coefficient * self.modulus / self.shear_modulus
-        single = 2.0 * self.shear_modulus * spacing
-        twisting = 16.0 / 3.0 * self.torsional_modulus[:, np.newaxis] * radius**3
-        most_twist = 3.0 * np.pi / 16.0 * self.coefficient[:, np.newaxis] * normal * radius
-        tilting = 4.0 / 3.0 * self.modulus[:, np.newaxis] * radius**3
-        most_roll = self.rolling_arm[:, np.newaxis] * normal
+        after, trace = follow_contacts(self._pairs, before, depths, move, turns, rolls)
+        return dataclasses.replace(self, depth=d[:, -1], **after._asdict()), trace
 
-        def work(part: slice) -> None:
-            move_balls(
-                u[part],
-                self.curvature_radius[part],
-                spacing[part],
-                single[part],
-                slope[part],
-                depths[part],
-                move[part],
-                shear[part],
-                stored[0, part],
-                lost[0, part],
-            )
-            for row, (held, stiffness, most, turn, borne) in enumerate(
-                ((twisted, twisting, most_twist, turns, torque), (rolled, tilting, most_roll, rolls, moment)), 1
-            ):
-                turn_balls(
-                    held[part], stiffness[part], most[part], turn[part], borne[part], stored[row, part], lost[row, part]
-                )
-
-        run_in_threads(work, many)
-        heat = self.dissipation[:, np.newaxis] + np.cumsum(lost.sum(axis=0), axis=1)
-        trace = ContactTrace(d, normal[:, 1:], shear, torque[:, :, 0], moment, stored.sum(axis=0), heat)
-        after = dataclasses.replace(
-            self,
-            depth=d[:, -1],
-            displaced=u,
-            twisted=twisted[:, 0],
-            rolled=rolled,
-            dissipation=heat[:, -1],
-        )
-        return after, trace
+    @property
+    def _pairs(self) -> BallPairs:
+        return BallPairs(*(getattr(self, word) for word in BallPairs._fields))
 
     @property
     def radius(self) -> Array:
         """a [m], ``(contacts,)``; zero without contact."""
-        return np.asarray(np.sqrt(self.curvature_radius * np.maximum(self.depth, 0.0)))
+        return self._pairs.radius(np.maximum(self.depth, 0.0)[:, np.newaxis])[:, 0]
 
     @property
     def force(self) -> Array:
         """F_N [N], ``(contacts,)``."""
-        return _hertz(self, np.maximum(self.depth, 0.0)[:, np.newaxis])[:, 0]
+        return self._pairs.force(np.maximum(self.depth, 0.0)[:, np.newaxis])[:, 0]
 
     @property
     def shear_force(self) -> Array:
@@ -306,12 +268,12 @@ class Contacts:
     @property
     def torque(self) -> Array:
         """M_z that holds up a twist [N m], ``(contacts,)``."""
-        return np.asarray(16.0 / 3.0 * self.torsional_modulus * self.radius**3 * self.twisted)
+        return np.asarray(self._pairs.twisting(self.radius[:, np.newaxis])[:, 0] * self.twisted)
 
     @property
     def rolling_moment(self) -> Array:
         """The moment that holds up rolling [N m], ``(contacts, 2)``."""
-        return np.asarray((4.0 / 3.0 * self.modulus * self.radius**3)[:, np.newaxis] * self.rolled)
+        return np.asarray(self._pairs.tilting(self.radius[:, np.newaxis]) * self.rolled)
 
     @property
     def energy(self) -> Array:
@@ -329,43 +291,10 @@ class Contacts:
     @property
     def _single(self) -> Array:
         """Tangential stiffness of one spring, on both sides of the axis [N/m]."""
-        spacing = np.sqrt(self.curvature_radius * self.reach) / self.displaced.shape[1]
-        return np.asarray(2.0 * self.shear_modulus * spacing)
+        return self._pairs.single(self.displaced.shape[1])
 
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the forces can be trusted."""
         slope = float(np.max(self.radius / self.curvature_radius, initial=0.0))
         return (SIMILAR, steepness_note(slope), SPRINGS, PLANE, UNCOUPLED)
-
-
-PROPERTIES = (
-    "curvature_radius",
-    "modulus",
-    "shear_modulus",
-    "torsional_modulus",
-    "coefficient",
-    "rolling_arm",
-    "reach",
-)
-
-
-def _hertz(contacts: Contacts, pressed: Array) -> Array:
-    stiffness = 4.0 / 3.0 * contacts.modulus * np.sqrt(contacts.curvature_radius)
-    return np.asarray(stiffness[:, np.newaxis] * pressed**1.5)
-
-
-def _between(broadcast: ArrayLike, axes: int) -> Array:
-    """Return what is given for one step with an axis of steps after that of the contacts."""
-    numbers = np.asarray(broadcast, dtype=float)
-    return np.expand_dims(numbers, axis=1) if numbers.ndim == axes else numbers
-
-
-def _filled(word: str, broadcast: ArrayLike, shape: tuple[int, ...]) -> Array:
-    numbers = np.asarray(broadcast, dtype=float)
-    if numbers.shape not in ((), shape):
-        raise InvalidInput(f"Contacts: {word} has the shape {numbers.shape}; give {shape}, or one number for all.")
-    if not np.all(np.isfinite(numbers)):
-        raise InvalidInput(f"Contacts: {word} holds what is no finite number; give finite ones in SI units.")
-    refuse_size(f"Contacts: {word}", numbers)
-    return np.ascontiguousarray(np.broadcast_to(numbers, shape))

@@ -29,13 +29,13 @@ from winkler.problems.assumptions.declared import ROLLING
 from winkler.problems.normal.yield_of_pressure import ellipse_yield_notes
 from winkler.problems.rolling.creepage import Creepage, CreepageSolution
 from winkler.problems.rolling.kalker import CreepCoefficients, creep_coefficients, rolling_pair
+from winkler.problems.rolling.simplified_validity import CREEP, SPIN, moment_note, size_note
 from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
-from winkler.validity import Assumption, Note, Standing
+from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
 __all__ = ["RollingTraction", "SimplifiedRolling", "SimplifiedRollingSolution"]
 
-JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 4.2, doi:10.1017/CBO9781139171731"
 HALF_BOUND_INTEGRAL = 0.25 * math.pi
 """Half the integral of the bound over the unit disc: sums over it become forces over mu F_N."""
 
@@ -115,9 +115,9 @@ class SimplifiedRolling:
             If the ellipse or Poisson's ratio lies outside Kalker's table.
         """
         a, b = self.footprint.semi_axes(self.medium.modulus, float(self.load.force))
-        creep_coefficients_ = creep_coefficients(a / b, rolling_pair(self.medium).poisson)
+        coefficients = creep_coefficients(a / b, rolling_pair(self.medium).poisson)
         sums = np.empty((self.creepage.broadcast()[0].size, 4))
-        rolled(self.drives(a, b, creep_coefficients_), self.count, sums)
+        rolled(self.drives(a, b, coefficients), self.count, sums)
         most = self.friction.coefficient * float(self.load.force)
         forces = most * sums.T / (2.0 * HALF_BOUND_INTEGRAL)
 
@@ -125,19 +125,15 @@ class SimplifiedRolling:
             return float(result[0]) if self.creepage.shape == () else result.reshape(self.creepage.shape)
 
         moment = a * forces[2] - b * forces[3]
-        return SimplifiedRollingSolution(
-            self, a, b, creep_coefficients_, *(shaped(q) for q in (forces[0], forces[1], moment))
-        )
+        return SimplifiedRollingSolution(self, a, b, coefficients, *(shaped(q) for q in (forces[0], forces[1], moment)))
 
-    def drives(self, a: float, b: float, creep_coefficients_: CreepCoefficients) -> Array:
+    def drives(self, a: float, b: float, coefficients: CreepCoefficients) -> Array:
         """Return how fast sticking tractions grow, in units of the disc and of the greatest bound, ``(m, 4)``."""
         xi, eta, spin = self.creepage.broadcast()
         shear = rolling_pair(self.medium).shear
-        first, second = (
-            8.0 * a / (3.0 * creep_coefficients_.longitudinal * shear),
-            8.0 * a / (3.0 * creep_coefficients_.lateral * shear),
-        )
-        third = math.pi * a * math.sqrt(a / b) / (4.0 * creep_coefficients_.spin * shear)
+        first = 8.0 * a / (3.0 * coefficients.longitudinal * shear)
+        second = 8.0 * a / (3.0 * coefficients.lateral * shear)
+        third = math.pi * a * math.sqrt(a / b) / (4.0 * coefficients.spin * shear)
         bound = 2.0 * self.friction.coefficient * float(self.load.force) / (math.pi * a * b)
         unit = a / bound
         return np.stack([xi / first, eta / second, spin * b / third, spin * a / third], axis=1) * unit
@@ -228,47 +224,13 @@ class SimplifiedRollingSolution(CreepageSolution):
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        stated, axes, creep = self.problem, (self.longitudinal_semi_axis, self.lateral_semi_axis), self.problem.creepage
+        problem, axes = self.problem, (self.longitudinal_semi_axis, self.lateral_semi_axis)
+        creep = problem.creepage
         with_spin, aside = (bool(np.any(np.asarray(part) != 0.0)) for part in (creep.spin, creep.lateral))
-        moments = (*((self._moment_note,) if aside else ()), *((SPIN,) if with_spin else ()))
-        coupled = sticking_note(stated.medium, stated.friction.coefficient)
-        yielding = ellipse_yield_notes(stated.medium, axes, stated.load.force, stated.friction.coefficient)
-        return (*stated.medium.notes, self._size_note, coupled, CREEP, *moments, *yielding)
-
-    @property
-    def _moment_note(self) -> Note:
-        """Return how much of the moment under lateral creepage the springs bear.
-
-        Of the exact theory it begins as -G (ab)^1.5 c23 eta; of springs, whose p_y = (l - x) eta / L_2 grows from the
-        leading edge l on, as -eta / L_2 times the integral of x^2 over the ellipse.
-        """
-        creep_coefficients_ = self.coefficients
-        slender = math.sqrt(self.longitudinal_semi_axis / self.lateral_semi_axis)
-        part = 3.0 * math.pi / 32.0 * creep_coefficients_.lateral / creep_coefficients_.spin * slender
-        return Note(
-            Assumption.CALIBRATION,
-            Standing.APPROXIMATE,
-            f"The moment under lateral creepage begins at {100.0 * part:.2g} per cent of that of the exact theory on "
-            "this ellipse, and stays within 0.03 of mu F_N a of it for a circle.",
-            "Kalker's coefficient c23, by reciprocity; compared with CONTACT's curves of a circle",
-        )
-
-    @property
-    def _size_note(self) -> Note:
-        """Return whether the bodies may be taken for half-spaces."""
-        match self.problem.footprint:
-            case CurvedBodies(along, across):
-                ratio = max(self.longitudinal_semi_axis / along, self.lateral_semi_axis / across)
-            case _:
-                return PRESCRIBED_PRESSURE
-        if ratio <= 0.1:
-            standing, verdict = Standing.ASYMPTOTIC, "the bodies may be taken for half-spaces"
-        elif ratio <= 0.5:
-            standing, verdict = Standing.APPROXIMATE, "the bodies are hardly half-spaces any more"
-        else:
-            standing, verdict = Standing.OUTSIDE, "the bodies are no half-spaces"
-        statement = f"The semi-axes are up to {ratio:.3g} of the relative radii of curvature: {verdict}."
-        return Note(Assumption.HALF_SPACE, standing, statement, JOHNSON)
+        moments = (*((moment_note(self.coefficients, *axes),) if aside else ()), *((SPIN,) if with_spin else ()))
+        coupled = sticking_note(problem.medium, problem.friction.coefficient)
+        yielding = ellipse_yield_notes(problem.medium, axes, problem.load.force, problem.friction.coefficient)
+        return (*problem.medium.notes, size_note(problem.footprint, *axes), coupled, CREEP, *moments, *yielding)
 
 
 @value
@@ -301,26 +263,3 @@ class RollingTraction:
     def traction(self) -> Array:
         """The resultant traction [Pa]."""
         return np.asarray(np.hypot(self.longitudinal, self.lateral))
-
-
-PRESCRIBED_PRESSURE = Note(
-    Assumption.SHAPE,
-    Standing.ASYMPTOTIC,
-    "The ellipse was given: that these bodies touch on it under this load, and are large beside it, is not checked.",
-    JOHNSON,
-)
-CREEP = Note(
-    Assumption.CALIBRATION,
-    Standing.APPROXIMATE,
-    "Simplified theory: one spring for every point, its flexibility chosen by Kalker's coefficients, under a parabolic "
-    "bound; creep forces of a circle stay within 0.04 of mu F_N of the exact theory.",
-    "compared with CONTACT's curves of a circle",
-)
-SPIN = Note(
-    Assumption.CALIBRATION,
-    Standing.APPROXIMATE,
-    "Under spin the lateral force stays within 0.11 of mu F_N of the exact theory for a circle; the moment about the "
-    "normal, which has no coefficient of its own in the springs, begins up to 27 per cent too low on ellipses of 1 : 5 "
-    "to 2 : 1 and stays within 0.1 of mu F_N a for a circle.",
-    "compared with CONTACT's curves of a circle and its coefficients of ellipses",
-)

@@ -94,7 +94,7 @@ class FrettingWear:
     """
 
     __words__ = words(
-        goals=("n", "", "after how many cycles the contact is told"),
+        goals=("n", "", "after how many cycles the contact is returned"),
         amplitude=("", None, "amplitude of the shift or of the shear force"),
         count=("n", "", "cells of the grid of radii"),
         tolerance=(r"\epsilon", "", "error of the worn depth in one jump, over the depth"),

@@ -85,7 +85,7 @@ class SlidingWear:
     """
 
     __words__ = words(
-        goals=("s", "m", "after which distances the contact is told"),
+        goals=("s", "m", "after which distances the contact is returned"),
         distance=("s", "m", "distance slid"),
         count=("n", "", "cells of the grid of radii"),
         tolerance=(r"\epsilon", "", "error of the worn depth in one jump, over the depth"),

@@ -20,7 +20,7 @@ import numpy as np
 
 from winkler.fitting.compare import AnyFit
 from winkler.numerics.types import Array
-from winkler.study.batch.outcome import Column, Provenance, worst_of_each
+from winkler.study.batch.outcome import Provenance, ResultColumn, worst_of_each
 from winkler.study.language.fit_study import FitStudy, Free
 from winkler.validity import Note
 from winkler.values import value
@@ -124,14 +124,14 @@ class FitOutcome:
         """Return the names of the flags of every curve, `nothing` where there is no fit."""
         return list(self._of(lambda fit: separator.join(flag.name for flag in fit.flags), nothing))
 
-    def table(self) -> tuple[Column, ...]:
+    def table(self) -> tuple[ResultColumn, ...]:
         """Return one row per curve: name, place, every free number with its error and interval, misfit, flags."""
         names = np.array([result.name for result in self.results])
-        columns = [Column("curve", Word("", None, "where the curve comes from"), names)]
+        columns = [ResultColumn("curve", Word("", None, "where the curve comes from"), names)]
         for axis in ("x", "y"):
             place = np.array([getattr(result, axis) for result in self.results])
             if np.isfinite(place).any():
-                columns.append(Column(axis, Word(axis, "m", "place on the sample"), place))
+                columns.append(ResultColumn(axis, Word(axis, "m", "place on the sample"), place))
         for free in self.study.free:
             stated = self.study.word(free.key)
             low, high = self.intervals(free).T
@@ -142,17 +142,17 @@ class FitOutcome:
                 ("_high", "upper end of the 95 % interval: ", high),
             )
             columns += [
-                Column(f"{free.key}{end}", stated._replace(meaning=f"{lead}{stated.meaning}"), content)
+                ResultColumn(f"{free.key}{end}", stated._replace(meaning=f"{lead}{stated.meaning}"), content)
                 for end, lead, content in parts
             ]
         columns += [
-            Column(name, word, self._largest(name.removeprefix("largest_")))
+            ResultColumn(name, word, self._largest(name.removeprefix("largest_")))
             for name, word in ({"noise": self.study.spread} | FIT_COLUMNS).items()
         ]
         reasons = np.array([result.reason if isinstance(result, Refused) else "" for result in self.results])
         flags = np.array(self.flags("; ", ""))
-        columns.append(Column("flags", Word("", None, "what speaks against the numbers"), flags))
-        columns.append(Column("failure", Word("", None, "why a curve has no answer"), reasons))
+        columns.append(ResultColumn("flags", Word("", None, "what speaks against the numbers"), flags))
+        columns.append(ResultColumn("failure", Word("", None, "why a curve has no answer"), reasons))
         return tuple(columns)
 
     def _of(self, stated: Callable[[AnyFit], Any], nothing: Any = np.nan) -> Array:

@@ -6,7 +6,7 @@
     outcome.points                one `Solved` or `Failed` per point of the sweep, in its order (one without a sweep);
                                   `Recalled` if the solution was not kept, which then is computed again on request
     outcome.solved, .failed       the same, apart
-    outcome.verdicts              one `Verdict` for every [[expect]] at every solved point
+    outcome.verdicts              one `ComparedNumber` for every [[expect]] at every solved point
     outcome.provenance            `Provenance`: version, hash of the study, time, versions of what computed
     outcome.validity              the notes of all points, each kind of statement once, in its worst standing
     outcome.shape                 number of points along each dimension of the sweep
@@ -37,7 +37,7 @@ import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.numerics.types import Array, Quantity
-from winkler.study.batch.points import Answered, Failed, Point, Recalled, Solved, Verdict
+from winkler.study.batch.points import Answered, ComparedNumber, Failed, Point, Recalled, Solved
 from winkler.study.batch.sensitivity import Indices, sensitivity
 from winkler.study.language import keys
 from winkler.study.language.designs import Sensitivity
@@ -48,14 +48,14 @@ from winkler.vocabulary import Word, word
 
 __all__ = [
     "Answered",
-    "Column",
+    "ComparedNumber",
     "Failed",
     "Outcome",
     "Point",
     "Provenance",
     "Recalled",
+    "ResultColumn",
     "Solved",
-    "Verdict",
     "answers_of",
     "worst_of_each",
 ]
@@ -108,7 +108,7 @@ def _has_unit(cls: type, name: str) -> bool:
 
 
 @value
-class Column:
+class ResultColumn:
     """A column of the table of answers.
 
     Parameters
@@ -184,7 +184,7 @@ class Outcome:
 
     study: Study
     points: tuple[Point, ...]
-    verdicts: tuple[Verdict, ...]
+    verdicts: tuple[ComparedNumber, ...]
     provenance: Provenance
 
     @functools.cached_property
@@ -245,12 +245,12 @@ class Outcome:
         owner = next((point.answer_type for point in having), type(None))
         return word(owner, name)
 
-    def table(self) -> tuple[Column, ...]:
+    def table(self) -> tuple[ResultColumn, ...]:
         """Return the long table, one row per point and load: swept keys, answers, and failures if there are any."""
         return self._table
 
     @functools.cached_property
-    def _table(self) -> tuple[Column, ...]:
+    def _table(self) -> tuple[ResultColumn, ...]:
         numbers = self._numbers
         counts = [max((len(content) for content in collected.values()), default=1) for collected in numbers]
         columns = []
@@ -258,19 +258,21 @@ class Outcome:
             content = _repeated([point.settings[place] for point in self.points], counts)
             entry = self.word(axis.key)
             if all(isinstance(item, int | float) for item in content):
-                columns.append(Column(axis.key, entry, np.array(content, dtype=float)))
+                columns.append(ResultColumn(axis.key, entry, np.array(content, dtype=float)))
             else:
                 labels = np.array([keys.label(item) for item in content])
-                columns.append(Column(axis.key, entry._replace(unit=None), labels))
+                columns.append(ResultColumn(axis.key, entry._replace(unit=None), labels))
         for name in self.answers:
             parts = [
                 collected.get(name, np.full(count, np.nan)) for collected, count in zip(numbers, counts, strict=True)
             ]
-            columns.append(Column(name, self.word(name), np.concatenate(parts)))
+            columns.append(ResultColumn(name, self.word(name), np.concatenate(parts)))
         if self.failed:
             reasons = [point.reason if isinstance(point, Failed) else "" for point in self.points]
             columns.append(
-                Column("failure", Word("", None, "why a point has no answer"), np.array(_repeated(reasons, counts)))
+                ResultColumn(
+                    "failure", Word("", None, "why a point has no answer"), np.array(_repeated(reasons, counts))
+                )
             )
         return tuple(columns)
 

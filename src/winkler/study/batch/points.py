@@ -17,7 +17,7 @@ from winkler.study.language.study import Expectation
 from winkler.validity import Note
 from winkler.values import value
 
-__all__ = ["Answered", "Failed", "Point", "Recalled", "Solved", "Verdict"]
+__all__ = ["Answered", "ComparedNumber", "Failed", "Point", "Recalled", "Solved"]
 
 
 @value
@@ -102,7 +102,7 @@ class Failed:
 
 
 @value
-class Verdict:
+class ComparedNumber:
     """Comparison of an expected with a computed number.
 
     Parameters
@@ -158,7 +158,7 @@ class Recalled:
     answer_type: type
     validity: tuple[Note, ...] = ()
     event_rows: tuple[tuple[str, tuple[tuple[Event, ...], ...]], ...] = ()
-    verdicts: tuple[Verdict, ...] = ()
+    verdicts: tuple[ComparedNumber, ...] = ()
     surface: tuple[Any, ...] = ()
     subsurface: tuple[Any, ...] = ()
     stopped: str = ""

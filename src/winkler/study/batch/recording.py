@@ -12,7 +12,7 @@ from typing import Any
 from winkler.errors import InvalidInput
 from winkler.study.batch.events import EVENTS, Event
 from winkler.study.batch.lossless import packed, unpacked
-from winkler.study.batch.points import Failed, Recalled, Solved, Verdict
+from winkler.study.batch.points import ComparedNumber, Failed, Recalled, Solved
 from winkler.study.batch.tasks import PointTask
 from winkler.study.batch.verdicts import compared
 from winkler.study.language.study import Expectation
@@ -125,7 +125,9 @@ def recalled(content: dict[str, Any], task: PointTask, expect: tuple[Expectation
     if "reason" in content:
         return Failed(index, settings, problem, content["reason"], content["code"], content.get("traceback", ""))
     verdicts = [
-        Verdict(index, dataclasses.replace(item, expected=_unpacked(expected)), _unpacked(got), _unpacked(deviation))
+        ComparedNumber(
+            index, dataclasses.replace(item, expected=_unpacked(expected)), _unpacked(got), _unpacked(deviation)
+        )
         for item, (expected, got, deviation) in zip(expect, content.get("verdicts", []), strict=True)
     ]
     return Recalled(

@@ -13,7 +13,7 @@ from typing import TypeVar
 
 from winkler.errors import InvalidInput, Mistake, NotConverged, OutsideValidity, WinklerError
 from winkler.study.batch.journal import Journal
-from winkler.study.batch.outcome import Failed, Outcome, Point, Provenance, Solved, Verdict
+from winkler.study.batch.outcome import ComparedNumber, Failed, Outcome, Point, Provenance, Solved
 from winkler.study.batch.pool import Workers
 from winkler.study.batch.sweep import solve_points
 from winkler.study.batch.verdicts import compared
@@ -83,7 +83,7 @@ def gather(study: Study, points: Iterable[Point], *, started: float, source: str
     source
         Name of the study file.
     """
-    compared_points: list[tuple[Point, tuple[Verdict, ...]]] = []
+    compared_points: list[tuple[Point, tuple[ComparedNumber, ...]]] = []
     for point in points:
         if isinstance(point, Solved):
             compared_points.append(

@@ -39,7 +39,7 @@ REPEAT_DELAY = 0.01
 """Time after which a lost signal is raised again [s]."""
 
 
-class _Flag:
+class _StopState:
     """The signal received, the number of blocks that defer signals, whether one came meanwhile, and what was kept."""
 
     signal: int = 0
@@ -48,7 +48,7 @@ class _Flag:
     kept: str = ""
 
 
-_state = _Flag()
+_state = _StopState()
 
 
 def raise_pending() -> None:

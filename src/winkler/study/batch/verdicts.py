@@ -10,13 +10,13 @@ import numpy as np
 
 from winkler.errors import InvalidInput, suggest
 from winkler.numerics.types import Quantity
-from winkler.study.batch.outcome import Solved, Verdict, answers_of
+from winkler.study.batch.outcome import ComparedNumber, Solved, answers_of
 from winkler.study.language.study import Expectation
 
 __all__ = ["compared", "deviation"]
 
 
-def compared(point: Solved, expectation: Expectation, shape: tuple[int, ...] = ()) -> Verdict:
+def compared(point: Solved, expectation: Expectation, shape: tuple[int, ...] = ()) -> ComparedNumber:
     """Return the verdict on one expectation at one point.
 
     Parameters
@@ -36,7 +36,7 @@ def compared(point: Solved, expectation: Expectation, shape: tuple[int, ...] = (
     if shape and np.ndim(got) == 0 and expected.size == math.prod(shape) and expected.ndim:
         expected = expected.reshape(shape)[point.index]
         expectation = dataclasses.replace(expectation, expected=float(expected))
-    return Verdict(point.index, expectation, got, deviation(got, expectation))
+    return ComparedNumber(point.index, expectation, got, deviation(got, expectation))
 
 
 def deviation(got: Quantity, expectation: Expectation) -> float:

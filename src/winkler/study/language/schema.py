@@ -32,6 +32,7 @@ from winkler.numerics.types import Array
 from winkler.study.chapters.kind import path_of
 from winkler.study.language import maps, quantities
 from winkler.study.language.catalogue import CATALOGUE, SLOTS, UNWRITTEN, Kind, kinds
+from winkler.study.language.file_or_keys import either_file_or
 from winkler.study.language.kind_of_table import refuse_kind
 
 __all__ = [
@@ -176,9 +177,7 @@ def _model(name: str, line: Kind) -> type[BaseModel]:
         taken = options(line)
         keys |= {option: (annotation(line.cls, option, hint), MISSING) for option, hint in taken.items()}
         alone = tuple(option for option in taken if option not in hints(line.cls))
-        either = functools.partial(
-            quantities.either_file_or, required=required, others=others, options=tuple(taken), alone=alone
-        )
+        either = functools.partial(either_file_or, required=required, others=others, options=tuple(taken), alone=alone)
         rules["either"] = model_validator(mode="before")(either)
     depends = quantities.dependent(line.cls)
     if depends:

@@ -13,7 +13,7 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.study.batch.fit_outcome import Fitted
 from winkler.study.batch.fit_run import fit_study
-from winkler.study.batch.outcome import Verdict
+from winkler.study.batch.outcome import ComparedNumber
 from winkler.study.batch.verdicts import deviation
 from winkler.study.language.fit_reading import parse_fit_study
 from winkler.study.language.fit_study import FitStudy
@@ -61,7 +61,7 @@ def read_fit_case(path: Path) -> FitCase:
     return FitCase(study, source, grade, expected)
 
 
-def fit_verdicts(case: FitCase) -> tuple[Verdict, ...]:
+def fit_verdicts(case: FitCase) -> tuple[ComparedNumber, ...]:
     """Return the verdicts on the fitted numbers of a case, curve by curve.
 
     Raises
@@ -74,5 +74,5 @@ def fit_verdicts(case: FitCase) -> tuple[Verdict, ...]:
     for place, result in enumerate(fit_study(case.study).results):
         for item in case.expect:
             got = result.fit.value(paths[item.quantity]) if isinstance(result, Fitted) else np.nan
-            verdicts.append(Verdict((place,), item, got, deviation(got, item)))
+            verdicts.append(ComparedNumber((place,), item, got, deviation(got, item)))
     return tuple(verdicts)

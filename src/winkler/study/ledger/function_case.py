@@ -25,7 +25,7 @@ from pydantic_core import PydanticCustomError
 
 from winkler.errors import InvalidInput, suggest
 from winkler.numerics.types import Quantity
-from winkler.study.batch.outcome import Verdict
+from winkler.study.batch.outcome import ComparedNumber
 from winkler.study.batch.verdicts import deviation
 from winkler.study.language import quantities
 from winkler.study.language.quantities import WHERE
@@ -105,7 +105,7 @@ def _number(file: str, key: str, raw: Any, unit: str) -> Quantity:
     return number
 
 
-def function_verdicts(case: FunctionCase) -> tuple[Verdict, ...]:
+def function_verdicts(case: FunctionCase) -> tuple[ComparedNumber, ...]:
     """Return the verdicts on the value of a function.
 
     Raises
@@ -117,4 +117,4 @@ def function_verdicts(case: FunctionCase) -> tuple[Verdict, ...]:
     result = function.call(**case.arguments)
     got = np.asarray(getattr(result, function.part) if function.part else result, dtype=float)
     number: Quantity = float(got) if got.ndim == 0 else got
-    return tuple(Verdict((), expected, number, deviation(number, expected)) for expected in case.expect)
+    return tuple(ComparedNumber((), expected, number, deviation(number, expected)) for expected in case.expect)

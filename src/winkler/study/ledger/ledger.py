@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
 from winkler.errors import InvalidInput, WinklerError, suggest
-from winkler.study.batch.outcome import Outcome, Verdict
+from winkler.study.batch.outcome import ComparedNumber, Outcome
 from winkler.study.batch.run import gather
 from winkler.study.batch.sweep import solve_points
 from winkler.study.language import keys
@@ -56,7 +56,7 @@ class LedgerEntry:
     source: str
     grade: str
     physics: str
-    verdicts: tuple[Verdict, ...]
+    verdicts: tuple[ComparedNumber, ...]
     points: tuple[str, ...]
     failure: str = ""
 
@@ -133,7 +133,11 @@ def _function_entry(path: Path) -> LedgerEntry:
 
 
 def _entry_of(
-    path: Path, title: str, case: FitCase | FunctionCase, physics: str, verdicts: Callable[[], tuple[Verdict, ...]]
+    path: Path,
+    title: str,
+    case: FitCase | FunctionCase,
+    physics: str,
+    verdicts: Callable[[], tuple[ComparedNumber, ...]],
 ) -> LedgerEntry:
     """Return the entry of a case that is no study."""
     _complete(path, case.source, case.grade, case.expect)

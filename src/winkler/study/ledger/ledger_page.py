@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from winkler.study.batch.outcome import Verdict
+from winkler.study.batch.outcome import ComparedNumber
 from winkler.study.language.study import GRADES, Expectation
 from winkler.study.ledger.ledger import LedgerEntry
 from winkler.study.ledger.physics import CHAPTERS
@@ -88,7 +88,7 @@ def number_text(number: object, expectation: Expectation) -> str:
     return f"{numbers[0]:.12g} {expectation.unit}".strip() + more
 
 
-def digits(verdict: Verdict) -> str:
+def digits(verdict: ComparedNumber) -> str:
     """Return the digits that agree as text; ``exact`` if all do."""
     if verdict.deviation == 0.0:
         return "exact"

@@ -27,7 +27,7 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.study.batch.events import EVENTS
-from winkler.study.batch.outcome import Answered, Column, Outcome
+from winkler.study.batch.outcome import Answered, Outcome, ResultColumn
 from winkler.study.batch.sensitivity import SENSITIVITY, write_indices
 from winkler.study.batch.sensitivity import variables as index_variables
 from winkler.study.language import keys
@@ -93,7 +93,7 @@ def write_netcdf(data: xarray.Dataset, path: Path) -> None:
     data.to_netcdf(path, engine="h5netcdf", encoding=large)
 
 
-def write_table(columns: Iterable[Column], path: Path, *, nothing: str = "nan") -> None:
+def write_table(columns: Iterable[ResultColumn], path: Path, *, nothing: str = "nan") -> None:
     """Write columns as CSV, with units in the heading and all digits; `nothing` stands where there is no number."""
     columns = tuple(columns)
     headings = [heading(column.name, column.word) for column in columns]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -30,17 +29,7 @@ from winkler.study.report.extra_pictures import ExtraPicture, extra_pictures
 from winkler.study.report.figure import ReportFigure, capital, drawn
 from winkler.study.report.sweep_figures import clouds, mapped, maps, parts, varied_series
 
-__all__ = [
-    "ReportFigure",
-    "answers_over",
-    "drawn",
-    "figures_of",
-    "save",
-    "settings_of",
-    "shown_contact",
-    "shown_point",
-    "svg_element",
-]
+__all__ = ["answers_over", "figures_of", "settings_of", "shown_contact", "shown_point"]
 
 MOST_CURVES = 24
 """Curves in one figure; the table holds all."""
@@ -270,46 +259,3 @@ def _answers_worth(outcome: Outcome) -> list[str]:
         if name != "stable" and finite.size and np.ptp(finite) > 1e-9 * np.max(np.abs(finite)):
             names.append(name)
     return names
-
-
-# ------------------------------------------------------------------------------------------------------- files
-
-
-def svg_element(shown: ReportFigure, description: str) -> str:
-    """Return a figure as one SVG element for a page: no prolog, its own identifiers, scalable, with a description.
-
-    Parameters
-    ----------
-    shown
-        A figure that was drawn; its name is put before every identifier, so that many figures can stand on one page.
-    description
-        Description for screen readers; already escaped.
-    """
-    name = shown.name.replace("_", "-")
-    text = shown.svg[shown.svg.index("<svg") :]
-    text = re.sub(r"<metadata>.*?</metadata>", "", text, flags=re.DOTALL)
-    text = re.sub(r'\bid="', f'id="{name}-', text)
-    text = re.sub(r"url\(#", f"url(#{name}-", text)
-    text = re.sub(r'href="#', f'href="#{name}-', text)
-    head, rest = text.split(">", 1)
-    size = re.search(r'viewBox="[\d.]+ [\d.]+ ([\d.]+) ([\d.]+)"', head)
-    assert size is not None
-    box = f'viewBox="0 0 {size[1]} {size[2]}"'
-    links = 'xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"'
-    wide = f'style="max-width:{float(size[1]) * 1.6:.0f}px"'
-    return f'<svg {links} {box} role="img" aria-label="{description}" {wide}>{rest}'
-
-
-def save(shown: tuple[ReportFigure, ...], folder: Path, formats: tuple[str, ...]) -> None:
-    """Write every figure into ``folder/figures`` in every format."""
-    if not formats:
-        return
-    target = folder / "figures"
-    target.mkdir(exist_ok=True)
-    for one in shown:
-        for ending in formats if one.picture is not None else ():
-            assert one.picture is not None
-            if ending == "svg":
-                (target / f"{one.name}.svg").write_text(one.svg, encoding="utf-8")
-            else:
-                one.picture.savefig(target / f"{one.name}.{ending}", dpi=200)

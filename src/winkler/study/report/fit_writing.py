@@ -21,7 +21,7 @@ import numpy as np
 from winkler.fitting.outcome import CreepFit, Fit
 from winkler.plot.fitting.fits import Grid, grid_of
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted
-from winkler.study.batch.outcome import Column
+from winkler.study.batch.outcome import ResultColumn
 from winkler.study.report.archive import write_netcdf, write_table
 from winkler.study.report.netcdf import netcdf_attributes
 from winkler.vocabulary import Word
@@ -64,7 +64,7 @@ def map_grid(outcome: FitOutcome) -> Grid | tuple[()]:
     return grid_of(*(np.array([getattr(result, axis) for result in outcome.results]) for axis in "xy"))
 
 
-def _points(result: Fitted) -> list[Column]:
+def _points(result: Fitted) -> list[ResultColumn]:
     """Return the fitted points, the model and the residuals, point by point."""
     fit = result.fit
     creeps = isinstance(fit, CreepFit)
@@ -81,7 +81,7 @@ def _points(result: Fitted) -> list[Column]:
     words = (
         TIMED_COLUMNS | POINT_COLUMNS | ({"residual": Word("", "m", "measured less fitted position")} if creeps else {})
     )
-    return [Column(name, words[name], numbers) for name, numbers in content.items()]
+    return [ResultColumn(name, words[name], numbers) for name, numbers in content.items()]
 
 
 def _write_curves(outcome: FitOutcome, folder: Path) -> None:

@@ -10,7 +10,7 @@ import numpy as np
 from winkler.plot.series import middle_scale, spoken
 from winkler.readable import with_unit
 from winkler.study.batch.events import EVENTS
-from winkler.study.batch.outcome import Column, Outcome, Verdict
+from winkler.study.batch.outcome import ComparedNumber, Outcome, ResultColumn
 from winkler.study.language import keys
 from winkler.study.report.archive import CSV
 from winkler.study.report.describe import Input, content_label, in_words, inputs, setting_text
@@ -126,7 +126,7 @@ def _cards(outcome: Outcome) -> str:
     return f'<div class="cards">{"".join(cards)}</div>'
 
 
-def _single(columns: tuple[Column, ...]) -> str:
+def _single(columns: tuple[ResultColumn, ...]) -> str:
     rows = []
     for column in columns:
         content = column.content[0]
@@ -138,7 +138,7 @@ def _single(columns: tuple[Column, ...]) -> str:
     return table(["answer", "", "#value", "meaning"], rows)
 
 
-def _many(columns: tuple[Column, ...], outcome: Outcome) -> str:
+def _many(columns: tuple[ResultColumn, ...], outcome: Outcome) -> str:
     swept = [axis.key for axis in outcome.study.sweep]
     given = [column.content for column in columns if column.name in swept]
     shown_columns = [
@@ -233,7 +233,7 @@ def expected(outcome: Outcome) -> str:
     return section("What was expected", f"<p>{lead}</p>", table(heads, rows))
 
 
-def _verdict(outcome: Outcome, verdict: Verdict) -> str:
+def _verdict(outcome: Outcome, verdict: ComparedNumber) -> str:
     item = verdict.expectation
     unit = item.unit
     where = ", ".join(f"{name} = {with_unit(place, 'm')}" for name, place in item.place)

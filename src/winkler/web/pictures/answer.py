@@ -18,7 +18,8 @@ from winkler.problems.wear.states import WearState
 from winkler.study.batch.outcome import Outcome
 from winkler.study.chapters.contents import answer_of
 from winkler.study.chapters.method_captions import captions_of
-from winkler.study.report.figures import answers_over, settings_of, shown_point, svg_element
+from winkler.study.report.figure import svg_element
+from winkler.study.report.figures import answers_over, settings_of, shown_point
 from winkler.study.report.markup import safe
 from winkler.study.report.page_parts import papers, trust
 from winkler.study.report.tables import answer_section, expected, failures

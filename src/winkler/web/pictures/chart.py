@@ -9,7 +9,7 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.panel import Area, Arrow, Axis, Band, Dots, Line, Map, Panel, Polygon, Rule, Strokes, Text
+from winkler.plot.panel import Area, Arrow, Band, Dots, Line, Map, Panel, PanelAxis, Polygon, Rule, Strokes, Text
 from winkler.web.pictures.words import text_html
 
 __all__ = ["CONFIG", "Chart", "chart"]
@@ -79,7 +79,7 @@ def _is_named(mark: Any) -> bool:
     return bool(name) and not name.startswith("_")
 
 
-def _axis(one: Axis, gridded: bool, **more: Any) -> dict[str, Any]:
+def _axis(one: PanelAxis, gridded: bool, **more: Any) -> dict[str, Any]:
     """Return an axis with a title."""
     low, high = (None if end is None else end / one.scale.factor for end in (one.low, one.high))
     result: dict[str, Any] = {

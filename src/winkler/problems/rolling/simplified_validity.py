@@ -1,0 +1,68 @@
+"""The validity notes of the simplified theory of rolling."""
+
+from __future__ import annotations
+
+import math
+
+from winkler.problems.rolling.kalker import CreepCoefficients
+from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
+from winkler.validity import Assumption, Note, Standing
+
+__all__ = ["CREEP", "SPIN", "moment_note", "size_note"]
+
+JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 4.2, doi:10.1017/CBO9781139171731"
+PRESCRIBED_ELLIPSE = Note(
+    Assumption.SHAPE,
+    Standing.ASYMPTOTIC,
+    "The ellipse was given: that these bodies touch on it under this load, and are large beside it, is not checked.",
+    JOHNSON,
+)
+CREEP = Note(
+    Assumption.CALIBRATION,
+    Standing.APPROXIMATE,
+    "Simplified theory: one spring for every point, its flexibility chosen by Kalker's coefficients, under a parabolic "
+    "bound; creep forces of a circle stay within 0.04 of mu F_N of the exact theory.",
+    "compared with CONTACT's curves of a circle",
+)
+SPIN = Note(
+    Assumption.CALIBRATION,
+    Standing.APPROXIMATE,
+    "Under spin the lateral force stays within 0.11 of mu F_N of the exact theory for a circle; the moment about the "
+    "normal, which has no coefficient of its own in the springs, begins up to 27 per cent too low on ellipses of 1 : 5 "
+    "to 2 : 1 and stays within 0.1 of mu F_N a for a circle.",
+    "compared with CONTACT's curves of a circle and its coefficients of ellipses",
+)
+
+
+def moment_note(coefficients: CreepCoefficients, longitudinal: float, lateral: float) -> Note:
+    """Return how much of the moment under lateral creepage the springs bear, on an ellipse of these semi-axes [m].
+
+    Of the exact theory it begins as -G (ab)^1.5 c23 eta; of springs, whose p_y = (l - x) eta / L_2 grows from the
+    leading edge l on, as -eta / L_2 times the integral of x^2 over the ellipse.
+    """
+    slender = math.sqrt(longitudinal / lateral)
+    part = 3.0 * math.pi / 32.0 * coefficients.lateral / coefficients.spin * slender
+    return Note(
+        Assumption.CALIBRATION,
+        Standing.APPROXIMATE,
+        f"The moment under lateral creepage begins at {100.0 * part:.2g} per cent of that of the exact theory on "
+        "this ellipse, and stays within 0.03 of mu F_N a of it for a circle.",
+        "Kalker's coefficient c23, by reciprocity; compared with CONTACT's curves of a circle",
+    )
+
+
+def size_note(footprint: ContactEllipse | CurvedBodies, longitudinal: float, lateral: float) -> Note:
+    """Return whether the bodies may be taken for half-spaces, with a contact of these semi-axes [m]."""
+    match footprint:
+        case CurvedBodies(along, across):
+            ratio = max(longitudinal / along, lateral / across)
+        case _:
+            return PRESCRIBED_ELLIPSE
+    if ratio <= 0.1:
+        standing, verdict = Standing.ASYMPTOTIC, "the bodies may be taken for half-spaces"
+    elif ratio <= 0.5:
+        standing, verdict = Standing.APPROXIMATE, "the bodies are hardly half-spaces any more"
+    else:
+        standing, verdict = Standing.OUTSIDE, "the bodies are no half-spaces"
+    statement = f"The semi-axes are up to {ratio:.3g} of the relative radii of curvature: {verdict}."
+    return Note(Assumption.HALF_SPACE, standing, statement, JOHNSON)
