@@ -63,7 +63,7 @@ def draw(
     if path.suffix.lstrip(".").lower() not in PICTURES:
         endings = ", ".join(f".{ending}" for ending in PICTURES)
         raise InvalidInput(f"draw: '{path}' does not end like a picture; give {endings}.")
-    refuse_existing(path, overwrite)
+    refuse_existing(path, overwrite, "draw: ")
     answer = _solved(read_study(study), point)
     item = _drawn_value(answer, part, load)
     sheet = sheet_of(item)

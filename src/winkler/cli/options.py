@@ -30,7 +30,7 @@ def completion(names: Callable[[], Iterable[str]]) -> Callable[[str], list[str]]
     return begun
 
 
-def refuse_existing(path: Path, overwrite: bool) -> None:
+def refuse_existing(path: Path, overwrite: bool, where: str = "") -> None:
     """Refuse to replace a file, unless that is requested.
 
     Raises
@@ -40,4 +40,6 @@ def refuse_existing(path: Path, overwrite: bool) -> None:
     if path.exists() and not overwrite:
         from winkler.errors import InvalidInput
 
-        raise InvalidInput(f"'{path}' exists; add --overwrite to replace it, or give another file with --output.")
+        raise InvalidInput(
+            f"{where}'{path}' exists; add --overwrite to replace it, or give another file with --output."
+        )

@@ -34,7 +34,7 @@ def table(
     problem = read_study(study).problem
     if not isinstance(problem, Indentation):
         raise InvalidInput(f"{study.name}: the problem is no indentation; only that has one curve for all histories.")
-    refuse_existing(output, overwrite)
+    refuse_existing(output, overwrite, "output: ")
     deepest = float(np.max(problem.solve().depth))
     law = ContactLaw(problem.bed, deepest, tolerance).solve()
     write_law(law, output)
