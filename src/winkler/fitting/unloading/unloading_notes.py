@@ -14,15 +14,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import NamedTuple
+from typing import Any
 
 import numpy as np
 
-from winkler.fitting.unloading.contact_reading import CalibratedArea, Tip, polynomial
+from winkler.fitting.unloading.contact_reading import CalibratedArea, polynomial
+from winkler.fitting.unloading.unloading_peak import FEWEST
+from winkler.numerics.types import Array
 from winkler.profiles.area import AreaFunction
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["UnloadingFacts", "unloading_notes"]
+__all__ = ["unloading_notes"]
 
 READING = "W. C. Oliver, G. M. Pharr, J. Mater. Res. 7 (1992) 1564-1583, doi:10.1557/JMR.1992.1564"
 REVIEW = "W. C. Oliver, G. M. Pharr, J. Mater. Res. 19 (2004) 3-20, doi:10.1557/jmr.2004.19.1.3"
@@ -47,50 +49,20 @@ NoteParts = tuple[Assumption, Standing, str, str]
 """Assumption, standing, statement and source of a `Note`."""
 
 
-class UnloadingFacts(NamedTuple):
-    """Numbers compared in the notes.
+def unloading_notes(solution: Any) -> tuple[Note, ...]:
+    """Return the notes of an evaluation.
 
     Parameters
     ----------
-    final_share : float
-        h_f/h of the peak [-].
-    exponent : float
-        m [-].
-    creep_share : float
-        Relative error of the stiffness by creep [-]; nan without hold or times.
-    force, fitted_force : float
-        At the peak, as reported and by the fitted law [N].
-    points : int
-        Fitted points.
-    error_share : float
-        Standard error of the modulus, in parts of it.
-    contact_depth : float
-        h_c [m].
-    tip : Profile or CalibratedArea
-    shape_factor : float
-        beta [-].
+    solution : OliverPharrSolution
     """
-
-    final_share: float
-    exponent: float
-    creep_share: float
-    force: float
-    fitted_force: float
-    points: int
-    error_share: float
-    contact_depth: float
-    tip: Tip
-    shape_factor: float
+    return tuple(Note(*parts) for check in CHECKS for parts in check(solution))
 
 
-def unloading_notes(facts: UnloadingFacts) -> tuple[Note, ...]:
-    """Return the notes of an evaluation."""
-    return tuple(Note(*parts) for check in CHECKS for parts in check(facts))
-
-
-def _pile_up(facts: UnloadingFacts) -> Iterator[NoteParts]:
-    statement = f"Pile-up: {facts.final_share:.2f} of the greatest depth remains after unloading"
-    if facts.final_share < PILE_UP_LIMIT:
+def _pile_up(solution: Any) -> Iterator[NoteParts]:
+    share = solution.final_depth / solution.depth
+    statement = f"Pile-up: {share:.2f} of the greatest depth remains after unloading"
+    if share < PILE_UP_LIMIT:
         standing = Standing.ASYMPTOTIC
         conclusion = f"below {PILE_UP_LIMIT:g} little piles up, however the material hardens"
     else:
@@ -102,8 +74,8 @@ def _pile_up(facts: UnloadingFacts) -> Iterator[NoteParts]:
     yield Assumption.RESPONSE, standing, f"{statement}; {conclusion}.", PILE_UP
 
 
-def _creep(facts: UnloadingFacts) -> Iterator[NoteParts]:
-    share, standing = facts.creep_share, Standing.APPROXIMATE
+def _creep(solution: Any) -> Iterator[NoteParts]:
+    share, standing = _creep_share(solution), Standing.APPROXIMATE
     if math.isnan(share):
         statement = (
             "there is no hold before the unloading, or no times, so creep and drift cannot be assessed; they "
@@ -120,12 +92,31 @@ def _creep(facts: UnloadingFacts) -> Iterator[NoteParts]:
     yield Assumption.CURVE, standing, f"Creep: {statement}.", CREEP
 
 
-def _exponent(facts: UnloadingFacts) -> Iterator[NoteParts]:
+def _creep_share(solution: Any) -> float:
+    """Return the creep rate at the end of the hold, over that of the unloading, in parts of the compliance [-]."""
+    curve, hold = solution.problem.curve, solution.problem.peak_hold
+    points = solution.fitted_points.astype(int)
+    end, start = hold[-max(FEWEST, hold.size // 4) :], points[: max(2, points.size // 2)]
+    if not curve.timed or end.size < FEWEST:
+        return math.nan
+    creep = _rate(curve.time[end], curve.depth(solution.problem.contact_point)[end])
+    unloading = _rate(curve.time[start], curve.force[start])
+    return creep * solution.stiffness / abs(unloading) if unloading else math.nan
+
+
+def _rate(time: Array, column: Array) -> float:
+    """Return the slope of a straight line through a column over time."""
+    centred = time - time.mean()
+    spread = float(centred @ centred)
+    return float(centred @ column) / spread if spread else 0.0
+
+
+def _exponent(solution: Any) -> Iterator[NoteParts]:
     (low, high), (least, most) = USUAL_EXPONENTS, POSSIBLE_EXPONENTS
     usual = f"{low:g} to {high:g}"
-    if low <= facts.exponent <= high:
+    if low <= solution.exponent <= high:
         standing, conclusion = Standing.ASYMPTOTIC, f"within {usual} as impressions of sharp tips give."
-    elif least < facts.exponent < most:
+    elif least < solution.exponent < most:
         standing = Standing.APPROXIMATE
         conclusion = (
             f"where impressions of sharp tips give {usual}: a wholly elastic contact may, otherwise check drift, "
@@ -137,12 +128,12 @@ def _exponent(facts: UnloadingFacts) -> Iterator[NoteParts]:
             f"where impressions of sharp tips give {usual}: no shape of a tip has such an unloading; check drift, "
             "creep, contact point and segments."
         )
-    statement = f"Exponent: the unloading has m = {facts.exponent:.3g}, {conclusion}"
+    statement = f"Exponent: the unloading has m = {solution.exponent:.3g}, {conclusion}"
     yield Assumption.CURVE, standing, statement, SHAPES
 
 
-def _peak(facts: UnloadingFacts) -> Iterator[NoteParts]:
-    miss = facts.fitted_force / facts.force - 1.0
+def _peak(solution: Any) -> Iterator[NoteParts]:
+    miss = solution.fitted_force / solution.force - 1.0
     if abs(miss) > PEAK_TOLERANCE:
         statement = (
             f"Peak: the fitted law misses the force measured at the peak by {miss:+.1%}; creep, drift or a wrong "
@@ -151,8 +142,8 @@ def _peak(facts: UnloadingFacts) -> Iterator[NoteParts]:
         yield Assumption.CURVE, Standing.OUTSIDE, statement, READING
 
 
-def _area(facts: UnloadingFacts) -> Iterator[NoteParts]:
-    tip, depth = facts.tip, facts.contact_depth
+def _area(solution: Any) -> Iterator[NoteParts]:
+    tip, depth = solution.problem.profile, solution.contact_depth
     if not isinstance(tip, CalibratedArea | AreaFunction):
         statement = (
             f"Area: that of an ideal {type(tip).__name__}; a real tip is blunt, which counts the more, the smaller "
@@ -183,18 +174,19 @@ def _area(facts: UnloadingFacts) -> Iterator[NoteParts]:
     yield Assumption.SHAPE, standing, f"Area: at the contact depth, {depth:.3g} m: {calibrated}.", READING
 
 
-def _shape(facts: UnloadingFacts) -> Iterator[NoteParts]:
+def _shape(solution: Any) -> Iterator[NoteParts]:
     statement = (
-        f"Shape factor: beta = {facts.shape_factor:g} was taken; pyramids have about 1.02 to 1.08, and the modulus "
-        "goes with 1/beta."
+        f"Shape factor: beta = {solution.problem.shape_factor:g} was taken; pyramids have about 1.02 to 1.08, and the "
+        "modulus goes with 1/beta."
     )
     yield Assumption.RESPONSE, Standing.APPROXIMATE, statement, REVIEW
 
 
-def _points(facts: UnloadingFacts) -> Iterator[NoteParts]:
-    statement = f"{facts.points} were fitted, and scatter alone makes the modulus uncertain by {facts.error_share:.2%}"
+def _points(solution: Any) -> Iterator[NoteParts]:
+    count, share = solution.fitted_points.size, float(solution.standard_errors[5]) / solution.modulus
+    statement = f"{count} were fitted, and scatter alone makes the modulus uncertain by {share:.2%}"
     standing, end = Standing.ASYMPTOTIC, "."
-    if facts.points < FEW_POINTS:
+    if count < FEW_POINTS:
         standing, end = Standing.APPROXIMATE, f"; below {FEW_POINTS} that error itself is rough."
     source = "covariance of the fit, with the autocorrelation of the noise"
     yield Assumption.CURVE, standing, f"Points: {statement}{end}", source
