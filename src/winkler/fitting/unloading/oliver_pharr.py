@@ -22,7 +22,7 @@ depth is that of the turn, and the force that of the fitted law there.
 from __future__ import annotations
 
 import math
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -115,16 +115,9 @@ class OliverPharr:
             jacobian[:, i] = (ahead - behind) / (2.0 * DIFFERENCE_STEP)
         errors = np.sqrt(np.maximum(np.einsum("ij,jk,ik->i", jacobian, law.covariance, jacobian), 0.0))
         fitted = math.exp(law.numbers[0]) * path.highest
-        return OliverPharrSolution(
-            self,
-            path.highest if path.held else fitted,
-            path.deepest,
-            *numbers.tolist(),
-            errors,
-            law.scatter * path.highest,
-            fitted,
-            path.points[chosen],
-        )
+        force = path.highest if path.held else fitted
+        about: list[Any] = [errors, law.scatter * path.highest, fitted, path.points[chosen]]
+        return OliverPharrSolution(self, force, path.deepest, *numbers.tolist(), *about)
 
     @property
     def unloading(self) -> Array:
