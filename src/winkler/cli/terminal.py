@@ -159,11 +159,7 @@ def notes(outcome: Outcome | FitOutcome, out: Console) -> None:
 
 def marching(*, hidden: bool) -> Callable[[Iterable[T], int | None], Iterator[T]]:
     """Return a function that shows a bar over the points of a path."""
-    return functools.partial(_marching, hidden=hidden)
-
-
-def _marching(states: Iterable[T], total: int | None, *, hidden: bool) -> Iterator[T]:
-    yield from tracked(states, total, hidden=hidden, doing="marching")
+    return functools.partial(tracked, hidden=hidden, doing="marching")
 
 
 class _LiveText:

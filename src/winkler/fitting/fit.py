@@ -166,6 +166,8 @@ def _fit(
     search: Search,
 ) -> AnyFit:
     stated = dict.fromkeys(free, ()) if not isinstance(free, Mapping) else dict(free)
+    if not stated:
+        raise InvalidInput("fit: nothing is free; name at least one number, as 'bed.medium.first.young'.")
     task: FitTask
     if isinstance(model, ViscoelasticIndentation):
         rough_outline, flags = examined_stroke(curve)

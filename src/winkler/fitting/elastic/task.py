@@ -134,8 +134,6 @@ def elastic_task(curve: ForceCurve, model: Model, free: dict[str, Any], noise: A
     InvalidInput
         If a path does not exist, or its bounds are inconsistent.
     """
-    if not free:
-        raise InvalidInput("fit: nothing is free; name at least one number, as 'bed.medium.first.young'.")
     span, strength = float(np.ptp(curve.position)), float(np.ptp(curve.force))
     if span == 0.0 or strength == 0.0:
         raise InvalidInput(f"fit: the curve '{curve.name}' has no range of positions or forces; nothing can be fitted.")

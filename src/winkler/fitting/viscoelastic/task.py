@@ -54,16 +54,13 @@ class RelaxingTask(FitTask):
 
     def sample_of(self, stretch: Array) -> Array:
         """Return evenly spaced points, and more at the start of a hold or a retraction and at the deepest contact."""
-        share = max(self.coarse_count // (2 * self._stretches), 10)
+        stretches = 1 + int(np.count_nonzero(np.diff(self.curve.direction)))
+        share = max(self.coarse_count // (2 * stretches), 10)
         last = stretch.size - 1
         near = np.geomspace(1.0, max(last, 1), min(share, stretch.size)) - 1.0  # fast relaxation occurs at once
         dense = last - near if self.curve.direction[stretch[0]] > 0.0 else near
         even = np.linspace(0, last, min(share, stretch.size))
         return np.asarray(stretch[np.concatenate([even, dense]).astype(int)])
-
-    @property
-    def _stretches(self) -> int:
-        return 1 + int(np.count_nonzero(np.diff(self.curve.direction)))
 
     def starts(self, rough_outline: CurveOutline | None) -> Iterable[Array]:
         """Yield coordinates for some contact points, times and exponents, moduli by linear least squares."""
