@@ -140,11 +140,9 @@ def indices(outcome: Outcome, out: Console) -> None:
     shown = table("answer", "varied", "alone", "with the others")
     for one in outcome.indices:
         for place, axis in enumerate(outcome.study.axes):
-            first = (one.first_order, one.first_order_low, one.first_order_high)
-            total = (one.total_order, one.total_order_low, one.total_order_high)
-            levels = (
-                f"{level[place]:.3f} ({low[place]:.3f} to {high[place]:.3f})" for level, low, high in (first, total)
-            )
+            first = one.first_order[place], one.first_order_low[place], one.first_order_high[place]
+            total = one.total_order[place], one.total_order_low[place], one.total_order_high[place]
+            levels = (f"{level:.3f} ({low:.3f} to {high:.3f})" for level, low, high in (first, total))
             shown.add_row(one.answer, axis.key.removeprefix("problem."), *levels)
     out.print(shown)
 

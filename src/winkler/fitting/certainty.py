@@ -153,10 +153,8 @@ def _limit(estimate: FitEstimate) -> float:
     from scipy.special import gammaincinv
 
     free_residuals = (estimate.weights * estimate.residuals)[~estimate.touched & (estimate.weights > 0.0)]
-    share = (
-        memory(free_residuals).effective_count / free_residuals.size
-        if free_residuals.size >= FEWEST_FREE_POINTS
-        else 1.0
-    )
+    count, share = free_residuals.size, 1.0
+    if count >= FEWEST_FREE_POINTS:
+        share = memory(free_residuals).effective_count / count
     half = 0.5 * max(estimate.contact_freedom * share, 1.0)
     return max(MISFIT_LIMIT, float(gammaincinv(half, MISFIT_CONFIDENCE)) / half)

@@ -73,14 +73,14 @@ def write_trace(solution: Any, path: str | os.PathLike[str]) -> Path:
     return path
 
 
-class Input(NamedTuple):
+class ProblemInput(NamedTuple):
     """A text or number that a problem holds, and its unit."""
 
     content: str | float
     unit: str
 
 
-def inputs_of(problem: Any) -> dict[str, Input]:
+def inputs_of(problem: Any) -> dict[str, ProblemInput]:
     """Return the inputs of a problem by dotted names; arrays are left out."""
     return dict(_inputs(problem, "problem", ""))
 
@@ -102,17 +102,17 @@ def _columns(solution: Any) -> dict[str, tuple[Word, Array]]:
     return rows
 
 
-def _inputs(thing: Any, name: str, unit: str) -> Iterator[tuple[str, Input]]:
+def _inputs(thing: Any, name: str, unit: str) -> Iterator[tuple[str, ProblemInput]]:
     """Yield the texts and numbers of a value by dotted names; arrays are left out."""
     if dataclasses.is_dataclass(thing) and not isinstance(thing, type):
-        yield name, Input(type(thing).__name__, "")
+        yield name, ProblemInput(type(thing).__name__, "")
         for field in dataclasses.fields(thing):
             entry = own_word(type(thing), field.name) or GLOSSARY.get(field.name)
             yield from _inputs(getattr(thing, field.name), f"{name}.{field.name}", (entry and entry.unit) or "")
     elif isinstance(thing, bool | str):
-        yield name, Input(str(thing), "")
+        yield name, ProblemInput(str(thing), "")
     elif isinstance(thing, int | float):
-        yield name, Input(float(thing), unit)
+        yield name, ProblemInput(float(thing), unit)
     elif isinstance(thing, tuple):
         for index, part in enumerate(thing):
             yield from _inputs(part, f"{name}.{index}", unit)
@@ -132,7 +132,7 @@ def _unit(entry: Word) -> str:
     return entry.unit or "-"
 
 
-def _csv(columns: dict[str, tuple[Word, Array]], inputs: dict[str, Input]) -> str:
+def _csv(columns: dict[str, tuple[Word, Array]], inputs: dict[str, ProblemInput]) -> str:
     lines = [f"# {sentence}" for sentence in CONVENTIONS]
     for name, (content, unit) in inputs.items():
         text = f"{_number(content)} {unit}" if isinstance(content, float) else content
@@ -144,7 +144,7 @@ def _csv(columns: dict[str, tuple[Word, Array]], inputs: dict[str, Input]) -> st
     return "\n".join(lines) + "\n"
 
 
-def _yaml(columns: dict[str, tuple[Word, Array]], inputs: dict[str, Input]) -> str:
+def _yaml(columns: dict[str, tuple[Word, Array]], inputs: dict[str, ProblemInput]) -> str:
     lines = ["conventions:", *(f"  - {json.dumps(sentence)}" for sentence in CONVENTIONS), "asked:"]
     for name, (content, _) in inputs.items():
         text = _number(content) if isinstance(content, float) else json.dumps(content)
