@@ -22,6 +22,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from winkler.checks.number_checks import Whole, checked
 from winkler.checks.outline import refuse_unless_round
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import PressedSprings
@@ -182,8 +183,7 @@ def staircase(solution: Restorable, count: int) -> Staircase:
     >>> round(contact.force, 9), round(staircase(contact, 10).force, 9), round(staircase(contact, 100).force, 9)
     (0.166666667, 0.16625, 0.1666625)
     """
-    if isinstance(count, bool) or not isinstance(count, int | np.integer) or not 1 <= count <= 1_000_000:
-        raise InvalidInput(f"staircase: count is {count!r}; give a whole number of punches, 1 to 1000000.")
+    count = checked(Whole(1, 1_000_000, "punches"), "staircase", "count", count)
     pressed = solution.pressed
     refuse_unless_round(pressed, "staircase", "a staircase of punches")
     medium = pressed.bed.medium
@@ -191,7 +191,7 @@ def staircase(solution: Restorable, count: int) -> Staircase:
         raise OutsideValidity(
             f"staircase: flat punches have no closed form on a {type(medium).__name__}; use a homogeneous half-space."
         )
-    edges = _treads(pressed, int(count))
+    edges = _treads(pressed, count)
     g = np.asarray(pressed.bed.gap(edges), dtype=float) if edges.size else np.zeros(0)
     radii, increments = 0.5 * (edges[1:] + edges[:-1]), np.diff(g)
     if pressed.edge != 0.0:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from winkler.cli.options import completion, refuse_existing
 from winkler.cli.streams import write_line
 
 if TYPE_CHECKING:
@@ -29,18 +30,13 @@ PARTS = {
 STEPS = 12
 
 
-def completions(incomplete: str) -> list[str]:
-    """Return the parts that begin like `incomplete`, for the completion of the shell."""
-    return [name for name in PARTS if name.startswith(incomplete)]
-
-
 def draw(
     study: Annotated[Path, typer.Argument(help="A study file (TOML).", show_default=False)],
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="The picture: .png, .svg or .pdf; NAME-PART.png if not given.")
     ] = None,
     part: Annotated[
-        str, typer.Option(help=f"What to draw: {', '.join(PARTS)}.", autocompletion=completions)
+        str, typer.Option(help=f"What to draw: {', '.join(PARTS)}.", autocompletion=completion(lambda: PARTS))
     ] = "contact",
     point: Annotated[int, typer.Option(help="Which point of the sweep, from 0; -1 is the last.")] = -1,
     load: Annotated[int, typer.Option(help="Which load, where the study has many at once; -1 is the last.")] = -1,
@@ -67,8 +63,7 @@ def draw(
     if path.suffix.lstrip(".").lower() not in PICTURES:
         endings = ", ".join(f".{ending}" for ending in PICTURES)
         raise InvalidInput(f"draw: '{path}' does not end like a picture; give {endings}.")
-    if path.exists() and not overwrite:
-        raise InvalidInput(f"draw: '{path}' exists; add --overwrite to replace it, or give another file with --output.")
+    refuse_existing(path, overwrite, "draw: ")
     answer = _solved(read_study(study), point)
     item = _drawn_value(answer, part, load)
     sheet = sheet_of(item)

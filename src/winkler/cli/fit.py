@@ -175,9 +175,6 @@ def _print(outcome: FitOutcome, folder: Path) -> None:
 
 def _table(outcome: FitOutcome, out: Any) -> None:
     """Show a list for one curve, a table of numbers and errors for many."""
-    from rich import box
-    from rich.table import Table
-
     from winkler.cli import terminal
     from winkler.readable import with_unit
     from winkler.study.language.explain import plain_symbol
@@ -186,7 +183,7 @@ def _table(outcome: FitOutcome, out: Any) -> None:
     study = outcome.study
     if len(outcome.results) == 1:
         fit = outcome.fitted[0].fit
-        table = Table("free", "symbol", "fitted", "standard error", "95 % interval", box=box.SIMPLE_HEAD)
+        table = terminal.table("free", "symbol", "fitted", "standard error", "95 % interval")
         for free, word, number, error, low, high in number_texts(outcome, fit):
             table.add_row(free.key, plain_symbol(word.symbol), number, error, f"{low} ... {high}")
         out.print(table)
@@ -197,7 +194,7 @@ def _table(outcome: FitOutcome, out: Any) -> None:
             soft_wrap=True,
         )
         return
-    table = Table("curve", box=box.SIMPLE_HEAD)
+    table = terminal.table("curve")
     columns = [[result.name for result in outcome.results]]
     for free in study.free:
         unit, texts = curve_texts(outcome, free, "-")

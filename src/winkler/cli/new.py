@@ -2,50 +2,37 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
+from winkler.cli.options import completion, refuse_existing
 from winkler.cli.streams import write_line
 
 __all__ = ["new"]
 
 
-def _of(slot: str, incomplete: str) -> list[str]:
-    from winkler.study.language.catalogue import CATALOGUE
+def _kinds(slot: str) -> Callable[[str], list[str]]:
+    """Return the completion of the kinds of one group."""
 
-    return [name for name in CATALOGUE[slot] if name.startswith(incomplete)]
+    def names() -> Iterable[str]:
+        from winkler.study.language.catalogue import CATALOGUE
 
+        return CATALOGUE[slot]
 
-def _problems(incomplete: str) -> list[str]:
-    return _of("problem", incomplete)
-
-
-def _profiles(incomplete: str) -> list[str]:
-    return _of("profile", incomplete)
-
-
-def _media(incomplete: str) -> list[str]:
-    return _of("medium", incomplete)
-
-
-def _beds(incomplete: str) -> list[str]:
-    return _of("bed", incomplete)
-
-
-def _loads(incomplete: str) -> list[str]:
-    return _of("load", incomplete)
+    return completion(names)
 
 
 def new(
     problem: Annotated[
-        str, typer.Argument(help="Kind of the problem, such as indentation.", autocompletion=_problems)
+        str, typer.Argument(help="Kind of the problem, such as indentation.", autocompletion=_kinds("problem"))
     ] = "indentation",
-    profile: Annotated[str, typer.Option(help="Kind of the profile.", autocompletion=_profiles)] = "",
-    medium: Annotated[str, typer.Option(help="Kind of the medium.", autocompletion=_media)] = "",
-    bed: Annotated[str, typer.Option(help="Kind of the bed.", autocompletion=_beds)] = "",
-    load: Annotated[str, typer.Option(help="Kind of the load.", autocompletion=_loads)] = "",
+    profile: Annotated[str, typer.Option(help="Kind of the profile.", autocompletion=_kinds("profile"))] = "",
+    medium: Annotated[str, typer.Option(help="Kind of the medium.", autocompletion=_kinds("medium"))] = "",
+    bed: Annotated[str, typer.Option(help="Kind of the bed.", autocompletion=_kinds("bed"))] = "",
+    load: Annotated[str, typer.Option(help="Kind of the load.", autocompletion=_kinds("load"))] = "",
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="The file to write; PROBLEM.toml if not given.")
     ] = None,
@@ -67,8 +54,7 @@ def new(
             names = list(CATALOGUE[slot])
             raise InvalidInput(f"{slot}: '{name}' is not known{suggest(name, names)}; there are {', '.join(names)}.")
     path = output or Path(f"{problem}.toml")
-    if path.exists() and not overwrite:
-        raise InvalidInput(f"'{path}' exists; add --overwrite to replace it, or give another file with --output.")
+    refuse_existing(path, overwrite)
     text = template(problem, file=path.stem, profile=profile, medium=medium, bed=bed, load=load)
     try:
         run(parse_study(text, file=path.name))

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-__all__ = ["AsJson", "Output", "Overwrite", "Quiet"]
+__all__ = ["AsJson", "Output", "Overwrite", "Quiet", "completion", "refuse_existing"]
 
 Output = Annotated[
     Path | None,
@@ -18,3 +19,27 @@ Overwrite = Annotated[
 ]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Show nothing but errors.")]
 AsJson = Annotated[bool, typer.Option("--json", help="Show the answers as JSON.")]
+
+
+def completion(names: Callable[[], Iterable[str]]) -> Callable[[str], list[str]]:
+    """Return the completion of the shell by these names."""
+
+    def begun(incomplete: str) -> list[str]:
+        return [name for name in names() if name.startswith(incomplete)]
+
+    return begun
+
+
+def refuse_existing(path: Path, overwrite: bool, where: str = "") -> None:
+    """Refuse to replace a file, unless that is requested.
+
+    Raises
+    ------
+    InvalidInput
+    """
+    if path.exists() and not overwrite:
+        from winkler.errors import InvalidInput
+
+        raise InvalidInput(
+            f"{where}'{path}' exists; add --overwrite to replace it, or give another file with --output."
+        )

@@ -2,27 +2,30 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Annotated
 
 import typer
 
+from winkler.cli.options import completion
 from winkler.cli.streams import until_closed, write_json
 
 __all__ = ["show"]
 
 
-def completions(incomplete: str) -> list[str]:
-    """Return the names that begin like `incomplete`, for the completion of the shell."""
+def _names() -> Iterable[str]:
     from winkler.study.language.catalogue import CATALOGUE, kinds
 
-    return [name for name in ("study", "materials", *CATALOGUE, *kinds()) if name.startswith(incomplete)]
+    return ("study", "materials", *CATALOGUE, *kinds())
 
 
 def show(
     name: Annotated[
         str,
         typer.Argument(
-            help="A kind, a group, a material, 'study' or 'materials'.", autocompletion=completions, show_default=False
+            help="A kind, a group, a material, 'study' or 'materials'.",
+            autocompletion=completion(_names),
+            show_default=False,
         ),
     ] = "",
     as_json: Annotated[bool, typer.Option("--json", help="Show it as JSON.")] = False,
@@ -36,6 +39,7 @@ def show(
     """
     from winkler.cli import materials
     from winkler.errors import InvalidInput, suggest
+    from winkler.materials.named import material, material_names
     from winkler.study.language.catalogue import CATALOGUE, REFUSED, kinds
 
     # a word may name a group and a kind (force is one, load the other): the kind is meant, groups have no kind's name
@@ -51,50 +55,46 @@ def show(
         _list(name)
     elif name in REFUSED:
         REFUSED[name].cls(1.0)
-    elif materials.has(name):
-        materials.one(name)
     else:
-        every = ["study", "materials", *CATALOGUE, *kinds(), *materials.names()]
-        raise InvalidInput(f"'{name}' is not known{suggest(name, every)}; `winkler show` lists every kind.")
+        try:
+            entry = material(name)
+        except InvalidInput:
+            near = suggest(name, [*_names(), *material_names()])
+            raise InvalidInput(f"'{name}' is not known{near}; `winkler show` lists every kind.") from None
+        materials.one(entry)
 
 
 @until_closed()
 def _list(only: str) -> None:
-    from rich import box
-    from rich.table import Table
-
-    from winkler.cli.terminal import console
+    from winkler.cli import terminal
     from winkler.study.language.catalogue import CATALOGUE
     from winkler.study.language.explain import summary
 
-    table = Table("group", "kind", "what it is", box=box.SIMPLE_HEAD)
+    table = terminal.table("group", "kind", "what it is")
     for slot, lines in CATALOGUE.items():
         if only in ("", slot):
             for number, (name, line) in enumerate(lines.items()):
                 table.add_row("" if number else slot, name, summary(line.cls))
             table.add_section()
-    out = console()
+    out = terminal.console()
     out.print(table)
     out.print("`winkler show KIND` shows what a kind takes, `winkler show study` what a study file may contain.")
 
 
 @until_closed()
 def _kind(name: str) -> None:
-    from rich import box
-    from rich.table import Table
-
-    from winkler.cli.terminal import console
+    from winkler.cli import terminal
     from winkler.study.language.catalogue import kinds, slot_of
     from winkler.study.language.explain import keys_of, plain_symbol, summary
     from winkler.study.language.reading import parse_study
     from winkler.study.language.template import example_text, whole_text
     from winkler.study.report.citing import cite
 
-    out = console()
+    out = terminal.console()
     out.print(f"{name} (a {slot_of(name)}): {summary(kinds()[name].cls)}")
     rows = keys_of(name)
     if rows:
-        table = Table("key", "symbol", "takes", "meaning", "range", "", box=box.SIMPLE_HEAD)
+        table = terminal.table("key", "symbol", "takes", "meaning", "range", "")
         for key in rows:
             need = "required" if key.required else "optional"
             table.add_row(key.name, plain_symbol(key.word.symbol), key.takes, key.word.meaning, key.range, need)
@@ -115,18 +115,15 @@ def _kind(name: str) -> None:
 
 @until_closed()
 def _study() -> None:
-    from rich import box
-    from rich.table import Table
-
-    from winkler.cli.terminal import console
+    from winkler.cli import terminal
     from winkler.study.language.grammar import SECTIONS
 
-    table = Table("section", "key", "meaning", box=box.SIMPLE_HEAD)
+    table = terminal.table("section", "key", "meaning")
     for section, rows in SECTIONS.items():
         for number, (key, meaning) in enumerate(rows.items()):
             table.add_row("" if number else section, key, meaning)
         table.add_section()
-    console().print(table)
+    terminal.console().print(table)
 
 
 def _json(name: str) -> None:

@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from winkler.cli.options import refuse_existing
 from winkler.cli.streams import write_line
 
 __all__ = ["table"]
@@ -33,8 +34,7 @@ def table(
     problem = read_study(study).problem
     if not isinstance(problem, Indentation):
         raise InvalidInput(f"{study.name}: the problem is no indentation; only that has one curve for all histories.")
-    if output.exists() and not overwrite:
-        raise InvalidInput(f"output: '{output}' exists; add --overwrite to replace it, or give another name.")
+    refuse_existing(output, overwrite, "output: ")
     deepest = float(np.max(problem.solve().depth))
     law = ContactLaw(problem.bed, deepest, tolerance).solve()
     write_law(law, output)

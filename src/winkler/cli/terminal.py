@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 from winkler.cli.streams import safe
 
-__all__ = ["add_rows", "answers", "console", "indices", "marching", "notes", "prefixed", "tracked"]
+__all__ = ["add_rows", "answers", "console", "indices", "marching", "notes", "prefixed", "table", "tracked"]
 
 T = TypeVar("T")
 
@@ -49,6 +49,14 @@ def console(*, stderr: bool = False) -> Console:
 
     stream = sys.stderr if stderr else sys.stdout
     return Safe(stderr=stderr, markup=False, highlight=False, width=None if stream.isatty() else WIDE_COLUMNS)
+
+
+def table(*headings: str) -> Table:
+    """Return an empty table with a rule below its headings."""
+    from rich import box
+    from rich.table import Table
+
+    return Table(*headings, box=box.SIMPLE_HEAD)
 
 
 def prefixed(numbers: np.ndarray, unit: str | None) -> tuple[float, str]:
@@ -86,65 +94,57 @@ def _number(number: float, undefined: str) -> str:
 
 def answers(outcome: Outcome, out: Console) -> None:
     """Show the answers: a list for one load, a table for many."""
-    from rich import box
-    from rich.table import Table
-
     from winkler.study.language.explain import plain_symbol
 
     swept = [axis.key for axis in outcome.study.sweep]
-    table_ = outcome.table()
-    swept_contents = [column.content for column in table_ if column.name in swept]
+    answered = outcome.table()
+    swept_contents = [column.content for column in answered if column.name in swept]
     columns = [
         column
-        for column in table_
+        for column in answered
         if column.name in swept or not any(np.array_equal(column.content, content) for content in swept_contents)
     ]
-    numbers = [column.content for column in table_ if column.content.dtype.kind == "f" and column.name not in swept]
-    empty = np.all(np.isnan(numbers), axis=0) if numbers else np.zeros(len(table_[0].content), dtype=bool)
+    numbers = [column.content for column in answered if column.content.dtype.kind == "f" and column.name not in swept]
+    empty = np.all(np.isnan(numbers), axis=0) if numbers else np.zeros(len(answered[0].content), dtype=bool)
     formatted = [_column_texts(column, empty) for column in columns]
     rows = len(columns[0].content)
     if rows == 1:
-        table = Table("quantity", "symbol", "value", "unit", "meaning", box=box.SIMPLE_HEAD)
+        shown = table("quantity", "symbol", "value", "unit", "meaning")
         for column, (unit, texts) in zip(columns, formatted, strict=True):
             word = column.word
-            table.add_row(column.name, plain_symbol(word.symbol), texts[0], unit, word.meaning)
+            shown.add_row(column.name, plain_symbol(word.symbol), texts[0], unit, word.meaning)
     else:
-        table = Table(box=box.SIMPLE_HEAD)
+        shown = table()
         for column, (unit, _) in zip(columns, formatted, strict=True):
             name = column.name.removeprefix("problem.")
-            table.add_column(f"{name}\n[{unit}]" if unit else name, justify="left" if not unit else "right")
-        add_rows(table, [texts for _, texts in formatted])
-    out.print(table)
+            shown.add_column(f"{name}\n[{unit}]" if unit else name, justify="left" if not unit else "right")
+        add_rows(shown, [texts for _, texts in formatted])
+    out.print(shown)
 
 
-def add_rows(table: Table, columns: list[list[str]]) -> None:
+def add_rows(shown: Table, columns: list[list[str]]) -> None:
     """Fill a table; a long one is cut in the middle."""
     rows = len(columns[0])
     for row, texts in enumerate(zip(*columns, strict=True)):
         if rows > MOST_ROWS and row == MOST_ROWS // 2:
-            table.add_row("...")
+            shown.add_row("...")
         if rows <= MOST_ROWS or row < MOST_ROWS // 2 or row >= rows - MOST_ROWS // 2:
-            table.add_row(*texts)
+            shown.add_row(*texts)
 
 
 def indices(outcome: Outcome, out: Console) -> None:
     """Show the indices of Sobol of each answer for every key, if the study requests them."""
-    from rich import box
-    from rich.table import Table
-
     if not outcome.indices:
         return
     out.print("How much of the scatter each key makes, alone and with the others (indices of Sobol, 95 % intervals):")
-    table = Table("answer", "varied", "alone", "with the others", box=box.SIMPLE_HEAD)
+    shown = table("answer", "varied", "alone", "with the others")
     for one in outcome.indices:
         for place, axis in enumerate(outcome.study.axes):
-            first = (one.first_order, one.first_order_low, one.first_order_high)
-            total = (one.total_order, one.total_order_low, one.total_order_high)
-            levels = (
-                f"{level[place]:.3f} ({low[place]:.3f} to {high[place]:.3f})" for level, low, high in (first, total)
-            )
-            table.add_row(one.answer, axis.key.removeprefix("problem."), *levels)
-    out.print(table)
+            first = one.first_order[place], one.first_order_low[place], one.first_order_high[place]
+            total = one.total_order[place], one.total_order_low[place], one.total_order_high[place]
+            levels = (f"{level:.3f} ({low:.3f} to {high:.3f})" for level, low, high in (first, total))
+            shown.add_row(one.answer, axis.key.removeprefix("problem."), *levels)
+    out.print(shown)
 
 
 def notes(outcome: Outcome | FitOutcome, out: Console) -> None:
@@ -157,11 +157,7 @@ def notes(outcome: Outcome | FitOutcome, out: Console) -> None:
 
 def marching(*, hidden: bool) -> Callable[[Iterable[T], int | None], Iterator[T]]:
     """Return a function that shows a bar over the points of a path."""
-    return functools.partial(_marching, hidden=hidden)
-
-
-def _marching(states: Iterable[T], total: int | None, *, hidden: bool) -> Iterator[T]:
-    yield from tracked(states, total, hidden=hidden, doing="marching")
+    return functools.partial(tracked, hidden=hidden, doing="marching")
 
 
 class _LiveText:

@@ -57,10 +57,10 @@ def validate(
 
 @until_closed()
 def _print(selected: list[LedgerEntry], entries: list[LedgerEntry], quiet: bool) -> None:
-    from winkler.cli.terminal import console
+    from winkler.cli import terminal
     from winkler.study.ledger.ledger_page import chapters
 
-    out = console()
+    out = terminal.console()
     parts = chapters(entries)
     for entry in selected:
         out.print(f"{entry.name} ({entry.grade}): {entry.title}", soft_wrap=True)
@@ -78,10 +78,9 @@ def _print(selected: list[LedgerEntry], entries: list[LedgerEntry], quiet: bool)
 
 def _summary(parts: tuple[LedgerChapter, ...]) -> Table:
     """Return a table of all physics: cases, numbers, and which case agrees least."""
-    from rich import box
-    from rich.table import Table
+    from winkler.cli import terminal
 
-    table = Table("physics", "cases", "numbers", "missed", "fewest digits", "in", box=box.SIMPLE_HEAD)
+    table = terminal.table("physics", "cases", "numbers", "missed", "fewest digits", "in")
     for part in parts:
         worst = part.worst
         counts = (str(len(part.entries)), str(part.numbers), str(part.missed))
@@ -91,12 +90,10 @@ def _summary(parts: tuple[LedgerChapter, ...]) -> Table:
 
 def verdict_table(verdicts: Iterable[ComparedNumber], points: Iterable[str] = ()) -> Table:
     """Return a table of expected and computed numbers, with the points of a sweep as text."""
-    from rich import box
-    from rich.table import Table
-
+    from winkler.cli import terminal
     from winkler.study.ledger.ledger_page import digits, number_text, where
 
-    table = Table("quantity", "expected", "got", "digits", "tolerance", "", box=box.SIMPLE_HEAD)
+    table = terminal.table("quantity", "expected", "got", "digits", "tolerance", "")
     point_texts = iter(points)
     for verdict in verdicts:
         point = next(point_texts, "")

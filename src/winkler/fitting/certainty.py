@@ -6,6 +6,7 @@ The covariance is that of least squares under autocorrelated noise (`winkler.fit
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -102,17 +103,14 @@ def refuse_singular(parameters: tuple[Parameter, ...], jacobian: Array, largest:
 
 
 def _fewer_terms(names: list[str]) -> str:
-    return (
-        " One term fewer may suffice."
-        if any("shears[" in name or "relaxation_times[" in name for name in names)
-        else ""
-    )
+    is_series = any("shears[" in name or "relaxation_times[" in name for name in names)
+    return " One term fewer may suffice." if is_series else ""
 
 
 def doubts(
     parameters: tuple[Parameter, ...], coordinates: Array, estimate: FitEstimate, uncertainty: Certainty
-) -> list[Flag]:
-    """Return the doubts about the parameters of a fit.
+) -> Iterator[Flag]:
+    """Yield the doubts about the parameters of a fit.
 
     Parameters
     ----------
@@ -122,43 +120,32 @@ def doubts(
         The fit, flags of its own not yet among them.
     uncertainty : Certainty
     """
-    values, errors = estimate.values, estimate.standard_errors
-    flags = []
-    for index, parameter in enumerate(parameters):
-        coordinate = float(coordinates[index])
+    numbers = zip(parameters, coordinates.tolist(), estimate.values, estimate.standard_errors, strict=True)
+    for parameter, coordinate, number, error in numbers:
         bounds = parameter.inward(parameter.low), parameter.inward(parameter.high)
         if any(abs(coordinate - bound) <= 1e-6 * (1.0 + abs(coordinate)) for bound in bounds):
-            flags.append(Flag("at_bound", f"{parameter.name} has reached its bound; its error has no meaning."))
-        elif parameter.logarithmic and errors[index] > values[index]:
-            flags.append(Flag("undetermined", f"{parameter.name} is smaller than its error and remains undetermined."))
-    names = [p.name for p in parameters]
-    for i, first in enumerate(names):
-        for j, second in enumerate(names[:i]):
-            if abs(uncertainty.correlation[i, j]) > CORRELATION_LIMIT:
-                flags.append(
-                    Flag(
-                        "correlated",
-                        f"{second} and {first} go together (correlation {uncertainty.correlation[i, j]:.4f}).",
-                    )
-                )
-    if uncertainty.effective_count < POINTS_PER_PARAMETER * len(names):
-        flags.append(
-            Flag(
-                "memory",
-                f"The curve has the information of {uncertainty.effective_count:.3g} independent points: the noise "
-                "drifts, or the model misses the course of the curve; the errors are rough.",
-            )
+            yield Flag("at_bound", f"{parameter.name} has reached its bound; its error has no meaning.")
+        elif parameter.logarithmic and error > number:
+            yield Flag("undetermined", f"{parameter.name} is smaller than its error and remains undetermined.")
+    for i, first in enumerate(parameters):
+        for j, second in enumerate(parameters[:i]):
+            correlation = uncertainty.correlation[i, j]
+            if abs(correlation) > CORRELATION_LIMIT:
+                text = f"{second.name} and {first.name} go together (correlation {correlation:.4f})."
+                yield Flag("correlated", text)
+    if uncertainty.effective_count < POINTS_PER_PARAMETER * len(parameters):
+        yield Flag(
+            "memory",
+            f"The curve has the information of {uncertainty.effective_count:.3g} independent points: the noise "
+            "drifts, or the model misses the course of the curve; the errors are rough.",
         )
     whole, contact = estimate.chi_square, estimate.chi_square_in_contact
     if whole > MISFIT_LIMIT or contact > _limit(estimate):
-        flags.append(
-            Flag(
-                "misfit",
-                f"The residuals are {math.sqrt(whole):.3g} times the noise, in contact {math.sqrt(contact):.3g} times: "
-                "the model does not explain the curve.",
-            )
+        yield Flag(
+            "misfit",
+            f"The residuals are {math.sqrt(whole):.3g} times the noise, in contact {math.sqrt(contact):.3g} times: "
+            "the model does not explain the curve.",
         )
-    return flags
 
 
 def _limit(estimate: FitEstimate) -> float:
@@ -166,10 +153,8 @@ def _limit(estimate: FitEstimate) -> float:
     from scipy.special import gammaincinv
 
     free_residuals = (estimate.weights * estimate.residuals)[~estimate.touched & (estimate.weights > 0.0)]
-    share = (
-        memory(free_residuals).effective_count / free_residuals.size
-        if free_residuals.size >= FEWEST_FREE_POINTS
-        else 1.0
-    )
+    count, share = free_residuals.size, 1.0
+    if count >= FEWEST_FREE_POINTS:
+        share = memory(free_residuals).effective_count / count
     half = 0.5 * max(estimate.contact_freedom * share, 1.0)
     return max(MISFIT_LIMIT, float(gammaincinv(half, MISFIT_CONFIDENCE)) / half)

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
 from winkler.errors import InvalidInput, suggest
+from winkler.fitting.curves.checks import Flag
+from winkler.fitting.curves.curve import ForceCurve
 from winkler.numerics.types import Array
+from winkler.values import value, words
 
 __all__ = ["FitEstimate"]
 
@@ -16,31 +20,51 @@ LINE_PARAMETERS = ("baseline", "tilt", "drag")
 """Parameters that follow from the free points."""
 
 
+@value
 class FitEstimate:
-    """Fitted parameters with their errors; subclasses define measured and predicted quantities."""
+    """Fitted parameters with their errors; the fields are those of `winkler.fitting.outcome.Fit`."""
 
+    __words__ = words(
+        model=("", None, "the model with the fitted numbers"),
+        names=("", None, "what was varied"),
+        values=("", None, "the fitted numbers, in SI units"),
+        correlation=("", "", "correlation of the numbers' errors"),
+        lows=("", None, "lower bounds"),
+        highs=("", None, "upper bounds"),
+        noise=(r"\sigma", "N", "standard deviation of the forces"),
+        weights=("", "", "what residuals were multiplied with"),
+        scatter=("s", "N", "standard deviation of the weighted residuals"),
+        predicted=("F", "N", "fitted forces with the baseline"),
+        flags=("", None, "what speaks against the numbers"),
+        logarithmic=("", None, "of which numbers the logarithm was varied"),
+    )
+
+    curve: ForceCurve
+    model: Any
     names: tuple[str, ...]
     values: Array
     standard_errors: Array
     correlation: Array
+    lows: Array
+    highs: Array
     noise: float
     weights: Array
+    scatter: float
     effective_count: float
+    predicted: Array
+    radius: Array
+    flags: tuple[Flag, ...]
+    logarithmic: tuple[bool, ...]
 
     @property
     def residuals(self) -> Array:
-        """Measured less fitted quantity ``(n,)``."""
-        raise NotImplementedError
+        """Measured less fitted forces [N] ``(n,)``."""
+        return np.asarray(self.curve.force - self.predicted)
 
     @property
     def touched(self) -> Array:
         """Points in contact ``(n,)``."""
-        raise NotImplementedError
-
-    @property
-    def _on_logarithm(self) -> tuple[bool, ...]:
-        """Parameters of which the logarithm was varied ``(p,)``."""
-        raise NotImplementedError
+        return np.asarray(self.radius > 0.0)
 
     def index(self, name: str) -> int:
         """Return the index of a parameter.
@@ -76,7 +100,7 @@ class FitEstimate:
         index = self.index(name)
         number, error = float(self.values[index]), float(self.standard_errors[index])
         width = self.quantile(confidence)
-        if self._on_logarithm[index]:
+        if self.logarithmic[index]:
             part = width * error / number if number > 0.0 else math.inf
             return number * math.exp(-part), number * math.exp(part) if part < LARGEST_EXPONENT else math.inf
         return number - width * error, number + width * error

@@ -166,6 +166,8 @@ def _fit(
     search: Search,
 ) -> AnyFit:
     stated = dict.fromkeys(free, ()) if not isinstance(free, Mapping) else dict(free)
+    if not stated:
+        raise InvalidInput("fit: nothing is free; name at least one number, as 'bed.medium.first.young'.")
     task: FitTask
     if isinstance(model, ViscoelasticIndentation):
         rough_outline, flags = examined_stroke(curve)
@@ -254,6 +256,7 @@ def _with_errors(
         "scatter": uncertainty.scatter,
         "effective_count": uncertainty.effective_count,
         "predicted": prediction.fitted,
+        "logarithmic": tuple(p.logarithmic for p in task.parameters),
         "flags": (*flags, *task.doubts(numbers, errors)),
     }
     result = task.outcome(numbers, prediction, shared)

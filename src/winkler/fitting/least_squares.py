@@ -12,7 +12,8 @@ from winkler.numerics.types import Array
 
 __all__ = ["bounds", "solved"]
 
-MOST_PREDICTIONS = 200
+MOST_PREDICTIONS = 1000
+"""A hold too short for its relaxation time takes some 500 to settle in the flat valley of its misfit."""
 COARSE_PREDICTIONS, COARSELY_SETTLED = 25, 1e-3
 LOGARITHM_RANGE = 30.0
 """Greatest distance of a logarithm from its start."""
@@ -36,7 +37,7 @@ def solved(task: FitTask, coordinates: Array, search: Search, *, coarse: bool = 
     Raises
     ------
     NotConverged
-        If the predictions do not suffice and the task must converge, or the time limit is reached.
+        If the predictions do not suffice, unless it is coarse, or the time limit is reached.
     """
     from scipy.optimize import least_squares
 
@@ -82,7 +83,7 @@ def solved(task: FitTask, coordinates: Array, search: Search, *, coarse: bool = 
         xtol=settled,
         gtol=1e-15,
     )
-    if not result.success and task.must_settle and not coarse:
+    if not result.success and not coarse:
         raise NotConverged(
             f"fit: least squares have not settled after {evaluations} predictions; give bounds or starts nearer to the "
             "answer, or fewer free numbers."

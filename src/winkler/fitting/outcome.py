@@ -2,16 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
-from winkler.fitting.curves.checks import Flag
-from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.outline import FEWEST, outline
 from winkler.fitting.estimate import FitEstimate
 from winkler.fitting.validity import Model, fit_notes, free_notes
-from winkler.fitting.varied import CURVE_PARAMETERS, NATURAL_BOUNDS, parameters_of
 from winkler.numerics.types import Array
 from winkler.problems.normal.validity import contact_notes
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
@@ -31,52 +26,7 @@ QUASISTATIC = Note(
 
 
 @value
-class _FitResult(FitEstimate):
-    """Common fields of all fits."""
-
-    __words__ = words(
-        model=("", None, "the model with the fitted numbers"),
-        names=("", None, "what was varied"),
-        values=("", None, "the fitted numbers, in SI units"),
-        correlation=("", "", "correlation of the numbers' errors"),
-        lows=("", None, "lower bounds"),
-        highs=("", None, "upper bounds"),
-        noise=(r"\sigma", "N", "standard deviation of the forces"),
-        weights=("", "", "what residuals were multiplied with"),
-        scatter=("s", "N", "standard deviation of the weighted residuals"),
-        predicted=("F", "N", "fitted forces with the baseline"),
-        flags=("", None, "what speaks against the numbers"),
-    )
-
-    curve: ForceCurve
-    model: Any
-    names: tuple[str, ...]
-    values: Array
-    standard_errors: Array
-    correlation: Array
-    lows: Array
-    highs: Array
-    noise: float
-    weights: Array
-    scatter: float
-    effective_count: float
-    predicted: Array
-    radius: Array
-    flags: tuple[Flag, ...]
-
-    @property
-    def residuals(self) -> Array:
-        """Measured less fitted forces [N] ``(n,)``."""
-        return np.asarray(self.curve.force - self.predicted)
-
-    @property
-    def touched(self) -> Array:
-        """Points in contact ``(n,)``."""
-        return np.asarray(self.radius > 0.0)
-
-
-@value
-class Fit(_FitResult):
+class Fit(FitEstimate):
     """Parameters of a model fitted to a curve.
 
     Parameters
@@ -109,6 +59,8 @@ class Fit(_FitResult):
         Fitted contact radii [m].
     flags : tuple of Flag
         Doubts about the parameters.
+    logarithmic : tuple of bool, (p,)
+        Of which numbers the logarithm was varied.
     contact : ndarray of bool, (n,)
         Points in contact.
     """
@@ -117,13 +69,6 @@ class Fit(_FitResult):
 
     model: Model
     contact: Array
-
-    @property
-    def _on_logarithm(self) -> tuple[bool, ...]:
-        """Of which numbers the logarithm was varied ``(p,)``."""
-        free = {name: (low, high) for name, low, high in zip(self.names, self.lows, self.highs, strict=True)}
-        scales = dict.fromkeys(CURVE_PARAMETERS, 1.0)
-        return tuple(parameter.logarithmic for parameter in parameters_of(self.model, free, scales, NATURAL_BOUNDS))
 
     @property
     def touched(self) -> Array:
@@ -147,18 +92,11 @@ class Fit(_FitResult):
 
 
 @value
-class _RelaxingFit(_FitResult):
+class _RelaxingFit(FitEstimate):
     """Fit of a relaxing contact, by forces or positions."""
 
-    __words__ = words(logarithmic=("", None, "of which numbers the logarithm was varied"))
-
     model: ViscoelasticIndentation
-    logarithmic: tuple[bool, ...]
     depth: Array
-
-    @property
-    def _on_logarithm(self) -> tuple[bool, ...]:
-        return self.logarithmic
 
     @property
     def _contact_notes(self) -> tuple[Note, ...]:
@@ -168,40 +106,14 @@ class _RelaxingFit(_FitResult):
 
 @value
 class ViscoelasticFit(_RelaxingFit):
-    """Fit of forces along a measured motion of a solid that relaxes.
+    """Fit of forces along a measured motion of a solid that relaxes; all other fields are those of `Fit`.
 
     Parameters
     ----------
-    curve : ForceCurve
-        The fitted points.
     model : ViscoelasticIndentation
         With the fitted numbers, along the fitted depths.
-    names : tuple of str, (p,)
-        Names of the parameters.
-    values : ndarray, (p,)
-        Values of the parameters, in SI units.
-    standard_errors : ndarray, (p,)
-        In the same units, with the autocorrelation of the noise.
-    correlation : ndarray, (p, p)
-        Of the numbers' errors.
-    lows, highs : ndarray, (p,)
-        Bounds that were set.
     noise : float
         Standard deviation of the forces [N]: as given, else of the free points, else the scatter.
-    weights : ndarray, (n,)
-        Factors of the residuals; 1 for uniform noise.
-    scatter : float
-        Standard deviation of the weighted residuals [N].
-    effective_count : float
-        Equivalent number of independent points of the curve.
-    predicted : ndarray, (n,)
-        Fitted forces with the baseline [N].
-    radius : ndarray, (n,)
-        Fitted a [m].
-    flags : tuple of Flag
-        Doubts about the parameters.
-    logarithmic : tuple of bool, (p,)
-        Of which numbers the logarithm was varied.
     depth : ndarray, (n,)
         Fitted d, below zero out of contact [m].
     """
@@ -217,7 +129,7 @@ class ViscoelasticFit(_RelaxingFit):
 
 @value
 class CreepFit(_RelaxingFit):
-    """Fit of positions under measured forces of a solid that creeps.
+    """Fit of positions under measured forces of a solid that creeps; all other fields are those of `Fit`.
 
     Parameters
     ----------
@@ -225,33 +137,15 @@ class CreepFit(_RelaxingFit):
         Positions are fitted under its forces; during approach, up to a tenth of the greatest force, forces are fitted.
     model : ViscoelasticIndentation
         With the fitted numbers, under the forces of the contact.
-    names : tuple of str, (p,)
-        Names of the parameters.
-    values : ndarray, (p,)
-        Values of the parameters, in SI units.
-    standard_errors : ndarray, (p,)
-        In the same units, with the autocorrelation of the noise.
-    correlation : ndarray, (p, p)
-        Of the numbers' errors.
-    lows, highs : ndarray, (p,)
-        Bounds that were set.
     noise : float
         Standard deviation of the positions [m]: as given, else the scatter of those that were fitted.
     weights : ndarray, (n,)
         What the residuals were multiplied with; less than 1 where the noise of the force adds to that of the position.
     scatter : float
         Standard deviation of the weighted residuals [m].
-    effective_count : float
-        Equivalent number of independent points of the curve.
     predicted : ndarray, (n,)
         Fitted positions [m]; where the force was fitted, the measured ones less its misfit, a standard deviation of
         the force for one of the position.
-    radius : ndarray, (n,)
-        Fitted a [m].
-    flags : tuple of Flag
-        Doubts about the parameters.
-    logarithmic : tuple of bool, (p,)
-        Of which numbers the logarithm was varied.
     depth : ndarray, (n,)
         Fitted d [m].
     """

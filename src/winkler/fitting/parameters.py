@@ -7,6 +7,7 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 import math
 import re
 from collections.abc import Mapping
@@ -59,6 +60,10 @@ def _next(owner: Any, step: str | int, path: str) -> Any:
     return getattr(owner, step)
 
 
+def _at(model: Any, path: str) -> Any:
+    return functools.reduce(lambda owner, step: _next(owner, step, path), _steps(path), model)
+
+
 def number_at(model: Any, path: str) -> float:
     """Return the number at a path.
 
@@ -67,9 +72,7 @@ def number_at(model: Any, path: str) -> float:
     InvalidInput
         If the path does not exist, or holds no finite number.
     """
-    owner = model
-    for step in _steps(path):
-        owner = _next(owner, step, path)
+    owner = _at(model, path)
     if isinstance(owner, bool) or not isinstance(owner, int | float) or not math.isfinite(owner):
         raise InvalidInput(f"free: '{path}' leads to {type(owner).__name__} {owner!r}, which is no finite number.")
     return float(owner)
@@ -83,9 +86,7 @@ def each(model: Any, path: str) -> tuple[str, ...]:
     InvalidInput
         If the path leads nowhere.
     """
-    owner = model
-    for step in _steps(path):
-        owner = _next(owner, step, path)
+    owner = _at(model, path)
     if isinstance(owner, np.ndarray):
         return tuple(f"{path}[{index}]" for index in range(owner.size))
     return (path,)

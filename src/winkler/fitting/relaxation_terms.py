@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from winkler.checks.number_checks import Whole, checked
 from winkler.errors import InvalidInput
 from winkler.fitting.compare import Comparison, compare
 from winkler.fitting.curves.curve import ForceCurve
@@ -65,8 +66,7 @@ def compare_terms(
     medium = model.bed.medium
     if not isinstance(medium, ViscoelasticHalfSpace) or not isinstance(medium.first, Prony):
         raise InvalidInput("compare_terms: the first body is no Prony; give Prony(...), whose terms are counted.")
-    if isinstance(most, bool) or not isinstance(most, int) or not 1 <= most <= MOST_TERMS:
-        raise InvalidInput(f"compare_terms: most is {most!r}; give a whole number from 1 to {MOST_TERMS}.")
+    checked(Whole(1, MOST_TERMS), "compare_terms", "most", most)
     if not curve.timed or not np.ptp(curve.time) > 0.0:
         raise InvalidInput(f"compare_terms: curve '{curve.name}' has no times, and a solid that relaxes needs them.")
     free_names = free if isinstance(free, Mapping) else tuple(free)

@@ -72,8 +72,6 @@ class FitTask(_TaskFields):
 
     settled: ClassVar[float]
     """Relative change of sum and coordinates at which least squares stop."""
-    must_settle: ClassVar[bool]
-    """Whether missing convergence is an error."""
     coarse_count: ClassVar[int]
     """Number of points for the choice between starts."""
     starts_improved: ClassVar[int]
@@ -167,10 +165,10 @@ class FitTask(_TaskFields):
         columns = []
         for index, parameter in enumerate(self.parameters):
             column = self.slope(parameter.name, numbers, prediction)
-            is_closed_form = column is not None
-            columns.append(
-                column * parameter.scale if is_closed_form else self.difference(coordinates, index, prediction)
-            )
+            if column is None:
+                columns.append(self.difference(coordinates, index, prediction))
+            else:
+                columns.append(column * parameter.scale)
         return np.stack(columns, axis=1) * self.weights[:, None]
 
     def slope(self, name: str, numbers: dict[str, float], prediction: Prediction) -> Any:

@@ -6,6 +6,7 @@ The notes of the contact hold for given parameters; these state whether the curv
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -80,65 +81,55 @@ def _coating_notes(bed: Bed, names: tuple[str, ...], widest: float) -> list[Note
     stiffness = float(bed.stiffness(place)[0])
     alone = float(HalfSpace(top, medium.second).punch_stiffness(place)[0])
     below = stiffness / alone - 1.0
-    fact = (
-        f"Coating: the widest contact is {widest / thickness:.3g} of the thickness {thickness:.3g} m, and what lies "
-        f"below the top layer changes its stiffness by {below:+.2%}"
-    )
     deep = [name for name in names if name.startswith(LOWER_SOLIDS) and not name.startswith(TOP_LAYER)]
+    standing = Standing.APPROXIMATE
     if abs(below) < LEAST_STIFFNESS_CHANGE:
         standing = Standing.OUTSIDE if deep else Standing.ASYMPTOTIC
-        conclusion = (
-            f"the curve hardly depends on {', '.join(deep)}" if deep else "the coating was measured like a half-space"
-        )
-        return [Note(Assumption.CURVE, standing, f"{fact}: {conclusion}.", PUNCHES)]
-    both = bool(deep) and any(name.startswith(TOP_LAYER) for name in names)
-    conclusion = (
-        "coating and substrate are distinguished only by how this grows with the depth"
-        if both
-        else "the fitted parameters depend on the fixed ones of coating and substrate"
+        measured = "the coating was measured like a half-space"
+        conclusion = f"the curve hardly depends on {', '.join(deep)}" if deep else measured
+    elif deep and any(name.startswith(TOP_LAYER) for name in names):
+        conclusion = "coating and substrate are distinguished only by how this grows with the depth"
+    else:
+        conclusion = "the fitted parameters depend on the fixed ones of coating and substrate"
+    statement = (
+        f"Coating: the widest contact is {widest / thickness:.3g} of the thickness {thickness:.3g} m, and what lies "
+        f"below the top layer changes its stiffness by {below:+.2%}: {conclusion}."
     )
-    return [Note(Assumption.CURVE, Standing.APPROXIMATE, f"{fact}: {conclusion}.", PUNCHES)]
+    return [Note(Assumption.CURVE, standing, statement, PUNCHES)]
 
 
-def _tip_notes(model: Model, names: tuple[str, ...], widest: float) -> list[Note]:
-    """Return the notes on the shape of the tip."""
-    notes: list[Note] = []
+def _tip_notes(model: Model, names: tuple[str, ...], widest: float) -> Iterator[Note]:
+    """Yield the notes on the shape of the tip."""
     bed = model.bed
     if not isinstance(bed, Foundation):
-        return notes
+        return
     corners = [b for b, _ in bed.kinks if 0.0 < b < math.inf]
     if corners and widest < corners[0]:
-        notes.append(
-            Note(
-                Assumption.SHAPE,
-                Standing.EXACT,
-                f"Tip: the widest contact, {widest:.3g} m, stays within the first part of the tip, which ends at "
-                f"{corners[0]:.3g} m; the curve does not depend on the rest.",
-                "corners of the profile",
-            )
+        statement = (
+            f"Tip: the widest contact, {widest:.3g} m, stays within the first part of the tip, which ends at "
+            f"{corners[0]:.3g} m; the curve does not depend on the rest."
         )
+        yield Note(Assumption.SHAPE, Standing.EXACT, statement, "corners of the profile")
     profile = bed.profile
     if not isinstance(profile, Paraboloid):
-        return notes
+        return
     radius = profile.curvature_radius
-    fact = f"Tip: the widest contact is {widest / radius:.3g} of the tip's radius {radius:.3g} m"
-    depth = model.load.depth if isinstance(model.load, Depth) else 0.0
+    deepest = float(np.max(model.load.depth)) if isinstance(model.load, Depth) else 0.0
     if widest >= radius:
+        standing = Standing.OUTSIDE
         conclusion = "there a paraboloid differs from a ball; if the tip is one, give Sphere"
-        return [*notes, Note(Assumption.SHAPE, Standing.OUTSIDE, f"{fact}: {conclusion}.", BALLS)]
-    if not float(np.max(depth)) > 0.0:
-        return notes
-    load = Depth(float(np.max(depth)))
-    ball = Foundation(Sphere(radius), bed.medium)
-    share = float(Indentation(ball, load).solve().force / Indentation(bed, load).solve().force) - 1.0
-    good = abs(share) < BALL_TOLERANCE
-    conclusion = f"a ball of that radius would change the force by {share:+.2%}" + (
-        "" if good else "; if it is one, give Sphere"
-    )
-    notes.append(
-        Note(Assumption.SHAPE, Standing.ASYMPTOTIC if good else Standing.APPROXIMATE, f"{fact}: {conclusion}.", BALLS)
-    )
-    return notes
+    elif deepest > 0.0:
+        load = Depth(deepest)
+        ball = Foundation(Sphere(radius), bed.medium)
+        share = float(Indentation(ball, load).solve().force / Indentation(bed, load).solve().force) - 1.0
+        good = abs(share) < BALL_TOLERANCE
+        standing = Standing.ASYMPTOTIC if good else Standing.APPROXIMATE
+        end = "" if good else "; if it is one, give Sphere"
+        conclusion = f"a ball of that radius would change the force by {share:+.2%}{end}"
+    else:
+        return
+    fact = f"Tip: the widest contact is {widest / radius:.3g} of the tip's radius {radius:.3g} m"
+    yield Note(Assumption.SHAPE, standing, f"{fact}: {conclusion}.", BALLS)
 
 
 def _range_notes(model: AdhesiveIndentation) -> list[Note]:
@@ -149,14 +140,8 @@ def _range_notes(model: AdhesiveIndentation) -> list[Note]:
     try:
         edge = PullOff(model.bed, ShortRange(law.work)).solve().radius
     except OutsideValidity as error:
-        return [
-            Note(
-                Assumption.ADHESION,
-                Standing.APPROXIMATE,
-                f"Range: it cannot be assessed without a pull-off. {error}",
-                GREENWOOD,
-            )
-        ]
+        statement = f"Range: it cannot be assessed without a pull-off. {error}"
+        return [Note(Assumption.ADHESION, Standing.APPROXIMATE, statement, GREENWOOD)]
     stretch = float(griffith.stretch(model.bed, law.work, np.array([edge]))[0])
     return [range_note(law, stretch, "Range: with the fitted numbers, at the pull-off")]
 
@@ -183,11 +168,8 @@ def free_notes(curve: ForceCurve, contact: Array, error: float) -> list[Note]:
         share = along / max(float(np.ptp(curve.position[selected])), 1e-300)
         parts.append(f"{count} points over {along:.3g} m ({share:.0%} of the travel) on {word}")
         is_poor |= count < FEW_FREE or share < LEAST_FREE_SHARE
-    conclusion = (
-        "too few for the zero of force, which depends on the model" if is_poor else "enough for the zero of force"
-    )
-    where = " and ".join(parts)
     statement = (
-        f"Baseline: out of contact are {where}; the scatter is {error:.2g} of the range of forces: {conclusion}."
+        f"Baseline: out of contact are {' and '.join(parts)}; the scatter is {error:.2g} of the range of forces: "
+        f"{'too few' if is_poor else 'enough'} for the zero of force{', which depends on the model' * is_poor}."
     )
     return [Note(Assumption.CURVE, Standing.APPROXIMATE if is_poor else Standing.EXACT, statement, POINTS)]

@@ -8,7 +8,7 @@ import os
 from collections.abc import Iterable, Mapping
 from importlib.metadata import version
 from pathlib import Path
-from typing import IO
+from typing import IO, Any
 
 import numpy as np
 
@@ -20,7 +20,7 @@ from winkler.io.whole_file import written_whole
 from winkler.limits import MOST_NUMBERS
 from winkler.numerics.types import Array
 
-__all__ = ["read_arrays", "version_of", "write_arrays"]
+__all__ = ["read_arrays", "read_state", "version_of", "write_arrays", "write_state"]
 
 MOST_ARRAYS = 1000
 """Arrays in a file."""
@@ -134,3 +134,43 @@ def write_arrays(path: Path, arrays: Mapping[str, Array]) -> None:
     """
     with written_whole(path) as file:
         np.savez(file, allow_pickle=False, version=np.array(version("winkler")), **arrays)
+
+
+def write_state(path: str | os.PathLike[str], form: str, arrays: Mapping[str, Any]) -> Path:
+    """Write arrays with the name of their format; return the path.
+
+    Raises
+    ------
+    InvalidInput
+        If there is no such folder, or its file cannot be written.
+    """
+    write_arrays(Path(path), {"format": np.array(form), **arrays})
+    return Path(path)
+
+
+def read_state(
+    path: str | os.PathLike[str], form: str, words: Iterable[str], *, needed: Iterable[str], what: str
+) -> dict[str, Array]:
+    """Return the arrays that `write_state` wrote.
+
+    Parameters
+    ----------
+    path : str or path
+        The file.
+    form : str
+        The name of its format.
+    words, needed : iterable of str
+        As for `read_arrays`.
+    what : str
+        What the file holds: "contacts", as ``write_contacts`` writes them.
+
+    Raises
+    ------
+    InvalidInput
+        If the file is missing, broken, or of another format.
+    """
+    wrong, remedy = f"no {what} can be read from it", f"give a file of write_{what}"
+    arrays = read_arrays(path, ("format", *words), needed=("format", *needed), wrong=wrong, remedy=remedy)
+    if str(arrays.pop("format")) != form:
+        raise InvalidInput(f"{path}: it does not hold '{form}'; give one that this version wrote.")
+    return arrays

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.io.array_file import read_arrays, write_arrays
+from winkler.io.array_file import read_state, write_state
 from winkler.io.foreign import reader
 from winkler.problems.particles.contacts import Contacts
 
@@ -38,9 +38,7 @@ def write_contacts(contacts: Contacts, path: str | os.PathLike[str]) -> Path:
     InvalidInput
         If there is no such folder, or its file cannot be written.
     """
-    path = Path(path)
-    write_arrays(path, {"format": np.array(FORMAT), **{word: getattr(contacts, word) for word in FIELD_NAMES}})
-    return path
+    return write_state(path, FORMAT, {word: getattr(contacts, word) for word in FIELD_NAMES})
 
 
 @reader("contacts")
@@ -61,15 +59,7 @@ def read_contacts(path: str | os.PathLike[str]) -> Contacts:
     InvalidInput
         If the file is missing, broken, or of another kind.
     """
-    arrays = read_arrays(
-        path,
-        ("format", *FIELD_NAMES),
-        needed=("format", *FIELD_NAMES),
-        wrong="no contacts can be read from it",
-        remedy="give a file of write_contacts",
-    )
-    if str(arrays.pop("format")) != FORMAT:
-        raise InvalidInput(f"{path}: it does not hold '{FORMAT}'; give one that this version wrote.")
+    arrays = read_state(path, FORMAT, FIELD_NAMES, needed=FIELD_NAMES, what="contacts")
     spoilt = [word for word, content in arrays.items() if content.dtype.kind != "f" or not np.isfinite(content).all()]
     if spoilt:
         raise InvalidInput(

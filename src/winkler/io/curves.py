@@ -19,7 +19,7 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.io.archive_file import is_archive, refuse_large_archive
-from winkler.io.foreign import quiet, sentence_of
+from winkler.io.foreign import in_file, quiet, sentence_of
 from winkler.io.hdf5_file import refuse_other_files
 from winkler.io.memory import limited_memory
 from winkler.io.segments import directions
@@ -153,22 +153,17 @@ def _curves_of_afmformats(
         import afmformats
         from afmformats.errors import AFMFileFormatError, MissingMetaDataError
     except ImportError:
-        if _is_text(path):  # an incomplete table: its reader raises what is missing
-            read_curve_table(path, spring_constant=spring_constant, sensitivity=sensitivity)
-        raise InvalidInput(
-            f"{path}: this is no text table, and the formats of microscopes need the extra afm; install it with "
-            "pip install 'winkler[afm]'."
+        raise _no_table(
+            path,
+            "this is no text table, and the formats of microscopes need the extra afm; install it with "
+            "pip install 'winkler[afm]'",
         ) from None
-    overrides = {
-        key: number for key, number in (("spring constant", spring_constant), ("sensitivity", sensitivity)) if number
-    }
-    if path.suffix.lower() not in afmformats.formats.supported_extensions:
-        if _is_text(path):
-            read_curve_table(path, spring_constant=spring_constant, sensitivity=sensitivity)
-        raise InvalidInput(
-            f"{path}: files that end in '{path.suffix}' are not known; tables and "
-            f"{', '.join(afmformats.formats.supported_extensions)} are read."
-        )
+    stated = {"spring constant": spring_constant, "sensitivity": sensitivity}
+    overrides = {key: number for key, number in stated.items() if number}
+    known = afmformats.formats.supported_extensions
+    if path.suffix.lower() not in known:
+        end = f"files that end in '{path.suffix}' are not known; tables and {', '.join(known)} are read"
+        raise _no_table(path, end)
     with _quiet_and_limited(path):
         try:
             _refuse_large_contents(path)
@@ -181,10 +176,8 @@ def _curves_of_afmformats(
         except (InvalidInput, MemoryError):
             raise
         except (Exception, AFMFileFormatError) as error:  # its readers of ten formats raise many types
-            if _is_text(path):
-                read_curve_table(path, spring_constant=spring_constant, sensitivity=sensitivity)
             hint = "; unpack the archive first" if path.suffix.lower() == ".zip" else ""
-            raise InvalidInput(f"{path}: afmformats cannot read this file ({type(error).__name__}){hint}.") from None
+            raise _no_table(path, f"afmformats cannot read this file ({type(error).__name__}){hint}") from None
     for number, data in enumerate(group):
         name = path.name if len(group) == 1 else f"{path.name}, curve {number}"
         try:
@@ -198,6 +191,13 @@ def _curves_of_afmformats(
             yield UnreadCurve(name, str(error))
         else:
             yield placed
+
+
+def _no_table(path: Path, reason: str) -> InvalidInput:
+    """Return the reason why a file cannot be read; of an incomplete table its reader raises what is missing."""
+    if _is_text(path):
+        read_curve_table(path)
+    return InvalidInput(f"{path}: {reason}.")
 
 
 @contextlib.contextmanager
@@ -253,8 +253,6 @@ def _translated(data: Any, name: str, file_name: str, overrides: dict[str, float
         )
     segment = np.asarray(data["segment"]) if "segment" in columns else np.zeros(0)
     time = np.asarray(data["time"], dtype=float) if "time" in columns else np.zeros(0)
-    try:
+    with in_file(file_name):
         curve = ForceCurve(position, force, float(stiffness), time, directions(position, force, segment), name)
-    except InvalidInput as error:
-        raise InvalidInput(f"{file_name}: {error}") from None
     return PlacedCurve(curve, *(float(data.metadata.get(f"position {axis}", np.nan)) for axis in "xy"))

@@ -16,7 +16,7 @@ from typing import ParamSpec, TypeVar
 
 from winkler.errors import InvalidInput, WinklerError
 
-__all__ = ["path_text", "quiet", "reader", "reason_of", "sentence_of"]
+__all__ = ["in_file", "path_text", "quiet", "reader", "reason_of", "sentence_of"]
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -81,6 +81,15 @@ def sentence_of(path: object, wrong: str, remedy: str, *, also: tuple[type[BaseE
         if not isinstance(error, (Exception, *also)):
             raise
         raise InvalidInput(f"{path_text(path)}: {wrong} ({reason_of(error)}); {remedy}.") from None
+
+
+@contextlib.contextmanager
+def in_file(path: object) -> Iterator[None]:
+    """Put the name of a file before the sentence that refuses its contents."""
+    try:
+        yield
+    except InvalidInput as error:
+        raise InvalidInput(f"{path}: {error}") from None
 
 
 @contextlib.contextmanager

@@ -12,16 +12,17 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.io.array_file import read_arrays
+from winkler.io.tables.table_cells import number_in
 from winkler.io.text_file import lines_of
 from winkler.limits import MOST_NUMBERS
 from winkler.numerics.types import Array
-from winkler.units import comma_hint, comma_readings, quantity
+from winkler.units import quantity
 
 __all__ = ["MapContents", "array_map", "refuse_many", "text_map"]
 
 LEAST_ROWS = 4
 """Fewest rows and columns of a map; a smaller matrix is a scan, or a list of points."""
-MISSING = frozenset({"", "nan", "na", "n/a", "-", "--", "none", "null"})
+NO_HEIGHT = "is no height; give a matrix of numbers, nan where they are missing"
 HEADER = re.compile(r"#\s*+(Width|Height|Value units)\s*+:(.*)")
 """Header lines that Gwyddion writes above a matrix."""
 
@@ -103,7 +104,7 @@ def _rows(path: Path, numbered: list[tuple[int, str]], separator: str | None) ->
             numbers.extend([float(cell) for cell in cells])
         except ValueError:
             where = f"{path}, line {number}"
-            numbers.extend([_height(cell.strip(" \t\"'"), where) for cell in cells])
+            numbers.extend([number_in(cell.strip(" \t\"'"), where, NO_HEIGHT) for cell in cells])
     return np.frombuffer(numbers).reshape(len(numbered), wide)
 
 
@@ -124,18 +125,6 @@ def refuse_many(count: int, path: Path) -> None:
 
 def _counts(line: Array) -> bool:
     return bool(np.array_equal(line, np.arange(line.size)))
-
-
-def _height(cell: str, where: str) -> float:
-    if cell.lower() in MISSING:
-        return float("nan")
-    try:
-        return float(cell)
-    except ValueError:
-        pass
-    if comma_readings(cell):
-        raise InvalidInput(f"{where}: '{cell}' has {comma_hint(cell)}.")
-    raise InvalidInput(f"{where}: '{cell[:40]}' is no height; give a matrix of numbers, nan where they are missing.")
 
 
 def array_map(path: Path) -> MapContents:

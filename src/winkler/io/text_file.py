@@ -11,7 +11,7 @@ import re
 from pathlib import Path
 
 from winkler.errors import InvalidInput, suggest
-from winkler.io.foreign import path_text
+from winkler.io.foreign import path_text, sentence_of
 from winkler.limits import HEADER_LETTERS, HEADER_LINES, LINE_LETTERS, TEXT_BYTES, TEXT_LINES
 
 __all__ = ["content_of", "existing", "head_of", "headed", "lines_of", "refuse_large"]
@@ -23,6 +23,7 @@ SIGNATURES = (
     (b"PK\x03\x04", SPREADSHEET),
     (b"\xd0\xcf\x11", SPREADSHEET),
 )
+UNREADABLE = "the file cannot be read", "check it"
 MOST_NAMES_COMPARED = 1000
 """Files of a folder among which a similar name is searched."""
 
@@ -75,11 +76,8 @@ def content_of(path: Path, most_bytes: int, *, start: int | None = None) -> byte
         If the file cannot be read, or is too large.
     """
     refuse_large(path, most_bytes)
-    try:
-        with path.open("rb") as file:
-            content = file.read(start if start is not None else most_bytes + 1)
-    except OSError as error:
-        raise InvalidInput(f"{path_text(path)}: the file cannot be read ({error.strerror}); check it.") from None
+    with sentence_of(path, *UNREADABLE), path.open("rb") as file:
+        content = file.read(start if start is not None else most_bytes + 1)
     if len(content) > most_bytes:  # it states less, as files of the system do
         raise InvalidInput(f"{path_text(path)}: its contents are too much; at most {most_bytes / 1e6:.0f} MB are read.")
     return content
@@ -92,10 +90,8 @@ def refuse_large(path: Path, most_bytes: int) -> None:
     ------
     InvalidInput
     """
-    try:
+    with sentence_of(path, *UNREADABLE):
         size = path.stat().st_size
-    except OSError as error:
-        raise InvalidInput(f"{path_text(path)}: the file cannot be read ({error.strerror}); check it.") from None
     if size > most_bytes:
         raise InvalidInput(
             f"{path_text(path)}: {size / 1e6:.0f} MB are too much; at most {most_bytes / 1e6:.0f} MB are read."

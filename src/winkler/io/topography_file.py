@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.io.foreign import reader
+from winkler.io.foreign import in_file, reader
 from winkler.io.height_matrix import MapContents, array_map, text_map
 from winkler.io.instrument_map import instrument_map
 from winkler.io.text_file import content_of, existing
@@ -94,10 +94,8 @@ def read_topography(
     map_lengths = np.where(np.isnan(stated_lengths), contents.lengths / per_metre, stated_lengths)
     if np.any(np.isnan(map_lengths)):
         raise InvalidInput(f"{file}: the file does not state the lengths of the map; give lengths=(x, y) in m.")
-    try:
+    with in_file(file):
         rough = Topography(contents.heights / per_metre, map_lengths, periodic or contents.periodic)
-    except InvalidInput as error:
-        raise InvalidInput(f"{file}: {error}") from None
     steep = rough.rms_height / min(rough.pixel)
     if steep > STEEPEST_RATIO:
         raise InvalidInput(

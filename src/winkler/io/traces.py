@@ -12,7 +12,7 @@ import math
 import os
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -20,7 +20,7 @@ from winkler.errors import InvalidInput
 from winkler.io.whole_file import write_whole_text
 from winkler.numerics.types import Array
 from winkler.problems.answer import is_solution
-from winkler.vocabulary import GLOSSARY, Word, word
+from winkler.vocabulary import GLOSSARY, Word, own_word, word
 
 __all__ = ["CONVENTIONS", "inputs_of", "write_trace"]
 
@@ -73,9 +73,16 @@ def write_trace(solution: Any, path: str | os.PathLike[str]) -> Path:
     return path
 
 
-def inputs_of(problem: Any) -> dict[str, str | float]:
+class ProblemInput(NamedTuple):
+    """A text or number that a problem holds, and its unit."""
+
+    content: str | float
+    unit: str
+
+
+def inputs_of(problem: Any) -> dict[str, ProblemInput]:
     """Return the inputs of a problem by dotted names; arrays are left out."""
-    return dict(_inputs(problem, "problem"))
+    return dict(_inputs(problem, "problem", ""))
 
 
 def _columns(solution: Any) -> dict[str, tuple[Word, Array]]:
@@ -95,19 +102,20 @@ def _columns(solution: Any) -> dict[str, tuple[Word, Array]]:
     return rows
 
 
-def _inputs(thing: Any, name: str) -> Iterator[tuple[str, str | float]]:
+def _inputs(thing: Any, name: str, unit: str) -> Iterator[tuple[str, ProblemInput]]:
     """Yield the texts and numbers of a value by dotted names; arrays are left out."""
     if dataclasses.is_dataclass(thing) and not isinstance(thing, type):
-        yield name, type(thing).__name__
+        yield name, ProblemInput(type(thing).__name__, "")
         for field in dataclasses.fields(thing):
-            yield from _inputs(getattr(thing, field.name), f"{name}.{field.name}")
+            entry = own_word(type(thing), field.name) or GLOSSARY.get(field.name)
+            yield from _inputs(getattr(thing, field.name), f"{name}.{field.name}", (entry and entry.unit) or "")
     elif isinstance(thing, bool | str):
-        yield name, str(thing)
+        yield name, ProblemInput(str(thing), "")
     elif isinstance(thing, int | float):
-        yield name, float(thing)
+        yield name, ProblemInput(float(thing), unit)
     elif isinstance(thing, tuple):
         for index, part in enumerate(thing):
-            yield from _inputs(part, f"{name}.{index}")
+            yield from _inputs(part, f"{name}.{index}", unit)
 
 
 def _number(number: float) -> str:
@@ -124,14 +132,11 @@ def _unit(entry: Word) -> str:
     return entry.unit or "-"
 
 
-def _csv(columns: dict[str, tuple[Word, Array]], inputs: dict[str, str | float]) -> str:
+def _csv(columns: dict[str, tuple[Word, Array]], inputs: dict[str, ProblemInput]) -> str:
     lines = [f"# {sentence}" for sentence in CONVENTIONS]
-    for name, thing in inputs.items():
-        entry = GLOSSARY.get(name.rpartition(".")[2])
-        content = (
-            f"{_number(thing)} {entry.unit if entry and entry.unit else ''}" if isinstance(thing, float) else thing
-        )
-        lines.append(f"# {name} = {content}".rstrip())
+    for name, (content, unit) in inputs.items():
+        text = f"{_number(content)} {unit}" if isinstance(content, float) else content
+        lines.append(f"# {name} = {text}".rstrip())
     lines += [f"# {name} [{_unit(entry)}]: {entry.meaning}" for name, (entry, _) in columns.items()]
     lines.append(", ".join(f"{name} [{_unit(entry)}]" for name, (entry, _) in columns.items()))
     rows = zip(*(numbers.tolist() for _, numbers in columns.values()), strict=True)
@@ -139,10 +144,11 @@ def _csv(columns: dict[str, tuple[Word, Array]], inputs: dict[str, str | float])
     return "\n".join(lines) + "\n"
 
 
-def _yaml(columns: dict[str, tuple[Word, Array]], inputs: dict[str, str | float]) -> str:
+def _yaml(columns: dict[str, tuple[Word, Array]], inputs: dict[str, ProblemInput]) -> str:
     lines = ["conventions:", *(f"  - {json.dumps(sentence)}" for sentence in CONVENTIONS), "asked:"]
-    for name, thing in inputs.items():
-        lines.append(f"  {json.dumps(name)}: {_number(thing) if isinstance(thing, float) else json.dumps(thing)}")
+    for name, (content, _) in inputs.items():
+        text = _number(content) if isinstance(content, float) else json.dumps(content)
+        lines.append(f"  {json.dumps(name)}: {text}")
     lines.append("columns:")
     for name, (entry, numbers) in columns.items():
         lines.append(f"  {name}:")

@@ -107,7 +107,7 @@ def write_vtk(
 
 
 class _HalfPlane(NamedTuple):
-    """A field in the half-plane of r and z: radial, hoop, axial and shear parts `(n1, n2)`."""
+    """A field in the half-plane of r and z, on a grid of at most two axes: radial, hoop, axial and shear parts."""
 
     r: Array
     z: Array
@@ -124,44 +124,39 @@ def _plane(numbers: Array) -> Array:
 
 
 def _stress_half_plane(fields: SubsurfaceFields) -> _HalfPlane:
-    sign = np.where(_plane(fields.z) < 0.0, -1.0, 1.0)  # each body has its own axis, into itself
+    sign = np.where(fields.z < 0.0, -1.0, 1.0)  # each body has its own axis, into itself
+    stress = fields.radial_stress, fields.hoop_stress, fields.axial_stress, sign * fields.shear_stress
     return _HalfPlane(
-        _plane(fields.r),
-        _plane(fields.z),
-        {"von_mises": _plane(fields.von_mises), "max_shear": _plane(fields.max_shear)},
-        {"displacement": (_plane(fields.radial_displacement), sign * _plane(fields.axial_displacement))},
-        {
-            "stress": (
-                _plane(fields.radial_stress),
-                _plane(fields.hoop_stress),
-                _plane(fields.axial_stress),
-                sign * _plane(fields.shear_stress),
-            )
-        },
+        fields.r,
+        fields.z,
+        {"von_mises": fields.von_mises, "max_shear": fields.max_shear},
+        {"displacement": (fields.radial_displacement, sign * fields.axial_displacement)},
+        {"stress": stress},
     )
 
 
 def _flux_half_plane(fields: CurrentFields | HeatFields) -> _HalfPlane:
-    r, z = (_plane(numbers) for numbers in np.broadcast_arrays(fields.r, fields.z))
+    r, z = np.broadcast_arrays(fields.r, fields.z)
     if isinstance(fields, CurrentFields):
-        density = (_plane(fields.radial_current_density), _plane(fields.axial_current_density))
-        scalars = {"potential": _plane(fields.potential), "temperature": _plane(fields.temperature)}
+        density = fields.radial_current_density, fields.axial_current_density
+        scalars = {"potential": fields.potential, "temperature": fields.temperature}
         return _HalfPlane(r, z, scalars, {"current_density": density}, {})
-    flux = (_plane(fields.radial_heat_flux), _plane(fields.axial_heat_flux))
-    return _HalfPlane(r, z, {"excess_temperature": _plane(fields.excess_temperature)}, {"heat_flux": flux}, {})
+    flux = fields.radial_heat_flux, fields.axial_heat_flux
+    return _HalfPlane(r, z, {"excess_temperature": fields.excess_temperature}, {"heat_flux": flux}, {})
 
 
 def _revolved(half: _HalfPlane, around: int) -> _PointGrid:
     """Return the field of a half-plane rotated about the axis."""
     angles = np.linspace(0.0, 2.0 * math.pi, around + 1) if around != HALF_PLANE else np.zeros(1)
     cos, sin = np.cos(angles)[:, None], np.sin(angles)[:, None]
-    flat = np.zeros((half.r.shape[0], angles.size, half.r.shape[1]))
+    rows, columns = _plane(half.r).shape
+    flat = np.zeros((rows, angles.size, columns))
 
     def full(numbers: Array) -> Array:
-        return numbers[:, None, :] + flat
+        return _plane(numbers)[:, None, :] + flat
 
     def times(radial: Array, factor: Array) -> Array:
-        return radial[:, None, :] * factor[None] + flat
+        return _plane(radial)[:, None, :] * factor[None] + flat
 
     vectors = {
         name: np.stack([times(radial, cos), times(radial, sin), full(axial)])

@@ -13,7 +13,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.foundation.foundation import Foundation
-from winkler.io.array_file import read_arrays, write_arrays
+from winkler.io.array_file import read_state, write_state
 from winkler.io.foreign import reader
 from winkler.problems.wear.states import FrettingState, WearState
 
@@ -61,15 +61,11 @@ def write_wear(states: Sequence[WearState], path: str | os.PathLike[str]) -> Pat
     InvalidInput
         If there is no state, or the file cannot be written.
     """
-    path = Path(path)
     if not states:
         raise InvalidInput(f"{path}: there is no state to save; give at least one.")
     kind = next(name for name, cls in KINDS.items() if type(states[0]) is cls)
-    rows: dict[str, Any] = {
-        word: np.array([getattr(state, word) for state in states]) for word in _field_names(KINDS[kind])
-    }
-    write_arrays(path, {"format": np.array(FORMAT), "kind": np.array(kind), **rows})
-    return path
+    rows = {word: np.array([getattr(state, word) for state in states]) for word in _field_names(KINDS[kind])}
+    return write_state(path, FORMAT, {"kind": np.array(kind), **rows})
 
 
 @reader("wear")
@@ -94,15 +90,9 @@ def read_wear(bed: Foundation, path: str | os.PathLike[str]) -> tuple[WearState,
         If the file is missing, broken, or of another kind.
     """
     wanted = {word for kind in KINDS.values() for word in _field_names(kind)}
-    rows: dict[str, Any] = read_arrays(
-        path,
-        ("format", "kind", *sorted(wanted)),
-        needed=("format", "kind"),
-        wrong="no wear can be read from it",
-        remedy="give a file of write_wear",
-    )
-    form, name = str(rows.pop("format", "")), str(rows.pop("kind", ""))
-    if form != FORMAT or name not in KINDS:
+    rows: dict[str, Any] = read_state(path, FORMAT, ("kind", *sorted(wanted)), needed=("kind",), what="wear")
+    name = str(rows.pop("kind"))
+    if name not in KINDS:
         raise InvalidInput(f"{path}: it does not hold '{FORMAT}'; give one that this version wrote.")
     kind = KINDS[name]
     count = _count(kind, rows, path)

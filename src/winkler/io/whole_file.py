@@ -10,35 +10,50 @@ from typing import IO
 
 from winkler.errors import InvalidInput
 
-__all__ = ["write_whole_text", "written_whole"]
+__all__ = ["replaced", "write_whole_text", "written_whole"]
 
 
 @contextlib.contextmanager
-def written_whole(path: Path) -> Iterator[IO[bytes]]:
-    """Open a temporary file for writing, renamed to `path` when the block ends without an error.
+def replaced(path: Path, mark: object) -> Iterator[IO[bytes]]:
+    """Open the temporary file ``.NAME.MARK`` for writing, which replaces `path` when the block ends without an error.
 
     Parameters
     ----------
     path
-        Final name; an existing file of this name stays as it is until then.
+        Final name; an existing file of this name stays as it is until then.  Of a link the target is replaced.
+    mark
+        End of the temporary name.  What a killed process has left under it is overwritten.
+
+    Raises
+    ------
+    OSError
+        If it cannot be written.
+    """
+    target = Path(os.path.realpath(path))
+    partial = target.with_name(f".{target.name}.{mark}")
+    try:
+        with partial.open("wb") as file:
+            yield file
+            file.flush()
+            os.fsync(file.fileno())
+        partial.replace(target)
+    finally:
+        with contextlib.suppress(OSError):
+            partial.unlink(missing_ok=True)
+
+
+@contextlib.contextmanager
+def written_whole(path: Path) -> Iterator[IO[bytes]]:
+    """Open a file for writing as `replaced` does, under a temporary name of this process.
 
     Raises
     ------
     InvalidInput
         If it cannot be written.
     """
-    target = Path(os.path.realpath(path))  # the target of a link
-    partial = target.with_name(f".{target.name}.{os.getpid()}.part")
     try:
-        try:
-            with partial.open("wb") as file:
-                yield file
-                file.flush()
-                os.fsync(file.fileno())
-            partial.replace(target)
-        finally:
-            with contextlib.suppress(OSError):
-                partial.unlink(missing_ok=True)
+        with replaced(path, f"{os.getpid()}.part") as file:
+            yield file
     except OSError as error:
         raise InvalidInput(
             f"{path}: cannot be written ({error.strerror}); name a file in a folder that exists."

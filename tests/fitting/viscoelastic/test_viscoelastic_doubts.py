@@ -100,3 +100,10 @@ def test_notes_say_what_is_assumed():
     for words in ("Linear viscoelastic", "Baseline", "cantilever has no inertia"):
         assert words in flags
     assert bed(start("loop").bed.medium.first).medium.span == (1e-3, 20.0)
+
+
+def test_a_hold_far_too_short_does_not_settle():
+    """Over a two-hundredth of the relaxation time the misfit is a valley without a bottom above the noise."""
+    one = held(StandardSolid(300.0, 700.0, 2000.0), count=60)
+    with pytest.raises(wk.NotConverged, match="have not settled after 1000 predictions"):
+        fit(one, model(StandardSolid(1e3, 1e3, 1.0)), free=STANDARD)

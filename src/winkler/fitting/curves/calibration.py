@@ -12,6 +12,7 @@ import math
 
 import numpy as np
 
+from winkler.checks.number_checks import NON_NEGATIVE, POSITIVE, checked
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.numerics.types import Array, ArrayLike
@@ -19,11 +20,6 @@ from winkler.numerics.types import Array, ArrayLike
 __all__ = ["deflection_sensitivity", "force_from_deflection", "on_frame", "tip_travel"]
 
 FEWEST = 5
-
-
-def _positive(word: str, number: float, unit: str) -> None:
-    if not (isinstance(number, int | float) and 0.0 < number < math.inf):
-        raise InvalidInput(f"{word} is {number!r}; it must be positive and finite, in {unit}.")
 
 
 def force_from_deflection(deflection: ArrayLike, sensitivity: float, spring_constant: float) -> Array:
@@ -43,8 +39,8 @@ def force_from_deflection(deflection: ArrayLike, sensitivity: float, spring_cons
     ndarray
         F_N [N].
     """
-    _positive("sensitivity", sensitivity, "m/V")
-    _positive("spring_constant", spring_constant, "N/m")
+    checked(POSITIVE, "force_from_deflection", "sensitivity", sensitivity, "m/V")
+    checked(POSITIVE, "force_from_deflection", "spring_constant", spring_constant, "N/m")
     return np.asarray(spring_constant * sensitivity * np.asarray(deflection, dtype=float))
 
 
@@ -96,7 +92,6 @@ def on_frame(curve: ForceCurve, frame_compliance: float) -> ForceCurve:
     frame_compliance : float
         [m/N], not negative.
     """
-    if not (isinstance(frame_compliance, int | float) and 0.0 <= frame_compliance < math.inf):
-        raise InvalidInput(f"frame_compliance is {frame_compliance!r}; it must be zero or positive, in m/N.")
+    checked(NON_NEGATIVE, "on_frame", "frame_compliance", frame_compliance, "m/N")
     compliance = curve.compliance + frame_compliance
     return dataclasses.replace(curve, machine_stiffness=1.0 / compliance if compliance > 0.0 else math.inf)

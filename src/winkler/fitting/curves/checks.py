@@ -19,6 +19,7 @@ The first five make a fit meaningless (`refuse`), the last one makes it less cer
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -76,9 +77,8 @@ def _saturated_points(curve: ForceCurve) -> Array:
     """Return the points of the longest plateaus at the largest and the least force during motion."""
     level = far_force(single_direction(curve)[1])
     least = float(curve.force.min())
-    has_tension = level - least > LEAST_TENSION_SHARE * float(
-        np.ptp(curve.force)
-    )  # a coarse baseline may be constant, a tension is not
+    # a coarse baseline may be constant, a tension is not
+    has_tension = level - least > LEAST_TENSION_SHARE * float(np.ptp(curve.force))
     ends = [float(curve.force.max()), *([least] if has_tension else [])]
     return np.concatenate([_longest_plateau(curve, end) for end in ends])
 
@@ -111,9 +111,8 @@ def _missing_baselines(curve: ForceCurve) -> list[str]:
         part = curve.chosen(selected)
         rough_outline = outline(part)
         position, force = single_direction(part)
-        in_tension = np.flatnonzero(
-            (force < rough_outline.baseline - 0.5 * rough_outline.pull) & (rough_outline.pull > 0.0)
-        )
+        pull = rough_outline.pull
+        in_tension = np.flatnonzero((force < rough_outline.baseline - 0.5 * pull) & (pull > 0.0))
         count = min([rough_outline.before, *in_tension[:1].tolist()])
         if count < BASELINE_POINTS:
             missing.append(f"on {word} {count} points lie out of contact")
@@ -157,74 +156,61 @@ def examined(curve: ForceCurve) -> tuple[Flag, ...]:
     ----------
     curve : ForceCurve
     """
-    flags = []
     if curve.count < FEWEST:
-        flags.append(Flag("few_points", f"The curve has {curve.count} points; at least {FEWEST} are needed."))
-        return tuple(flags)
-    travel, strength = float(np.ptp(curve.position)), float(np.abs(curve.force).max())
-    if travel > LONGEST_TRAVEL or strength > GREATEST_FORCE:
-        flags.append(
-            Flag(
-                "units",
-                f"The curve spans {travel:.3g} m and {strength:.3g} N, more than any indenter; give positions in m and "
-                "forces in N.",
-            )
-        )
+        return (Flag("few_points", f"The curve has {curve.count} points; at least {FEWEST} are needed."),)
     rough_outline = outline(curve)
-    deflection = curve.compliance * rough_outline.top
-    if not flags and deflection > MOST_DEFLECTION_RATIO * travel:
-        flags.append(
-            Flag(
-                "units",
-                f"A machine of {curve.machine_stiffness:.3g} N/m bends by {deflection:.3g} m under the largest force, "
-                f"{rough_outline.top:.3g} N, but has moved by {travel:.3g} m only; give forces in N, the stiffness in "
-                "N/m, and positions in m of the stage (with those of the tip, no stiffness).",
-            )
-        )
-    limit = max(SIGNAL_TO_NOISE * rough_outline.noise, 1e-12 * strength)
-    saturated = _saturated_points(curve)
-    if _backwards(*single_direction(curve), limit):
-        flags.append(
-            Flag(
-                "reversed",
-                "The force is compressive where the position is smallest and hardly changes where it is largest; "
-                "positions count towards the sample: change their sign.",
-            )
-        )
-    elif rough_outline.top < -limit:
-        flags.append(
-            Flag(
-                "reversed",
-                f"At the largest position the force is {rough_outline.top:.3g} N, tension; compression counts positive "
-                "and so does motion towards the sample: change the sign of force or position.",
-            )
-        )
-    elif rough_outline.top <= limit and rough_outline.pull == 0.0:
-        flags.append(
-            Flag(
-                "no_contact",
-                f"At the largest position the force is {rough_outline.top:.3g} N, within the noise of "
-                f"{rough_outline.noise:.3g} N; there is no contact.",
-            )
-        )
-    elif saturated.size:
-        flags.append(
-            Flag(
-                "saturated",
-                f"{saturated.size} points in rows have the largest force, {curve.force.max():.6g} N, or the least, "
-                f"{curve.force.min():.6g} N, while the machine moves on; leave them out (checks.unsaturated).",
-            )
-        )
-    if not any(flag.name in ("reversed", "no_contact") for flag in flags):
-        missing = _missing_baselines(curve)
-        if missing:
-            flags.append(
-                Flag(
-                    "no_baseline",
-                    f"{' and '.join(missing).capitalize()}; the zero of force and the contact point are uncertain.",
-                )
-            )
+    flags = [*_wrong_units(curve, rough_outline), *_wrong_forces(curve, rough_outline)]
+    if not any(flag.name in ("reversed", "no_contact") for flag in flags) and (missing := _missing_baselines(curve)):
+        statement = f"{' and '.join(missing).capitalize()}; the zero of force and the contact point are uncertain."
+        flags.append(Flag("no_baseline", statement))
     return tuple(flags)
+
+
+def _wrong_units(curve: ForceCurve, rough_outline: CurveOutline) -> Iterator[Flag]:
+    travel, strength = float(np.ptp(curve.position)), float(np.abs(curve.force).max())
+    deflection = curve.compliance * rough_outline.top
+    if travel > LONGEST_TRAVEL or strength > GREATEST_FORCE:
+        yield Flag(
+            "units",
+            f"The curve spans {travel:.3g} m and {strength:.3g} N, more than any indenter; give positions in m and "
+            "forces in N.",
+        )
+    elif deflection > MOST_DEFLECTION_RATIO * travel:
+        yield Flag(
+            "units",
+            f"A machine of {curve.machine_stiffness:.3g} N/m bends by {deflection:.3g} m under the largest force, "
+            f"{rough_outline.top:.3g} N, but has moved by {travel:.3g} m only; give forces in N, the stiffness in "
+            "N/m, and positions in m of the stage (with those of the tip, no stiffness).",
+        )
+
+
+def _wrong_forces(curve: ForceCurve, rough_outline: CurveOutline) -> Iterator[Flag]:
+    top, noise = rough_outline.top, rough_outline.noise
+    limit = max(SIGNAL_TO_NOISE * noise, 1e-12 * float(np.abs(curve.force).max()))
+    if _backwards(*single_direction(curve), limit):
+        yield Flag(
+            "reversed",
+            "The force is compressive where the position is smallest and hardly changes where it is largest; "
+            "positions count towards the sample: change their sign.",
+        )
+    elif top < -limit:
+        yield Flag(
+            "reversed",
+            f"At the largest position the force is {top:.3g} N, tension; compression counts positive "
+            "and so does motion towards the sample: change the sign of force or position.",
+        )
+    elif top <= limit and rough_outline.pull == 0.0:
+        yield Flag(
+            "no_contact",
+            f"At the largest position the force is {top:.3g} N, within the noise of {noise:.3g} N; there is no "
+            "contact.",
+        )
+    elif (count := _saturated_points(curve).size) > 0:
+        yield Flag(
+            "saturated",
+            f"{count} points in rows have the largest force, {curve.force.max():.6g} N, or the least, "
+            f"{curve.force.min():.6g} N, while the machine moves on; leave them out (checks.unsaturated).",
+        )
 
 
 def refuse(curve: ForceCurve, but: tuple[str, ...] = ()) -> tuple[Flag, ...]:

@@ -78,10 +78,8 @@ def free_part(curve: ForceCurve) -> ForceCurve:
         rough_outline = outline(part)
         end = rough_outline.contact_point
         if rough_outline.pull > 0.0:  # an adhesive contact extends beyond first touch
-            end = min(
-                end,
-                float(part.position[part.force < rough_outline.baseline - 0.5 * rough_outline.pull].min(initial=end)),
-            )
+            in_tension = part.force < rough_outline.baseline - 0.5 * rough_outline.pull
+            end = float(part.position[in_tension].min(initial=end))
         start = float(part.position.min())
         if rough_outline.before >= FEWEST:
             free |= selected & (curve.position < start + (1.0 - EXCLUDED_SHARE) * (end - start))

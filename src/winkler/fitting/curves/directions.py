@@ -186,11 +186,10 @@ def _unevenness(signal: _Signal) -> float:
 def _density(samples: Array) -> float:
     """Return the samples per unit of level while the signal moves."""
     travel = float(np.ptp(samples))
-    return (
-        max(float(np.median(_counts(samples))), 0.5 * samples.size / LEVEL_COUNT / LEVEL_COUNT) * LEVEL_COUNT / travel
-        if travel
-        else 0.0
-    )
+    if not travel:
+        return 0.0
+    least = 0.5 * samples.size / LEVEL_COUNT / LEVEL_COUNT
+    return max(float(np.median(_counts(samples))), least) * LEVEL_COUNT / travel
 
 
 def _samples_per_level(signal: _Signal) -> float:
@@ -200,11 +199,9 @@ def _samples_per_level(signal: _Signal) -> float:
 
 def _averaged(signal: _Signal) -> int:
     """Return the odd number of averaged neighbours that reduces the noise enough to detect holds."""
-    return (
-        max(1, min(MOST_AVERAGED, signal.level.size // POINTS_PER_AVERAGED) // 2 * 2 + 1)
-        if 4.0 * signal.noise > HOLD_BANDS[0]
-        else 1
-    )
+    if 4.0 * signal.noise <= HOLD_BANDS[0]:
+        return 1
+    return max(1, min(MOST_AVERAGED, signal.level.size // POINTS_PER_AVERAGED) // 2 * 2 + 1)
 
 
 def _plateaus(signal: _Signal) -> list[_Plateau]:
@@ -232,10 +229,8 @@ def _reach(turns: list[int], place: int) -> tuple[int, int]:
 
 def _is_hold(part: _Plateau, wide: _Plateau, expected: float) -> bool:
     count = part.last - part.first + 1
-    return (
-        count >= max(FEWEST_HOLD_POINTS, HOLD_DENSITY_RATIO * expected)
-        and wide.last - wide.first + 1 < WIDE_BAND_RATIO * count
-    )
+    is_sharp = wide.last - wide.first + 1 < WIDE_BAND_RATIO * count
+    return is_sharp and count >= max(FEWEST_HOLD_POINTS, HOLD_DENSITY_RATIO * expected)
 
 
 def _run(level: Array, turn: int, width: float, first: int, last: int) -> _Plateau:

@@ -75,9 +75,7 @@ def memory_of_fit(residuals: Array, jacobian: Array) -> Memory:
     variance = sums[0] / max(n - float(absorbed[0]), 1.0)
     lags = (sums / variance + np.array(absorbed)) / (n - np.arange(sums.size))
     is_positive = float(np.linalg.eigvalsh(toeplitz(lags / lags[0]))[0]) > LEAST_EIGENVALUE
-    return (
-        _process(lags / lags[0], n) if is_positive else uncorrected
-    )  # otherwise a misfit, which is more correlated than noise
+    return _process(lags / lags[0], n) if is_positive else uncorrected  # a misfit is more correlated than noise
 
 
 def _lag_sums(residuals: Array) -> Array:

@@ -59,7 +59,7 @@ class HeldContact(NamedTuple):
         Where the edge is in the equilibrium of `response`; elsewhere it is pinned.
     response : MachineResponse
         Of the receding contact.
-    sticky : bool
+    adhesive : bool
         Whether it is adhesive.
     """
 

@@ -42,7 +42,6 @@ class ElasticTask(FitTask):
     """A contact without relaxation, with the hysteresis of its edge."""
 
     settled = 1e-10
-    must_settle = True
     coarse_count = 200
     starts_improved = 2
     starts_are_trials = False
@@ -135,8 +134,6 @@ def elastic_task(curve: ForceCurve, model: Model, free: dict[str, Any], noise: A
     InvalidInput
         If a path does not exist, or its bounds are inconsistent.
     """
-    if not free:
-        raise InvalidInput("fit: nothing is free; name at least one number, as 'bed.medium.first.young'.")
     span, strength = float(np.ptp(curve.position)), float(np.ptp(curve.force))
     if span == 0.0 or strength == 0.0:
         raise InvalidInput(f"fit: the curve '{curve.name}' has no range of positions or forces; nothing can be fitted.")

@@ -22,7 +22,7 @@ depth is that of the turn, and the force that of the fitted law there.
 from __future__ import annotations
 
 import math
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -32,7 +32,7 @@ from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.segments import SegmentKind
 from winkler.fitting.unloading.contact_reading import Tip, contact_reading, intercept_factor
 from winkler.fitting.unloading.unloading_law import fitted_power_law
-from winkler.fitting.unloading.unloading_notes import UnloadingFacts, unloading_notes
+from winkler.fitting.unloading.unloading_notes import unloading_notes
 from winkler.fitting.unloading.unloading_peak import FEWEST, UnloadingFromPeak, unloading_from_peak
 from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note
@@ -115,22 +115,9 @@ class OliverPharr:
             jacobian[:, i] = (ahead - behind) / (2.0 * DIFFERENCE_STEP)
         errors = np.sqrt(np.maximum(np.einsum("ij,jk,ik->i", jacobian, law.covariance, jacobian), 0.0))
         fitted = math.exp(law.numbers[0]) * path.highest
-        return OliverPharrSolution(
-            self,
-            path.highest if path.held else fitted,
-            path.deepest,
-            exponent=float(numbers[0]),
-            final_depth=float(numbers[1]),
-            stiffness=float(numbers[2]),
-            contact_depth=float(numbers[3]),
-            area=float(numbers[4]),
-            modulus=float(numbers[5]),
-            hardness=float(numbers[6]),
-            standard_errors=errors,
-            scatter=law.scatter * path.highest,
-            fitted_force=fitted,
-            fitted_points=path.points[chosen],
-        )
+        force = path.highest if path.held else fitted
+        about: list[Any] = [errors, law.scatter * path.highest, fitted, path.points[chosen]]
+        return OliverPharrSolution(self, force, path.deepest, *numbers.tolist(), *about)
 
     @property
     def unloading(self) -> Array:
@@ -161,23 +148,10 @@ class OliverPharr:
         top, final, exponent = math.exp(law[0]) * path.highest, float(law[1]), 1.0 + math.exp(law[2])
         slope = exponent * top / ((1.0 - final) * path.deepest)
         force = path.highest if path.held else top
-        reading = contact_reading(
-            slope,
-            force,
-            path.deepest,
-            self.profile,
-            intercept=intercept_factor(exponent),
-            shape_factor=self.shape_factor,
-        )
+        intercept, factor = intercept_factor(exponent), self.shape_factor
+        reading = contact_reading(slope, force, path.deepest, self.profile, intercept=intercept, shape_factor=factor)
         read = (reading.contact_depth, reading.area, reading.modulus, reading.hardness)
         return np.array([exponent, final * path.deepest, slope, *read])
-
-
-def _rate(time: Array, column: Array) -> float:
-    """Return the slope of a straight line through a column over time."""
-    centred = time - time.mean()
-    spread = float(centred @ centred)
-    return float(centred @ column) / spread if spread else 0.0
 
 
 @value
@@ -243,30 +217,4 @@ class OliverPharrSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """Validity of the evaluation: pile-up, creep, exponent, area, number of points."""
-        return unloading_notes(
-            UnloadingFacts(
-                final_share=self.final_depth / self.depth,
-                exponent=self.exponent,
-                creep_share=self._creep_share(),
-                force=self.force,
-                fitted_force=self.fitted_force,
-                points=self.fitted_points.size,
-                error_share=float(self.standard_errors[5]) / self.modulus,
-                contact_depth=self.contact_depth,
-                tip=self.problem.profile,
-                shape_factor=self.problem.shape_factor,
-            )
-        )
-
-    def _creep_share(self) -> float:
-        """Return the creep rate at the end of the hold, over that of the unloading, in parts of the compliance [-]."""
-        curve, hold = self.problem.curve, self.problem.peak_hold
-        end, start = (
-            hold[-max(FEWEST, hold.size // 4) :],
-            self.fitted_points.astype(int)[: max(2, self.fitted_points.size // 2)],
-        )
-        if not curve.timed or end.size < FEWEST:
-            return math.nan
-        creep = _rate(curve.time[end], curve.depth(self.problem.contact_point)[end])
-        unloading = _rate(curve.time[start], curve.force[start])
-        return creep * self.stiffness / abs(unloading) if unloading else math.nan
+        return unloading_notes(self)

@@ -13,15 +13,18 @@ Creep adds to the apparent compliance: with its rate :math:`\dot h_c` at the end
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 
-from winkler.fitting.unloading.contact_reading import CalibratedArea, Tip, polynomial
+from winkler.fitting.unloading.contact_reading import CalibratedArea, polynomial
+from winkler.fitting.unloading.unloading_peak import FEWEST
+from winkler.numerics.types import Array
 from winkler.profiles.area import AreaFunction
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["UnloadingFacts", "unloading_notes"]
+__all__ = ["unloading_notes"]
 
 READING = "W. C. Oliver, G. M. Pharr, J. Mater. Res. 7 (1992) 1564-1583, doi:10.1557/JMR.1992.1564"
 REVIEW = "W. C. Oliver, G. M. Pharr, J. Mater. Res. 19 (2004) 3-20, doi:10.1557/jmr.2004.19.1.3"
@@ -42,199 +45,151 @@ AREA_DEPTHS = np.geomspace(1e-6, 1.0, 2000)
 """Relative depths at which the area function is checked."""
 
 
-class UnloadingFacts(NamedTuple):
-    """Numbers compared in the notes.
+NoteParts = tuple[Assumption, Standing, str, str]
+"""Assumption, standing, statement and source of a `Note`."""
+
+
+def unloading_notes(solution: Any) -> tuple[Note, ...]:
+    """Return the notes of an evaluation.
 
     Parameters
     ----------
-    final_share : float
-        h_f/h of the peak [-].
-    exponent : float
-        m [-].
-    creep_share : float
-        Relative error of the stiffness by creep [-]; nan without hold or times.
-    force, fitted_force : float
-        At the peak, as reported and by the fitted law [N].
-    points : int
-        Fitted points.
-    error_share : float
-        Standard error of the modulus, in parts of it.
-    contact_depth : float
-        h_c [m].
-    tip : Profile or CalibratedArea
-    shape_factor : float
-        beta [-].
+    solution : OliverPharrSolution
     """
-
-    final_share: float
-    exponent: float
-    creep_share: float
-    force: float
-    fitted_force: float
-    points: int
-    error_share: float
-    contact_depth: float
-    tip: Tip
-    shape_factor: float
+    return tuple(Note(*parts) for check in CHECKS for parts in check(solution))
 
 
-def unloading_notes(facts: UnloadingFacts) -> tuple[Note, ...]:
-    """Return the notes of an evaluation."""
-    return (
-        _pile_up(facts),
-        _creep(facts),
-        _exponent(facts),
-        *_peak(facts),
-        *_area(facts),
-        _shape(facts),
-        _points(facts),
-    )
-
-
-def _pile_up(facts: UnloadingFacts) -> Note:
-    share = facts.final_share
+def _pile_up(solution: Any) -> Iterator[NoteParts]:
+    share = solution.final_depth / solution.depth
     statement = f"Pile-up: {share:.2f} of the greatest depth remains after unloading"
     if share < PILE_UP_LIMIT:
-        return Note(
-            Assumption.RESPONSE,
-            Standing.ASYMPTOTIC,
-            f"{statement}; below {PILE_UP_LIMIT:g} little piles up, however the material hardens.",
-            PILE_UP,
+        standing = Standing.ASYMPTOTIC
+        conclusion = f"below {PILE_UP_LIMIT:g} little piles up, however the material hardens"
+    else:
+        standing = Standing.OUTSIDE
+        conclusion = (
+            f"above {PILE_UP_LIMIT:g} material that hardens little piles up at the edge, the area may be up "
+            "to 60 % too small, and hardness and modulus too large: measure the area of the impression"
         )
-    return Note(
-        Assumption.RESPONSE,
-        Standing.OUTSIDE,
-        f"{statement}; above {PILE_UP_LIMIT:g} material that hardens little piles up at the edge, the area may be up "
-        "to 60 % too small, and hardness and modulus too large: measure the area of the impression.",
-        PILE_UP,
-    )
+    yield Assumption.RESPONSE, standing, f"{statement}; {conclusion}.", PILE_UP
 
 
-def _creep(facts: UnloadingFacts) -> Note:
-    share = facts.creep_share
+def _creep(solution: Any) -> Iterator[NoteParts]:
+    share, standing = _creep_share(solution), Standing.APPROXIMATE
     if math.isnan(share):
-        return Note(
-            Assumption.CURVE,
-            Standing.APPROXIMATE,
-            "Creep: there is no hold before the unloading, or no times, so creep and drift cannot be assessed; they "
-            "add the ratio of their rate to that of the unloading to the compliance.",
-            CREEP,
+        statement = (
+            "there is no hold before the unloading, or no times, so creep and drift cannot be assessed; they "
+            "add the ratio of their rate to that of the unloading to the compliance"
         )
-    size = abs(share)
-    standing = (
-        Standing.OUTSIDE if size >= MOST_CREEP else Standing.APPROXIMATE if size >= LEAST_CREEP else Standing.ASYMPTOTIC
-    )
-    advice = "hold longer, or unload faster" if size >= LEAST_CREEP else "small enough"
-    return Note(
-        Assumption.CURVE,
-        standing,
-        f"Creep: at the rate with which the hold ended, creep and drift make the stiffness {share:+.1%} wrong: "
-        f"{advice}.",
-        CREEP,
-    )
-
-
-def _exponent(facts: UnloadingFacts) -> Note:
-    low, high = USUAL_EXPONENTS
-    statement = f"Exponent: the unloading has m = {facts.exponent:.3g}"
-    if low <= facts.exponent <= high:
-        return Note(
-            Assumption.CURVE,
-            Standing.ASYMPTOTIC,
-            f"{statement}, within {low:g} to {high:g} as impressions of sharp tips give.",
-            SHAPES,
+    else:
+        size = abs(share)
+        if size < LEAST_CREEP or size >= MOST_CREEP:
+            standing = Standing.OUTSIDE if size >= MOST_CREEP else Standing.ASYMPTOTIC
+        advice = "hold longer, or unload faster" if size >= LEAST_CREEP else "small enough"
+        statement = (
+            f"at the rate with which the hold ended, creep and drift make the stiffness {share:+.1%} wrong: {advice}"
         )
-    possible = POSSIBLE_EXPONENTS[0] < facts.exponent < POSSIBLE_EXPONENTS[1]
-    return Note(
-        Assumption.CURVE,
-        Standing.APPROXIMATE if possible else Standing.OUTSIDE,
-        f"{statement}, where impressions of sharp tips give {low:g} to {high:g}: "
-        + (
-            "a wholly elastic contact may, otherwise check drift, adhesion, contact point and frame."
-            if possible
-            else "no shape of a tip has such an unloading; check drift, creep, contact point and segments."
-        ),
-        SHAPES,
-    )
+    yield Assumption.CURVE, standing, f"Creep: {statement}.", CREEP
 
 
-def _peak(facts: UnloadingFacts) -> tuple[Note, ...]:
-    miss = facts.fitted_force / facts.force - 1.0
-    if abs(miss) <= PEAK_TOLERANCE:
-        return ()
-    return (
-        Note(
-            Assumption.CURVE,
-            Standing.OUTSIDE,
+def _creep_share(solution: Any) -> float:
+    """Return the creep rate at the end of the hold, over that of the unloading, in parts of the compliance [-]."""
+    curve, hold = solution.problem.curve, solution.problem.peak_hold
+    points = solution.fitted_points.astype(int)
+    end, start = hold[-max(FEWEST, hold.size // 4) :], points[: max(2, points.size // 2)]
+    if not curve.timed or end.size < FEWEST:
+        return math.nan
+    creep = _rate(curve.time[end], curve.depth(solution.problem.contact_point)[end])
+    unloading = _rate(curve.time[start], curve.force[start])
+    return creep * solution.stiffness / abs(unloading) if unloading else math.nan
+
+
+def _rate(time: Array, column: Array) -> float:
+    """Return the slope of a straight line through a column over time."""
+    centred = time - time.mean()
+    spread = float(centred @ centred)
+    return float(centred @ column) / spread if spread else 0.0
+
+
+def _exponent(solution: Any) -> Iterator[NoteParts]:
+    (low, high), (least, most) = USUAL_EXPONENTS, POSSIBLE_EXPONENTS
+    usual = f"{low:g} to {high:g}"
+    if low <= solution.exponent <= high:
+        standing, conclusion = Standing.ASYMPTOTIC, f"within {usual} as impressions of sharp tips give."
+    elif least < solution.exponent < most:
+        standing = Standing.APPROXIMATE
+        conclusion = (
+            f"where impressions of sharp tips give {usual}: a wholly elastic contact may, otherwise check drift, "
+            "adhesion, contact point and frame."
+        )
+    else:
+        standing = Standing.OUTSIDE
+        conclusion = (
+            f"where impressions of sharp tips give {usual}: no shape of a tip has such an unloading; check drift, "
+            "creep, contact point and segments."
+        )
+    statement = f"Exponent: the unloading has m = {solution.exponent:.3g}, {conclusion}"
+    yield Assumption.CURVE, standing, statement, SHAPES
+
+
+def _peak(solution: Any) -> Iterator[NoteParts]:
+    miss = solution.fitted_force / solution.force - 1.0
+    if abs(miss) > PEAK_TOLERANCE:
+        statement = (
             f"Peak: the fitted law misses the force measured at the peak by {miss:+.1%}; creep, drift or a wrong "
-            "segment distorts the unloading: check the segments, or fit another part (upper, lower).",
-            READING,
-        ),
-    )
-
-
-def _area(facts: UnloadingFacts) -> tuple[Note, ...]:
-    tip, depth = facts.tip, facts.contact_depth
-    if not isinstance(tip, CalibratedArea | AreaFunction):
-        return (
-            Note(
-                Assumption.SHAPE,
-                Standing.APPROXIMATE,
-                f"Area: that of an ideal {type(tip).__name__}; a real tip is blunt, which counts the more, the smaller "
-                "the depth.",
-                REVIEW,
-            ),
+            "segment distorts the unloading: check the segments, or fit another part (upper, lower)."
         )
+        yield Assumption.CURVE, Standing.OUTSIDE, statement, READING
+
+
+def _area(solution: Any) -> Iterator[NoteParts]:
+    tip, depth = solution.problem.profile, solution.contact_depth
+    if not isinstance(tip, CalibratedArea | AreaFunction):
+        statement = (
+            f"Area: that of an ideal {type(tip).__name__}; a real tip is blunt, which counts the more, the smaller "
+            "the depth."
+        )
+        yield Assumption.SHAPE, Standing.APPROXIMATE, statement, REVIEW
+        return
     heights = depth * np.append(AREA_DEPTHS, 1.0 + 1e-6)
     areas = np.array([polynomial(tip.coefficients, float(height)) for height in heights])
     falling = heights[1:][np.diff(areas) <= 0.0]
-    notes = []
     if falling.size and falling[-1] >= depth:
-        notes.append(
-            Note(
-                Assumption.SHAPE,
-                Standing.OUTSIDE,
-                f"Area: the area function shrinks at the contact depth {depth:.3g} m, which no tip does.",
-                READING,
-            )
-        )
+        statement = f"Area: the area function shrinks at the contact depth {depth:.3g} m, which no tip does."
+        yield Assumption.SHAPE, Standing.OUTSIDE, statement, READING
     elif falling.size:
-        notes.append(
-            Note(
-                Assumption.SHAPE,
-                Standing.ASYMPTOTIC,
-                f"Area: the area function shrinks at depths of {falling[0]:.2g} to {falling[-1]:.2g} m and is no tip "
-                "there; only the contact depth counts.",
-                READING,
-            )
+        statement = (
+            f"Area: the area function shrinks at depths of {falling[0]:.2g} to {falling[-1]:.2g} m and is no tip "
+            "there; only the contact depth counts."
         )
+        yield Assumption.SHAPE, Standing.ASYMPTOTIC, statement, READING
     low, high = (tip.shallowest, tip.deepest) if isinstance(tip, CalibratedArea) else (0.0, math.inf)
+    calibrated = f"the area function was calibrated from {low:.3g} to {high:.3g} m"
     if low == 0.0 and high == math.inf:
-        statement, standing = "the depths of its calibration are not stated", Standing.APPROXIMATE
+        standing, calibrated = Standing.APPROXIMATE, "the depths of its calibration are not stated"
     elif low <= depth <= high:
-        statement, standing = f"the area function was calibrated from {low:.3g} to {high:.3g} m", Standing.ASYMPTOTIC
+        standing = Standing.ASYMPTOTIC
     else:
-        statement = f"the area function was calibrated from {low:.3g} to {high:.3g} m only, and is extrapolated"
-        standing = Standing.OUTSIDE
-    notes.append(Note(Assumption.SHAPE, standing, f"Area: at the contact depth, {depth:.3g} m: {statement}.", READING))
-    return tuple(notes)
+        standing, calibrated = Standing.OUTSIDE, f"{calibrated} only, and is extrapolated"
+    yield Assumption.SHAPE, standing, f"Area: at the contact depth, {depth:.3g} m: {calibrated}.", READING
 
 
-def _shape(facts: UnloadingFacts) -> Note:
-    return Note(
-        Assumption.RESPONSE,
-        Standing.APPROXIMATE,
-        f"Shape factor: beta = {facts.shape_factor:g} was taken; pyramids have about 1.02 to 1.08, and the modulus "
-        "goes with 1/beta.",
-        REVIEW,
+def _shape(solution: Any) -> Iterator[NoteParts]:
+    statement = (
+        f"Shape factor: beta = {solution.problem.shape_factor:g} was taken; pyramids have about 1.02 to 1.08, and the "
+        "modulus goes with 1/beta."
     )
+    yield Assumption.RESPONSE, Standing.APPROXIMATE, statement, REVIEW
 
 
-def _points(facts: UnloadingFacts) -> Note:
-    return Note(
-        Assumption.CURVE,
-        Standing.ASYMPTOTIC if facts.points >= FEW_POINTS else Standing.APPROXIMATE,
-        f"Points: {facts.points} were fitted, and scatter alone makes the modulus uncertain by {facts.error_share:.2%}"
-        + ("." if facts.points >= FEW_POINTS else f"; below {FEW_POINTS} that error itself is rough."),
-        "covariance of the fit, with the autocorrelation of the noise",
-    )
+def _points(solution: Any) -> Iterator[NoteParts]:
+    count, share = solution.fitted_points.size, float(solution.standard_errors[5]) / solution.modulus
+    statement = f"{count} were fitted, and scatter alone makes the modulus uncertain by {share:.2%}"
+    standing, end = Standing.ASYMPTOTIC, "."
+    if count < FEW_POINTS:
+        standing, end = Standing.APPROXIMATE, f"; below {FEW_POINTS} that error itself is rough."
+    source = "covariance of the fit, with the autocorrelation of the noise"
+    yield Assumption.CURVE, standing, f"Points: {statement}{end}", source
+
+
+CHECKS = (_pile_up, _creep, _exponent, _peak, _area, _shape, _points)

@@ -100,8 +100,6 @@ def driven_task(
     InvalidInput
         If a path does not exist, its bounds are inconsistent, or a retraction is to be fitted under forces.
     """
-    if not free:
-        raise InvalidInput("fit: nothing is free; name at least one number, as 'bed.medium.first.relaxed_shear'.")
     strength = float(np.ptp(curve.force))
     span = float(np.ptp(curve.position)) or float(np.abs(curve.position).max())
     duration = float(np.ptp(curve.time))

@@ -20,7 +20,7 @@ from winkler.fitting.viscoelastic.response import elastic_table, forces
 from winkler.numerics.types import Array
 from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
 
-__all__ = ["TIMES", "starts", "window"]
+__all__ = ["TIMES", "field_name", "starts", "window"]
 
 EXPONENT_TRIALS = (0.1, 0.3, 0.6)
 SINGLE_TIME_SHARES = (0.003, 0.03, 0.3)
@@ -29,6 +29,7 @@ TIME_SPREADS = ((0.003, 0.3), (0.001, 1.0), (0.01, 0.1))
 """Trials of the shortest and the longest of several times, over the time in contact."""
 TIMES = ("relaxation_time", "relaxation_times", "retardation_times")
 NEGLIGIBLE = 1e-6
+FEWEST_FREE_POINTS = 10
 LEAST_MODULUS_SHARE = 1e-3
 """Start of a modulus that vanishes in linear least squares, relative to the greatest."""
 
@@ -79,7 +80,7 @@ def _trials(task: FitTask, rough_outline: CurveOutline | None) -> list[dict[str,
     elif point is not None and not point.has_start:
         low = float(task.curve.depth(0.0).min())
         choices.append([{"contact_point": point.inside(low - share * point.scale)} for share in (0.1, 1.0, 5.0)])
-    times = [p for p in task.parameters if not p.has_start and _field_name(p.name) in TIMES]
+    times = [p for p in task.parameters if not p.has_start and field_name(p.name) in TIMES]
     if times:
         _, duration = window(task)
         spans = [(one, one) for one in SINGLE_TIME_SHARES] if len(times) == 1 else list(TIME_SPREADS)
@@ -87,11 +88,8 @@ def _trials(task: FitTask, rough_outline: CurveOutline | None) -> list[dict[str,
         own = {p.name: p.start for p in times}
         trials = [{p.name: p.inside(number) for p, number in zip(times, row.tolist(), strict=True)} for row in rows]
         choices.append([own, *trials])
-    shapes = [
-        p
-        for p in task.parameters
-        if not p.has_start and p.name.startswith("bed.medium.") and _field_name(p.name) == "exponent"
-    ]
+    solid = [p for p in task.parameters if not p.has_start and p.name.startswith("bed.medium.")]
+    shapes = [p for p in solid if field_name(p.name) == "exponent"]
     if shapes:
         choices.append([{p.name: p.inside(number) for p in shapes} for number in EXPONENT_TRIALS])
     combined = []
@@ -103,7 +101,8 @@ def _trials(task: FitTask, rough_outline: CurveOutline | None) -> list[dict[str,
     return combined
 
 
-def _field_name(name: str) -> str:
+def field_name(name: str) -> str:
+    """Return the last field of a path, without an index."""
     return name.rpartition(".")[2].partition("[")[0]
 
 
@@ -122,7 +121,8 @@ def _sized(task: FitTask, numbers: dict[str, float]) -> Array:
         nothing = _at_depth(task, numbers | small, depth)[early]
         columns = [(_at_depth(task, numbers | small | {name: unit}, depth)[early] - nothing) for name in own]
         matrix = np.stack(columns, axis=1)
-        if "baseline" in numbers and task.turn and not _has_free_part(task, depth):
+        has_free_part = np.count_nonzero(depth[: task.turn] < 0.0) >= FEWEST_FREE_POINTS
+        if "baseline" in numbers and task.turn and not has_free_part:
             matrix = np.column_stack([matrix, np.ones(right_side.size), -np.ones(right_side.size)])
         sizes = np.linalg.norm(matrix, axis=0)
         sizes[sizes == 0.0] = 1.0
@@ -131,20 +131,14 @@ def _sized(task: FitTask, numbers: dict[str, float]) -> Array:
             numbers = numbers | {"baseline": numbers["baseline"] + float(amounts[-2] - amounts[-1])}
             amounts = amounts[:-2]
         most = float(amounts.max()) or 1.0
-        moduli_by_name = {
-            name: float(a) * unit for name, a in zip(own, np.maximum(amounts, LEAST_MODULUS_SHARE * most), strict=True)
-        }
-        numbers = numbers | {p.name: p.inside(moduli_by_name[p.name]) for p in moduli}
+        amounts = np.maximum(amounts, LEAST_MODULUS_SHARE * most)
+        numbers = numbers | {p.name: p.inside(float(a) * unit) for p, a in zip(moduli, amounts, strict=True)}
     return np.array([p.inward(p.inside(numbers[p.name])) for p in task.parameters])
-
-
-def _has_free_part(task: FitTask, depth: Array) -> bool:
-    return bool(np.count_nonzero(depth[: task.turn] < 0.0) >= 10)
 
 
 def _is_modulus(task: FitTask, parameter: Parameter) -> bool:
     """Return whether the force at a given depth is proportional to it, or nearly so with an elastic second body."""
-    own = parameter.name.startswith("bed.medium.") and _field_name(parameter.name) not in ("young", "tolerance")
+    own = parameter.name.startswith("bed.medium.") and field_name(parameter.name) not in ("young", "tolerance")
     return own and unit_of(task.model, parameter.name) in ("Pa", "Pa s")
 
 

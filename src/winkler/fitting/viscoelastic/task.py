@@ -31,7 +31,6 @@ class RelaxingTask(FitTask):
     """A relaxing contact, including holds; subclasses define the input and the fitted quantity."""
 
     settled = 1e-9
-    must_settle = False
     coarse_count = 250
     starts_improved = 3
     starts_are_trials = True
@@ -55,16 +54,13 @@ class RelaxingTask(FitTask):
 
     def sample_of(self, stretch: Array) -> Array:
         """Return evenly spaced points, and more at the start of a hold or a retraction and at the deepest contact."""
-        share = max(self.coarse_count // (2 * self._stretches), 10)
+        stretches = 1 + int(np.count_nonzero(np.diff(self.curve.direction)))
+        share = max(self.coarse_count // (2 * stretches), 10)
         last = stretch.size - 1
         near = np.geomspace(1.0, max(last, 1), min(share, stretch.size)) - 1.0  # fast relaxation occurs at once
         dense = last - near if self.curve.direction[stretch[0]] > 0.0 else near
         even = np.linspace(0, last, min(share, stretch.size))
         return np.asarray(stretch[np.concatenate([even, dense]).astype(int)])
-
-    @property
-    def _stretches(self) -> int:
-        return 1 + int(np.count_nonzero(np.diff(self.curve.direction)))
 
     def starts(self, rough_outline: CurveOutline | None) -> Iterable[Array]:
         """Yield coordinates for some contact points, times and exponents, moduli by linear least squares."""
@@ -93,11 +89,10 @@ class RelaxingTask(FitTask):
         return coordinates if np.array_equal(ordered, coordinates) else ordered
 
     def relaxing_fields(self, numbers: dict[str, float], prediction: Prediction) -> dict[str, Any]:
-        """Return fields of the contact: logarithmic parameters, depths and radii [m]."""
+        """Return fields of the contact: depths and radii [m]."""
         contact = prediction.contact
         table = elastic_table(elastic_like(self.with_numbers(numbers).bed), float(contact.edge.max()))
         return {
-            "logarithmic": tuple(p.logarithmic for p in self.parameters),
             "depth": contact.depth,
             "radius": np.where(prediction.touched, table.radius_at(contact.edge), 0.0),
         }

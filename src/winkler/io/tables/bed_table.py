@@ -10,7 +10,7 @@ import os
 
 from winkler.errors import InvalidInput
 from winkler.foundation.measured import MeasuredBed
-from winkler.io.foreign import reader
+from winkler.io.foreign import in_file, reader
 from winkler.io.tables.table import Column, names_columns, read_table
 
 __all__ = ["read_bed"]
@@ -56,11 +56,9 @@ def read_bed(path: str | os.PathLike[str], *, modulus: float = 0.0, mindlin_rati
             f"{path}: a force curve alone does not give the contact radius; give modulus = E* of the medium, such as "
             "115 GPa for a hard tip on steel."
         )
-    try:
+    with in_file(table.path):
         if has_radii:
             radii, stiffnesses, depths = table.values.T
             return MeasuredBed(radii, stiffnesses, depths, mindlin_ratio=mindlin_ratio)
         depth, force = table.values.T
         return MeasuredBed.from_curve(depth, force, modulus, mindlin_ratio=mindlin_ratio)
-    except InvalidInput as error:
-        raise InvalidInput(f"{table.path}: {error}") from None

@@ -15,6 +15,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
+from winkler.io.foreign import in_file
 from winkler.io.segments import directions
 from winkler.io.tables.table import Column, names_columns, read_table
 from winkler.io.text_file import head_of
@@ -102,10 +103,8 @@ def read_curve_table(
     position = table.values[:, 0]
     time = table.values[:, 2] if has_time else np.zeros(0)
     segment = table.values[:, -1] if has_segments else np.zeros(0)
-    try:
+    with in_file(path):
         return ForceCurve(position, force, machine, time, directions(position, force, segment), Path(path).name)
-    except InvalidInput as error:
-        raise InvalidInput(f"{path}: {error}") from None
 
 
 def _place(path: str | os.PathLike[str], *, prefer_position: bool = False) -> Column | None:

@@ -8,7 +8,7 @@ import os
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.io.foreign import reader
+from winkler.io.foreign import in_file, reader
 from winkler.io.tables.table import Column, names_columns, read_table
 from winkler.materials.depth_grading import TabulatedGrading
 
@@ -54,7 +54,5 @@ def read_grading(path: str | os.PathLike[str], *, poisson: float = math.nan) -> 
         )
     depths, youngs = table.values[:, 0], table.values[:, 1]
     poissons = table.values[:, 2] if has_poisson else np.full(depths.shape, poisson)
-    try:
+    with in_file(table.path):
         return TabulatedGrading(depths, youngs, poissons)
-    except InvalidInput as error:
-        raise InvalidInput(f"{table.path}: {error}") from None

@@ -62,7 +62,7 @@ def write_law(law: ContactLawSolution, path: str | os.PathLike[str]) -> Path:
 
 def _csv(law: ContactLawSolution) -> str:
     lines = [f"# {sentence}" for sentence in (*CONVENTIONS, *LAW_CONVENTIONS)]
-    lines += [f"# {name} = {number!r}" for name, number in inputs_of(law.problem).items()]
+    lines += [f"# {name} = {content!r}" for name, (content, _) in inputs_of(law.problem).items()]
     lines += [f"# {name} = {getattr(law, name)!r}" for name in ("hermite_error", "linear_error")]
     lines.append(",".join(f"{name} [{word(ContactLawSolution, name).unit}]" for name in COLUMNS))
     rows = zip(*(getattr(law, name).tolist() for name in COLUMNS), strict=True)
@@ -72,7 +72,7 @@ def _csv(law: ContactLawSolution) -> str:
 def _json(law: ContactLawSolution) -> str:
     content = {
         "conventions": [*CONVENTIONS, *LAW_CONVENTIONS],
-        "asked": {name: "infinite" if part == math.inf else part for name, part in inputs_of(law.problem).items()},
+        "asked": {name: "infinite" if part == math.inf else part for name, (part, _) in inputs_of(law.problem).items()},
         "hermite_error": law.hermite_error,
         "linear_error": law.linear_error,
         "columns": {

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 
 from winkler.errors import InvalidInput
-from winkler.io.foreign import reader
+from winkler.io.foreign import in_file, reader
 from winkler.io.tables.table import Column, names_columns, read_table
 from winkler.loading import Angle, Depth, Force, ShearForce, Shift, Torque
 from winkler.path import Path
@@ -70,9 +70,7 @@ def read_path(path: str | os.PathLike[str]) -> Path:
     table = read_table(path, columns)
     normal = normals[0](table.values[:, 1])
     lateral = table.values[:, 2:]
-    try:
+    with in_file(table.path):
         if not laterals:
             return Path(table.values[:, 0], normal)
         return Path(table.values[:, 0], normal, laterals[0](lateral if lateral.shape[1] == 2 else lateral[:, 0]))
-    except InvalidInput as error:
-        raise InvalidInput(f"{table.path}: {error}") from None

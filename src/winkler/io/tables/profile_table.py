@@ -13,7 +13,7 @@ import warnings
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.io.foreign import reader
+from winkler.io.foreign import in_file, reader
 from winkler.io.tables.table import Column, read_table
 from winkler.numerics.types import Array
 from winkler.profiles.measured import Measured
@@ -51,10 +51,8 @@ def read_profile(path: str | os.PathLike[str], *, peak: bool = False) -> Measure
     """
     table = read_table(path, (RADIUS, HEIGHT))
     x, f = table.values[:, 0], table.values[:, 1] * (-1.0 if peak else 1.0)
-    try:
+    with in_file(table.path):
         return Measured(np.abs(x - _apex(x, f)) if np.any(x < 0.0) else x, f)
-    except InvalidInput as error:
-        raise InvalidInput(f"{table.path}: {error}") from None
 
 
 def _parabola(x: Array, f: Array, degree: int) -> Array:

@@ -13,7 +13,7 @@ from typing import TypeVar
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.io.foreign import reader
+from winkler.io.foreign import in_file, reader
 from winkler.io.tables.table import Column, Table, names_columns, read_table
 from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
 
@@ -132,7 +132,5 @@ def _young_over_shear(poisson: float) -> float:
 
 def _data(kind: Callable[..., T], table: Table, rows: tuple[np.ndarray, ...], poisson: float) -> T:
     order = np.argsort(rows[0], kind="stable")  # dynamic tests are often swept downwards
-    try:
+    with in_file(table.path):
         return kind(*(row[order] for row in rows), poisson=poisson)
-    except InvalidInput as error:
-        raise InvalidInput(f"{table.path}: {error}") from None

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import os
 
-from winkler.errors import InvalidInput
-from winkler.io.foreign import reader
+from winkler.io.foreign import in_file, reader
 from winkler.io.tables.table import Column, names_columns, read_table
 from winkler.profiles.rough.line_scan import LineScan
 
@@ -46,7 +45,5 @@ def read_scan(path: str | os.PathLike[str]) -> LineScan:
         If the file cannot be read, or what it holds is no scan.
     """
     table = read_table(path, (PLACE_COLUMN, HEIGHT_COLUMN))
-    try:
+    with in_file(table.path):
         return LineScan(*table.values.T)
-    except InvalidInput as error:
-        raise InvalidInput(f"{table.path}: {error}") from None

@@ -8,7 +8,7 @@ import os
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.io.foreign import reader
+from winkler.io.foreign import in_file, reader
 from winkler.io.tables.scan_table import is_scan, read_scan
 from winkler.io.tables.table import Column, Table, names_columns, read_table
 from winkler.profiles.rough.line_scan import spectrum_of_lines
@@ -74,10 +74,8 @@ def read_spectrum(path: str | os.PathLike[str], *, per: str = "") -> PowerSpectr
     order = np.argsort(q, kind="stable")
     counted = per or ("frequency" if places is FREQUENCY else "wave number")
     density = density[order] / (2.0 * math.pi) ** (directions if counted == "frequency" else 0)
-    try:
+    with in_file(table.path):
         return (PowerSpectrum if directions == 2 else spectrum_of_lines)(q[order], density)
-    except InvalidInput as error:
-        raise InvalidInput(f"{table.path}: {error}") from None
 
 
 def _table(path: str | os.PathLike[str], places: Column) -> tuple[Table, int]:

@@ -129,7 +129,10 @@ def read_table(path: str | os.PathLike[str], columns: Sequence[Column]) -> Table
                 raise ValueError("float() reads 1_000")
             row = [float(cells[place]) for place in header.places]
         except ValueError:
-            row = [number_in(cells[place], f"{file}, line {index + 1}", header.cells[place]) for place in header.places]
+            row = [
+                number_in(cells[p], f"{file}, line {index + 1}", f"in the column '{header.cells[p]}' is not a number")
+                for p in header.places
+            ]
         if not all(map(math.isfinite, row)):
             gaps.append(index + 1)
         numbers.extend(row)

@@ -41,8 +41,16 @@ def like_number(cell: str) -> bool:
     return is_number(cell) or any(map(is_number, comma_readings(cell)))
 
 
-def number_in(cell: str, where: str, column: str) -> float:
+def number_in(cell: str, where: str, wrong: str) -> float:
     """Return the number of a cell, nan where it is marked as missing.
+
+    Parameters
+    ----------
+    cell : str
+    where : str
+        File and line.
+    wrong : str
+        What to say about a cell that is no number, behind its text.
 
     Raises
     ------
@@ -55,7 +63,7 @@ def number_in(cell: str, where: str, column: str) -> float:
         return float("nan")
     if like_number(cell):
         raise InvalidInput(f"{where}: '{cell}' has {comma_hint(cell)}.")
-    raise InvalidInput(f"{where}: '{cell[:40]}' in the column '{column}' is not a number.")
+    raise InvalidInput(f"{where}: '{cell[:40]}' {wrong}.")
 
 
 def named(cell: str, names: tuple[str, ...]) -> tuple[bool, str]:

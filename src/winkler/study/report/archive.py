@@ -34,13 +34,13 @@ from winkler.study.language import keys
 from winkler.study.language.reading import study_text
 from winkler.study.report.archive_maps import add_maps
 from winkler.study.report.event_rows import columns_of, rows_of
-from winkler.study.report.netcdf import LEAST_COMPRESSED, netcdf_attributes, write_variables
+from winkler.study.report.netcdf import netcdf_attributes, write_variables
 from winkler.vocabulary import Word, word
 
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["CSV", "NETCDF", "SURFACE", "dataset", "heading", "write_archive", "write_netcdf", "write_table"]
+__all__ = ["CSV", "NETCDF", "SURFACE", "dataset", "heading", "write_archive", "write_table"]
 
 NETCDF, CSV, SURFACE = "results.nc", "results.csv", "surface.csv"
 
@@ -81,16 +81,6 @@ def heading(name: str, entry: Word) -> str:
     ('force [N]', 'failure')
     """
     return name if entry.unit is None else f"{name} [{entry.unit or '-'}]"
-
-
-def write_netcdf(data: xarray.Dataset, path: Path) -> None:
-    """Write a dataset; long rows of numbers are compressed, without loss."""
-    large = {
-        name: {"zlib": True}
-        for name, item in data.data_vars.items()
-        if item.size > LEAST_COMPRESSED and item.dtype == float
-    }
-    data.to_netcdf(path, engine="h5netcdf", encoding=large)
 
 
 def write_table(columns: Iterable[ResultColumn], path: Path, *, nothing: str = "nan") -> None:

@@ -11,12 +11,10 @@ from pathlib import Path
 
 from winkler.errors import InvalidInput
 from winkler.io.foreign import path_text
+from winkler.io.whole_file import replaced
 from winkler.study.batch.locking import locked
-from winkler.study.batch.stopping import deferred_signals
 
 __all__ = ["write_whole"]
-
-PART = ".part"
 
 
 def write_whole(path: Path, content: bytes) -> None:
@@ -35,18 +33,9 @@ def write_whole(path: Path, content: bytes) -> None:
         If it cannot be written, or another command is writing it.
     """
     target = Path(os.path.realpath(path))  # the target of a link
-    part = target.with_name(f".{target.name}{PART}")
     try:
-        with locked(target.with_name(f".{target.name}.lock")):
-            try:
-                with part.open("wb") as file:
-                    file.write(content)
-                    file.flush()
-                    os.fsync(file.fileno())
-                part.replace(target)
-            finally:
-                with deferred_signals():
-                    part.unlink(missing_ok=True)
+        with locked(target.with_name(f".{target.name}.lock")), replaced(target, "part") as file:
+            file.write(content)
     except BlockingIOError:
         raise InvalidInput(
             f"output: another command is writing '{path_text(path)}'; wait for its end, or give another file with "
