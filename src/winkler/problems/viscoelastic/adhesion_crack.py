@@ -73,12 +73,12 @@ class Crack:
         """Return depth [m], force [N] and energy release rate [J/m^2], the last one only where the edge is pulled."""
         if radius == 0.0:
             return position, 0.0, 0.0
-        bed, place = self.edge.bed, np.array([radius])
-        stiffness, load = float(bed.stiffness(place)[0]), float(bed.gap_load(place)[0])
+        bed, place = self.edge.bed, np.array(radius)
+        stiffness, load = float(bed.stiffness(place)), float(bed.gap_load(place))
         compliance = self.machine.compliance
         depth = (position + compliance * load) / (1.0 + compliance * stiffness)
-        stretched = max(float(bed.gap(place)[0]) - depth, 0.0)
-        release = float(bed.normal_stiffness(place)[0]) * stretched**2 / (2.0 * math.pi * radius)
+        stretched = max(float(bed.gap(place)) - depth, 0.0)
+        release = float(bed.normal_stiffness(place)) * stretched**2 / (2.0 * math.pi * radius)
         return depth, stiffness * depth - load, release
 
     def energy(self, radius: float, position: float) -> float:
