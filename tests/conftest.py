@@ -15,6 +15,9 @@ from pathlib import Path
 from typing import Any
 
 os.environ["MPLBACKEND"] = "Agg"
+# As many tests run at once as there are cores: threads of linear algebra would only wait for each other, which takes
+# twice the processor time where matrices are solved.  Children inherit it.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import hypothesis
 import pytest

@@ -1,7 +1,7 @@
 """Every example runs: the scripts as a reader would start them, the studies through the command line.
 
 Scripts and studies run one after the other in this process, as the manual's gallery runs them; each script in a process
-of its own, and the longer studies, among the slow tests.
+of its own, which is enough for the longest, and the longer studies, among the slow tests.
 """
 
 from __future__ import annotations
@@ -30,7 +30,16 @@ def test_there_are_examples():
     assert len(SCRIPTS) >= 4
 
 
-@pytest.mark.parametrize("script", SCRIPTS, ids=map(name, SCRIPTS))
+LONGEST = {"bouncing_ball", "mindlin_varying_normal_force", "peeling_rubber"}
+"""Scripts of more than two seconds of processor time."""
+QUICK = [script for script in SCRIPTS if script.stem not in LONGEST]
+
+
+def test_the_longest_are_there():
+    assert len(QUICK) == len(SCRIPTS) - len(LONGEST)
+
+
+@pytest.mark.parametrize("script", QUICK, ids=map(name, QUICK))
 def test_script(script, tmp_path, monkeypatch):
     import matplotlib.pyplot as plt
 

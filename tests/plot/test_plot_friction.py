@@ -123,7 +123,7 @@ ITEMS = {
 
 SLOW = ("path in the plane", "layered: no traction", "graded", "state of a graded body", "forces", "no friction",
         "nothing slides", "state at rest", "state that slides", "bimodal, one phase", "bimodal, amplitudes",
-        "never in contact", "damping at rest", "torsion of a punch")  # fmt: skip
+        "never in contact", "damping at rest", "torsion of a punch", "in the plane, one state")  # fmt: skip
 """Variants of others, or pictures of answers that take long."""
 MARKED = [pytest.param(name, marks=pytest.mark.slow) if name in SLOW else name for name in ITEMS]
 

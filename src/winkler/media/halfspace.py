@@ -7,6 +7,7 @@ bodies are elastically similar.
 
 from __future__ import annotations
 
+import functools
 import math
 
 import numpy as np
@@ -144,17 +145,17 @@ class HalfSpace(HomogeneousMedium):
     def _elastic(self) -> list[Elastic]:
         return [body for body in (self.first, self.second) if isinstance(body, Elastic)]
 
-    @property
+    @functools.cached_property
     def modulus(self) -> float:
         """E* [Pa], 1/E* = sum of (1 - nu^2) / E."""
         return 1.0 / sum((1.0 - body.poisson**2) / body.young for body in self._elastic)
 
-    @property
+    @functools.cached_property
     def shear_modulus(self) -> float:
         """G* [Pa], 1/G* = sum of (2 - nu) / (4 G)."""
         return 1.0 / sum((2.0 - body.poisson) / (4.0 * body.shear) for body in self._elastic)
 
-    @property
+    @functools.cached_property
     def torsional_modulus(self) -> float:
         """G_t [Pa], 1/G_t = sum of 1/G."""
         return 1.0 / sum(1.0 / body.shear for body in self._elastic)

@@ -7,6 +7,7 @@ r"""Transversely isotropic half-spaces whose axis is the surface normal: the sam
 
 from __future__ import annotations
 
+import functools
 import math
 
 from winkler.errors import InvalidInput, OutsideValidity
@@ -74,17 +75,17 @@ class TransverselyIsotropicHalfSpace(HomogeneousMedium):
         """Return the medium between two bodies; the second is rigid unless given."""
         return cls(first, second)
 
-    @property
+    @functools.cached_property
     def modulus(self) -> float:
         """E* [Pa]."""
         return 1.0 / (_compliances(self.first)[0] + _compliances(self.second)[0])
 
-    @property
+    @functools.cached_property
     def shear_modulus(self) -> float:
         """G* [Pa]."""
         return 1.0 / (_compliances(self.first)[1] + _compliances(self.second)[1])
 
-    @property
+    @functools.cached_property
     def torsional_modulus(self) -> float:
         """G_t [Pa], 1/G_t = sum of 1/sqrt(C44 C66)."""
         twist_moduli = [twist_constants(body)[0] for body in (self.first, self.second) if not isinstance(body, Rigid)]

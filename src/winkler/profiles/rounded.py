@@ -21,16 +21,34 @@ from winkler.values import value
 __all__ = ["CappedParaboloid", "RoundedPunch", "TruncatedParaboloid"]
 
 
+SERIES_LIMIT = 0.3
+"""Below this t the differences are summed as series, because their closed forms cancel."""
+SERIES_COEFFICIENTS = tuple(1.0 / (2.0 * k + 1.0) for k in range(17, 1, -1))
+
+
 def _excess(t: Array) -> tuple[Array, Array]:
     """Return t - arctan(t) and t^3/3 + t/2 - (1 + t^2) arctan(t)/2 without cancellation."""
-    small, large = np.minimum(t, 0.3), np.maximum(t, 0.3)
-    square, series = small**2, np.zeros_like(small)
-    for k in range(17, 1, -1):
-        series = 1.0 / (2.0 * k + 1.0) - square * series
-    rest, arc = small**5 * series, np.arctan(large)  # t^3/3 - t + arctan(t) at small t
-    first = np.where(t < 0.3, small**3 / 3.0 - rest, large - arc)
-    second = small**5 / 6.0 - 0.5 * (1.0 + square) * rest
-    return first, np.where(t < 0.3, second, large**3 / 3.0 + 0.5 * large - 0.5 * (1.0 + large**2) * arc)
+    near = np.asarray(t < SERIES_LIMIT)
+    if not near.any():
+        return _closed(t)
+    if near.all():
+        return _summed(t)
+    summed, closed = _summed(np.minimum(t, SERIES_LIMIT)), _closed(np.maximum(t, SERIES_LIMIT))
+    return np.where(near, summed[0], closed[0]), np.where(near, summed[1], closed[1])
+
+
+def _closed(t: Array) -> tuple[Array, Array]:
+    arc = np.arctan(t)
+    return t - arc, t**3 / 3.0 + 0.5 * t - 0.5 * (1.0 + t**2) * arc
+
+
+def _summed(t: Array) -> tuple[Array, Array]:
+    square = t**2
+    series = SERIES_COEFFICIENTS[1] - square * SERIES_COEFFICIENTS[0]
+    for coefficient in SERIES_COEFFICIENTS[2:]:
+        series = coefficient - square * series
+    rest = t**5 * series  # t^3/3 - t + arctan(t)
+    return t**3 / 3.0 - rest, t**5 / 6.0 - 0.5 * (1.0 + square) * rest
 
 
 @value

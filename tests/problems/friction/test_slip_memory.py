@@ -118,20 +118,20 @@ def test_the_loss_of_small_steps_converges_to_ours():
 
 
 def corners(reached):
-    """Return the shares of a step at which its pieces become others, by halving."""
+    """Return the shares of a step at which its pieces become others, by halving, one after the other."""
 
     def pattern(share):
         return tuple(reached(share).slides.tolist())
 
-    shares = np.linspace(0.0, 1.0, 121)[1:]
     result = []
-    for low, high in pairwise(shares.tolist()):
-        before = pattern(low)
-        if pattern(high) != before:
+    for low, high in pairwise([1e-12, *np.linspace(0.0, 1.0, 121)[1:].tolist()]):
+        while (before := pattern(low)) != pattern(high):
+            end = high
             for _ in range(50):
-                middle = 0.5 * (low + high)
-                low, high = (middle, high) if pattern(middle) == before else (low, middle)
-            result.append(high)
+                middle = 0.5 * (low + end)
+                low, end = (middle, end) if pattern(middle) == before else (low, middle)
+            result.append(end)
+            low = end
     return result
 
 

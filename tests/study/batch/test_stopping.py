@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import gc
 import os
 import signal
 import sys
@@ -80,8 +81,15 @@ def swallowed(sign):
         send(sign)
 
 
+@pytest.fixture(scope="module")
+def _frozen_heap():
+    """Whoever hears a signal looks for garbage: not again each time among all that the tests before have left."""
+    gc.collect()
+    gc.freeze()
+
+
 @pytest.fixture
-def here(tmp_path, monkeypatch):
+def here(tmp_path, monkeypatch, _frozen_heap):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "ball.toml").write_text(BALL, encoding="utf-8")
     before = [(sign, signal.getsignal(sign)) for sign in CODES]

@@ -17,6 +17,7 @@ Gibson's limit k = 1, nu = 1/2 is included: h_N = pi/2, p = (2/3)(E_0/c_0) u at 
 
 from __future__ import annotations
 
+import functools
 import math
 
 import numpy as np
@@ -92,7 +93,7 @@ class GradedHalfSpace(PowerLawMedium):
     def _graded(self) -> list[PowerLawGraded]:
         return [body for body in (self.first, self.second) if isinstance(body, PowerLawGraded)]
 
-    @property
+    @functools.cached_property
     def exponent(self) -> float:
         """k [-], of both bodies."""
         return self._graded[0].exponent
@@ -106,7 +107,7 @@ class GradedHalfSpace(PowerLawMedium):
         """Return E_0 [Pa] of a body at the common depth scale; exact for equal exponents."""
         return float(body.young * (self.depth_scale / body.depth_scale) ** self.exponent)
 
-    @property
+    @functools.cached_property
     def modulus(self) -> float:
         """E* [Pa], 1/E* = sum of (1 - nu^2) / (h_N E_0)."""
         k = self.exponent
@@ -115,7 +116,7 @@ class GradedHalfSpace(PowerLawMedium):
             for body in self._graded
         )
 
-    @property
+    @functools.cached_property
     def shear_modulus(self) -> float:
         """G* [Pa], 1/G* = sum of [(1+k)^2 (1-nu^2) / (beta^2 h_N E_0) + (1+nu) / (E_0 cos(k pi/2))] / 2."""
         k = self.exponent

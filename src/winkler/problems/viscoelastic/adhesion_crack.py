@@ -68,25 +68,29 @@ class Crack:
         self.edge, self.machine, self.law = edge, machine, law
         self.radius, self.lowest, self.pace, self.release = 0.0, 0.0, math.inf, 0.0
         self.work, self.lost = 0.0, 0.0
+        self._stored = (0.0, 0.0, 0.0)
 
     def at(self, radius: float, position: float) -> tuple[float, float, float]:
         """Return depth [m], force [N] and energy release rate [J/m^2], the last one only where the edge is pulled."""
         if radius == 0.0:
             return position, 0.0, 0.0
-        bed, place = self.edge.bed, np.array([radius])
-        stiffness, load = float(bed.stiffness(place)[0]), float(bed.gap_load(place)[0])
+        bed, place = self.edge.bed, np.array(radius)
+        stiffness, load = float(bed.stiffness(place)), float(bed.gap_load(place))
         compliance = self.machine.compliance
         depth = (position + compliance * load) / (1.0 + compliance * stiffness)
-        stretched = max(float(bed.gap(place)[0]) - depth, 0.0)
-        release = float(bed.normal_stiffness(place)[0]) * stretched**2 / (2.0 * math.pi * radius)
+        stretched = max(float(bed.gap(place)) - depth, 0.0)
+        release = float(bed.normal_stiffness(place)) * stretched**2 / (2.0 * math.pi * radius)
         return depth, stiffness * depth - load, release
 
     def energy(self, radius: float, position: float) -> float:
         """Return what is stored in bodies and machine, less what closing has gained [J]."""
         if radius == 0.0:
             return 0.0
-        depth, force, place = self.edge.state(np.array([radius]), np.array([position]))
-        return float((self.edge.energy(depth, force, place) + self.edge.control.energy(depth, force))[0])
+        if self._stored[:2] != (radius, position):  # where one leap ends, the next begins
+            depth, force, place = self.edge.state(np.array([radius]), np.array([position]))
+            energy = self.edge.energy(depth, force, place) + self.edge.control.energy(depth, force)
+            self._stored = radius, position, float(energy[0])
+        return self._stored[2]
 
     def close(self, start: float, position: float) -> None:
         """Let the machine move on and the edge advance as far as it closes: but for leaps all can be taken back."""
