@@ -32,6 +32,7 @@ from winkler.problems.friction.tangential_march import SlipPath
 from winkler.problems.friction.tangential_states import TangentialState, friction_notes, stick_radii
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.stiffness_ratio import alike, refuse_plane, stiffness_ratios
+from winkler.problems.one_load import OfPath
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -150,7 +151,7 @@ class Tangential:
 
 
 @value
-class TangentialSolution:
+class TangentialSolution(OfPath[TangentialState | SpringState]):
     """The solution of a `Tangential` problem, point by point.
 
     Parameters
@@ -191,21 +192,6 @@ class TangentialSolution:
     def work(self) -> Array:
         """What the lateral motion has spent since the beginning [J], ``(steps,)``: stored or lost."""
         return np.array([state.work for state in self.states])
-
-    def at(self, index: int) -> TangentialState | SpringState:
-        """Return the state at one point of the path.
-
-        Raises
-        ------
-        InvalidInput
-            If there is none.
-        """
-        try:
-            return self.states[index]
-        except (IndexError, TypeError):
-            raise InvalidInput(
-                f"solution.at: there is no point {index!r} on a path of {len(self.states)} points."
-            ) from None
 
     @property
     def validity(self) -> tuple[Note, ...]:
