@@ -37,9 +37,8 @@ def conductance_of_stiffness(
             f"{owner}: stiffness determines the conductance of thick conductors without film or plating; leave them "
             "out."
         )
-    return 2.0 / (
-        medium.modulus * (resistivity_of(surface_of(conductors.first)) + resistivity_of(surface_of(conductors.second)))
-    )
+    first, second = (resistivity_of(surface_of(body)) for body in (conductors.first, conductors.second))
+    return 2.0 / (medium.modulus * (first + second))
 
 
 def plain(conductors: ElectricalConductors | HeatConductors) -> bool:

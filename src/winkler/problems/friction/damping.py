@@ -22,9 +22,9 @@ import numpy as np
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Sliding
-from winkler.loading import Depth, Force, Normal, ShearForce, Shift
+from winkler.loading import ShearForce
 from winkler.numerics.types import Array, Quantity, shaped
-from winkler.path import OneNormal, Swing
+from winkler.path import OneNormal, Swing, numbers_of
 from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.friction.damping_springs import SlippingSprings
 from winkler.problems.friction.damping_validity import damping_notes
@@ -112,16 +112,16 @@ class FrictionDamping:
             raise OutsideValidity(
                 "FrictionDamping: the bodies do not touch under this normal load; press them together."
             )
-        prescribed = np.asarray(_number(self.amplitude), dtype=float)
+        prescribed = numbers_of(self.amplitude)
         springs = SlippingSprings(self.law.coefficient, contact)
-        flat = np.atleast_1d(prescribed).ravel()
+        flat = prescribed.ravel()
         if isinstance(self.amplitude, ShearForce):
             force = np.minimum(flat, self._bearable(flat, float(contact.force)))
             moved = springs.shift(force)
         else:
             moved, force = flat, springs.force(flat)
-        results = (result.reshape(prescribed.shape) for result in (moved, force, springs.loss(moved)))
-        shift, shear_force, loss = (float(each) if prescribed.ndim == 0 else each for each in results)
+        results = (moved, force, springs.loss(moved))
+        shift, shear_force, loss = (shaped(result, prescribed.shape) for result in results)
         return FrictionDampingSolution(self, contact, shift, shear_force, loss)
 
     def _bearable(self, targets: Array, force: float) -> float:
@@ -251,9 +251,3 @@ def positive_frequency(frequency: float) -> float:
     if isinstance(frequency, bool) or not isinstance(frequency, int | float) or not 0.0 < frequency < math.inf:
         raise InvalidInput(f"frequency: {frequency!r} is not positive and finite; give one number in Hz.")
     return float(frequency)
-
-
-def _number(load: Normal | Shift | ShearForce) -> Quantity:
-    match load:
-        case Depth(number) | Force(number) | Shift(number) | ShearForce(number):
-            return number

@@ -26,7 +26,7 @@ from winkler.path import Path
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import BALANCED, SHEARED
 from winkler.problems.assumptions.energy import energy_note
-from winkler.problems.friction.spring_march import march_springs
+from winkler.problems.friction.spring_march import SpringMarch
 from winkler.problems.friction.spring_states import SpringLaw, SpringState
 from winkler.problems.friction.tangential_march import SlipPath
 from winkler.problems.friction.tangential_states import TangentialState, friction_notes, stick_radii
@@ -117,7 +117,7 @@ class Tangential:
         widest = float(np.max(contact.radius, initial=0.0))
         ratios = stiffness_ratios(self.bed, widest) if widest > 0.0 else (1.0, 1.0)
         if not isinstance(self.law, Coulomb) or self.path.in_plane or not alike(ratios):
-            yield from march_springs(self)
+            yield from SpringMarch(self.bed, self.law, self.path).steps()
             return
         steps_ = SlipPath(self.bed, self.law.coefficient, ratios[1], self.path, contact)
         points = zip(self.path.time.tolist(), *(np.asarray(q).tolist() for q in _three(contact)), strict=True)

@@ -23,6 +23,7 @@ from winkler.errors import InvalidInput
 from winkler.loading import Depth, Force
 from winkler.materials.elastic import Elastic
 from winkler.numerics.types import Array
+from winkler.path import numbers_of
 from winkler.problems.answer import gather
 from winkler.problems.particles.elastic_plastic_march import ParticleHistory, ParticleMarch
 from winkler.problems.particles.elastic_plastic_springs import material_of
@@ -119,7 +120,7 @@ class ElasticPlasticParticle:
 
     @property
     def _levels(self) -> Array:
-        return np.asarray(self.path.depth if isinstance(self.path, Depth) else self.path.force, dtype=float)
+        return numbers_of(self.path)
 
     @property
     def yield_depth(self) -> float:

@@ -11,8 +11,8 @@ from winkler.checks.number_checks import Whole, affordable
 from winkler.errors import InvalidInput
 from winkler.limits import MOST_NUMBERS, MOST_SPRINGS
 from winkler.loading import Depth, Force
+from winkler.path import numbers_of
 from winkler.problems.normal.yield_of_pressure import spots_yield_notes
-from winkler.problems.rough.spring_line import prescribed
 from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["LineSprings", "Realisations", "check_ensemble", "line_notes"]
@@ -27,7 +27,7 @@ LineSprings: TypeAlias = Annotated[int, Whole(16, MOST_SPRINGS)]
 def check_ensemble(owner: str, load: Force | Depth, realisations: int, count: int) -> None:
     """Refuse loads that are none or pull, and more springs than are computed with."""
     affordable(owner, "springs of all realisations", realisations * count, MOST_NUMBERS)
-    least_load = float(np.min(prescribed(load)))
+    least_load = float(np.min(numbers_of(load)))
     if least_load <= 0.0:
         raise InvalidInput(
             f"{owner}: the load {least_load:.6g} is not positive; without adhesion surfaces are pressed together."
