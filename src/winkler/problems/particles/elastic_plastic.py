@@ -189,18 +189,8 @@ class ParticleState:
 
     Parameters
     ----------
-    depth : float
-        d [m].
-    force : float
-        F_N [N], compression positive.
-    radius : float
-        a [m], zero without contact.
-    residual_depth : float
-        d0 [m], the depth at which the unloaded particle would just touch the plane.
-    energy : float
-        Stored in the particle, less what closing its surfaces has gained [J].
-    dissipation : float
-        Energy lost since the beginning [J].
+    depth, force, radius, residual_depth, energy, dissipation : float
+        As in `ParticleSolution`.
     """
 
     __words__ = words(energy=("U", "J", "stored in the particle, less what closing its surfaces has gained"))

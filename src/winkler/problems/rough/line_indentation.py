@@ -23,8 +23,7 @@ from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.solve_contact import at_force
-from winkler.problems.rough.line_checks import LineSprings, Realisations, check_ensemble, line_notes
-from winkler.problems.rough.line_solution import RoughSolution
+from winkler.problems.rough.line_solution import LineSprings, Realisations, RoughSolution, check_ensemble
 from winkler.problems.rough.persson import area_fraction
 from winkler.problems.rough.spring_line import RoughLine, ensemble, line_seeds
 from winkler.profiles.rough.random_rough import random_lines
@@ -199,7 +198,7 @@ class RoughIndentationSolution(RoughSolution):
                 "single peaks bear: there medians of stiffness and depth are within 25 per cent of boundary elements.",
                 f"{POPOV}; own boundary elements",
             ),
-            *line_notes(self),
+            *self._line_notes,
             Note(
                 Assumption.ROUGHNESS,
                 Standing.APPROXIMATE,

@@ -188,18 +188,15 @@ class SurfaceContact:
                     gaps, pixel, drive, periodic=rough.periodic, ceiling=self.hardness / modulus,
                     tolerance=self.tolerance, start=start if near else np.empty(0),
                 )  # fmt: skip
+                start, before = solved.pressure, load
+                touching = start > 0.0
+                if touching.all() and rough.periodic:
+                    stiffness, under = math.inf, np.empty(0)
+                else:
+                    under = punch(touching, pixel, periodic=rough.periodic, tolerance=PUNCH_TOLERANCE, start=under)
+                    stiffness = modulus * patch * float(np.sum(under))
             except NotConverged as error:
                 raise NotConverged(f"SurfaceContact: under the load {load:.6g}, {error}") from None
-            start, before = solved.pressure, load
-            touching = start > 0.0
-            if touching.all() and rough.periodic:
-                stiffness, under = math.inf, np.empty(0)
-            else:
-                try:
-                    under = punch(touching, pixel, periodic=rough.periodic, tolerance=PUNCH_TOLERANCE, start=under)
-                except NotConverged as error:
-                    raise NotConverged(f"SurfaceContact: under the load {load:.6g}, {error}") from None
-                stiffness = modulus * patch * float(np.sum(under))
             yield SurfaceState(
                 solved.depth, modulus * patch * float(np.sum(start)), stiffness, *_area(touching, pixel,
                 rough.periodic), float(np.mean(solved.gap)), solved.penetration, solved.work, modulus * start,
