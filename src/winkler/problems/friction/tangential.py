@@ -120,7 +120,8 @@ class Tangential:
             yield from SpringMarch(self.bed, self.law, self.path).steps()
             return
         steps_ = SlipPath(self.bed, self.law.coefficient, ratios[1], self.path, contact)
-        points = zip(self.path.time.tolist(), *(np.asarray(q).tolist() for q in _three(contact)), strict=True)
+        pressed = (np.asarray(quantity).tolist() for quantity in (contact.depth, contact.force, contact.radius))
+        points = zip(self.path.time.tolist(), *pressed, strict=True)
         lost = work = 0.0
         for (time, depth, force, radius), end in zip(points, steps_.points_reached(), strict=True):
             lost, work = lost + end.lost, work + end.spent
@@ -200,7 +201,3 @@ class TangentialSolution(OfPath[TangentialState | SpringState]):
             self.problem.bed, self.problem.law, self.depth, self.force, self.shear_force, self.radius, self.states
         )
         return (*notes, energy_note(self.work, self.stored_energy, self.dissipation))
-
-
-def _three(contact: IndentationSolution) -> tuple[Array, Array, Array]:
-    return np.asarray(contact.depth), np.asarray(contact.force), np.asarray(contact.radius)

@@ -105,25 +105,14 @@ def follow_contacts(pairs: Balls, after: Array, motion: Array, twist: Array, rol
     most_twist = 3.0 * np.pi / 16.0 * pairs.coefficient[:, np.newaxis] * normal * radius
     most_roll = pairs.rolling_arm[:, np.newaxis] * normal
 
+    sheared = (u, pairs.curvature_radius, spacing, single, slope, depth, motion, shear, stored[0], lost[0])
+    twist_rows = (twisted, twisting, most_twist, turns, torque, stored[1], lost[1])
+    roll_rows = (rolled, tilting, most_roll, roll, moment, stored[2], lost[2])
+
     def work(part: slice) -> None:
-        move_balls(
-            u[part],
-            pairs.curvature_radius[part],
-            spacing[part],
-            single[part],
-            slope[part],
-            depth[part],
-            motion[part],
-            shear[part],
-            stored[0, part],
-            lost[0, part],
-        )
-        for row, (held, stiffness, most, turn, borne) in enumerate(
-            ((twisted, twisting, most_twist, turns, torque), (rolled, tilting, most_roll, roll, moment)), 1
-        ):
-            turn_balls(
-                held[part], stiffness[part], most[part], turn[part], borne[part], stored[row, part], lost[row, part]
-            )
+        move_balls(*(row[part] for row in sheared))
+        for rows in (twist_rows, roll_rows):
+            turn_balls(*(row[part] for row in rows))
 
     run_in_threads(work, many)
     heat = pairs.dissipation[:, np.newaxis] + np.cumsum(lost.sum(axis=0), axis=1)
