@@ -1,6 +1,8 @@
-"""One load out of an array of loads, with its depth, force and contact radius."""
+"""One load out of an array of loads, with its depth, force and contact radius, or one state of a path."""
 
 from __future__ import annotations
+
+from typing import Generic, TypeVar
 
 import numpy as np
 
@@ -8,7 +10,35 @@ from winkler.errors import InvalidInput
 from winkler.loading import Depth, Force, Load, Radius
 from winkler.numerics.types import Quantity
 
-__all__ = ["picked", "single"]
+__all__ = ["OfPath", "picked", "single"]
+
+State = TypeVar("State")
+
+
+class OfPath(Generic[State]):
+    """The part of a solution that holds its states, one for each point of a path."""
+
+    states: tuple[State, ...]
+
+    def at(self, index: int) -> State:
+        """Return the state at one point of the path.
+
+        Parameters
+        ----------
+        index : int
+            Which one.
+
+        Raises
+        ------
+        InvalidInput
+            If there is no such point.
+        """
+        try:
+            return self.states[index]
+        except (IndexError, TypeError):
+            raise InvalidInput(
+                f"solution.at: there is no point {index!r} on a path of {len(self.states)} points."
+            ) from None
 
 
 def picked(

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 import winkler as wk
 from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.path import Path
-from winkler.problems.friction.spring_march import SpringMarch, march_springs
+from winkler.problems.friction.spring_march import SpringMarch
 from winkler.problems.friction.spring_states import spring_notes
 from winkler.validity import Standing
 from winkler.values import value
@@ -112,7 +112,7 @@ def test_a_circular_motion_is_inadmissible_at_the_edge_of_its_stick_zone():
     """Steady circle of half the shift of sliding: 1.35 at r = 0.70 a, and ever more towards c = a / sqrt(2)."""
     angle = 2.0 * np.pi * np.arange(8 * 240 + 1) / 240
     track = 0.5 * FULL * np.column_stack([np.cos(angle), np.sin(angle)])
-    state = list(march_springs(SpringMarch(BALL, Coulomb(MU), still(track)), 800))[-1]
+    state = list(SpringMarch(BALL, Coulomb(MU), still(track), 800).steps())[-1]
     assert state.stick_radius == pytest.approx(np.sqrt(0.5), abs=1e-3)
     excess = np.hypot(*traction(state, np.array([0.6, 0.70, 0.705, 0.707])).T)
     assert excess[1] == pytest.approx(1.35, abs=5e-3)

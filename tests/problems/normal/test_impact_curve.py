@@ -8,8 +8,9 @@ import mpmath as mp
 import pytest
 
 import winkler as wk
-from winkler.problems.normal.force_curve import deepest, normal_curve, stiffness_ratio
+from winkler.problems.normal.force_curve import deepest, normal_curve
 from winkler.problems.normal.indentation import Indentation
+from winkler.problems.normal.stiffness_ratio import common_ratio
 
 MEDIUM = wk.HalfSpace(wk.Elastic(1.0, 0.0))
 
@@ -71,9 +72,8 @@ def test_the_deepest_point_stores_the_energy():
 
 
 def test_springs_that_are_not_alike_are_refused():
-    assert stiffness_ratio(wk.Foundation(wk.Paraboloid(1.0), wk.HalfSpace(wk.Elastic(1.0, 0.3))), 0.1) == pytest.approx(
-        1.4 / 1.7, rel=1e-14
-    )
+    ball = wk.Foundation(wk.Paraboloid(1.0), wk.HalfSpace(wk.Elastic(1.0, 0.3)))
+    assert common_ratio("Impact", ball, 0.1, "") == pytest.approx(1.4 / 1.7, rel=1e-14)
     coated = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(4.0, 0.3), thickness=0.05)], on=wk.Elastic(1.0, 0.3))
     with pytest.raises(wk.OutsideValidity, match="tangential"):
-        stiffness_ratio(wk.Foundation(wk.Paraboloid(1.0), coated), 0.1)
+        common_ratio("Impact", wk.Foundation(wk.Paraboloid(1.0), coated), 0.1, "give another medium")

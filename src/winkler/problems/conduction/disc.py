@@ -16,12 +16,10 @@ from winkler.media.conduction.disc_resistance import BARBER, HOLM, Resistances
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
-from winkler.problems.normal.strong_parts import strong_parts
 from winkler.problems.normal.validity import size_note, slope_note
-from winkler.problems.normal.yield_statement import yield_notes_of_bed
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["conducting_disc", "disc_yield_notes", "mean_free_path_note", "resistances_of", "scope_notes"]
+__all__ = ["conducting_disc", "mean_free_path_note", "resistances_of", "scope_notes"]
 
 
 def resistances_of(bed: Bed, conductors: ElectricalConductors | HeatConductors, radius: Array) -> Resistances:
@@ -50,14 +48,6 @@ def conducting_disc(
     """Return the contact under loads, and the resistances `(m,)` of its disc."""
     contact = Indentation(bed, load).solve()
     return contact, resistances_of(bed, conductors, np.ravel(np.asarray(contact.radius, dtype=float)))
-
-
-def disc_yield_notes(bed: Bed, load: Load) -> tuple[Note, ...]:
-    """Return whether the contact that conducts stays elastic; nothing where no body has a strength."""
-    if not strong_parts(bed.medium):
-        return ()
-    contact = Indentation(bed, load).solve()
-    return yield_notes_of_bed(bed, np.ravel(contact.depth), np.ravel(contact.radius))
 
 
 def scope_notes(bed: Bed, radius: Array) -> tuple[Note, ...]:

@@ -13,13 +13,14 @@ import numpy as np
 
 from winkler.checks.outline import refuse_unless_round
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.materials.conducting_body import Plated, Rod
+from winkler.foundation.bed import Bed
 from winkler.media.conduction.conductors import ElectricalConductors, HeatConductors
 from winkler.numerics.fields.disc_field import disc_potential, disc_slopes
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.conduction.heated_contact import ColdContact, hot_at_voltage, profile
 from winkler.problems.conduction.joule_heating import JouleHeatingSolution, cold_contact
+from winkler.problems.conduction.stiffness_analogy import plain
 from winkler.problems.conduction.thermal_constriction import ThermalConstrictionSolution
 from winkler.problems.one_load import single
 from winkler.values import value
@@ -121,12 +122,10 @@ def restore_conduction(
     across, down = np.broadcast_arrays(*places)
     match solution:
         case JouleHeatingSolution():
-            _refuse(solution.problem.conductors, solution.problem.conductors.film.area_resistance)
-            refuse_unless_round(solution.problem.bed, "restore_conduction", "the field")
+            _refuse(solution.problem.bed, solution.problem.conductors)
             return _current(solution, across, down)
         case ThermalConstrictionSolution():
-            _refuse(solution.problem.conductors, solution.problem.conductors.interface.area_resistance)
-            refuse_unless_round(solution.problem.bed, "restore_conduction", "the field")
+            _refuse(solution.problem.bed, solution.problem.conductors)
             return _heat(solution, across, down)
         case _:
             raise InvalidInput(
@@ -135,13 +134,13 @@ def restore_conduction(
             )
 
 
-def _refuse(conductors: ElectricalConductors | HeatConductors, area_resistance: float) -> None:
-    layered = any(isinstance(body, Plated | Rod) for body in (conductors.first, conductors.second))
-    if layered or area_resistance:
+def _refuse(bed: Bed, conductors: ElectricalConductors | HeatConductors) -> None:
+    if not plain(conductors):
         raise OutsideValidity(
             "restore_conduction: with a film, a plating or a rod the field is not that of a plain disc, and is not "
             "known here; give thick bodies of one conductor that touch without a film."
         )
+    refuse_unless_round(bed, "restore_conduction", "the field")
 
 
 def _density(r: Array, z: Array, radius: float, flow: float) -> tuple[Array, Array]:

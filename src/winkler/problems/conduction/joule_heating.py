@@ -20,8 +20,7 @@ from winkler.materials.conductor import ElectricalConductor
 from winkler.media.conduction.conductors import ElectricalConductors
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.declared import CONDUCTING
-from winkler.problems.conduction.constriction import Constriction
-from winkler.problems.conduction.disc import resistances_of
+from winkler.problems.conduction.disc import conducting_disc, resistances_of
 from winkler.problems.conduction.heated_contact import ColdContact, HotContact, hot_at_current, hot_at_voltage
 from winkler.problems.conduction.solution import ConductingSolution
 from winkler.validity import Assumption, Note, Standing
@@ -107,12 +106,10 @@ class JouleHeating:
         InvalidInput
             If a current is sent through bodies that do not touch.
         """
-        contact = Constriction(self.bed, self.conductors, self.load).solve()
-        radius = np.atleast_1d(np.asarray(contact.radius, dtype=float)).ravel()
-        hot = self._driven(radius)
-        cold = np.atleast_1d(np.asarray(contact.resistance, dtype=float)).ravel()
+        contact, parts = conducting_disc(self.bed, self.conductors, self.load)
+        hot = self._driven(np.ravel(contact.radius))
         flowing = hot.current > 0.0
-        resistance = np.where(flowing, hot.voltage / np.where(flowing, hot.current, 1.0), cold)
+        resistance = np.where(flowing, hot.voltage / np.where(flowing, hot.current, 1.0), parts.whole)
         touch, most = _temperatures(self, hot)
 
         shape = np.shape(contact.radius)
@@ -122,7 +119,7 @@ class JouleHeating:
             contact.force,
             contact.radius,
             resistance=shaped(resistance, shape),
-            cold_resistance=contact.resistance,
+            cold_resistance=shaped(parts.whole, shape),
             current=shaped(hot.current, shape),
             voltage=shaped(hot.voltage, shape),
             film_voltage=shaped(hot.film, shape),
@@ -244,9 +241,8 @@ class JouleHeatingSolution(ConductingSolution):
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         problem = self.problem
-        resistance = Constriction(problem.bed, problem.conductors, problem.load).solve()
         notes = [
-            *resistance.validity,
+            *self._disc_notes,
             Note(
                 Assumption.CONDUCTION,
                 Standing.EXACT,

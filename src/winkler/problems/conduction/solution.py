@@ -9,7 +9,9 @@ import numpy as np
 
 from winkler.foundation.bed import PressedSprings
 from winkler.numerics.types import Quantity
-from winkler.problems.conduction.disc import disc_yield_notes, scope_notes
+from winkler.problems.conduction.disc import scope_notes
+from winkler.problems.normal.strong_parts import strong_parts
+from winkler.problems.normal.yield_statement import yield_notes_of_bed
 from winkler.problems.one_load import picked, single
 from winkler.validity import Note
 from winkler.values import value
@@ -47,9 +49,10 @@ class ConductingSolution:
     @property
     def _disc_notes(self) -> tuple[Note, ...]:
         """How far analogy, bodies and film can be trusted."""
-        bed, load, conductors = self.problem.bed, self.problem.load, self.problem.conductors
-        radius = np.asarray(self.radius, dtype=float)
-        return (*scope_notes(bed, radius), *disc_yield_notes(bed, load), *conductors.notes)
+        bed, conductors = self.problem.bed, self.problem.conductors
+        depth, radius = np.asarray(self.depth, dtype=float), np.asarray(self.radius, dtype=float)
+        yielding = yield_notes_of_bed(bed, depth, radius) if strong_parts(bed.medium) else ()
+        return (*scope_notes(bed, radius), *yielding, *conductors.notes)
 
     def at(self, index: int | tuple[int, ...]) -> Self:
         """Return the solution of one load of an array.

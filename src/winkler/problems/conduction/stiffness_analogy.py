@@ -6,11 +6,11 @@ r"""Conductance from stiffness: both are fixed by the same spots, whatever their
 from __future__ import annotations
 
 from winkler.errors import OutsideValidity
-from winkler.materials.conducting_body import Plated, Rod, resistivity_of
+from winkler.materials.conducting_body import Plated, Rod, resistivity_of, surface_of
 from winkler.media.conduction.conductors import ElectricalConductors, HeatConductors
 from winkler.media.halfspace import HomogeneousMedium
 
-__all__ = ["conductance_of_stiffness"]
+__all__ = ["conductance_of_stiffness", "plain"]
 
 
 def conductance_of_stiffness(
@@ -32,11 +32,17 @@ def conductance_of_stiffness(
     OutsideValidity
         If there is a film, a plating or a rod.
     """
-    between = conductors.film if isinstance(conductors, ElectricalConductors) else conductors.interface
-    bodies = conductors.first, conductors.second
-    if between.area_resistance or isinstance(bodies[0], Plated | Rod) or isinstance(bodies[1], Plated | Rod):
+    if not plain(conductors):
         raise OutsideValidity(
             f"{owner}: stiffness determines the conductance of thick conductors without film or plating; leave them "
             "out."
         )
-    return 2.0 / (medium.modulus * (resistivity_of(bodies[0]) + resistivity_of(bodies[1])))
+    first, second = (resistivity_of(surface_of(body)) for body in (conductors.first, conductors.second))
+    return 2.0 / (medium.modulus * (first + second))
+
+
+def plain(conductors: ElectricalConductors | HeatConductors) -> bool:
+    """Return whether both bodies are thick ones of one conductor, and nothing lies between them."""
+    between = conductors.film if isinstance(conductors, ElectricalConductors) else conductors.interface
+    layered = any(isinstance(body, Plated | Rod) for body in (conductors.first, conductors.second))
+    return not layered and not between.area_resistance

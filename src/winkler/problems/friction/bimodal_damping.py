@@ -31,7 +31,7 @@ from winkler.checks.number_checks import (
     NonNegativeQuantity,
     affordable,
 )
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Coulomb
 from winkler.limits import MOST_SPRINGS
@@ -40,11 +40,12 @@ from winkler.numerics.integrals.bisected_quadrature import along_springs, toward
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import Path
 from winkler.problems.assumptions.declared import SHEARED
-from winkler.problems.friction.damping import positive_frequency
+from winkler.problems.friction.damping import DampingSolution, per_unit
+from winkler.problems.friction.damping_springs import oscillating_contact
 from winkler.problems.friction.damping_validity import STEADY, damping_notes
 from winkler.problems.friction.spring_cycle import SpringCycle
-from winkler.problems.normal.indentation import Indentation, IndentationSolution
-from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
+from winkler.problems.normal.indentation import IndentationSolution
+from winkler.problems.normal.stiffness_ratio import common_ratio
 from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.validity import Assumption, Note
 from winkler.values import value
@@ -60,6 +61,7 @@ WITH_FRICTION = Condition(
     lambda law: law.coefficient > 0.0,
     "give Coulomb(coefficient) with a positive coefficient, infinite if nothing slides",
 )
+ONE_RATIO = "with a varying normal load that ratio must be the same everywhere: give a homogeneous or power-law medium"
 AMPLITUDE_ADVICE = Advice("how far to each side; turn the phase by pi instead of a negative one")
 
 
@@ -152,28 +154,16 @@ class BimodalDamping:
         NotConverged
             If the profile is too rough.
         """
-        deepest = Indentation(self.bed, Depth(self.depth + self.depth_amplitude)).solve()
+        deepest, lowest = oscillating_contact("BimodalDamping", self.bed, self.depth, self.depth_amplitude)
         radius = float(deepest.radius)
-        if radius == 0.0:
-            raise OutsideValidity(
-                f"BimodalDamping: a depth of {self.depth:.6g} m with an amplitude of {self.depth_amplitude:.6g} "
-                "m never brings the bodies into touch; press them together."
-            )
-        ratios = stiffness_ratios(self.bed, radius)
-        if not alike(ratios):
-            raise OutsideValidity(
-                f"BimodalDamping: the springs' tangential stiffness is between {ratios[0]:.4g} and "
-                f"{ratios[1]:.4g} of their normal one; with a varying normal load that ratio must be the same "
-                "everywhere: give a homogeneous or power-law medium."
-            )
+        ratio = common_ratio("BimodalDamping", self.bed, radius, ONE_RATIO)
+        edges = self._edges(lowest, radius)
         pushed, ahead = np.broadcast_arrays(
             np.asarray(self.shift_amplitude, dtype=float), np.asarray(self.phase, dtype=float)
         )
         pairs = zip(pushed.ravel().tolist(), ahead.ravel().tolist(), strict=True)
-        loss = np.array([self._lost(ratios[0], radius, a, p) for a, p in pairs])
-        if pushed.ndim == 0:
-            return BimodalDampingSolution(self, deepest, float(loss[0]))
-        return BimodalDampingSolution(self, deepest, loss.reshape(pushed.shape))
+        loss = np.array([self._lost(ratio, edges, a, p) for a, p in pairs])
+        return BimodalDampingSolution(self, deepest, shaped(loss, pushed.shape))
 
     def path(self, phase: float, shift_amplitude: float, cycles: int = 2, count: int = 200) -> Path:
         """Return the motion as a path of straight pieces, for `Tangential`; its time counts closed cycles.
@@ -201,13 +191,11 @@ class BimodalDamping:
     def _cycle(self, bound: float, pushed: float, ahead: float) -> SpringCycle:
         return SpringCycle(self.depth_amplitude, pushed, ahead, self.normal_cycles, self.lateral_cycles, bound)
 
-    def _lost(self, ratio: float, radius: float, pushed: float, ahead: float) -> float:
+    def _lost(self, ratio: float, edges: Array, pushed: float, ahead: float) -> float:
         """Return the loss per closed cycle [J] of one amplitude [m] and phase [rad]."""
         if pushed == 0.0 and not math.isinf(self.law.coefficient):
             # pressing alone moves nothing along the surface
             return 0.0
-        lowest = float(Indentation(self.bed, Depth(self.depth - self.depth_amplitude)).solve().radius)
-        edges = self._edges(lowest, radius)
         bound = self.law.coefficient / ratio
         cycle = self._cycle(bound, pushed, ahead)
 
@@ -240,7 +228,7 @@ class BimodalDamping:
 
 
 @value
-class BimodalDampingSolution:
+class BimodalDampingSolution(DampingSolution):
     """The solution of a `BimodalDamping`; arrays have the shape of amplitude and phase together.
 
     Parameters
@@ -260,30 +248,8 @@ class BimodalDampingSolution:
     @property
     def loss_stiffness(self) -> Quantity:
         """Loss per lateral cycle over pi A_x^2 [N/m]; divided by the lateral angular frequency, the viscous damper."""
-        moved = np.broadcast_to(np.asarray(self.problem.shift_amplitude, dtype=float), np.shape(self.loss_per_cycle))
-        moving = moved > 0.0
-        whole = np.pi * np.where(moving, moved, 1.0) ** 2 * self.problem.lateral_cycles
-        return shaped(np.where(moving, self.loss_per_cycle / whole, 0.0))
-
-    def damping(self, frequency: float) -> Quantity:
-        """Return the viscous damper that loses as much.
-
-        Parameters
-        ----------
-        frequency : float
-            Of the lateral oscillation [Hz].
-
-        Returns
-        -------
-        float or ndarray
-            [N s/m].
-
-        Raises
-        ------
-        InvalidInput
-            If the frequency is not positive.
-        """
-        return shaped(np.asarray(self.loss_stiffness) / (2.0 * np.pi * positive_frequency(frequency)))
+        moved = np.broadcast_to(self.problem.shift_amplitude, np.shape(self.loss_per_cycle))
+        return per_unit(self.loss_per_cycle, np.pi * moved**2 * self.problem.lateral_cycles)
 
     @property
     def validity(self) -> tuple[Note, ...]:

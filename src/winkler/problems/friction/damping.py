@@ -15,16 +15,16 @@ as the whole does not slide away: the loop depends on the amplitude alone.
 from __future__ import annotations
 
 import math
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Sliding
-from winkler.loading import Depth, Force, Normal, ShearForce, Shift
+from winkler.loading import ShearForce
 from winkler.numerics.types import Array, Quantity, shaped
-from winkler.path import OneNormal, Swing
+from winkler.path import OneNormal, Swing, numbers_of
 from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.friction.damping_springs import SlippingSprings
 from winkler.problems.friction.damping_validity import damping_notes
@@ -33,7 +33,7 @@ from winkler.problems.normal.yield_statement import SurfaceFriction, slid_depth
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
-__all__ = ["FrictionDamping", "FrictionDampingSolution"]
+__all__ = ["DampingSolution", "FrictionDamping", "FrictionDampingSolution", "per_unit"]
 
 FORCE_ROUNDING = 1e-12
 """Part of the sliding force by which rounding may exceed it."""
@@ -112,16 +112,16 @@ class FrictionDamping:
             raise OutsideValidity(
                 "FrictionDamping: the bodies do not touch under this normal load; press them together."
             )
-        prescribed = np.asarray(_number(self.amplitude), dtype=float)
+        prescribed = numbers_of(self.amplitude)
         springs = SlippingSprings(self.law.coefficient, contact)
-        flat = np.atleast_1d(prescribed).ravel()
+        flat = prescribed.ravel()
         if isinstance(self.amplitude, ShearForce):
             force = np.minimum(flat, self._bearable(flat, float(contact.force)))
             moved = springs.shift(force)
         else:
             moved, force = flat, springs.force(flat)
-        results = (result.reshape(prescribed.shape) for result in (moved, force, springs.loss(moved)))
-        shift, shear_force, loss = (float(each) if prescribed.ndim == 0 else each for each in results)
+        results = (moved, force, springs.loss(moved))
+        shift, shear_force, loss = (shaped(result, prescribed.shape) for result in results)
         return FrictionDampingSolution(self, contact, shift, shear_force, loss)
 
     def _bearable(self, targets: Array, force: float) -> float:
@@ -139,7 +139,54 @@ class FrictionDamping:
 
 
 @value
-class FrictionDampingSolution:
+class DampingSolution:
+    """What solutions of damping by friction have in common.
+
+    Parameters
+    ----------
+    problem
+        The problem that was solved.
+    contact : IndentationSolution
+        The contact at its greatest depth.
+    """
+
+    problem: Any
+    contact: IndentationSolution
+
+    @property
+    def loss_stiffness(self) -> Quantity:
+        """Loss per cycle over pi times the square of the shift [N/m]."""
+        raise NotImplementedError
+
+    def damping(self, frequency: float) -> Quantity:
+        """Return the viscous damper that loses as much.
+
+        Parameters
+        ----------
+        frequency : float
+            Of the oscillation [Hz].
+
+        Returns
+        -------
+        float or ndarray
+            W / (2 pi^2 f U^2) [N s/m].
+
+        Raises
+        ------
+        InvalidInput
+            If the frequency is not positive.
+        """
+        return shaped(np.asarray(self.loss_stiffness) / (2.0 * np.pi * positive_frequency(frequency)))
+
+
+def per_unit(loss: Quantity, whole: Array) -> Quantity:
+    """Return losses over what is positive where the bodies move, and zero where they do not."""
+    moving = whole > 0.0
+    return shaped(np.where(moving, loss / np.where(moving, whole, 1.0), 0.0))
+
+
+@value
+class FrictionDampingSolution(DampingSolution):
     """The solution of a `FrictionDamping`; every quantity has the shape of the amplitude.
 
     Parameters
@@ -177,9 +224,7 @@ class FrictionDampingSolution:
 
         Divided by the angular frequency it is the viscous damper.
         """
-        moved = np.asarray(self.shift)
-        moving = moved > 0.0
-        return shaped(np.where(moving, self.loss_per_cycle / (np.pi * np.where(moving, moved, 1.0) ** 2), 0.0))
+        return per_unit(self.loss_per_cycle, np.pi * np.asarray(self.shift) ** 2)
 
     @property
     def loss_factor(self) -> Quantity:
@@ -187,29 +232,7 @@ class FrictionDampingSolution:
 
         Zero at no amplitude, 4/pi for sliding throughout; twice the damping ratio.
         """
-        whole = np.pi * np.asarray(self.shear_force) * np.asarray(self.shift)
-        moving = whole > 0.0
-        return shaped(np.where(moving, self.loss_per_cycle / np.where(moving, whole, 1.0), 0.0))
-
-    def damping(self, frequency: float) -> Quantity:
-        """Return the viscous damper that loses as much.
-
-        Parameters
-        ----------
-        frequency : float
-            Of the oscillation [Hz].
-
-        Returns
-        -------
-        float or ndarray
-            W / (2 pi^2 f U^2) [N s/m].
-
-        Raises
-        ------
-        InvalidInput
-            If the frequency is not positive.
-        """
-        return shaped(np.asarray(self.loss_stiffness) / (2.0 * np.pi * positive_frequency(frequency)))
+        return per_unit(self.loss_per_cycle, np.pi * np.asarray(self.shear_force) * np.asarray(self.shift))
 
     @property
     def validity(self) -> tuple[Note, ...]:
@@ -228,9 +251,3 @@ def positive_frequency(frequency: float) -> float:
     if isinstance(frequency, bool) or not isinstance(frequency, int | float) or not 0.0 < frequency < math.inf:
         raise InvalidInput(f"frequency: {frequency!r} is not positive and finite; give one number in Hz.")
     return float(frequency)
-
-
-def _number(load: Normal | Shift | ShearForce) -> Quantity:
-    match load:
-        case Depth(number) | Force(number) | Shift(number) | ShearForce(number):
-            return number

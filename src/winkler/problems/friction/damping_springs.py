@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
-from winkler.loading import Force
+from winkler.loading import Depth, Force
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.integrals.bisected_quadrature import along_springs, towards
 from winkler.numerics.types import Array
@@ -13,7 +14,7 @@ from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
 from winkler.values import value
 
-__all__ = ["SlippingSprings"]
+__all__ = ["SlippingSprings", "oscillating_contact", "stuck_stiffness"]
 
 TOLERANCE = 1e-13
 """Of each integral over the springs."""
@@ -58,11 +59,7 @@ class SlippingSprings:
     @property
     def stiffness(self) -> float:
         """Stiffness without slip [N/m]."""
-        tolerance = np.array([TOLERANCE])
-        total = along_springs(
-            lambda x, _: self.bed.tangential_stiffness(x), self._edges, tolerance, "tangential stiffness of the contact"
-        )
-        return 2.0 * float(total[0])
+        return stuck_stiffness(self.bed, self._edges, TOLERANCE)
 
     @property
     def reach(self) -> float:
@@ -111,3 +108,22 @@ class SlippingSprings:
         short = self.force(reach) <= targets
         root = between(lambda moved, index: self.force(moved) - targets[index], np.zeros(targets.shape), reach)
         return np.where(short, reach, root)
+
+
+def stuck_stiffness(bed: Bed, edges: Array, tolerance: float) -> float:
+    """Return the tangential stiffness of springs that all stick [N/m], by panels with these edges [m]."""
+    total = along_springs(
+        lambda x, _: bed.tangential_stiffness(x), edges, np.array([tolerance]), "tangential stiffness of the contact"
+    )
+    return 2.0 * float(total[0])
+
+
+def oscillating_contact(owner: str, bed: Bed, depth: float, amplitude: float) -> tuple[IndentationSolution, float]:
+    """Return the contact at its greatest depth, and its radius at the least one [m]; refuse bodies that never touch."""
+    deepest = Indentation(bed, Depth(depth + amplitude)).solve()
+    if float(deepest.radius) == 0.0:
+        raise OutsideValidity(
+            f"{owner}: a depth of {depth:.6g} m with an amplitude of {amplitude:.6g} m never brings the bodies into "
+            "touch; press them together."
+        )
+    return deepest, float(Indentation(bed, Depth(depth - amplitude)).solve().radius)

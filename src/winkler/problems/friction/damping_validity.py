@@ -48,33 +48,22 @@ def damping_notes(bed: Bed, radius: float, coefficient: float) -> tuple[Note, ..
     coefficient : float
         Of friction [-]; infinity where nothing slips.
     """
-    coupled = sticking_note(bed.medium, coefficient)
-    ratios = stiffness_ratios(bed, radius)
+    least, greatest = ratios = stiffness_ratios(bed, radius)
     if alike(ratios):
-        return (
-            Note(
-                Assumption.SLIP,
-                Standing.EXACT,
-                "Springs of one gap stick and slide together, since their stiffnesses have one ratio "
-                f"({ratios[0]:.4g}): sums over springs are the three-dimensional sums within Cattaneo-Mindlin.",
-                JAEGER,
-            ),
-            coupled,
-            *direction_notes(bed),
-            ALONG,
-            SLOW,
+        alone = Note(
+            Assumption.SLIP,
+            Standing.EXACT,
+            "Springs of one gap stick and slide together, since their stiffnesses have one ratio "
+            f"({least:.4g}): sums over springs are the three-dimensional sums within Cattaneo-Mindlin.",
+            JAEGER,
         )
-    return (
-        Note(
+    else:
+        alone = Note(
             Assumption.SLIP,
             Standing.APPROXIMATE,
-            f"The tangential stiffness of the springs is between {ratios[0]:.3g} and {ratios[1]:.3g} of the "
+            f"The tangential stiffness of the springs is between {least:.3g} and {greatest:.3g} of the "
             "normal one: that springs slide by themselves is then an assumption, not a theorem; the error is "
             "not known, and is expected to be of the order of the spread of that ratio.",
             POPOV_HESS,
-        ),
-        coupled,
-        *direction_notes(bed),
-        ALONG,
-        SLOW,
-    )
+        )
+    return (alone, sticking_note(bed.medium, coefficient), *direction_notes(bed), ALONG, SLOW)

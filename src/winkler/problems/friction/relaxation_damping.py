@@ -18,14 +18,13 @@ from typing import ClassVar
 import numpy as np
 
 from winkler.checks.number_checks import Finite, Positive
-from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
-from winkler.loading import Depth
 from winkler.numerics.integrals.bisected_quadrature import along_springs, towards
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import SHEARED
+from winkler.problems.friction.damping_springs import oscillating_contact, stuck_stiffness
 from winkler.problems.friction.damping_validity import damping_notes
-from winkler.problems.normal.indentation import Indentation, IndentationSolution
+from winkler.problems.normal.indentation import IndentationSolution
 from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
@@ -104,14 +103,8 @@ class RelaxationDamper:
         NotConverged
             If the profile is too rough.
         """
-        deepest = Indentation(self.bed, Depth(self.depth + self.depth_amplitude)).solve()
+        deepest, lowest = oscillating_contact("RelaxationDamper", self.bed, self.depth, self.depth_amplitude)
         radius = float(deepest.radius)
-        if radius == 0.0:
-            raise OutsideValidity(
-                f"RelaxationDamper: a depth of {self.depth:.6g} m with an amplitude of "
-                f"{self.depth_amplitude:.6g} m never brings the bodies into touch; press them together."
-            )
-        lowest = float(Indentation(self.bed, Depth(self.depth - self.depth_amplitude)).solve().radius)
         kinks = [b for b, _ in self.bed.kinks]
         edges = np.unique(np.concatenate([[lowest], towards(radius, [lowest, *kinks], EDGE_HALVINGS)]))
         edges = np.unique(np.concatenate([edges, lowest + (radius - lowest) * 0.5 ** np.arange(1, EDGE_HALVINGS)]))
@@ -120,18 +113,17 @@ class RelaxationDamper:
             touching = np.arccos(np.clip((self.bed.gap(x) - self.depth) / self.depth_amplitude, -1.0, 1.0))
             return np.asarray(self.bed.tangential_stiffness(x) * touching**2)
 
-        tolerance = np.array([max(TOLERANCE, 16.0 * np.finfo(float).eps * abs(self.depth) / self.depth_amplitude)])
+        tolerance = max(TOLERANCE, 16.0 * np.finfo(float).eps * abs(self.depth) / self.depth_amplitude)
         damping = 0.0
         if lowest < radius:
-            whole = float(along_springs(held, edges[edges >= lowest], tolerance, "damping of the springs")[0])
+            whole = float(
+                along_springs(held, edges[edges >= lowest], np.array([tolerance]), "damping of the springs")[0]
+            )
             damping = whole / (math.pi**2 * self.frequency)
         stiffness = 0.0
         if lowest > 0.0:
             always = towards(lowest, kinks, EDGE_HALVINGS)
-            stuck = along_springs(
-                lambda x, _: self.bed.tangential_stiffness(x), always, tolerance, "stiffness of the springs"
-            )
-            stiffness = 2.0 * float(stuck[0])
+            stiffness = stuck_stiffness(self.bed, always, tolerance)
         return RelaxationDamperSolution(self, deepest, damping, stiffness)
 
 

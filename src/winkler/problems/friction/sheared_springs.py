@@ -8,18 +8,21 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed, PressedSprings
 from winkler.foundation.sheared import ShearedSprings
 from winkler.loading import Depth
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.normal.indentation import Indentation
-from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
+from winkler.problems.normal.stiffness_ratio import common_ratio
 
 __all__ = ["sheared_by_pieces"]
 
 NARROWEST_PIECE = 1e-12
 """Pieces narrower than this, in parts of the depth, are none; steps smaller, in parts of the greatest displacement."""
+ON_LAYERS = (
+    "on layers tractions are no sums of pressures, and winkler cannot restore them; use a homogeneous or power-law "
+    "medium"
+)
 
 
 def sheared_by_pieces(
@@ -59,16 +62,6 @@ def sheared_by_pieces(
     slopes = np.concatenate([rise[1:], nothing]) - rise
     steps = right - np.concatenate([left[1:], nothing])
     steps[np.abs(steps) <= NARROWEST_PIECE * float(np.max(np.abs([left, right]), initial=0.0))] = 0.0
+    ratio = common_ratio("Tangential", bed, radius, ON_LAYERS)
     radii = np.asarray(Indentation(bed, Depth(high)).solve().radius)
-    return ShearedSprings(pressed, _ratio(bed, radius), moved, high, np.minimum(radii, radius), slopes, steps)
-
-
-def _ratio(bed: Bed, radius: float) -> float:
-    least, greatest = stiffness_ratios(bed, radius)
-    if not alike((least, greatest)):
-        raise OutsideValidity(
-            f"The springs' ratio of tangential to normal stiffness lies between {least:.6g} and {greatest:.6g}: on "
-            "layers tractions are no sums of pressures, and winkler cannot restore them; use a homogeneous or "
-            "power-law medium."
-        )
-    return greatest
+    return ShearedSprings(pressed, ratio, moved, high, np.minimum(radii, radius), slopes, steps)

@@ -27,12 +27,12 @@ from winkler.problems.assumptions.declared import BALANCED, SHEARED
 from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.friction.spring_run import SpringRun, pressed_along, row_of
-from winkler.problems.friction.spring_states import SpringLaw, SpringProblem, SpringState, spring_notes
+from winkler.problems.friction.spring_states import SpringLaw, SpringState, spring_notes
 from winkler.problems.normal.stiffness_ratio import refuse_plane
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
-__all__ = ["SpringMarch", "SpringState", "SpringTrace", "march_springs"]
+__all__ = ["SpringMarch", "SpringState", "SpringTrace"]
 
 BLOCK = 256
 """Steps that go through the kernel together."""
@@ -172,8 +172,3 @@ class SpringMarch:
             *direction_notes(self.bed),
             *spring_notes(springs, self.law, in_plane=self.path.in_plane),
         )
-
-
-def march_springs(problem: SpringProblem, count: int = 400) -> Iterator[SpringState]:
-    """Yield the springs of a sheared contact at every point of its path; see `SpringMarch.steps`."""
-    return SpringMarch(problem.bed, problem.law, problem.path, count).steps()

@@ -7,6 +7,7 @@ from typing import Protocol
 import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.foundation.bed import Bed
 from winkler.foundation.springs import Springs
 from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.loading import Depth, Force, Shift
@@ -15,7 +16,8 @@ from winkler.numerics.springs.slip_plane import march_plane
 from winkler.numerics.springs.slip_pull import pull_line
 from winkler.numerics.springs.spring_work import work_on_springs
 from winkler.numerics.types import Array, Quantity
-from winkler.problems.friction.spring_states import SpringProblem, SpringState
+from winkler.path import Path
+from winkler.problems.friction.spring_states import SpringLaw, SpringState
 from winkler.problems.normal.indentation import Indentation
 
 __all__ = ["RowProblem", "SpringRun", "pressed_along", "row_of"]
@@ -30,8 +32,23 @@ BOUND_TOLERANCE = 1e-9
 """A spring this close to its bound, in parts of it, slips."""
 
 
-class RowProblem(SpringProblem, Protocol):
+class RowProblem(Protocol):
     """What `SpringRun` needs of a problem: bed, friction law and path, and the number of springs."""
+
+    @property
+    def bed(self) -> Bed:
+        """The springs."""
+        ...
+
+    @property
+    def law(self) -> SpringLaw:
+        """The friction."""
+        ...
+
+    @property
+    def path(self) -> Path:
+        """The motion."""
+        ...
 
     @property
     def count(self) -> int:
@@ -39,7 +56,7 @@ class RowProblem(SpringProblem, Protocol):
         ...
 
 
-def pressed_along(problem: SpringProblem) -> tuple[Array, Array, Array]:
+def pressed_along(problem: RowProblem) -> tuple[Array, Array, Array]:
     """Return depth, force and radius at every point; equal points are solved once."""
     distinct, where = np.unique(problem.path.across, return_inverse=True)
     load = Depth(distinct) if isinstance(problem.path.normal, Depth) else Force(distinct)

@@ -13,11 +13,10 @@ from winkler.foundation.sheared import ShearedSprings
 from winkler.foundation.springs import Springs
 from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.numerics.types import Array, Quantity
-from winkler.path import Path
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
-__all__ = ["OwnLaw", "SpringLaw", "SpringProblem", "SpringState", "spring_notes"]
+__all__ = ["OwnLaw", "SpringLaw", "SpringState", "spring_notes"]
 
 RATIO_TOLERANCE = 1e-9
 """Ratios of stiffness that differ by less are equal."""
@@ -39,25 +38,6 @@ class OwnLaw(Protocol):
 
 SpringLaw = Coulomb | StaticKinetic | OwnLaw
 """How springs may rub."""
-
-
-class SpringProblem(Protocol):
-    """What `march_springs` needs of a problem: a bed, a friction law and a path."""
-
-    @property
-    def bed(self) -> Bed:
-        """The springs."""
-        ...
-
-    @property
-    def law(self) -> SpringLaw:
-        """The friction."""
-        ...
-
-    @property
-    def path(self) -> Path:
-        """The motion."""
-        ...
 
 
 @value

@@ -26,12 +26,13 @@ from winkler.path import Path
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import BALANCED, SHEARED
 from winkler.problems.assumptions.energy import energy_note
-from winkler.problems.friction.spring_march import march_springs
+from winkler.problems.friction.spring_march import SpringMarch
 from winkler.problems.friction.spring_states import SpringLaw, SpringState
 from winkler.problems.friction.tangential_march import SlipPath
 from winkler.problems.friction.tangential_states import TangentialState, friction_notes, stick_radii
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.stiffness_ratio import alike, refuse_plane, stiffness_ratios
+from winkler.problems.one_load import OfPath
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -116,10 +117,11 @@ class Tangential:
         widest = float(np.max(contact.radius, initial=0.0))
         ratios = stiffness_ratios(self.bed, widest) if widest > 0.0 else (1.0, 1.0)
         if not isinstance(self.law, Coulomb) or self.path.in_plane or not alike(ratios):
-            yield from march_springs(self)
+            yield from SpringMarch(self.bed, self.law, self.path).steps()
             return
         steps_ = SlipPath(self.bed, self.law.coefficient, ratios[1], self.path, contact)
-        points = zip(self.path.time.tolist(), *(np.asarray(q).tolist() for q in _three(contact)), strict=True)
+        pressed = (np.asarray(quantity).tolist() for quantity in (contact.depth, contact.force, contact.radius))
+        points = zip(self.path.time.tolist(), *pressed, strict=True)
         lost = work = 0.0
         for (time, depth, force, radius), end in zip(points, steps_.points_reached(), strict=True):
             lost, work = lost + end.lost, work + end.spent
@@ -150,7 +152,7 @@ class Tangential:
 
 
 @value
-class TangentialSolution:
+class TangentialSolution(OfPath[TangentialState | SpringState]):
     """The solution of a `Tangential` problem, point by point.
 
     Parameters
@@ -192,21 +194,6 @@ class TangentialSolution:
         """What the lateral motion has spent since the beginning [J], ``(steps,)``: stored or lost."""
         return np.array([state.work for state in self.states])
 
-    def at(self, index: int) -> TangentialState | SpringState:
-        """Return the state at one point of the path.
-
-        Raises
-        ------
-        InvalidInput
-            If there is none.
-        """
-        try:
-            return self.states[index]
-        except (IndexError, TypeError):
-            raise InvalidInput(
-                f"solution.at: there is no point {index!r} on a path of {len(self.states)} points."
-            ) from None
-
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
@@ -214,7 +201,3 @@ class TangentialSolution:
             self.problem.bed, self.problem.law, self.depth, self.force, self.shear_force, self.radius, self.states
         )
         return (*notes, energy_note(self.work, self.stored_energy, self.dissipation))
-
-
-def _three(contact: IndentationSolution) -> tuple[Array, Array, Array]:
-    return np.asarray(contact.depth), np.asarray(contact.force), np.asarray(contact.radius)

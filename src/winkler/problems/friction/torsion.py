@@ -34,6 +34,7 @@ from winkler.problems.friction.torsion_states import TorsionState, TwistedSpring
 from winkler.problems.friction.torsion_validity import torsion_notes, torsion_yield_notes
 from winkler.problems.normal.solve_contact import at_depth, at_force
 from winkler.problems.normal.validity import contact_notes
+from winkler.problems.one_load import OfPath
 from winkler.validity import Assumption, Note
 from winkler.values import value
 
@@ -194,7 +195,7 @@ class Torsion:
 
 
 @value
-class TorsionSolution:
+class TorsionSolution(OfPath[TorsionState]):
     """The solution of a `Torsion`, point by point.
 
     Parameters
@@ -235,23 +236,6 @@ class TorsionSolution:
     dissipation: Array
     nested: Array
     states: tuple[TorsionState, ...]
-
-    def at(self, index: int) -> TorsionState:
-        """Return the state at one point of the path.
-
-        Parameters
-        ----------
-        index : int
-            Which one.
-
-        Raises
-        ------
-        InvalidInput
-            If there is no such point.
-        """
-        if not -len(self.states) <= index < len(self.states):
-            raise InvalidInput(f"at: there is no point {index} on this path of {len(self.states)}.")
-        return self.states[index]
 
     @property
     def validity(self) -> tuple[Note, ...]:

@@ -117,20 +117,10 @@ class TorsionState:
 
     Parameters
     ----------
-    time : float
-        [s].
-    depth, force, radius : float
-        Of the normal contact: d [m], F_N [N], a [m].
-    angle, torque : float
-        phi [rad] and M_z [N m].
-    torque_limit : float
-        At which everything would slide [N m].
-    stick_radius : float
-        Of the part that is not at its bound [m].
-    work, stored_energy, dissipation : float
-        Spent by the twist since the beginning, its elastic energy, and energy lost since the beginning [J].
-    nested : bool
-        Whether all that slid in the step was one outer ring, and slid to one side: then the step is exact.
+    time, depth, force, radius, angle, torque, torque_limit, stick_radius : float
+        As in `winkler.problems.friction.torsion.TorsionSolution`.
+    work, stored_energy, dissipation, nested : float or bool
+        As there.
     springs : TwistedSprings
         Their load.
     """

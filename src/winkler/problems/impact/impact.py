@@ -32,8 +32,9 @@ from winkler.problems.impact.moments import joined_stages, states_along
 from winkler.problems.impact.motion import ImpactProblem
 from winkler.problems.impact.states import ImpactStage, ImpactState
 from winkler.problems.impact.validity import PLANAR, Moments, gravity_note
-from winkler.problems.normal.force_curve import deepest, normal_curve, stiffness_ratio
+from winkler.problems.normal.force_curve import deepest, normal_curve
 from winkler.problems.normal.solve_contact import at_depth
+from winkler.problems.normal.stiffness_ratio import common_ratio
 from winkler.problems.normal.validity import indentation_notes
 from winkler.problems.normal.yield_statement import FRICTIONLESS, SurfaceFriction, slid_depth
 from winkler.validity import Assumption, Note
@@ -43,6 +44,10 @@ __all__ = ["Impact", "ImpactSolution"]
 
 LARGEST_FRICTION = 1e5
 """More friction than this differs from no slip by rounding alone."""
+ONE_RATIO = (
+    "an oblique impact is computed where that ratio is the same everywhere, on homogeneous and power-law media: give "
+    "such a medium, or a lateral and angular velocity of zero"
+)
 
 
 @value
@@ -144,7 +149,7 @@ class Impact:
         ratio = 1.0
         if self.law.coefficient > 0.0 and self.sliding_velocity != 0.0:
             _, radius = at_depth(self.bed, np.array([depth]))
-            ratio = stiffness_ratio(self.bed, float(radius[0]))
+            ratio = common_ratio("Impact", self.bed, float(radius[0]), ONE_RATIO)
         curve = normal_curve(self.bed, depth)
         mobility, sliding = self.mobility, self.sliding_velocity
         return ImpactProblem(

@@ -36,36 +36,32 @@ def states_along(bed: Bed, motion: ImpactProblem, count: int) -> Iterator[Impact
 def _states_at(
     bed: Bed, times: Array, moments: list[ImpactMoment], begun: tuple[ImpactStage, ...], duration: float
 ) -> list[ImpactState]:
-    gaps = np.array([(max(moment.depth, 0.0), max(moment.stuck, 0.0)) for moment in moments])
-    _, radii = at_depth(bed, gaps.ravel())
-    return [
-        ImpactState(
-            time=time,
-            depth=depth,
-            shift=moment.shift,
-            velocity=moment.velocity,
-            sliding_velocity=moment.sliding,
-            force=moment.force,
-            shear_force=moment.shear,
-            radius=radius,
-            stick_radius=min(stick, radius),
-            energy=moment.pressed,
-            stored_energy=moment.stored,
-            dissipation=moment.loss,
-            side=begun[-1].side,
-            stages=() if place else begun,
-            duration=duration,
+    gaps = np.maximum([(moment.depth, moment.stuck) for moment in moments], 0.0)
+    radii = at_depth(bed, gaps.ravel())[1].reshape(-1, 2)
+    states: list[ImpactState] = []
+    for time, moment, (depth, _), (radius, stick) in zip(
+        times.tolist(), moments, gaps.tolist(), radii.tolist(), strict=True
+    ):
+        quantities = {**moment._asdict(), "depth": depth}
+        del quantities["stuck"]
+        states.append(
+            ImpactState(
+                time=time,
+                radius=radius,
+                stick_radius=min(stick, radius),
+                side=begun[-1].side,
+                stages=() if states else begun,
+                duration=duration,
+                **quantities,
+            )
         )
-        for place, (time, moment, (depth, _), (radius, stick)) in enumerate(
-            zip(times.tolist(), moments, gaps.tolist(), radii.reshape(-1, 2).tolist(), strict=True)
-        )
-    ]
+    return states
 
 
 def _parted(end: ImpactMoment) -> ImpactMoment:
     """Return the moment after the last springs have parted: what they still stored is lost."""
-    loss = end.loss + end.stored
-    return end._replace(depth=0.0, loss=loss, force=0.0, shear=0.0, pressed=0.0, stored=0.0, stuck=0.0)
+    nothing = dict.fromkeys(("depth", "force", "shear_force", "energy", "stored_energy", "stuck"), 0.0)
+    return end._replace(dissipation=end.dissipation + end.stored_energy, **nothing)
 
 
 def joined_stages(parts: list[ImpactStage], last: float) -> tuple[ImpactStage, ...]:

@@ -68,12 +68,8 @@ class ImpactMoment(NamedTuple):
 
     Parameters
     ----------
-    depth, velocity, shift, sliding, loss : float
-        d [m], v [m/s], U [m], w [m/s], energy lost since first touch [J].
-    force, shear : float
-        F_N and F_x [N].
-    pressed, stored : float
-        Elastic energy of the normal and of the tangential displacement [J].
+    depth, velocity, shift, sliding_velocity, dissipation, force, shear_force, energy, stored_energy : float
+        As in `winkler.problems.impact.states.ImpactState`.
     stuck : float
         The gap up to which springs stick [m].
     """
@@ -81,12 +77,12 @@ class ImpactMoment(NamedTuple):
     depth: float
     velocity: float
     shift: float
-    sliding: float
-    loss: float
+    sliding_velocity: float
+    dissipation: float
     force: float
-    shear: float
-    pressed: float
-    stored: float
+    shear_force: float
+    energy: float
+    stored_energy: float
     stuck: float
 
 

@@ -35,18 +35,10 @@ class ImpactState:
     ----------
     time : float
         Since first touch [s].
-    depth, shift : float
-        d and u_x [m]: how far the bodies have approached, and moved along the surface, since first touch.
-    velocity, sliding_velocity : float
-        Of approach, and of the touching points along the surface [m/s].
-    force, shear_force : float
-        F_N and F_x [N], which press the body back and hold it up.
-    radius, stick_radius : float
-        Of the contact, and of the part of it that sticks [m].
-    energy, stored_energy : float
-        Elastic energy of the normal and of the tangential displacement [J].
-    dissipation : float
-        Energy lost since first touch [J].
+    depth, shift, velocity, sliding_velocity, force, shear_force, radius, stick_radius : float
+        As in `winkler.problems.impact.impact.ImpactSolution`.
+    energy, stored_energy, dissipation : float
+        As there.
     side : int
         Where the body slides at the edge of the contact: 1 forwards, -1 backwards, 0 nowhere.
     stages : tuple of ImpactStage
@@ -80,18 +72,8 @@ class AdhesiveImpactState:
     ----------
     time : float
         Since first touch [s].
-    depth : float
-        d [m].
-    velocity : float
-        Of approach [m/s].
-    force : float
-        F_N [N], compression positive.
-    radius : float
-        a [m].
-    energy : float
-        Of bodies and surfaces, less what closing has gained [J]; zero apart.
-    dissipation : float
-        Energy lost since first touch [J].
+    depth, velocity, force, radius, energy, dissipation : float
+        As in `winkler.problems.impact.adhesive_impact.AdhesiveImpactSolution`.
     jumps : tuple of AdhesiveJump
         Those since the moment before.
     duration : float

@@ -29,9 +29,8 @@ from winkler.numerics.types import Array, Curve
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.overlap import rises
 from winkler.problems.normal.solve_contact import at_depth, at_end, flat_radius
-from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
 
-__all__ = ["NormalCurve", "deepest", "normal_curve", "rough_depth", "stiffness_ratio"]
+__all__ = ["NormalCurve", "deepest", "normal_curve", "rough_depth"]
 
 DEPTH_MARGIN = 1e-3
 """How far beyond the greatest depth the curve is computed, for the trial steps of the march."""
@@ -241,21 +240,3 @@ def rough_depth(bed: Bed, energy: float) -> float:
     if radius[0] == bed.rim:
         depth += math.sqrt(2.0 * energy / float(bed.stiffness(radius)[0]))
     return depth
-
-
-def stiffness_ratio(bed: Bed, radius: float) -> float:
-    """Return c_T / c_N of the springs up to a radius [m].
-
-    Raises
-    ------
-    OutsideValidity
-        If it is not the same for all of them: springs of one gap then no longer stick and slip together.
-    """
-    least, greatest = ratios = stiffness_ratios(bed, radius)
-    if not alike(ratios):
-        raise OutsideValidity(
-            f"Impact: the springs' tangential stiffness is between {least:.4g} and {greatest:.4g} of their normal "
-            "one; an oblique impact is computed where that ratio is the same everywhere, on homogeneous and power-law "
-            "media: give such a medium, or a lateral and angular velocity of zero."
-        )
-    return least

@@ -9,7 +9,7 @@ from winkler.footprint import EllipticOutline
 from winkler.foundation.bed import Bed
 from winkler.path import Path
 
-__all__ = ["alike", "refuse_plane", "stiffness_ratios"]
+__all__ = ["alike", "common_ratio", "refuse_plane", "stiffness_ratios"]
 
 RATIO_TOLERANCE = 1e-9
 """Springs whose ratio differs by less, relatively, are alike."""
@@ -49,3 +49,20 @@ def alike(ratios: tuple[float, float]) -> bool:
     """Return whether a least and a greatest ratio are the same but for rounding."""
     least, greatest = ratios
     return greatest - least <= RATIO_TOLERANCE * greatest
+
+
+def common_ratio(owner: str, bed: Bed, radius: float, remedy: str) -> float:
+    """Return c_T / c_N of the springs up to a radius [m].
+
+    Raises
+    ------
+    OutsideValidity
+        If it is not the same for all of them, with the end of the sentence: why it must be, and what to give.
+    """
+    least, greatest = ratios = stiffness_ratios(bed, radius)
+    if not alike(ratios):
+        raise OutsideValidity(
+            f"{owner}: the springs' tangential stiffness is between {least:.4g} and {greatest:.4g} of their normal "
+            f"one; {remedy}."
+        )
+    return least

@@ -16,14 +16,14 @@ from typing import Annotated, ClassVar
 import numpy as np
 
 from winkler.checks.number_checks import Number, Positive
-from winkler.errors import NotConverged, OutsideValidity
+from winkler.errors import NotConverged
 from winkler.foundation.bed import Bed
 from winkler.loading import Depth
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.solve_contact import flat_radius
-from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
+from winkler.problems.normal.stiffness_ratio import common_ratio
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -37,6 +37,9 @@ CHECK_POSITIONS = np.array([0.15, 0.35, 0.5, 0.65, 0.85])
 """Where an interval is checked, as parts of it."""
 SAFETY_FACTOR = 0.7
 """The error there stays below this part of what is allowed: it may be a little greater elsewhere."""
+ONE_RATIO = (
+    "no single number describes it: give a homogeneous or power-law medium, or march along a path with Tangential"
+)
 
 
 @value
@@ -108,20 +111,14 @@ class ContactLaw:
             raise NotConverged(
                 f"ContactLaw: {depth.size} rows leave an error of {np.max(errors):.3g}; give a greater tolerance."
             )
-        ratios = stiffness_ratios(self.bed, float(np.max(radius)))
-        if not alike(ratios):
-            raise OutsideValidity(
-                f"ContactLaw: the springs' tangential stiffness is between {ratios[0]:.4g} and {ratios[1]:.4g} of the "
-                "normal one, so that no single number describes it; give a homogeneous or power-law medium, or march "
-                "along a path with Tangential."
-            )
+        ratio = common_ratio("ContactLaw", self.bed, float(np.max(radius)), ONE_RATIO)
         return ContactLawSolution(
             self,
             depth,
             force,
             radius,
             stiffness,
-            ratios[0] * stiffness,
+            ratio * stiffness,
             np.asarray(pressed_.energy),
             float(np.max(errors)),
             float(np.max(_triangles(depth, force, stiffness)) / force[-1]),

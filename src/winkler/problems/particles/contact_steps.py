@@ -5,36 +5,50 @@ The normal force is that of Hertz, :math:`F_N=\tfrac43E^*\sqrt R\,d^{3/2}`, with
 
 from __future__ import annotations
 
-from typing import NamedTuple
+import dataclasses
+from typing import Annotated, TypeVar
 
 import numpy as np
 
+from winkler.checks.number_checks import NON_NEGATIVE, POSITIVE, Numbers
 from winkler.checks.physical_size import refuse_size
 from winkler.errors import InvalidInput
 from winkler.numerics.springs.contact_kernels import move_balls, turn_balls
 from winkler.numerics.threads import run_in_threads
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.particles.trace import ContactTrace
+from winkler.values import value, words
 
-__all__ = ["BallPairs", "FrictionState", "follow_contacts", "numbers_of_shape", "with_step_axis"]
+__all__ = ["BallContacts", "follow_contacts", "numbers_of_shape", "with_step_axis"]
 
 
-class BallPairs(NamedTuple):
-    """What does not change in contacts of two balls, ``(contacts,)`` each; as in `Contacts`."""
+@value
+class BallContacts:
+    """Contacts of two balls each, and what friction holds in them; as in `Contacts`."""
 
-    curvature_radius: Array
-    modulus: Array
-    shear_modulus: Array
-    torsional_modulus: Array
-    coefficient: Array
-    rolling_arm: Array
-    reach: Array
+    __words__ = words(
+        coefficient=(r"\mu", "", "friction coefficient"),
+        reach=("d_{max}", "m", "greatest depth that the springs are made for"),
+    )
 
-    def radius(self, pressed: Array) -> Array:
+    curvature_radius: Annotated[Array, Numbers(POSITIVE, fewest=0)]
+    modulus: Annotated[Array, Numbers(POSITIVE, fewest=0)]
+    shear_modulus: Annotated[Array, Numbers(POSITIVE, fewest=0)]
+    torsional_modulus: Annotated[Array, Numbers(POSITIVE, fewest=0)]
+    coefficient: Annotated[Array, Numbers(NON_NEGATIVE, fewest=0)]
+    rolling_arm: Annotated[Array, Numbers(NON_NEGATIVE, fewest=0)]
+    reach: Annotated[Array, Numbers(POSITIVE, fewest=0)]
+    depth: Array
+    displaced: Array
+    twisted: Array
+    rolled: Array
+    dissipation: Array
+
+    def radius_at(self, pressed: Array) -> Array:
         """Return a [m] at depths [m], ``(contacts, steps)``."""
         return np.asarray(np.sqrt(self.curvature_radius[:, np.newaxis] * pressed))
 
-    def force(self, pressed: Array) -> Array:
+    def force_at(self, pressed: Array) -> Array:
         """Return F_N [N] at depths [m], ``(contacts, steps)``."""
         stiffness = 4.0 / 3.0 * self.modulus * np.sqrt(self.curvature_radius)
         return np.asarray(stiffness[:, np.newaxis] * pressed**1.5)
@@ -56,27 +70,18 @@ class BallPairs(NamedTuple):
         return np.asarray(2.0 * self.shear_modulus * self.spacing(count))
 
 
-class FrictionState(NamedTuple):
-    """What friction holds in every contact, and the heat it has caused; as in `Contacts`."""
-
-    displaced: Array
-    twisted: Array
-    rolled: Array
-    dissipation: Array
+Balls = TypeVar("Balls", bound=BallContacts)
 
 
-def follow_contacts(
-    pairs: BallPairs, before: FrictionState, depth: Array, motion: Array, twist: Array, roll: Array
-) -> tuple[FrictionState, ContactTrace]:
-    """Return what friction holds after many steps, and the forces and losses of every step.
+def follow_contacts(pairs: Balls, after: Array, motion: Array, twist: Array, roll: Array) -> tuple[Balls, ContactTrace]:
+    """Return the contacts after many steps, and the forces and losses of every step.
 
     Parameters
     ----------
-    pairs : BallPairs
-    before : FrictionState
+    pairs : BallContacts
         Before the first step.
-    depth : ndarray, (contacts, steps + 1)
-        d [m] before the first step and after every one.
+    after : ndarray, (contacts, steps)
+        d [m] after every step.
     motion : ndarray, (contacts, steps, 2)
         Along the surface in each step [m].
     twist : ndarray, (contacts, steps)
@@ -85,12 +90,13 @@ def follow_contacts(
         [rad].
     """
     many, steps = twist.shape
+    depth = np.concatenate([pairs.depth[:, np.newaxis], after], axis=1)
     pressed = np.maximum(depth, 0.0)
-    radius, normal = pairs.radius(pressed), pairs.force(pressed)
+    radius, normal = pairs.radius_at(pressed), pairs.force_at(pressed)
     turns = np.zeros((many, steps, 2))
     turns[:, :, 0] = twist
-    u, twisted, rolled = np.array(before.displaced), np.zeros((many, 2)), np.array(before.rolled)
-    twisted[:, 0] = before.twisted
+    u, twisted, rolled = np.array(pairs.displaced), np.zeros((many, 2)), np.array(pairs.rolled)
+    twisted[:, 0] = pairs.twisted
     shear, torque, moment = np.zeros((3, many, steps, 2))
     stored, lost = np.zeros((2, 3, many, steps))
     spacing, single = pairs.spacing(u.shape[1]), pairs.single(u.shape[1])
@@ -99,30 +105,22 @@ def follow_contacts(
     most_twist = 3.0 * np.pi / 16.0 * pairs.coefficient[:, np.newaxis] * normal * radius
     most_roll = pairs.rolling_arm[:, np.newaxis] * normal
 
+    sheared = (u, pairs.curvature_radius, spacing, single, slope, depth, motion, shear, stored[0], lost[0])
+    twist_rows = (twisted, twisting, most_twist, turns, torque, stored[1], lost[1])
+    roll_rows = (rolled, tilting, most_roll, roll, moment, stored[2], lost[2])
+
     def work(part: slice) -> None:
-        move_balls(
-            u[part],
-            pairs.curvature_radius[part],
-            spacing[part],
-            single[part],
-            slope[part],
-            depth[part],
-            motion[part],
-            shear[part],
-            stored[0, part],
-            lost[0, part],
-        )
-        for row, (held, stiffness, most, turn, borne) in enumerate(
-            ((twisted, twisting, most_twist, turns, torque), (rolled, tilting, most_roll, roll, moment)), 1
-        ):
-            turn_balls(
-                held[part], stiffness[part], most[part], turn[part], borne[part], stored[row, part], lost[row, part]
-            )
+        move_balls(*(row[part] for row in sheared))
+        for rows in (twist_rows, roll_rows):
+            turn_balls(*(row[part] for row in rows))
 
     run_in_threads(work, many)
-    heat = before.dissipation[:, np.newaxis] + np.cumsum(lost.sum(axis=0), axis=1)
-    trace = ContactTrace(depth[:, 1:], normal[:, 1:], shear, torque[:, :, 0], moment, stored.sum(axis=0), heat)
-    return FrictionState(u, twisted[:, 0], rolled, heat[:, -1]), trace
+    heat = pairs.dissipation[:, np.newaxis] + np.cumsum(lost.sum(axis=0), axis=1)
+    trace = ContactTrace(after, normal[:, 1:], shear, torque[:, :, 0], moment, stored.sum(axis=0), heat)
+    moved = dataclasses.replace(
+        pairs, depth=after[:, -1], displaced=u, twisted=twisted[:, 0], rolled=rolled, dissipation=heat[:, -1]
+    )
+    return moved, trace
 
 
 def with_step_axis(values: ArrayLike, axes: int) -> Array:

@@ -9,32 +9,31 @@ to :math:`\tfrac{3\pi}{16}\mu F_Na` with the stiffness :math:`\tfrac{16}3G_ta^3`
 from __future__ import annotations
 
 import dataclasses
-from typing import Annotated, ClassVar
+from typing import ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import NON_NEGATIVE, POSITIVE, Numbers, Whole, checked
+from winkler.checks.number_checks import Whole, checked
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.normal.validity import steepness_note
 from winkler.problems.particles.contact_steps import (
-    BallPairs,
-    FrictionState,
+    BallContacts,
     follow_contacts,
     numbers_of_shape,
     with_step_axis,
 )
 from winkler.problems.particles.trace import PLANE, SIMILAR, SPRINGS, UNCOUPLED, ContactTrace
 from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values import value
 
 __all__ = ["Contacts"]
 
 
 @value
-class Contacts:
+class Contacts(BallContacts):
     """Contacts of balls and their state; every array leads with the axis of the contacts.
 
     Make new ones with `Contacts.apart`.  They do not attract each other; for that see `AdhesiveImpact` and
@@ -69,24 +68,6 @@ class Contacts:
         If the shapes do not agree, or a number has the wrong sign.
     """
 
-    __words__ = words(
-        coefficient=(r"\mu", "", "friction coefficient"),
-        reach=("d_{max}", "m", "greatest depth that the springs are made for"),
-    )
-
-    curvature_radius: Annotated[Array, Numbers(POSITIVE, fewest=0)]
-    modulus: Annotated[Array, Numbers(POSITIVE, fewest=0)]
-    shear_modulus: Annotated[Array, Numbers(POSITIVE, fewest=0)]
-    torsional_modulus: Annotated[Array, Numbers(POSITIVE, fewest=0)]
-    coefficient: Annotated[Array, Numbers(NON_NEGATIVE, fewest=0)]
-    rolling_arm: Annotated[Array, Numbers(NON_NEGATIVE, fewest=0)]
-    reach: Annotated[Array, Numbers(POSITIVE, fewest=0)]
-    depth: Array
-    displaced: Array
-    twisted: Array
-    rolled: Array
-    dissipation: Array
-
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "hertz_1882", "mindlin_deresiewicz_1953")
     assumptions: ClassVar[frozenset[Assumption]] = SHEARED
 
@@ -94,7 +75,7 @@ class Contacts:
         many = np.shape(self.depth)
         if len(many) != 1:
             raise InvalidInput(f"Contacts: depth has the shape {many}; give one number for each contact.")
-        for word in (*BallPairs._fields, "twisted", "dissipation"):
+        for word in [field.name for field in dataclasses.fields(self) if field.name not in ("displaced", "rolled")]:
             if np.shape(getattr(self, word)) != many:
                 raise InvalidInput(
                     f"Contacts: {word} has the shape {np.shape(getattr(self, word))} for {many[0]} contacts; give one "
@@ -241,24 +222,17 @@ class Contacts:
                 f"Contacts: contact {deep[0]} is pressed {np.max(d[deep[0]]):g} m deep, beyond the "
                 f"{self.reach[deep[0]]:g} m its springs were made for; make the contacts with a greater reach."
             )
-        before = FrictionState(self.displaced, self.twisted, self.rolled, self.dissipation)
-        depths = np.concatenate([self.depth[:, np.newaxis], d], axis=1)
-        after, trace = follow_contacts(self._pairs, before, depths, move, turns, rolls)
-        return dataclasses.replace(self, depth=d[:, -1], **after._asdict()), trace
-
-    @property
-    def _pairs(self) -> BallPairs:
-        return BallPairs(*(getattr(self, word) for word in BallPairs._fields))
+        return follow_contacts(self, d, move, turns, rolls)
 
     @property
     def radius(self) -> Array:
         """a [m], ``(contacts,)``; zero without contact."""
-        return self._pairs.radius(np.maximum(self.depth, 0.0)[:, np.newaxis])[:, 0]
+        return self.radius_at(np.maximum(self.depth, 0.0)[:, np.newaxis])[:, 0]
 
     @property
     def force(self) -> Array:
         """F_N [N], ``(contacts,)``."""
-        return self._pairs.force(np.maximum(self.depth, 0.0)[:, np.newaxis])[:, 0]
+        return self.force_at(np.maximum(self.depth, 0.0)[:, np.newaxis])[:, 0]
 
     @property
     def shear_force(self) -> Array:
@@ -268,12 +242,12 @@ class Contacts:
     @property
     def torque(self) -> Array:
         """M_z that holds up a twist [N m], ``(contacts,)``."""
-        return np.asarray(self._pairs.twisting(self.radius[:, np.newaxis])[:, 0] * self.twisted)
+        return np.asarray(self.twisting(self.radius[:, np.newaxis])[:, 0] * self.twisted)
 
     @property
     def rolling_moment(self) -> Array:
         """The moment that holds up rolling [N m], ``(contacts, 2)``."""
-        return np.asarray(self._pairs.tilting(self.radius[:, np.newaxis]) * self.rolled)
+        return np.asarray(self.tilting(self.radius[:, np.newaxis]) * self.rolled)
 
     @property
     def energy(self) -> Array:
@@ -291,7 +265,7 @@ class Contacts:
     @property
     def _single(self) -> Array:
         """Tangential stiffness of one spring, on both sides of the axis [N/m]."""
-        return self._pairs.single(self.displaced.shape[1])
+        return self.single(self.displaced.shape[1])
 
     @property
     def validity(self) -> tuple[Note, ...]:

@@ -23,6 +23,7 @@ from winkler.errors import InvalidInput
 from winkler.loading import Depth, Force
 from winkler.materials.elastic import Elastic
 from winkler.numerics.types import Array
+from winkler.path import numbers_of
 from winkler.problems.answer import gather
 from winkler.problems.particles.elastic_plastic_march import ParticleHistory, ParticleMarch
 from winkler.problems.particles.elastic_plastic_springs import material_of
@@ -119,7 +120,7 @@ class ElasticPlasticParticle:
 
     @property
     def _levels(self) -> Array:
-        return np.asarray(self.path.depth if isinstance(self.path, Depth) else self.path.force, dtype=float)
+        return numbers_of(self.path)
 
     @property
     def yield_depth(self) -> float:
@@ -188,18 +189,8 @@ class ParticleState:
 
     Parameters
     ----------
-    depth : float
-        d [m].
-    force : float
-        F_N [N], compression positive.
-    radius : float
-        a [m], zero without contact.
-    residual_depth : float
-        d0 [m], the depth at which the unloaded particle would just touch the plane.
-    energy : float
-        Stored in the particle, less what closing its surfaces has gained [J].
-    dissipation : float
-        Energy lost since the beginning [J].
+    depth, force, radius, residual_depth, energy, dissipation : float
+        As in `ParticleSolution`.
     """
 
     __words__ = words(energy=("U", "J", "stored in the particle, less what closing its surfaces has gained"))

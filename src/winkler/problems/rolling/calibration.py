@@ -10,8 +10,6 @@ in the place of G*, and the coefficients of a circle, the creep force of a ball 
 
 from __future__ import annotations
 
-from typing import Protocol
-
 import numpy as np
 
 from winkler.foundation.bed import Bed
@@ -19,27 +17,14 @@ from winkler.problems.rolling.kalker import creep_coefficients, rolling_pair
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
-__all__ = ["Calibration", "Kalker", "Uncalibrated"]
+__all__ = ["Kalker", "Uncalibrated"]
 
 KALKER = (
     "J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990, table E.3, "
     "doi:10.1007/978-94-015-7889-9"
 )
-POPOV_HESS = "V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015, doi:10.1007/978-3-642-53876-6"
 HERTZIAN_DEPARTURE = 0.01
 """How far a profile may be from a parabola, in parts of the depth, to be called Hertzian."""
-
-
-class Calibration(Protocol):
-    """The stiffness and bound of the springs of a rolling contact."""
-
-    def stiffness(self, bed: Bed) -> tuple[float, float]:
-        """Return the stiffness of the springs along and across the direction of rolling [Pa]."""
-        ...
-
-    def notes(self, bed: Bed, radius: float) -> tuple[Note, ...]:
-        """Return how far they can be trusted in a contact of this radius [m]."""
-        ...
 
 
 @value
@@ -67,26 +52,20 @@ class Kalker:
 
     def notes(self, bed: Bed, radius: float) -> tuple[Note, ...]:
         """Return what was measured of calibrated springs."""
-        if departure(bed, radius) <= HERTZIAN_DEPARTURE:
-            return (
-                Note(
-                    Assumption.CALIBRATION,
-                    Standing.APPROXIMATE,
-                    "The springs' stiffness is calibrated by Kalker's coefficients: the creep force begins as his "
-                    "does, and up to sliding it stays within 0.03 of mu F_N of the exact theory.",
-                    "compared with CONTACT's curves of a circle, Poisson's ratio 0 and 0.25",
-                ),
-            )
-        return (
-            Note(
-                Assumption.CALIBRATION,
-                Standing.APPROXIMATE,
-                "The springs' stiffness is scaled by Kalker's coefficients of a round Hertzian contact; this profile "
-                f"is not Hertzian (its plane profile leaves the parabola by {departure(bed, radius):.2g} of its "
-                "depth), and the error is not known.",
-                KALKER,
-            ),
+        part = departure(bed, radius)
+        statement, source = (
+            "The springs' stiffness is calibrated by Kalker's coefficients: the creep force begins as his does, and up "
+            "to sliding it stays within 0.03 of mu F_N of the exact theory.",
+            "compared with CONTACT's curves of a circle, Poisson's ratio 0 and 0.25",
         )
+        if part > HERTZIAN_DEPARTURE:
+            statement, source = (
+                "The springs' stiffness is scaled by Kalker's coefficients of a round Hertzian contact; this profile "
+                f"is not Hertzian (its plane profile leaves the parabola by {part:.2g} of its depth), and the error is "
+                "not known.",
+                KALKER,
+            )
+        return (Note(Assumption.CALIBRATION, Standing.APPROXIMATE, statement, source),)
 
 
 @value

@@ -12,7 +12,7 @@ positive force.
 from __future__ import annotations
 
 import math
-from typing import Protocol
+from typing import Any
 
 import numpy as np
 
@@ -20,7 +20,7 @@ from winkler.errors import InvalidInput
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.values import value, words
 
-__all__ = ["Creepage", "CreepageProblem", "CreepageSolution"]
+__all__ = ["Creepage", "CreepageSolution"]
 
 LARGEST_CREEPAGE = {"longitudinal": 1e9, "lateral": 1e9, "spin": math.inf}
 """Beyond it nothing rolls any more; for spin only the size of the contact decides."""
@@ -90,18 +90,21 @@ class Creepage:
         return along.ravel(), across.ravel(), turning.ravel()
 
 
-class CreepageProblem(Protocol):
-    """A problem of rolling at one creepage, or at many."""
-
-    @property
-    def creepage(self) -> Creepage:
-        """How the bodies creep."""
-
-
+@value
 class CreepageSolution:
-    """The part of a solution that follows from its creepages."""
+    """The part of a solution that follows from its creepages and forces, each in the shape of the creepage.
 
-    problem: CreepageProblem
+    Parameters
+    ----------
+    problem
+        The problem that was solved.
+    longitudinal_force, lateral_force : float or ndarray
+        F_x and F_y [N], with which the second body drags the first.
+    """
+
+    problem: Any
+    longitudinal_force: Quantity
+    lateral_force: Quantity
 
     @property
     def longitudinal_creepage(self) -> Quantity:
@@ -112,3 +115,15 @@ class CreepageSolution:
     def lateral_creepage(self) -> Quantity:
         """eta [-], in the shape of the results."""
         return shaped(np.broadcast_to(self.problem.creepage.lateral, self.problem.creepage.shape))
+
+    @property
+    def shear_force(self) -> Quantity:
+        """The resultant of both forces [N]."""
+        return shaped(np.hypot(self.longitudinal_force, self.lateral_force))
+
+    @property
+    def loss_per_distance(self) -> Quantity:
+        """Energy lost per distance rolled [J/m]: creepage times force, never negative."""
+        creep = self.problem.creepage
+        lost = np.asarray(creep.longitudinal) * self.longitudinal_force + np.asarray(creep.lateral) * self.lateral_force
+        return shaped(lost)

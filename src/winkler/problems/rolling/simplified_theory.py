@@ -120,12 +120,9 @@ class SimplifiedRolling:
         rolled(self.drives(a, b, coefficients), self.count, sums)
         most = self.friction.coefficient * float(self.load.force)
         forces = most * sums.T / (2.0 * HALF_BOUND_INTEGRAL)
-
-        def shaped(result: Array) -> Quantity:
-            return float(result[0]) if self.creepage.shape == () else result.reshape(self.creepage.shape)
-
-        moment = a * forces[2] - b * forces[3]
-        return SimplifiedRollingSolution(self, a, b, coefficients, *(shaped(q) for q in (forces[0], forces[1], moment)))
+        results = (forces[0], forces[1], a * forces[2] - b * forces[3])
+        along, across, moment = (shaped(result, self.creepage.shape) for result in results)
+        return SimplifiedRollingSolution(self, along, across, moment, a, b, coefficients)
 
     def drives(self, a: float, b: float, coefficients: CreepCoefficients) -> Array:
         """Return how fast sticking tractions grow, in units of the disc and of the greatest bound, ``(m, 4)``."""
@@ -147,14 +144,14 @@ class SimplifiedRollingSolution(CreepageSolution):
     ----------
     problem : SimplifiedRolling
         The problem that was solved.
-    longitudinal_semi_axis, lateral_semi_axis : float
-        a and b [m].
-    coefficients : CreepCoefficients
-        Kalker's, of this ellipse.
     longitudinal_force, lateral_force : float or ndarray
         F_x and F_y [N], with which the second body drags the first.
     moment : float or ndarray
         M_z [N m], with which it turns it: an approximation of its own, see `validity`.
+    longitudinal_semi_axis, lateral_semi_axis : float
+        a and b [m].
+    coefficients : CreepCoefficients
+        Kalker's, of this ellipse.
     """
 
     __words__ = words(
@@ -164,22 +161,15 @@ class SimplifiedRollingSolution(CreepageSolution):
     )
 
     problem: SimplifiedRolling
+    moment: Quantity
     longitudinal_semi_axis: float
     lateral_semi_axis: float
     coefficients: CreepCoefficients
-    longitudinal_force: Quantity
-    lateral_force: Quantity
-    moment: Quantity
 
     @property
     def spin_creepage(self) -> Quantity:
         """phi [1/m], in the shape of the results."""
         return shaped(np.broadcast_to(self.problem.creepage.spin, self.problem.creepage.shape))
-
-    @property
-    def shear_force(self) -> Quantity:
-        """The resultant of both forces [N]."""
-        return shaped(np.hypot(self.longitudinal_force, self.lateral_force))
 
     @property
     def saturation(self) -> Quantity:
@@ -190,9 +180,7 @@ class SimplifiedRollingSolution(CreepageSolution):
     @property
     def loss_per_distance(self) -> Quantity:
         """Energy lost per distance rolled [J/m]: creepage times force, and spin times moment."""
-        creep = self.problem.creepage
-        lost = np.asarray(creep.longitudinal) * self.longitudinal_force + np.asarray(creep.lateral) * self.lateral_force
-        return shaped(lost + np.asarray(creep.spin) * self.moment)
+        return shaped(np.asarray(super().loss_per_distance) + np.asarray(self.problem.creepage.spin) * self.moment)
 
     @property
     def traction(self) -> RollingTraction:

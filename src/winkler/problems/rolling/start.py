@@ -191,12 +191,8 @@ class RollingState:
 
     Parameters
     ----------
-    distance : float
-        Rolled since rest [m].
-    shear_force : float
-        Along the direction of the creep force [N].
-    stick_share : float
-        Part of the line of springs that sticks [-].
+    distance, shear_force, stick_share : float
+        As in `RollingStartSolution`.
     x : ndarray, (n,)
         Places of the springs [m], the leading edge at +a.
     shear_load : ndarray, (n,)

@@ -123,12 +123,9 @@ class Rolling:
         pieces = line.sticking(rate)
         force = line.force(rate, pieces)
         direction = drive / np.where(rate > 0.0, rate, 1.0)
-
-        def shaped(result: Array) -> Quantity:
-            return float(result[0]) if self.creepage.shape == () else result.reshape(self.creepage.shape)
-
         results = (*(direction * force), line.stick_share(rate, pieces))
-        return RollingSolution(self, contact, *(shaped(result) for result in results))
+        longitudinal, lateral, share = (shaped(result, self.creepage.shape) for result in results)
+        return RollingSolution(self, longitudinal, lateral, share, contact)
 
 
 @value
@@ -139,36 +136,22 @@ class RollingSolution(CreepageSolution):
     ----------
     problem : Rolling
         The problem that was solved.
-    contact : IndentationSolution
-        The contact under its normal load.
     longitudinal_force, lateral_force : float or ndarray
         F_x and F_y [N], with which the second body drags the first.
     stick_share : float or ndarray
         Part of the line of springs that sticks [-].
+    contact : IndentationSolution
+        The contact under its normal load.
     """
 
     problem: Rolling
-    contact: IndentationSolution
-    longitudinal_force: Quantity
-    lateral_force: Quantity
     stick_share: Quantity
-
-    @property
-    def shear_force(self) -> Quantity:
-        """The resultant of both forces [N]."""
-        return shaped(np.hypot(self.longitudinal_force, self.lateral_force))
+    contact: IndentationSolution
 
     @property
     def saturation(self) -> Quantity:
         """The resultant over the sliding force mu F_N [-]; one where the bodies slide."""
         return shaped(np.asarray(self.shear_force) / self._line.most)
-
-    @property
-    def loss_per_distance(self) -> Quantity:
-        """Energy lost per distance rolled [J/m]: creepage times force, never negative."""
-        creep = self.problem.creepage
-        lost = np.asarray(creep.longitudinal) * self.longitudinal_force + np.asarray(creep.lateral) * self.lateral_force
-        return shaped(lost)
 
     def shear_load(self, x: Array) -> Array:
         """Return the resultant line load of one creepage.

@@ -16,8 +16,7 @@ from winkler.checks.number_checks import Advice, Positive, Seed
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Quantity, shaped
-from winkler.problems.rough.line_checks import LineSprings, Realisations, check_ensemble, line_notes
-from winkler.problems.rough.line_solution import RoughSolution
+from winkler.problems.rough.line_solution import LineSprings, Realisations, RoughSolution, check_ensemble
 from winkler.problems.rough.persson import area_fraction, mean_separation
 from winkler.problems.rough.spring_line import RoughLine, ensemble, line_seeds
 from winkler.profiles.rough.random_rough import random_lines
@@ -158,7 +157,7 @@ class RoughContactSolution(RoughSolution):
                 "medians of stiffness are 0.8 to 1.3 times those of boundary elements, of depth 0.85 to 1.25 times.",
                 f"{POHRT}; own boundary elements, Hurst exponents from 0.3 to 0.8",
             ),
-            *line_notes(self),
+            *self._line_notes,
             Note(
                 Assumption.ROUGHNESS,
                 Standing.OUTSIDE,

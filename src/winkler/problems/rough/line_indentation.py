@@ -20,12 +20,12 @@ from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array, Quantity, shaped
+from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.solve_contact import at_force
-from winkler.problems.rough.line_checks import LineSprings, Realisations, check_ensemble, line_notes
-from winkler.problems.rough.line_solution import RoughSolution
+from winkler.problems.rough.line_solution import LineSprings, Realisations, RoughSolution, check_ensemble
 from winkler.problems.rough.persson import area_fraction
-from winkler.problems.rough.spring_line import RoughLine, ensemble, line_seeds, prescribed
+from winkler.problems.rough.spring_line import RoughLine, ensemble, line_seeds
 from winkler.profiles.rough.random_rough import random_lines
 from winkler.profiles.rough.spectrum import Spectrum
 from winkler.validity import Assumption, Note, Standing
@@ -124,7 +124,7 @@ class RoughIndentation:
 
     def _refuse_end(self, line: RoughLine) -> None:
         """Refuse loads under which the last springs touch."""
-        most = float(np.max(prescribed(self.load)))
+        most = float(np.max(numbers_of(self.load)))
         deepest = float(line.depth(np.array(most))) if isinstance(self.load, Force) else most
         gap = float(np.max(line.heights) - max(line.heights[0], line.heights[-1]))
         if gap >= deepest:
@@ -198,7 +198,7 @@ class RoughIndentationSolution(RoughSolution):
                 "single peaks bear: there medians of stiffness and depth are within 25 per cent of boundary elements.",
                 f"{POPOV}; own boundary elements",
             ),
-            *line_notes(self),
+            *self._line_notes,
             Note(
                 Assumption.ROUGHNESS,
                 Standing.APPROXIMATE,

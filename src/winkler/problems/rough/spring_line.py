@@ -18,9 +18,10 @@ import numpy as np
 from winkler.checks.number_checks import Numbers, Positive
 from winkler.loading import Depth, Force
 from winkler.numerics.types import Array
+from winkler.path import numbers_of
 from winkler.values import value, words
 
-__all__ = ["LineStatistics", "RoughLine", "ensemble", "line_seeds", "prescribed"]
+__all__ = ["LineStatistics", "RoughLine", "ensemble", "line_seeds"]
 
 QUANTILES = (0.1, 0.9)
 """Quantiles between which eight of ten surfaces lie."""
@@ -99,11 +100,6 @@ class LineStatistics(NamedTuple):
     """Between these two lie eight of ten."""
 
 
-def prescribed(load: Force | Depth) -> Array:
-    """Return the forces [N] or depths [m] that a load prescribes."""
-    return np.asarray(load.force if isinstance(load, Force) else load.depth, dtype=float)
-
-
 def line_seeds(seed: int, realisations: int) -> list[int]:
     """Return one seed for every line; other seeds share no line, and more lines begin with the same ones."""
     return [int(word) for word in np.random.SeedSequence(seed).generate_state(realisations)]
@@ -118,8 +114,8 @@ def ensemble(lines: Iterable[RoughLine], load: Force | Depth) -> LineStatistics:
     load : Force or Depth
         Not negative.
     """
-    prescribed_ = prescribed(load)
-    flat = prescribed_.ravel()
+    loads = numbers_of(load)
+    flat = loads.ravel()
     rows: list[tuple[Array, Array, Array]] = []
     for line in lines:
         depth = line.depth(flat) if isinstance(load, Force) else flat
@@ -127,6 +123,6 @@ def ensemble(lines: Iterable[RoughLine], load: Force | Depth) -> LineStatistics:
     columns = [np.stack(column) for column in zip(*rows, strict=True)]
     statistics: list[Array] = []
     for column in columns:
-        statistics.append(np.median(column, axis=0).reshape(prescribed_.shape))
-        statistics.append(np.quantile(column, QUANTILES, axis=0).reshape((2, *prescribed_.shape)))
+        statistics.append(np.median(column, axis=0).reshape(loads.shape))
+        statistics.append(np.quantile(column, QUANTILES, axis=0).reshape((2, *loads.shape)))
     return LineStatistics(*statistics)

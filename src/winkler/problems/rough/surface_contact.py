@@ -10,6 +10,7 @@ that of a flat punch of the shape of the contact (Barber).
 
 from __future__ import annotations
 
+import dataclasses
 import math
 import os
 from collections.abc import Iterable, Iterator
@@ -25,7 +26,8 @@ from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, press
 from winkler.numerics.surfaces.punched_grid import punch
 from winkler.numerics.surfaces.surface_grid import bytes_needed
-from winkler.numerics.types import Array, Quantity
+from winkler.numerics.types import Array, Quantity, shaped
+from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.normal.yield_of_pressure import map_yield_notes
@@ -129,8 +131,7 @@ class SurfaceContact:
 
     @property
     def _loads(self) -> Array:
-        prescribed = self.load.force if isinstance(self.load, Force) else self.load.depth
-        return np.ravel(np.asarray(prescribed, dtype=float))
+        return numbers_of(self.load).ravel()
 
     def _refuse_too_large(self) -> None:
         shape = self.topography.heights.shape
@@ -187,18 +188,15 @@ class SurfaceContact:
                     gaps, pixel, drive, periodic=rough.periodic, ceiling=self.hardness / modulus,
                     tolerance=self.tolerance, start=start if near else np.empty(0),
                 )  # fmt: skip
+                start, before = solved.pressure, load
+                touching = start > 0.0
+                if touching.all() and rough.periodic:
+                    stiffness, under = math.inf, np.empty(0)
+                else:
+                    under = punch(touching, pixel, periodic=rough.periodic, tolerance=PUNCH_TOLERANCE, start=under)
+                    stiffness = modulus * patch * float(np.sum(under))
             except NotConverged as error:
                 raise NotConverged(f"SurfaceContact: under the load {load:.6g}, {error}") from None
-            start, before = solved.pressure, load
-            touching = start > 0.0
-            if touching.all() and rough.periodic:
-                stiffness, under = math.inf, np.empty(0)
-            else:
-                try:
-                    under = punch(touching, pixel, periodic=rough.periodic, tolerance=PUNCH_TOLERANCE, start=under)
-                except NotConverged as error:
-                    raise NotConverged(f"SurfaceContact: under the load {load:.6g}, {error}") from None
-                stiffness = modulus * patch * float(np.sum(under))
             yield SurfaceState(
                 solved.depth, modulus * patch * float(np.sum(start)), stiffness, *_area(touching, pixel,
                 rough.periodic), float(np.mean(solved.gap)), solved.penetration, solved.work, modulus * start,
@@ -207,7 +205,15 @@ class SurfaceContact:
 
     def gathered(self, states: Iterable[SurfaceState]) -> SurfaceContactSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""
-        return SurfaceContactSolution.of(self, list(states))
+        reached, shape = list(states), numbers_of(self.load).shape
+        whole = len(reached) == math.prod(shape)
+
+        def column(word: str) -> Quantity:
+            numbers = np.array([getattr(state, word) for state in reached])
+            return shaped(numbers, shape) if whole else numbers
+
+        columns = {field.name: column(field.name) for field in dataclasses.fields(SurfaceContactSolution)[1:-1]}
+        return SurfaceContactSolution(problem=self, **columns, last=reached[-1])
 
     def solve(self) -> SurfaceContactSolution:
         """Return the solution of all loads.
@@ -262,23 +268,6 @@ class SurfaceContactSolution:
     penetration: Quantity
     misfit: Quantity
     last: SurfaceState
-
-    @classmethod
-    def of(cls, problem: SurfaceContact, states: list[SurfaceState]) -> SurfaceContactSolution:
-        """Gather states, of all loads or of the first of them."""
-        load = problem.load
-        prescribed = np.asarray(load.force if isinstance(load, Force) else load.depth)
-
-        def column(word: str) -> Quantity:
-            numbers = np.array([getattr(state, word) for state in states])
-            if prescribed.ndim == 0:
-                return float(numbers[0])
-            return numbers.reshape(prescribed.shape) if numbers.size == prescribed.size else numbers
-
-        return cls(
-            problem, column("depth"), column("force"), column("stiffness"), column("area"),
-            column("area_error"), column("mean_gap"), column("penetration"), column("misfit"), states[-1],
-        )  # fmt: skip
 
     @property
     def validity(self) -> tuple[Note, ...]:
