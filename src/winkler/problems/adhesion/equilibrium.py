@@ -18,12 +18,13 @@ from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import AdhesionLaw
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.types import Array
-from winkler.problems.adhesion.edge_states import EdgeStates, end_of, force_under, position
+from winkler.problems.adhesion.edge_states import EdgeStates, force_under, position
 from winkler.problems.adhesion.law_states import states_of
 from winkler.problems.adhesion.pull_off import MachineStiffness
 from winkler.problems.adhesion.stability import Branch, branches
 from winkler.problems.adhesion.validity import adhesive_notes
 from winkler.problems.assumptions.declared import ADHESIVE
+from winkler.problems.normal.solve_contact import end_of
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 

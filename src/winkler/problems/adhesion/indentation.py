@@ -21,13 +21,13 @@ from winkler.media.layered.coated import LayeredMedium
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.adhesion import griffith
-from winkler.problems.adhesion.edge_states import EdgeStates, depth_under, end_of, force_under, margin
+from winkler.problems.adhesion.edge_states import EdgeStates, depth_under, force_under, margin
 from winkler.problems.adhesion.law_states import states_of
 from winkler.problems.adhesion.pull_off import PullOff, PullOffSolution
 from winkler.problems.adhesion.validity import adhesive_notes
 from winkler.problems.adhesion.widest_contact import stable_counts, widest
 from winkler.problems.assumptions.declared import ADHESIVE
-from winkler.problems.normal.solve_contact import at_end
+from winkler.problems.normal.solve_contact import at_end, end_of
 from winkler.problems.one_load import picked, single
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value

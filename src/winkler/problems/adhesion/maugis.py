@@ -13,8 +13,6 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Hashable
-from typing import cast
 
 import numpy as np
 
@@ -70,7 +68,7 @@ class CohesiveStates:
 
     def end(self) -> float:
         """The radius whose ring ends where the profile does [m]."""
-        return _end(cast(Hashable, self))
+        return _end(self)
 
     def from_nothing(self) -> bool:
         """A point is held by the stress around it."""
@@ -78,12 +76,12 @@ class CohesiveStates:
 
     def springs(self) -> RingSprings:
         """What the zone needs of the bed."""
-        return _springs(cast(Hashable, self.bed))
+        return _springs(self.bed)
 
     def zone(self, radius: Array) -> CohesiveZone:
         """Return the rings around contacts of given radii."""
         radius = np.asarray(radius, dtype=float)
-        return _zone(cast(Hashable, self), radius.shape, radius.tobytes())
+        return _zone(self, radius.shape, radius.tobytes())
 
     def _stretch(self, span: Array) -> Array:
         springs = self.springs()
@@ -150,16 +148,14 @@ def _ringed(bed: Bed, depth: float, contact: float, outer: float, amplitude: flo
 
 
 @functools.lru_cache(maxsize=64)
-def _springs(key: Hashable) -> RingSprings:
-    bed = cast(Bed, key)
+def _springs(bed: Bed) -> RingSprings:
     modulus = float(bed.normal_stiffness(np.array([1.0]))[0])  # c_N = E_s x^k at x = 1 m
     end = min(bed.reach, bed.rim)
     return RingSprings(bed.gap_slope, edges_of(bed.kinks, end), bed.rising, modulus, _exponent(bed), end)
 
 
 @functools.lru_cache(maxsize=64)
-def _end(key: Hashable) -> float:
-    states = cast(CohesiveStates, key)
+def _end(states: CohesiveStates) -> float:
     springs = states.springs()
     if not math.isfinite(springs.end):
         return springs.end
@@ -174,8 +170,7 @@ def _end(key: Hashable) -> float:
 
 
 @functools.lru_cache(maxsize=64)
-def _zone(key: Hashable, shape: tuple[int, ...], content: bytes) -> CohesiveZone:
-    states = cast(CohesiveStates, key)
+def _zone(states: CohesiveStates, shape: tuple[int, ...], content: bytes) -> CohesiveZone:
     radius = np.frombuffer(content).reshape(shape)
 
     def refuse(beyond: Array) -> None:
