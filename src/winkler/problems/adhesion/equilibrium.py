@@ -236,17 +236,10 @@ def _jump(
     for branch in reversed(others) if inward else others:
         low, high = position(states, machine, np.array(branch))
         if low <= level <= high:
-            target = (
-                branch.start
-                if low == high
-                else float(
-                    between(
-                        lambda a, _: position(states, machine, a) - level,
-                        np.array([branch.start]),
-                        np.array([branch.stop]),
-                    )[0]
-                )
-            )
+            target = branch.start
+            if low < high:
+                ends = (np.array([end]) for end in branch)
+                target = float(between(lambda a, _: position(states, machine, a) - level, *ends)[0])
             return EquilibriumJump(*_ends(states, radius, target))
     if not inward or radius == 0.0:
         return None  # it runs on beyond the curve, or shrinks to a point without a jump

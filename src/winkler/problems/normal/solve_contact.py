@@ -8,6 +8,7 @@ Where the body is known to let g rise, Newton's method meets all loads; elsewher
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 
@@ -185,11 +186,7 @@ def _radius_at_force(bed: Bed, force: Array) -> Array:
         radius = _radii_at_force(bed, force)
         if rises(bed, float(np.max(radius, initial=0.0))):
             return radius
-
-    def borne(a: Array) -> Array:
-        return bed.stiffness(a) * bed.gap(a) - bed.gap_load(a)
-
-    return radius_search.radii_at_force(bed, force, end_of(bed), _guesses(bed, borne))
+    return radius_search.radii_at_force(bed, force, end_of(bed), _guesses(bed, partial(radius_search.forces, bed)))
 
 
 def _guesses(bed: Bed, value: Curve) -> Callable[[float], float]:
