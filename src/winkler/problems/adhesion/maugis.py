@@ -19,6 +19,7 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed, PressedSprings
 from winkler.laws.adhesion import Dugdale
+from winkler.media.body_of import exponent_of
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
@@ -129,17 +130,13 @@ class CohesiveStates:
         """The springs out to the end of the ring."""
         outer = float(self.zone(np.array([radius])).outer[0])
         amplitude = self.springs().amplitude(self.law.strength)
-        sharpest = CLOSEST_HOMOGENEOUS if _exponent(self.bed) == 0.0 else CLOSEST_OTHERWISE
+        sharpest = CLOSEST_HOMOGENEOUS if exponent_of(self.bed.medium) == 0.0 else CLOSEST_OTHERWISE
         return _ringed(self.bed, depth, radius, outer, amplitude, sharpest)
-
-
-def _exponent(bed: Bed) -> float:
-    return bed.medium.exponent if isinstance(bed.medium, GradedHalfSpace) else 0.0
 
 
 def _ringed(bed: Bed, depth: float, contact: float, outer: float, amplitude: float, sharpest: float) -> RingedSprings:
     """Return the springs of a contact with a ring, resolved down to some units of rounding."""
-    k = _exponent(bed)
+    k = exponent_of(bed.medium)
     width, least = outer - contact, sharpest * np.finfo(float).eps * outer
     halvings = max(0, math.floor(math.log2(max(width / least, 1.0))))
     # what is left of the ring is a jump at its centre of gravity
@@ -151,7 +148,7 @@ def _ringed(bed: Bed, depth: float, contact: float, outer: float, amplitude: flo
 def _springs(bed: Bed) -> RingSprings:
     modulus = float(bed.normal_stiffness(np.array([1.0]))[0])  # c_N = E_s x^k at x = 1 m
     end = min(bed.reach, bed.rim)
-    return RingSprings(bed.gap_slope, edges_of(bed.kinks, end), bed.rising, modulus, _exponent(bed), end)
+    return RingSprings(bed.gap_slope, edges_of(bed.kinks, end), bed.rising, modulus, exponent_of(bed.medium), end)
 
 
 @functools.lru_cache(maxsize=64)
