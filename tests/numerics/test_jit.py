@@ -32,6 +32,29 @@ def quotient(x: float, y: float) -> float:
     return x / y
 
 
+@compiled
+def long(x: float, y: float) -> float:
+    """Too long for a compiler to copy it of its own accord."""
+    for i in range(3):
+        x = np.sin(x) / y + i if x < y else np.cos(y) / (x + 2.0) - i
+        y = np.exp(-y) / (x + 3.0) if y > x * x else np.sqrt(np.abs(x)) - np.arctan2(y, x)
+        x = np.log1p(x * x) / (y * y + 1.0) if x > 0.5 else np.cosh(y) * np.tanh(x) / (1.0 + i)
+        y = np.hypot(x, y) / (x * x + 2.0) if y < 0.3 else np.expm1(-x * x) / (np.abs(y) + 1.0)
+    return x + y
+
+
+@compiled
+def twice(x: float) -> float:
+    return long(x, 1.0) + long(1.0, x)
+
+
+def test_what_it_calls_stands_within_it():
+    """A call could reach a copy within another kernel, of other last digits."""
+    assert twice(0.3) == pytest.approx(long.function(0.3, 1.0) + long.function(1.0, 0.3), rel=1e-12)
+    (code,) = twice.machine.inspect_llvm().values()
+    assert not [line for line in code.splitlines() if "call " in line and "4long" in line]
+
+
 def test_a_kernel_may_call_kernels_of_its_file():
     assert squares(np.array([1.0, 2.0, 3.0])) == 14.0
     assert squares.machine is not squares.function

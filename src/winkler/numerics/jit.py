@@ -34,6 +34,12 @@ R = TypeVar("R")
 
 FAST_MATH_FLAGS = frozenset({"reassoc", "contract", "nsz"})
 """What the compiler may do to arithmetic; never to assume that there is no infinity and no not-a-number."""
+OPTIONS = {"nogil": True, "error_model": "numpy", "forceinline": True}
+"""How kernels are compiled: each stands in full within those that call it.
+
+A kernel that calls a copy of another one may reach the copy in any kernel that was compiled or loaded earlier; as
+re-association depends on what is around, last digits then differ between a first run and later ones.
+"""
 GLOBAL_KINDS = int, float, np.ndarray
 """What a kernel may read from its module."""
 INTERPRETED = sys.platform == "emscripten"
@@ -69,7 +75,7 @@ class Kernel(Generic[P, R]):
         code = source.__code__
         numbers = [(name, source.__globals__.get(name)) for name in code.co_names]
         own = [(name, np.asarray(number).tolist()) for name, number in numbers if isinstance(number, GLOBAL_KINDS)]
-        parts = [code.co_code, code.co_consts, code.co_names, own, sorted(FAST_MATH_FLAGS)]
+        parts = [code.co_code, code.co_consts, code.co_names, own, sorted(FAST_MATH_FLAGS), OPTIONS]
         called = [kernel.content for kernel in self._called.values()]
         return hashlib.sha256(repr((parts, called)).encode()).hexdigest()
 
@@ -95,7 +101,7 @@ class Kernel(Generic[P, R]):
         cells = (*cells, types.CellType(self.content))
         copy = types.FunctionType(code, referenced, source.__name__, source.__defaults__, cells)
         copy.__module__, copy.__qualname__ = source.__module__, source.__qualname__
-        machine: Callable[P, R] = numba.njit(nogil=True, fastmath=set(FAST_MATH_FLAGS), error_model="numpy")(copy)
+        machine: Callable[P, R] = numba.njit(fastmath=set(FAST_MATH_FLAGS), **OPTIONS)(copy)
         if cached:
             with contextlib.suppress(RuntimeError):  # it finds no place after all: nothing is kept
                 machine.enable_caching()  # type: ignore[attr-defined]

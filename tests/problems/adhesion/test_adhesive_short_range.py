@@ -17,6 +17,7 @@ from winkler.materials.layered import Layer
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.problems.adhesion import griffith
+from winkler.problems.adhesion.edge_states import ShortStates, force_of
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
 from winkler.problems.adhesion.pull_off import PullOff
 
@@ -255,7 +256,7 @@ def test_coated_between_its_limits():
     bed = wk.Foundation(wk.Paraboloid(2e-3), medium)
     result = PullOff(bed, LAW).solve()
     a = result.radius * np.linspace(0.9, 1.1, 401)
-    force = griffith.force_of(bed, W, a)
+    force = force_of(ShortStates(bed, W), a)
     assert abs(a[np.argmin(force)] / result.radius - 1.0) < 1e-3
     assert np.min(force) >= result.force * (1.0 + 1e-12)
     assert -2.0 < result.force / (math.pi * 2e-3 * W) < -1.0
@@ -291,13 +292,10 @@ def test_griffith_is_the_release_of_energy():
         released = (energy(a + h) - energy(a - h)) / (2.0 * h) / (2.0 * math.pi * a)
         assert released == pytest.approx(W, rel=1e-7)
         h = 1e-6 * a
-        for function, slope in (
-            (griffith.depth_of, griffith.depth_slope),
-            (griffith.force_of, griffith.force_slope),
-            (griffith.stretch, griffith.stretch_slope),
-        ):
-            up, down = (function(bed, W, np.array([a + step]))[0] for step in (h, -h))
-            assert slope(bed, W, np.array([a]))[0] == pytest.approx((up - down) / (2.0 * h), rel=1e-6)
+        states, places = ShortStates(bed, W), np.array([a - h, a + h])
+        risen = states.depth(places), force_of(states, places)
+        for values, slope in zip(risen, states.slopes(np.array([a])), strict=True):
+            assert slope[0] == pytest.approx((values[1] - values[0]) / (2.0 * h), rel=1e-6)
 
 
 def test_measured_bed_and_tip():

@@ -20,10 +20,10 @@ from winkler.fitting.elastic.rising import Pair, RadiusTable, RisingBranch, tabu
 from winkler.media.body_of import thickness_of
 from winkler.numerics.equations.roots import rough_root
 from winkler.numerics.types import Array
-from winkler.problems.adhesion.edge_states import EdgeStates, end_of, force_under
+from winkler.problems.adhesion.edge_states import EdgeStates, force_under
 from winkler.problems.adhesion.stability import least_radius
 from winkler.problems.normal.length_scale import own_length
-from winkler.problems.normal.solve_contact import flat_radius
+from winkler.problems.normal.solve_contact import end_of, flat_radius
 
 __all__ = ["MachineResponse", "ResponseValues", "response"]
 

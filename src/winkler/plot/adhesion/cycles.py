@@ -16,7 +16,7 @@ from winkler.plot import style
 from winkler.plot.panel import Arrow, Line, Panel, PanelAxis, Polygon, note, zero
 from winkler.plot.series import series, with_unit
 from winkler.problems.adhesion.cycle import AdhesiveCycle, AdhesiveCycleSolution
-from winkler.problems.adhesion.cycle_states import AdhesiveState, EdgeState
+from winkler.problems.adhesion.cycle_states import EdgeState
 from winkler.problems.adhesion.equilibrium import EquilibriumCurve
 from winkler.problems.adhesion.indentation import AdhesiveIndentation, AdhesiveSolution
 from winkler.problems.adhesion.pull_off import PullOffSolution
@@ -121,7 +121,7 @@ class _CyclePath(NamedTuple):
 
 def _detailed_path(solution: AdhesiveCycleSolution) -> _CyclePath:
     """Return the cycle with intermediate states; the solution depends on the turning points alone."""
-    places: list[EdgeState | AdhesiveState] = []
+    places: list[EdgeState] = []
     is_jump: list[bool] = []
     for state in _refined(solution).steps():
         for jump in state.jumps:

@@ -3,8 +3,6 @@ r"""Stable branches of an adhesive contact up to a prescribed level, however far
 from __future__ import annotations
 
 import math
-from collections.abc import Hashable
-from typing import cast
 
 import numpy as np
 
@@ -54,7 +52,7 @@ def branches_beyond(states: EdgeStates, machine_stiffness: float, level: float) 
     end = states.end()
     if math.isfinite(at_end(states.bed)[0]):
         return branches(states, machine_stiffness, end)
-    low = least_radius(states) or 2.0**-6 * typical_radius(cast(Hashable, states))
+    low = least_radius(states) or 2.0**-6 * typical_radius(states)
     quiet = _quiet(states, low)
     for octave in range(4, OCTAVES_ABOVE + 1):
         high = low * 2.0**octave

@@ -25,6 +25,7 @@ from winkler.laws.adhesion import AdhesionLaw, ShortRange
 from winkler.loading import Depth, Force
 from winkler.numerics.equations.turning import Leap
 from winkler.numerics.types import Array
+from winkler.path import numbers_of
 from winkler.problems.adhesion.cycle_states import AdhesiveJump, AdhesiveState, EdgeState
 from winkler.problems.adhesion.edge import AdhesiveEdge, DeadLoad, LoadingMachine, adhesive_edge
 from winkler.problems.adhesion.edge_with_range import RangedEdge, ranged_edge
@@ -98,10 +99,10 @@ class AdhesiveCycle:
     needs_round: ClassVar[str] = "adhesion, whose edge runs round the contact,"
 
     def __post_init__(self) -> None:
-        if self._levels.ndim != 1:
+        shape = numbers_of(self.path).shape
+        if len(shape) != 1:
             raise InvalidInput(
-                f"AdhesiveCycle: the path has the shape {self._levels.shape}; give its points one after the other in "
-                "one row."
+                f"AdhesiveCycle: the path has the shape {shape}; give its points one after the other in one row."
             )
         if isinstance(self.path, Force) and math.isfinite(self.machine_stiffness):
             raise InvalidInput(
@@ -110,17 +111,13 @@ class AdhesiveCycle:
             )
 
     @property
-    def _levels(self) -> Array:
-        return np.asarray(self.path.depth if isinstance(self.path, Depth) else self.path.force, dtype=float)
-
-    @property
     def _control(self) -> LoadingMachine | DeadLoad:
         return LoadingMachine(1.0 / self.machine_stiffness) if isinstance(self.path, Depth) else DeadLoad()
 
     @property
     def _edge(self) -> AdhesiveEdge | RangedEdge:
         """The curves that the edge obeys along this path."""
-        highest = float(np.max(self._levels))
+        highest = float(np.max(numbers_of(self.path)))
         if isinstance(self.law, ShortRange):
             return adhesive_edge(self.bed, self.law, self._control, highest)
         return ranged_edge(self.bed, self.law, self._control, highest)
@@ -128,7 +125,7 @@ class AdhesiveCycle:
     @property
     def total(self) -> int:
         """How many states `steps` yields: one for every point of the path."""
-        return int(self._levels.size)
+        return int(numbers_of(self.path).size)
 
     def steps(self) -> Iterator[AdhesiveState]:
         """Yield the state at every point of the path.
@@ -141,7 +138,7 @@ class AdhesiveCycle:
         NotConverged
             If the profile is too rough.
         """
-        edge, levels = self._edge, self._levels
+        edge, levels = self._edge, numbers_of(self.path)
         place, lost, wasted = edge.apart(), 0.0, 0.0
         for run, rising in _runs(levels):
             targets = levels[run.start : run.stop]

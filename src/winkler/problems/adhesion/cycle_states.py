@@ -61,19 +61,11 @@ class AdhesiveJump:
 
 
 @value
-class AdhesiveState:
+class AdhesiveState(EdgeState):
     """The contact at one point of the path.
 
     Parameters
     ----------
-    position : float
-        D [m], where the far end of the machine stands; the depth itself under fixed grips and dead loads.
-    depth : float
-        d [m].
-    force : float
-        F_N [N], compression positive.
-    radius : float
-        a [m], zero without contact.
     dissipation : float
         Energy lost since the beginning [J]: in jumps and by hysteresis.
     hysteresis : float
@@ -82,12 +74,6 @@ class AdhesiveState:
         Those since the point before.
     """
 
-    __words__ = EdgeState.__words__
-
-    position: float
-    depth: float
-    force: float
-    radius: float
     dissipation: float
     hysteresis: float
     jumps: tuple[AdhesiveJump, ...]

@@ -25,9 +25,9 @@ from winkler.laws.adhesion import ShortRange
 from winkler.numerics.equations.turning import Slopes
 from winkler.numerics.types import Array, Curve
 from winkler.problems.adhesion import griffith
-from winkler.problems.adhesion.edge_states import EdgeStates, FarStates, ShortStates, end_of, stored_energy
+from winkler.problems.adhesion.edge_states import EdgeStates, FarStates, ShortStates, stored_energy
 from winkler.problems.adhesion.stability import branches, least_radius
-from winkler.problems.normal.solve_contact import flat_radius
+from winkler.problems.normal.solve_contact import end_of, flat_radius
 from winkler.values import value
 
 __all__ = ["AdhesiveEdge", "DeadLoad", "LoadingMachine", "adhesive_edge", "last_radius"]

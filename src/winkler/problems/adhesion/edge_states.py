@@ -20,6 +20,7 @@ from winkler.foundation.bed import Bed, PressedSprings, StretchedSprings
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array
 from winkler.problems.adhesion import griffith
+from winkler.problems.normal.solve_contact import end_of
 from winkler.values import value
 
 __all__ = [
@@ -27,7 +28,6 @@ __all__ = [
     "FarStates",
     "ShortStates",
     "depth_under",
-    "end_of",
     "force_of",
     "force_under",
     "margin",
@@ -166,11 +166,6 @@ class FarStates:
     def pressed(self, depth: float, radius: float) -> PressedSprings:
         """The springs of the contact alone: what pulls from afar deforms nothing."""
         return PressedSprings(self.bed, depth, radius)
-
-
-def end_of(bed: Bed) -> float:
-    """Return the greatest contact radius [m]: the rim, or up to where the profile is known."""
-    return min(bed.reach, bed.rim)
 
 
 def force_under(states: EdgeStates, depth: Array, radius: Array) -> Array:

@@ -12,7 +12,7 @@ and DMT's pull comes up at first touch.  Along the curve the stored energy, surf
 from __future__ import annotations
 
 import math
-from typing import NamedTuple, Protocol
+from typing import NamedTuple
 
 import numpy as np
 
@@ -25,44 +25,25 @@ from winkler.numerics.panels.chebyshev import fit_panels, stationary
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, Curve
 from winkler.problems.adhesion.edge import DeadLoad, LoadingMachine, last_radius
-from winkler.problems.adhesion.edge_states import EdgeStates, end_of, force_of, force_under, stored_energy
+from winkler.problems.adhesion.edge_states import EdgeStates, force_of, force_under, stored_energy
 from winkler.problems.adhesion.expected_radius import expected_radius
 from winkler.problems.adhesion.law_states import states_of
 from winkler.problems.adhesion.maugis import CohesiveStates
 from winkler.problems.adhesion.stability import branches
+from winkler.problems.normal.solve_contact import end_of
 
 __all__ = ["RangedEdge", "ranged_edge"]
 
 PANEL_TOLERANCE = 1e-12
 
 
-class ApproachPath(Protocol):
-    """The approach from where attraction begins, at -length, to touch, at 0."""
-
-    def extent(self) -> float:
-        """Length of the approach, in a coordinate of its own."""
-        ...
-
-    def depth(self, place: Array) -> Array:
-        """d [m]."""
-        ...
-
-    def force(self, place: Array) -> Array:
-        """F [N]."""
-        ...
-
-    def energy(self, force: Array) -> Array:
-        """What is stored under a force of the approach [J]."""
-        ...
-
-
 class SuddenPull(NamedTuple):
-    """DMT: at first touch the whole pull comes up at once."""
+    """DMT: at first touch the whole pull comes up at once.  The approach goes from -extent to touch, at 0."""
 
     pull: float
 
     def extent(self) -> float:
-        """One."""
+        """Length of the approach, in a coordinate of its own."""
         return 1.0
 
     def depth(self, place: Array) -> Array:
@@ -120,7 +101,7 @@ class RangedEdge(NamedTuple):
     bed : Bed
     states : EdgeStates
         Of the contact.
-    approach : Approach
+    approach : SuddenPull or DiscOfStress
     control : LoadingMachine or DeadLoad
     closing, opening : Slopes
         What must be prescribed, over the places: the same for an edge that advances and one that recedes.
@@ -128,7 +109,7 @@ class RangedEdge(NamedTuple):
 
     bed: Bed
     states: EdgeStates
-    approach: ApproachPath
+    approach: SuddenPull | DiscOfStress
     control: LoadingMachine | DeadLoad
     closing: Slopes
     opening: Slopes
@@ -188,7 +169,7 @@ def ranged_edge(
     return RangedEdge(bed, states, approach, control, curve, curve)
 
 
-def _approach(bed: Bed, law: Dugdale | DerjaguinMullerToporov, states: EdgeStates) -> ApproachPath:
+def _approach(bed: Bed, law: Dugdale | DerjaguinMullerToporov, states: EdgeStates) -> SuddenPull | DiscOfStress:
     if isinstance(law, DerjaguinMullerToporov):
         return SuddenPull(-float(force_of(states, np.zeros(1))[0]))
     if not isinstance(bed.medium, HomogeneousMedium) or not bed.rising:

@@ -18,12 +18,13 @@ from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import AdhesionLaw
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.types import Array
-from winkler.problems.adhesion.edge_states import EdgeStates, end_of, force_under, position
+from winkler.problems.adhesion.edge_states import EdgeStates, force_under, position
 from winkler.problems.adhesion.law_states import states_of
 from winkler.problems.adhesion.pull_off import MachineStiffness
 from winkler.problems.adhesion.stability import Branch, branches
 from winkler.problems.adhesion.validity import adhesive_notes
 from winkler.problems.assumptions.declared import ADHESIVE
+from winkler.problems.normal.solve_contact import end_of
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -235,17 +236,10 @@ def _jump(
     for branch in reversed(others) if inward else others:
         low, high = position(states, machine, np.array(branch))
         if low <= level <= high:
-            target = (
-                branch.start
-                if low == high
-                else float(
-                    between(
-                        lambda a, _: position(states, machine, a) - level,
-                        np.array([branch.start]),
-                        np.array([branch.stop]),
-                    )[0]
-                )
-            )
+            target = branch.start
+            if low < high:
+                ends = (np.array([end]) for end in branch)
+                target = float(between(lambda a, _: position(states, machine, a) - level, *ends)[0])
             return EquilibriumJump(*_ends(states, radius, target))
     if not inward or radius == 0.0:
         return None  # it runs on beyond the curve, or shrinks to a point without a jump

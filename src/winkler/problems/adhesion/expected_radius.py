@@ -14,7 +14,8 @@ from winkler.foundation.foundation import Foundation
 from winkler.media.body_of import thickness_of
 from winkler.numerics.equations.roots import rough_root
 from winkler.numerics.types import Array
-from winkler.problems.adhesion.edge_states import EdgeStates, end_of
+from winkler.problems.adhesion.edge_states import EdgeStates
+from winkler.problems.normal.solve_contact import end_of
 
 __all__ = ["expected_radius"]
 

@@ -17,16 +17,7 @@ import numpy as np
 from winkler.foundation.bed import Bed
 from winkler.numerics.types import Array
 
-__all__ = [
-    "depth_of",
-    "depth_slope",
-    "energy_release_rate",
-    "force_at",
-    "force_of",
-    "force_slope",
-    "stretch",
-    "stretch_slope",
-]
+__all__ = ["depth_of", "energy_release_rate", "force_at", "stretch"]
 
 LEAST_RADIUS = 1e-150
 """Stands for a radius of zero [m], where springs of a graded medium have no stiffness; its square is a number."""
@@ -52,37 +43,14 @@ def stretch(bed: Bed, work: float, radius: Array) -> Array:
     return np.asarray(np.sqrt(2.0 * np.pi * work * (a / bed.normal_stiffness(a))))
 
 
-def stretch_slope(bed: Bed, work: float, radius: Array) -> Array:
-    """Return l'(a) = l (1/a - c_N'/c_N) / 2 [-]."""
-    a = np.maximum(np.asarray(radius, dtype=float), LEAST_RADIUS)
-    relative_slope = bed.normal_stiffness_slope(a) / bed.normal_stiffness(a)
-    return np.asarray(0.5 * stretch(bed, work, a) * (1.0 / a - relative_slope))
-
-
 def depth_of(bed: Bed, work: float, radius: Array) -> Array:
     """Return d(a) = g(a) - l(a) [m]."""
     return np.asarray(bed.gap(radius) - stretch(bed, work, radius))
 
 
-def depth_slope(bed: Bed, work: float, radius: Array) -> Array:
-    """Return d'(a) = g'(a) - l'(a) [-]; at a kink, the value just below it."""
-    return np.asarray(bed.gap_slope(radius) - stretch_slope(bed, work, radius))
-
-
 def force_at(bed: Bed, depth: Array, radius: Array) -> Array:
     """Return the force of the springs up to a radius at a depth, in equilibrium or not: F = k d - gap load [N]."""
     return np.asarray(bed.stiffness(radius) * depth - bed.gap_load(radius))
-
-
-def force_of(bed: Bed, work: float, radius: Array) -> Array:
-    """Return F(a) [N], compression positive."""
-    return force_at(bed, depth_of(bed, work, radius), radius)
-
-
-def force_slope(bed: Bed, work: float, radius: Array) -> Array:
-    """Return F'(a) = k d' - 2 c_N l [N/m]."""
-    pulled = 2.0 * bed.normal_stiffness(radius) * stretch(bed, work, radius)
-    return np.asarray(bed.stiffness(radius) * depth_slope(bed, work, radius) - pulled)
 
 
 def energy_release_rate(bed: Bed, depth: Array, radius: Array) -> Array:

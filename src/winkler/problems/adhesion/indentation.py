@@ -11,23 +11,24 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed, PressedSprings
 from winkler.laws.adhesion import AdhesionLaw, ShortRange
-from winkler.loading import Depth, Force, Load, Radius
+from winkler.loading import Depth, Force, Load
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.layered.coated import LayeredMedium
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, Quantity, shaped
+from winkler.path import load_number
 from winkler.problems.adhesion import griffith
-from winkler.problems.adhesion.edge_states import EdgeStates, depth_under, end_of, force_under, margin
+from winkler.problems.adhesion.edge_states import EdgeStates, depth_under, force_under, margin
 from winkler.problems.adhesion.law_states import states_of
 from winkler.problems.adhesion.pull_off import PullOff, PullOffSolution
 from winkler.problems.adhesion.validity import adhesive_notes
 from winkler.problems.adhesion.widest_contact import stable_counts, widest
 from winkler.problems.assumptions.declared import ADHESIVE
-from winkler.problems.normal.solve_contact import at_end
+from winkler.problems.normal.solve_contact import at_end, end_of
 from winkler.problems.one_load import picked, single
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
@@ -89,31 +90,23 @@ class AdhesiveIndentation:
             profile, or the law does not hold for this bed.
         """
         states = states_of(self.bed, self.law)
+        prescribed = np.asarray(load_number(self.load), dtype=float)
+        flat = prescribed.ravel()
         match self.load:
-            case Depth(depth):
-                prescribed, flat = depth, _flat(depth)
+            case Depth():
                 radius = widest(states, FIXED_GRIPS, flat, "depth", "m")
-                results = flat, force_under(states, flat, radius), radius, np.ones(flat.shape, dtype=bool)
-            case Force(force):
-                prescribed, flat = force, _flat(force)
+                results = flat, force_under(states, flat, radius), radius
+                stable = np.ones(flat.shape, dtype=bool)
+            case Force():
                 radius = widest(states, DEAD_LOAD, flat, "force", "N")
-                results = depth_under(states, flat, radius), flat, radius, np.ones(flat.shape, dtype=bool)
-            case Radius(radius_):
-                prescribed, flat = radius_, _flat(radius_)
-                results = _at_radius(states, flat)
+                results = depth_under(states, flat, radius), flat, radius
+                stable = np.ones(flat.shape, dtype=bool)
             case _:
-                raise InvalidInput(
-                    f"AdhesiveIndentation: the load is a {type(self.load).__name__}; give Force, Depth or Radius."
-                )
-        shape = np.shape(prescribed)
-        if shape == ():
-            one, two, three, stable = (part[0] for part in results)
-            return AdhesiveSolution(self, float(one), float(two), float(three), bool(stable))
-        return AdhesiveSolution(self, *(part.reshape(shape) for part in results))
-
-
-def _flat(prescribed: Quantity) -> Array:
-    return np.atleast_1d(np.asarray(prescribed, dtype=float)).ravel()
+                depth, force, radius, stable = _at_radius(states, flat)
+                results = depth, force, radius
+        held = stable.reshape(prescribed.shape) if prescribed.ndim else bool(stable[0])
+        d, f, a = (shaped(part, prescribed.shape) for part in results)
+        return AdhesiveSolution(self, d, f, a, held)
 
 
 def _at_radius(states: EdgeStates, radius: Array) -> tuple[Array, Array, Array, Array]:

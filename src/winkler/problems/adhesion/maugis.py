@@ -13,14 +13,13 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Hashable
-from typing import cast
 
 import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed, PressedSprings
 from winkler.laws.adhesion import Dugdale
+from winkler.media.body_of import exponent_of
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
@@ -70,7 +69,7 @@ class CohesiveStates:
 
     def end(self) -> float:
         """The radius whose ring ends where the profile does [m]."""
-        return _end(cast(Hashable, self))
+        return _end(self)
 
     def from_nothing(self) -> bool:
         """A point is held by the stress around it."""
@@ -78,12 +77,12 @@ class CohesiveStates:
 
     def springs(self) -> RingSprings:
         """What the zone needs of the bed."""
-        return _springs(cast(Hashable, self.bed))
+        return _springs(self.bed)
 
     def zone(self, radius: Array) -> CohesiveZone:
         """Return the rings around contacts of given radii."""
         radius = np.asarray(radius, dtype=float)
-        return _zone(cast(Hashable, self), radius.shape, radius.tobytes())
+        return _zone(self, radius.shape, radius.tobytes())
 
     def _stretch(self, span: Array) -> Array:
         springs = self.springs()
@@ -131,17 +130,13 @@ class CohesiveStates:
         """The springs out to the end of the ring."""
         outer = float(self.zone(np.array([radius])).outer[0])
         amplitude = self.springs().amplitude(self.law.strength)
-        sharpest = CLOSEST_HOMOGENEOUS if _exponent(self.bed) == 0.0 else CLOSEST_OTHERWISE
+        sharpest = CLOSEST_HOMOGENEOUS if exponent_of(self.bed.medium) == 0.0 else CLOSEST_OTHERWISE
         return _ringed(self.bed, depth, radius, outer, amplitude, sharpest)
-
-
-def _exponent(bed: Bed) -> float:
-    return bed.medium.exponent if isinstance(bed.medium, GradedHalfSpace) else 0.0
 
 
 def _ringed(bed: Bed, depth: float, contact: float, outer: float, amplitude: float, sharpest: float) -> RingedSprings:
     """Return the springs of a contact with a ring, resolved down to some units of rounding."""
-    k = _exponent(bed)
+    k = exponent_of(bed.medium)
     width, least = outer - contact, sharpest * np.finfo(float).eps * outer
     halvings = max(0, math.floor(math.log2(max(width / least, 1.0))))
     # what is left of the ring is a jump at its centre of gravity
@@ -150,16 +145,14 @@ def _ringed(bed: Bed, depth: float, contact: float, outer: float, amplitude: flo
 
 
 @functools.lru_cache(maxsize=64)
-def _springs(key: Hashable) -> RingSprings:
-    bed = cast(Bed, key)
+def _springs(bed: Bed) -> RingSprings:
     modulus = float(bed.normal_stiffness(np.array([1.0]))[0])  # c_N = E_s x^k at x = 1 m
     end = min(bed.reach, bed.rim)
-    return RingSprings(bed.gap_slope, edges_of(bed.kinks, end), bed.rising, modulus, _exponent(bed), end)
+    return RingSprings(bed.gap_slope, edges_of(bed.kinks, end), bed.rising, modulus, exponent_of(bed.medium), end)
 
 
 @functools.lru_cache(maxsize=64)
-def _end(key: Hashable) -> float:
-    states = cast(CohesiveStates, key)
+def _end(states: CohesiveStates) -> float:
     springs = states.springs()
     if not math.isfinite(springs.end):
         return springs.end
@@ -174,8 +167,7 @@ def _end(key: Hashable) -> float:
 
 
 @functools.lru_cache(maxsize=64)
-def _zone(key: Hashable, shape: tuple[int, ...], content: bytes) -> CohesiveZone:
-    states = cast(CohesiveStates, key)
+def _zone(states: CohesiveStates, shape: tuple[int, ...], content: bytes) -> CohesiveZone:
     radius = np.frombuffer(content).reshape(shape)
 
     def refuse(beyond: Array) -> None:

@@ -137,7 +137,7 @@ def which_model(bed: Bed, law: Dugdale, load: Force = UNLOADED, *, tolerance: fl
     short = PullOff(bed, ShortRange(law.work)).solve()
     stretch = float(griffith.stretch(bed, law.work, np.array([short.radius]))[0])
     tabor = stretch / (PULL_OFF_STRETCH * law.range)
-    good = {each.model: each for each in models if _all_close(each, tolerance)}
+    good = [each.model for each in models if max(abs(each.pull_off_error), abs(each.radius_error)) <= tolerance]
     # the simplest first; Hertz if the load makes adhesion vanish, though it has no pull-off
     plain = next(each for each in models if each.model == "Hertz")
     if float(load.force) > 0.0 and abs(plain.radius_error) <= tolerance:
@@ -152,10 +152,6 @@ def which_model(bed: Bed, law: Dugdale, load: Force = UNLOADED, *, tolerance: fl
     }
     notes = _reasons(name, tabor, stretch, law, load, models, tolerance, refused)
     return Recommendation(problems[name], name, tabor, models, notes)
-
-
-def _all_close(each: ModelError, tolerance: float) -> bool:
-    return max(abs(each.pull_off_error), abs(each.radius_error)) <= tolerance
 
 
 def _models(bed: Bed, law: Dugdale, load: Force) -> tuple[tuple[ModelError, ...], str]:

@@ -14,7 +14,7 @@ from winkler.checks.number_checks import Number
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import AdhesionLaw
 from winkler.problems.adhesion.branches_beyond import branches_beyond
-from winkler.problems.adhesion.edge_states import EdgeStates, force_of, position
+from winkler.problems.adhesion.edge_states import force_of, position
 from winkler.problems.adhesion.law_states import states_of
 from winkler.problems.adhesion.validity import adhesive_notes
 from winkler.problems.assumptions.declared import ADHESIVE
@@ -83,17 +83,11 @@ class PullOff:
         OutsideValidity
             If the law does not hold for the bed, or no load settles the contact.
         """
-        states = states_of(self.bed, self.law)
-        radius = last_radius(states, self.machine_stiffness)
+        states, machine = states_of(self.bed, self.law), self.machine_stiffness
+        starts = np.array([branch.start for branch in branches_beyond(states, machine, 0.0)])
+        radius = float(starts[np.argmin(position(states, machine, starts))])
         place = np.array([radius])
         return PullOffSolution(self, float(states.depth(place)[0]), float(force_of(states, place)[0]), radius)
-
-
-def last_radius(states: EdgeStates, machine_stiffness: float) -> float:
-    """Return the radius of the stable state of least position [m]."""
-    stable = branches_beyond(states, machine_stiffness, 0.0)
-    starts = np.array([branch.start for branch in stable])
-    return float(starts[int(np.argmin(position(states, machine_stiffness, starts)))])
 
 
 @value

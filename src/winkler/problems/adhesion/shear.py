@@ -26,12 +26,14 @@ from winkler.numerics.equations.bracketing import between
 from winkler.numerics.panels.chebyshev import fit_panels, stationary
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, Quantity, shaped
+from winkler.path import numbers_of
 from winkler.problems.adhesion import griffith
 from winkler.problems.adhesion.edge import DeadLoad, LoadingMachine
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
 from winkler.problems.adhesion.validity import adhesive_notes
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import ADHESIVE
+from winkler.problems.normal.solve_contact import indices_of
 from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
@@ -114,15 +116,12 @@ class AdhesiveShear:
     needs_round: ClassVar[str] = "adhesion, whose edge runs round the contact,"
 
     def __post_init__(self) -> None:
-        if np.ndim(self._level) != 0:
+        level = numbers_of(self.normal)
+        if level.ndim != 0:
             raise InvalidInput(
-                f"AdhesiveShear: the normal load has the shape {np.shape(self._level)}; give one number, and the array "
+                f"AdhesiveShear: the normal load has the shape {level.shape}; give one number, and the array "
                 "as the lateral load."
             )
-
-    @property
-    def _level(self) -> Quantity:
-        return self.normal.force if isinstance(self.normal, Force) else self.normal.depth
 
     def solve(self) -> AdhesiveShearSolution:
         """Return contact radius, shift and shear force, and the greatest that can be borne.
@@ -133,7 +132,7 @@ class AdhesiveShear:
             If the normal load alone tears the contact off, or the lateral load is more than it can bear: the message
             names the indices of an array and the limit.
         """
-        level = float(self._level)
+        level = float(numbers_of(self.normal))
         widest = float(AdhesiveIndentation(self.bed, self.law, self.normal).solve().radius)
         states = _ShearCapacity(self, level)
         place = np.array([widest])
@@ -143,33 +142,24 @@ class AdhesiveShear:
                 "pulled, so that no balance of energy at the edge limits the shear; press less, or pull."
             )
         least = states.least_radius(widest)
-        prescribed = self.lateral.shift if isinstance(self.lateral, Shift) else self.lateral.shear_force
-        targets = np.abs(np.atleast_1d(np.asarray(prescribed, dtype=float)).ravel())
+        prescribed = numbers_of(self.lateral)
+        signed = np.ravel(prescribed)
+        targets = np.abs(signed)
         most = math.sqrt(float(states.borne(np.array([least]))[0]))
-        beyond = np.flatnonzero(targets > most * (1.0 + 1e-14))
-        if beyond.size:
-            where = "" if targets.size == 1 else f" at index {', '.join(map(str, beyond[:5]))}"
+        beyond = targets > most * (1.0 + 1e-14)
+        if beyond.any():
             what, unit = ("shift", "m") if isinstance(self.lateral, Shift) else ("shear force", "N")
             raise OutsideValidity(
-                f"AdhesiveShear: the {what} of {targets[beyond[0]]:.6g} {unit}{where} tears the contact off; it bears "
-                f"at most {most:.6g} {unit}, at a contact radius of {least:.6g} m."
+                f"AdhesiveShear: the {what} of {targets[beyond][0]:.6g} {unit}{indices_of(beyond)} tears the contact "
+                f"off; it bears at most {most:.6g} {unit}, at a contact radius of {least:.6g} m."
             )
         radius = states.radius(targets**2, least, widest)
         depth, force = states.depth_and_force(radius)
         stiffness = tangential_stiffness(self.bed, radius)
-        signed = np.atleast_1d(np.asarray(prescribed, dtype=float)).ravel()
         shift, shear = (signed, stiffness * signed) if isinstance(self.lateral, Shift) else (signed / stiffness, signed)
-
-        shape = np.shape(prescribed)
-        return AdhesiveShearSolution(
-            self,
-            depth=shaped(depth, shape),
-            force=shaped(force, shape),
-            radius=shaped(radius, shape),
-            shift=shaped(shift, shape),
-            shear_force=shaped(shear, shape),
-            limit=states.limit(least),
-        )
+        shape = prescribed.shape
+        d, f, a, u, q = (shaped(each, shape) for each in (depth, force, radius, shift, shear))
+        return AdhesiveShearSolution(self, d, f, a, u, q, states.limit(least))
 
 
 @value

@@ -10,8 +10,7 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Hashable
-from typing import NamedTuple, cast
+from typing import NamedTuple
 
 import numpy as np
 
@@ -77,6 +76,7 @@ class _MarginPieces(NamedTuple):
         )
 
 
+@functools.lru_cache(maxsize=256)
 def least_radius(states: EdgeStates) -> float:
     """Return a radius [m] below which no state is stable; zero if contacts of vanishing radius are.
 
@@ -85,12 +85,8 @@ def least_radius(states: EdgeStates) -> float:
     OutsideValidity
         If stable states go on to ever smaller radii.
     """
-    return 0.0 if states.from_nothing() else _least_radius(cast(Hashable, states))
-
-
-@functools.lru_cache(maxsize=256)
-def _least_radius(states_key: Hashable) -> float:
-    states = cast(EdgeStates, states_key)
+    if states.from_nothing():
+        return 0.0
     bed = states.bed
     a = 2.0 * expected_radius(states)
     below = 2.0 ** -np.linspace(0.0, OCTAVES, 4 * OCTAVES + 2)
@@ -109,6 +105,7 @@ def _least_radius(states_key: Hashable) -> float:
     )
 
 
+@functools.lru_cache(maxsize=256)
 def branches(states: EdgeStates, machine_stiffness: float, high: float) -> tuple[Branch, ...]:
     """Return all stable stretches of radii up to `high`, ascending.
 
@@ -125,13 +122,7 @@ def branches(states: EdgeStates, machine_stiffness: float, high: float) -> tuple
     OutsideValidity
         If the margin of stability has more features than 20,000 panels resolve.
     """
-    return _branches(cast(Hashable, states), float(machine_stiffness), float(high))
-
-
-@functools.lru_cache(maxsize=256)
-def _branches(states_key: Hashable, machine_stiffness: float, high: float) -> tuple[Branch, ...]:
-    states = cast(EdgeStates, states_key)
-    low = least_radius(states)
+    low, high = least_radius(states), float(high)
     limits, first = _limits(states, machine_stiffness, low, high) if low < high else (np.zeros(0), False)
     edges = [low, *limits.tolist(), high] if low < high else []
     stretches = [Branch(edges[i], edges[i + 1]) for i in range(0 if first else 1, len(edges) - 1, 2)]
@@ -144,7 +135,7 @@ def _branches(states_key: Hashable, machine_stiffness: float, high: float) -> tu
 def _limits(states: EdgeStates, machine_stiffness: float, low: float, high: float) -> tuple[Array, bool]:
     """Return where the margin changes its sign between two radii, and whether it is positive at first."""
     kinks = np.array([b for b, _ in states.bed.kinks if low < b < high])
-    typical = low or typical_radius(cast(Hashable, states))
+    typical = low or typical_radius(states)
     pieces = _first_pieces(low, high, kinks, typical)
     start, stop, left, right = _signs(states, machine_stiffness, pieces, high)
     order = np.argsort(start)
@@ -237,11 +228,9 @@ def _signs(
 
 
 @functools.lru_cache(maxsize=256)
-def typical_radius(states_key: Hashable) -> float:
+def typical_radius(states: EdgeStates) -> float:
     """Return a radius [m] at which the force is not far from zero."""
-    states = cast(EdgeStates, states_key)
-    end = states.end()
-    a = expected_radius(states)
+    end, a = states.end(), expected_radius(states)
     with np.errstate(all="ignore"):
         while a > 1e-100 and float(force_of(states, np.array([a]))[0]) > 0.0:
             a *= 0.25

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from winkler.foundation.bed import Bed
@@ -14,7 +12,7 @@ from winkler.problems.adhesion.law_states import states_of
 from winkler.problems.assumptions.adhesion_range import GREENWOOD, range_note
 from winkler.problems.assumptions.film import film_notes
 from winkler.problems.normal.strong_parts import strong_parts
-from winkler.problems.normal.validity import size_note, slope_note
+from winkler.problems.normal.validity import shape_notes
 from winkler.problems.normal.yield_statement import FRICTIONLESS, SurfaceFriction, yield_notes
 from winkler.validity import Assumption, Note, Standing
 
@@ -47,9 +45,7 @@ def adhesive_notes(
     if widest == 0.0:
         touch = "The bodies touch in a point; beyond it they attract each other without contact, which is not followed."
         return (*notes, Note(Assumption.EQUILIBRIUM, Standing.EXACT, touch, "no spring is compressed"))
-    notes.append(slope_note(bed, widest))
-    if math.isfinite(bed.size):
-        notes.append(size_note(bed, widest))
+    notes += shape_notes(bed, widest)
     notes.extend(film_notes(bed, float(depth[last]), float(griffith.force_at(bed, depth[last], radius[last])), widest))
     if widest >= bed.rim:
         notes.append(

@@ -12,6 +12,7 @@ from winkler.numerics.types import Array
 from winkler.problems.adhesion.branches_beyond import branches_beyond
 from winkler.problems.adhesion.edge_states import EdgeStates, position
 from winkler.problems.adhesion.stability import Branch
+from winkler.problems.normal.solve_contact import indices_of
 
 __all__ = ["stable_counts", "widest"]
 
@@ -66,14 +67,14 @@ def widest(states: EdgeStates, machine_stiffness: float, level: Array, quantity:
     below = level < least - LIMIT_SLACK * abs(least)
     if below.any():
         raise OutsideValidity(
-            f"{quantity} {level[below][0]:.6g} {unit}{_at(below)} is below the pull-off: no contact holds beyond "
-            f"{least:.9g} {unit} (radius {stable[int(np.argmin(starts))].start:.6g} m); give {least:.9g} {unit} or "
-            "more."
+            f"{quantity} {level[below][0]:.6g} {unit}{indices_of(below)} is below the pull-off: no contact holds "
+            f"beyond {least:.9g} {unit} (radius {stable[int(np.argmin(starts))].start:.6g} m); give {least:.9g} {unit} "
+            "or more."
         )
     beyond = level > np.max(stops)
     if beyond.any():
         raise OutsideValidity(
-            f"{quantity} {level[beyond][0]:.6g} {unit}{_at(beyond)} leads beyond the reach of the profile "
+            f"{quantity} {level[beyond][0]:.6g} {unit}{indices_of(beyond)} leads beyond the reach of the profile "
             f"({states.bed.reach:.6g} m), where nothing is known of it; at most {np.max(stops):.6g} {unit} can be "
             "solved."
         )
@@ -85,17 +86,10 @@ def widest(states: EdgeStates, machine_stiffness: float, level: Array, quantity:
     lost = np.isnan(result)
     if lost.any():
         raise OutsideValidity(
-            f"{quantity} {level[lost][0]:.6g} {unit}{_at(lost)} lies between two ranges of stable contacts; give one "
-            "of " + ", ".join(f"{a:.6g} to {b:.6g} {unit}" for a, b in zip(starts, stops, strict=True)) + "."
+            f"{quantity} {level[lost][0]:.6g} {unit}{indices_of(lost)} lies between two ranges of stable contacts; "
+            "give one of " + ", ".join(f"{a:.6g} to {b:.6g} {unit}" for a, b in zip(starts, stops, strict=True)) + "."
         )
     return result
-
-
-def _at(bad: Array) -> str:
-    places = np.flatnonzero(bad)
-    if bad.size == 1:
-        return ""
-    return f" at index {', '.join(map(str, places[:5]))}" + (" and more" if places.size > 5 else "")
 
 
 def _on(states: EdgeStates, machine_stiffness: float, branch: Branch, level: Array) -> Array:

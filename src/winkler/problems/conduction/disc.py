@@ -16,7 +16,7 @@ from winkler.media.conduction.disc_resistance import BARBER, HOLM, Resistances
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
-from winkler.problems.normal.validity import size_note, slope_note
+from winkler.problems.normal.validity import shape_notes
 from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["conducting_disc", "mean_free_path_note", "resistances_of", "scope_notes"]
@@ -79,10 +79,7 @@ def scope_notes(bed: Bed, radius: Array) -> tuple[Note, ...]:
         )
     if widest == 0.0:
         return (*bed.notes, first)
-    notes = [*bed.notes, first, slope_note(bed, widest)]
-    if math.isfinite(bed.size):
-        notes.append(size_note(bed, widest))
-    return tuple(notes)
+    return (*bed.notes, first, *shape_notes(bed, widest))
 
 
 def mean_free_path_note(radius: Array, mean_free_path: float) -> tuple[Note, ...]:

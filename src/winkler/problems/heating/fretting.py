@@ -21,7 +21,6 @@ import numpy as np
 from winkler.checks.number_checks import Positive
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.sheared_fields import sheared_surface
-from winkler.materials.conductor import ThermalConductor
 from winkler.media.conduction.conductors import HeatConductors
 from winkler.numerics.fields.line_source import LineSource
 from winkler.numerics.fields.round_source import projected
@@ -30,7 +29,7 @@ from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.assumptions.declared import BALANCED, HEATED, SHEARED
 from winkler.problems.assumptions.temperature import temperature_note
 from winkler.problems.friction.tangential import Tangential, TangentialSolution
-from winkler.problems.heating.input_checks import thick_bodies
+from winkler.problems.heating.input_checks import RubbingBodies
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
@@ -47,7 +46,7 @@ JAEGER = "J. C. Jaeger, Proc. R. Soc. New South Wales 76 (1942) 203-224"
 
 
 @value
-class FrettingHeat:
+class FrettingHeat(RubbingBodies):
     """A contact that is pushed to and fro along the surface, again and again, and warms up.
 
     Parameters
@@ -93,13 +92,6 @@ class FrettingHeat:
     references: ClassVar[tuple[str, ...]] = ("jaeger_1942", "mindlin_deresiewicz_1953", "popov_hess_2015")
     assumptions: ClassVar[frozenset[Assumption]] = HEATED | SHEARED | {Assumption.STEADY} | BALANCED
     needs_round: ClassVar[str] = "the heat of friction, which follows pressure and slip from place to place,"
-
-    def __post_init__(self) -> None:
-        thick_bodies("FrettingHeat", self.conductors)
-
-    @property
-    def _bodies(self) -> tuple[ThermalConductor, ThermalConductor]:
-        return thick_bodies("FrettingHeat", self.conductors)
 
     def solve(self) -> FrettingHeatSolution:
         """Return the temperature of the contact, after many cycles.

@@ -11,27 +11,36 @@ from winkler.materials.conductor import ThermalConductor
 from winkler.media.conduction.conductors import HeatConductors
 from winkler.numerics.types import Array, Quantity
 
-__all__ = ["peclet_numbers", "thick_bodies"]
+__all__ = ["RubbingBodies", "peclet_numbers"]
 
 HIGHEST_PECLET = 1e8
 """Peclet number above which rounding matters in means over the contact."""
 
 
-def thick_bodies(owner: str, conductors: HeatConductors) -> tuple[ThermalConductor, ThermalConductor]:
-    """Return both bodies; refuse those that are no half-spaces, and surfaces that hold heat back."""
-    first, second = conductors.first, conductors.second
-    if not isinstance(first, ThermalConductor) or not isinstance(second, ThermalConductor):
-        raise InvalidInput(
-            f"{owner}: the bodies are {type(first).__name__} and {type(second).__name__}; how the heat of friction "
-            "flows is known for two thick bodies: give ThermalConductor(conductivity, diffusivity) for both."
-        )
-    if conductors.interface.area_resistance > 0.0:
-        raise InvalidInput(
-            f"{owner}: the surfaces have an interface_conductance of "
-            f"{conductors.interface.interface_conductance:g} W/(m^2 K), but sliding surfaces are taken to have one "
-            "temperature; leave the interface out."
-        )
-    return first, second
+class RubbingBodies:
+    """A problem of frictional heating: its `conductors` are two thick bodies, in perfect touch."""
+
+    conductors: HeatConductors
+
+    def __post_init__(self) -> None:
+        _ = self._bodies
+
+    @property
+    def _bodies(self) -> tuple[ThermalConductor, ThermalConductor]:
+        """Both bodies; those that are no half-spaces are refused, and surfaces that hold heat back."""
+        owner, interface = type(self).__name__, self.conductors.interface
+        first, second = self.conductors.first, self.conductors.second
+        if not isinstance(first, ThermalConductor) or not isinstance(second, ThermalConductor):
+            raise InvalidInput(
+                f"{owner}: the bodies are {type(first).__name__} and {type(second).__name__}; how the heat of friction "
+                "flows is known for two thick bodies: give ThermalConductor(conductivity, diffusivity) for both."
+            )
+        if interface.area_resistance > 0.0:
+            raise InvalidInput(
+                f"{owner}: the surfaces have an interface_conductance of {interface.interface_conductance:g} "
+                "W/(m^2 K), but sliding surfaces are taken to have one temperature; leave the interface out."
+            )
+        return first, second
 
 
 def peclet_numbers(

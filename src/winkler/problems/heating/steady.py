@@ -26,20 +26,17 @@ from winkler.foundation.bed import Bed
 from winkler.laws.friction import Overcome
 from winkler.laws.heat import EqualMaximum, HeatPartition
 from winkler.loading import Load
-from winkler.materials.conductor import ThermalConductor
 from winkler.media.conduction.conductors import HeatConductors
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import load_number
-from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import HEATED
 from winkler.problems.heating.estimates import fast, stationary, tian_kennedy
 from winkler.problems.heating.heat_source import HeatSource, loads_over
 from winkler.problems.heating.heated_body import HeatedBody
-from winkler.problems.heating.input_checks import peclet_numbers, thick_bodies
+from winkler.problems.heating.input_checks import RubbingBodies, peclet_numbers
 from winkler.problems.heating.sharing import estimated, shared_temperatures
-from winkler.problems.heating.validity import heating_notes
+from winkler.problems.heating.validity import heating_notes, sliding_contact_notes
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
-from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.problems.one_load import single
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
@@ -48,7 +45,7 @@ __all__ = ["FrictionHeating", "FrictionHeatingSolution"]
 
 
 @value
-class FrictionHeating:
+class FrictionHeating(RubbingBodies):
     """Two bodies that slide on each other and warm up.
 
     Parameters
@@ -111,7 +108,7 @@ class FrictionHeating:
     needs_round: ClassVar[str] = "the heat of friction, which follows the pressure from place to place,"
 
     def __post_init__(self) -> None:
-        thick_bodies("FrictionHeating", self.conductors)
+        super().__post_init__()
         shapes = [np.shape(each) for each in (load_number(self.load), self.first_speed, self.second_speed)]
         try:
             np.broadcast_shapes(*shapes)
@@ -120,10 +117,6 @@ class FrictionHeating:
                 f"FrictionHeating: load, first_speed and second_speed have the shapes {shapes[0]}, {shapes[1]} and "
                 f"{shapes[2]}, which do not broadcast; give arrays of one shape, or single numbers."
             ) from None
-
-    @property
-    def _bodies(self) -> tuple[ThermalConductor, ThermalConductor]:
-        return thick_bodies("FrictionHeating", self.conductors)
 
     def solve(self) -> FrictionHeatingSolution:
         """Return how warm the bodies get.
@@ -148,7 +141,7 @@ class FrictionHeating:
         table = shared_temperatures(contact, self._bodies, self.partition, rates)
         heat = self.law.coefficient * np.broadcast_to(contact.force, shape) * np.abs(rates[0] - rates[1])
         columns = [heat, table[0], *peclets, *(table[1:] * heat)]
-        return FrictionHeatingSolution(self, contact, *(float(each) if shape == () else each for each in columns))
+        return FrictionHeatingSolution(self, contact, *(shaped(each) for each in columns))
 
 
 @value
@@ -296,7 +289,4 @@ class FrictionHeatingSolution:
             (np.asarray(self.first_mean_temperature), np.asarray(self.second_mean_temperature)),
         )
         notes = heating_notes(*pairs, np.asarray(self.overestimate), self.problem.partition)
-        problem = self.problem
-        coupled = sliding_note(problem.bed.medium, problem.law.coefficient)
-        contact = self.contact.notes_with(SurfaceFriction(problem.law.coefficient, math.inf))
-        return (*contact, coupled, *notes)
+        return (*sliding_contact_notes(self.contact, self.problem.law.coefficient), *notes)

@@ -25,15 +25,13 @@ from winkler.media.conduction.conductors import HeatConductors
 from winkler.numerics.fields.line_source import LineSource
 from winkler.numerics.types import Array, ArrayLike
 from winkler.path import OneLoad
-from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import HEATED
 from winkler.problems.assumptions.temperature import temperature_note
 from winkler.problems.heating.estimates import first_share, shared
 from winkler.problems.heating.heat_source import heat_source
-from winkler.problems.heating.input_checks import thick_bodies
-from winkler.problems.heating.validity import STEADY_SOURCE
+from winkler.problems.heating.input_checks import RubbingBodies
+from winkler.problems.heating.validity import STEADY_SOURCE, sliding_contact_notes
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
-from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
@@ -44,7 +42,7 @@ SEARCH_CIRCLES = 33
 
 
 @value
-class TransientHeating:
+class TransientHeating(RubbingBodies):
     """Two bodies that begin to slide on each other, slowly, and warm up in the course of time.
 
     Parameters
@@ -104,13 +102,6 @@ class TransientHeating:
     references: ClassVar[tuple[str, ...]] = ("carslaw_jaeger_1959", "jaeger_1942", "popov_hess_2015")
     assumptions: ClassVar[frozenset[Assumption]] = HEATED
     needs_round: ClassVar[str] = "the heat of friction, which follows the pressure from place to place,"
-
-    def __post_init__(self) -> None:
-        thick_bodies("TransientHeating", self.conductors)
-
-    @property
-    def _bodies(self) -> tuple[ThermalConductor, ThermalConductor]:
-        return thick_bodies("TransientHeating", self.conductors)
 
     def solve(self) -> TransientHeatingSolution:
         """Return the temperatures in the course of time.
@@ -225,9 +216,8 @@ class TransientHeatingSolution:
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         hottest = temperature_note(float(np.max(self.flash_temperature, initial=0.0)))
-        coupled = sliding_note(self.problem.bed.medium, self.problem.law.coefficient)
-        contact = self.contact.notes_with(SurfaceFriction(self.problem.law.coefficient, math.inf))
-        return (*contact, coupled, STEADY_SOURCE, self._rest, self._sharing, hottest)
+        contact = sliding_contact_notes(self.contact, self.problem.law.coefficient)
+        return (*contact, STEADY_SOURCE, self._rest, self._sharing, hottest)
 
     @property
     def _rest(self) -> Note:

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from winkler.laws.heat import EqualMean, FixedShare, HeatPartition
 from winkler.numerics.types import Array
+from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.temperature import temperature_note
+from winkler.problems.normal.indentation import IndentationSolution
+from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["STEADY_SOURCE", "heating_notes"]
+__all__ = ["STEADY_SOURCE", "heating_notes", "sliding_contact_notes"]
 
 JAEGER = "J. C. Jaeger, Proc. R. Soc. New South Wales 76 (1942) 203-224"
 BLOK = "H. Blok, The flash temperature concept, Wear 6 (1963) 483-494"
@@ -24,6 +29,12 @@ STEADY_SOURCE = Note(
     "outside the contact; the flux is the pressure times friction and speed, everywhere.",
     JAEGER,
 )
+
+
+def sliding_contact_notes(contact: IndentationSolution, coefficient: float) -> tuple[Note, ...]:
+    """Return how far a contact can be trusted all of which slides with a coefficient of friction [-]."""
+    rubbed = contact.notes_with(SurfaceFriction(coefficient, math.inf))
+    return (*rubbed, sliding_note(contact.problem.bed.medium, coefficient))
 
 
 def heating_notes(
@@ -68,7 +79,10 @@ def _speed(peclets: tuple[Array, Array], overestimate: Array) -> Note:
 
 
 def _sharing(
-    peclets: tuple[Array, Array], greatest: tuple[Array, Array], means: tuple[Array, Array], partition: HeatPartition
+    peclets: tuple[Array, Array],
+    greatest: tuple[Array, Array],
+    means: tuple[Array, Array],
+    partition: HeatPartition,
 ) -> Note:
     if isinstance(partition, FixedShare):
         return Note(

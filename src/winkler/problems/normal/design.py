@@ -16,7 +16,7 @@ from winkler.media.body_of import Imprint
 from winkler.media.layered.coated import LayeredMedium
 from winkler.media.medium import Medium
 from winkler.media.springs_of_curve import springs_of_curve
-from winkler.media.under_pressure import PressureIndentation, pressed_in
+from winkler.media.under_pressure import pressed_in
 from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.panels.convex_spline import ConvexCurve, first_concave_part, fit_convex, local_scatter
 from winkler.numerics.types import Array, ArrayLike, Curve
@@ -160,13 +160,16 @@ def design_for_pressure(r: ArrayLike, pressure: ArrayLike, medium: Medium) -> De
             "be infinitely steep there, which the springs of layers cannot resolve: give a pressure that ends at zero."
         )
     end, sunk = float(radii[-1]), pressed_in(medium, radii, p)
+    places = end * np.linspace(0.0, 1.0, 2001)
     if not isinstance(medium, LayeredMedium):
-        _refuse_falling(end, sunk)
+        springs = sunk.springs(places)
+        _refuse_ring(places, np.diff(springs) > 1e-6 * np.max(springs))
     steepest = _greatest(sunk.rise, end)
     series = fit_panels(sunk.rise, end * np.linspace(0.0, 1.0, 5), PRESSURE_TOLERANCE * steepest)
     body = Designed(series.edges, series.coefficients, SPLINE_MISFIT)
-    if isinstance(medium, LayeredMedium):
-        _refuse_falling_gap(end, medium, body)
+    if isinstance(medium, LayeredMedium):  # its springs are those of the body that was found
+        slope = medium.gap_slope(body, places[1:-1])
+        _refuse_ring(places[1:-1], slope < -1e-6 * np.max(np.abs(slope)))
     return body
 
 
@@ -198,29 +201,14 @@ def _greatest(function: Curve, end: float) -> float:
     return float(np.max(np.abs(function(end * np.linspace(0.0, 1.0, 65)[1:-1]))))
 
 
-def _refuse_falling(end: float, sunk: PressureIndentation) -> None:
-    """Refuse a pressure under which homogeneous or graded springs are not deepest at the axis."""
-    x = end * np.linspace(0.0, 1.0, 2001)
-    springs = sunk.springs(x)
-    rise = np.flatnonzero(np.diff(springs) > 1e-6 * np.max(springs))
-    if rise.size:
-        raise OutsideValidity(_ring(float(x[rise[0]])))
-
-
-def _refuse_falling_gap(end: float, medium: Medium, body: Designed) -> None:
-    """The same on layers, whose springs are those of the body that was found."""
-    x = end * np.linspace(0.0, 1.0, 2001)[1:-1]
-    slope = medium.gap_slope(body, x)
-    fall = np.flatnonzero(slope < -1e-6 * np.max(np.abs(slope)))
-    if fall.size:
-        raise OutsideValidity(_ring(float(x[fall[0]])))
-
-
-def _ring(place: float) -> str:
-    return (
-        f"design_for_pressure: near x = {place:.6g} m the springs would be deeper outside than inside, so the contact "
-        "could not have grown from the axis as a disc; give a pressure that rises less towards the edge."
-    )
+def _refuse_ring(places: Array, deeper: Array) -> None:
+    """Refuse a pressure under which the springs are deeper somewhere than farther inside."""
+    if np.any(deeper):
+        raise OutsideValidity(
+            f"design_for_pressure: near x = {places[np.argmax(deeper)]:.6g} m the springs would be deeper outside than "
+            "inside, so the contact could not have grown from the axis as a disc; give a pressure that rises less "
+            "towards the edge."
+        )
 
 
 def _checked(

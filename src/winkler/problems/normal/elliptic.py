@@ -89,16 +89,6 @@ class EllipticIndentation:
         """The springs that bear forces like these bodies, for problems that need no more; sheared along x."""
         return EllipticFoundation(self.bodies, self.medium)  # type: ignore[arg-type]
 
-    @property
-    def _unit_axes(self) -> tuple[float, float]:
-        """Return a and b [m] under a force of 1 N."""
-        return self.bodies.semi_axes(self.medium.modulus, 1.0)
-
-    @property
-    def _unit_depth(self) -> float:
-        """Return d [m] under a force of 1 N."""
-        return float(np.cbrt(9.0 / (16.0 * self.equivalent_radius * self.medium.modulus**2)))
-
     def solve(self) -> EllipticSolution:
         """Return force, depth and ellipse.
 
@@ -109,8 +99,8 @@ class EllipticIndentation:
         InvalidInput
             If the curvatures are so different that the contact is a line.
         """
-        a, b = self._unit_axes
-        unit = self._unit_depth
+        a, b = self.bodies.semi_axes(self.medium.modulus, 1.0)
+        unit = float(np.cbrt(9.0 / (16.0 * self.equivalent_radius * self.medium.modulus**2)))
         if isinstance(self.load, Force):
             force = np.asarray(self.load.force, dtype=float)
             if np.any(force < 0.0):

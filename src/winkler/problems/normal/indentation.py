@@ -10,11 +10,11 @@ At a vertical rim the contact is pinned: d then grows beyond g(a).
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed, PressedSprings
 from winkler.loading import Depth, Force, Load, Radius
 from winkler.numerics.transforms import abel
@@ -76,30 +76,21 @@ class Indentation:
             If the load is tensile, leads beyond the reach of the profile, or opens a contact that is no disc; the
             message names the indices of an array.
         """
+        solver: Callable[[Bed, Array], tuple[Array, Array]]
         match self.load:
-            case Depth(depth):
-                prescribed, quantity = depth, "depth"
-            case Force(force):
-                prescribed, quantity = force, "force"
-            case Radius(radius):
-                prescribed, quantity = radius, "radius"
-            case _:
-                raise InvalidInput(
-                    f"Indentation: the load is a {type(self.load).__name__}; give Force, Depth or Radius."
-                )
-        target = np.atleast_1d(np.asarray(prescribed, dtype=float))
-        flat = target.ravel()
-        if quantity == "radius":
-            depth_, radius_ = at_radius(self.bed, flat)
-        elif quantity == "depth":
-            depth_, radius_ = at_depth(self.bed, flat)
-        else:
-            depth_, radius_ = at_force(self.bed, flat)
-        load = flat if quantity == "force" else self.bed.stiffness(radius_) * depth_ - self.bed.gap_load(radius_)
-        if quantity == "depth":
-            load = np.where(radius_ > 0.0, load, 0.0)
-
-        return IndentationSolution(self, *(shaped(part, np.shape(prescribed)) for part in (depth_, load, radius_)))
+            case Depth(prescribed):
+                solver = at_depth
+            case Force(prescribed):
+                solver = at_force
+            case Radius(prescribed):
+                solver = at_radius
+        load = np.atleast_1d(np.asarray(prescribed, dtype=float)).ravel()
+        depth, radius = solver(self.bed, load)
+        if solver is not at_force:
+            load = self.bed.stiffness(radius) * depth - self.bed.gap_load(radius)
+        if solver is at_depth:
+            load = np.where(radius > 0.0, load, 0.0)
+        return IndentationSolution(self, *(shaped(part, np.shape(prescribed)) for part in (depth, load, radius)))
 
 
 @value

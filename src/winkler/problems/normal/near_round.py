@@ -22,6 +22,7 @@ from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.equations.roots import invert
 from winkler.numerics.types import Array, Quantity, shaped
+from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.near_round_contour import Directions
 from winkler.problems.normal.unknown_yield import unknown_yield
@@ -98,10 +99,6 @@ class NearlyRoundIndentation:
                 "NearlyRoundIndentation: profiles must be at least four, one for each of equally spaced directions."
             )
 
-    @property
-    def _prescribed(self) -> Array:
-        return np.asarray(self.load.force if isinstance(self.load, Force) else self.load.depth, dtype=float)
-
     def solve(self) -> NearlyRoundSolution:
         """Return force, depth and contour.
 
@@ -112,8 +109,7 @@ class NearlyRoundIndentation:
         NotConverged
             If the force does not settle.
         """
-        prescribed = self._prescribed
-        springs = Directions(self.profiles, self.medium)
+        prescribed, springs = numbers_of(self.load), Directions(self.profiles, self.medium)
         if isinstance(self.load, Force):
             forces = prescribed.ravel()
             depths = invert(
@@ -124,13 +120,8 @@ class NearlyRoundIndentation:
             depths = prescribed.ravel()
             forces, stiffness, contours = springs.pressed(depths)
 
-        return NearlyRoundSolution(
-            self,
-            shaped(depths, prescribed.shape),
-            shaped(forces, prescribed.shape),
-            shaped(stiffness, prescribed.shape),
-            contours.reshape((*prescribed.shape, -1)),
-        )
+        d, f, k = (shaped(each, prescribed.shape) for each in (depths, forces, stiffness))
+        return NearlyRoundSolution(self, d, f, k, contours.reshape((*prescribed.shape, -1)))
 
 
 @value

@@ -21,7 +21,7 @@ from winkler.numerics.types import Array
 from winkler.problems.normal.overlap import SLOPE_SAMPLES
 from winkler.problems.normal.single_contact import MOST_TURNING_POINTS, too_many
 
-__all__ = ["radii_at_depth", "radii_at_force"]
+__all__ = ["forces", "radii_at_depth", "radii_at_force"]
 
 
 class RisingInterval(NamedTuple):
@@ -67,7 +67,7 @@ class _Landscape:
         self.bed, self.end = bed, end
         self.intervals = functools.cache(lambda horizon: _rising_intervals(bed, horizon))
         self.gap = functools.cache(lambda x: float(bed.gap(np.array([x]))[0]))
-        self.force = functools.cache(lambda x: float(_forces(bed, np.array([x]))[0]))
+        self.force = functools.cache(lambda x: float(forces(bed, np.array([x]))[0]))
 
     def horizon(self, value: Callable[[float], float], target: float, guess: float) -> float:
         """Return a place at which a value is met, and not at half of it, by doubling or halving the guess."""
@@ -111,7 +111,8 @@ class _Landscape:
         return RisingInterval(self.end, self.end)
 
 
-def _forces(bed: Bed, a: Array) -> Array:
+def forces(bed: Bed, a: Array) -> Array:
+    """Return the forces [N] under which contacts have given radii."""
     return bed.stiffness(a) * bed.gap(a) - bed.gap_load(a)
 
 
@@ -132,7 +133,7 @@ def radii_at_depth(bed: Bed, depth: Array, end: float, guess: Callable[[float], 
 def radii_at_force(bed: Bed, force: Array, end: float, guess: Callable[[float], float]) -> Array:
     """Return the contact radii under forces ``(m,)``, zero without force, or refuse, naming the load."""
     landscape = _Landscape(bed, end)
-    return _all_met(functools.partial(_forces, bed), force, lambda load: landscape.at_force(load, guess(load)))
+    return _all_met(functools.partial(forces, bed), force, lambda load: landscape.at_force(load, guess(load)))
 
 
 def _all_met(value: Callable[[Array], Array], target: Array, interval: Callable[[float], RisingInterval]) -> Array:
@@ -152,15 +153,11 @@ def _all_met(value: Callable[[Array], Array], target: Array, interval: Callable[
 def _refuse_unless_pinned(bed: Bed, target: str, end: float) -> None:
     """Raise if a load that no free edge meets is not met by the rim either."""
     if not math.isfinite(end):
-        raise OutsideValidity(_falling(bed, target))
+        raise OutsideValidity(
+            f"{target} is not met by a round contact: the profile falls with the distance from the axis, so that it "
+            "touches as a ring; give a profile that rises from its apex."
+        )
     if bed.rim > bed.reach:
         raise OutsideValidity(
             f"{target} leads beyond the reach of the profile ({end:.6g} m), where nothing is known of it; give less."
         )
-
-
-def _falling(bed: Bed, target: str) -> str:
-    return (
-        f"{target} is not met by a round contact: the profile falls with the distance from the axis, so that it "
-        "touches as a ring; give a profile that rises from its apex."
-    )

@@ -8,6 +8,7 @@ Where the body is known to let g rise, Newton's method meets all loads; elsewher
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 
@@ -15,16 +16,16 @@ from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.media.body_of import thickness_of
 from winkler.numerics.equations.roots import invert, rough_root
-from winkler.numerics.types import Array
+from winkler.numerics.types import Array, Curve
 from winkler.problems.normal import radius_search
 from winkler.problems.normal.overlap import rises
 from winkler.problems.normal.single_contacts import refuse_unless_discs
 
-__all__ = ["at_depth", "at_end", "at_force", "at_radius", "flat_radius"]
+__all__ = ["at_depth", "at_end", "at_force", "at_radius", "end_of", "flat_radius", "indices_of"]
 
 
-def _end(bed: Bed) -> float:
-    """Return the radius at which the profile ends, at a rim or where it is no longer known."""
+def end_of(bed: Bed) -> float:
+    """Return the radius [m] at which the profile ends, at a rim or where it is no longer known."""
     return min(bed.reach, bed.rim)
 
 
@@ -32,7 +33,7 @@ def flat_radius(bed: Bed) -> float:
     """Return the radius up to which g vanishes: the contact opens with it."""
     flat = 0.0
     for b, _ in bed.kinks:
-        if b >= _end(bed) or float(bed.gap(np.array([b]))[0]) != 0.0:
+        if b >= end_of(bed) or float(bed.gap(np.array([b]))[0]) != 0.0:
             break
         flat = b
     return flat
@@ -40,7 +41,7 @@ def flat_radius(bed: Bed) -> float:
 
 def at_end(bed: Bed) -> tuple[float, float]:
     """Return depth and force when the contact fills the profile; infinite if it never does."""
-    end = _end(bed)
+    end = end_of(bed)
     if not np.isfinite(end):
         return np.inf, np.inf
     place = np.array([end])
@@ -51,37 +52,30 @@ def at_end(bed: Bed) -> tuple[float, float]:
         return depth, float((bed.stiffness(place) * depth - bed.gap_load(place))[0])
 
 
-def _indices(bad: Array) -> str:
+def indices_of(bad: Array) -> str:
+    """Return which loads of many are bad, for a sentence; nothing of one alone."""
     places = np.flatnonzero(bad)
     if bad.size == 1:
         return ""
     return f" at index {', '.join(map(str, places[:5]))}" + (" and more" if places.size > 5 else "")
 
 
-def _refuse_beyond(bed: Bed, bad: Array, prescribed: Array, word: str, unit: str, most: float) -> None:
-    if bad.any():
-        raise OutsideValidity(
-            f"{word} {prescribed[bad][0]:.6g} {unit}{_indices(bad)} leads beyond the reach of the profile "
-            f"({bed.reach:.6g} m), where nothing is known of it; give at most {most:.6g} {unit}."
-        )
-
-
 def at_radius(bed: Bed, radius: Array) -> tuple[Array, Array]:
     """Return depth and radius of contacts with given radii `(m,)`."""
-    end = _end(bed)
+    end = end_of(bed)
     bad = radius >= end
     if bad.any() and np.isfinite(at_end(bed)[0]):
         bad = radius > end
     if bad.any():
         wall = "the rim of the body" if bed.rim <= bed.reach else "the reach of the profile"
         raise OutsideValidity(
-            f"radius {radius[bad][0]:.6g} m{_indices(bad)} is beyond {wall} ({end:.6g} m); give a smaller one."
+            f"radius {radius[bad][0]:.6g} m{indices_of(bad)} is beyond {wall} ({end:.6g} m); give a smaller one."
         )
     flat = end if bed.rim < np.inf and float(bed.gap(np.array([end]))[0]) == 0.0 else flat_radius(bed)
     bad = (radius > 0.0) & (radius <= flat)
     if bad.any():
         raise OutsideValidity(
-            f"radius {radius[bad][0]:.6g} m{_indices(bad)} does not determine the load: the body is flat up to "
+            f"radius {radius[bad][0]:.6g} m{indices_of(bad)} does not determine the load: the body is flat up to "
             f"{flat:.6g} m and touches there at once; give a force or a depth."
         )
     depth = bed.gap(radius)
@@ -94,36 +88,61 @@ def at_depth(bed: Bed, depth: Array) -> tuple[Array, Array]:
     if bed.rising:
         radius = _radii_at_depth(bed, depth)
         if rises(bed, float(np.max(radius, initial=0.0))):
-            refuse_unless_discs(bed, depth, radius, _end(bed))
+            refuse_unless_discs(bed, depth, radius, end_of(bed))
             return depth.copy(), radius
-    radius = radius_search.radii_at_depth(bed, depth, _end(bed), _guesses(bed, bed.gap))
-    refuse_unless_discs(bed, depth, radius, _end(bed))
+    radius = radius_search.radii_at_depth(bed, depth, end_of(bed), _guesses(bed, bed.gap))
+    refuse_unless_discs(bed, depth, radius, end_of(bed))
     return depth.copy(), radius
 
 
 def _radii_at_depth(bed: Bed, depth: Array) -> Array:
     """Return the radii at which a rising g meets all depths."""
-    radius = np.zeros(depth.shape)
-    depth_end = np.inf if _met_before(bed, bed.gap, depth) else at_end(bed)[0]
-    pinned = depth > depth_end if bed.rim <= bed.reach else np.zeros(depth.shape, dtype=bool)
-    _refuse_beyond(bed, (depth > depth_end) & ~pinned, depth, "depth", "m", depth_end)
-    radius[pinned] = _end(bed)
-    free = (depth > 0.0) & ~pinned
-    if free.any():
-        upper, guess = _bracket(bed, bed.gap, depth[free])
-        root = invert(
-            lambda a: (bed.gap(a), bed.gap_slope(a)), depth[free], lower=flat_radius(bed), upper=upper, guess=guess
+
+    def with_slope(a: Array) -> tuple[Array, Array]:
+        return bed.gap(a), bed.gap_slope(a)
+
+    return _rising_radii(bed, depth, bed.gap, with_slope, ("depth", "m"))
+
+
+def _radii_at_force(bed: Bed, force: Array) -> Array:
+    """Return the radii at which a rising g meets all forces."""
+
+    def with_slope(a: Array) -> tuple[Array, Array]:
+        stiffness = bed.stiffness(a)
+        return stiffness * bed.gap(a) - bed.gap_load(a), stiffness * bed.gap_slope(a)
+
+    return _rising_radii(bed, force, lambda a: with_slope(a)[0], with_slope, ("force", "N"))
+
+
+def _rising_radii(
+    bed: Bed, target: Array, value: Curve, with_slope: Callable[[Array], tuple[Array, Array]], words: tuple[str, str]
+) -> Array:
+    """Return the radii at which a value that rises with the radius, depth or force, meets all loads."""
+    radius = np.zeros(target.shape)
+    last = np.inf if _met_before(bed, value, target) else at_end(bed)[0 if words[0] == "depth" else 1]
+    pinned = target > last if bed.rim <= bed.reach else np.zeros(target.shape, dtype=bool)
+    beyond = (target > last) & ~pinned
+    if beyond.any():
+        word, unit = words
+        raise OutsideValidity(
+            f"{word} {target[beyond][0]:.6g} {unit}{indices_of(beyond)} leads beyond the reach of the profile "
+            f"({bed.reach:.6g} m), where nothing is known of it; give at most {last:.6g} {unit}."
         )
-        radius[free] = _not_beyond(bed, root, bed.gap(root) > (1.0 + 1e-6) * depth[free])
+    radius[pinned] = end_of(bed)
+    free = (target > 0.0) & ~pinned
+    if free.any():
+        upper, guess = _bracket(bed, value, target[free])
+        root = invert(with_slope, target[free], lower=flat_radius(bed), upper=upper, guess=guess)
+        radius[free] = _not_beyond(bed, root, value(root) > (1.0 + 1e-6) * target[free])
     return radius
 
 
-def _met_before(bed: Bed, value: Callable[[Array], Array], target: Array) -> bool:
+def _met_before(bed: Bed, value: Curve, target: Array) -> bool:
     """Return whether all loads are met well before the profile ends; there its g may take long to compute."""
-    end, most = _end(bed), float(np.max(target, initial=0.0))
+    end, most = end_of(bed), float(np.max(target, initial=0.0))
     if not np.isfinite(end):
         return False
-    place = _guess(bed, value, most)
+    place = _guesses(bed, value)(most)
     while place < 0.5 * end:
         if float(value(np.array([place]))[0]) >= most:
             return True
@@ -149,7 +168,7 @@ def at_force(bed: Bed, force: Array) -> tuple[Array, Array]:
     tensile = force < 0.0
     if tensile.any():
         raise OutsideValidity(
-            f"force {force[tensile][0]:.6g} N{_indices(tensile)} is tensile; without adhesion bodies can only be "
+            f"force {force[tensile][0]:.6g} N{indices_of(tensile)} is tensile; without adhesion bodies can only be "
             "pressed together: give a force of zero or more."
         )
     radius = _radius_at_force(bed, force)
@@ -157,7 +176,7 @@ def at_force(bed: Bed, force: Array) -> tuple[Array, Array]:
     stiffness = bed.stiffness(radius)
     touching = stiffness > 0.0
     depth = np.where(touching, (force + bed.gap_load(radius)) / np.where(touching, stiffness, 1.0), 0.0)
-    refuse_unless_discs(bed, depth, radius, _end(bed))
+    refuse_unless_discs(bed, depth, radius, end_of(bed))
     return depth, radius
 
 
@@ -167,48 +186,18 @@ def _radius_at_force(bed: Bed, force: Array) -> Array:
         radius = _radii_at_force(bed, force)
         if rises(bed, float(np.max(radius, initial=0.0))):
             return radius
-
-    def borne(a: Array) -> Array:
-        return bed.stiffness(a) * bed.gap(a) - bed.gap_load(a)
-
-    return radius_search.radii_at_force(bed, force, _end(bed), _guesses(bed, borne))
+    return radius_search.radii_at_force(bed, force, end_of(bed), _guesses(bed, partial(radius_search.forces, bed)))
 
 
-def _radii_at_force(bed: Bed, force: Array) -> Array:
-    """Return the radii at which a rising g meets all forces."""
-    radius = np.zeros(force.shape)
-
-    def force_and_slope(a: Array) -> tuple[Array, Array]:
-        stiffness = bed.stiffness(a)
-        return stiffness * bed.gap(a) - bed.gap_load(a), stiffness * bed.gap_slope(a)
-
-    force_end = np.inf if _met_before(bed, lambda a: force_and_slope(a)[0], force) else at_end(bed)[1]
-    pinned = force > force_end if bed.rim <= bed.reach else np.zeros(force.shape, dtype=bool)
-    _refuse_beyond(bed, (force > force_end) & ~pinned, force, "force", "N", force_end)
-    radius[pinned] = _end(bed)
-    free = (force > 0.0) & ~pinned
-
-    if free.any():
-        upper, guess = _bracket(bed, lambda a: force_and_slope(a)[0], force[free])
-        root = invert(force_and_slope, force[free], lower=flat_radius(bed), upper=upper, guess=guess)
-        radius[free] = _not_beyond(bed, root, force_and_slope(root)[0] > (1.0 + 1e-6) * force[free])
-    return radius
-
-
-def _guess(bed: Bed, value: Callable[[Array], Array], target: float) -> float:
-    """Return a radius of the order of the lengths of body, layers and load, where the search begins."""
-    return _guesses(bed, value)(target)
-
-
-def _guesses(bed: Bed, value: Callable[[Array], Array]) -> Callable[[float], float]:
-    """Return what gives such a radius for each of many loads."""
+def _guesses(bed: Bed, value: Curve) -> Callable[[float], float]:
+    """Return what gives, for each of many loads, a radius of the order of the lengths of body, layers and load."""
     length = _length(bed)
     return lambda target: length if np.isfinite(length) else rough_root(value, target)
 
 
 def _length(bed: Bed) -> float:
     """Return a radius of the order of the lengths of body and layers; infinite if they have none."""
-    flat, end, layers = flat_radius(bed), _end(bed), thickness_of(bed.medium)
+    flat, end, layers = flat_radius(bed), end_of(bed), thickness_of(bed.medium)
     if np.isfinite(end):
         return flat + min(0.02 * (end - flat), layers)
     if flat > 0.0:
@@ -218,12 +207,12 @@ def _length(bed: Bed) -> float:
     return min([layers, *(b for b, _ in bed.kinks)])
 
 
-def _bracket(bed: Bed, value: Callable[[Array], Array], target: Array) -> tuple[float, float | Array]:
+def _bracket(bed: Bed, value: Curve, target: Array) -> tuple[float, float | Array]:
     """Return a radius beyond all that are sought, and one or many where the search may begin.
 
     Layers are not solved for contacts far wider than those sought: these take long, or cannot be carried.
     """
-    end, place = _end(bed), _guess(bed, value, float(np.max(target)))
+    end, place = end_of(bed), _guesses(bed, value)(float(np.max(target)))
     if not np.isfinite(thickness_of(bed.medium)):
         return end, place
     flat, most = flat_radius(bed), float(np.max(target))

@@ -14,7 +14,7 @@ from winkler.problems.normal.single_contact import unfinished
 from winkler.problems.normal.yield_statement import FRICTIONLESS, SurfaceFriction, yield_notes_of_bed
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["contact_notes", "indentation_notes", "large_body_note", "size_note", "slope_note", "steepness_note"]
+__all__ = ["contact_notes", "indentation_notes", "large_body_note", "shape_notes", "steepness_note"]
 
 JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, doi:10.1017/CBO9781139171731"
 HAY = "J. C. Hay, A. Bolshakov, G. M. Pharr, J. Mater. Res. 14 (1999) 2296, doi:10.1557/JMR.1999.0306"
@@ -49,9 +49,7 @@ def contact_notes(bed: Bed, depth: Array, radius: Array) -> tuple[Note, ...]:
         )
     last = int(np.argmax(depth))
     widest = float(radius[last])
-    notes = [slope_note(bed, widest)]
-    if math.isfinite(bed.size):
-        notes.append(size_note(bed, widest))
+    notes = shape_notes(bed, widest)
     if widest >= bed.rim:
         notes.append(
             Note(
@@ -93,11 +91,12 @@ def _disc_note(bed: Bed, depth: float, radius: float) -> Note:
     )
 
 
-def slope_note(bed: Bed, radius: float) -> Note:
-    """Return what the slopes within a contact of this radius mean for the theory."""
+def shape_notes(bed: Bed, radius: float) -> list[Note]:
+    """Return what the slopes within a contact of this radius and the size of the body mean for the theory."""
     share = np.linspace(0.0, 1.0, 65)[1:]
     inside = radius * (share[:-1] if radius >= bed.rim else share)  # a rim has no slope
-    return steepness_note(float(np.max(np.abs(bed.slope(inside)))))
+    notes = [steepness_note(float(np.max(np.abs(bed.slope(inside)))))]
+    return [*notes, large_body_note(radius / bed.size)] if math.isfinite(bed.size) else notes
 
 
 def steepness_note(slope: float) -> Note:
@@ -117,11 +116,6 @@ def steepness_note(slope: float) -> Note:
     return Note(
         Assumption.SMALL_SLOPES, standing, f"The steepest slope within the contact is {slope:.3g}: {verdict}.", HAY
     )
-
-
-def size_note(bed: Bed, radius: float) -> Note:
-    """Return what the size of the body means for a contact of this radius."""
-    return large_body_note(radius / bed.size)
 
 
 def large_body_note(ratio: float) -> Note:

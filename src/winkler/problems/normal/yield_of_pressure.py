@@ -8,7 +8,7 @@ import numpy as np
 
 from winkler.numerics.types import Quantity
 from winkler.problems.normal.elliptic_stress import greatest_under_ellipse
-from winkler.problems.normal.strong_parts import StrongPart, strong_parts
+from winkler.problems.normal.strong_parts import strong_parts
 from winkler.problems.normal.unknown_yield import MISES, unknown_yield
 from winkler.problems.normal.yield_statement import share_of
 from winkler.validity import Assumption, Note, Standing
@@ -75,13 +75,7 @@ def map_yield_notes(medium: object, pressure: float) -> tuple[Note, ...]:
     pressure : float
         The greatest one [Pa].
     """
-    parts = strong_parts(medium)
-    if not parts or pressure <= 0.0:
-        return ()
-    part, limit = _weakest(parts)
-    share = pressure / part.solid.strength
-    fact = f"The greatest pressure is {share_of(share, part)}; under a round contact of Hertz yielding begins at "
-    return (_of_pressure(share / limit, f"{fact}{limit:.3g} times"),)
+    return _spot_notes(medium, pressure, 1.0, "The greatest pressure is {}; under a round contact of Hertz yielding")
 
 
 def spots_yield_notes(medium: object, pressure: float) -> tuple[Note, ...]:
@@ -94,29 +88,27 @@ def spots_yield_notes(medium: object, pressure: float) -> tuple[Note, ...]:
     pressure : float
         Force over true area [Pa].
     """
+    fact = (
+        "The mean pressure in the true area of contact is {}, single summits bear more; under a round contact of Hertz "
+        "yielding"
+    )
+    return _spot_notes(medium, pressure, 1.5, fact)
+
+
+def _spot_notes(medium: object, pressure: float, over_mean: float, fact: str) -> tuple[Note, ...]:
+    """Return the verdict on a pressure [Pa] of spots, of which the greatest is `over_mean` times as great."""
     parts = strong_parts(medium)
     if not parts or not pressure > 0.0:
         return ()
-    part, limit = _weakest(parts)
-    share, mean = pressure / part.solid.strength, limit / 1.5
-    fact = f"The mean pressure in the true area of contact is {share_of(share, part)}, single summits bear more; under "
-    return (
-        _of_pressure(share / mean, f"{fact}a round contact of Hertz yielding begins at a mean of {mean:.3g} times"),
-    )
-
-
-def _weakest(parts: tuple[StrongPart, ...]) -> tuple[StrongPart, float]:
-    """Return the part that a round contact brings to yield first, and the greatest pressure over strength there."""
     limits = [1.0 / greatest_under_ellipse(1.0, part.solid.poisson).value for part in parts]
-    return min(zip(parts, limits, strict=True), key=lambda pair: pair[1] * pair[0].solid.strength)
-
-
-def _of_pressure(share: float, fact: str) -> Note:
-    """Return the verdict on a pressure that is `share` of the one at which a round contact yields."""
-    if share >= 1.0:
+    part, limit = min(zip(parts, limits, strict=True), key=lambda pair: pair[1] * pair[0].solid.strength)
+    share, onset = pressure / part.solid.strength, limit / over_mean
+    if share / onset >= 1.0:
         standing, verdict = Standing.OUTSIDE, "spots of this pressure have yielded, and the result is not elastic"
-    elif share <= SAFE_PRESSURE:
+    elif share / onset <= SAFE_PRESSURE:
         standing, verdict = Standing.ASYMPTOTIC, "far below that spots stay elastic, unless they are sharp"
     else:
         standing, verdict = Standing.APPROXIMATE, "the onset of yield is not known because the spots are not round"
-    return Note(Assumption.ELASTIC, standing, f"{fact} the strength: {verdict}.", f"{MISES}; {HERTZ}")
+    at = f"begins at {'a mean of ' if over_mean > 1.0 else ''}{onset:.3g} times the strength"
+    statement = f"{fact.format(share_of(share, part))} {at}: {verdict}."
+    return (Note(Assumption.ELASTIC, standing, statement, f"{MISES}; {HERTZ}"),)

@@ -27,10 +27,9 @@ from winkler.problems.assumptions.inertia import wave_loss, wave_note
 from winkler.problems.assumptions.times import times_notes
 from winkler.problems.normal.length_scale import shape_length
 from winkler.problems.normal.solve_contact import at_depth
-from winkler.problems.normal.unknown_yield import relaxing_yield
-from winkler.problems.normal.validity import contact_notes
 from winkler.problems.viscoelastic.flight import Flight
 from winkler.problems.viscoelastic.march import SpringRow, elastic_like, relaxation_of
+from winkler.problems.viscoelastic.validity import relaxing_notes
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -160,14 +159,12 @@ class ViscoelasticImpact:
     def _march(self, series: RelaxationSeries, deepest: float, dt: float, count: int) -> Flight:
         elastic = elastic_like(self.bed)
         _, radius = at_depth(elastic, np.array([deepest]))
-        flight = Flight(
-            SpringRow(elastic, Springs.of(elastic, float(radius[0]), count), series), self.mass, self.velocity
-        )
+        row = SpringRow(elastic, Springs.of(elastic, float(radius[0]), count), series)
+        flight = Flight(row, self.mass, self.velocity)
         for _ in range(int(LONGEST_CONTACT * deepest / self.velocity / dt)):
             going = flight.goes_on(dt)
-            resting = (
-                flight.velocity**2 < REST_ENERGY * self.velocity**2 and flight.time > 2.0 * deepest / self.velocity
-            )
+            slow = flight.velocity**2 < REST_ENERGY * self.velocity**2
+            resting = slow and flight.time > 2.0 * deepest / self.velocity
             if not going or resting or (flight.row.depth > deepest and math.isinf(elastic.rim)):
                 return flight
         raise NotConverged(
@@ -268,12 +265,5 @@ class ViscoelasticImpactSolution:
         modulus = stiffest * float(elastic_like(bed).normal_stiffness(np.array([np.max(self.radius)]))[0])
         share = wave_loss(modulus=modulus, mass=self.problem.mass, size=bed.size, velocity=self.problem.velocity)
         times = times_notes(bed, float(np.min(np.diff(self.time))), self.duration)
-        spent = self.kinetic_energy[0] - self.kinetic_energy
-        return (
-            *bed.notes,
-            *contact_notes(elastic_like(bed), self.depth, self.radius),
-            *times,
-            energy_note(spent, self.stored_energy, self.bulk_loss),
-            wave_note(share),
-            *relaxing_yield(bed.medium),
-        )
+        balance = energy_note(self.kinetic_energy[0] - self.kinetic_energy, self.stored_energy, self.bulk_loss)
+        return relaxing_notes(bed, self.depth, self.radius, (*times, balance, wave_note(share)))

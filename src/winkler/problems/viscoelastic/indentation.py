@@ -31,11 +31,10 @@ from winkler.problems.assumptions.declared import BALANCED, RELAXING
 from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.assumptions.times import path_notes
 from winkler.problems.normal.solve_contact import at_depth, at_force
-from winkler.problems.normal.unknown_yield import relaxing_yield
-from winkler.problems.normal.validity import contact_notes
 from winkler.problems.viscoelastic.force_driven import ForceDriven
 from winkler.problems.viscoelastic.march import SpringRow, elastic_like, refuse_rings, relaxation_of
 from winkler.problems.viscoelastic.states import ViscoelasticState
+from winkler.problems.viscoelastic.validity import relaxing_notes
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -273,11 +272,5 @@ class ViscoelasticSolution:
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: assumptions, slopes and size of the body at its deepest."""
         bed = self.problem.bed
-        times = path_notes(bed, self.time)
-        return (
-            *bed.notes,
-            *contact_notes(elastic_like(bed), self.depth, self.radius),
-            *times,
-            energy_note(self.work, self.stored_energy, self.dissipation),
-            *relaxing_yield(bed.medium),
-        )
+        balance = energy_note(self.work, self.stored_energy, self.dissipation)
+        return relaxing_notes(bed, self.depth, self.radius, (*path_notes(bed, self.time), balance))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import math
 from typing import NamedTuple
 
@@ -101,8 +102,7 @@ class SpringRow:
 
     def copy(self) -> SpringRow:
         """Return a row that may be carried on without this one."""
-        twin = object.__new__(SpringRow)
-        twin.__dict__.update(self.__dict__)
+        twin = copy.copy(self)
         twin.place, twin.memory, twin.pressed = self.place.copy(), self.memory.copy(), self.pressed.copy()
         twin.counts, twin.motion = self.counts.copy(), self.motion.copy()
         return twin

@@ -20,9 +20,8 @@ from winkler.numerics.types import Array, Quantity
 from winkler.problems.assumptions.declared import RELAXING
 from winkler.problems.assumptions.times import times_notes
 from winkler.problems.normal.indentation import Indentation
-from winkler.problems.normal.unknown_yield import relaxing_yield
-from winkler.problems.normal.validity import contact_notes
 from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
+from winkler.problems.viscoelastic.validity import relaxing_notes
 from winkler.validity import Assumption, Note
 from winkler.values import value
 
@@ -181,4 +180,4 @@ class StepSolution:
         bed = self.problem.bed
         depth, radius = np.broadcast_arrays(np.ravel(self.depth), np.ravel(self.radius))
         times = times_notes(bed, float(np.min(self.time)), float(np.max(self.time)))
-        return (*bed.notes, *contact_notes(elastic_like(bed), depth, radius), *times, *relaxing_yield(bed.medium))
+        return relaxing_notes(bed, depth, radius, times)

@@ -13,14 +13,13 @@ from winkler.checks.number_checks import PositiveQuantity
 from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
 from winkler.loading import Depth, Force
-from winkler.numerics.types import Quantity
+from winkler.numerics.types import Quantity, shaped
 from winkler.path import OnePositiveNormal
 from winkler.problems.assumptions.declared import RELAXING
 from winkler.problems.assumptions.times import times_notes
 from winkler.problems.normal.indentation import Indentation
-from winkler.problems.normal.unknown_yield import relaxing_yield
-from winkler.problems.normal.validity import contact_notes
 from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
+from winkler.problems.viscoelastic.validity import relaxing_notes
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
@@ -90,19 +89,9 @@ class HarmonicIndentation:
         series, elastic = relaxation_of("", self.bed), elastic_like(self.bed)
         load = self.normal if isinstance(self.normal, Depth) else Force(float(self.normal.force) / series.relaxed)
         contact = Indentation(elastic, load).solve()
-        complex_stiffness = float(contact.stiffness) * series.dynamic(np.asarray(self.angular_frequency, dtype=float))
-        single = np.ndim(self.angular_frequency) == 0
-        storage, loss = (
-            float(part) if single else part for part in (np.real(complex_stiffness), np.imag(complex_stiffness))
-        )
-        return HarmonicSolution(
-            self,
-            depth=float(contact.depth),
-            force=series.relaxed * float(contact.force),
-            radius=float(contact.radius),
-            storage_stiffness=storage,
-            loss_stiffness=loss,
-        )
+        stiffness = float(contact.stiffness) * series.dynamic(np.asarray(self.angular_frequency, dtype=float))
+        steady = float(contact.depth), series.relaxed * float(contact.force), float(contact.radius)
+        return HarmonicSolution(self, *steady, shaped(np.real(stiffness)), shaped(np.imag(stiffness)))
 
 
 @value
@@ -151,6 +140,5 @@ class HarmonicSolution:
             "go.",
             "linearisation about the relaxed contact",
         )
-        place = np.array([self.depth]), np.array([self.radius])
         times = times_notes(bed, float(1.0 / np.max(frequency)), float(1.0 / np.min(frequency)))
-        return (*bed.notes, *contact_notes(elastic_like(bed), *place), *times, small, *relaxing_yield(bed.medium))
+        return relaxing_notes(bed, np.array([self.depth]), np.array([self.radius]), (*times, small))

@@ -22,7 +22,7 @@ from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
 from winkler.limits import RELAXING_SPRINGS
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
-from winkler.numerics.types import Array, Quantity
+from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import OnePositiveNormal
 from winkler.problems.assumptions.declared import RELAXING
 from winkler.problems.assumptions.times import times_notes
@@ -122,10 +122,8 @@ class SlidingResistance:
             share = share_of_line(medium.creep, speed, *done.touching)
             sums = done.depth, done.force, done.radius, done.trailing_edge, done.shear_force
             rows.append((*sums, share * done.shear_force))
-        columns = (np.reshape(column, np.shape(self.speed)) for column in zip(*rows, strict=True))
-        if np.ndim(self.speed) == 0:
-            return SlidingResistanceSolution(self, self.speed, *(float(column) for column in columns))
-        return SlidingResistanceSolution(self, np.array(self.speed, dtype=float), *columns)
+        columns = (shaped(np.array(column), np.shape(self.speed)) for column in zip(*rows, strict=True))
+        return SlidingResistanceSolution(self, self.speed, *columns)
 
 
 @value

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import math
 from typing import NamedTuple
 
@@ -111,8 +112,7 @@ class ShearedMarch:
 
     def copy(self) -> ShearedMarch:
         """Return a row that may be carried on without this one."""
-        twin = object.__new__(ShearedMarch)
-        twin.__dict__.update(self.__dict__)
+        twin = copy.copy(self)
         twin.row, twin.displaced, twin.memory = self.row.copy(), self.displaced.copy(), self.memory.copy()
         twin.free = self.free.copy()
         return twin

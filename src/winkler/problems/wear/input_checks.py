@@ -4,16 +4,13 @@ from __future__ import annotations
 
 from typing import Annotated, TypeAlias
 
-import numpy as np
-
 from winkler.checks.number_checks import Whole, between
 from winkler.errors import OutsideValidity
 from winkler.foundation.foundation import Foundation
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.problems.normal.indentation import IndentationSolution
 
-__all__ = ["Cells", "WearTolerance", "touching", "wearable"]
+__all__ = ["Cells", "WearTolerance", "wearable"]
 
 
 def wearable(owner: str, bed: Foundation) -> None:
@@ -28,10 +25,3 @@ def wearable(owner: str, bed: Foundation) -> None:
 
 Cells: TypeAlias = Annotated[int, Whole(20, 5000, "cells")]
 WearTolerance: TypeAlias = Annotated[float, between(1e-9, 1e-2)]
-
-
-def touching(owner: str, contact: IndentationSolution) -> IndentationSolution:
-    """Return a contact; refuse one in which the bodies do not touch."""
-    if not float(np.asarray(contact.radius)) > 0.0:
-        raise OutsideValidity(f"{owner}: the bodies do not touch under this load; press them together.")
-    return contact

@@ -19,6 +19,7 @@ import numpy as np
 
 from winkler.checks.field_checks import Condition
 from winkler.errors import OutsideValidity
+from winkler.foundation.bed import StretchedSprings
 from winkler.foundation.foundation import Foundation
 from winkler.laws.friction import Sliding
 from winkler.loading import Depth, Shift
@@ -30,8 +31,7 @@ from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import WORN
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.yield_statement import SurfaceFriction
-from winkler.problems.wear.core import Core
-from winkler.problems.wear.validity import debris_note, limiting_notes, slip_note
+from winkler.problems.wear.validity import DEBRIS, limiting_notes, slip_note
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -127,7 +127,7 @@ class LimitingProfile:
         depth, radius = float(self.normal.depth), float(contact.radius)
         if radius == 0.0:
             raise OutsideValidity("LimitingProfile: the bodies do not touch at this depth; press them together.")
-        core = Core(self.bed, depth, self._stick_radius(depth, radius))
+        core = StretchedSprings(self.bed, depth, self._stick_radius(depth, radius))
         return LimitingSolution(self, core, self._outer_radius(core))
 
     def _stick_radius(self, depth: float, radius: float) -> float:
@@ -152,7 +152,7 @@ class LimitingProfile:
         last = int(np.argmin(sticks)) - 1
         return float(between(lambda x, _: margin(x), place[last : last + 1], place[last + 1 : last + 2])[0])
 
-    def _outer_radius(self, core: Core) -> float:
+    def _outer_radius(self, core: StretchedSprings) -> float:
         bed = self.bed
 
         def above(r: Array, _: Array) -> Array:
@@ -182,7 +182,7 @@ class LimitingSolution:
     ----------
     problem : LimitingProfile
         The problem that was solved.
-    core : Core
+    core : StretchedSprings
         The springs that bear.
     radius : float
         a_inf [m], where the worn part ends.
@@ -191,7 +191,7 @@ class LimitingSolution:
     __words__ = words(radius=(r"a_\infty", "m", "radius where the worn part ends"))
 
     problem: LimitingProfile
-    core: Core
+    core: StretchedSprings
     radius: float
 
     @property
@@ -273,5 +273,5 @@ class LimitingSolution:
         """How far the result can be trusted."""
         bed = self.problem.bed
         rubbing = SurfaceFriction(self.problem.law.coefficient)
-        worn = (debris_note(), slip_note(bed), sticking_note(bed.medium, self.problem.law.coefficient))
+        worn = (DEBRIS, slip_note(bed), sticking_note(bed.medium, self.problem.law.coefficient))
         return (*self.problem.contact.notes_with(rubbing), *worn, *limiting_notes(bed, self.core.radius))

@@ -22,6 +22,7 @@ import numpy as np
 from winkler.errors import NotConverged
 from winkler.foundation.foundation import Foundation
 from winkler.loading import Depth, Normal
+from winkler.media.body_of import exponent_of
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.transforms.ring_transforms import Cuts, RingTransforms, SurfaceTransform
@@ -77,11 +78,6 @@ class RubbedContact(NamedTuple):
     slip: Array
 
 
-def _exponent_of(bed: Foundation) -> float:
-    """Return the exponent of the grading of a bed, zero if it stands on a homogeneous half-space."""
-    return float(bed.medium.exponent) if isinstance(bed.medium, GradedHalfSpace) else 0.0
-
-
 class WearLine:
     """A bed on a grid.
 
@@ -96,7 +92,7 @@ class WearLine:
     def __init__(self, bed: Foundation, nodes: Array) -> None:
         medium = bed.medium
         assert isinstance(medium, HomogeneousMedium | GradedHalfSpace)
-        self.bed, self.nodes, self.k = bed, nodes, _exponent_of(bed)
+        self.bed, self.nodes, self.k = bed, nodes, exponent_of(medium)
         self.rings = RingTransforms(nodes, self.k)
         self.gap = bed.gap(nodes)
         scale = float(medium.depth_scale**self.k) if isinstance(medium, GradedHalfSpace) else 1.0

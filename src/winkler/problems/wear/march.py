@@ -26,6 +26,7 @@ from winkler.numerics.equations.implicit import implicit_step
 from winkler.numerics.equations.stabilised import MOST_STAGES, longest, stages_for, step, step_error
 from winkler.numerics.transforms.ring_transforms import ring_means
 from winkler.numerics.types import Array
+from winkler.problems.normal.solve_contact import end_of
 from winkler.problems.wear.line import WearLine, WornContact, wear_line
 from winkler.problems.wear.rates import SlidingSystem, law_slope
 
@@ -215,7 +216,7 @@ def _advance(problem: WearProblem, moment: WearMoment, goal: float, everywhere: 
     problem.refuse(contact, elapsed)
     begun, overrun = elapsed, False
     while elapsed < goal:
-        if overrun or (here.nodes[-1] < _end(problem.bed) and contact.radius > WIDENING_SHARE * here.nodes[-1]):
+        if overrun or (here.nodes[-1] < end_of(problem.bed) and contact.radius > WIDENING_SHARE * here.nodes[-1]):
             nodes, worn = _wider(problem.bed, here.nodes, worn)
             here, overrun = _WearRates(problem, nodes), False
             contact, first = here.contact(worn), here.rates(worn)
@@ -251,7 +252,7 @@ def _advance(problem: WearProblem, moment: WearMoment, goal: float, everywhere: 
         back = bool(np.any(tried.end < worn))
         end = np.maximum(tried.end, worn) if back else tried.end
         there = here.contact(end)
-        overrun = there.stretch[-1] > 0.0 and here.nodes[-1] < _end(problem.bed)
+        overrun = there.stretch[-1] > 0.0 and here.nodes[-1] < end_of(problem.bed)
         if overrun:
             continue
         grown = length * min(5.0, 0.8 * max(error, 1e-9) ** (-1.0 / 3.0))
@@ -275,14 +276,9 @@ def _damping(problem: WearProblem, line: WearLine, contact: WornContact) -> floa
     return float(np.max(law_slope(problem.wear, contact.pressure) * problem.slipped(line, contact) * line.response))
 
 
-def _end(bed: Foundation) -> float:
-    """Return where the profile ends [m]."""
-    return min(bed.reach, bed.rim)
-
-
 def _refuse_outgrown(bed: Foundation, contact: WornContact, nodes: Array) -> None:
     """Refuse a contact that grows beyond what is known of its profile."""
-    if _end(bed) <= nodes[-1] < bed.rim and contact.stretch[-1] > 0.0:
+    if end_of(bed) <= nodes[-1] < bed.rim and contact.stretch[-1] > 0.0:
         raise OutsideValidity(
             f"Wear: the contact grows beyond {nodes[-1]:.6g} m, as far as the profile is known; give one that is known "
             "farther out, or wear less."

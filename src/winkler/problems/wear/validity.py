@@ -19,44 +19,33 @@ from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.problems.wear.states import WearState
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["debris_note", "fretting_notes", "limiting_notes", "sliding_notes", "slip_note"]
+__all__ = ["DEBRIS", "fretting_notes", "limiting_notes", "sliding_notes", "slip_note"]
 
 DIMAKI = "A. V. Dimaki, A. I. Dmitriev, Y. S. Chai, V. L. Popov, Int. J. Solids Struct. 51 (2014) 4215-4220"
 POPOV = "V. L. Popov, Sci. Rep. 4 (2014) 3749, doi:10.1038/srep03749"
 JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sect. 7.2, doi:10.1017/CBO9781139171731"
 
 
-def debris_note() -> Note:
-    """Return the note on debris."""
-    return Note(
-        Assumption.WEAR,
-        Standing.APPROXIMATE,
-        "Debris leaves the contact at once and the law of wear never changes; a layer of debris or oxide bears and "
-        "slips by itself, and is not described.",
-        "assumption of the law of wear",
-    )
+DEBRIS = Note(
+    Assumption.WEAR,
+    Standing.APPROXIMATE,
+    "Debris leaves the contact at once and the law of wear never changes; a layer of debris or oxide bears and slips "
+    "by itself, and is not described.",
+    "assumption of the law of wear",
+)
 
 
 def slip_note(bed: Bed) -> Note:
     """Return the note on the slip of a fretting contact."""
-    medium = bed.medium
-    poisson = 0.0
-    if isinstance(medium, HalfSpace):
-        poisson = max(body.poisson for body in (medium.first, medium.second) if isinstance(body, Elastic))
-    if poisson == 0.0 and isinstance(medium, HalfSpace):
-        return Note(
-            Assumption.SLIP,
-            Standing.EXACT,
-            "Slip is parallel to the motion and the same all around the axis, as without lateral contraction.",
-            JOHNSON,
-        )
-    return Note(
-        Assumption.SLIP,
-        Standing.APPROXIMATE,
+    bodies = (bed.medium.first, bed.medium.second) if isinstance(bed.medium, HalfSpace) else ()
+    if bodies and max(body.poisson for body in bodies if isinstance(body, Elastic)) == 0.0:
+        slip = "Slip is parallel to the motion and the same all around the axis, as without lateral contraction."
+        return Note(Assumption.SLIP, Standing.EXACT, slip, JOHNSON)
+    slip = (
         "Slip is taken to be parallel to the motion and the same all around the axis (Cattaneo-Mindlin): with lateral "
-        "contraction the worn profile would not be quite round.",
-        JOHNSON,
+        "contraction the worn profile would not be quite round."
     )
+    return Note(Assumption.SLIP, Standing.APPROXIMATE, slip, JOHNSON)
 
 
 def limiting_notes(bed: Bed, radius: float) -> Iterator[Note]:
@@ -81,7 +70,7 @@ def limiting_notes(bed: Bed, radius: float) -> Iterator[Note]:
 def _march_notes(bed: Bed, tolerance: float, states: Sequence[WearState], rubbing: SurfaceFriction) -> list[Note]:
     # the notes on the profile's own slopes and yield before wear
     depth, radius = (np.array([getattr(states[0], word)]) for word in ("depth", "radius"))
-    notes = [*indentation_notes(bed, depth, radius, rubbing), *_worn_yield(bed, states), debris_note()]
+    notes = [*indentation_notes(bed, depth, radius, rubbing), *_worn_yield(bed, states), DEBRIS]
     notes.append(
         Note(
             Assumption.RESOLUTION,
@@ -125,9 +114,8 @@ def fretting_notes(bed: Bed, coefficient: float, tolerance: float, states: Seque
 def sliding_notes(bed: Bed, tolerance: float, states: Sequence[WearState]) -> tuple[Note, ...]:
     """Return how far a sliding contact can be trusted; parameters as `fretting_notes`."""
     return (
-        *_march_notes(
-            bed, tolerance, states, SurfaceFriction(math.inf)
-        ),  # the law of wear does not define the friction
+        # the law of wear does not define the friction
+        *_march_notes(bed, tolerance, states, SurfaceFriction(math.inf)),
         sliding_note(bed.medium, math.nan),
         Note(
             Assumption.WEAR,

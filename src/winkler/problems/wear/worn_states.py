@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
+from winkler.errors import OutsideValidity
 from winkler.numerics.types import Array
 from winkler.problems.normal.indentation import Indentation
-from winkler.problems.wear.input_checks import touching
 from winkler.problems.wear.line import WearLine, WornContact, wear_line
 from winkler.problems.wear.march import WearMoment, WearProblem, first_nodes, march_wear, scale_of
 
@@ -22,8 +22,10 @@ def worn_states(problem: Any, start: Any, core: Callable[[float, Array], float] 
     Where something sticks, `core` returns the stick radius before wear, from the contact radius and even nodes [m].
     """
     if start is None:
-        contact = touching(type(problem).__name__, Indentation(problem.bed, problem.normal).solve())
-        radius = float(contact.radius)
+        radius = float(Indentation(problem.bed, problem.normal).solve().radius)
+        if not radius > 0.0:
+            owner = type(problem).__name__
+            raise OutsideValidity(f"{owner}: the bodies do not touch under this load; press them together.")
         nodes = first_nodes(problem.bed, problem.normal, radius, 0.0, problem.count)
         if core is not None:  # it gets a node of its own
             nodes = first_nodes(problem.bed, problem.normal, radius, core(radius, nodes), problem.count)
