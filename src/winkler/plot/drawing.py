@@ -76,7 +76,7 @@ from winkler.punch_staircase import Staircase
 if TYPE_CHECKING:
     from winkler.plot.picture import Picture
 
-__all__ = ["draw", "sheet_of"]
+__all__ = ["draw", "sheet_of", "without_extent"]
 
 DRAWABLE = (
     "a profile, a Foundation, PlaneFoundation or MeasuredBed, a coated, graded or viscoelastic half-space, a solid "
@@ -149,6 +149,22 @@ def sheet_of(item: Any, *, extent: float | None = None) -> Sheet:
     if all(hasattr(item, name) for name in SHAPE_ATTRIBUTES):
         return _profile(item, extent=extent)
     raise InvalidInput(f"draw: there is no picture of a {type(item).__name__}; give {DRAWABLE}.")
+
+
+def without_extent(*kinds: type) -> Callable[[Callable[[Any], Sheet]], Callable[[Any], Sheet]]:
+    """Register a function as the picture of some classes; an extent, which it has none of, is refused."""
+
+    def registered(drawn: Callable[[Any], Sheet]) -> Callable[[Any], Sheet]:
+        def sheet(item: Any, *, extent: float | None = None) -> Sheet:
+            if extent is not None:
+                raise InvalidInput(f"draw: the curves of a {type(item).__name__} have no extent; leave it out.")
+            return drawn(item)
+
+        for kind in kinds:
+            sheet_of.register(kind)(sheet)
+        return drawn
+
+    return registered
 
 
 @sheet_of.register(Shape)
@@ -224,18 +240,10 @@ WITHOUT_EXTENT: dict[type, Callable[[Any], Sheet]] = {
     BodyFields: body_sheet,
     ForceCurve: segments_sheet,
     OliverPharrSolution: unloading_sheet,
+    Fit: fit_sheet,
 }
-"""Sheets that have no extent."""
-
-
-def _without_extent(item: Any, *, extent: float | None = None) -> Sheet:
-    if extent is not None:
-        raise InvalidInput(f"draw: the curves of a {type(item).__name__} have no extent; leave it out.")
-    return WITHOUT_EXTENT[type(item)](item)
-
-
-for _kind in WITHOUT_EXTENT:
-    sheet_of.register(_kind)(_without_extent)
+for _kind, _drawn in WITHOUT_EXTENT.items():
+    without_extent(_kind)(_drawn)
 
 
 @sheet_of.register(TangentialState)
@@ -269,10 +277,3 @@ def _staircase(item: Staircase, *, extent: float | None = None) -> Sheet:
     end = checked_extent(extent) or 1.25 * item.pressed.radius
     panels = steps_panel(item, end), pressures_panel(item, end)
     return Sheet(titled(panels, "a staircase of flat punches", "their pressures add up"), height=3.3)
-
-
-@sheet_of.register(Fit)
-def _fit(item: Fit, *, extent: float | None = None) -> Sheet:
-    if extent is not None:
-        raise InvalidInput("draw: a Fit is drawn over all its positions; leave extent out.")
-    return fit_sheet(item)

@@ -8,13 +8,13 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity, WinklerError
+from winkler.errors import OutsideValidity, WinklerError
 from winkler.laws.current import Voltage
 from winkler.loading import Force
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.conduction.fields import conduction_map, crossing_panel
-from winkler.plot.drawing import sheet_of
+from winkler.plot.drawing import without_extent
 from winkler.plot.panel import Area, Line, Panel, PanelAxis, Sheet
 from winkler.plot.series import Series, common_scale, middle_scale, series, with_unit
 from winkler.problems.conduction.constriction import ConstrictionSolution
@@ -43,9 +43,7 @@ PARTS = {
 }
 
 
-def _refuse(item: Any, extent: float | None) -> None:
-    if extent is not None:
-        raise InvalidInput(f"draw: the curves of a {type(item).__name__} have no extent; leave it out.")
+def _refuse_nothing_to_show(item: Any) -> None:
     if isinstance(item, JouleHeatingSolution) and not np.any(np.asarray(item.current) > 0.0):
         raise OutsideValidity("draw: no current flows, so there is nothing to show; give a voltage and a contact.")
     if not np.any(np.asarray(item.radius) > 0.0):
@@ -69,10 +67,10 @@ def _curve_over_force(item: Any) -> Any:
     )
 
 
-@sheet_of.register(ConstrictionSolution)
-def constriction_sheet(item: ConstrictionSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(ConstrictionSolution)
+def constriction_sheet(item: ConstrictionSolution) -> Sheet:
     """Return the resistance over the force, and its parts."""
-    _refuse(item, extent)
+    _refuse_nothing_to_show(item)
     curve = _curve_over_force(item)
     return Sheet((_resistance_panel(curve, item), _parts_panel(curve)), height=3.2)
 
@@ -129,18 +127,18 @@ def _parts_panel(curve: Steady) -> Panel:
     return Panel(tuple(areas), across, upright, legend="lower left", title="parts of the resistance")
 
 
-@sheet_of.register(ThermalConstrictionSolution)
-def thermal_sheet(item: ThermalConstrictionSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(ThermalConstrictionSolution)
+def thermal_sheet(item: ThermalConstrictionSolution) -> Sheet:
     """Return the temperature around the contact and over its surface, and the resistance over the force."""
-    _refuse(item, extent)
+    _refuse_nothing_to_show(item)
     curve = _curve_over_force(item)
     return _with_fields(item, _resistance_panel(curve, item), lambda: _parts_panel(curve))
 
 
-@sheet_of.register(JouleHeatingSolution)
-def joule_sheet(item: JouleHeatingSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(JouleHeatingSolution)
+def joule_sheet(item: JouleHeatingSolution) -> Sheet:
     """Return the temperature around the contact, current density, and the temperature over the voltage."""
-    _refuse(item, extent)
+    _refuse_nothing_to_show(item)
     if np.ndim(item.radius) != 0:
         return _heated_over_force(item)
     return _with_fields(item, _voltages_panel(item), lambda: _current_panel(item))

@@ -10,10 +10,9 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.drawing import sheet_of
+from winkler.plot.drawing import without_extent
 from winkler.plot.panel import Area, Arrow, Band, Line, Map, Panel, PanelAxis, Rule, Sheet, note, plane, titled
 from winkler.plot.series import common_scale, middle_scale, scale_of, series, with_unit
-from winkler.plot.viscoelastic.contacts import refuse_extent
 from winkler.problems.heating.fretting import FrettingHeatSolution
 from winkler.problems.heating.heated_body import HeatedBody
 from winkler.problems.heating.steady import FrictionHeatingSolution
@@ -38,14 +37,13 @@ MOMENTS_DRAWN = 6
 RADII_DRAWN = 2.5
 
 
-@sheet_of.register(FrictionHeatingSolution)
-def heating_sheet(item: FrictionHeatingSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(FrictionHeatingSolution)
+def heating_sheet(item: FrictionHeatingSolution) -> Sheet:
     """Return the temperature map of the body with the higher Peclet number, the centre line of both bodies, and the
     flash temperature over speed.
 
     For many loads or speeds: flash temperature and heat partition over the varied quantity.
     """
-    refuse_extent(item, extent)
     if not np.any(np.asarray(item.flash_temperature) > 0.0):
         raise OutsideValidity(
             "draw: no heat is released, so there is nothing to show; give a load and a sliding speed."
@@ -183,10 +181,9 @@ def _curves_sheet(item: FrictionHeatingSolution) -> Sheet:
     return Sheet(titled(panels, *titles), width=4.6, height=3.3)
 
 
-@sheet_of.register(TransientHeatingSolution)
-def transient_heating_sheet(item: TransientHeatingSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(TransientHeatingSolution)
+def transient_heating_sheet(item: TransientHeatingSolution) -> Sheet:
     """Return the temperature of the contact over time, and along the surface of the first body at some times."""
-    refuse_extent(item, extent)
     if item.stationary_temperature == 0.0:
         raise OutsideValidity(
             "draw: no heat is released, so there is nothing to show; give a load and a sliding speed."
@@ -224,10 +221,9 @@ def transient_heating_sheet(item: TransientHeatingSolution, *, extent: float | N
     return Sheet(titled((left, right), *titles), width=4.6, height=3.3)
 
 
-@sheet_of.register(FrettingHeatSolution)
-def fretting_heat_sheet(item: FrettingHeatSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(FrettingHeatSolution)
+def fretting_heat_sheet(item: FrettingHeatSolution) -> Sheet:
     """Return the heat flux of a cycle over the radius, and the mean temperature of the surface."""
-    refuse_extent(item, extent)
     a = item.source.radius
     stick = a * float(item.source.joints[1])  # radius of the stick zone
     places = np.linspace(0.0, 1.8, 3 * POINTS_ALONG) * a

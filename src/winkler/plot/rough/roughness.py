@@ -10,11 +10,10 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.drawing import sheet_of
+from winkler.plot.drawing import without_extent
 from winkler.plot.families import spans_decades
 from winkler.plot.panel import Area, Line, Map, Panel, PanelAxis, Sheet, note, plane
 from winkler.plot.series import Scale, Series, middle_scale, scale_of, series, with_unit
-from winkler.plot.viscoelastic.contacts import refuse_extent
 from winkler.profiles.rough.map_spectrum import spectrum_of
 from winkler.profiles.rough.spectrum import PowerSpectrum, SelfAffine, Spectrum
 from winkler.profiles.rough.topography import Topography
@@ -164,10 +163,9 @@ def _map_text(item: Topography) -> str:
     return ";  ".join(parts)
 
 
-@sheet_of.register(Topography)
-def topography_sheet(item: Topography, *, extent: float | None = None) -> Sheet:
+@without_extent(Topography)
+def topography_sheet(item: Topography) -> Sheet:
     """Return a height map, two cuts through it, and its power spectrum."""
-    refuse_extent(item, extent)
     rough = item.rms_height > 0.0 and not item.missing and min(item.heights.shape) >= 8
     heights = map_panel(item, heights_of(item), style.RELIEFS, label="height $z$", lowest=np.inf)
     panels = [heights.plus(title="heights"), cuts_panel(item).plus(title="cuts through the middle")]
@@ -176,11 +174,9 @@ def topography_sheet(item: Topography, *, extent: float | None = None) -> Sheet:
     return Sheet(tuple(panels), width=4.0, height=3.3, title=_map_text(item))
 
 
-@sheet_of.register(SelfAffine)
-@sheet_of.register(PowerSpectrum)
-def spectrum_sheet(item: Spectrum, *, extent: float | None = None) -> Sheet:
+@without_extent(SelfAffine, PowerSpectrum)
+def spectrum_sheet(item: Spectrum) -> Sheet:
     """Return a power spectrum."""
-    refuse_extent(item, extent)
     slope = note(f"slope {item.rms_slope:.3g} (root mean square)")
     return Sheet((spectrum_panel([(item, "")]).plus(slope, title="power spectrum"),), width=4.8, height=3.3)
 

@@ -8,10 +8,9 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.plot.decades import Quantity, decades_panel
-from winkler.plot.drawing import sheet_of
+from winkler.plot.drawing import without_extent
 from winkler.plot.panel import Sheet, titled
 from winkler.plot.series import series, with_unit
-from winkler.plot.viscoelastic.contacts import refuse_extent
 from winkler.problems.viscoelastic.material_tests import CreepTest, HarmonicSolution, StepSolution
 
 __all__ = ["harmonic_sheet", "step_sheet"]
@@ -22,10 +21,9 @@ FACTOR_AROUND = 100.0
 PANEL_TITLES = {"depth": "depth over time", "radius": "contact radius over time", "force": "force over time"}
 
 
-@sheet_of.register(StepSolution)
-def step_sheet(item: StepSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(StepSolution)
+def step_sheet(item: StepSolution) -> Sheet:
     """Return depth and contact radius under a constant force, or the force at a constant depth."""
-    refuse_extent(item, extent)
     names = ("depth", "radius") if isinstance(item.problem, CreepTest) else ("force",)
     requested = np.asarray(item.time)
     along = series("time", _between(requested))
@@ -38,10 +36,9 @@ def step_sheet(item: StepSolution, *, extent: float | None = None) -> Sheet:
     return Sheet(tuple(panels), width=4.6, height=3.3)
 
 
-@sheet_of.register(HarmonicSolution)
-def harmonic_sheet(item: HarmonicSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(HarmonicSolution)
+def harmonic_sheet(item: HarmonicSolution) -> Sheet:
     """Return storage and loss stiffness over the frequency, and the tangent of loss; requested points marked."""
-    refuse_extent(item, extent)
     requested = np.ravel(np.asarray(item.problem.angular_frequency, dtype=float))
     along = series("angular_frequency", _between(requested))
     curve = dataclasses.replace(item.problem, angular_frequency=along.content).solve()
