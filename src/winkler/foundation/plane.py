@@ -56,15 +56,11 @@ class PlaneFoundation(OfShape):
         """Where g is not smooth; its slope jumps there but stays finite."""
         return tuple((b, 0.0) for b, _ in self.plane_profile.kinks)
 
-    @property
-    def rising(self) -> bool:
-        """Unknown; the solver computes it."""
-        return False
+    rising = False
+    """Unknown; the solver computes it."""
 
-    @property
-    def certain(self) -> bool:
-        """Unknown; the solver computes it."""
-        return False
+    certain = False
+    """Unknown; the solver computes it."""
 
     def height(self, r: Array) -> Array:
         """f(r) [m] of the body that has these springs."""

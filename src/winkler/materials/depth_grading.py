@@ -63,10 +63,8 @@ class _SmoothGrading:
     deep_young: float
     poisson: float
 
-    @property
-    def breaks(self) -> tuple[float, ...]:
-        """None."""
-        return ()
+    breaks = ()
+    """None."""
 
     def poisson_at(self, z: Array) -> Array:
         """nu [-]."""

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
+from winkler.materials.elastic import RIGID, Elastic, Rigid, TransverselyIsotropic
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.interior.twist_field import twist_constants
 from winkler.media.medium import Displacement
@@ -22,7 +22,6 @@ from winkler.values import value
 __all__ = ["TransverselyIsotropicHalfSpace"]
 
 Body = TransverselyIsotropic | Elastic | Rigid
-RIGID = Rigid()
 
 
 def _compliances(body: Body) -> tuple[float, float]:
@@ -97,15 +96,13 @@ class TransverselyIsotropicHalfSpace(HomogeneousMedium):
             "(without z), or use HalfSpace."
         )
 
-    @property
-    def notes(self) -> tuple[Note, ...]:
-        """The assumptions."""
-        return (
-            Note(
-                Assumption.RESPONSE,
-                Standing.EXACT,
-                "Frictionless contact of homogeneous half-spaces, transversely isotropic about the surface normal: "
-                "pressure and depth follow from the isotropic solution with the effective modulus.",
-                "H. A. Elliott, Proc. Camb. Phil. Soc. 45 (1949) 621, doi:10.1017/S0305004100025305",
-            ),
-        )
+    notes = (
+        Note(
+            Assumption.RESPONSE,
+            Standing.EXACT,
+            "Frictionless contact of homogeneous half-spaces, transversely isotropic about the surface normal: "
+            "pressure and depth follow from the isotropic solution with the effective modulus.",
+            "H. A. Elliott, Proc. Camb. Phil. Soc. 45 (1949) 621, doi:10.1017/S0305004100025305",
+        ),
+    )
+    """The assumptions."""

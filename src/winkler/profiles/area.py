@@ -152,18 +152,16 @@ class AreaFunction(Shape):
         radii = np.sqrt(self._derivatives(heights)[0] / math.pi)
         return tuple((float(radius), 0.0) for radius in radii)
 
-    @property
-    def notes(self) -> tuple[Note, ...]:
-        """That the indenter is replaced by its axisymmetric equivalent."""
-        return (
-            Note(
-                Assumption.SHAPE,
-                Standing.APPROXIMATE,
-                "The indenter is replaced by the body of revolution with the same cross-sections; for a pyramid the "
-                "force at a given depth is then 3 to 7 % low.",
-                "boundary-element solution of the sharp pyramid, theory sheet 1.3",
-            ),
-        )
+    notes = (
+        Note(
+            Assumption.SHAPE,
+            Standing.APPROXIMATE,
+            "The indenter is replaced by the body of revolution with the same cross-sections; for a pyramid the "
+            "force at a given depth is then 3 to 7 % low.",
+            "boundary-element solution of the sharp pyramid, theory sheet 1.3",
+        ),
+    )
+    """That the indenter is replaced by its axisymmetric equivalent."""
 
     def height(self, r: Array) -> Array:
         """f(r) [m], the root of A(f) = pi r^2."""

@@ -7,7 +7,7 @@ import numpy as np
 from winkler.checks.number_checks import Positive
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.numerics.types import Array
-from winkler.profiles.pieces import PowerPieces, Term
+from winkler.profiles.pieces import PowerPieces
 from winkler.profiles.profile import Profile, Shape
 from winkler.validity import Note
 from winkler.values import value, words
@@ -49,10 +49,8 @@ class FlatPunch(_Pinned, PowerPieces):
 
     radius: Positive
 
-    @property
-    def terms(self) -> tuple[Term, ...]:
-        """None: the slope is zero."""
-        return ()
+    terms = ()
+    """None: the slope is zero."""
 
 
 @value

@@ -160,10 +160,8 @@ class Shape:
 class RisingShape(Shape):
     """A shape whose g rises everywhere."""
 
-    @property
-    def rising(self) -> bool:
-        """g rises everywhere."""
-        return True
+    rising = True
+    """g rises everywhere."""
 
 
 @value

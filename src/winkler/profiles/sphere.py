@@ -162,11 +162,6 @@ class Hyperboloid(RisingShape):
         m = 1.0 / math.tan(self.half_angle)
         return m, self.curvature_radius * m
 
-    @property
-    def size(self) -> float:
-        """Infinite: the flanks go on as a cone."""
-        return math.inf
-
     def height(self, r: Array) -> Array:
         """f(r) [m]."""
         m, a = self._scales

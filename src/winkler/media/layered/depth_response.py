@@ -18,7 +18,7 @@ import functools
 import numpy as np
 
 from winkler.materials.depth_grading import DepthGrading
-from winkler.materials.elastic import Elastic, Rigid, Solid
+from winkler.materials.elastic import RIGID, Elastic, Solid
 from winkler.media.layered.depth_recursion import (
     Mesh,
     mesh,
@@ -138,7 +138,7 @@ class NormalDepthResponse(_DepthResponse):
     """
 
     grading: DepthGrading
-    second: Solid = Rigid()
+    second: Solid = RIGID
     tolerance: float = 1e-6
 
     @property
@@ -163,7 +163,7 @@ class TangentialDepthResponse(_DepthResponse):
     """The same for a tangential load, averaged over its angle with the wave: 1 + M(xi) = C_T(xi) G* xi / 2."""
 
     grading: DepthGrading
-    second: Solid = Rigid()
+    second: Solid = RIGID
     tolerance: float = 1e-6
 
     @property
