@@ -10,7 +10,7 @@ import numpy as np
 
 from winkler.plot import style
 from winkler.plot.families import spans_decades
-from winkler.plot.panel import Line, Panel, PanelAxis
+from winkler.plot.panel import Panel, PanelAxis, among, points
 from winkler.plot.series import Series, middle_scale
 
 __all__ = ["Quantity", "decades_panel"]
@@ -47,10 +47,9 @@ def decades_panel(along: Series, quantities: Sequence[Quantity], label: str = ""
     contents = np.concatenate([np.ravel(one.of.content) for one in quantities])
     marks = []
     for place, one in enumerate(quantities):
-        colour, dash = style.CYCLE[place], style.DASHES[place % len(style.DASHES)]
-        marks.append(Line(along.content, one.of.content, colour, dash=dash, name=one.name))
+        marks.append(among(place, along.content, one.of.content, one.name, most=0))
         if 0 < one.points[0].size <= MOST_MARKED_POINTS:
-            marks.append(Line(*one.points, colour, width=0.0, marker="o", size=4.0, order=5.0))
+            marks.append(points(*one.points, style.CYCLE[place], size=4.0, order=5.0))
     crowded = np.ptp(np.log10(along.content)) > MOST_LABELLED_DECADES
     across = PanelAxis.of(along, margin=0.04, log=True, plain=True, parts=5 if crowded else 0)
     greatest = float(np.max(contents))

@@ -52,7 +52,7 @@ from winkler.plot.normal.outline import profile_panel
 from winkler.plot.normal.punches import pressures_panel, steps_panel
 from winkler.plot.normal.springs import springs_panel
 from winkler.plot.normal.stresses import stress_panel
-from winkler.plot.panel import Line, Panel, Sheet, note, titled
+from winkler.plot.panel import Panel, Sheet, note, points, titled
 from winkler.plot.particles.elastic_plastic import particle_sheet
 from winkler.plot.series import headline
 from winkler.plot.sheets import SHEETS, contact_sheet
@@ -257,11 +257,8 @@ def _onset(item: YieldOnsetSolution, *, extent: float | None = None) -> Sheet:
     contact = Indentation(item.problem.bed, Force(item.force)).solve()
     left = stress_panel(contact, around(contact.pressed, extent), item.radius)
     curve = curve_panel(force_depth(contact.pressed), marker="", name="elastic")
-    point = Line(
-        np.array([item.depth]), np.array([item.force]), style.RED, width=0.0, marker="o", name="yielding begins"
-    )
     right = curve.plus(
-        point,
+        points(item.depth, item.force, name="yielding begins"),
         across=dataclasses.replace(curve.across, low=0.0, high=1.15 * item.depth),
         upright=dataclasses.replace(curve.upright, low=0.0, high=1.15 * item.force),
         legend="upper left",

@@ -9,6 +9,10 @@ from __future__ import annotations
 import dataclasses
 from typing import Any
 
+import numpy as np
+
+from winkler.numerics.types import Array, ArrayLike
+from winkler.plot import style
 from winkler.plot.axis import PanelAxis, plane
 from winkler.plot.marks import (
     Area,
@@ -46,11 +50,16 @@ __all__ = [
     "Strokes",
     "Text",
     "Vectors",
+    "among",
     "note",
     "plane",
+    "points",
     "titled",
     "zero",
 ]
+
+
+ALONE: dict[str, Any] = {"width": 0.0, "marker": "o"}
 
 
 @value
@@ -141,6 +150,18 @@ class Sheet:
 def titled(panels: Any, *titles: str) -> tuple[Panel, ...]:
     """Return panels with their titles."""
     return tuple(panel.plus(title=title) for panel, title in zip(panels, titles, strict=True))
+
+
+def points(x: ArrayLike, y: ArrayLike, colour: Any = style.RED, **look: Any) -> Line:
+    """Return places marked one by one, without a line through them."""
+    places, heights = (np.atleast_1d(np.asarray(part, dtype=float)) for part in (x, y))
+    return Line(places, heights, colour, **(ALONE | look))
+
+
+def among(place: int, x: Array, y: Array, name: str = "", *, most: int = 40, **look: Any) -> Line:
+    """Return one curve of several, by its place among them, with its points marked up to a number of `most`."""
+    own = {"colour": style.CYCLE[place % len(style.CYCLE)], "dash": style.DASHES[place % len(style.DASHES)]}
+    return Line(x, y, name=name, **({"marker": "o" if x.size <= most else "", "size": 4.0} | own | look))
 
 
 def zero(**look: Any) -> Rule:

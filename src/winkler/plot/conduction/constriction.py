@@ -15,7 +15,7 @@ from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.conduction.fields import conduction_map, crossing_panel
 from winkler.plot.drawing import without_extent
-from winkler.plot.panel import Area, Line, Panel, PanelAxis, Sheet
+from winkler.plot.panel import Area, Line, Panel, PanelAxis, Sheet, points
 from winkler.plot.series import Series, common_scale, middle_scale, series, with_unit
 from winkler.problems.conduction.constriction import ConstrictionSolution
 from winkler.problems.conduction.joule_heating import JouleHeatingSolution
@@ -93,7 +93,7 @@ def _resistance_panel(curve: Steady, item: Steady) -> Panel:
     force, requested = (np.ravel(np.asarray(one, dtype=float)) for one in (item.force, item.resistance))
     touching = np.isfinite(requested)
     if touching.sum() <= POINTS:
-        marks.append(Line(force[touching], requested[touching], style.RED, width=0.0, marker="o", name="requested"))
+        marks.append(points(force[touching], requested[touching], name="requested"))
     low = (0.3 if len(parts) > 1 else 0.7) * float(np.min(whole.content))
     is_sparse = bool(np.ptp(np.log10(whole.content)) > 0.8)
     upright = PanelAxis.of(
@@ -180,9 +180,8 @@ def _voltages_panel(item: JouleHeatingSolution) -> Panel:
     marks = [Line(along.content, hottest.content, style.RED, name="hottest place")]
     if np.max(hottest.content - contact.content) > 1e-9 * np.max(hottest.content):
         marks.append(Line(along.content, contact.content, dash=style.DASHES[1], name="contact"))
-    point = np.array([float(item.voltage)]), np.array([float(item.max_temperature)])
     name = with_unit(float(item.current), "A")
-    marks.append(Line(*point, style.RED, width=0.0, marker="o", clipped=False, name=name))
+    marks.append(points(item.voltage, item.max_temperature, clipped=False, name=name))
     upright = PanelAxis("temperature $T$", common_scale(hottest, contact))
     return Panel(tuple(marks), PanelAxis.of(along), upright, legend="upper left", title="temperature over voltage")
 
@@ -191,8 +190,7 @@ def _current_panel(item: JouleHeatingSolution) -> Panel:
     """Return the current over the voltage."""
     solutions = _solved_at_voltages(item)
     along, of = _collected(solutions, "voltage"), _collected(solutions, "current")
-    point = np.array([float(item.voltage)]), np.array([float(item.current)])
-    marks = Line(along.content, of.content), Line(*point, style.RED, width=0.0, marker="o")
+    marks = Line(along.content, of.content), points(item.voltage, item.current)
     return Panel(marks, PanelAxis.of(along), PanelAxis.of(of), title="current over voltage")
 
 
@@ -207,7 +205,7 @@ def _heated_over_force(item: JouleHeatingSolution) -> Sheet:
         marks = [Line(along.content, of.content, name="hot" if name == "resistance" else "")]
         force, requested = (np.ravel(np.asarray(part, dtype=float)) for part in (item.force, getattr(item, name)))
         if requested.size <= POINTS:
-            marks.append(Line(force, requested, style.RED, width=0.0, marker="o"))
+            marks.append(points(force, requested))
         upright = PanelAxis.of(of, middle_scale(of.word.unit, of.content), log=name == "resistance")
         panels.append(Panel(tuple(marks), across, upright, title=f"{name.removeprefix('max_')} over force"))
     cold = Line(along.content, np.asarray(curve.cold_resistance), style.MUTED, dash=style.DASHES[1], name="cold")

@@ -12,7 +12,7 @@ from winkler.loading import ShearForce, Shift
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.friction.curves import lines_panel
-from winkler.plot.panel import Line, Panel, PanelAxis, Polygon, Rule, Sheet, note, titled, zero
+from winkler.plot.panel import Line, Panel, PanelAxis, Polygon, Rule, Sheet, note, points, titled, zero
 from winkler.plot.series import Series, middle_scale, series, with_unit
 from winkler.problems.friction.bimodal_damping import BimodalDampingSolution
 from winkler.problems.friction.damping import FrictionDamping, FrictionDampingSolution
@@ -63,7 +63,7 @@ def _over(curve: FrictionDampingSolution, item: FrictionDampingSolution, name: s
     moving = shift > 0.0
     marks = (
         Line(along.content, of.content),
-        Line(shift[moving], requested[moving], style.RED, width=0.0, marker="o", name="requested"),
+        points(shift[moving], requested[moving], name="requested"),
         Rule(reach, upright=True, width=0.9, dash=style.DOTTED, name="all slides"),
     )
     across = PanelAxis("amplitude of the shift $U$", middle_scale("m", along.content), log=True)
@@ -110,7 +110,7 @@ def bimodal_sheet(item: BimodalDampingSolution) -> Sheet:
         Line(along.content[order], of.content, marker="o" if amplitudes_along.size > 1 and loss.size <= 40 else "")
     ]
     if amplitudes_along.size == 1:
-        marks.append(Line(phase_angle.ravel(), np.ravel(item.loss_per_cycle), style.RED, width=0.0, marker="o"))
+        marks.append(points(phase_angle.ravel(), np.ravel(item.loss_per_cycle)))
     right = Panel(tuple(marks), PanelAxis.of(along, margin=0.04), PanelAxis.of(of, low=0.0))
     panels = titled(
         (left, right),
@@ -144,6 +144,7 @@ def relaxation_sheet(item: RelaxationDamperSolution) -> Sheet:
     ]
     along = series("depth_amplitude", amplitudes)
     of = series("damping", np.array(damping))
-    point = Line(np.array([greatest]), np.array([float(item.damping)]), style.RED, width=0.0, marker="o")
-    panel = lines_panel(along, [(of, "damping")], f"damping ${of.word.symbol}$", low=0.0).plus(point)
+    panel = lines_panel(along, [(of, "damping")], f"damping ${of.word.symbol}$", low=0.0).plus(
+        points(greatest, item.damping)
+    )
     return Sheet((panel.plus(title="viscous damper that the contact amounts to"),), width=4.8, height=3.2)

@@ -24,6 +24,7 @@ from winkler.plot.friction.curves import (
     lines_panel,
     loop_panel,
     loss_text,
+    path_ends,
     slip_panel,
     stick_band,
     traction_panel,
@@ -214,8 +215,7 @@ def _path_panel(item: TangentialSolution) -> Panel:
     scale = scale_of("N", item.shear_force, bound if math.isfinite(bound) else 0.0)
     marks: list[Any] = [
         Line(x, y),
-        Line(x[:1], y[:1], width=0.0, marker="o", hollow=True, order=5.0),
-        Line(x[-1:], y[-1:], style.RED, width=0.0, marker="o", order=6.0),
+        *path_ends(x, y),
     ]
     if math.isfinite(bound):
         turn = np.linspace(0.0, 2.0 * np.pi, 181)

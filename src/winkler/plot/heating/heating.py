@@ -11,7 +11,22 @@ from winkler.errors import OutsideValidity
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.drawing import without_extent
-from winkler.plot.panel import Area, Arrow, Band, Line, Map, Panel, PanelAxis, Rule, Sheet, note, plane, titled
+from winkler.plot.panel import (
+    Area,
+    Arrow,
+    Band,
+    Line,
+    Map,
+    Panel,
+    PanelAxis,
+    Rule,
+    Sheet,
+    among,
+    note,
+    plane,
+    points,
+    titled,
+)
 from winkler.plot.series import common_scale, middle_scale, scale_of, series, with_unit
 from winkler.problems.heating.fretting import FrettingHeatSolution
 from winkler.problems.heating.heated_body import HeatedBody
@@ -129,8 +144,8 @@ def _speeds_panel(item: FrictionHeatingSolution) -> Panel:
         estimate = np.asarray(getattr(curve, name)) / rest
         if np.all(np.isfinite(estimate)):
             marks.append(Line(speed, estimate, colour, width=1.2, dash=dash, name=label))
-    requested = np.array([float(item.flash_temperature) / float(item.stationary_temperature)])
-    marks.append(Line(np.array([sliding]), requested, style.RED, width=0.0, marker="o", name="requested", order=5.0))
+    requested = float(item.flash_temperature) / float(item.stationary_temperature)
+    marks.append(points(sliding, requested, name="requested", order=5.0))
     across = PanelAxis("speed of sliding $v$", middle_scale("m/s", speed), log=True)
     upright = PanelAxis("over that of bodies at rest [-]", low=0.0, high=1.7)
     return Panel(tuple(marks), across, upright, legend="upper right", columns=2)
@@ -155,20 +170,10 @@ def _curves_sheet(item: FrictionHeatingSolution) -> Sheet:
             for name in names
         ]
         scale = scale_of(many[0].word.unit, *(one.content for one in many))
-        looks = zip(
-            (style.RED, style.BLUE, style.GREEN), style.DASHES, ("first", "second", "both at rest"), strict=False
-        )
+        looks = zip((style.RED, style.BLUE, style.GREEN), ("first", "second", "both at rest"), strict=False)
         lines = [
-            Line(
-                heated.content[order],
-                one.content[order],
-                colour,
-                dash=dash,
-                name=name,
-                marker="o" if order.size <= 40 else "",
-                size=3.0,
-            )
-            for one, (colour, dash, name) in zip(many, looks, strict=False)
+            among(place, heated.content[order], one.content[order], name, colour=colour, size=3.0)
+            for place, (one, (colour, name)) in enumerate(zip(many, looks, strict=False))
         ]
         share = names == ("first_share",)
         upright = PanelAxis.of(many[0], scale, low=0.0, high=1.0)
@@ -197,12 +202,11 @@ def transient_heating_sheet(item: TransientHeatingSolution) -> Sheet:
     of = series("flash_temperature", curve.flash_temperature)
     mean = np.maximum(curve.first_mean_temperature, curve.second_mean_temperature)
     final = item.stationary_temperature
-    look: dict[str, Any] = {"width": 0.0, "marker": "o", "size": 3.5, "name": "requested"}
     marks = (
         Line(time.content, of.content, name="flash temperature"),
         Line(time.content, mean, style.ORANGE, dash=style.DASHES[1], name="mean"),
         Rule(final, colour=style.GREEN, width=1.2, dash=style.DASHES[2], name="in the end"),
-        Line(item.time, item.flash_temperature, style.RED, **look),
+        points(item.time, item.flash_temperature, size=3.5, name="requested"),
     )
     across = PanelAxis.of(time, middle_scale("s", time.content), log=True)
     left = Panel(marks, across, PanelAxis.of(of, low=0.0, high=1.15 * final), legend="lower right")

@@ -11,7 +11,7 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.drawing import without_extent
-from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, plane, titled
+from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, plane, points, titled
 from winkler.plot.rough.roughness import Bounds, framed, image_of, models_panel, spectrum_panel
 from winkler.plot.series import row_of, scale_of, series, with_unit
 from winkler.problems.normal.elliptic import EllipticSolution
@@ -86,7 +86,7 @@ def contour_sheet(item: NearlyRoundSolution) -> Sheet:
         colour = style.shade(0.25 + 0.7 * (place + 1) / len(drawn))
         lines.append(Line(*_places(_interpolated_contour(contour), closed=True), colour))
         if contour.size <= CONTOUR_DIRECTIONS // 8:
-            lines.append(Line(*_places(contour), colour, width=0.0, marker="o", size=3.5))
+            lines.append(points(*_places(contour), colour, size=3.5))
     scale = scale_of("m", drawn)
     axes = plane(scale, margin=0.08)
     panels = [Panel(tuple(lines), *axes, title="contour of the contact", equal=True)]
