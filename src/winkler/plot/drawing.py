@@ -7,37 +7,17 @@ let a notebook show it.
 from __future__ import annotations
 
 import dataclasses
-import functools
-from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.fitting.curves.curve import ForceCurve
-from winkler.fitting.outcome import Fit
-from winkler.fitting.unloading.oliver_pharr import OliverPharrSolution
 from winkler.foundation.measured import MeasuredBed
-from winkler.foundation.sheared_fields import BodyFields, ShearedFields
 from winkler.loading import Force
 from winkler.plot import style
+from winkler.plot.dispatch import sheet_of
 from winkler.plot.extent import around, checked_extent, typical
-from winkler.plot.fitting.fits import fit_sheet
-from winkler.plot.fitting.unloading import segments_sheet, unloading_sheet
-from winkler.plot.friction.damping import bimodal_sheet, damping_sheet, relaxation_sheet
-from winkler.plot.friction.sheets import (
-    body_sheet,
-    sheared_sheet,
-    tangential_sheet,
-    tangential_state_sheet,
-    torsion_sheet,
-    twist_sheet,
-)
-from winkler.plot.impact.impact import adhesive_impact_sheet, impact_sheet
-from winkler.plot.medium import (
-    body_is_defined,
-    stiffness_panel,
-)
+from winkler.plot.medium import body_is_defined, stiffness_panel
 from winkler.plot.method import Contact
 from winkler.plot.normal.body import body_panel, contact_panel
 from winkler.plot.normal.curves import (
@@ -53,37 +33,18 @@ from winkler.plot.normal.punches import pressures_panel, steps_panel
 from winkler.plot.normal.springs import springs_panel
 from winkler.plot.normal.stresses import stress_panel
 from winkler.plot.panel import Panel, Sheet, note, points, titled
-from winkler.plot.particles.elastic_plastic import particle_sheet
 from winkler.plot.series import headline
-from winkler.plot.sheets import SHEETS, contact_sheet
+from winkler.plot.sheets import contact_sheet
 from winkler.problems.adhesion.indentation import AdhesiveSolution
-from winkler.problems.friction.bimodal_damping import BimodalDampingSolution
-from winkler.problems.friction.damping import FrictionDampingSolution
-from winkler.problems.friction.relaxation_damping import RelaxationDamperSolution
-from winkler.problems.friction.spring_states import SpringState
-from winkler.problems.friction.tangential import TangentialSolution
-from winkler.problems.friction.tangential_states import TangentialState
-from winkler.problems.friction.torsion import TorsionSolution
-from winkler.problems.friction.torsion_states import TorsionState
-from winkler.problems.impact.adhesive_impact import AdhesiveImpactSolution
-from winkler.problems.impact.impact import ImpactSolution
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.yielding import YieldOnsetSolution
-from winkler.problems.particles.elastic_plastic import ParticleSolution
 from winkler.profiles.profile import Shape
 from winkler.punch_staircase import Staircase
 
 if TYPE_CHECKING:
     from winkler.plot.picture import Picture
 
-__all__ = ["draw", "sheet_of", "without_extent"]
-
-DRAWABLE = (
-    "a profile, a Foundation, PlaneFoundation or MeasuredBed, a coated, graded or viscoelastic half-space, a solid "
-    "that relaxes, a height map or a spectrum, a solution of a problem, restored fields, a Staircase, a ForceCurve, or "
-    "a Fit"
-)
-SHAPE_ATTRIBUTES = ("height", "gap", "reach", "rim", "size", "kinks")
+__all__ = ["draw"]
 
 
 def draw(item: Any, *, extent: float | None = None) -> Picture:
@@ -143,30 +104,6 @@ def draw(item: Any, *, extent: float | None = None) -> Picture:
     return render(sheet_of(item, extent=extent))
 
 
-@functools.singledispatch
-def sheet_of(item: Any, *, extent: float | None = None) -> Sheet:
-    """Return the panels that show `item`, as plain data; parameters and errors as for `draw`."""
-    if all(hasattr(item, name) for name in SHAPE_ATTRIBUTES):
-        return _profile(item, extent=extent)
-    raise InvalidInput(f"draw: there is no picture of a {type(item).__name__}; give {DRAWABLE}.")
-
-
-def without_extent(*kinds: type) -> Callable[[Callable[[Any], Sheet]], Callable[[Any], Sheet]]:
-    """Register a function as the picture of some classes; an extent, which it has none of, is refused."""
-
-    def registered(drawn: Callable[[Any], Sheet]) -> Callable[[Any], Sheet]:
-        def sheet(item: Any, *, extent: float | None = None) -> Sheet:
-            if extent is not None:
-                raise InvalidInput(f"draw: the curves of a {type(item).__name__} have no extent; leave it out.")
-            return drawn(item)
-
-        for kind in kinds:
-            sheet_of.register(kind)(sheet)
-        return drawn
-
-    return registered
-
-
 @sheet_of.register(Shape)
 def _profile(item: Shape, *, extent: float | None = None) -> Sheet:
     end = checked_extent(extent) or typical(item)
@@ -223,33 +160,6 @@ def _curves_sheet(item: Contact, extent: float | None) -> Sheet:
 @sheet_of.register(AdhesiveSolution)
 def _adhesive(item: AdhesiveSolution, *, extent: float | None = None) -> Sheet:
     return contact_sheet(item, extent) if np.ndim(item.depth) == 0 else _curves_sheet(item, extent)
-
-
-WITHOUT_EXTENT: dict[type, Callable[[Any], Sheet]] = {
-    **SHEETS,
-    TangentialSolution: tangential_sheet,
-    TorsionSolution: torsion_sheet,
-    TorsionState: twist_sheet,
-    FrictionDampingSolution: damping_sheet,
-    BimodalDampingSolution: bimodal_sheet,
-    RelaxationDamperSolution: relaxation_sheet,
-    ImpactSolution: impact_sheet,
-    AdhesiveImpactSolution: adhesive_impact_sheet,
-    ParticleSolution: particle_sheet,
-    ShearedFields: sheared_sheet,
-    BodyFields: body_sheet,
-    ForceCurve: segments_sheet,
-    OliverPharrSolution: unloading_sheet,
-    Fit: fit_sheet,
-}
-for _kind, _drawn in WITHOUT_EXTENT.items():
-    without_extent(_kind)(_drawn)
-
-
-@sheet_of.register(TangentialState)
-@sheet_of.register(SpringState)
-def _sheared_state(item: TangentialState | SpringState, *, extent: float | None = None) -> Sheet:
-    return tangential_state_sheet(item, checked_extent(extent))
 
 
 @sheet_of.register(YieldOnsetSolution)

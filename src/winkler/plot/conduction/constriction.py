@@ -14,7 +14,7 @@ from winkler.loading import Force
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.conduction.fields import conduction_map, crossing_panel
-from winkler.plot.drawing import without_extent
+from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Area, Line, Panel, PanelAxis, Sheet, points
 from winkler.plot.series import Series, common_scale, middle_scale, series, with_unit
 from winkler.problems.conduction.constriction import ConstrictionSolution

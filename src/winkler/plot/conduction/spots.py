@@ -9,7 +9,7 @@ import numpy as np
 
 from winkler.loading import Depth, Force
 from winkler.plot import style
-from winkler.plot.drawing import without_extent
+from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Area, Bars, Line, Map, Panel, PanelAxis, Rule, Sheet, plane
 from winkler.plot.series import scale_of, series, with_unit
 from winkler.problems.conduction.bounds import ConductanceBoundsSolution

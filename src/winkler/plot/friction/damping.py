@@ -11,6 +11,7 @@ import numpy as np
 from winkler.loading import ShearForce, Shift
 from winkler.numerics.types import Array
 from winkler.plot import style
+from winkler.plot.dispatch import without_extent
 from winkler.plot.friction.curves import lines_panel
 from winkler.plot.panel import Line, Panel, PanelAxis, Polygon, Rule, Sheet, note, points, titled, zero
 from winkler.plot.series import Series, middle_scale, series, with_unit
@@ -27,6 +28,7 @@ LEAST_SHIFT_SHARE, GREATEST_SHIFT_SHARE = 0.02, 4.0
 PHASE_POINTS = 19
 
 
+@without_extent(FrictionDampingSolution)
 def damping_sheet(item: FrictionDampingSolution) -> Sheet:
     """Return loss and loss factor over the amplitude, up to sliding and beyond, and the loop of the greatest amplitude.
 
@@ -89,6 +91,7 @@ def _cycle_panel(problem: FrictionDamping, amplitude: float) -> Panel:
     return Panel(marks, PanelAxis.of(along, margin=0.06), PanelAxis.of(of, margin=0.12))
 
 
+@without_extent(BimodalDampingSolution)
 def bimodal_sheet(item: BimodalDampingSolution) -> Sheet:
     """Return the closed cycle of depth and shift, and the loss over the varied quantity, or over the phase."""
     problem = item.problem
@@ -133,6 +136,7 @@ def _varied(item: BimodalDampingSolution, name: str) -> Series:
     return series(name, np.ravel(content))
 
 
+@without_extent(RelaxationDamperSolution)
 def relaxation_sheet(item: RelaxationDamperSolution) -> Sheet:
     """Return the viscous damper over the amplitude of the depth."""
     problem = item.problem

@@ -15,7 +15,8 @@ from winkler.foundation.sheared_fields import BodyFields, ShearedFields
 from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.loading import ShearForce
 from winkler.plot import style
-from winkler.plot.extent import around
+from winkler.plot.dispatch import sheet_of, without_extent
+from winkler.plot.extent import around, checked_extent
 from winkler.plot.friction.curves import (
     BOUNDS,
     around_contact,
@@ -46,6 +47,7 @@ RADII_DRAWN = 1.35
 ENERGY_NAMES = {"dissipation": "lost", "stored_energy": "stored"}
 
 
+@without_extent(TangentialSolution)
 def tangential_sheet(item: TangentialSolution) -> Sheet:
     """Return the loop, the forces and the energies along a path; below springs, traction and slip at its last contact.
 
@@ -74,7 +76,9 @@ def tangential_sheet(item: TangentialSolution) -> Sheet:
     return Sheet(panels, 3, width=3.9)
 
 
-def tangential_state_sheet(item: TangentialState | SpringState, extent: float | None = None) -> Sheet:
+@sheet_of.register(TangentialState)
+@sheet_of.register(SpringState)
+def tangential_state_sheet(item: TangentialState | SpringState, *, extent: float | None = None) -> Sheet:
     """Return springs, traction, slip and, where it can be computed, the stress below one state of a path.
 
     Parameters
@@ -83,7 +87,7 @@ def tangential_state_sheet(item: TangentialState | SpringState, extent: float | 
     extent : float, optional
         [m].
     """
-    sheared = item.sheared
+    sheared, extent = item.sheared, checked_extent(extent)
     if item.radius == 0.0:
         return Sheet((Panel((note("no contact", "upper centre"),), title="no contact", bare=True),))
     end, stick = around(sheared.pressed, extent), float(item.stick_radius)
@@ -105,6 +109,7 @@ def tangential_state_sheet(item: TangentialState | SpringState, extent: float | 
     return Sheet(tuple(panels), 2, height=3.3, width=4.8, title=f"{headline(item)}   {pull}")
 
 
+@without_extent(ShearedFields)
 def sheared_sheet(item: ShearedFields) -> Sheet:
     """Return restored tractions and slips over the distance from the axis."""
     order = np.argsort(np.ravel(item.r), kind="stable")
@@ -125,11 +130,13 @@ def sheared_sheet(item: ShearedFields) -> Sheet:
     return Sheet(titled((left, right), "traction", "displacement and slip"))
 
 
+@without_extent(BodyFields)
 def body_sheet(item: BodyFields) -> Sheet:
     """Return a map of the stress below a sheared contact."""
     return Sheet((body_stress_panel(item).plus(title="stress below the surface"),), width=5.4, height=3.2)
 
 
+@without_extent(TorsionSolution)
 def torsion_sheet(item: TorsionSolution) -> Sheet:
     """Return the loop, torque and energies along a path of twists, and the traction at its last contact."""
     touching = np.flatnonzero(item.radius > 0.0)
@@ -150,6 +157,7 @@ def torsion_sheet(item: TorsionSolution) -> Sheet:
     return Sheet(panels, 2, height=3.2)
 
 
+@without_extent(TorsionState)
 def twist_sheet(item: TorsionState) -> Sheet:
     """Return the traction of a twisted contact."""
     panel = _twist_panel(item) if item.radius > 0.0 else NO_CONTACT

@@ -10,7 +10,7 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.drawing import without_extent
+from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import (
     Area,
     Arrow,

@@ -8,6 +8,7 @@ import math
 import numpy as np
 
 from winkler.plot import style
+from winkler.plot.dispatch import without_extent
 from winkler.plot.friction.curves import bounds, energies_panel, lines_panel, loop_panel
 from winkler.plot.panel import Band, Panel, Sheet, titled
 from winkler.plot.series import series_of
@@ -20,6 +21,7 @@ __all__ = ["adhesive_impact_sheet", "impact_sheet"]
 STOPPED_IN_CONTACT = "stopped before the bodies part"
 
 
+@without_extent(ImpactSolution)
 def impact_sheet(item: ImpactSolution) -> Sheet:
     """Return forces, velocities, the contact and the energies over time; phases of edge sliding are shaded."""
     time = series_of(item, "time")
@@ -55,6 +57,7 @@ def impact_sheet(item: ImpactSolution) -> Sheet:
     return Sheet(panels, 2, height=3.1, title=_restitution(item))
 
 
+@without_extent(AdhesiveImpactSolution)
 def adhesive_impact_sheet(item: AdhesiveImpactSolution) -> Sheet:
     """Return the force over the depth, velocity and energies over time, of an adhesive impact."""
     time = series_of(item, "time")

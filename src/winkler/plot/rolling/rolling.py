@@ -9,7 +9,7 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.drawing import sheet_of
+from winkler.plot.dispatch import sheet_of
 from winkler.plot.panel import Area, Line, Map, Panel, PanelAxis, Rule, Sheet, Text, Vectors, note, points, titled, zero
 from winkler.plot.series import Series, middle_scale, series
 from winkler.problems.rolling.creepage import Creepage

@@ -10,7 +10,7 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.drawing import without_extent
+from winkler.plot.dispatch import without_extent
 from winkler.plot.families import spans_decades
 from winkler.plot.panel import Area, Map, Panel, PanelAxis, Sheet, among, note, plane
 from winkler.plot.series import Scale, Series, middle_scale, scale_of, series, with_unit

@@ -10,7 +10,7 @@ import numpy as np
 
 from winkler.numerics.types import ArrayLike
 from winkler.plot import style
-from winkler.plot.drawing import without_extent
+from winkler.plot.dispatch import without_extent
 from winkler.plot.normal.springs import at_first_touch, springs_panel
 from winkler.plot.panel import Bars, Line, Panel, PanelAxis, Sheet, titled
 from winkler.plot.rough.roughness import Bounds, heights_of, image_of, map_panel, models_panel

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from winkler.plot import style
-from winkler.plot.drawing import without_extent
+from winkler.plot.dispatch import without_extent
 from winkler.plot.friction.curves import energies_panel, lines_panel, loop_panel
 from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, titled
 from winkler.plot.series import series_of, with_unit

@@ -11,7 +11,7 @@ from winkler.fitting.viscoelastic.band import observed_times, relaxation_band
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.drawing import without_extent
+from winkler.plot.dispatch import without_extent
 from winkler.plot.fitting.fits import fit_panels, measured_dots, origin_of
 from winkler.plot.panel import Area, Band, Line, Panel, PanelAxis, Sheet
 from winkler.plot.series import Series, common_scale, middle_scale

@@ -8,7 +8,7 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.plot.decades import Quantity, decades_panel
-from winkler.plot.drawing import without_extent
+from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Sheet, titled
 from winkler.plot.series import series, with_unit
 from winkler.problems.viscoelastic.material_tests import CreepTest, HarmonicSolution, StepSolution

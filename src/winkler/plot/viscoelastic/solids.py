@@ -14,7 +14,7 @@ from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.springs.exponential_sums import RelaxationSeries, of_relaxation
 from winkler.numerics.types import Array
 from winkler.plot.decades import Quantity, decades_panel
-from winkler.plot.drawing import without_extent
+from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Sheet, note, titled
 from winkler.plot.series import Series, series, with_unit
 from winkler.vocabulary import Word

@@ -9,7 +9,7 @@ import numpy as np
 
 from winkler.plot import style
 from winkler.plot.decades import Quantity, decades_panel
-from winkler.plot.drawing import without_extent
+from winkler.plot.dispatch import without_extent
 from winkler.plot.friction.curves import (
     bounds,
     energies_panel,

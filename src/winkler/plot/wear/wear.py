@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from winkler.plot import style
-from winkler.plot.drawing import without_extent
+from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Area, Line, Panel, PanelAxis, Rule, Sheet, titled
 from winkler.plot.series import Series, series, series_of, with_unit
 from winkler.problems.wear.fretting import FrettingSolution
