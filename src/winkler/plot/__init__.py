@@ -12,7 +12,7 @@ from winkler.caches import with_fonts
 
 if TYPE_CHECKING:
     from winkler.plot.dispatch import sheet_of
-from winkler.plot.drawing import draw
+    from winkler.plot.drawing import draw
 
 __all__ = ["draw", "sheet_of"]
 

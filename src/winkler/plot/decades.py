@@ -8,12 +8,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.families import spans_decades
 from winkler.plot.panel import Panel, PanelAxis, among, points
 from winkler.plot.series import Series, middle_scale
 
-__all__ = ["Quantity", "decades_panel"]
+__all__ = ["Quantity", "decades_around", "decades_panel"]
 
 MOST_MARKED_POINTS = 60
 """Points are marked individually up to this number."""
@@ -30,6 +31,14 @@ class Quantity(NamedTuple):
     of: Series
     name: str = ""
     points: tuple[np.ndarray, np.ndarray] = (np.empty(0), np.empty(0))
+
+
+def decades_around(requested: Array, factor: float, count: int) -> Array:
+    """Return so many numbers across the requested range, or up to a factor around a single one."""
+    low, high = float(np.min(requested)), float(np.max(requested))
+    if high <= low * (1.0 + 1e-12):
+        low, high = low / factor, high * factor
+    return np.geomspace(low, high, count)
 
 
 def decades_panel(along: Series, quantities: Sequence[Quantity], label: str = "") -> Panel:

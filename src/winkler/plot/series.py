@@ -52,13 +52,20 @@ NAMES_IN_WORDS = {
 """Names in words that differ from the field names."""
 
 
-def headline(solution: Any) -> str:
-    """Return depth, force and contact radius in one line."""
-    parts = [
-        f"${symbol}$ = {with_unit(float(getattr(solution, name)), unit)}"
-        for name, symbol, unit in (("force", "F_N", "N"), ("depth", "d", "m"), ("radius", "a", "m"))
-    ]
-    return "   ".join(parts)
+HEADLINE_SYMBOLS = {
+    "time": ("t", "s"),
+    "force": ("F_N", "N"),
+    "shear_force": ("F_x", "N"),
+    "depth": ("d", "m"),
+    "shift": ("u_x", "m"),
+    "radius": ("a", "m"),
+}
+
+
+def headline(solution: Any, *names: str) -> str:
+    """Return some fields of a solution in one line: force, depth and contact radius if none are named."""
+    shown = [(name, *HEADLINE_SYMBOLS[name]) for name in names or ("force", "depth", "radius")]
+    return "   ".join(f"${symbol}$ = {with_unit(float(getattr(solution, name)), unit)}" for name, symbol, unit in shown)
 
 
 def name_in_words(name: str) -> str:

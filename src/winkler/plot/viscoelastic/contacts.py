@@ -11,7 +11,7 @@ from winkler.plot import style
 from winkler.plot.dispatch import without_extent
 from winkler.plot.friction.curves import energies_panel, lines_panel, loop_panel
 from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, titled
-from winkler.plot.series import series_of, with_unit
+from winkler.plot.series import headline, series_of, with_unit
 from winkler.plot.viscoelastic.springs import pressure_panel, recovering_panel
 from winkler.problems.viscoelastic.impact import ViscoelasticImpactSolution
 from winkler.problems.viscoelastic.indentation import ViscoelasticSolution
@@ -69,8 +69,7 @@ def depth_and_radius(item: Any) -> Panel:
 @without_extent(ViscoelasticState)
 def state_sheet(item: ViscoelasticState) -> Sheet:
     """Return the springs at one time, including those that recover, and the pressure."""
-    parts = (("t", item.time, "s"), ("F_N", item.force, "N"), ("d", item.depth, "m"), ("a", item.radius, "m"))
-    title = "   ".join(f"${symbol}$ = {with_unit(number, unit)}" for symbol, number, unit in parts)
+    title = headline(item, "time", "force", "depth", "radius")
     panels = titled((recovering_panel(item), pressure_panel(item)), "springs", "pressure $p(r)$")
     return Sheet(panels, height=3.3, title=title)
 

@@ -6,8 +6,7 @@ import dataclasses
 
 import numpy as np
 
-from winkler.numerics.types import Array
-from winkler.plot.decades import Quantity, decades_panel
+from winkler.plot.decades import Quantity, decades_around, decades_panel
 from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Sheet, titled
 from winkler.plot.series import series, with_unit
@@ -26,7 +25,7 @@ def step_sheet(item: StepSolution) -> Sheet:
     """Return depth and contact radius under a constant force, or the force at a constant depth."""
     names = ("depth", "radius") if isinstance(item.problem, CreepTest) else ("force",)
     requested = np.asarray(item.time)
-    along = series("time", _between(requested))
+    along = series("time", decades_around(requested, FACTOR_AROUND, POINTS))
     curve = dataclasses.replace(item.problem, time=along.content).solve()
     panels = []
     for name in names:
@@ -40,7 +39,7 @@ def step_sheet(item: StepSolution) -> Sheet:
 def harmonic_sheet(item: HarmonicSolution) -> Sheet:
     """Return storage and loss stiffness over the frequency, and the tangent of loss; requested points marked."""
     requested = np.ravel(np.asarray(item.problem.angular_frequency, dtype=float))
-    along = series("angular_frequency", _between(requested))
+    along = series("angular_frequency", decades_around(requested, FACTOR_AROUND, POINTS))
     curve = dataclasses.replace(item.problem, angular_frequency=along.content).solve()
 
     def quantity(name: str, label: str = "") -> Quantity:
@@ -51,11 +50,3 @@ def harmonic_sheet(item: HarmonicSolution) -> Sheet:
     panels = decades_panel(along, pair, "stiffness"), decades_panel(along, [quantity("loss_tangent")])
     title = f"about $d$ = {with_unit(item.depth, 'm')}   $a$ = {with_unit(item.radius, 'm')}"
     return Sheet(titled(panels, "storage and loss stiffness", "loss over storage"), width=4.6, height=3.3, title=title)
-
-
-def _between(requested: Array) -> Array:
-    """Return numbers across the requested range, or around a single one."""
-    low, high = float(np.min(requested)), float(np.max(requested))
-    if high <= low * (1.0 + 1e-12):
-        low, high = low / FACTOR_AROUND, high * FACTOR_AROUND
-    return np.geomspace(low, high, POINTS)

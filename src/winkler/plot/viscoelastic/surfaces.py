@@ -8,7 +8,7 @@ import math
 import numpy as np
 
 from winkler.plot import style
-from winkler.plot.decades import Quantity, decades_panel
+from winkler.plot.decades import Quantity, decades_around, decades_panel
 from winkler.plot.dispatch import without_extent
 from winkler.plot.friction.curves import (
     bounds,
@@ -19,7 +19,7 @@ from winkler.plot.friction.curves import (
     stick_band,
 )
 from winkler.plot.panel import Area, Line, Panel, PanelAxis, Rule, Sheet, note, titled
-from winkler.plot.series import common_scale, series, series_of, with_unit
+from winkler.plot.series import common_scale, headline, series, series_of, with_unit
 from winkler.plot.viscoelastic.contacts import LEAST_FORCE_SHARE, depth_and_radius
 from winkler.plot.viscoelastic.springs import no_contact, recovering_panel, width_of
 from winkler.problems.viscoelastic.adhesion import ViscoelasticAdhesionSolution
@@ -60,13 +60,7 @@ def dragged_sheet(item: ViscoelasticTangentialSolution) -> Sheet:
 @without_extent(ViscoelasticTangentialState)
 def dragged_state_sheet(item: ViscoelasticTangentialState) -> Sheet:
     """Return the springs at one time, and their loads in both directions."""
-    parts = (
-        ("F_N", item.force, "N"),
-        ("F_x", item.shear_force, "N"),
-        ("d", item.depth, "m"),
-        ("u_x", item.shift, "m"),
-    )
-    title = "   ".join(f"${symbol}$ = {with_unit(number, unit)}" for symbol, number, unit in parts)
+    title = headline(item, "force", "shear_force", "depth", "shift")
     panels = titled((recovering_panel(item), _loads_panel(item, math.inf)), "springs", "their loads")
     return Sheet(panels, height=3.3, title=title)
 
@@ -94,12 +88,7 @@ def _loads_panel(state: ViscoelasticTangentialState, coefficient: float) -> Pane
 def sliding_sheet(item: SlidingResistanceSolution) -> Sheet:
     """Return the resistance and the coefficient of friction over the speed, and the springs where it is greatest."""
     requested = np.ravel(np.asarray(item.speed, dtype=float))
-    low, high = (
-        (np.min(requested), np.max(requested))
-        if requested.size > 1
-        else (requested[0] / FACTOR_AROUND, requested[0] * FACTOR_AROUND)
-    )
-    speeds = np.geomspace(low, high, POINTS)
+    speeds = decades_around(requested, FACTOR_AROUND, POINTS)
     curve = item if requested.size >= POINTS else dataclasses.replace(item.problem, speed=speeds).solve()
     order = np.argsort(np.ravel(np.asarray(curve.speed)), kind="stable")
     along = series("speed", np.ravel(np.asarray(curve.speed))[order], type(item))
