@@ -32,7 +32,7 @@ from winkler.plot.normal.outline import profile_panel
 from winkler.plot.normal.punches import pressures_panel, steps_panel
 from winkler.plot.normal.springs import springs_panel
 from winkler.plot.normal.stresses import stress_panel
-from winkler.plot.panel import Panel, Sheet, note, points, titled
+from winkler.plot.panel import NO_CONTACT, Panel, Sheet, points, titled
 from winkler.plot.series import headline
 from winkler.plot.sheets import contact_sheet
 from winkler.problems.adhesion.indentation import AdhesiveSolution
@@ -139,7 +139,7 @@ def _single_load_sheet(item: IndentationSolution, extent: float | None) -> Sheet
 def _force_curve(item: IndentationSolution) -> Panel:
     """Return F(d) up to a contact, and the contact itself as a point."""
     if float(item.depth) <= 0.0:
-        return Panel((note("no contact", "upper centre"),))
+        return NO_CONTACT
     return loaded_so_far(item.pressed, float(item.force))
 
 

@@ -33,6 +33,7 @@ from winkler.plot.marks import (
 from winkler.values import value
 
 __all__ = [
+    "NO_CONTACT",
     "Area",
     "Arrow",
     "Band",
@@ -182,3 +183,6 @@ def note(text: str, where: str = "upper right") -> Text:
         framed=(True, True),
         order=9.0,
     )
+
+
+NO_CONTACT = Panel((note("no contact", "upper centre"),))

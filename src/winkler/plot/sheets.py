@@ -13,7 +13,7 @@ from winkler.plot.medium import body_is_defined, stiffness_panel
 from winkler.plot.method import line_load, pressure
 from winkler.plot.normal.body import contact_panel
 from winkler.plot.normal.springs import springs_panel
-from winkler.plot.panel import Panel, Sheet, note, titled
+from winkler.plot.panel import NO_CONTACT, Sheet, titled
 from winkler.plot.series import headline, with_unit
 from winkler.problems.adhesion.cycle import AdhesiveCycleSolution
 from winkler.problems.adhesion.equilibrium import EquilibriumCurve
@@ -41,7 +41,7 @@ def contact_sheet(item: AdhesiveSolution, extent: float | None = None) -> Sheet:
             contact_panel(item, end) if defined else stiffness_panel(bed, end, float(item.radius)),
             springs_panel(item.pressed, end),
             pressure(item, end) if defined else line_load(item, end),
-            around_panel(item) if item.radius > 0.0 else Panel((note("no contact", "upper centre"),)),
+            around_panel(item) if item.radius > 0.0 else NO_CONTACT,
         ),
         "the contact" if defined else "measured stiffness",
         "springs under $g(x) − d$",

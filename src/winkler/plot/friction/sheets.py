@@ -32,7 +32,7 @@ from winkler.plot.friction.curves import (
 )
 from winkler.plot.friction.springs import dragged_panel
 from winkler.plot.friction.stress import body_stress_panel, dragged_stress_panel
-from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, note, titled, zero
+from winkler.plot.panel import NO_CONTACT, Line, Panel, PanelAxis, Sheet, note, titled, zero
 from winkler.plot.series import Series, headline, places, scale_of, series, with_unit
 from winkler.problems.friction.spring_states import SpringState
 from winkler.problems.friction.tangential import TangentialSolution
@@ -89,7 +89,7 @@ def tangential_state_sheet(item: TangentialState | SpringState, *, extent: float
     """
     sheared, extent = item.sheared, checked_extent(extent)
     if item.radius == 0.0:
-        return Sheet((Panel((note("no contact", "upper centre"),), title="no contact", bare=True),))
+        return Sheet((NO_CONTACT.plus(title="no contact", bare=True),))
     end, stick = around(sheared.pressed, extent), float(item.stick_radius)
     near = RADII_DRAWN * sheared.pressed.radius if extent is None else extent
     panels: list[Panel | None] = [dragged_panel(sheared, stick, end).plus(title="springs")]
@@ -163,9 +163,6 @@ def twist_sheet(item: TorsionState) -> Sheet:
     panel = _twist_panel(item) if item.radius > 0.0 else NO_CONTACT
     title = f"{headline(item)}   $M_z$ = {with_unit(item.torque, 'N m')}"
     return Sheet((panel.plus(title="traction around the axis"),), width=5.0, title=title)
-
-
-NO_CONTACT = Panel((note("no contact", "upper centre"),))
 
 
 def _twist_panel(state: TorsionState) -> Panel:

@@ -18,10 +18,10 @@ from winkler.plot.friction.curves import (
     mirrored_bounds,
     stick_band,
 )
-from winkler.plot.panel import Area, Line, Panel, PanelAxis, Rule, Sheet, note, titled
+from winkler.plot.panel import NO_CONTACT, Area, Line, Panel, PanelAxis, Rule, Sheet, note, titled
 from winkler.plot.series import common_scale, headline, series, series_of, with_unit
 from winkler.plot.viscoelastic.contacts import LEAST_FORCE_SHARE, depth_and_radius
-from winkler.plot.viscoelastic.springs import no_contact, recovering_panel, width_of
+from winkler.plot.viscoelastic.springs import recovering_panel, width_of
 from winkler.problems.viscoelastic.adhesion import ViscoelasticAdhesionSolution
 from winkler.problems.viscoelastic.sliding import SlidingResistanceSolution
 from winkler.problems.viscoelastic.tangential import ViscoelasticTangentialSolution
@@ -68,7 +68,7 @@ def dragged_state_sheet(item: ViscoelasticTangentialState) -> Sheet:
 def _loads_panel(state: ViscoelasticTangentialState, coefficient: float) -> Panel:
     """Return the load of the springs along the surface, and the bound of friction."""
     if state.radius == 0.0:
-        return no_contact()
+        return NO_CONTACT.plus(bare=True)
     along = series("x", state.position)
     bound = coefficient * state.line_load if math.isfinite(coefficient) else np.zeros(state.line_load.shape)
     of, limit = (series("shear_load", loads) for loads in (state.shear_load, bound))
