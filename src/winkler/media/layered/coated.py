@@ -176,7 +176,7 @@ class CoatedHalfSpace(LayeredMedium):
     Examples
     --------
     >>> rubber = Elastic(young=1e6, poisson=0.5)
-    >>> film = CoatedHalfSpace([Layer(rubber, thickness=1e-3)], on=Rigid())
+    >>> film = CoatedHalfSpace([Layer(rubber, thickness=1e-3)], on=RIGID)
     >>> round(float(film.punch_stiffness(np.array(1e-3)) / (2 * film.modulus * 1e-3)), 4)  # Hayes 1972: 3.609
     3.6187
     """
