@@ -28,12 +28,12 @@ WATCH = """() => {
   const plots = [...document.querySelectorAll('[data-picture]')], frame = window.requestAnimationFrame;
   let began = 0, waiting = new Set(), drawing = false;
   window.requestAnimationFrame = call => frame(time => { drawing = true; call(time); drawing = false; });
-  const seen = () => setTimeout(() => { window.took = performance.now() - began; });
+  const drawn = () => setTimeout(() => { window.took = performance.now() - began; });
   for (const plot of plots) {
     let held = plot.data;
     Object.defineProperty(plot, 'data', { get: () => held, set: next => {
       held = next;
-      if (waiting.delete(plot) && waiting.size === 0) { drawing ? seen() : frame(seen); }
+      if (waiting.delete(plot) && waiting.size === 0) { drawing ? drawn() : frame(drawn); }
     } });
   }
   document.addEventListener('keydown', () => {
@@ -73,7 +73,7 @@ def measured(port: int, browser: str) -> list[float]:
         chromium = playwright.chromium.launch(executable_path=browser, args=["--no-sandbox"])
         page = chromium.new_page(viewport={"width": 1400, "height": 950})
         page.goto(f"http://127.0.0.1:{port}/")
-        page.locator(".answered[data-state=done]").wait_for(timeout=60_000)
+        page.locator('.answer-side[data-state="done"]').wait_for(timeout=60_000)
         page.wait_for_timeout(2000)
         print(f"{page.evaluate(WATCH)} pictures", end="; ", flush=True)
         for change in range(CHANGES):

@@ -32,7 +32,7 @@ from importlib.metadata import version
 from typing import NamedTuple
 
 import numpy as np
-from pages import FIGURES, machine, replace, spoken, table
+from pages import FIGURES, in_words, machine, replace, table
 
 import winkler as wk
 from winkler.numerics.surfaces import surface_grid
@@ -231,8 +231,8 @@ def written(rows: list[Row]) -> str:
         [
             row.code if not row.points else f"{row.code}, {row.points} × {row.points}",
             version(row.code.split(",")[0]),
-            spoken(row.median),
-            spoken(min(row.times)),
+            in_words(row.median),
+            in_words(min(row.times)),
             f"{abs(row.error):.1e}" if abs(row.error) > 1e-15 else "< 1e-15",
             f"{row.median / ours.median:,.0f}",
             row.what,
@@ -252,7 +252,7 @@ def equally_accurate(rows: list[Row]) -> str:
             enough = [row for row in rows if row.code == code and abs(row.error) <= requested]
             best = min(enough, key=lambda row: row.points, default=None)
             grid = f" ({best.points}²)" if best and best.points else ""
-            cells.append(f"{spoken(best.median)}{grid}" if best else f"not on {GRIDS[-1]}²")
+            cells.append(f"{in_words(best.median)}{grid}" if best else f"not on {GRIDS[-1]}²")
         lines.append(cells)
     return table(["error of F at most", *codes], lines)
 
@@ -297,7 +297,7 @@ def draw(rows: list[Row]) -> None:
         axes.axhline(1e-8, color=style.MUTED, linewidth=0.8, linestyle="--")
         axes.set(xlabel="time for one contact [s]", ylabel="relative error of the force [-]", ylim=(3e-17, 1e-2))
         axes.set_xlim(3e-5, max(30.0, 2.0 * max(row.median for row in rows)))
-        axes.text(4e-5, 1.6e-8, "$10^{-8}$, asked for", fontsize=8.5, color=style.MUTED)
+        axes.text(4e-5, 1.6e-8, "$10^{-8}$, requested", fontsize=8.5, color=style.MUTED)
         style.note(axes, "Hertz' contact: error against the closed form", where="upper left")
         style.framed_legend(axes, loc="lower right", bbox_to_anchor=(1.0, 0.12))
         FIGURES.mkdir(exist_ok=True)

@@ -12,7 +12,7 @@ import json
 import sys
 from pathlib import Path
 
-from pages import machine, replace, spoken, table
+from pages import in_words, machine, replace, table
 
 GROUPS = {
     "times": ("bench_fields", "bench_indentation", "bench_measured"),
@@ -54,9 +54,9 @@ def main(path: str) -> None:
         rows.setdefault(group_of(item["fullname"]), []).append(
             [
                 item["extra_info"].get("what", item["name"]),
-                spoken(item["stats"]["median"]),
-                spoken(item["stats"]["min"]),
-                f"< {spoken(target)}" if target else "",
+                in_words(item["stats"]["median"]),
+                in_words(item["stats"]["min"]),
+                f"< {in_words(target)}" if target else "",
             ]
         )
     for group, lines in rows.items():

@@ -54,7 +54,7 @@ _shown: weakref.WeakSet[Figure] = weakref.WeakSet()
 
 
 def figures(block: Any, block_vars: dict[str, Any], gallery_conf: Any) -> str:
-    """Hand the figures of an example to the gallery; `draw` makes them without pyplot, where it would not find them."""
+    """Give the figures of an example to the gallery; `draw` makes them without pyplot, where it would not find them."""
     paths = []
     for item in list(block_vars["example_globals"].values()):
         if isinstance(item, Figure) and item not in _shown:
@@ -100,7 +100,7 @@ CHAPTERS = (
 
 
 def _entry(name: str) -> str:
-    """Return the directive that documents one name of the front door."""
+    """Return the directive that documents one public name."""
     item = getattr(winkler, name)
     if inspect.isclass(item):
         shared = "   :inherited-members:\n" if name.endswith("Solution") else ""  # what answers have in common
@@ -110,8 +110,8 @@ def _entry(name: str) -> str:
     return f".. py:data:: winkler.{name}\n\n   ``{str(item).replace('winkler.', '')}``\n"
 
 
-def _floor(name: str) -> str:
-    """Return the floor that a name comes from; a union comes from the floor of its members."""
+def _layer_of(name: str) -> str:
+    """Return the layer that defines a name; a union comes from the layer of its members."""
     item = getattr(winkler, name)
     module = getattr(item, "__module__", "")
     if not module.startswith("winkler."):
@@ -120,12 +120,12 @@ def _floor(name: str) -> str:
     return module.split(".")[1] if module.startswith("winkler.") else ""
 
 
-def front_door() -> str:
+def public_names_page() -> str:
     """Return the page of the interface in reStructuredText, chapter by chapter."""
     names = [name for name in winkler.__all__ if not name.startswith("__")]
     written, text = set(), []
-    for title, floor in CHAPTERS:
-        here = [name for name in names if _floor(name) == floor]
+    for title, layer in CHAPTERS:
+        here = [name for name in names if _layer_of(name) == layer]
         if here:
             text += [title, "-" * len(title), "", *map(_entry, here)]
             written.update(here)
@@ -138,7 +138,7 @@ def front_door() -> str:
 def _fill(app: Any, docname: str, source: list[str]) -> None:
     """Write the pages that are made while building."""
     if docname == "api":
-        source[0] = source[0].replace("FRONT_DOOR", front_door())
+        source[0] = source[0].replace("PUBLIC_NAMES", public_names_page())
     if docname == "validation":
         entries = list(ledger(case_files(())))
         missed = [entry.name for entry in entries if not entry.passed]

@@ -1,6 +1,6 @@
 """What every test may rely on: no window system, the same random numbers in every run, one place for compiled kernels.
 
-Compiled kernels are kept from run to run in pytest's own cache (`pytest --cache-clear` drops them): compiling all of
+Compiled kernels are stored from run to run in pytest's own cache (`pytest --cache-clear` drops them): compiling all of
 them costs about a minute of processor time.  They are found by the content of a kernel and of all that it calls, so
 what is stale is never used; see `winkler.numerics.jit`.
 """

@@ -1,4 +1,4 @@
-"""Where nothing of the user can be written there is a private folder, or nothing is kept; see .ci/unprivileged."""
+"""Where nothing of the user can be written there is a private folder, or nothing is stored; see .ci/unprivileged."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def test_the_folder_is_private_and_its_name_cannot_be_guessed(place):
     assert stat.S_IMODE(one.stat().st_mode) == 0o700
     assert one.parent == place
     assert len({one.name, other.name}) == 2
-    assert other.is_dir()  # its process lives
+    assert other.is_dir()  # its process still runs
     caches._remove(one, os.getpid() + 1)
     assert one.is_dir()
     caches._remove(one, os.getpid())
@@ -87,7 +87,7 @@ def test_a_path_without_a_home_is_no_place():
     assert not caches._writable(Path(os.devnull) / "numba")
 
 
-def test_without_any_place_kernels_are_kept_nowhere_and_figures_are_refused(place, monkeypatch):
+def test_without_any_place_kernels_are_stored_nowhere_and_figures_are_refused(place, monkeypatch):
     def none():
         raise FileNotFoundError("No usable temporary directory found")
 

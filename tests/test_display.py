@@ -142,6 +142,6 @@ def test_a_table_escapes_what_the_reader_wrote():
     assert "&lt;script&gt;" in text
 
 
-def test_a_note_that_cannot_be_made_is_said():
+def test_a_note_that_cannot_be_made_is_stated():
     curve = wk.ForceCurve(np.linspace(0.0, 1.0, 9), np.linspace(0.0, 1.0, 9), name="</table>")
     assert "</table>" not in curve._repr_html_().removesuffix("</table>")

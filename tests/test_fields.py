@@ -260,7 +260,7 @@ def test_the_inside_of_a_transversely_isotropic_body_is_refused():
         wk.restore(contact, 0.1, 0.1)
 
 
-def test_an_even_pressure_that_does_not_settle_is_told():
+def test_an_even_pressure_that_does_not_settle_is_refused():
     """g' is infinite at its edge: a sentence states why there is no number, and numpy does not warn before it."""
     bed = wk.PlaneFoundation(wk.Ellipsoid(1.0, 1.0), wk.HalfSpace(wk.Elastic(1.0, 0.0)))
     contact = wk.Indentation(bed, wk.Depth(1.0)).solve()

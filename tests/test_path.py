@@ -145,7 +145,7 @@ def test_both_loads_oscillate_about_where_one_is():
     assert np.min(path.along) == pytest.approx(0.5, rel=1e-15)
 
 
-def test_an_oscillation_does_not_tell_its_first_point_twice():
+def test_an_oscillation_does_not_repeat_its_first_point():
     path = Program([Start(Force(1.0)), Oscillate(lateral=Shift(1.0), count=4), Oscillate(lateral=Shift(2.0), count=4)])
     assert np.array_equal(path.along, [0, 1, 0, -1, 0, 2, 0, -2, 0])
     assert np.array_equal(path.time, np.arange(9) / 4.0)
@@ -308,7 +308,7 @@ def test_wrong_tables_of_paths(tmp_path, text, sentence):
     assert "path.csv" in str(caught.value)
 
 
-def test_holding_is_told_at_many_points():
+def test_a_hold_has_many_points():
     path = Program([Start(Force(2.0), Shift(np.array([1e-6, 2e-6]))), Hold(4.0, count=4)])
     assert path.time.tolist() == [0.0, 1.0, 2.0, 3.0, 4.0]
     assert path.across.tolist() == [2.0] * 5

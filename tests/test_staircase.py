@@ -47,16 +47,16 @@ def order(errors):
 
 def test_a_flat_punch_is_one_step():
     solution = Indentation(Foundation(FlatPunch(2.0), UNIT), Depth(0.1)).solve()
-    stairs = staircase(solution, 5)
-    assert_allclose(stairs.radii, [2.0])
-    assert_allclose(stairs.increments, [0.1])
-    assert_allclose(stairs.force, 2 * 2.0 * 0.1, rtol=1e-15)
+    punches = staircase(solution, 5)
+    assert_allclose(punches.radii, [2.0])
+    assert_allclose(punches.increments, [0.1])
+    assert_allclose(punches.force, 2 * 2.0 * 0.1, rtol=1e-15)
     r = np.array([0.0, 1.0, 1.9])
-    assert_allclose(stairs.pressure(r), 0.1 / (np.pi * np.sqrt(4.0 - r**2)), rtol=1e-14)
-    assert np.isinf(stairs.pressure(2.0))
-    assert_allclose(stairs.displacement([0.0, 2.0]), 0.1, rtol=1e-15)
-    assert_allclose(stairs.displacement(5.0), 0.2 / np.pi * math.asin(0.4), rtol=1e-14)
-    assert_allclose(stairs.force_within([0.0, 1.0, 2.0, 9.0]), [0.0, 0.2 * (2 - math.sqrt(3)), 0.4, 0.4], rtol=1e-13)
+    assert_allclose(punches.pressure(r), 0.1 / (np.pi * np.sqrt(4.0 - r**2)), rtol=1e-14)
+    assert np.isinf(punches.pressure(2.0))
+    assert_allclose(punches.displacement([0.0, 2.0]), 0.1, rtol=1e-15)
+    assert_allclose(punches.displacement(5.0), 0.2 / np.pi * math.asin(0.4), rtol=1e-14)
+    assert_allclose(punches.force_within([0.0, 1.0, 2.0, 9.0]), [0.0, 0.2 * (2 - math.sqrt(3)), 0.4, 0.4], rtol=1e-13)
 
 
 @pytest.mark.parametrize("name", SHAPES)
@@ -109,37 +109,37 @@ def test_the_pressure_converges_as_the_zeta_function_says(below, expected):
     """A step's edge leaves an error zeta(1/2, below) / sqrt(count); it vanishes 0.3027 of a step below the edge."""
     errors = []
     for count in COUNTS:
-        stairs = staircase(contact(Paraboloid(1.0)), count)
-        r = stairs.radii[count // 4 : 3 * count // 4] - below * 0.5 / count
+        punches = staircase(contact(Paraboloid(1.0)), count)
+        r = punches.radii[count // 4 : 3 * count // 4] - below * 0.5 / count
         exact = 2 * 0.5 / np.pi * np.sqrt(1.0 - (r / 0.5) ** 2)
-        errors.append(np.max(np.abs(stairs.pressure(r) - exact)))
+        errors.append(np.max(np.abs(punches.pressure(r) - exact)))
     assert expected - 0.05 < order(errors) < expected + 0.05
 
 
 @pytest.mark.parametrize("name", SHAPES)
 def test_it_agrees_with_restored_fields(name):
     solution = contact(SHAPES[name])
-    stairs = staircase(solution, 2000)
+    punches = staircase(solution, 2000)
     r = np.array([0.07, 0.31, 0.44, 0.52, 0.9, 4.0])
-    assert_allclose(stairs.displacement(r), restore(solution, r).displacement, atol=3e-6 * solution.depth)
+    assert_allclose(punches.displacement(r), restore(solution, r).displacement, atol=3e-6 * solution.depth)
 
 
 def test_a_contact_pinned_at_the_rim_has_a_last_wide_step():
     body = CappedCylinder(0.5, Paraboloid(1.0))
     solution = Indentation(Foundation(body, UNIT), Depth(0.4)).solve()
-    stairs = staircase(solution, 3000)
-    assert_allclose(stairs.radii[-1], 0.5)
-    assert_allclose(stairs.increments[-1], 0.4 - 0.25, rtol=1e-12)
-    assert_allclose(stairs.force, 1.0 / 6.0 + 2 * 0.5 * 0.15, rtol=1e-6)
+    punches = staircase(solution, 3000)
+    assert_allclose(punches.radii[-1], 0.5)
+    assert_allclose(punches.increments[-1], 0.4 - 0.25, rtol=1e-12)
+    assert_allclose(punches.force, 1.0 / 6.0 + 2 * 0.5 * 0.15, rtol=1e-6)
     r = np.array([0.2, 0.6, 2.0])
-    assert_allclose(stairs.displacement(r), restore(solution, r).displacement, rtol=3e-6)
+    assert_allclose(punches.displacement(r), restore(solution, r).displacement, rtol=3e-6)
 
 
 def test_a_plane_profile_that_was_given():
     solution = Indentation(PlaneFoundation(PowerLaw(1.0, 2.0), UNIT), Radius(0.5)).solve()  # g = x^2: a ball with R = 1
-    stairs = staircase(solution, 400)
-    assert_allclose(stairs.force, 1.0 / 6.0, rtol=1e-5)
-    assert_allclose(stairs.displacement(1.0), 0.0544988905, rtol=1e-5)
+    punches = staircase(solution, 400)
+    assert_allclose(punches.force, 1.0 / 6.0, rtol=1e-5)
+    assert_allclose(punches.displacement(1.0), 0.0544988905, rtol=1e-5)
 
 
 def test_moduli_scale_pressure_and_force_only():
@@ -153,19 +153,19 @@ def test_moduli_scale_pressure_and_force_only():
 
 
 def test_no_contact_no_steps():
-    stairs = staircase(Indentation(Foundation(Sphere(1.0), UNIT), Force(0.0)).solve(), 4)
-    assert stairs.radii.size == 0
-    assert stairs.force == stairs.depth == 0.0
-    assert_allclose(stairs.pressure([0.0, 1.0]), 0.0)
-    assert_allclose(stairs.displacement(np.zeros((2, 3))), np.zeros((2, 3)))
+    punches = staircase(Indentation(Foundation(Sphere(1.0), UNIT), Force(0.0)).solve(), 4)
+    assert punches.radii.size == 0
+    assert punches.force == punches.depth == 0.0
+    assert_allclose(punches.pressure([0.0, 1.0]), 0.0)
+    assert_allclose(punches.displacement(np.zeros((2, 3))), np.zeros((2, 3)))
 
 
 def test_many_places_and_punches_keep_their_shape():
-    stairs = staircase(contact(Sphere(1.0)), 5000)
+    punches = staircase(contact(Sphere(1.0)), 5000)
     r = np.linspace(0.0, 1.0, 900).reshape(30, 30)
-    assert_allclose(stairs.displacement(r).ravel()[7], stairs.displacement(r.ravel()[7]), rtol=1e-14)
-    assert stairs.pressure(r).shape == (30, 30)
-    assert stairs.pressure([]).shape == (0,)
+    assert_allclose(punches.displacement(r).ravel()[7], punches.displacement(r.ravel()[7]), rtol=1e-14)
+    assert punches.pressure(r).shape == (30, 30)
+    assert punches.pressure([]).shape == (0,)
 
 
 def test_it_is_a_value():
@@ -187,10 +187,10 @@ def test_fewer_punches_than_pieces():
 
 
 def test_places_that_are_none():
-    stairs = staircase(contact(Sphere(1.0)), 5)
+    punches = staircase(contact(Sphere(1.0)), 5)
     for r in (-0.1, math.nan, math.inf):
         with pytest.raises(InvalidInput, match="staircase: r holds values"):
-            stairs.pressure(r)
+            punches.pressure(r)
 
 
 def test_a_medium_without_closed_form_punches():
@@ -210,7 +210,7 @@ def test_a_medium_without_closed_form_punches():
         staircase(Solution(), 5)
 
 
-def test_many_loads_are_refused_with_the_way_out():
+def test_many_loads_are_refused_with_a_remedy():
     solution = Indentation(Foundation(Sphere(1.0), UNIT), Force(np.array([1e-3, 2e-3]))).solve()
     with pytest.raises(InvalidInput, match=r"solution\.at"):
         staircase(solution, 5)

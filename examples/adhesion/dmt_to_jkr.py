@@ -3,7 +3,7 @@ From DMT to JKR
 ===============
 
 How far do surfaces attract each other? If that is little against how far the attraction stretches them, JKR holds and a
-ball comes off at :math:`-\tfrac32\pi wR`; if it is much, DMT, at :math:`-2\pi wR`. Tabor's parameter tells which, and
+ball comes off at :math:`-\tfrac32\pi wR`; if it is much, DMT, at :math:`-2\pi wR`. Tabor's parameter decides which, and
 Maugis' equations connect both.
 """
 
@@ -14,8 +14,9 @@ from winkler import Elastic, Foundation, HalfSpace, Paraboloid
 from winkler.laws.adhesion import Dugdale, ShortRange
 from winkler.loading import Force
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
-from winkler.problems.adhesion.model_choice import maugis_parameter, which_model
+from winkler.problems.adhesion.model_choice import which_model
 from winkler.problems.adhesion.pull_off import PullOff
+from winkler.problems.adhesion.tabor import maugis_parameter
 
 RADIUS, WORK = 1e-6, 0.05
 polymer = HalfSpace.between(Elastic(young=2e9, poisson=0.4))

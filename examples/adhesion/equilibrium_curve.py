@@ -30,10 +30,10 @@ machines = (
 )
 for stiffness, name, colour, width in machines:
     curve = wk.Equilibrium(ball, wk.ShortRange(WORK), reach=4e-4, machine_stiffness=stiffness, count=400).solve()
-    kept = curve.stable
-    held = np.where(kept, curve.force, np.nan)
+    is_stable = curve.stable
+    held = np.where(is_stable, curve.force, np.nan)
     left.plot(1e6 * curve.depth, held / unit, color=colour, linewidth=width, label=name)
-    lowest = curve.force[np.argmax(kept)] / unit  # the smallest contact that holds
+    lowest = curve.force[np.argmax(is_stable)] / unit  # the smallest contact that holds
     print(f"{name:20s} comes off at {lowest:.3f} pi w R")
 left.plot(1e6 * curve.depth, curve.force / unit, color="0.6", linewidth=0.8, zorder=0)
 left.set(xlabel="depth d [µm]", ylabel=r"force over $\pi w R$ [-]", xlim=(-3, 4), ylim=(-1.7, 1.5))

@@ -3,7 +3,7 @@ Snap-in and pull-off: the energy of one touch
 =============================================
 
 A glass ball touches soft rubber and is pulled off again, held in stiff grips. The moment the surfaces meet, the contact
-jumps open; on the way back it holds beyond the place where it was made, then jumps shut. The area between the two ways
+jumps open; on the return it holds beyond the place where it was made, then jumps shut. The area between the branches
 is lost. In units of :math:`(w^5 R^4/E^{*2})^{1/3}` it is 7.0922, whatever the ball and the rubber.
 """
 
@@ -42,7 +42,7 @@ assert np.isclose(snap_in.loss / unit, 6.418315112, rtol=1e-9)
 # The curve of equilibrium below it
 # ---------------------------------
 # Every contact radius has one depth and one force. Grips that hold the depth cannot follow the curve where it bends
-# back: the dashed part is never seen.
+# back: the dashed part is never measured.
 
 radius = np.geomspace(2e-6, 1.05 * touch.radius.max(), 500)
 states = AdhesiveIndentation(bed, law, Radius(radius)).solve()

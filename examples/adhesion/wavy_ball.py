@@ -43,7 +43,7 @@ assert touches["wavy"].dissipation[-1] > touches["smooth"].dissipation[-1]
 # %%
 # The staircase
 # -------------
-# Grey: all states of equilibrium, explicit in the contact radius. The way out and the way in take different stairs.
+# Grey: all states of equilibrium, explicit in the contact radius. Loading and unloading take different steps.
 
 radius = np.linspace(0.3e-3, 1.02 * touches["wavy"].radius.max(), 4000)
 states = AdhesiveIndentation(Foundation(wavy, gelatine), law, Radius(radius)).solve()
@@ -61,8 +61,8 @@ radii.set(xlabel="depth d [mm]", ylabel="contact radius a [mm]", xlim=(-5, 7.2))
 plt.show()
 
 # %%
-# What each stair costs
-# ---------------------
+# What each step costs
+# --------------------
 
 figure, axes = plt.subplots(figsize=(7.0, 3.6), layout="constrained")
 for advancing, name in ((True, "closing"), (False, "opening")):

@@ -59,7 +59,7 @@ plt.show()
 ten = wk.JouleHeating(rivet, clean, wk.Force(1.0), wk.Current(10.0)).solve()
 print(f"\n10 A: {ten.voltage * 1e3:.2f} mV, {ten.heat_rate * 1e3:.1f} mW, {ten.rise:.2f} K above its surroundings")
 melting = wk.JouleHeating(rivet, clean, wk.Force(1.0), wk.Voltage(law.voltage_at(1235.0))).solve()
-print(f"it would melt at {melting.current:.0f} A, if it stayed as it is; softened silver gives way, and the spot grows")
+print(f"it would melt at {melting.current:.0f} A, if it stayed as it is; softened silver yields, and the spot grows")
 
 # %%
 # Around the contact

@@ -3,7 +3,7 @@ Many small spots, or one large one?
 ===================================
 
 Two rough metals touch in spots, and the current must squeeze through each of them. Ten spots are better than one of the
-same area, but they stand in each other's way: packed closely they are one large spot again.
+same area, but they hinder each other: packed closely they are one large spot again.
 """
 
 import matplotlib.pyplot as plt

@@ -40,7 +40,7 @@ axes.legend(frameon=False)
 plt.show()
 for place in (0, 20, 39):
     print(
-        f"{force[place]:6.1f} N: {curve.heat_rate[place]:5.3f} W, of the way {parts['pin'][place]:.1f} K/W pin, "
+        f"{force[place]:6.1f} N: {curve.heat_rate[place]:5.3f} W, of which {parts['pin'][place]:.1f} K/W pin, "
         f"{curve.constriction[place]:6.1f} K/W constriction, {curve.interface_resistance[place]:7.1f} K/W interface"
     )
 
@@ -55,7 +55,7 @@ picture = draw(wk.ThermalConstriction(dome, bare, wk.Force(100.0), temperature_d
 # Rough ends
 # ----------
 # Conductance and stiffness are in proportion, and the stiffness of a rough body has bounds: its force curve lies
-# between that of the smooth one and the same moved by the height of the roughness. It is asked for a current here, with
+# between that of the smooth one and the same moved by the height of the roughness. Here it is that of a current, with
 # one over the conductivity for the resistivity.
 
 conductors = wk.ElectricalConductors(wk.ElectricalConductor(1.0 / 390.0), wk.ElectricalConductor(1.0 / 45.0))

@@ -61,11 +61,11 @@ def write(path: Path, what: str, position: np.ndarray, force: np.ndarray) -> Non
 
 if __name__ == "__main__":
     random = np.random.default_rng(SEED)
-    way = np.linspace(-1.4e-6, 1.0e-6, 300)
-    scatter = BASELINE + SCATTER * random.standard_normal(way.size)
-    write(Path("gel_bead.csv"), "Gel, E = 4 kPa, nu = 0.5.", way + FIRST_TOUCH, hertz(way, 4e3) + scatter)
-    there_and_back = np.concatenate([way, way[::-1]])
-    inward = np.repeat([True, False], way.size)
+    rise = np.linspace(-1.4e-6, 1.0e-6, 300)
+    scatter = BASELINE + SCATTER * random.standard_normal(rise.size)
+    write(Path("gel_bead.csv"), "Gel, E = 4 kPa, nu = 0.5.", rise + FIRST_TOUCH, hertz(rise, 4e3) + scatter)
+    there_and_back = np.concatenate([rise, rise[::-1]])
+    inward = np.repeat([True, False], rise.size)
     scatter = BASELINE + SCATTER * random.standard_normal(inward.size)
     force = jkr(there_and_back, inward, 40e3, 0.2e-3) + scatter
     what = "Rubber, E = 40 kPa, nu = 0.5, work of adhesion 0.2 mJ/m^2."
@@ -73,7 +73,7 @@ if __name__ == "__main__":
     Path("gel").mkdir(exist_ok=True)
     for number in range(12):
         young = 4e3 * np.exp(0.25 * random.standard_normal())
-        scatter = BASELINE + SCATTER * random.standard_normal(way.size)
+        scatter = BASELINE + SCATTER * random.standard_normal(rise.size)
         where = Path("gel") / f"place{number + 1}.csv"
-        write(where, f"Gel, E = {1e-3 * young:.3f} kPa, nu = 0.5.", way + FIRST_TOUCH, hertz(way, young) + scatter)
+        write(where, f"Gel, E = {1e-3 * young:.3f} kPa, nu = 0.5.", rise + FIRST_TOUCH, hertz(rise, young) + scatter)
     print("Written gel_bead.csv, sticky_bead.csv and gel/")

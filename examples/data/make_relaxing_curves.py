@@ -31,7 +31,7 @@ depth [nm], force [nN], time [s]
 def loop(time: np.ndarray, turn: float, speed: float, shear: float, exponent: float) -> np.ndarray:
     """Return the force of a bead that is pressed into a power-law cell and drawn out at the same speed [N].
 
-    On the way out only what was pressed before t_1 still bears (Ting 1966).
+    On the return only what was pressed before t_1 still bears (Ting 1966).
     """
     before = np.where(time <= turn, time, time - 2.0 ** (1.0 / (1.0 - exponent)) * (time - turn))
     part = np.clip(before / np.where(time > 0.0, time, 1.0), 0.0, 1.0)
@@ -66,9 +66,9 @@ if __name__ == "__main__":
     shear = 1150.0 + sum(modulus * np.exp(-time / tau) for tau, modulus in SPECTRUM.items())
     shear *= 1.0 + 0.01 * random.standard_normal(time.size)
     rows = (f"{t:.4g}, {1e-3 * g:.4g}\n" for t, g in zip(time, shear, strict=True))
-    told = (
+    head = (
         HEADER.splitlines()[0]
         + "\n# Gel, G = 1.15 kPa and three terms, after a step of shear.\ntime [s], shear [kPa]\n"
     )
-    Path("gel_relaxation.csv").write_text(told + "".join(rows), encoding="utf-8")
+    Path("gel_relaxation.csv").write_text(head + "".join(rows), encoding="utf-8")
     print("Written cell_loop.csv, gel_creep.csv and gel_relaxation.csv")

@@ -20,7 +20,7 @@ folder = Path(holder.name)
 # %%
 # Materials by name
 # -----------------
-# The table of materials tells typical numbers at room temperature, each with its source.
+# The table of materials lists typical numbers at room temperature, each with its source.
 
 steel, silica = wk.material("bearing steel"), wk.material("fused silica")
 for figure in silica.figures[:2]:
@@ -53,7 +53,7 @@ print(f"{path.name}: {path.stat().st_size / 1e6:.1f} MB")
 # %%
 # The contact law as a look-up table
 # ----------------------------------
-# Rows lie closer where the force bends more; the error between them is told, for cubics and for straight lines.
+# Rows lie closer where the force bends more; the error between them is stated, for cubics and for straight lines.
 
 law = wk.ContactLaw(bed, deepest=float(contact.depth), tolerance=1e-5).solve()
 wk.write_law(law, folder / "ball.csv")

@@ -34,17 +34,17 @@ def bed(young):
 # ---------
 # The stage moves in and out; the ball snaps in at first touch and comes off where the cantilever can no longer hold it.
 
-way = np.linspace(-1e-6, 1.2e-6, 600)
-contact = response(states_of(bed(YOUNG), ShortRange(WORK)), 1.0 / SPRING, way.max())
-inward = np.where(way >= 0.0, contact.closing(way).force, 0.0)
-outward = np.where(way >= contact.loss()[0], contact.opening(way, way.max()).force, 0.0)
+stage = np.linspace(-1e-6, 1.2e-6, 600)
+contact = response(states_of(bed(YOUNG), ShortRange(WORK)), 1.0 / SPRING, stage.max())
+inward = np.where(stage >= 0.0, contact.closing(stage).force, 0.0)
+outward = np.where(stage >= contact.loss()[0], contact.opening(stage, stage.max()).force, 0.0)
 
 random = np.random.default_rng(5)
 noise = np.zeros(1200)
 for i in range(1, 1200):
     noise[i] = 0.6 * noise[i - 1] + 0.8 * 60e-12 * random.standard_normal()
 curve = ForceCurve(
-    position=np.concatenate([way, way[::-1]]) + 3.4e-6,
+    position=np.concatenate([stage, stage[::-1]]) + 3.4e-6,
     force=np.concatenate([inward, outward[::-1]]) + 0.2e-9 + noise,
     machine_stiffness=SPRING,
     name="gel",
@@ -72,7 +72,7 @@ assert found.models[0] == "JKR"
 # The numbers
 # -----------
 # The noise remembers its past, so that the 1200 points are worth about 300: the errors know that. Intervals by the
-# profile of the likelihood agree with those by error propagation here, because so many points leave little room.
+# profile of the likelihood agree with those by error propagation here, because so many points leave little freedom.
 
 best = found.best
 print(f"{best.effective_count:.0f} independent points of {best.curve.count}")

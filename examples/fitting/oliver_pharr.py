@@ -7,7 +7,7 @@ that winkler knows as a profile, or the calibrated area function of a blunt Berk
 contact depth is all that is needed.
 
 The test is played by closed forms: two partial unloadings, a hold at the peak that creeps, the last unloading with the
-exponent 3/2. So its modulus is known, and the reading can be judged.
+exponent 3/2. So its modulus is known, and the reading can be checked.
 """
 
 import math
@@ -28,19 +28,19 @@ peak, deepest, final = 10e-3, 330e-9, 180e-9
 ramp = np.linspace(0.0, 1.0, 300)
 forces, depths = [], []
 for low, high in ((0.0, 0.3), (0.03, 0.6), (0.06, 1.0)):
-    way = low + (high - low) * ramp
-    most = np.maximum(way, 10.0 * low)  # below the peak before, the unloading is gone back
-    forces += [way]
-    depths += [320e-9 * np.sqrt(most) * (0.55 + 0.45 * (way / np.maximum(most, 1e-9)) ** (2.0 / 3.0))]
+    part = low + (high - low) * ramp
+    most = np.maximum(part, 10.0 * low)  # below the peak before, the unloading is gone back
+    forces += [part]
+    depths += [320e-9 * np.sqrt(most) * (0.55 + 0.45 * (part / np.maximum(most, 1e-9)) ** (2.0 / 3.0))]
     if high < 1.0:
-        way = high * (1.0 - 0.9 * ramp[1:])
-        forces += [way]
-        depths += [320e-9 * math.sqrt(high) * (0.55 + 0.45 * (way / high) ** (2.0 / 3.0))]
+        part = high * (1.0 - 0.9 * ramp[1:])
+        forces += [part]
+        depths += [320e-9 * math.sqrt(high) * (0.55 + 0.45 * (part / high) ** (2.0 / 3.0))]
 forces += [np.ones(300), 1.0 - ramp[1:]]
 depths += [deepest - 10e-9 * np.exp(-ramp / 0.2), final + (deepest - final) * (1.0 - ramp[1:]) ** (2.0 / 3.0)]
 force, depth = peak * np.concatenate(forces), np.concatenate(depths)
 noisy = force + 1e-3 * peak * np.random.default_rng(2).standard_normal(force.size)
-frame = 2e6  # it gives way by 0.5 nm/mN
+frame = 2e6  # its compliance is 0.5 nm/mN
 curve = wk.ForceCurve(depth + force / frame, noisy, frame, time=np.linspace(0.0, 60.0, force.size), name="fused silica")
 
 # %%

@@ -3,7 +3,7 @@ A gel that relaxes: how many times does it take, and how sure are they?
 =======================================================================
 
 A bead of 5 um is pressed into a gel, held, and drawn out again. The force falls while it is held, and comes back below
-itself on the way out. Which moduli and which times does the curve tell, and when should one stop adding times?
+itself on the return. Which moduli and which times does the curve give, and when should one stop adding times?
 
 The curve of this example is made, not measured: a gel with two relaxation times on a cantilever of 50 mN/m, from a row
 of springs. So the true answer is known.
@@ -29,7 +29,7 @@ def contact(solid, path):
 # The curve
 # ---------
 # One second in, four seconds held, and out again, a thousand points. The stage moves as far as the bead, and as the
-# cantilever gives way.
+# cantilever bends.
 
 time = np.linspace(-0.5, 6.5, 1000)
 depth = 1e-6 * np.where(time < 1.0, time, np.where(time < 5.0, 1.0, 6.0 - time))
@@ -64,17 +64,17 @@ assert found.models[0] == "2 terms"
 # The numbers
 # -----------
 # Every number with its 95 % interval, beside the truth. The last panel shows the relaxation with its own interval, grey
-# where the curve cannot tell it, and the two terms.
+# where the curve cannot determine it, and the two terms.
 
 best = found.best
-told = {
+true_values = {
     f"{solid}relaxed_shear": 100.0,
     f"{solid}shears[0]": 300.0,
     f"{solid}shears[1]": 200.0,
     f"{solid}relaxation_times[0]": 0.05,
     f"{solid}relaxation_times[1]": 0.8,
 }
-for name, truth in told.items():
+for name, truth in true_values.items():
     low, high = best.interval(name)
     print(f"{name}: {best.value(name):.4g}, 95 %: {low:.4g} to {high:.4g}; true {truth:g}")
     assert abs(best.value(name) - truth) < 4.0 * best.error(name) + 1e-3 * truth

@@ -47,7 +47,7 @@ assert np.allclose(hit.balance, 1.0, atol=1e-10)
 # The law of reflection
 # ---------------------
 # Friction and velocities enter in one number, :math:`\psi=(G^*/E^*)\,w/(\mu v)`, of the sliding velocity w of the
-# touching points. Steep impacts come back (:math:`\psi_2<0`); flat ones slide all the way, and lose :math:`4\chi`,
+# touching points. Steep impacts come back (:math:`\psi_2<0`); flat ones slide throughout, and lose :math:`4\chi`,
 # :math:`\chi=\frac74 G^*/E^*`.
 
 ratio = rubber.shear_modulus / rubber.modulus

@@ -88,7 +88,7 @@ assert np.all(np.diff(trace.dissipation, axis=1) >= 0.0)
 sliding = np.zeros((1000, 2))
 sliding[:, 0] = np.linspace(0.0, 7.0, 1000) * FRICTION * 0.1 * glass.modulus / glass.shear_modulus
 thrown = wk.BallImpacts(glass, RADIUS, FRICTION, mass, 3.5 / mass, 0.1, sliding).solve()
-print(f"energy is kept to       {np.max(np.abs(thrown.balance - 1.0)):.1e}")
+print(f"energy is conserved to  {np.max(np.abs(thrown.balance - 1.0)):.1e}")
 
 # %%
 # In pictures

@@ -30,13 +30,13 @@ print(f"contact radius {contact.radius * 1e6:.1f} um, sliding begins at {sliding
 # %%
 # Loops
 # -----
-# ``Tangential`` walks along a path: up to the amplitude, back, and round again. Between turning points nothing needs to
-# be refined, the points on the way are there for the picture.
+# ``Tangential`` marches along a path: up to the amplitude, back, and round again. Between turning points nothing needs
+# to be refined, the points between are there for the picture.
 
 figure, (loops, losses) = plt.subplots(1, 2, figsize=(10.5, 4.0), layout="constrained")
-walk = np.concatenate([np.linspace(0.0, 1.0, 21), *[s * np.linspace(1.0, -1.0, 41)[1:] for s in (1, -1, 1, -1)]])
+cycles = np.concatenate([np.linspace(0.0, 1.0, 21), *[s * np.linspace(1.0, -1.0, 41)[1:] for s in (1, -1, 1, -1)]])
 for part, colour in ((0.4, "C0"), (0.9, "C1"), (1.5, "C3")):
-    path = wk.Path.through(wk.Force(FORCE), wk.Shift(part * sliding * walk))
+    path = wk.Path.through(wk.Force(FORCE), wk.Shift(part * sliding * cycles))
     rubbed = wk.Tangential(bed, FRICTION, path).solve()
     loops.plot(rubbed.shift * 1e6, rubbed.shear_force, color=colour, label=f"{part:g} of the sliding shift")
     lost = rubbed.dissipation[-1] - rubbed.dissipation[-81]

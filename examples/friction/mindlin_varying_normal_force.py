@@ -15,15 +15,15 @@ import numpy as np
 import winkler as wk
 
 # %%
-# Three ways to one load
-# ----------------------
+# Three paths to one load
+# -----------------------
 
 MU, ACROSS, ALONG = 0.3, 100.0, 15.0
 steel = wk.Elastic(young=210e9, poisson=0.3)
 medium = wk.HalfSpace.between(steel, steel)
 bed = wk.Foundation(wk.Paraboloid(curvature_radius=10e-3), medium)
 share = np.linspace(0.0, 1.0, 11)
-ways = {
+paths = {
     "pressed, then pushed": (np.full(11, ACROSS), ALONG * share),
     "both together": (0.5 + (ACROSS - 0.5) * share, ALONG * share),
     "pressed to 60 N, pushed, pressed on": (
@@ -33,7 +33,7 @@ ways = {
 }
 figure, (left, right) = plt.subplots(1, 2, figsize=(10.5, 4.0), layout="constrained")
 ends = []
-for (name, (across, along)), colour in zip(ways.items(), ("C0", "C1", "C2"), strict=True):
+for (name, (across, along)), colour in zip(paths.items(), ("C0", "C1", "C2"), strict=True):
     pushed = wk.Tangential(bed, wk.Coulomb(MU), wk.Path.through(wk.Force(across), wk.ShearForce(along))).solve()
     left.plot(pushed.shift * 1e9, pushed.shear_force, color=colour, label=name)
     left.plot(pushed.shift[-1] * 1e9, pushed.shear_force[-1], "o", color=colour)
@@ -42,7 +42,7 @@ for (name, (across, along)), colour in zip(ways.items(), ("C0", "C1", "C2"), str
         f"{name:40s} shift {pushed.shift[-1] * 1e9:7.2f} nm, stick radius {pushed.stick_radius[-1] * 1e6:6.1f} of "
         f"{pushed.radius[-1] * 1e6:.1f} um, lost {pushed.dissipation[-1] * 1e9:6.3f} nJ"
     )
-left.set(xlabel="shift $u_x$ [nm]", ylabel="shear force $F_x$ [N]", title=f"three ways to {ACROSS:g} N and {ALONG:g} N")
+left.set(xlabel="shift $u_x$ [nm]", ylabel="shear force $F_x$ [N]", title=f"paths to {ACROSS:g} N and {ALONG:g} N")
 left.legend(frameon=False, fontsize="small", loc="lower right")
 
 # %%
@@ -72,7 +72,7 @@ plt.show()
 # -----
 # Pressed first, then pushed: :math:`U = \mu (E^*/G^*)(d - d_c)`, where :math:`d_c` is the depth of the stick radius,
 # under the force :math:`F - F_x/\mu`. Pressing on changes nothing of that. Both together, below the coefficient of
-# friction: nothing slides, and the contact, which is narrow at first, gives way more,
+# friction: nothing slides, and the contact, which is narrow at first, yields more,
 # :math:`U = (E^*/G^*)\,d\,F_x/F`. Relaxation in closed form.
 
 ratio = medium.modulus / medium.shear_modulus

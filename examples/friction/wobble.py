@@ -28,7 +28,7 @@ figure, (loops, losses) = plt.subplots(1, 2, figsize=(10.5, 4.2), layout="constr
 lost = {}
 for label, phase in (
     ("steady", None),
-    ("pressed least on the way out", 0.5 * np.pi),
+    ("pressed least on the outward swing", 0.5 * np.pi),
     ("pressed least at the turns", 0.0),
 ):
     wobble = 0.0 if phase is None else 0.3 * np.cos(4.0 * np.pi * time + phase)

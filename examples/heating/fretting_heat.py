@@ -4,7 +4,7 @@ Does fretting heat the contact?
 
 A connector that vibrates, a wire against its guide: the contact is rubbed to and fro by micrometres, a hundred times a
 second. In partial slip only a ring slides, and the heat is released there. ``FrettingHeat`` takes the traction and the
-slip of a ``Tangential`` march, sums what each place loses in a cycle, and tells how warm both surfaces get.
+slip of a ``Tangential`` march, sums what each place loses in a cycle, and states how warm both surfaces get.
 """
 
 import numpy as np

@@ -4,7 +4,7 @@ How warm does a pin on a disc get?
 
 A steel pin with a round end slides on a disc. At a crawl the contact hardly warms up, at walking pace it gains more
 than a hundred kelvin, at the speed of a brake it glows. In between one number decides: how far heat diffuses into the
-disc while the contact passes by, told by the Peclet number :math:`\mathrm{Pe}=Va/2\kappa`.
+disc while the contact passes by, measured by the Peclet number :math:`\mathrm{Pe}=Va/2\kappa`.
 """
 
 import matplotlib.pyplot as plt
@@ -43,7 +43,7 @@ draw(rubbing)
 # %%
 # Over the speed
 # --------------
-# Many speeds, and many loads, are answered at once. The dashed lines are the limits: both bodies at rest, and a disc
+# Many speeds, and many loads, are solved at once. The dashed lines are the limits: both bodies at rest, and a disc
 # so fast that heat only flows downwards. The fit of Tian and Kennedy joins them within about one per cent.
 
 speed = np.geomspace(0.01, 100.0, 33)
@@ -55,7 +55,7 @@ for disc, name, colour in ((steel, "steel", "C0"), (bronze, "bronze", "C1")):
     left.loglog(speed, many.fast_temperature, color=colour, linewidth=0.9, linestyle=":")
     right.semilogx(speed, many.first_share, color=colour, label=f"disc of {name}")
     if name == "steel":
-        kept = many
+        pair = many
 left.set(xlabel="speed of sliding [m/s]", ylabel="flash temperature [K]", ylim=(0.3, 3e3), title="flash temperature")
 right.set(xlabel="speed of sliding [m/s]", ylabel="part of the heat [-]", ylim=(0.0, 1.0), title="what the disc takes")
 left.legend(frameon=False)
@@ -68,9 +68,9 @@ plt.show()
 # At low speed the rule :math:`T=\mu vE^*d/2(\lambda_1+\lambda_2)` holds: temperature is the displacement of the
 # surface, times a constant. At any speed both bodies together stay below what each would have alone.
 
-v, slow = speed[0], kept.at(0)
+v, slow = speed[0], pair.at(0)
 rule = 0.4 * v * bed.medium.modulus * slow.contact.depth / (2.0 * (45.0 + 45.0))
 assert np.isclose(slow.stationary_temperature, rule, rtol=1e-6)
 assert np.isclose(slow.flash_temperature, rule, rtol=0.02)
-assert np.all(np.diff(kept.overestimate) > 0.0)
-assert np.allclose(kept.tian_kennedy_temperature, kept.flash_temperature, rtol=0.011)
+assert np.all(np.diff(pair.overestimate) > 0.0)
+assert np.allclose(pair.tian_kennedy_temperature, pair.flash_temperature, rtol=0.011)

@@ -49,11 +49,11 @@ contacts = {
 
 report, (left, right) = plt.subplots(1, 2, figsize=(9.5, 3.9), layout="constrained", sharey=True)
 for name, contact in contacts.items():
-    seen = contact.stiffness / (2 * contact.radius)
-    left.semilogx(depth / THICKNESS, seen / 1e9, label=name)
-    right.semilogx(contact.radius / THICKNESS, seen / 1e9)
-    at_a_tenth = np.interp(0.1, depth / THICKNESS, seen / coating.modulus)
-    print(f"{name}: at a tenth of the thickness the modulus seen is {at_a_tenth:.3f} of the coating's")
+    apparent = contact.stiffness / (2 * contact.radius)
+    left.semilogx(depth / THICKNESS, apparent / 1e9, label=name)
+    right.semilogx(contact.radius / THICKNESS, apparent / 1e9)
+    at_a_tenth = np.interp(0.1, depth / THICKNESS, apparent / coating.modulus)
+    print(f"{name}: at a tenth of the thickness the apparent modulus is {at_a_tenth:.3f} of the coating's")
     assert 0.55 < at_a_tenth < 0.9  # the rule of thumb is not good to a percent
     # the same from the springs alone: S/2a is their mean stiffness over the contact
     assert np.allclose(contact.stiffness, coating.punch_stiffness(contact.radius), rtol=1e-12)
@@ -63,7 +63,7 @@ for axes in (left, right):
 left.annotate("coating alone", (0.0055, 1.01 * coating.modulus / 1e9), color="0.4", fontsize=8.5)
 left.annotate("steel alone", (0.0055, 1.02 * steel_alone / 1e9), color="0.4", fontsize=8.5)
 left.axvline(0.1, color="0.6", linestyle="--")
-left.set(xlabel="depth / thickness", ylabel="modulus seen, S / 2a [GPa]", ylim=(0, 1.1 * coating.modulus / 1e9))
+left.set(xlabel="depth / thickness", ylabel="apparent modulus, S / 2a [GPa]", ylim=(0, 1.1 * coating.modulus / 1e9))
 right.set(xlabel="contact radius / thickness")
 left.legend(frameon=False, loc="lower left", bbox_to_anchor=(0.0, 0.05), fontsize=8.5)
 

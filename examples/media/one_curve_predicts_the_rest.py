@@ -2,8 +2,8 @@
 One measured curve predicts the rest
 ====================================
 
-Somebody presses a body that is not round into a half-space and hands you the force curve, with scatter. Two functions
-decide everything else that is asked of this contact, its stiffness k and its depth, and the curve holds both: the
+Somebody presses a body that is not round into a half-space and gives you the force curve, with scatter. Two functions
+decide everything else about this contact, its stiffness k and its depth, and the curve holds both: the
 stiffness is its slope. So the same curve predicts other loads, the energy, the tangential stiffness, and even the
 electrical and thermal resistance of the contact. This page checks each against the exact answer.
 """
@@ -88,9 +88,9 @@ for note in bed.notes:
 #
 # and heat flows likewise, with resistivities 1/lambda.
 
-ask = wk.Force(np.linspace(0.1, 0.95, 35) * force[-1])
-answer = wk.Indentation(bed, ask).solve()
-exact_depth = (ask.force / constant) ** (2.0 / 3.0)
+load = wk.Force(np.linspace(0.1, 0.95, 35) * force[-1])
+answer = wk.Indentation(bed, load).solve()
+exact_depth = (load.force / constant) ** (2.0 / 3.0)
 k = stiffness(exact_depth)
 x, weights = np.polynomial.legendre.leggauss(64)
 shaken = np.array([a * (weights @ bed.tangential_stiffness(0.5 * a * (x + 1.0))) for a in answer.radius])
@@ -101,7 +101,7 @@ exact_ohm = resistance(exact_depth, copper)
 
 checks = {
     "depth": (answer.depth, exact_depth),
-    "energy": (answer.energy, 0.4 * ask.force * exact_depth),
+    "energy": (answer.energy, 0.4 * load.force * exact_depth),
     "stiffness": (answer.stiffness, k),
     "tangential stiffness, mean": (shaken, 2.0 / (1.0 / along + 1.0 / across)),
     "resistance": (predicted_ohm, exact_ohm),
@@ -134,13 +134,13 @@ figure, axes = plt.subplots(1, 3, figsize=(11.5, 3.7), layout="constrained")
 axes[0].plot(depth[::4] * 1e9, measured[::4], ".", color="0.6", markersize=4, label="measured")
 axes[0].plot(answer.depth * 1e9, answer.force, "C0", label="bed from the curve")
 axes[0].set(xlabel="depth [nm]", ylabel="force [N]", title="the one curve")
-axes[1].plot(ask.force, k * 1e-6, "k", linewidth=1, label="exact, normal")
-axes[1].plot(ask.force[::3], answer.stiffness[::3] * 1e-6, "oC0", markersize=4, label="from the curve")
-axes[1].fill_between(ask.force, across * 1e-6, along * 1e-6, color="C1", alpha=0.3, label="exact, along and across")
-axes[1].plot(ask.force[::3], shaken[::3] * 1e-6, "sC1", markersize=4, label="tangential, from the curve")
+axes[1].plot(load.force, k * 1e-6, "k", linewidth=1, label="exact, normal")
+axes[1].plot(load.force[::3], answer.stiffness[::3] * 1e-6, "oC0", markersize=4, label="from the curve")
+axes[1].fill_between(load.force, across * 1e-6, along * 1e-6, color="C1", alpha=0.3, label="exact, along and across")
+axes[1].plot(load.force[::3], shaken[::3] * 1e-6, "sC1", markersize=4, label="tangential, from the curve")
 axes[1].set(xlabel="force [N]", ylabel="stiffness [N/um]", title="stiffness")
-axes[2].plot(ask.force, exact_ohm * 1e6, "k", linewidth=1, label="exact (Holm)")
-axes[2].plot(ask.force[::3], predicted_ohm[::3] * 1e6, "oC2", markersize=4, label="from the curve")
+axes[2].plot(load.force, exact_ohm * 1e6, "k", linewidth=1, label="exact (Holm)")
+axes[2].plot(load.force[::3], predicted_ohm[::3] * 1e6, "oC2", markersize=4, label="from the curve")
 axes[2].set(xlabel="force [N]", ylabel="resistance of copper [microohm]", title="electrical resistance")
 for panel in axes:
     panel.set_xlim(left=0)

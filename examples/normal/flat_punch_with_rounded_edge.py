@@ -4,7 +4,7 @@ A flat punch, and what a rounded edge does to it
 
 Under a sharp edge the pressure of a flat punch is infinite, :math:`p = E^*d/(\pi\sqrt{a^2-r^2})`. No edge is sharp:
 a rounding of a hundredth of the radius hardly shows in the force-depth curve, but it decides whether the material
-under the edge yields, cracks or lives.
+under the edge yields, cracks or endures.
 """
 
 import matplotlib.pyplot as plt

@@ -4,7 +4,7 @@ A steel ball on steel: Hertz
 
 The contact that everybody knows, as the first thing to check: force over depth, and the pressure in the contact,
 against the formulas of Heinrich Hertz (1881). The formulas come from ``winkler.reference``, where closed solutions are
-kept as plain functions; the solver never sees them.
+written as plain functions; the solver never sees them.
 """
 
 import matplotlib.pyplot as plt
@@ -31,7 +31,7 @@ print(f"effective modulus       {medium.modulus / 1e9:.2f} GPa")
 # %%
 # One force
 # ---------
-# A force of 100 N. ``draw`` shows the whole way of the method: the ball in its dent, the equivalent plane profile
+# A force of 100 N. ``draw`` shows all steps of the method: the ball in its dent, the equivalent plane profile
 # :math:`g(x) = x^2/R` pressed into a row of springs, the load of the springs, and the pressure that belongs to it.
 
 contact = wk.Indentation(bed, wk.Force(100.0)).solve()

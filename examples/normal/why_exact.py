@@ -1,11 +1,11 @@
 r"""
-Why it is exact: a staircase of flat punches, and point forces as the judge
+Why it is exact: a staircase of flat punches, and point forces as reference
 ===========================================================================
 
 How can springs that do not know of each other give the exact answer of a solid in which every point feels every other?
 Because they do not stand for pieces of the solid. They stand for *moments of its loading*: at every moment the contact
 advances like a flat punch of the radius that it has just then (Jaeger). This example takes a contact apart into such
-punches, puts it together again, and then asks a judge who knows neither springs nor punches.
+punches, puts it together again, and compares it with a reference solution that uses neither.
 """
 
 import matplotlib.pyplot as plt
@@ -43,21 +43,21 @@ draw(staircase(contact, 7))
 # More punches
 # ------------
 # Force and displacement of the staircase converge to those of winkler with the square of the number of punches. Its
-# pressure is infinite at every edge; half-way between two edges it converges with the root of the number only, which is
-# why nobody should compute a pressure in this way.
+# pressure is infinite at every edge; midway between two edges it converges with the root of the number only, which is
+# why nobody should compute a pressure from punches.
 
 counts = np.array([10, 30, 100, 300, 1000, 3000])
 outside = 1.5 * a
 restored = wk.restore(contact, [outside]).displacement[0]
 errors = {"force": [], "displacement at 1.5 a": [], "pressure within 0.9 a": []}
 for count in counts:
-    stairs = staircase(contact, int(count))
-    between = 0.5 * (stairs.radii[1:] + stairs.radii[:-1])
+    punches = staircase(contact, int(count))
+    between = 0.5 * (punches.radii[1:] + punches.radii[:-1])
     between = between[(between > 0.1 * a) & (between < 0.9 * a)]
     pressure = wk.restore(contact, between).pressure
-    errors["force"].append(abs(stairs.force / contact.force - 1.0))
-    errors["displacement at 1.5 a"].append(abs(stairs.displacement([outside])[0] / restored - 1.0))
-    errors["pressure within 0.9 a"].append(np.max(np.abs(stairs.pressure(between) / pressure - 1.0)))
+    errors["force"].append(abs(punches.force / contact.force - 1.0))
+    errors["displacement at 1.5 a"].append(abs(punches.displacement([outside])[0] / restored - 1.0))
+    errors["pressure within 0.9 a"].append(np.max(np.abs(punches.pressure(between) / pressure - 1.0)))
 
 print("\npunches     error of F   error of u(1.5 a)   error of p")
 for row in zip(counts, *errors.values(), strict=True):
@@ -68,8 +68,8 @@ assert -2.05 < order < -1.95
 assert errors["force"][-1] < 1e-6
 
 # %%
-# The judge
-# ---------
+# The reference solution
+# ----------------------
 # A point force moves the surface by :math:`F/(\pi E^* s)` at the distance s, a pressure therefore by
 #
 # .. math:: u(r) = \frac{1}{\pi E^*}\iint\frac{p}{s}\,\mathrm dA .
@@ -78,22 +78,22 @@ assert errors["force"][-1] < 1e-6
 # displacement must come out that winkler restores: :math:`d - f(r)` inside, the shape of the dent outside.
 
 r = np.array([0.0, 0.1, 0.3, 0.5, tip.blend_radius / a, 0.7, 0.9, 0.99, 1.0, 1.01, 1.1, 1.5, 3.0]) * a
-judged = point_forces.displacement(
+summed = point_forces.displacement(
     lambda s: wk.restore(contact, s).pressure, a, r, modulus, edge=0.5, breaks=[tip.blend_radius]
 )
 restored = wk.restore(contact, r).displacement
 print("\n  r/a    u by point forces [nm]   u by winkler [nm]    difference")
-for place, one, other in zip(r / a, judged, restored, strict=True):
+for place, one, other in zip(r / a, summed, restored, strict=True):
     print(f"{place:6.3f} {one * 1e9:20.12f} {other * 1e9:20.12f} {one / other - 1.0:14.1e}")
-worst = np.max(np.abs(judged / restored - 1.0))
+worst = np.max(np.abs(summed / restored - 1.0))
 print(f"largest difference: {worst:.1e}")
 assert worst < 1e-9
 inside = r <= a
-assert np.allclose(judged[inside], contact.depth - tip.height(r[inside]), rtol=1e-9)
+assert np.allclose(summed[inside], contact.depth - tip.height(r[inside]), rtol=1e-9)
 
 # %%
-# Springs on an area fail before this judge. Give them the depth of the contact, and the stiffness that makes the force
-# right: their pressure :math:`K(d - f)` does not bring the surface to the shape of the body.
+# Springs on an area fail against this reference. Give them the depth of the contact, and the stiffness that makes the
+# force right: their pressure :math:`K(d - f)` does not bring the surface to the shape of the body.
 
 places = np.linspace(0.0, 1.5, 61) * a
 edge = tip.blend_radius + (contact.depth - tip.height(np.array([tip.blend_radius]))[0]) * np.tan(tip.half_angle)
@@ -109,7 +109,7 @@ for (name, error), mark in zip(errors.items(), ("o-", "s-", "^-"), strict=True):
 left.set(xlabel="number of punches", ylabel="relative error", title="the staircase converges")
 left.legend(frameon=False)
 
-middle.semilogy(r / a, np.maximum(np.abs(judged / restored - 1.0), 2e-17), "o")
+middle.semilogy(r / a, np.maximum(np.abs(summed / restored - 1.0), 2e-17), "o")
 middle.axhline(2.2e-16, color="0.6", linewidth=0.8, linestyle="--")
 middle.text(3.05, 1.6e-16, "last digit", ha="right", va="top", color="0.4")
 middle.set(xlabel="r / a", ylabel="relative difference of u", ylim=(1e-17, 1e-12), title="point forces against winkler")

@@ -3,8 +3,8 @@ How much does a wheel pull?
 ===========================
 
 A wheel that pulls turns a little faster than it rolls. This creepage, a few parts in a thousand, stretches the material
-on its way through the contact, and what is stretched pulls. The more creepage, the more of the contact slides, until
-friction gives no more. Three models of it, and an exact theory as their judge.
+as it passes the contact, and what is stretched pulls. The more creepage, the more of the contact slides, until
+friction gives no more. Three models of it, and an exact theory as reference.
 """
 
 from pathlib import Path
@@ -15,16 +15,16 @@ import numpy as np
 import winkler as wk
 
 # %%
-# The judge
-# ---------
-# CONTACT solves the three-dimensional problem by boundary elements. Its curves for a round contact are kept in a table,
+# The reference solution
+# ----------------------
+# CONTACT solves the three-dimensional problem by boundary elements. Its curves for a round contact stand in a table,
 # in units in which the creepage is :math:`\xi Ga^2/(\mu F_N)`.
 
 HERE = Path(__file__).resolve().parent if "__file__" in globals() else Path.cwd()
 table = (HERE.parent / "data" / "contact_creep_circle.csv").read_text(encoding="utf-8")
 
 
-def judged(mode, cells):
+def reference(mode, cells):
     rows = [line.split(",") for line in table.splitlines() if line.startswith(f"{mode},0,{cells},")]
     return np.array([[float(number) for number in row[3:]] for row in rows]).T
 
@@ -49,12 +49,12 @@ print(f"contact radius {1e3 * a:.2f} mm; everything slides at a creepage of abou
 # coefficients they stay within 0.024 of the sliding force. A value says which: ``Kalker()`` or ``Uncalibrated()``.
 
 xi = np.linspace(0.0, 1.2, 200) * unit
-asked = wk.Creepage(longitudinal=xi)
-line = wk.Rolling(bed, MU, asked, LOAD).solve()
-raw = wk.Rolling(bed, MU, asked, LOAD, wk.Uncalibrated()).solve()
-surface = wk.SimplifiedRolling(wk.ContactEllipse(a, a), bed.medium, MU, asked, LOAD).solve()
+creepage = wk.Creepage(longitudinal=xi)
+line = wk.Rolling(bed, MU, creepage, LOAD).solve()
+raw = wk.Rolling(bed, MU, creepage, LOAD, wk.Uncalibrated()).solve()
+surface = wk.SimplifiedRolling(wk.ContactEllipse(a, a), bed.medium, MU, creepage, LOAD).solve()
 
-u, along, _, _ = judged("longitudinal", 96)
+u, along, _, _ = reference("longitudinal", 96)
 worst = {}
 for name, make in (
     ("calibrated line", lambda c: wk.Rolling(bed, MU, c, LOAD)),
@@ -78,7 +78,7 @@ except wk.OutsideValidity as refusal:
 
 phi = np.linspace(0.0, 4.0, 120) * unit / a
 spun = wk.SimplifiedRolling(wk.ContactEllipse(a, a), bed.medium, MU, wk.Creepage(spin=phi), LOAD).solve()
-turned, _, across, _ = judged("spin", 48)
+spins, _, across, _ = reference("spin", 48)
 
 figure, (left, right) = plt.subplots(1, 2, figsize=(10.0, 3.9), layout="constrained")
 left.plot(1e3 * xi, line.longitudinal_force / most, label="line, calibrated")
@@ -89,7 +89,7 @@ left.plot(1e3 * u[inside] * unit, along[inside], "k.", markersize=6, label="CONT
 left.set(xlabel="longitudinal creepage [permille]", ylabel="force over sliding force", title="pulling", xlim=(0, None))
 left.legend(frameon=False, loc="lower right")
 right.plot(phi, spun.lateral_force / most, color="C1", label="simplified theory")
-right.plot(turned * unit / a, across, "k.", markersize=6, label="CONTACT")
+right.plot(spins * unit / a, across, "k.", markersize=6, label="CONTACT")
 right.set(xlabel="spin [1/m]", ylabel="lateral force over sliding force", title="leaning", xlim=(0, None))
 right.legend(frameon=False)
 plt.show()

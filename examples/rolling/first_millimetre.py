@@ -21,7 +21,7 @@ a = wk.Indentation(bed, LOAD).solve().radius
 # %%
 # Three creepages
 # ---------------
-# The smaller the creepage, the longer the way: where much slides, the stress is soon where it may be at most.
+# The smaller the creepage, the longer the distance: where much slides, the stress is soon where it may be at most.
 
 figure, axes = plt.subplots(figsize=(6.8, 4.2), layout="constrained")
 for creepage, colour in ((5e-4, "C0"), (2e-3, "C1"), (6e-3, "C2")):
@@ -38,9 +38,9 @@ axes.legend(frameon=False, title="creepage")
 plt.show()
 
 # %%
-# A wheel that was pulling the other way
-# --------------------------------------
-# The traction on the springs, after every step of the way.
+# A wheel that was pulling in the other direction
+# -----------------------------------------------
+# The traction on the springs, after every step of the path.
 
 turned = wk.RollingStart(
     bed, MU, wk.Creepage(longitudinal=2e-3), LOAD, distance=3.0 * a, start=wk.ShearForce(-4e3)

@@ -4,7 +4,7 @@ Does a rocking contact hold?
 
 A ball between two plates carries a shear force, less than friction bears. Then the machine begins to vibrate, and the
 ball rocks: it rolls to and fro by a fraction of its contact. Whatever leaves the contact forgets the load it bore, and
-its neighbours must take it over. If they can, the ball comes to rest, a little farther on. If not, it walks.
+its neighbours must take it over. If they can, the ball comes to rest, a little farther on. If not, it creeps on.
 """
 
 import matplotlib.pyplot as plt
@@ -39,7 +39,7 @@ for share, colour in ((0.60, "C0"), (0.69, "C2"), (0.71, "C1"), (0.75, "C3")):
     answer = rocked(share)
     left.plot(answer.cycle, 1e6 * answer.shift, color=colour, label=f"{share:.2f}")
     print(
-        f"{share:.2f} of the sliding force: {'walks' if answer.ratchets else 'comes to rest'}, "
+        f"{share:.2f} of the sliding force: {'creeps on' if answer.ratchets else 'comes to rest'}, "
         f"{1e9 * answer.shift_per_cycle:8.3f} nm in the last cycle"
     )
     assert answer.ratchets == (share > 0.704)
@@ -47,8 +47,8 @@ left.set(xlabel="cycles", ylabel="shift [µm]", title="a fifth of the contact ra
 left.legend(frameon=False, title="force over sliding force")
 
 # %%
-# How fast it walks
-# -----------------
+# How fast it creeps on
+# ---------------------
 # Just above the limit hardly at all; the closer to the sliding force, the faster.
 
 for w, colour in ((0.1, "C0"), (0.2, "C1"), (0.4, "C2")):

@@ -2,8 +2,8 @@
 Springs in place of a surface
 =============================
 
-Boundary elements solve one contact at a time. What asks for no more than forces and depths can do with springs: a
-dozen contacts tell the force curve F(d) of an arbitrary body, its slope tells the stiffness, and the springs that have
+Boundary elements solve one contact at a time. What needs no more than forces and depths can do with springs: a
+dozen contacts give the force curve F(d) of an arbitrary body, its slope gives the stiffness, and the springs that have
 both run any history of pressing and rubbing without another solve.
 """
 
@@ -20,7 +20,7 @@ steel = wk.HalfSpace.between(wk.Elastic(young=210e9, poisson=0.3), wk.Elastic(yo
 # %%
 # A body that is none of revolution
 # ---------------------------------
-# A barrel, 10 mm round one way and 30 mm the other, with the waves of a worn tool on it.
+# A barrel, 10 mm round in one direction and 30 mm in the other, with the waves of a worn tool on it.
 
 pixels, side = 128, 0.6e-3
 place = (np.arange(pixels) + 0.5) / pixels * side - side / 2
@@ -56,6 +56,6 @@ plt.show()
 
 depth = 1.3e-6
 springs = wk.Indentation(bed, wk.Depth(depth)).solve().force
-judge = wk.SurfaceContact(barrel, steel, wk.Depth(depth)).solve().force
-print(f"at {depth * 1e6:.1f} um: springs {springs:.3f} N, boundary elements {judge:.3f} N")
-assert abs(springs / judge - 1.0) < 5e-3
+reference = wk.SurfaceContact(barrel, steel, wk.Depth(depth)).solve().force
+print(f"at {depth * 1e6:.1f} um: springs {springs:.3f} N, boundary elements {reference:.3f} N")
+assert abs(springs / reference - 1.0) < 5e-3

@@ -3,7 +3,7 @@ The resistance of a rough joint
 ===============================
 
 A blasted silver surface is pressed onto a flat one. It touches in a few spots, all current has to pass through them,
-and the resistance falls as new spots come into contact. Three ways lead to it: boundary elements, which solve the
+and the resistance falls as new spots come into contact. Three methods lead to it: boundary elements, which solve the
 contact of this very surface; lines of springs, which know its power spectrum alone; and bounds, which know no more than
 its height.
 """
@@ -58,7 +58,7 @@ for force, exact, line in zip(forces, joint.resistance, joint.line_resistance, s
 # %%
 # True contact area
 # -----------------
-# The springs of a line do not know of one another: their length in contact is no area. Persson's theory tells the area
+# The springs of a line do not know of one another: their length in contact is no area. Persson's theory gives the area
 # from the same spectrum.
 
 share = joint.contact.area / surface.area

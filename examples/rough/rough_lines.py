@@ -2,7 +2,7 @@ r"""
 A rough square and a rough ball
 ===============================
 
-No surface is at hand, only its power spectrum. Independent springs under random heights with the spectrum
+No surface is known, only its power spectrum. Independent springs under random heights with the spectrum
 :math:`C_1 = \pi q C` tell how stiff such surfaces are as a rule, and how far single ones lie apart; under a ball the
 same roughness makes the first contact softer, and is pressed flat later on.
 """

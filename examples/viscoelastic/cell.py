@@ -3,7 +3,7 @@ A cell that relaxes by a power of time
 ======================================
 
 Cells soften as :math:`G(t)=G_0(t/t_0)^{-\alpha}`. Pressed with a bead and withdrawn at the same speed, such a cell lets
-go early and leaves a loop in the force curve. While the bead goes in, the force is a closed form; on the way back the
+go early and leaves a loop in the force curve. While the bead goes in, the force is a closed form; on the return the
 contact is as wide as it was at Ting's time :math:`t_1=t-2^{1/(1-\alpha)}(t-t_m)`.
 """
 

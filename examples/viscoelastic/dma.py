@@ -2,8 +2,8 @@ r"""
 Dynamic mechanical analysis by indentation
 ==========================================
 
-A flat punch is pressed into rubber, and shaken a little: what the contact answers in phase and a quarter of a turn
-ahead tells storage and loss of the rubber,
+A flat punch is pressed into rubber, and shaken a little: the response of the contact in phase and a quarter of a turn
+ahead gives storage and loss of the rubber,
 
 .. math:: k' + \mathrm i k'' = 2aE^*(\mathrm i\omega) .
 

@@ -41,7 +41,7 @@ left.legend(frameon=False, title="pulled at (dotted: JKR)")
 # %%
 # Pull-off over speed
 # -------------------
-# A soft spring lets the crack run when it gives way, and pays less for the same speed of the machine.
+# A soft spring lets the crack run when it yields, and pays less for the same speed of the machine.
 
 sprung = [pulled(speed, stiffness=200.0) for speed in speeds[1:]]
 for answers, name, mark in ((gripped, "fixed grips", "o-"), (sprung, "spring of 200 N/m", "s-")):

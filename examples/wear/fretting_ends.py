@@ -45,8 +45,8 @@ right.set(xlabel="r [um]", ylabel="pressure [GPa]", title="Pressure", ylim=(0.0,
 left.legend()
 
 # %%
-# Two ways to the same shape
-# --------------------------
+# Two methods for the same shape
+# ------------------------------
 # Popov's closed form needs no march. Both agree, the closer the finer the grid.
 
 miss = worn.worn_volume[-1] / limit.worn_volume - 1.0

@@ -14,7 +14,6 @@ computed.
 from __future__ import annotations
 
 import dataclasses
-import html
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
@@ -70,6 +69,8 @@ def html_table(content: Any) -> str:
 
     It becomes the ``_repr_html_`` of values, which notebooks show.
     """
+    import html  # which holds the names of all characters
+
     cells = "".join(
         f'<tr><th style="text-align:left" title="{html.escape(row.meaning)}">{html.escape(row.name)}</th>'
         f'<td style="text-align:left">{html.escape(_with_prefix(row))}</td></tr>'

@@ -89,9 +89,10 @@ from winkler.peaks import PeakStress, PlacedStress, peak_stress
 from winkler.problems.adhesion.cycle import AdhesiveCycle, AdhesiveCycleSolution
 from winkler.problems.adhesion.equilibrium import Equilibrium, EquilibriumCurve
 from winkler.problems.adhesion.indentation import AdhesiveIndentation, AdhesiveSolution
-from winkler.problems.adhesion.model_choice import maugis_parameter, tabor_parameter, which_model
+from winkler.problems.adhesion.model_choice import which_model
 from winkler.problems.adhesion.pull_off import PullOff, PullOffSolution
 from winkler.problems.adhesion.shear import AdhesiveShear, AdhesiveShearSolution
+from winkler.problems.adhesion.tabor import maugis_parameter, tabor_parameter
 from winkler.problems.conduction.bounds import ConductanceBounds, ConductanceBoundsSolution
 from winkler.problems.conduction.constriction import Constriction, ConstrictionSolution
 from winkler.problems.conduction.fields import CurrentFields, HeatFields, restore_conduction
@@ -139,7 +140,8 @@ from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContac
 from winkler.problems.viscoelastic.adhesion import ViscoelasticAdhesion, ViscoelasticAdhesionSolution
 from winkler.problems.viscoelastic.impact import ViscoelasticImpact, ViscoelasticImpactSolution
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation, ViscoelasticSolution
-from winkler.problems.viscoelastic.material_tests import CreepTest, HarmonicIndentation, RelaxationTest
+from winkler.problems.viscoelastic.material_tests import CreepTest, RelaxationTest
+from winkler.problems.viscoelastic.oscillation import HarmonicIndentation
 from winkler.problems.viscoelastic.sliding import SlidingResistance, SlidingResistanceSolution
 from winkler.problems.viscoelastic.tangential import ViscoelasticTangential, ViscoelasticTangentialSolution
 from winkler.problems.wear.fretting import FrettingSolution, FrettingWear

@@ -157,7 +157,7 @@ def value(cls: type[T]) -> type[T]:
         for name, member in list(vars(cls).items()):
             if isinstance(member, property) and member.fget is not None:
                 setattr(cls, name, property(guarded_result(member.fget), doc=member.__doc__))
-    made: Any = dataclasses.dataclass(frozen=True, eq=False)(cls)
+    made: Any = dataclasses.dataclass(frozen=True, eq=False, repr=False)(cls)
     made.__init__ = checked_arguments(made, made.__init__)
     checks_of_fields = functools.cache(functools.partial(checks_of, made))
     result: type[T] = made

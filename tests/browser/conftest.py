@@ -61,7 +61,7 @@ def app():
 def impatient(browser):
     """A page of an app that lets a study take five seconds."""
     with served("--time-limit", "5") as address:
-        page = Seen(browser, address)
+        page = AppPage(browser, address)
         yield page
         page.context.close()
 
@@ -79,7 +79,7 @@ def browser():
         running.close()
 
 
-class Seen:
+class AppPage:
     """One page of the app, as a person uses it."""
 
     def __init__(self, browser, address, width=1400, height=950):
@@ -97,21 +97,21 @@ class Seen:
             self.mistakes.append(message.text)
 
     def _only_here(self, address):
-        def judge(route):
+        def decide(route):
             if route.request.url.startswith((address, "data:", "blob:")):
                 route.continue_()
             else:
                 self.left_machine.append(route.request.url)
                 route.abort()
 
-        return judge
+        return decide
 
     def settled(self, state="done"):
         """Wait until an answer is complete, or refused."""
         self.page.locator(f'.answer-side[data-state="{state}"]').wait_for(timeout=90_000)
 
     def busy(self):
-        """Wait until something was asked."""
+        """Wait until something was requested."""
         self.page.locator('.answer-side[data-state="busy"]').wait_for(timeout=20_000)
 
     def choose(self, path, name):
@@ -140,9 +140,9 @@ class Seen:
 
 
 @pytest.fixture(scope="session")
-def seen(browser, app):
+def app_page(browser, app):
     """A page that is open all the time: nobody starts anew for every problem."""
-    page = Seen(browser, app)
+    page = AppPage(browser, app)
     yield page
     assert page.left_machine == []
     assert page.mistakes == []
@@ -155,7 +155,7 @@ def fresh(browser, app):
     opened = []
 
     def open_page(**size):
-        opened.append(Seen(browser, app, **size))
+        opened.append(AppPage(browser, app, **size))
         return opened[-1]
 
     yield open_page

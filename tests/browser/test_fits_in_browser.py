@@ -18,16 +18,16 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 YOUNG = "problem.bed.medium.first.young"
 
 
-def turned(seen):
+def turned(app_page):
     """Turn the page to fits."""
-    seen.page.get_by_role("button", name="Fit a curve").click()
-    seen.settled("wrong")  # there is no curve yet
+    app_page.page.get_by_role("button", name="Fit a curve").click()
+    app_page.settled("wrong")  # there is no curve yet
 
 
-def uploaded(seen, path):
+def uploaded(app_page, path):
     """Upload a curve."""
-    with seen.page.expect_file_chooser() as chooser:
-        seen.page.locator('[data-upload="fit.curve"]').click()
+    with app_page.page.expect_file_chooser() as chooser:
+        app_page.page.locator('[data-upload="fit.curve"]').click()
     chooser.value.set_files(path)
 
 
@@ -38,35 +38,35 @@ def rows_of(content):
 
 
 def test_from_a_curve_to_its_modulus(fresh, tmp_path):
-    seen = fresh()
-    turned(seen)
-    assert "upload a measured curve" in seen.page.locator(".study-side .wrong", has_text="curve").first.inner_text()
-    seen.shot("fit_begun")
-    uploaded(seen, EXAMPLES / "data" / "gel_bead.csv")
-    seen.settled()
-    seen.type(f"fit.free.{YOUNG}.0", "10 Pa")
-    seen.type(f"fit.free.{YOUNG}.1", "10 MPa")
-    seen.busy()
-    seen.settled()
-    seen.page.locator('[data-picture="fit"] .main-svg').first.wait_for()
-    seen.shot("fit_gel")
+    app_page = fresh()
+    turned(app_page)
+    assert "upload a measured curve" in app_page.page.locator(".study-side .wrong", has_text="curve").first.inner_text()
+    app_page.shot("fit_begun")
+    uploaded(app_page, EXAMPLES / "data" / "gel_bead.csv")
+    app_page.settled()
+    app_page.type(f"fit.free.{YOUNG}.0", "10 Pa")
+    app_page.type(f"fit.free.{YOUNG}.1", "10 MPa")
+    app_page.busy()
+    app_page.settled()
+    app_page.page.locator('[data-picture="fit"] .main-svg').first.wait_for()
+    app_page.shot("fit_gel")
 
-    asked = read_fit_study(EXAMPLES / "studies" / "fitting" / "fit_gel.toml")
-    fit = fit_study(asked).fitted[0].fit
-    exported = rows_of(seen.taken("csv"))
-    for free in asked.free:
+    gel_study = read_fit_study(EXAMPLES / "studies" / "fitting" / "fit_gel.toml")
+    fit = fit_study(gel_study).fitted[0].fit
+    exported = rows_of(app_page.taken("csv"))
+    for free in gel_study.free:
         assert float(exported[free.key]) == fit.value(free.path)
         assert float(exported[f"{free.key}_error"]) == fit.error(free.path)
-    assert seen.card("Young's modulus").startswith("3.99 kPa")
+    assert app_page.card("Young's modulus").startswith("3.99 kPa")
 
     store = tmp_path / "study.zip"
-    store.write_bytes(seen.taken("study"))
+    store.write_bytes(app_page.taken("study"))
     with zipfile.ZipFile(store) as pack:
         pack.extractall(tmp_path)
     again = fit_study(read_fit_study(tmp_path / "study.toml")).fitted[0].fit
-    assert again.value(asked.free[0].path) == fit.value(asked.free[0].path)
-    assert "Fitted numbers" in seen.taken("report").decode("utf-8")
-    with zipfile.ZipFile(io.BytesIO(seen.taken("png"))) as pack:
+    assert again.value(gel_study.free[0].path) == fit.value(gel_study.free[0].path)
+    assert "Fitted numbers" in app_page.taken("report").decode("utf-8")
+    with zipfile.ZipFile(io.BytesIO(app_page.taken("png"))) as pack:
         assert pack.namelist() == ["curve_1.png"]
 
     other = fresh()
@@ -79,53 +79,53 @@ def test_from_a_curve_to_its_modulus(fresh, tmp_path):
 
 
 def test_what_is_wrong_stands_beside_its_field(fresh, tmp_path):
-    seen = fresh()
-    turned(seen)
+    app_page = fresh()
+    turned(app_page)
     spoilt = tmp_path / "spoilt.csv"
     spoilt.write_text("piezo [nm], force [nN]\n1, 2\n3, four\n", encoding="utf-8")
-    uploaded(seen, spoilt)
-    said = seen.page.locator(".study-side .wrong", has_text="spoilt.csv")
-    said.wait_for(timeout=20_000)
-    seen.settled("wrong")
-    seen.shot("fit_spoilt")
-    uploaded(seen, EXAMPLES / "data" / "gel_bead.csv")
-    seen.settled()
-    assert said.count() == 0
+    uploaded(app_page, spoilt)
+    sentence = app_page.page.locator(".study-side .wrong", has_text="spoilt.csv")
+    sentence.wait_for(timeout=20_000)
+    app_page.settled("wrong")
+    app_page.shot("fit_spoilt")
+    uploaded(app_page, EXAMPLES / "data" / "gel_bead.csv")
+    app_page.settled()
+    assert sentence.count() == 0
     bound = f"fit.free.{YOUNG}.0"
-    seen.type(f"fit.free.{YOUNG}.1", "10 MPa")
-    seen.type(bound, "10 kg")
-    field = seen.page.locator(".q-field", has=seen.page.locator(f'input[data-path="{bound}"]'))
+    app_page.type(f"fit.free.{YOUNG}.1", "10 MPa")
+    app_page.type(bound, "10 kg")
+    field = app_page.page.locator(".q-field", has=app_page.page.locator(f'input[data-path="{bound}"]'))
     field.get_by_text("is a mass").wait_for(timeout=20_000)
-    seen.type(bound, "10 Pa")
-    seen.settled()
-    seen.page.locator('[data-choice="fit.free"]').click()
-    seen.page.get_by_role("option", name="medium › first › Poisson's ratio", exact=True).click()
-    seen.page.locator(".study-side .wrong", has_text="only a combination of them").wait_for(timeout=20_000)
-    seen.shot("fit_not_identifiable")
-    seen.page.get_by_role("button", name="do not fit medium › first › Poisson's ratio").click()
-    seen.settled()
+    app_page.type(bound, "10 Pa")
+    app_page.settled()
+    app_page.page.locator('[data-choice="fit.free"]').click()
+    app_page.page.get_by_role("option", name="medium › first › Poisson's ratio", exact=True).click()
+    app_page.page.locator(".study-side .wrong", has_text="only a combination of them").wait_for(timeout=20_000)
+    app_page.shot("fit_not_identifiable")
+    app_page.page.get_by_role("button", name="do not fit medium › first › Poisson's ratio").click()
+    app_page.settled()
 
 
 def test_a_body_that_relaxes_in_a_narrow_window(fresh):
-    seen = fresh(width=390, height=800)
-    turned(seen)
-    seen.choose("problem", "viscoelastic_indentation")
-    seen.page.locator('[data-choice="fit.fitted"]').wait_for()
-    uploaded(seen, EXAMPLES / "data" / "cell_loop.csv")
-    seen.settled()
-    seen.page.locator('[data-picture="loop"] .main-svg').first.wait_for()
-    assert seen.page.locator(".sheets figure svg").count() == 1
-    assert seen.card("shear modulus").startswith("499.9 Pa")
-    assert seen.page.evaluate("document.documentElement.scrollWidth") <= 390
-    seen.shot("fit_narrow")
+    app_page = fresh(width=390, height=800)
+    turned(app_page)
+    app_page.choose("problem", "viscoelastic_indentation")
+    app_page.page.locator('[data-choice="fit.fitted"]').wait_for()
+    uploaded(app_page, EXAMPLES / "data" / "cell_loop.csv")
+    app_page.settled()
+    app_page.page.locator('[data-picture="loop"] .main-svg').first.wait_for()
+    assert app_page.page.locator(".sheets figure svg").count() == 1
+    assert app_page.card("shear modulus").startswith("499.9 Pa")
+    assert app_page.page.evaluate("document.documentElement.scrollWidth") <= 390
+    app_page.shot("fit_narrow")
 
 
-def test_the_study_of_each_task_is_kept(fresh):
-    seen = fresh()
-    seen.type("problem.load.force", "77 N")
-    seen.page.locator(".head .card .value", has_text="77 N").wait_for(timeout=20_000)
-    turned(seen)
-    seen.page.get_by_role("button", name="Solve a problem").focus()
-    seen.page.keyboard.press("Enter")
-    seen.settled()
-    assert seen.page.locator('input[data-path="problem.load.force"]').input_value() == "77 N"
+def test_the_study_of_each_task_is_unchanged(fresh):
+    app_page = fresh()
+    app_page.type("problem.load.force", "77 N")
+    app_page.page.locator(".head .card .value", has_text="77 N").wait_for(timeout=20_000)
+    turned(app_page)
+    app_page.page.get_by_role("button", name="Solve a problem").focus()
+    app_page.page.keyboard.press("Enter")
+    app_page.settled()
+    assert app_page.page.locator('input[data-path="problem.load.force"]').input_value() == "77 N"

@@ -43,9 +43,10 @@ report = false
 
 def write_curve(path: Path, young: float, seed: int) -> None:
     random = np.random.default_rng(seed)
-    way = np.linspace(-1e-6, 1e-6, 100)
-    force = 4.0 / 3.0 * young / 0.75 * np.sqrt(5e-6) * np.maximum(way, 0.0) ** 1.5 + 5e-12 * random.standard_normal(100)
-    rows = (f"{1e9 * d:.3f}, {1e9 * f:.6f}\n" for d, f in zip(way, force, strict=True))
+    depth = np.linspace(-1e-6, 1e-6, 100)
+    noise = 5e-12 * random.standard_normal(100)
+    force = 4.0 / 3.0 * young / 0.75 * np.sqrt(5e-6) * np.maximum(depth, 0.0) ** 1.5 + noise
+    rows = (f"{1e9 * d:.3f}, {1e9 * f:.6f}\n" for d, f in zip(depth, force, strict=True))
     path.write_text("depth [nm], force [nN]\n" + "".join(rows), encoding="utf-8")
 
 
@@ -68,7 +69,7 @@ CURVES = ["curves/gel_curve1.csv", "curves/gel_curve2.csv", "curves/gel_curve3.c
 
 
 def test_segments_on_the_command_line_are_those_of_the_study(here, capsys):
-    """They overrule the file's, and the study that is kept with the results says them."""
+    """They overrule the file's, and the study that is stored with the results states them."""
     stated = STUDY.replace('part = "approach"', 'part = "approach"\nsegments = ["loading 0", "hold 90"]')
     (here / "stated.toml").write_text(stated.replace('"gel"', '"gel/curve1.csv"'), encoding="utf-8")
     (here / "plain.toml").write_text(STUDY.replace('"gel"', '"gel/curve1.csv"'), encoding="utf-8")
@@ -162,7 +163,7 @@ def interrupt():
     raise KeyboardInterrupt
 
 
-def test_what_was_fitted_before_a_stop_is_kept_and_the_same_command_goes_on(here, monkeypatch, capsys):
+def test_what_was_fitted_before_a_stop_is_stored_and_the_same_command_goes_on(here, monkeypatch, capsys):
     assert main(["fit", "gel.toml", "--quiet", "--output", "whole"]) == 0
     with monkeypatch.context() as patch:
         stopping(patch, "curve3.csv", interrupt)
@@ -174,7 +175,7 @@ def test_what_was_fitted_before_a_stop_is_kept_and_the_same_command_goes_on(here
     folder = here / "results" / "gel"
     assert names(folder) == [*CURVES[:2], "fit.csv", "fit.nc", PROVENANCE, "study.toml"]
     with monkeypatch.context() as patch:
-        stopping(patch, "curve1.csv", interrupt)  # nobody asks for it again
+        stopping(patch, "curve1.csv", interrupt)  # it is not requested again
         assert main(["fit", "gel.toml"]) == 0
     assert "2 of 3 files were known from the run before." in capsys.readouterr().out
     assert (folder / "fit.csv").read_bytes() == (here / "whole" / "fit.csv").read_bytes()
@@ -247,18 +248,18 @@ def test_a_batch_that_is_killed_goes_on_to_the_same_bytes(here, monkeypatch, mom
             os._exit(1)
     _, status = os.waitpid(child, 0)
     assert os.WTERMSIG(status) == signal.SIGKILL
-    asked = []
+    fitted = []
     plain = fit_run._fit_piece
     monkeypatch.setattr(
-        fit_run, "_fit_piece", lambda study, piece, watch: asked.append(piece) or plain(study, piece, watch)
+        fit_run, "_fit_piece", lambda study, piece, watch: fitted.append(piece) or plain(study, piece, watch)
     )
     assert main(["fit", "gel.toml", "--quiet"]) == 2
-    assert len(asked) == todo
+    assert len(fitted) == todo
     folder = here / "results" / "gel"
     assert names(folder) == names(here / "whole")
     for name in names(folder):
         assert (folder / name).read_bytes() == (here / "whole" / name).read_bytes(), name
-    if done:  # who has kept something clears away what it left
+    if done:  # a run that has stored something clears away what it left
         assert [path.name for path in (here / "results").iterdir()] == ["gel"]
 
 
@@ -277,16 +278,16 @@ def one_curve(here: Path, more: str = "") -> None:
 
 
 @pytest.mark.skipif(os.name == "nt", reason="there is no SIGINT of a process alone there")
-def test_ctrl_c_tells_the_best_numbers_so_far(here, monkeypatch, capsys):
+def test_ctrl_c_prints_the_best_numbers_so_far(here, monkeypatch, capsys):
     """The signal comes at the tenth evaluation, as a reader would send it."""
     from winkler.fitting.search import Search
 
     plain = Search.record
 
-    def stopped(self, *seen):
+    def stopped(self, *evaluation):
         if self.evaluations == 9:
             os.kill(os.getpid(), signal.SIGINT)
-        plain(self, *seen)
+        plain(self, *evaluation)
 
     monkeypatch.setattr(Search, "record", stopped)
     one_curve(here)
@@ -318,8 +319,8 @@ def test_a_curve_that_takes_too_long_does_not_stop_the_others(here, monkeypatch,
 
     plain = fit_run.fit_steps
 
-    def slow_at_one(curve, *asked, **how):
-        return plain(curve, *asked, **how | {"time_limit": 1e-9 if "curve2" in curve.name else np.inf})
+    def slow_at_one(curve, *arguments, **options):
+        return plain(curve, *arguments, **options | {"time_limit": 1e-9 if "curve2" in curve.name else np.inf})
 
     monkeypatch.setattr(fit_run, "fit_steps", slow_at_one)
     assert main(["fit", "gel.toml", "--json"]) == 3
@@ -328,18 +329,18 @@ def test_a_curve_that_takes_too_long_does_not_stop_the_others(here, monkeypatch,
     assert "time limit" in answer["failed"][0]["reason"]
 
 
-def test_a_bar_tells_how_far_the_fit_has_come(here, monkeypatch):
+def test_a_bar_shows_how_far_the_fit_has_come(here, monkeypatch):
     from winkler.cli import fit as module
 
     message = []
     plain = module._RunningFit.watch
 
-    def heard(self, states):
+    def recorded(self, states):
         for state in plain(self, states):
             message.append(self.progress())
             yield state
 
-    monkeypatch.setattr(module._RunningFit, "watch", heard)
+    monkeypatch.setattr(module._RunningFit, "watch", recorded)
     one_curve(here)
     assert main(["fit", "gel.toml", "--quiet"]) == 0
     assert re.fullmatch(r"fitting: 1 evaluation, residuals of [\d.]+ \S?N", message[0])

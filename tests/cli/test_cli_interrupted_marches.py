@@ -48,10 +48,10 @@ def test_ctrl_c_keeps_the_points_that_were_reached(name, tmp_path, monkeypatch, 
     assert main(["run", "study.toml", "--output", "out"]) == 130
     with (tmp_path / "out" / "results.csv").open(encoding="utf-8") as file:
         assert len(list(csv.DictReader(file))) == SEVEN[name]
-    said = capsys.readouterr()
-    assert f"After {SEVEN[name]} " in said.out
-    assert "the march ended: it was interrupted." in said.out
-    assert "the points that were reached are kept in out" in said.err
+    output = capsys.readouterr()
+    assert f"After {SEVEN[name]} " in output.out
+    assert "the march ended: it was interrupted." in output.out
+    assert "the points that were reached are kept in out" in output.err
 
 
 @pytest.mark.parametrize("name", ["adhesive_cycle", "adhesive_impact", "elastic_plastic_particle"])

@@ -37,7 +37,7 @@ def here(tmp_path, monkeypatch) -> Path:
 
 
 @pytest.mark.parametrize("name", list(kinds()))
-def test_show_tells_every_key_and_a_valid_example(name, capsys):
+def test_show_lists_every_key_and_a_valid_example(name, capsys):
     assert main(["show", name]) == 0
     message = capsys.readouterr().out
     assert message.startswith(f"{name} (a {slot_of(name)}): ")
@@ -73,7 +73,7 @@ def test_show_lists_everything(capsys):
     assert "sphero_conical" not in message
 
 
-def test_show_study_tells_the_grammar(capsys):
+def test_show_study_prints_the_grammar(capsys):
     assert main(["show", "study"]) == 0
     message = capsys.readouterr().out
     for section, keys in SECTIONS.items():
@@ -185,7 +185,7 @@ def test_new_writes_a_study_that_runs(problem, profile, here, capsys):
     + [("--bed", name) for name in CATALOGUE["bed"] if name != "foundation"],
 )
 def test_new_with_other_parts(option, kind, here):
-    relaxes = "relax" in kind or "visco" in kind  # no single answer exists: a march is asked for
+    relaxes = "relax" in kind or "visco" in kind  # no single answer exists: a march is requested
     problem = "viscoelastic_indentation" if relaxes else "indentation"
     assert main(["new", problem, option, kind]) == 0
     study = parse_study((here / f"{problem}.toml").read_text(encoding="utf-8"))
@@ -212,7 +212,7 @@ def test_what_is_commented_out_is_valid_too(load):
     assert len(outcome.solved) == 9
 
 
-def test_new_does_not_replace_a_file_unasked(here, capsys):
+def test_new_does_not_replace_a_file_without_consent(here, capsys):
     (here / "indentation.toml").write_text("mine")
     assert main(["new"]) == 2
     assert capsys.readouterr().err == (
@@ -483,22 +483,21 @@ def test_the_module_is_the_command(here):
 
 def test_help_keeps_what_stands_in_brackets(capsys, monkeypatch):
     """Brackets are markup there; without a backslash "[fit]" and the extra of "winkler[app]" were lost."""
-    from winkler.cli.app import app
+    from winkler.cli.app import FUNCTIONS
 
     monkeypatch.setenv("COLUMNS", "200")
-    seen = []
-    for command in app.registered_commands:
-        callback = command.callback
+    listed = []
+    for callback in FUNCTIONS.values():
         hints = typing.get_type_hints(callback, include_extras=True)
         given = [note.help for hint in hints.values() for note in getattr(hint, "__metadata__", ())]
         message = "\n".join(filter(None, [callback.__doc__, *given])).replace("\\[", "[")
         brackets = re.findall(r"\[[a-z]+\]", message)
-        seen += brackets
+        listed += brackets
         assert main([callback.__name__, "--help"]) == 0
         shown = capsys.readouterr().out
         for bracket in brackets:
             assert bracket in shown, (callback.__name__, bracket)
-    assert {"[fit]", "[app]", "[s]"} <= set(seen)
+    assert {"[fit]", "[app]", "[s]"} <= set(listed)
 
 
 @pytest.mark.parametrize(

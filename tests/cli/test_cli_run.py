@@ -1,4 +1,4 @@
-"""``winkler run``: what it writes, what it asks, what it says, and what it leaves behind when it is stopped."""
+"""``winkler run``: what it writes, what it requests, what it prints, and what it leaves behind when it is stopped."""
 
 from __future__ import annotations
 
@@ -159,7 +159,7 @@ class Terminal:
 
 
 @pytest.mark.parametrize(("answer", "code"), [("y", 0), ("n", 2)])
-def test_consent_is_asked_for_at_a_terminal(answer, code, here, monkeypatch, capsys):
+def test_consent_is_requested_at_a_terminal(answer, code, here, monkeypatch, capsys):
     assert main(["run", "ball.toml", "--quiet"]) == 0
     monkeypatch.setattr(sys, "stdin", Terminal(answer))
     monkeypatch.setattr("builtins.input", lambda *_: answer)
@@ -226,9 +226,9 @@ def test_a_full_disk_leaves_nothing(here, monkeypatch, capsys):
 
     monkeypatch.setattr("winkler.study.report.writing.study_text", full)
     assert main(["run", "ball.toml"]) == 2
-    said = capsys.readouterr().err
-    assert "cannot be written (no space left on device); give" in said
-    assert said.count("\n") == 1
+    errors = capsys.readouterr().err
+    assert "cannot be written (no space left on device); give" in errors
+    assert errors.count("\n") == 1
     assert [path.name for path in here.iterdir()] == ["ball.toml"]
 
 
@@ -237,7 +237,7 @@ def test_a_full_disk_leaves_nothing(here, monkeypatch, capsys):
 def test_a_run_that_is_stopped_leaves_what_was_there(error, before, here, monkeypatch, capsys):
     if before:
         assert main(["run", "ball.toml", "--quiet"]) == 0
-    kept = {name: (here / name).read_bytes() for name in names(here)}
+    earlier = {name: (here / name).read_bytes() for name in names(here)}
 
     def stopped(*_: object) -> str:
         raise error
@@ -254,13 +254,13 @@ def test_a_run_that_is_stopped_leaves_what_was_there(error, before, here, monkey
             r"again with --traceback and report it\.\n",
             message,
         )
-    assert {name: (here / name).read_bytes() for name in names(here)} == kept
+    assert {name: (here / name).read_bytes() for name in names(here)} == earlier
     assert (here / "results").exists() is before
 
 
 def test_a_stop_between_the_two_renamings_brings_the_old_results_back(here, monkeypatch):
     assert main(["run", "ball.toml", "--quiet"]) == 0
-    kept = {name: (here / name).read_bytes() for name in names(here)}
+    earlier = {name: (here / name).read_bytes() for name in names(here)}
     real, calls = os.rename, []
 
     def rename(old: object, new: object) -> None:
@@ -272,7 +272,7 @@ def test_a_stop_between_the_two_renamings_brings_the_old_results_back(here, monk
     monkeypatch.setattr(writing.os, "rename", rename)
     assert main(["run", "ball.toml", "--quiet", "--overwrite"]) == 130
     assert len(calls) == 3
-    assert {name: (here / name).read_bytes() for name in names(here)} == kept
+    assert {name: (here / name).read_bytes() for name in names(here)} == earlier
     assert [path.name for path in (here / "results").iterdir()] == ["ball"]
 
 

@@ -177,7 +177,7 @@ def solved(problem):
 
 
 @pytest.fixture(scope="module")
-def answered(tmp_path_factory):
+def computed(tmp_path_factory):
     """Return what solves a study in Python and by the command line, the same study under another title once."""
     known = {}
 
@@ -191,25 +191,25 @@ def answered(tmp_path_factory):
             message = {column["name"]: column["values"] for column in json.loads(out.getvalue())["answers"]}
             with (folder / "answer" / "results.csv").open(encoding="utf-8") as file:
                 rows = list(csv.DictReader(file))
-            kept = {name.split(" ")[0]: [float(row[name]) for row in rows] for name in rows[0]}
-            known[without_title] = run(parse_study(text)).points[0].answers, message, kept
+            table = {name.split(" ")[0]: [float(row[name]) for row in rows] for name in rows[0]}
+            known[without_title] = run(parse_study(text)).points[0].answers, message, table
         return known[without_title]
 
     return numbers
 
 
 @pytest.mark.parametrize("kind", list(PYTHON))
-def test_same_numbers(kind, answered):
+def test_same_numbers(kind, computed):
     problem, text = PYTHON[kind], whole_text(kind)
     solution, study = solved(problem), parse_study(text)
     assert study.problem == problem
     assert parse_study(study_text(study)) == study
 
-    answers, message, kept = answered(text)
-    assert set(answers) == set(message) == set(kept)
+    answers, message, table = computed(text)
+    assert set(answers) == set(message) == set(table)
     assert len(answers) >= 2
     for name in answers:
-        assert answers[name].tolist() == message[name] == kept[name]
+        assert answers[name].tolist() == message[name] == table[name]
         if (base := name.removesuffix("_x").removesuffix("_y")) != name:  # in the plane
             expected = getattr(solution, base)[:, "xy".index(name[-1])]
         else:

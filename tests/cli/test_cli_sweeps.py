@@ -100,7 +100,7 @@ def test_another_study_is_refused_without_anew(here, capsys):
     assert not journal.exists()
 
 
-def test_ctrl_c_tells_how_to_go_on(here, monkeypatch, capsys):
+def test_ctrl_c_prints_how_to_go_on(here, monkeypatch, capsys):
     solve, solved = wk.Indentation.solve, []
 
     def interrupted(self):

@@ -93,7 +93,7 @@ def test_texts_of_a_study_with_control_characters_are_refused(here, capsys):
         assert harmless(message)
 
 
-def test_a_title_that_turns_the_line_around_is_kept_in_files_alone(here, capsys):
+def test_a_title_that_turns_the_line_around_is_written_in_files_alone(here, capsys):
     (here / "c.toml").write_text(SPHERE.format(title="a\\u202eb", report="false"), encoding="utf-8")
     assert main(["run", "c.toml"]) == 0
     assert capsys.readouterr().out.startswith("a\\u202eb\n")

@@ -38,7 +38,7 @@ def here(tmp_path, monkeypatch):
 
 @pytest.fixture
 def unread():
-    """A pipe that nobody reads, as behind ``| head`` that has seen enough."""
+    """A pipe that nobody reads, as behind ``| head`` that has read enough."""
     reader, writer = os.pipe()
     os.close(reader)
     with os.fdopen(writer, "w", encoding="utf-8") as stream:
@@ -65,9 +65,9 @@ def test_the_exit_code_is_that_of_the_command_if_the_reader_has_gone(words, code
         assert (here / "results" / Path(words[1]).stem / "provenance.json").is_file()
 
 
-def test_an_error_is_told_whoever_reads_what_came_before(here, unread, capfd, monkeypatch):
+def test_an_error_is_printed_whoever_reads_what_came_before(here, unread, capfd, monkeypatch):
     monkeypatch.setattr(sys, "stdout", unread)
-    unread.write("what was said before")
+    unread.write("what was written before")
     assert main(["run", "ball.tml"]) == 2
     assert capfd.readouterr().err.startswith("winkler: ball.tml: there is no such file")
     unread.flush()
@@ -81,9 +81,9 @@ def test_a_full_disk_behind_stdout_is_stated_in_a_sentence(words, here, monkeypa
     with open("/dev/full", "w", encoding="utf-8") as stream:
         monkeypatch.setattr(sys, "stdout", stream)
         assert main(words) == 2
-        said = capfd.readouterr().err
-    assert said.startswith("winkler: stdout cannot be written (no space left on device); send it elsewhere.")
-    assert said.count("\n") == 1
+        output = capfd.readouterr().err
+    assert output.startswith("winkler: stdout cannot be written (no space left on device); send it elsewhere.")
+    assert output.count("\n") == 1
     assert (here / "results/ball/provenance.json").is_file() == (words[0] == "run")
 
 

@@ -69,7 +69,7 @@ def rungs(integrand, count: int = 1) -> tuple[np.ndarray, list[int]]:
     ("pole", "last"),
     [(-3.0, 24), (-0.3, 48), (-0.05, 96), (-0.02, 192)],
 )
-def test_the_ladder_is_climbed_as_far_as_the_pole_asks(pole, last):
+def test_the_ladder_is_climbed_as_far_as_the_pole_demands(pole, last):
     result, tried = rungs(lambda nodes, index: np.tile(1.0 / (nodes - pole), (len(index), 1)))
     assert result[0] == pytest.approx(math.log((1.0 - pole) / -pole), rel=1e-12)
     assert tried == [points for _, points in RULE_LADDER][: len(tried)]

@@ -37,31 +37,31 @@ def test_under_a_cone_depth_and_force_are_exact():
     """Increments of equal size per width, at the middle of each step: the midpoint rule of a straight line."""
     contact = press("cone")
     for count in (1, 3, 50):
-        stairs = wk.staircase(contact, count)
-        assert stairs.depth == pytest.approx(contact.depth, rel=1e-14)
-        assert stairs.force == pytest.approx(contact.force, rel=1e-14)
+        punches = wk.staircase(contact, count)
+        assert punches.depth == pytest.approx(contact.depth, rel=1e-14)
+        assert punches.force == pytest.approx(contact.force, rel=1e-14)
 
 
 @pytest.mark.parametrize("name", [name for name in SHAPES if name != "cone"])
 def test_depth_is_exact_and_force_of_second_order(name):
     contact = press(name)
-    stairs = [wk.staircase(contact, int(count)) for count in COUNTS]
-    for one in stairs:
+    punches = [wk.staircase(contact, int(count)) for count in COUNTS]
+    for one in punches:
         assert one.depth == pytest.approx(contact.depth, rel=1e-13)
-    assert 1.9 < order(COUNTS, [abs(one.force - contact.force) for one in stairs]) < 2.1
+    assert 1.9 < order(COUNTS, [abs(one.force - contact.force) for one in punches]) < 2.1
 
 
 @pytest.mark.parametrize("name", SHAPES)
 def test_displacement_is_of_second_order_outside_and_of_order_three_halves_inside(name):
     contact = press(name)
-    stairs = [wk.staircase(contact, int(count)) for count in COUNTS]
+    punches = [wk.staircase(contact, int(count)) for count in COUNTS]
     outside = contact.radius * np.array([1.2, 1.7, 4.0])
     exact = wk.restore(contact, outside).displacement
-    assert 1.9 < order(COUNTS, [rms(one.displacement(outside), exact) for one in stairs]) < 2.1
+    assert 1.9 < order(COUNTS, [rms(one.displacement(outside), exact) for one in punches]) < 2.1
     # anywhere between the edges of the punches, not in step with them
     inside = contact.radius * np.random.default_rng(7).uniform(0.45, 0.95, 4000)
     exact = wk.restore(contact, inside).displacement
-    assert 1.4 < order(COUNTS, [rms(one.displacement(inside), exact) for one in stairs]) < 1.6
+    assert 1.4 < order(COUNTS, [rms(one.displacement(inside), exact) for one in punches]) < 1.6
 
 
 @pytest.mark.parametrize("name", SHAPES)
@@ -87,11 +87,11 @@ def test_pressure_between_the_edges_is_of_order_one_half_and_at_the_right_place_
     contact = press(name)
 
     def error(count: int, part: float) -> float:
-        stairs = wk.staircase(contact, count)
-        radii = stairs.radii[(stairs.radii > 0.6 * contact.radius) & (stairs.radii < 0.9 * contact.radius)]
+        punches = wk.staircase(contact, count)
+        radii = punches.radii[(punches.radii > 0.6 * contact.radius) & (punches.radii < 0.9 * contact.radius)]
         # `part` of the step below an edge
         r = radii[1:] - part * np.diff(radii)
-        return rms(stairs.pressure(r), wk.restore(contact, r).pressure)
+        return rms(punches.pressure(r), wk.restore(contact, r).pressure)
 
     assert 0.45 < order(COUNTS, [error(int(count), 0.5) for count in COUNTS]) < 0.55
     # zeta(1/2, 0.3027) = 0

@@ -124,7 +124,7 @@ def test_dmt():
 
 
 @pytest.mark.slow
-def test_maugis_finds_its_way():
+def test_maugis_converges_from_a_hopeless_start():
     """Dugdale's law with a great strength is JKR; the fit finds JKR's numbers from a hopeless start."""
     position, inward = there_and_back(-1e-6, 1e-6, 150)
     curve = measured(jkr(position, inward, MODULUS, R, WORK, SPRING), position)

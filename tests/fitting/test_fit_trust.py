@@ -132,7 +132,7 @@ def test_the_extent_of_the_baseline():
     assert "depends on the model" in short.statement
 
 
-def test_a_real_fit_judges_its_adhesion():
+def test_a_real_fit_classifies_its_adhesion():
     position, inward = there_and_back(-1e-6, 1e-6, 300)
     force = jkr(position, inward, MODULUS, R, WORK, 0.05) + 2e-11 * noise(np.random.default_rng(1), 600)
     model = AdhesiveIndentation(bed(), ShortRange(1e-3), wk.Depth(0.0))

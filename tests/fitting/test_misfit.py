@@ -68,8 +68,8 @@ def test_a_ball_does_not_explain_a_cone():
 def test_a_right_model_is_let_through(seed, memory):
     """A chance of one in a thousand each, also where the noise remembers, or few points are in contact."""
     for count in (4000, 120):
-        kept = np.linspace(0, 3999, count).astype(int)
-        found = fit(curve(hertz(POSITION, 1e4, BEAD), seed, memory).chosen(kept), bead(), free=FREE)
+        index = np.linspace(0, 3999, count).astype(int)
+        found = fit(curve(hertz(POSITION, 1e4, BEAD), seed, memory).chosen(index), bead(), free=FREE)
         assert not misfits(found)
         assert found.chi_square_in_contact < 4.0
 
@@ -109,7 +109,7 @@ def test_a_relaxing_model_that_is_wrong():
 
 
 def test_an_interval_of_a_number_that_is_nearly_nothing():
-    """The error is thousands of times the number: an end that no float tells is infinite, not an OverflowError."""
+    """The error is thousands of times the number: an end that no float can hold is infinite, not an OverflowError."""
     found = fit(curve(hertz(POSITION, 1e4, BEAD), 5), bead(), free=FREE)
     lost = dataclasses.replace(found, standard_errors=1e4 * found.values)
     assert lost.interval(YOUNG) == (0.0, np.inf)

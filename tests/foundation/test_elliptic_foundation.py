@@ -58,7 +58,7 @@ def test_the_ratio_of_an_ellipse_depends_on_the_direction():
     assert dataclasses.replace(SLENDER, bodies=wk.CurvedBodies(1e-3, 10e-3)) == SLENDER.turned
 
 
-def test_dissimilar_bodies_give_way_one_by_one():
+def test_compliances_of_dissimilar_bodies_add_up():
     """1/G_s adds up body by body: (1 - nu + nu s) / (2 G) of each."""
     rubber = wk.Elastic(1e9, 0.45)
     mixed = dataclasses.replace(SLENDER, medium=wk.HalfSpace.between(STEEL, rubber))
@@ -153,7 +153,7 @@ def test_what_needs_a_disc_is_refused():
             requested()
 
 
-def test_what_asks_for_force_and_depth_alone_is_answered():
+def test_what_needs_force_and_depth_alone_is_solved():
     """Impact takes Hertz's time with F = c d^(3/2) of the ellipse; a solid that relaxes bears its part of F."""
     bed = BEARING.bed
     with mpmath.workdps(30):
@@ -209,9 +209,9 @@ def test_yield_begins_under_the_ellipse_not_under_the_ball():
 
 def test_a_path_in_the_plane_is_refused():
     path = wk.Path([0.0, 1.0], wk.Force(10.0), wk.Shift([[0.0, 0.0], [1e-8, 1e-8]]))
-    for asked in (wk.Tangential, wk.SpringMarch):
+    for march in (wk.Tangential, wk.SpringMarch):
         with pytest.raises(wk.OutsideValidity, match="the path leaves its line, and an ellipse yields differently"):
-            asked(SLENDER, wk.Coulomb(0.2), path)
+            march(SLENDER, wk.Coulomb(0.2), path)
 
 
 def test_media_that_know_no_ellipse_are_refused():

@@ -236,7 +236,7 @@ HERTZ = 4.0 / 3.0 * GLASS.modulus * np.sqrt(1e-3)
 
 @pytest.mark.parametrize("noise", [0.0, 1e-3])
 @pytest.mark.parametrize("shift", [-0.3, -0.1, 0.05, 0.3])
-def test_a_shifted_curve_is_told_its_shift(shift, noise):
+def test_of_a_shifted_curve_the_shift_is_stated(shift, noise):
     """A ball's curve with the approach left in (negative shift), or begun in contact."""
     offset = shift * DEPTH[-1]
     force = HERTZ * np.maximum(DEPTH + offset, 0.0) ** 1.5
@@ -247,12 +247,12 @@ def test_a_shifted_curve_is_told_its_shift(shift, noise):
     assert float(words[0]) == pytest.approx(abs(offset), rel=0.15)
 
 
-def test_adhesion_is_told():
+def test_adhesion_is_named():
     with pytest.raises(wk.InvalidInput, match="adhesive"):
         MeasuredBed.from_curve(DEPTH, HERTZ * (DEPTH**1.5 - 0.05 * DEPTH[-1] ** 1.5), GLASS.modulus)
 
 
-def test_unloading_is_told_where_it_begins():
+def test_where_unloading_begins_is_stated():
     there_and_back = np.minimum(DEPTH, 1.6 * DEPTH[-1] - DEPTH)
     with pytest.raises(wk.InvalidInput, match=r"from the depth 1\.[56]\d*e-06 m on the slope falls"):
         MeasuredBed.from_curve(DEPTH, HERTZ * there_and_back**1.5, GLASS.modulus)

@@ -25,7 +25,7 @@ FOUND = Path(__file__).parent / "found"
 LIMIT = 20.0
 """Seconds of processor time after which a case hangs; nothing is timed otherwise."""
 MEMORY = 2 * 2**30
-"""Bytes that a case may ask for beyond what stands already."""
+"""Bytes that a case may allocate beyond what is in use already."""
 SHOWN = 5
 """Faults that are shown of one test."""
 
@@ -118,14 +118,14 @@ def _place(error: BaseException) -> str:
     )
 
 
-def judged(name: str, count: int, make: Callable[[Random], Case], trial: Callable[[Case], object], kept: Path) -> None:
+def check(name: str, count: int, make: Callable[[Random], Case], trial: Callable[[Case], object], folder: Path) -> None:
     """Try so many cases; fail with those that are wrong, how to repeat them, and where they were written."""
     wrong: list[str] = []
     with within_memory():
         for place in range(count):
             case = make(Random(f"{seed()}/{name}/{place}"))
             if message := fault(trial, case):
-                file = kept / f"{name.replace(' ', '_')}_{place}.json"
+                file = folder / f"{name.replace(' ', '_')}_{place}.json"
                 file.write_text(case.text(message), encoding="utf-8")
                 wrong.append(f"case {place}: {message}\n  {file}")
                 if len(wrong) == SHOWN:

@@ -1,4 +1,4 @@
-"""What holds of an answer whatever was asked: signs, sizes, friction's limit, no energy from nowhere.
+"""What holds of every solution: signs, sizes, friction's limit, no energy from nowhere.
 
 One name stands for one thing in all of winkler (`winkler.vocabulary`), so a law is written once, in terms of names,
 and is held against every answer that has them.  Numbers are compared to `ROUNDING` of the largest of their kind.
@@ -62,7 +62,7 @@ def law(sentence: str, *names: str):
 
 
 def numbers_of(answer: Any) -> dict[str, Any]:
-    """Return all that an answer tells without a question, by name; what it refuses to tell is left out."""
+    """Return all properties of a solution, by name; what it refuses to compute is left out."""
     found = {field.name: getattr(answer, field.name) for field in dataclasses.fields(answer)}
     for name in dir(type(answer)):
         if name[0] != "_" and isinstance(getattr(type(answer), name), property | functools.cached_property):
@@ -132,7 +132,7 @@ def _signs(content: Mapping[str, Any], problem: Any) -> bool:
     return all(row is None or not_below(row, 0.0) for row in rows)
 
 
-@law("time, ways, losses and wear never fall")
+@law("time, distances, losses and wear never fall")
 def _rising(content: Mapping[str, Any], problem: Any) -> bool:
     rows = [(name, numbers(content.get(name))) for name in NEVER_FALLING]
     energy = size(
@@ -208,29 +208,29 @@ def _rises(problem: Any) -> bool:
 
 @law("what is stored is not negative", "stored_energy")
 def _stored(content: Mapping[str, Any], problem: Any) -> bool:
-    kept = [row for name in ("dissipation", "work") if (row := numbers(content.get(name))) is not None]
-    return not_below(content["stored_energy"], 0.0, size(content["stored_energy"], *kept))
+    energies = [row for name in ("dissipation", "work") if (row := numbers(content.get(name))) is not None]
+    return not_below(content["stored_energy"], 0.0, size(content["stored_energy"], *energies))
 
 
 @law("nothing is lost or stored that nobody put in", "stored_energy", "dissipation", "force", "depth")
 def _budget(content: Mapping[str, Any], problem: Any) -> bool:
-    if "kinetic_energy" in content:  # judged by its balance
+    if "kinetic_energy" in content:  # checked by its balance
         return True
-    ways = [(np.asarray(content["force"]), np.asarray(content["depth"]))]
-    ways += [
-        (np.asarray(content[effort]), np.asarray(content[way]))
-        for effort, way in (("shear_force", "shift"), ("torque", "angle"))
-        if effort in content and way in content
+    pairs = [(np.asarray(content["force"]), np.asarray(content["depth"]))]
+    pairs += [
+        (np.asarray(content[effort]), np.asarray(content[distance]))
+        for effort, distance in (("shear_force", "shift"), ("torque", "angle"))
+        if effort in content and distance in content
     ]
-    most = sum(_work_at_most(effort, way) for effort, way in ways)
+    most = sum(_work_at_most(effort, distance) for effort, distance in pairs)
     return not_below(most * (1.0 + ROUNDING), np.asarray(content["stored_energy"]) + np.asarray(content["dissipation"]))
 
 
-def _work_at_most(effort: np.ndarray, way: np.ndarray) -> float:
-    """Return the work of the largest effort along the whole way."""
-    way = np.diff(np.atleast_1d(way), axis=0, prepend=0.0 * np.atleast_1d(way)[:1])
-    effort, way = (np.linalg.norm(row, axis=1) if row.ndim == 2 else np.abs(row) for row in (effort, way))
-    return size(effort) * float(np.sum(way))
+def _work_at_most(effort: np.ndarray, distance: np.ndarray) -> float:
+    """Return the work of the largest effort along the whole path."""
+    distance = np.diff(np.atleast_1d(distance), axis=0, prepend=0.0 * np.atleast_1d(distance)[:1])
+    effort, distance = (np.linalg.norm(row, axis=1) if row.ndim == 2 else np.abs(row) for row in (effort, distance))
+    return size(effort) * float(np.sum(distance))
 
 
 @law("an impact keeps its energy", "balance", "kinetic_energy", "energy")

@@ -124,7 +124,7 @@ class Drawn:
         self.rng, self.wide, self.without = rng, wide, without
 
     def varied(self, table: dict[str, Any], deep: int = 0) -> dict[str, Any]:
-        """Return a kind's table with other numbers, lists and parts, each such as its class asks for."""
+        """Return a kind's table with other numbers, lists and parts, each such as its class takes."""
         rng, line, table = self.rng, kinds()[table["kind"]], dict(table)
         rows = rng.choice(("keep", "keep", "keep", "first", "twice", "last", "each"))  # of lists that go together
         for field, hint in hints(line.cls).items():
@@ -213,7 +213,7 @@ MARCHING = ("viscoelastic_adhesion", "fretting_wear", "sliding_wear")
 
 
 def solvable(rng: Random, problem: str) -> dict[str, Any]:
-    """Return a study of a problem to be solved: a variation of one of the examples that ask it."""
+    """Return a study of a problem to be solved: a variation of one of the examples that state it."""
     known = [study["problem"] for study in examples().values() if study["problem"]["kind"] == problem]
     chosen = rng.choice([table for table in known if problem not in MARCHING or not _lasts(table)])
     wide = 0.0 if problem in MARCHING or _lasts(chosen) or rng.random() < 0.05 else rng.choice((0.0, 1.0, 4.0))

@@ -1,4 +1,4 @@
-"""What a case is tried by: a study is read, or solved and judged; a file, a formula, a quantity is read."""
+"""What a case is tried by: a study is read, or solved and checked; a file, a formula, a quantity is read."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
-"""A process that has winkler loaded and warm, and forks children which run one command and are killed on the way.
+"""A process that has winkler loaded and warm, and forks children which run one command and are killed before its end.
 
-It reads one request per line from its standard input and answers with one line: see `ask` of `Killer`.  A child gets
-its signal before the n-th operation on a file (a hook of the interpreter counts them), or after so many seconds of its
-own processor time, which does not depend on how busy the machine is.
+It reads one request per line from its standard input and replies with one line: see `request` of `Killer`.  A child
+gets its signal before the n-th operation on a file (a hook of the interpreter counts them), or after so many seconds of
+its own processor time, which does not depend on how busy the machine is.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ FILES = {"open", "os.rename", "os.mkdir", "os.rmdir", "os.remove", "os.truncate"
 
 
 class Killer:
-    """The process, seen from the tests."""
+    """The process, as the tests use it."""
 
     def __init__(self) -> None:
         threads = dict.fromkeys(
@@ -39,12 +39,12 @@ class Killer:
             env=os.environ | threads,
         )
 
-    def ask(self, folder: Path, *words: str, **how: Any) -> dict[str, Any]:
+    def request(self, folder: Path, *words: str, **how: Any) -> dict[str, Any]:
         """Run ``winkler WORDS`` in `folder`.
 
         ``fork=False`` runs it in the process itself, which is warm afterwards; ``sign`` is the signal of a child, which
         comes before file operation ``event`` or after ``seconds``.  Returns the code (negative: the signal that ended
-        it), the operations, the seconds, and what was said on stderr.
+        it), the operations, the seconds, and what was written on stderr.
         """
         assert self.process.stdin is not None
         assert self.process.stdout is not None
@@ -59,7 +59,7 @@ class Killer:
 
 
 def _answer(folder: str, words: list[str], fork: bool = True, **how: Any) -> dict[str, Any]:
-    said = Path(folder).with_suffix(".said")
+    errors = Path(folder).with_suffix(".errors")
     os.chdir(folder)
     if not fork:
         return {"code": main(words)}
@@ -67,7 +67,7 @@ def _answer(folder: str, words: list[str], fork: bool = True, **how: Any) -> dic
     child = os.fork()
     if not child:
         os.close(reader)
-        with said.open("w", encoding="utf-8") as sys.stderr, open(os.devnull, "w") as sys.stdout:
+        with errors.open("w", encoding="utf-8") as sys.stderr, open(os.devnull, "w") as sys.stdout:
             count, began = _armed(folder, **how), time.process_time()
             code = main(words)
             os.write(writer, json.dumps({"events": count[0], "seconds": time.process_time() - began}).encode())
@@ -76,7 +76,7 @@ def _answer(folder: str, words: list[str], fork: bool = True, **how: Any) -> dic
     with os.fdopen(reader) as pipe:
         counted = pipe.read()
     _, status = os.waitpid(child, 0)
-    return {"code": os.waitstatus_to_exitcode(status), "said": said.read_text(), **json.loads(counted or "{}")}
+    return {"code": os.waitstatus_to_exitcode(status), "errors": errors.read_text(), **json.loads(counted or "{}")}
 
 
 def _armed(folder: str, sign: int = 0, event: int = 0, seconds: float = 0.0) -> list[int]:

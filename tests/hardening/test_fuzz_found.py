@@ -12,7 +12,7 @@ import fuzz_laws
 import fuzz_studies
 import numpy as np
 import pytest
-from fuzz_cases import FOUND, Case, fault, judged
+from fuzz_cases import FOUND, Case, check, fault
 from fuzz_trials import tried, written
 
 import winkler as wk
@@ -33,11 +33,11 @@ def test_a_case_that_was_found(file):
 @pytest.mark.parametrize("problem", ["indentation", "pull_off", "tangential", "thermal_constriction", "rolling"])
 def test_a_few_studies_are_solved(problem, tmp_path, monkeypatch):
     monkeypatch.setenv("WINKLER_FUZZ_SEED", "of every run")
-    judged(problem, 4, lambda rng: Case("solve", written(fuzz_studies.solvable(rng, problem))), tried, tmp_path)
+    check(problem, 4, lambda rng: Case("solve", written(fuzz_studies.solvable(rng, problem))), tried, tmp_path)
 
 
 def test_most_variations_are_solved():
-    """What is refused at the door shows nothing of the laws."""
+    """What is refused as input shows nothing of the laws."""
     solved = 0
     for place in range(60):
         try:
@@ -79,7 +79,7 @@ def test_a_fault_is_found(trial, reason, monkeypatch, tmp_path):
         assert reason in fault(trial, Case("text", ""))
     monkeypatch.setenv("WINKLER_FUZZ_SEED", "of a day")
     with pytest.raises(AssertionError, match=r"(?s)1 of 1 cases of 'some'; WINKLER_FUZZ_SEED='of a day' repeats them"):
-        judged("some", 1, lambda rng: Case("text", str(rng.random())), trial, tmp_path)
+        check("some", 1, lambda rng: Case("text", str(rng.random())), trial, tmp_path)
     (file,) = tmp_path.glob("*.json")
     assert reason in json.loads(file.read_text(encoding="utf-8"))["why"]
 
@@ -88,7 +88,7 @@ SPOILT = {
     "no number is undefined": ("indentation", {"radius": np.nan}),
     "what is pressed, moved and stored is finite": ("indentation", {"force": np.inf}),
     "lengths, losses and resistances are not negative": ("thermal_constriction", {"resistance": -1.0}),
-    "time, ways, losses and wear never fall": ("tangential", {"dissipation": lambda row: row[::-1]}),
+    "time, distances, losses and wear never fall": ("tangential", {"dissipation": lambda row: row[::-1]}),
     "shares and restitution lie between nothing and all": ("impact", {"restitution": 1.001}),
     "the contact is not wider than the profile is known": ("indentation", {"radius": 0.0101}),
     "what sticks is part of the contact": ("tangential", {"stick_radius": 1e-3}),

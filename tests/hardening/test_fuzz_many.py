@@ -11,7 +11,7 @@ import fuzz_studies
 import fuzz_texts
 import fuzz_words
 import pytest
-from fuzz_cases import Case, judged
+from fuzz_cases import Case, check
 from fuzz_readers import READERS, SUFFIXES, TABLES
 from fuzz_trials import tried, written
 
@@ -101,7 +101,7 @@ def test_every_problem_is_in_a_group():
 @pytest.mark.parametrize("name", MADE)
 def test_many_cases(name, tmp_path):
     make, count = MADE[name]
-    judged(name, count, make, tried, tmp_path)
+    check(name, count, make, tried, tmp_path)
 
 
 @pytest.mark.slow
@@ -111,4 +111,4 @@ def test_many_studies_are_solved(group, tmp_path):
         return Case("solve", written(fuzz_studies.solvable(rng, problem)))
 
     for problem in SOLVED[group]:
-        judged(problem, FEW.get(problem, EACH), functools.partial(made, problem), tried, tmp_path)
+        check(problem, FEW.get(problem, EACH), functools.partial(made, problem), tried, tmp_path)

@@ -100,8 +100,8 @@ def test_arrays(tmp_path):
     rough = read_topography(tmp_path / "map.npz", unit="nm")
     np.testing.assert_array_equal(rough.heights, HEIGHTS / 1e9)
     np.testing.assert_allclose(rough.lengths, SIZES, rtol=1e-15)
-    np.savez_compressed(tmp_path / "told.npz", heights=HEIGHTS, lengths=[5000.0, 2000.0], unit="nm", periodic=True)
-    message = read_topography(tmp_path / "told.npz")
+    np.savez_compressed(tmp_path / "stated.npz", heights=HEIGHTS, lengths=[5000.0, 2000.0], unit="nm", periodic=True)
+    message = read_topography(tmp_path / "stated.npz")
     assert message.periodic
     np.testing.assert_array_equal(message.heights, rough.heights)
 
@@ -247,10 +247,10 @@ def instruments(shared_data):
 
 def test_an_atomic_force_microscope(instruments):
     """Digital Instruments, 10 um: against the numbers that SurfaceTopography gives."""
-    from SurfaceTopography import read_topography as judge
+    from SurfaceTopography import read_topography as reference_reader
 
     rough = read_topography(instruments / "di-3.di")
-    message = judge(str(instruments / "di-3.di"))
+    message = reference_reader(str(instruments / "di-3.di"))
     assert rough.heights.shape == (256, 256)
     np.testing.assert_allclose(rough.lengths, 1e-5, rtol=1e-12)
     assert rough.missing == 0

@@ -18,9 +18,9 @@ SLIDING = wk.SlidingWear(BED, wk.Archard(0.1), wk.Force(1e-3), np.array([0.0, 1.
 def test_a_march_goes_on_from_a_file_with_the_same_numbers(problem, tmp_path):
     whole = list(problem.steps())
     path = write_wear(whole[:3], tmp_path / "worn.npz")
-    kept = read_wear(BED, path)
-    assert list(kept) == whole[:3]
-    assert list(problem.steps(start=kept[-1])) == whole[3:]
+    states = read_wear(BED, path)
+    assert list(states) == whole[:3]
+    assert list(problem.steps(start=states[-1])) == whole[3:]
     assert [each.name for each in tmp_path.iterdir()] == ["worn.npz"]
 
 

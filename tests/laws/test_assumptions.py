@@ -257,7 +257,7 @@ def test_every_frictional_problem_speaks_of_the_coupling(kind):
     assert "Dundurs" in note.statement
 
 
-def test_a_film_that_is_pressed_through_and_one_that_is_hardly_felt():
+def test_a_film_that_is_pressed_through_and_one_that_hardly_matters():
     """On a rigid base the tip would be inside it; a hard coating on steel goes down with it, and is not compressed."""
     assert find(film_pressed_through(), Assumption.FILM).standing is Standing.OUTSIDE
     cell = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(1e3, 0.45), 5e-6)], on=wk.Rigid())

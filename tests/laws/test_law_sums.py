@@ -27,8 +27,8 @@ def test_the_order_of_the_parts_does_not_matter(one, other, third):
     for left, right in ((a + b, b + a), ((a + b) + c, a + (b + c)), (a + b + c, c + b + a)):
         assert (left.reach, left.rim, left.size, left.rising) == (right.reach, right.rim, right.size, right.rising)
         assert [b for b, _ in left.kinks] == [b for b, _ in right.kinks]
-        for one_way, other_way in zip(words(left, x), words(right, x), strict=True):
-            np.testing.assert_allclose(one_way, other_way, rtol=1e-14, atol=0.0)
+        for one_sum, other_sum in zip(words(left, x), words(right, x), strict=True):
+            np.testing.assert_allclose(one_sum, other_sum, rtol=1e-14, atol=0.0)
 
 
 @examples(40)

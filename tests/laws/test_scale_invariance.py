@@ -68,7 +68,7 @@ ROUNDED: dict[tuple[str, str], Rounded] = {
     ("OscillatingRollingSolution", "shift_per_cycle"): ERROR,
     ("SurfaceContactSolution", "penetration"): ERROR,
     ("SurfaceContactSolution", "misfit"): ERROR,
-    ("ReductionSolution", "misfit"): Rounded(1e-6, "it is judged by contacts of a tolerance of 1e-6"),
+    ("ReductionSolution", "misfit"): Rounded(1e-6, "it is checked by contacts of a tolerance of 1e-6"),
     ("ReductionSolution", "force"): Rounded(1e-8, "each contact has a tolerance of 1e-6"),
     **{("SlidingSolution", name): STEPS for name in ("depth", "radius", "worn_depth", "mean_pressure")},
     **{
@@ -79,7 +79,7 @@ ROUNDED: dict[tuple[str, str], Rounded] = {
 """Answers that follow rounding farther, with the number."""
 
 OF_NATURE = {Assumption.ADHESION, Assumption.CONTINUUM, Assumption.INERTIA, Assumption.TEMPERATURE}
-"""Judged with constants of nature: the reach of attraction, the free path of electrons, gravity, what solids stand."""
+"""Relative to constants of nature: the reach of attraction, the free path of electrons, gravity, what solids stand."""
 NAMED = {
     "named_elastic": "a name stands for numbers in SI units",
     "named_electrical_conductor": "a name stands for numbers in SI units",
@@ -90,7 +90,7 @@ NAMED = {
 
 
 def specimen(name: str) -> Any:
-    """Return the problem of an example study; of a crack that takes its time, a shorter way."""
+    """Return the problem of an example study; of a crack that takes its time, a shorter path."""
     problem = build(example_study(name)["problem"])
     if name == "viscoelastic_adhesion":
         return dataclasses.replace(problem, path=wk.Path([0.0, 1.0, 3.0], wk.Depth([5e-6, 1e-6, -3e-6])))
@@ -211,7 +211,7 @@ def test_every_problem_of_bodies_without_a_length(name, shape):
     assert_same(problem, [Units(2.0**-30, 2.0**-20), Units(2.0**10, 2.0**20)])
 
 
-def test_the_change_of_units_is_seen():
+def test_the_change_of_units_is_detected():
     """What is not scaled by its dimension is found."""
     problem = specimen("indentation")
     units = Units(length=1e-3)

@@ -97,3 +97,10 @@ def test_marches_are_problems():
     protocol = {name for name in vars(March) if not name.startswith("_")}
     assert protocol == set(MEMBERS)
     assert {name for name, line in kinds().items() if hasattr(line.cls, "steps")} <= set(answers())
+
+
+def test_a_solution_of_many_loads_names_a_number_that_it_has_for_each():
+    solutions = [solution_of(line.cls) for line in (answer.kind for answer in answers().values())]
+    many = [cls for cls in solutions if hasattr(cls, "at") and "states" not in cls.__dataclass_fields__]
+    assert len(many) >= 5
+    assert [cls.__name__ for cls in many if getattr(cls, "per_load", "") not in _numbers_of(cls)] == []

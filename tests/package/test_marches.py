@@ -51,7 +51,7 @@ def test_there_are_marches():
 
 
 @pytest.mark.parametrize("name", MARCHES)
-def test_every_march_tells_how_far_it_is_and_keeps_what_it_has_reached(name):
+def test_every_march_states_how_far_it_is_and_keeps_what_it_has_reached(name):
     problem = build(example_study(name)["problem"])
     assert is_march(problem)
     count = FEW.get(name, 5)

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import ast
+import statistics
 
 from winkler.study.language.catalogue import kinds
 
-LONGEST = 400
+LONGEST = 300
+MEDIAN = 130
 DATA = {"vocabulary.py"}
 FORBIDDEN_NAMES = {"utils", "util", "helpers", "helper", "common", "misc"}
 ALLOWED_OF_IMPORTLIB = {"importlib.resources", "importlib.metadata"}
@@ -18,6 +20,10 @@ LOADING_BY_NAME = ("__init__.py", "study/chapters/kind.py")
 def test_no_page_is_too_long(pages):
     long = {page.name: page.text.count("\n") for page in pages if page.name not in DATA}
     assert {name: lines for name, lines in long.items() if lines > LONGEST} == {}
+
+
+def test_half_of_the_pages_are_short(pages):
+    assert statistics.median(page.text.count("\n") for page in pages) < MEDIAN
 
 
 def test_no_page_has_a_name_without_an_idea(pages):
@@ -111,7 +117,7 @@ def test_no_bare_handler_swallows_an_error(pages):
     assert bad == []
 
 
-def test_every_module_tells_its_idea(pages):
+def test_every_module_states_its_idea(pages):
     assert [page.name for page in pages if not ast.get_docstring(page.tree)] == []
 
 

@@ -9,7 +9,7 @@ import winkler
 PINNED = Path(__file__).with_name("public_names.txt")
 
 
-def test_the_front_door_is_the_pinned_one():
+def test_the_public_names_are_the_pinned_ones():
     pinned = PINNED.read_text(encoding="utf-8").split()
     assert sorted(winkler.__all__) == pinned, (
         "a change of the public names goes into tests/package/public_names.txt too"
@@ -21,7 +21,7 @@ def test_the_pinned_list_is_sorted_and_has_no_doubles():
     assert pinned == sorted(set(pinned))
 
 
-def test_the_door_leads_somewhere():
+def test_every_public_name_has_a_value():
     for name in winkler.__all__:
         assert getattr(winkler, name) is not None, name
 

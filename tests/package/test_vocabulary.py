@@ -14,23 +14,23 @@ from winkler.profiles.flat import FlatPunch
 from winkler.values import words
 from winkler.vocabulary import GLOSSARY, word
 
-SPOKEN = (
+USER_LAYERS = (
     "materials", "laws", "profiles", "loading", "path", "path_steps", "program", "media", "foundation", "problems",
     "fields", "peaks", "fitting",
 )  # fmt: skip
-"""The floors whose values are met by users; the mathematics below and the doors above have words of their own."""
+"""The layers whose values reach users; the mathematics below and the interfaces above have words of their own."""
 
-ANSWERED = ("problems", "fields", "peaks")
-"""The floors whose properties are answers."""
+RESULT_LAYERS = ("problems", "fields", "peaks")
+"""The layers whose properties are results."""
 PLACE = "put these names into __words__ of their classes, or into winkler/vocabulary.py if others have them too"
 
 
-def classes(modules, floors):
-    """Return the public classes that were written on `floors`."""
+def classes(modules, layers):
+    """Return the public classes that were written in `layers`."""
     found = {}
     for module in modules:
         parts = module.__name__.split(".")
-        if len(parts) < 2 or parts[1] not in floors or any(part.startswith("_") for part in parts):
+        if len(parts) < 2 or parts[1] not in layers or any(part.startswith("_") for part in parts):
             continue
         for name, item in vars(module).items():
             if inspect.isclass(item) and item.__module__ == module.__name__ and not name.startswith("_"):
@@ -46,7 +46,7 @@ def known(owner: type, field: str) -> bool:
 
 
 def test_every_public_field_is_a_word(modules):
-    values = {path: cls for path, cls in classes(modules, SPOKEN).items() if dataclasses.is_dataclass(cls)}
+    values = {path: cls for path, cls in classes(modules, USER_LAYERS).items() if dataclasses.is_dataclass(cls)}
     assert len(values) > 20
     strangers = [
         f"{path}.{field.name}"
@@ -59,7 +59,7 @@ def test_every_public_field_is_a_word(modules):
 
 def test_every_public_property_of_an_answer_is_a_word(modules):
     strangers = []
-    for path, cls in classes(modules, ANSWERED).items():
+    for path, cls in classes(modules, RESULT_LAYERS).items():
         for name, _member in inspect.getmembers(cls, lambda item: isinstance(item, property)):
             if not name.startswith("_") and not known(cls, name):
                 strangers.append(f"{path}.{name}")
@@ -99,10 +99,10 @@ def test_words_are_no_part_of_a_value():
 
 
 def incomplete(name, entry):
-    """Return whether a name is none of Python, or what is said of it is not one line with a whole symbol."""
+    """Return whether a name is none of Python, or its description is not one line with a whole symbol."""
     named = all(part.isidentifier() and not keyword.iskeyword(part) for part in name.split("."))
-    told = entry.meaning and "\n" not in entry.meaning and not entry.meaning.endswith(".")
-    return not (named and told and "$" not in entry.symbol and entry.symbol.count("{") == entry.symbol.count("}"))
+    stated = entry.meaning and "\n" not in entry.meaning and not entry.meaning.endswith(".")
+    return not (named and stated and "$" not in entry.symbol and entry.symbol.count("{") == entry.symbol.count("}"))
 
 
 def test_every_entry_is_complete(entries):

@@ -54,8 +54,8 @@ def test_only_publishing_may_write_and_it_waits_for_the_tests(workflow):
     may = {name for name, job in jobs.items() if "permissions" in job or "environment" in job}
     assert may == ({"publish"} if "publish" in jobs else set())
     for job in jobs.values():
-        kept = [step["with"] for step in job["steps"] if step.get("uses", "").startswith("actions/checkout")]
-        assert all(given["persist-credentials"] is False for given in kept)
+        checkouts = [step["with"] for step in job["steps"] if step.get("uses", "").startswith("actions/checkout")]
+        assert all(given["persist-credentials"] is False for given in checkouts)
     if "publish" in jobs:
         assert set(jobs["publish"]["needs"]) == set(jobs) - {"publish"}
         assert jobs["tests"]["needs"] == "build"

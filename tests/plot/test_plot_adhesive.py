@@ -1,4 +1,4 @@
-"""Pictures of bodies that stick: what they draw is what the answers say, and what is cut off is said."""
+"""Pictures of bodies that stick: what they draw is what the solutions state, and what is cut off is stated."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ def test_every_answer_has_a_picture(name):
         assert all("[" in label for label in labels) or not axes.axison
 
 
-def test_the_tension_at_the_edge_is_cut_off_and_said():
+def test_the_tension_at_the_edge_is_cut_off_and_stated():
     axes = draw(STUCK).axes[2]
     text = texts(axes.figure)
     assert "infinite tension at the edge, cut off" in text
@@ -153,7 +153,7 @@ def test_jumps_are_no_part_of_the_line():
     assert np.any(np.isclose(x, snap.position * 1e6, atol=1e-9) & np.isclose(y, snap.radius * 1e6))
 
 
-def test_a_sheared_contact_is_drawn_to_where_it_gives_way():
+def test_a_sheared_contact_is_drawn_to_its_limit():
     solution = wk.AdhesiveShear(BALL, LAW, wk.Force(0.0), wk.ShearForce(1e-4)).solve()
     x, y = numbers(draw(solution).axes[0].lines[0])
     assert y[-1] == pytest.approx(solution.limit.shear_force * 1e6, rel=1e-12)

@@ -159,7 +159,7 @@ def test_how_far_a_picture_goes():
     assert typical(Cone(1.4)) == 1e-3
     apart = pressed(Sphere(R), Depth(-1e-6)).pressed
     extent = around(apart, None)
-    assert 3e-6 < apart.bed.height(np.array(extent)) < 6e-6  # the gap of 1 um is seen
+    assert 3e-6 < apart.bed.height(np.array(extent)) < 6e-6  # the gap of 1 um is in the picture
 
 
 def test_the_plane_profile_ends_where_the_body_ends():

@@ -180,7 +180,7 @@ def test_what_cannot_be_drawn(item):
         draw(item)
 
 
-def test_a_profile_need_not_be_a_shape_of_the_house():
+def test_a_profile_need_not_be_a_shape_of_winkler():
     class Mine:
         """Fulfils the contract without inheriting."""
 
@@ -243,7 +243,7 @@ def test_a_map_is_symmetric_and_deep_is_down():
     assert low == 0.0 > high
 
 
-def test_families_tell_many_curves_apart():
+def test_families_distinguish_many_curves():
     x = series("force", np.geomspace(1.0, 1e3, 9))
     for count in (1, 3, 12):
         curves = [series("depth", (1 + n) * 1e-6 * x.content ** (2 / 3)) for n in range(count)]
@@ -275,7 +275,7 @@ def test_figures_come_without_pyplot_and_leave_the_readers_settings(tmp_path):
     assert (tmp_path / "ball.pdf").read_bytes().startswith(b"%PDF")
 
 
-def test_the_floor_is_light_until_something_is_drawn():
+def test_the_package_is_light_until_something_is_drawn():
     code = "import sys, winkler.plot; assert 'matplotlib' not in sys.modules"
     subprocess.run([sys.executable, "-c", code], check=True, timeout=60)
 
@@ -301,14 +301,14 @@ VISION = {
 
 
 @pytest.mark.parametrize("vision", VISION)
-def test_colour_blind_readers_tell_the_first_curves_apart(vision):
+def test_colour_blind_readers_distinguish_the_first_curves(vision):
     from matplotlib.colors import to_rgb
 
     colours = np.array([to_rgb(colour) for colour in style.CYCLE[:5]])
     linear = np.where(colours <= 0.04045, colours / 12.92, ((colours + 0.055) / 1.055) ** 2.4)
-    seen = np.clip(linear @ np.array(VISION[vision]).T, 0.0, 1.0)
+    perceived = np.clip(linear @ np.array(VISION[vision]).T, 0.0, 1.0)
     # CIE L*a*b* of linear sRGB, white D65
-    xyz = seen @ np.array([[0.4124, 0.2126, 0.0193], [0.3576, 0.7152, 0.1192], [0.1805, 0.0722, 0.9505]])
+    xyz = perceived @ np.array([[0.4124, 0.2126, 0.0193], [0.3576, 0.7152, 0.1192], [0.1805, 0.0722, 0.9505]])
     f = np.cbrt(np.maximum(xyz / np.array([0.9505, 1.0, 1.089]), 1e-6))
     lab = np.stack([116 * f[:, 1] - 16, 500 * (f[:, 0] - f[:, 1]), 200 * (f[:, 1] - f[:, 2])], axis=-1)
     apart = [np.linalg.norm(lab[i] - lab[j]) for i in range(5) for j in range(i)]

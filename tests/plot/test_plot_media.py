@@ -69,7 +69,7 @@ def test_the_stress_map_has_a_line_at_every_interface_and_a_step_across_it(press
     assert float(note.split()[1]) == pytest.approx(most / 1e9, rel=2e-3)
 
 
-def test_springs_of_a_varying_medium_are_not_said_to_be_equal():
+def test_springs_of_a_varying_medium_are_not_stated_to_be_equal():
     title = draw(wk.Foundation(wk.Paraboloid(50e-6), STACK)).axes[1].get_title(loc="left")
     assert "(middle) to" in title
     assert any("thicker springs are stiffer" in text for text in texts(draw(wk.Foundation(wk.Cone(1.2), SOIL))))

@@ -36,13 +36,13 @@ ITEMS = {
     "everything": (lambda: simplified(wk.Creepage(1e-3, 5e-4, -0.5)), 4),
     "spins": (lambda: simplified(wk.Creepage(spin=np.linspace(0.0, 3.0, 5))), 4),
     "start": (lambda: wk.RollingStart(WHEEL, MU, wk.Creepage(1e-3), LOAD, 14e-3, count=50).solve(), 2),
-    "short way": (
+    "short distance": (
         lambda: wk.RollingStart(
             WHEEL, MU, wk.Creepage(1e-3), LOAD, 1e-3, wk.ShearForce(-9e3), points=1, count=50
         ).solve(),
         2,
     ),
-    "walks": (lambda: wk.OscillatingRolling(WHEEL, MU, 1e-3, 20e3, LOAD, cycles=50, count=50).solve(), 3),
+    "creeps on": (lambda: wk.OscillatingRolling(WHEEL, MU, 1e-3, 20e3, LOAD, cycles=50, count=50).solve(), 3),
     "comes to rest": (lambda: wk.OscillatingRolling(WHEEL, MU, 1e-3, 5e3, LOAD, cycles=1, count=50).solve(), 3),
     "far": (lambda: wk.OscillatingRolling(WHEEL, MU, 9e-3, 5e3, LOAD, cycles=2, count=50).solve(), 3),
 }
@@ -99,8 +99,8 @@ def test_the_start_tends_to_the_steady_force():
 
 
 def test_rocking_shows_its_place_below_or_above_the_limit():
-    for name, title in (("walks", "creeps on"), ("comes to rest", "comes to rest")):
+    for name in ("creeps on", "comes to rest"):
         figure = draw(ITEMS[name][0]())
-        assert figure.axes[0].get_title(loc="left") == title
+        assert figure.axes[0].get_title(loc="left") == name
         amplitudes, limit = figure.axes[2].lines[0].get_data()
         np.testing.assert_allclose(limit, 1.0 - 1.5 * amplitudes + 0.5 * amplitudes**3, atol=1e-12)

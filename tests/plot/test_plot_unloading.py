@@ -11,7 +11,7 @@ from winkler.plot import draw
 
 @pytest.fixture
 def curve():
-    """20 nm, held until 21, with a partial unloading on the way in; the last one leaves 12 nm."""
+    """20 nm, held until 21, with a partial unloading during loading; the last one leaves 12 nm."""
     up = np.linspace(0.0, 1.0, 60)
     force = np.concatenate([0.5 * up, 0.5 - 0.4 * up[1:], 0.1 + 0.9 * up[1:], np.ones(40), 1.0 - up[1:]])
     peak = np.maximum.accumulate(force)

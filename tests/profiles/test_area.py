@@ -23,7 +23,7 @@ def area(coefficients, h):
     return mp.fsum(mp.mpf(c) * h ** (mp.mpf(2) ** (1 - n)) for n, c in enumerate(coefficients) if c)
 
 
-def judged_gap(coefficients, h):
+def gap_by_quadrature(coefficients, h):
     """g at the radius where the height is h: x Int_0^h dh' / sqrt(x^2 - A(h')/pi), with h' = h (1 - s^2)."""
     with mp.workdps(40):
         h = mp.mpf(h)
@@ -36,7 +36,7 @@ def judged_gap(coefficients, h):
 def test_a_calibrated_tip():
     profile = wk.AreaFunction(TIP)
     for h in DEPTHS:
-        x, expected = judged_gap(TIP, h)
+        x, expected = gap_by_quadrature(TIP, h)
         place = np.array([float(x)])
         assert profile.height(place)[0] == pytest.approx(h, rel=1e-12)
         assert profile.gap(place)[0] == pytest.approx(float(expected), rel=1e-10)
@@ -112,7 +112,7 @@ def test_an_area_that_shrinks_further_up():
     x = np.array([0.3, 0.9, 0.999]) * top
     for place in x:
         h = float(profile.height(np.array([place]))[0])
-        assert float(judged_gap((24.5, -1.0, 0.05), h)[1]) == pytest.approx(
+        assert float(gap_by_quadrature((24.5, -1.0, 0.05), h)[1]) == pytest.approx(
             float(profile.gap(np.array([place]))[0]), rel=1e-10
         )
     assert profile.gap(np.array([top]))[0] == math.inf

@@ -65,7 +65,7 @@ def test_the_whole_contract_has_defaults():
 
 
 @value
-class Stairs(PowerPieces):
+class TruncatedPowers(PowerPieces):
     """Truncated powers up to the fourth, some falling."""
 
     starts: tuple[float, ...]
@@ -78,7 +78,7 @@ class Stairs(PowerPieces):
 
 def test_truncated_powers_of_any_order():
     starts, weights = (0.1, 0.0, 0.7, 0.3, 0.0), (0.5, 2.0, -1.0, 3.0, 0.4)
-    shape = Stairs(starts, weights)
+    shape = TruncatedPowers(starts, weights)
     slope = lambda r: mp.fsum(  # noqa: E731
         mp.mpf(c) * r**m for m, (b, c) in enumerate(zip(starts, weights, strict=True)) if r > b or b == 0.0
     )

@@ -355,8 +355,8 @@ def limiting_profile_no_core() -> Numbers:
     c = frac("0.001")
 
     def shape(r: mp.mpf) -> mp.mpf:
-        kept = (r * r * mp.asin(c / r) - c * mp.sqrt(r * r - c * c)) / 2
-        return 2 / mp.pi * (kept + mp.acos(c / r)) - r * r / 2
+        unworn = (r * r * mp.asin(c / r) - c * mp.sqrt(r * r - c * c)) / 2
+        return 2 / mp.pi * (unworn + mp.acos(c / r)) - r * r / 2
 
     return [c * frac("1e-4"), mp.findroot(shape, (frac("1.40"), frac("1.42")), solver="anderson") * frac("1e-4")]
 

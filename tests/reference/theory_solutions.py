@@ -336,8 +336,8 @@ def _limiting(core: str) -> Numbers:
     c = frac(core)
 
     def shape(r: mp.mpf) -> mp.mpf:
-        kept = (r * r * mp.asin(c / r) - c * mp.sqrt(r * r - c * c)) / 2
-        return 2 / mp.pi * (kept + mp.acos(c / r))
+        unworn = (r * r * mp.asin(c / r) - c * mp.sqrt(r * r - c * c)) / 2
+        return 2 / mp.pi * (unworn + mp.acos(c / r))
 
     end = mp.findroot(lambda r: shape(r) - r * r / 2, (c * frac("1.02"), frac("1.42")), solver="anderson", tol=1e-25)
     volume = mp.quad(

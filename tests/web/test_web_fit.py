@@ -143,7 +143,7 @@ def test_bounds(low, high, unit, content):
     assert fit_form.bounds(low, high, unit) == content
 
 
-def test_both_studies_are_kept_while_one_turns():
+def test_both_studies_are_unchanged_while_one_turns():
     calls = []
     entered = StudyForm(lambda: calls.append("form"), lambda: calls.append("solve"))
     entered.change("problem.load.force", "3 N", "quantity [N]")
@@ -161,7 +161,7 @@ def test_both_studies_are_kept_while_one_turns():
     assert calls == ["solve", "form", "solve", "form", "form", "form", "form"]
 
 
-def test_the_curve_is_kept_when_the_model_changes():
+def test_the_curve_stays_when_the_model_changes():
     entered = StudyForm(lambda: None, lambda: None)
     entered.switch_task("fit")
     entered.read("fit.curve", "gel.csv")
@@ -172,10 +172,10 @@ def test_the_curve_is_kept_when_the_model_changes():
 
 
 def test_a_study_and_its_curve_travel_together(folder_):
-    kept = UploadFolder()
+    uploads = UploadFolder()
     text = tomli_w.dumps(gel_table())
-    kept.keep("gel_bead.csv", (folder_ / "gel_bead.csv").read_bytes())
-    store = kept.packed(text, "study.toml", ("gel_bead.csv",))
+    uploads.keep("gel_bead.csv", (folder_ / "gel_bead.csv").read_bytes())
+    store = uploads.packed(text, "study.toml", ("gel_bead.csv",))
     other = UploadFolder()
     assert other.unpack(store, "study.toml").decode() == text
     assert other.names == ("gel_bead.csv",)
@@ -185,10 +185,10 @@ def test_a_study_and_its_curve_travel_together(folder_):
     with pytest.raises(InvalidInput, match="uploaded files only"):
         other.check({"fit": {"curve": "../../etc/*"}})
     with pytest.raises(InvalidInput, match=r"no study\.toml"):
-        other.unpack(kept.packed("", "else.toml", ()), "study.toml")
+        other.unpack(uploads.packed("", "else.toml", ()), "study.toml")
     with pytest.raises(InvalidInput, match="cannot be read"):
         other.unpack(b"PK\x03\x04 spoilt", "study.toml")
-    kept.close()
+    uploads.close()
     other.close()
 
 

@@ -46,7 +46,7 @@ def test_every_profile_can_be_chosen(kind):
     assert form.part_of(table, "problem.bed.profile").kind == kind
 
 
-def test_numbers_with_the_same_name_are_kept():
+def test_numbers_with_the_same_name_stay():
     table = form.initial_table("indentation")
     form.put(table, "problem.bed.profile.curvature_radius", "3 mm")
     form.choose_kind(table, "problem.bed.profile", "paraboloid")

@@ -1,4 +1,4 @@
-"""What a page asks, and in which order: nothing that was typed is lost, and nothing ends what it has no right to."""
+"""What a page requests, and in which order: nothing that was typed is lost, nothing ends what it has no right to."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def test_a_study_is_not_lost_while_a_film_plays(queue, sent):
     assert sent == ["look 1", "study", "look 4"]
 
 
-def test_of_studies_that_wait_the_newest_is_asked(queue, sent):
+def test_of_studies_that_wait_the_newest_is_sent(queue, sent):
     for word in ("first", "second", "third"):
         queue.study(named(word))
     queue.received(FRAME)
@@ -70,7 +70,7 @@ def test_only_a_study_ends_a_sweep(queue, sent):
     assert sent == ["sweep", "another", "file"]
 
 
-def test_a_file_of_an_answer_that_is_wrong_is_not_asked_for(queue, sent):
+def test_a_file_of_an_answer_that_is_wrong_is_not_requested(queue, sent):
     queue.study(named("study"))
     queue.export(named("file"))
     queue.received(Wrong(("no",)))
@@ -79,7 +79,7 @@ def test_a_file_of_an_answer_that_is_wrong_is_not_asked_for(queue, sent):
     assert queue.is_idle
 
 
-def test_every_file_is_asked_for(queue, sent):
+def test_every_file_is_requested(queue, sent):
     queue.export(named("csv"))
     queue.export(named("png"))
     queue.received(File("a", b""))
@@ -87,7 +87,7 @@ def test_every_file_is_asked_for(queue, sent):
 
 
 def test_sheets_come_although_one_looks_and_takes_a_file(tmp_path):
-    """In the worker itself: what is sent in the pause before the sheets is answered, and they still come."""
+    """In the worker itself: what is sent in the pause before the sheets gets a reply, and they still come."""
     mine, theirs = multiprocessing.Pipe()
     worker = threading.Thread(target=_worked, args=(theirs,), daemon=True)
     worker.start()
@@ -120,15 +120,15 @@ def test_a_march_reports_progress_and_ends_for_another_study(kind, total, tmp_pa
     mine.send(Solve(1, tomli_w.dumps(form.initial_table(kind)), Path(tmp_path), True))
     assert mine.recv() == (1, Progress(1, total))
     mine.send(Solve(2, tomli_w.dumps(form.initial_table("indentation")), Path(tmp_path), True))
-    said = []
-    while (2, "MomentComplete") not in said:
+    replies = []
+    while (2, "MomentComplete") not in replies:
         assert mine.poll(60.0)
         number, reply = mine.recv()
-        said.append((number, type(reply).__name__))
+        replies.append((number, type(reply).__name__))
     mine.close()
     worker.join(20.0)
-    assert {kind for number, kind in said if number == 1} <= {"Progress", "Done"}
-    assert (1, "Done") in said
+    assert {kind for number, kind in replies if number == 1} <= {"Progress", "Done"}
+    assert (1, "Done") in replies
 
 
 def _worked(pipe):

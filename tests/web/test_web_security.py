@@ -15,7 +15,7 @@ HOME = {"host": "127.0.0.1:8765", "origin": ORIGINS[0]}
 TOO_LARGE = 413
 
 
-class Asked:
+class Exchange:
     """One request to a small app behind the checks, and what came back."""
 
     def __init__(self, method="GET", headers=None, body=(), page=b"", mimetype=b"text/html; charset=utf-8"):
@@ -61,7 +61,7 @@ class Asked:
 
 @pytest.mark.parametrize("host", ["127.0.0.1:8765", "LOCALHOST:8765", "lab.example.org", "lab.example.org:443"])
 def test_the_app_answers_at_its_addresses(host):
-    assert Asked(headers={"host": host}).status == 200
+    assert Exchange(headers={"host": host}).status == 200
 
 
 @pytest.mark.parametrize(
@@ -82,13 +82,13 @@ def test_the_app_answers_at_its_addresses(host):
 @pytest.mark.parametrize("method", ["GET", "WEBSOCKET"])
 def test_other_hosts_are_refused(hosts, method):
     headers = [("origin", ORIGINS[0]), *(("host", host) for host in hosts)]
-    asked = Asked(method, headers)
-    assert not asked.reached
+    exchange = Exchange(method, headers)
+    assert not exchange.reached
     if method == "GET":
-        assert asked.status == 403
-        assert asked.text == b"This app is opened at http://127.0.0.1:8765; --address names others.\n"
+        assert exchange.status == 403
+        assert exchange.text == b"This app is opened at http://127.0.0.1:8765; --address names others.\n"
     else:
-        assert asked.sent == [{"type": "websocket.close", "code": 1008, "reason": ""}]
+        assert exchange.sent == [{"type": "websocket.close", "code": 1008, "reason": ""}]
 
 
 @pytest.mark.parametrize(
@@ -97,15 +97,15 @@ def test_other_hosts_are_refused(hosts, method):
 @pytest.mark.parametrize("method", ["WEBSOCKET", "POST", "PUT", "DELETE", "OPTIONS"])
 def test_sockets_and_uploads_of_other_sites_are_refused(origin, method):
     headers = {"host": "127.0.0.1:8765"} | ({} if origin is None else {"origin": origin})
-    asked = Asked(method, headers, body=[b"1" * 10] * (method != "WEBSOCKET"))
-    assert not asked.reached
-    assert asked.read == 0
-    assert asked.sent[0].get("code", asked.sent[0].get("status")) in (1008, 403)
-    assert Asked(method, {"host": "127.0.0.1:8765", "origin": ORIGINS[0]}).reached
+    exchange = Exchange(method, headers, body=[b"1" * 10] * (method != "WEBSOCKET"))
+    assert not exchange.reached
+    assert exchange.read == 0
+    assert exchange.sent[0].get("code", exchange.sent[0].get("status")) in (1008, 403)
+    assert Exchange(method, {"host": "127.0.0.1:8765", "origin": ORIGINS[0]}).reached
 
 
 def test_behind_a_proxy_the_host_may_be_the_own_one():
-    assert Asked("POST", {"host": "127.0.0.1:8765", "origin": "https://lab.example.org"}).reached
+    assert Exchange("POST", {"host": "127.0.0.1:8765", "origin": "https://lab.example.org"}).reached
 
 
 @pytest.mark.parametrize(
@@ -120,26 +120,26 @@ def test_behind_a_proxy_the_host_may_be_the_own_one():
         ("cross-site", "no-cors", "script", 403),
     ],
 )
-def test_what_other_sites_may_ask_for(site, mode, goal, status):
+def test_what_other_sites_may_request(site, mode, goal, status):
     headers = {"host": "localhost:8765", "sec-fetch-site": site, "sec-fetch-mode": mode, "sec-fetch-dest": goal}
-    assert Asked(headers=headers).status == status
+    assert Exchange(headers=headers).status == status
 
 
 @pytest.mark.parametrize("length", ["1001", "99999999999999999999", "-1", "1e3"])
 def test_a_long_body_is_refused_before_it_is_read(length):
-    asked = Asked("POST", HOME | {"content-length": length}, body=[b"1" * 2000])
-    assert (asked.status, asked.reached, asked.read) == (TOO_LARGE, False, 0)
+    exchange = Exchange("POST", HOME | {"content-length": length}, body=[b"1" * 2000])
+    assert (exchange.status, exchange.reached, exchange.read) == (TOO_LARGE, False, 0)
 
 
 def test_a_body_of_no_stated_length_is_counted():
-    assert Asked("POST", HOME, body=[b"1" * 100] * 10).status == 200
-    asked = Asked("POST", HOME, body=[b"1" * 100] * 50)
-    assert (asked.status, asked.read) == (TOO_LARGE, 1100)
+    assert Exchange("POST", HOME, body=[b"1" * 100] * 10).status == 200
+    exchange = Exchange("POST", HOME, body=[b"1" * 100] * 50)
+    assert (exchange.status, exchange.read) == (TOO_LARGE, 1100)
 
 
 def test_headers_of_a_page():
     page = b"<html><script>one()</script><SCRIPT src='/x'></script><scripture></scripture><script\ntype='module'>"
-    first, second = Asked(page=page), Asked(page=page)
+    first, second = Exchange(page=page), Exchange(page=page)
     policy = dict(part.split(" ", 1) for part in first.headers["content-security-policy"].split("; "))
     for name in ("default-src", "base-uri", "form-action", "frame-ancestors"):
         assert policy[name] == "'none'"
@@ -157,12 +157,12 @@ def test_headers_of_a_page():
 
 
 def test_what_is_no_page_may_load_nothing():
-    asked = Asked(page=b"<script>", mimetype=b"image/svg+xml")
-    assert asked.text == b"<script>"
-    assert asked.headers["content-security-policy"].startswith("default-src 'none'; ")
-    assert asked.headers["x-content-type-options"] == "nosniff"
-    refused = Asked(headers={"host": "evil.example"})
-    assert set(asked.headers) - {"Content-Type", "Content-Length"} <= set(refused.headers)
+    exchange = Exchange(page=b"<script>", mimetype=b"image/svg+xml")
+    assert exchange.text == b"<script>"
+    assert exchange.headers["content-security-policy"].startswith("default-src 'none'; ")
+    assert exchange.headers["x-content-type-options"] == "nosniff"
+    refused = Exchange(headers={"host": "evil.example"})
+    assert set(exchange.headers) - {"Content-Type", "Content-Length"} <= set(refused.headers)
 
 
 @pytest.mark.parametrize(

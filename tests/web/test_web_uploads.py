@@ -31,7 +31,7 @@ def killed_app(place):
     for end in (read, write):
         os.close(end)
     with uploads(place):
-        assert (folder / "winkler-page-1" / "tip.csv").exists()  # it lives: nothing is touched
+        assert (folder / "winkler-page-1" / "tip.csv").exists()  # its process runs: nothing is touched
     os.kill(child, signal.SIGKILL)
     os.waitpid(child, 0)
     return folder

@@ -204,8 +204,8 @@ def test_a_process_that_ends_or_cannot_be_started_again(browser, workers, monkey
         assert workers.alive == []
         with monkeypatch.context() as patch:
             patch.setattr(solver, "started", refused)
-            for ask, why in ((page.stop, "Stopped. No process"), (page.solve, "No process")):
-                browser.portal.call(ask)
+            for request, why in ((page.stop, "Stopped. No process"), (page.solve, "No process")):
+                browser.portal.call(request)
                 wait_for_text(socket, f"{why} can be started (resource temporarily unavailable); close other programs")
             assert not page.solver.starting
         browser.portal.call(page.solve)

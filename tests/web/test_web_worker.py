@@ -55,8 +55,8 @@ def test_the_app_and_the_command_line_have_equal_numbers(bench, tmp_path, kind):
     expected = run(parse_study(whole_text(kind))).points[0].answers
     (file,) = bench.replies(Export(2, "csv"))
     rows = list(csv.DictReader(io.StringIO(file.content.decode())))
-    kept = {name.split(" ")[0]: [float(row[name]) for row in rows] for name in rows[0]}
-    assert kept == {name: content.tolist() for name, content in expected.items()}
+    exported = {name.split(" ")[0]: [float(row[name]) for row in rows] for name in rows[0]}
+    assert exported == {name: content.tolist() for name, content in expected.items()}
     assert run(parse_study(answer.text)).points[0].answers.keys() == expected.keys()
     assert list(charts)[:6] == METHOD
     assert all(charts.values())
@@ -131,7 +131,7 @@ def test_figures_are_taken_along(bench, tmp_path):
 
 
 @pytest.mark.slow
-def test_a_long_run_is_stopped_and_the_next_is_answered(tmp_path):
+def test_a_long_run_is_stopped_and_the_next_is_solved(tmp_path):
     """A sweep that would take minutes ends at once, and the same page answers again."""
     quick = tomli_w.dumps(form.initial_table("indentation"))
     long = tomli_w.dumps(form.initial_table("viscoelastic_adhesion")) + (

@@ -78,7 +78,7 @@ def test_the_pressure_bears_the_load(history):
     assert 2.0 * np.pi * np.trapezoid(r * p, r) == pytest.approx(state.force, rel=0.02)
 
 
-def test_the_last_state_is_shown_first_and_what_was_lost_is_told(history):
+def test_the_last_state_is_shown_first_and_what_was_lost_is_stated(history):
     bench, answer, first = history
     states = bench.moments.states
     assert answer.moment == len(states) - 1

@@ -57,7 +57,7 @@ COUNT_BITS = 40
 """Bits of a whole number: nothing that is counted is counted further."""
 
 Check: TypeAlias = Callable[[Any], Any]
-"""Takes the content of a field, returns it as it is kept, or raises InvalidInput."""
+"""Takes the content of a field, returns it as it is stored, or raises InvalidInput."""
 Ending: TypeAlias = Callable[[str], str]
 """Takes what is allowed, returns it with the unit of the field and the advice, as the end of a sentence."""
 

@@ -10,7 +10,6 @@ terminated.
 from __future__ import annotations
 
 import contextlib
-import gc
 import sys
 from collections.abc import Sequence
 
@@ -57,7 +56,6 @@ def _command(words: list[str]) -> int:
     from winkler.cli.app import command
 
     stopping.raise_pending()  # what is imported may swallow a signal
-    gc.set_threshold(100_000)  # loaded modules stay: searching them for garbage takes a tenth of a short run
     answer = command(args=words or ["--help"], prog_name="winkler", standalone_mode=False)
     stopping.raise_pending()
     if answer == stopping.INTERRUPTED:  # typer's exit code for Ctrl-C
@@ -92,7 +90,7 @@ def _report_error(error: Exception, received: stopping.ReceivedSignal) -> int:
 
 
 def _stopped(received: stopping.ReceivedSignal) -> int:
-    """Return the exit code of a run that was stopped; after Ctrl-C a sentence states what was kept."""
+    """Return the exit code of a run that was stopped; after Ctrl-C a sentence states what was stored."""
     if received.code == stopping.TERMINATED:
         return received.code
     _write_error(f"interrupted; {received.kept or 'nothing was written'}.")

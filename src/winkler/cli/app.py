@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from collections.abc import Callable, Iterator, Mapping
+from typing import Annotated, Any
 
 import typer
 
@@ -53,14 +54,40 @@ def common(
     """Take the options that stand before a command."""
 
 
-app.command()(run.run)
-app.command()(fit.fit)
-app.command()(show.show)
-app.command()(draw.draw)
-app.command()(table.table)
-app.command()(new.new)
-app.command()(cite.cite)
-app.command()(validate.validate)
-app.command()(browser.app)
-command = typer.main.get_command(app)
+FUNCTIONS: dict[str, Callable[..., Any]] = {
+    "run": run.run,
+    "fit": fit.fit,
+    "show": show.show,
+    "draw": draw.draw,
+    "table": table.table,
+    "new": new.new,
+    "cite": cite.cite,
+    "validate": validate.validate,
+    "app": browser.app,
+}
+"""The commands in the order of the help."""
+
+
+class _Commands(Mapping[str, Any]):
+    """The commands by their names, each made of its function when it is first needed."""
+
+    def __init__(self) -> None:
+        self._made: dict[str, Any] = {}
+
+    def __getitem__(self, name: str) -> Any:
+        if name not in self._made:
+            alone = typer.Typer(rich_markup_mode="rich", pretty_exceptions_enable=False, add_completion=False)
+            alone.command(name)(FUNCTIONS[name])
+            self._made[name] = typer.main.get_command(alone)
+        return self._made[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(FUNCTIONS)
+
+    def __len__(self) -> int:
+        return len(FUNCTIONS)
+
+
+command: Any = typer.main.get_command(app)
 """All commands, built once: a program that calls `main` many times does not build them each time."""
+command.commands = _Commands()

@@ -43,7 +43,7 @@ def draw(
         str, typer.Option(help=f"What to draw: {', '.join(PARTS)}.", autocompletion=completions)
     ] = "contact",
     point: Annotated[int, typer.Option(help="Which point of the sweep, from 0; -1 is the last.")] = -1,
-    load: Annotated[int, typer.Option(help="Which load, where the study asks for many at once; -1 is the last.")] = -1,
+    load: Annotated[int, typer.Option(help="Which load, where the study has many at once; -1 is the last.")] = -1,
     overwrite: Annotated[bool, typer.Option("--overwrite", "--yes", "-y", help="Replace an existing picture.")] = False,
 ) -> None:
     """Draw a study into a picture file.

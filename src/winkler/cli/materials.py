@@ -47,7 +47,7 @@ def every() -> None:
         numbers = {figure.quantity: figure.number for figure in entry.figures}
         table.add_row(
             name,
-            entry.told,
+            entry.sort,
             *(f"{numbers[quantity]:.4g}" if quantity in numbers else "-" for quantity in TABLE_QUANTITIES),
         )
     out = console()
@@ -71,6 +71,6 @@ def one(name: str) -> None:
         factor, unit = prefixed(np.array([figure.number]), GLOSSARY[figure.quantity].unit)
         table.add_row(figure.quantity, f"{figure.number * factor:.6g}", unit, figure.source)
     out = console()
-    out.print(f"{entry.name}: {entry.told}, at room temperature")
+    out.print(f"{entry.name}: {entry.sort}, at room temperature")
     out.print(table)
     out.print(f'In a study: first = {{ kind = "named_elastic", name = "{entry.name}" }}', soft_wrap=True)

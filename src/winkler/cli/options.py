@@ -11,7 +11,7 @@ __all__ = ["AsJson", "Output", "Overwrite", "Quiet"]
 
 Output = Annotated[
     Path | None,
-    typer.Option("--output", "-o", help="Folder of the results; results/NAME unless the study says another one."),
+    typer.Option("--output", "-o", help="Folder of the results; results/NAME unless the study states another one."),
 ]
 Overwrite = Annotated[
     bool, typer.Option("--overwrite", "--yes", "-y", help="Replace results of an earlier run without asking.")

@@ -50,7 +50,7 @@ def show(
     elif not name or name in CATALOGUE:
         _list(name)
     elif name in REFUSED:
-        REFUSED[name](1.0)
+        REFUSED[name].cls(1.0)
     elif materials.has(name):
         materials.one(name)
     else:
@@ -75,7 +75,7 @@ def _list(only: str) -> None:
             table.add_section()
     out = console()
     out.print(table)
-    out.print("`winkler show KIND` tells what a kind takes, `winkler show study` what a study file may say.")
+    out.print("`winkler show KIND` shows what a kind takes, `winkler show study` what a study file may contain.")
 
 
 @until_closed()

@@ -31,7 +31,7 @@ def validate(
 ) -> int:
     """Repeat published and independently computed numbers.
 
-    Each case says how independent it is: analytical, cross-code, independent implementation, published table or
+    Each case states how independent it is: analytical, cross-code, independent implementation, published table or
     measured. Exit code 1 if a number is missed.
 
     Example: winkler validate --json
@@ -66,7 +66,7 @@ def _print(selected: list[LedgerEntry], entries: list[LedgerEntry], quiet: bool)
         out.print(f"{entry.name} ({entry.grade}): {entry.title}", soft_wrap=True)
         out.print(f"  {entry.source}", soft_wrap=True)
         if entry.failure:
-            out.print(f"  not answered: {entry.failure}", soft_wrap=True)
+            out.print(f"  not solved: {entry.failure}", soft_wrap=True)
         if entry.verdicts:
             out.print(verdict_table(entry.verdicts, entry.points))
     if not quiet:

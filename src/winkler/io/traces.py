@@ -28,7 +28,7 @@ CONVENTIONS = (
     "SI units throughout: m, s, kg, N, Pa, J, rad.",
     "Depth, approach and normal force are positive in compression; a negative force pulls.",
     "Depth counts from the first touch of the undeformed bodies; both bodies' displacements are added.",
-    "Shift and shear force point the same way: the force is the one that moves the bodies by the shift.",
+    "Shift and shear force point in the same direction: the force is the one that moves the bodies by the shift.",
     "1/E* = sum of (1-nu^2)/E and 1/G* = sum of (2-nu)/(4G), over both bodies; Hertz is F = 4/3 E* sqrt(R) d^(3/2).",
     "Work of adhesion is the energy per area that parting takes, the sum of both surface energies less that of the "
     "interface; JKR pull-off is 3/2 pi w R.",

@@ -13,7 +13,7 @@ __all__ = ["Layer"]
 
 BUILT_ELASTIC = Advice(
     "unless all parts of a layered body relax in proportion its equivalent profile changes in time, which is not "
-    "answered; build the body of elastic layers, and give RelaxingInProportion(medium, solid, shear) of the whole"
+    "solved; build the body of elastic layers, and give RelaxingInProportion(medium, solid, shear) of the whole"
 )
 
 

@@ -63,7 +63,7 @@ class NamedMaterial:
     ----------
     name : str
         Its name.
-    told : str
+    sort : str
         Which sort of it.
     figures : tuple of TabulatedProperty
         What is known: ``young``, ``poisson``, ``strength``, ``hardness`` [Pa, -], ``density`` [kg/m^3],
@@ -81,12 +81,12 @@ class NamedMaterial:
 
     __words__ = words(
         name=("", None, "name of the material"),
-        told=("", None, "which sort of the material"),
+        sort=("", None, "which sort of the material"),
         figures=("", None, "the numbers that are known, with their sources"),
     )
 
     name: str
-    told: str
+    sort: str
     figures: tuple[TabulatedProperty, ...]
 
     def number(self, quantity: str) -> float:
@@ -158,9 +158,9 @@ def _made(name: str) -> NamedMaterial:
     figures = [
         TabulatedProperty(quantity, content[0], sources[content[1]])
         for quantity, content in row.items()
-        if quantity not in ("told", "also")
+        if quantity not in ("sort", "also")
     ]
-    return NamedMaterial(name, row["told"], tuple(figures))
+    return NamedMaterial(name, row["sort"], tuple(figures))
 
 
 def _fill(named: Any, content: Any) -> None:

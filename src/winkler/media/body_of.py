@@ -24,10 +24,8 @@ from typing import Protocol
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.media.graded.power_law import GradedHalfSpace
+from winkler.media.families import DepthVaryingMedium, PowerLawMedium
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.media.layered.coated import LayeredMedium
-from winkler.media.layered.coated_load import CarriedLoad, spread
 from winkler.media.medium import Displacement, Medium
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.transforms import graded_abel
@@ -104,9 +102,9 @@ def exponent_of(medium: Medium) -> float:
     OutsideValidity
         If the medium cannot be read backwards.
     """
-    if isinstance(medium, GradedHalfSpace):
+    if isinstance(medium, PowerLawMedium):
         return medium.exponent
-    if isinstance(medium, HomogeneousMedium | LayeredMedium):
+    if isinstance(medium, HomogeneousMedium | DepthVaryingMedium):
         return 0.0
     raise OutsideValidity(
         f"The medium is a {type(medium).__name__}, whose inverse transform is not known; give a HalfSpace, "
@@ -118,7 +116,7 @@ def thickness_of(medium: Medium) -> float:
     """Return how thick the layers of a medium are [m]; infinite if it has none."""
     if isinstance(medium, RelaxingMedium):
         return thickness_of(medium.elastic)
-    return medium.thickness if isinstance(medium, LayeredMedium) else math.inf
+    return medium.thickness if isinstance(medium, DepthVaryingMedium) else math.inf
 
 
 def height(medium: Medium, imprint: Displacement, r: Array) -> Array:
@@ -170,13 +168,4 @@ def surface_slope(rise: Curve, edges: list[float], exponent: float, r: Array, ra
 def transformed_slope(medium: Medium, imprint: Displacement) -> Callable[[Array], Array]:
     """Return h'(x) [-] as a function of 0 <= x <= a."""
     exponent_of(medium)
-    if not isinstance(medium, LayeredMedium):
-        return imprint.slope
-    load = CarriedLoad(imprint, medium.response)
-    own_share = spread(load, 0, 1)
-
-    def rise(x: Array) -> Array:
-        x = np.asarray(x, dtype=float)
-        return np.asarray(load.slope(x) + own_share(x)[0])
-
-    return rise
+    return medium.transformed_slope(imprint) if isinstance(medium, DepthVaryingMedium) else imprint.slope

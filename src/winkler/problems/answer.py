@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING, Any, Protocol, TypeGuard, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol, TypeGuard, TypeVar
 
 import numpy as np
 
@@ -23,13 +23,16 @@ if TYPE_CHECKING:
     from winkler.validity import Note
 
 __all__ = [
+    "Assessed",
     "Dragged",
     "History",
     "ManyLoads",
     "March",
+    "Posed",
     "Recovering",
     "Restorable",
     "Solution",
+    "Worn",
     "gather",
     "is_dragged",
     "is_history",
@@ -37,28 +40,37 @@ __all__ = [
     "is_recovering",
     "is_restorable",
     "is_solution",
+    "is_worn",
     "many_loads",
 ]
 
 Result = TypeVar("Result")
 
 
-class Solution(Protocol):
-    """What the ``solve()`` of a problem returns.
-
-    A class may have an attribute ``other_axes``: the names of its arrays that run along another axis than its numbers,
-    such as places in the contact beside loads; they are no columns of its table.
-    """
+class Posed(Protocol):
+    """What names the problem that it belongs to."""
 
     @property
     def problem(self) -> Any:
         """What was solved."""
         ...
 
+
+class Assessed(Protocol):
+    """What states its assumptions."""
+
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         ...
+
+
+class Solution(Posed, Assessed, Protocol):
+    """What the ``solve()`` of a problem returns.
+
+    A class may have an attribute ``other_axes``: the names of its arrays that run along another axis than its numbers,
+    such as places in the contact beside loads; they are no columns of its table.
+    """
 
 
 class March(Protocol):
@@ -88,7 +100,10 @@ class History(Protocol):
 
 
 class ManyLoads(Protocol):
-    """A solution of many loads at once."""
+    """A solution of one load, or of many loads at once."""
+
+    per_load: ClassVar[str]
+    """Name of a number that it has for each load."""
 
     def at(self, index: Any) -> Any:
         """Return the solution of one of them."""
@@ -110,6 +125,20 @@ class Dragged(Protocol):
     @property
     def sheared(self) -> ShearedSprings:
         """The displacement of the springs, across and along the surface."""
+        ...
+
+
+class Worn(Protocol):
+    """A state of a contact that wears: what both bodies have lost, place by place."""
+
+    @property
+    def first_worn(self) -> Array:
+        """Lost by the first body [m]."""
+        ...
+
+    @property
+    def second_worn(self) -> Array:
+        """Lost by the second body [m]."""
         ...
 
 
@@ -155,6 +184,11 @@ def is_restorable(solution: Any) -> TypeGuard[Restorable]:
 def is_dragged(solution: Any) -> TypeGuard[Dragged]:
     """Return whether a solution has springs along the surface; they are not computed for the test."""
     return keeps(solution, Dragged)
+
+
+def is_worn(state: Any) -> TypeGuard[Worn]:
+    """Return whether a state is one of a contact that wears."""
+    return keeps(state, Worn)
 
 
 def is_recovering(solution: Any) -> bool:

@@ -12,23 +12,20 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.numerics.equations.roots import between, invert
-from winkler.numerics.integrals.adaptive_quadrature import settled
 from winkler.numerics.panels.log_panels import Octaves
 from winkler.numerics.types import Array
+from winkler.profiles.area_integrals import over_heights, stored, stretched, stretching
 from winkler.profiles.profile import Shape
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["AreaFunction"]
-
-Kernel = Callable[[Array, Array, Array], Array]
 
 LEAST_HEIGHT = 1e-150
 """Heights below this [m] count as zero: h^(1/128) is still 0.07 there."""
@@ -37,23 +34,6 @@ SEARCHED_HEIGHTS = np.geomspace(1e-12, 1e6, 3000)
 maximum, and for places where it is not log-concave."""
 SEARCHED_BENDS = np.geomspace(1e-9, 1e3, 13)
 """The same, between which one term of a blunt tip takes over from the next."""
-LARGEST_ROOT = 6.3
-"""Largest sqrt(w): exp(-w) is then 6e-18."""
-
-
-def _stretched(h: Array, fall: Array, steep: Array) -> Array:
-    """Return the kernel of g/x."""
-    return np.asarray(h / np.sqrt(fall))
-
-
-def _stretching(h: Array, fall: Array, steep: Array) -> Array:
-    """Return the kernel of its derivative with respect to h."""
-    return np.asarray((1.0 - 0.5 * steep / fall) / np.sqrt(fall))
-
-
-def _stored(h: Array, fall: Array, steep: Array) -> Array:
-    """Return the kernel of the integral of g."""
-    return np.asarray(h * np.sqrt(fall))
 
 
 @value
@@ -218,9 +198,9 @@ class AreaFunction(Shape):
         if above.any():
             h, inner = self._heights(x[above]), x[above]
             growth = 2.0 * math.pi * inner / self._derivatives(h)[1]
-            first = self._over(h, _stretched, "g'(x)")
+            first = over_heights(self._terms, h, stretched, "g'(x)")
             bent = inner * growth  # what is added vanishes like rounding where one term rules, as far up a cone
-            result[above] = first + bent * self._over(h, _stretching, "g'(x)", first / bent)
+            result[above] = first + bent * over_heights(self._terms, h, stretching, "g'(x)", first / bent)
         return result
 
     def gap_integral(self, x: Array) -> Array:
@@ -235,28 +215,11 @@ class AreaFunction(Shape):
 
     def _gap(self, x: Array) -> Array:
         """Return g(x) by its integral; `gap` keeps a table of it."""
-        return np.asarray(x * self._over(self._heights(x), _stretched, "g(x)"))
+        return np.asarray(x * over_heights(self._terms, self._heights(x), stretched, "g(x)"))
 
     def _gap_integral(self, x: Array) -> Array:
         """Return the integral of g from 0 to x by its own integral; `gap_integral` keeps a table of it."""
-        return self._over(self._heights(x), _stored, "integral of g")
-
-    def _over(self, h: Array, kernel: Kernel, what: str, against: Array | float = 0.0) -> Array:
-        """Integrate kernel(h, D, h dD/dh) exp(-w) over w from 0 on, for every height h; `against` as in `settled`."""
-
-        def integrand(node: Array, index: Array) -> Array:
-            v = LARGEST_ROOT * node  # w = v^2, because D vanishes like w
-            fall, steep = np.zeros((index.size, node.size)), np.zeros((index.size, node.size))
-            for c, n in self._terms:
-                part = (c / math.pi * h[index] ** n)[:, None] * -np.expm1(-n * v * v)
-                fall += part
-                steep += n * part
-            return kernel(h[index, None], fall, steep) * (2.0 * LARGEST_ROOT * v * np.exp(-v * v))
-
-        # where terms of opposite signs nearly cancel, as close to the reach, A' is not better known than that
-        parts = [c * n * h**n for c, n in self._terms]
-        lost = sum((np.abs(part) for part in parts), 0.0 * h) / np.abs(sum(parts, 0.0 * h))
-        return settled(integrand, h.size, what, np.finfo(float).eps * lost, against)
+        return over_heights(self._terms, self._heights(x), stored, "integral of g")
 
     @property
     def _apex(self) -> tuple[float, float]:

@@ -1,1 +1,1 @@
-"""Studies: a problem in a text file, read, run, written and judged."""
+"""Studies: a problem in a text file, read, run, written and compared with expected numbers."""

@@ -98,7 +98,7 @@ def test_a_sticky_curve_has_no_flag():
 
 @pytest.mark.parametrize("make", [good, sticky])
 @pytest.mark.parametrize(("word", "direction"), [("approach", 1.0), ("retract", -1.0)])
-def test_the_way_that_lacks_a_baseline_is_named(make, word, direction):
+def test_the_branch_that_lacks_a_baseline_is_named(make, word, direction):
     curve = make()
     cut = curve.chosen((curve.direction != direction) | (curve.position > 2e-8))
     flags = examined(cut)

@@ -141,7 +141,7 @@ def test_a_stage_that_creeps_under_a_held_force():
     assert abs(found[1][1] - 1500) <= 40
 
 
-def test_adhesion_and_a_free_way_are_no_segments():
+def test_adhesion_and_a_free_branch_are_no_segments():
     stage = np.concatenate([np.linspace(-3.0, 1.0, 1500), np.linspace(1.0, -3.0, 1501)[1:]])
     force = np.maximum(stage, 0.0) ** 1.5
     sticking = (np.arange(3000) > 1500) & (stage < 0.0) & (stage > -0.8)

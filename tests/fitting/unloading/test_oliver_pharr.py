@@ -259,7 +259,7 @@ def test_a_real_curve_with_a_hold(shared_data):
 # ------------------------------------------------------------------------------------------------------------ validity
 
 
-def said(found, word):
+def statements(found, word):
     """Return standing and statement of the notes that begin with a word."""
     return [(note.standing, note.statement) for note in found.validity if note.statement.startswith(word)]
 
@@ -285,7 +285,7 @@ def read(curve, profile=None, **options):
 
 @pytest.mark.parametrize(("share", "standing"), [(0.6, Standing.ASYMPTOTIC), (0.85, Standing.OUTSIDE)])
 def test_pile_up_is_shouted(share, standing):
-    ((found, sentence),) = said(read(impression(share)), "Pile-up")
+    ((found, sentence),) = statements(read(impression(share)), "Pile-up")
     assert found is standing
     assert f"{share:.2f} of the greatest depth" in sentence
 
@@ -294,10 +294,10 @@ def test_pile_up_is_shouted(share, standing):
     ("creep", "standing"),
     [(0.0, Standing.ASYMPTOTIC), (5e-10, Standing.APPROXIMATE), (2e-9, Standing.OUTSIDE)],
 )
-def test_creep_is_judged_by_the_rates(creep, standing):
+def test_creep_is_classified_by_the_rates(creep, standing):
     """S dh/dt over dF/dt by hand: dF/dt = 1 mN in 5 s, S = 1.5 F/(h - h_f)."""
     found = read(impression(0.6, creep=creep))
-    ((stated, sentence),) = said(found, "Creep")
+    ((stated, sentence),) = statements(found, "Creep")
     assert stated is standing
     share = creep * 1.5 * PEAK / (0.4 * 2e-7) / (PEAK / 5.0)
     number = float(sentence.split("stiffness ")[1].split("%")[0]) / 100.0
@@ -305,10 +305,10 @@ def test_creep_is_judged_by_the_rates(creep, standing):
 
 
 def test_without_times_or_hold_creep_is_not_known():
-    (without,) = said(read(dataclasses.replace(impression(0.6), time=np.zeros(0))), "Creep")
+    (without,) = statements(read(dataclasses.replace(impression(0.6), time=np.zeros(0))), "Creep")
     assert without[0] is Standing.APPROXIMATE
     assert "cannot be assessed" in without[1]
-    (still,) = said(read(ForceCurve(DEPTH, cone(DEPTH), time=np.linspace(0.0, 1.0, 400))), "Creep")
+    (still,) = statements(read(ForceCurve(DEPTH, cone(DEPTH), time=np.linspace(0.0, 1.0, 400))), "Creep")
     assert "cannot be assessed" in still[1]
 
 
@@ -317,7 +317,7 @@ def test_without_times_or_hold_creep_is_not_known():
     [(1.4, Standing.ASYMPTOTIC), (2.0, Standing.APPROXIMATE), (1.1, Standing.APPROXIMATE), (3.0, Standing.OUTSIDE)],
 )
 def test_unusual_exponents(exponent, standing):
-    ((found, _),) = said(read(impression(0.6, exponent=exponent)), "Exponent")
+    ((found, _),) = statements(read(impression(0.6, exponent=exponent)), "Exponent")
     assert found is standing
 
 
@@ -326,10 +326,10 @@ def test_a_law_that_misses_the_peak():
     curve = impression(0.6)
     bent = curve.position - 3e-9 * (curve.force < 0.9 * PEAK) * (np.arange(curve.count) > 800)
     found = read(dataclasses.replace(curve, position=bent), upper=0.85)
-    ((standing, sentence),) = said(found, "Peak")
+    ((standing, sentence),) = statements(found, "Peak")
     assert standing is Standing.OUTSIDE
     assert "misses the force measured at the peak" in sentence
-    assert said(read(curve), "Peak") == []
+    assert statements(read(curve), "Peak") == []
 
 
 def test_what_is_known_of_the_area():
@@ -342,20 +342,20 @@ def test_what_is_known_of_the_area():
         (CalibratedArea(polynomial, 2e-7, 1e-6), Standing.OUTSIDE, "is extrapolated"),
     ]:
         found = read(impression(0.6), tip)
-        ((stated, sentence),) = said(found, "Area")
+        ((stated, sentence),) = statements(found, "Area")
         assert stated is standing
         assert words in sentence
 
 
 def test_an_area_that_shrinks_at_the_contact_depth():
-    shrinking = said(read(impression(0.6), CalibratedArea((-14.0, 4e-6))), "Area")
+    shrinking = statements(read(impression(0.6), CalibratedArea((-14.0, 4e-6))), "Area")
     assert shrinking[0][0] is Standing.OUTSIDE
     assert "shrinks at the contact depth" in shrinking[0][1]
 
 
 def test_few_points():
-    ((found, sentence),) = said(read(impression(0.6, points=40)), "Points")
+    ((found, sentence),) = statements(read(impression(0.6, points=40)), "Points")
     assert found is Standing.APPROXIMATE
     assert "below 50" in sentence
-    ((found, _),) = said(read(impression(0.6)), "Points")
+    ((found, _),) = statements(read(impression(0.6)), "Points")
     assert found is Standing.ASYMPTOTIC

@@ -61,7 +61,7 @@ def test_a_fixed_baseline_is_noted():
     assert "misfit" in {flag.name for flag in found.flags}
 
 
-def test_what_is_said_about_creep_stands_along_the_whole_curve():
+def test_what_is_stated_about_creep_holds_along_the_whole_curve():
     """Depths are below zero before first touch, residuals those of the noise, and no point is left out."""
     one = ramp_and_hold(5, tilt=0.0)
     found = fit(one, start("creep"), free=NAMES[:5])

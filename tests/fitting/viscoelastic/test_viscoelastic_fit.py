@@ -174,7 +174,7 @@ def test_given_noise_weighs_the_points():
 
 
 def test_another_shape_and_a_free_radius():
-    """With the modulus known, the curve tells the radius of the bead."""
+    """With the modulus known, the curve gives the radius of the bead."""
     found = fit(
         loop(9),
         model(PowerLawSolid(500.0, 1.0, 0.3, shortest=1e-3, longest=20.0)),

@@ -17,7 +17,7 @@ linux = pytest.mark.skipif(sys.platform != "linux", reason="only Linux has the l
 COUNT = 50
 
 
-def outside(folder, way):
+def outside(folder, manner):
     """Write a curve as afmformats does, whose heights lie in another file."""
     h5py = pytest.importorskip("h5py")
     heights = np.linspace(0.0, -1e-6, COUNT)
@@ -30,24 +30,24 @@ def outside(folder, way):
         curve.attrs.update({"imaging mode": "force-distance", "spring constant": 1.0, "sensitivity": 1e-8})
         curve["force"], curve["segment"] = np.linspace(0.0, 1e-9, COUNT), np.zeros(COUNT, "u1")
         name = "height (measured)"
-        if way == "raw":
+        if manner == "raw":
             curve.create_dataset(name, (COUNT,), "f8", external=[(str(folder / "secret.bin"), 0, 8 * COUNT)])
-        elif way == "virtual":
+        elif manner == "virtual":
             layout = h5py.VirtualLayout((COUNT,), "f8")
             layout[:] = h5py.VirtualSource(str(folder / "secret.h5"), "heights", (COUNT,))
             curve.create_virtual_dataset(name, layout)
-        elif way == "link":
+        elif manner == "link":
             curve[name] = h5py.ExternalLink(str(folder / "secret.h5"), "heights")
         else:
             curve[name] = heights
     return folder / "curve.h5"
 
 
-@pytest.mark.parametrize("way", ["raw", "virtual", "link", "inside"])
-def test_data_in_another_file_is_not_read(way, tmp_path):
+@pytest.mark.parametrize("manner", ["raw", "virtual", "link", "inside"])
+def test_data_in_another_file_is_not_read(manner, tmp_path):
     pytest.importorskip("afmformats")
-    path = outside(tmp_path, way)
-    if way == "inside":
+    path = outside(tmp_path, manner)
+    if manner == "inside":
         assert len(wk.read_curve(path).force) == COUNT
         return
     with pytest.raises(InvalidInput, match=r"'0/height \(measured\)' lies in another file; save it"):
@@ -110,9 +110,9 @@ def test_the_limit_is_shared_by_threads_and_restored():
 def test_a_lower_limit_of_the_system_stays(monkeypatch):
     import resource
 
-    asked = []
+    requested = []
     monkeypatch.setattr(resource, "getrlimit", lambda which: (10**6, 10**9))
-    monkeypatch.setattr(resource, "setrlimit", lambda *words: asked.append(words))
+    monkeypatch.setattr(resource, "setrlimit", lambda *words: requested.append(words))
     with limited_memory("one"):
         pass
-    assert asked == []
+    assert requested == []

@@ -100,7 +100,7 @@ def test_names_that_no_system_takes(name):
 
 
 @pytest.mark.parametrize("error", [RuntimeError("boom"), struct.error("boom"), zlib.error("boom"), IndexError("boom")])
-def test_whatever_is_raised_on_the_way_is_one_sentence(error, tmp_path, monkeypatch):
+def test_whatever_is_raised_while_reading_is_one_sentence(error, tmp_path, monkeypatch):
     def raising(*_, **__):
         raise error
 
@@ -225,15 +225,15 @@ def test_a_member_of_an_upload_that_unpacks_to_more_than_it_states(method):
     with zipfile.ZipFile(stream, "w", method) as made:
         made.writestr("study.toml", bytes(15_000_000))
     content = stream.getvalue().replace(struct.pack("<I", 15_000_000), struct.pack("<I", 10))
-    room = UploadFolder()
+    uploads = UploadFolder()
     tracemalloc.start()
     try:
         with pytest.raises(InvalidInput, match="cannot be read"):
-            room.unpack(content, "study.toml")
+            uploads.unpack(content, "study.toml")
         assert tracemalloc.get_traced_memory()[1] < 2_000_000
     finally:
         tracemalloc.stop()
-        room.close()
+        uploads.close()
 
 
 # ------------------------------------------------------------------------------------------- files of other programs

@@ -78,7 +78,7 @@ class App:
         return pipe
 
     def end(self, number):
-        """Send a signal, and wait for the end; return the status and what was said."""
+        """Send a signal, and wait for the end; return the status and what was written."""
         self.process.send_signal(number)
         error = self.process.communicate(timeout=60.0)[1].decode()
         return self.process.returncode, error

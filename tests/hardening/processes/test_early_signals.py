@@ -44,7 +44,7 @@ def test_ctrl_c_before_the_command_begins(how, where, tmp_path):
     assert (run.returncode, run.stdout, run.stderr) == (130, "", "winkler: interrupted; nothing was written.\n")
 
 
-def test_the_package_loads_nothing_before_signals_are_heard():
+def test_the_package_loads_nothing_before_signals_are_received():
     code = (
         "import sys; before = set(sys.modules); import winkler.__main__; "
         "print(*sorted(set(sys.modules) - before - set(sys.builtin_module_names)))"

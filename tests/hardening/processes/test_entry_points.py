@@ -28,24 +28,24 @@ SOLVED = ("nan", "infinite", "huge", "text", "none", "empty", "true")
 """What is also solved where it can be made."""
 
 
-def parts(content, way=()):
-    """Yield every field of a value, and of those inside it: the way to it, and its class and name."""
+def parts(content, route=()):
+    """Yield every field of a value, and of those inside it: the route to it, and its class and name."""
     for field in dataclasses.fields(content):
         if not field.init:
             continue
         inside = getattr(content, field.name)
-        yield (*way, field.name), (type(content).__name__, field.name)
+        yield (*route, field.name), (type(content).__name__, field.name)
         if dataclasses.is_dataclass(inside):
-            yield from parts(inside, (*way, field.name))
+            yield from parts(inside, (*route, field.name))
         elif isinstance(inside, tuple):
             for place, one in enumerate(inside):
                 if dataclasses.is_dataclass(one):
-                    yield from parts(one, (*way, field.name, place))
+                    yield from parts(one, (*route, field.name, place))
 
 
-def put(content, way, new):
-    """Return a value with something else at a place inside it, every value on the way made anew."""
-    key, *rest = way
+def put(content, route, new):
+    """Return a value with something else at a place inside it, every value on the route made anew."""
+    key, *rest = route
     if isinstance(key, int):
         items = list(content)
         items[key] = put(items[key], rest, new)
@@ -56,11 +56,11 @@ def put(content, way, new):
 
 
 def examples():
-    """Return one case for every field of every class: its name, the example it stands in, and the way to it."""
+    """Return one case for every field of every class: its name, the example it stands in, and the route to it."""
     found = {}
     for name, line in kinds().items():
-        for way, owned in parts(build(completed({"kind": name}), _slot(name))):
-            found.setdefault(owned, (name, way))
+        for route, owned in parts(build(completed({"kind": name}), _slot(name))):
+            found.setdefault(owned, (name, route))
         assert line.cls is not None
     return found
 
@@ -76,13 +76,13 @@ CASES = examples()
 
 @pytest.mark.parametrize("owned", CASES, ids=".".join)
 def test_nonsense_is_refused_in_one_sentence(owned):
-    name, way = CASES[owned]
+    name, route = CASES[owned]
     example = build(completed({"kind": name}), _slot(name))
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         for bad in BAD.values():
             try:
-                put(example, list(way), bad)
+                put(example, list(route), bad)
             except WinklerError as error:
                 sentence = str(error)
             else:
@@ -129,10 +129,10 @@ def test_functions_refuse_nonsense(name, tmp_path, monkeypatch):
 
 
 @pytest.mark.slow
-def test_what_can_be_made_of_nonsense_is_answered_or_refused():
+def test_what_can_be_made_of_nonsense_is_solved_or_refused():
     """All problems, with what their fields let through."""
     wrong = []
-    for owned, (name, way) in CASES.items():
+    for owned, (name, route) in CASES.items():
         example = build(completed({"kind": name}), _slot(name))
         if not hasattr(example, "solve"):
             continue
@@ -140,7 +140,7 @@ def test_what_can_be_made_of_nonsense_is_answered_or_refused():
             try:
                 with warnings.catch_warnings():
                     warnings.simplefilter("error")
-                    put(example, list(way), BAD[word]).solve()
+                    put(example, list(route), BAD[word]).solve()
             except WinklerError:
                 continue
             except Exception as error:  # collected, and shown together

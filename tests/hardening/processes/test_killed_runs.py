@@ -112,11 +112,11 @@ def prepared(folder, name):
     """Write a study, and the curves it may need."""
     (folder / "gel").mkdir(parents=True)
     (folder / "study.toml").write_text(STUDIES[name][1], encoding="utf-8")
-    way = np.linspace(-1e-6, 1e-6, 60)
+    depth = np.linspace(-1e-6, 1e-6, 60)
     for number in range(1, 5):
         noise = np.random.default_rng(number).standard_normal(60)
-        force = 4.0 / 3.0 * 1e3 * number / 0.75 * np.sqrt(5e-6) * np.maximum(way, 0.0) ** 1.5 + 5e-12 * noise
-        rows = (f"{1e9 * d:.3f}, {1e9 * f:.6f}\n" for d, f in zip(way, force, strict=True))
+        force = 4.0 / 3.0 * 1e3 * number / 0.75 * np.sqrt(5e-6) * np.maximum(depth, 0.0) ** 1.5 + 5e-12 * noise
+        rows = (f"{1e9 * d:.3f}, {1e9 * f:.6f}\n" for d, f in zip(depth, force, strict=True))
         (folder / f"gel/curve{number}.csv").write_text("depth [nm], force [nN]\n" + "".join(rows), encoding="utf-8")
     return folder
 
@@ -137,11 +137,11 @@ def whole(results):
 def test_a_rerun_after_a_kill_gives_equal_results_and_leaves_nothing(name, by, tmp_path, killer):
     command, _, kills, row = STUDIES[name]
     words = (command, "study.toml", "--quiet", "--overwrite")
-    killer.ask(prepared(tmp_path / "warm", name), *words, fork=False)
-    usual = killer.ask(prepared(tmp_path / "usual", name), *words)
+    killer.request(prepared(tmp_path / "warm", name), *words, fork=False)
+    usual = killer.request(prepared(tmp_path / "usual", name), *words)
     expected = tree(tmp_path / "usual/results")
     assert usual["code"] == 0
-    assert usual["said"] == ""
+    assert usual["errors"] == ""
     here, results = prepared(tmp_path / "here", name), tmp_path / "here/results"
     pace = 1.0
     for kill in range(kills):
@@ -160,15 +160,15 @@ def test_a_rerun_after_a_kill_gives_equal_results_and_leaves_nothing(name, by, t
                 if by == "operation"
                 else {"seconds": part * usual["seconds"]}
             )
-            answer = killer.ask(here, *words, sign=sign, **when)
+            answer = killer.request(here, *words, sign=sign, **when)
             looked_at(answer, sign, older, had, results)
             if answer["code"]:
                 break
             pace *= 0.85  # it was done sooner: some of it was known from the run before
         assert answer["code"] in STOPS[sign]
         if kill % row == row - 1:
-            again = killer.ask(here, *words)
-            assert (again["code"], again["said"]) == (0, "")
+            again = killer.request(here, *words)
+            assert (again["code"], again["errors"]) == (0, "")
             assert tree(results) == expected
 
 
@@ -178,17 +178,17 @@ def found(results):
 
 
 def looked_at(answer, sign, older, had, results):
-    """Look at what a run has said and left: the results are whole, and half of them only after a hard kill."""
-    code, said, left = answer["code"], answer["said"], found(results)
+    """Check what a run has written and left: the results are whole, and half of them only after a hard kill."""
+    code, errors, left = answer["code"], answer["errors"], found(results)
     assert code in (0, *STOPS[sign]), (answer, sign)
     hard = code in STOPS[signal.SIGKILL]
     if not hard:
         assert all(item == "study" or item.endswith(GOES_ON) for item in left - had), (answer, sign, left, had)
     if code == STOPS[signal.SIGINT][0]:
-        assert said.startswith("winkler: interrupted"), said
-        assert said.count("\n") == 1, said
+        assert errors.startswith("winkler: interrupted"), errors
+        assert errors.count("\n") == 1, errors
     else:
-        assert said == ""
+        assert errors == ""
     if "study" in left:
         assert whole(results / "study"), (answer, sign, left)
     elif older:  # it was put aside by this kill or one before, and the next run brings it back

@@ -1,4 +1,4 @@
-"""Nothing that winkler does at run time asks the network."""
+"""Nothing that winkler does at run time uses the network."""
 
 from __future__ import annotations
 
@@ -12,18 +12,18 @@ from winkler.study.language.template import whole_text
 
 @pytest.fixture
 def closed(monkeypatch):
-    """Every way out of this process raises, and is remembered even if somebody swallows the error."""
-    asked: list[str] = []
+    """Every connection out of this process raises, and is remembered even if somebody swallows the error."""
+    requested: list[str] = []
 
     def refuse(*words, **_):
-        asked.append(str(words[-1:]))
+        requested.append(str(words[-1:]))
         raise OSError("there is no network")
 
     for name in ("connect", "connect_ex", "sendto"):
         monkeypatch.setattr(socket.socket, name, refuse, raising=True)
     for name in ("create_connection", "getaddrinfo", "gethostbyname"):
         monkeypatch.setattr(socket, name, refuse)
-    return asked
+    return requested
 
 
 def test_the_socket_is_closed(closed):
@@ -44,7 +44,7 @@ def test_a_run_with_figures_and_report(closed, tmp_path, monkeypatch):
     assert closed == []
 
 
-def test_words_that_only_tell(closed, capsys):
+def test_commands_that_only_print(closed, capsys):
     for words in (["show"], ["show", "materials"], ["show", "sphere"], ["--version"]):
         assert main(words) == 0
     assert capsys.readouterr().out

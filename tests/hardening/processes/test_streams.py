@@ -120,7 +120,7 @@ LONG = {
 }
 """March -> what makes it, and the steps between which it may not grow."""
 RESIDENT = 2_000_000
-"""Bytes of the whole process that are no growth: where a state were kept at every step, there would be many more."""
+"""Bytes of the whole process that are no growth: where a state were stored at every step, there would be many more."""
 
 
 def resident() -> int:

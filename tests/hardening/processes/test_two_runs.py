@@ -36,8 +36,8 @@ def whole(output) -> float:
     assert sorted(made["files"]) == present
     with (output / "results.csv").open(encoding="utf-8") as file:
         force = float(next(csv.DictReader(file))["force [N]"])
-    asked = read_study(output / "study.toml").problem.load.force
-    assert force == pytest.approx(asked, rel=1e-12)
+    stated = read_study(output / "study.toml").problem.load.force
+    assert force == pytest.approx(stated, rel=1e-12)
     return force
 
 

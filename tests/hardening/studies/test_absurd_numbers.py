@@ -1,4 +1,4 @@
-"""Numbers beyond all physics in any study: an answer with all that it tells, or one sentence; never a warning."""
+"""Numbers beyond all physics in any study: a solution with all its properties, or one sentence; never a warning."""
 
 from __future__ import annotations
 
@@ -30,26 +30,26 @@ LASTING = ("strength",)
 BED = wk.Foundation(wk.Paraboloid(1e-2), wk.HalfSpace(wk.Elastic(210e9, 0.3)))
 
 
-def numbers(content, way=()):
-    """Yield the way to every number inside a value, but not to counts."""
+def numbers(content, route=()):
+    """Yield the route to every number inside a value, but not to counts."""
     for field in dataclasses.fields(content):
         inside = getattr(content, field.name)
         if field.init and isinstance(inside, float | np.ndarray) and field.name not in LASTING:
-            yield (*way, field.name)
+            yield (*route, field.name)
         elif field.init and dataclasses.is_dataclass(inside):
-            yield from numbers(inside, (*way, field.name))
+            yield from numbers(inside, (*route, field.name))
 
 
-def put(content, way, size):
+def put(content, route, size):
     """Return a value with a number of a size at a place inside it."""
-    key, *rest = way
+    key, *rest = route
     inside = getattr(content, key)
     new = put(inside, rest, size) if rest else size * (inside / np.max(np.abs(inside)) if np.ndim(inside) else 1.0)
     return dataclasses.replace(content, **{key: new})
 
 
 def text(answer) -> None:
-    """Ask a solution for everything that it tells without a question."""
+    """Read all properties of a solution."""
     for name in dir(type(answer)):
         if isinstance(getattr(type(answer), name), property | functools.cached_property) and name[0] != "_":
             getattr(answer, name)
@@ -58,12 +58,12 @@ def text(answer) -> None:
 def faults(name: str) -> list[str]:
     """Return what is wrong with the answers of a kind."""
     example, wrong = build(completed({"kind": name}), slot_of(name)), []
-    for way, size in itertools.product(numbers(example), SIZES):
-        where = f"{'.'.join(way)} = {size:g}"
+    for route, size in itertools.product(numbers(example), SIZES):
+        where = f"{'.'.join(route)} = {size:g}"
         try:
             with warnings.catch_warnings():
                 warnings.simplefilter("error")
-                text(put(example, way, size).solve())
+                text(put(example, route, size).solve())
         except WinklerError as error:
             if "\n" in str(error) or not str(error).rstrip().endswith((".", ")")):
                 wrong.append(f"{where}: {error}")
@@ -117,7 +117,7 @@ def test_the_greatest_of_many_is_named():
         wk.Depth([1.0, 1e200])
 
 
-def test_what_a_solution_tells_afterwards_is_guarded():
+def test_what_a_solution_computes_afterwards_is_guarded():
     solution = wk.Indentation(BED, wk.Depth(1e-6)).solve()
     far = dataclasses.replace(solution, depth=np.float64(1e200), radius=np.float64(1e99), force=np.float64(1e300))
     with pytest.raises(OutsideValidity, match=r"^Indentation: .* so that it cannot be computed .*; check the numbers"):

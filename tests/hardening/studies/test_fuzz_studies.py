@@ -85,9 +85,9 @@ def spoilt(draw):
         all_places = places(study)
         if not all_places:
             break
-        *way, last = draw(st.sampled_from(all_places))
+        *route, last = draw(st.sampled_from(all_places))
         inside = study
-        for key in way:
+        for key in route:
             inside = inside[key]
         what = draw(st.sampled_from(["replace", "replace", "take", "add", "sweep", "fields", "expect"]))
         if what == "replace":
@@ -99,7 +99,7 @@ def spoilt(draw):
                 draw(CONTENT)
             )
         elif what == "sweep":
-            study["sweep"] = {".".join(map(str, (*way, last))): copy.deepcopy(draw(CONTENT))}
+            study["sweep"] = {".".join(map(str, (*route, last))): copy.deepcopy(draw(CONTENT))}
         elif what == "fields":
             study["fields"] = {draw(st.sampled_from(["r", "z", "x"])): copy.deepcopy(draw(CONTENT))}
         elif what == "expect":
@@ -107,7 +107,7 @@ def spoilt(draw):
     return study
 
 
-def answered(text: str) -> None:
+def read_or_refused(text: str) -> None:
     """Read a study: what comes is a study that can be written, or an error that says what is wrong."""
     try:
         study = parse_study(text, file="study.toml")
@@ -130,13 +130,13 @@ def written(table) -> str:
 @QUICK
 @given(spoilt())
 def test_a_spoilt_study(table):
-    answered(written(table))
+    read_or_refused(written(table))
 
 
 @QUICK
 @given(st.one_of(st.text(max_size=200), st.text(alphabet="[]{}=\"'\n.,#abk 1e9_-", max_size=200)))
 def test_any_text(text):
-    answered(text)
+    read_or_refused(text)
 
 
 @QUICK
@@ -170,7 +170,7 @@ DEEP = {
 
 @pytest.mark.parametrize("name", DEEP)
 def test_what_is_far_too_much(name):
-    answered(DEEP[name])
+    read_or_refused(DEEP[name])
 
 
 @pytest.mark.parametrize("count", [10**9, 2**62, 1e300, -5, 0, 1.5])

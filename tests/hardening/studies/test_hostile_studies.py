@@ -119,9 +119,9 @@ def test_files_named_to_harm(name, tmp_path):
 def test_curves_named_to_harm(name, tmp_path):
     (tmp_path / "1²2.txt").write_text("")
     model = PRESSED.partition("[problem.load]")[0]
-    asked = f'[fit]\ncurve = "{name}"\npart = "approach"\n[fit.free]\n"problem.bed.medium.first.young" = true\n'
+    section = f'[fit]\ncurve = "{name}"\npart = "approach"\n[fit.free]\n"problem.bed.medium.first.young" = true\n'
     with pytest.raises(InvalidInput, match=r"fit\.curve"):
-        parse_fit_study(model + asked, folder=tmp_path)
+        parse_fit_study(model + section, folder=tmp_path)
 
 
 @pytest.mark.parametrize("swept", [False, True])
@@ -240,7 +240,7 @@ def test_a_body_of_rotation_of_too_many_places(tmp_path):
         write_vtk(fields, tmp_path / "body.vtk", around=10_000)
 
 
-def test_the_manual_tells_the_limits():
+def test_the_manual_states_the_limits():
     page = (Path(__file__).parents[3] / "docs" / "exchange.md").read_text(encoding="utf-8")
     message = {int(number) for number in re.findall(r"\d+", page.partition("| at most |")[2])}
     units = dict.fromkeys(("TEXT_BYTES", "STUDY_BYTES", "FILE_BYTES", "READING_BYTES"), 10**6)

@@ -1,4 +1,4 @@
-"""Marches with numbers of any finite size: states without an undefined number, or one sentence, on both ways."""
+"""Marches with numbers of any finite size: states without an undefined number, or one sentence, by both methods."""
 
 from __future__ import annotations
 
@@ -33,25 +33,25 @@ SLOW = (
 """They may take minutes to find that numbers do not fit together."""
 
 
-def numbers(content, way=()):
-    """Yield the way to every number inside a value that has a unit or none, but no count."""
+def numbers(content, route=()):
+    """Yield the route to every number inside a value that has a unit or none, but no count."""
     for field in dataclasses.fields(content):
         if not field.init:
             continue
         inside = getattr(content, field.name)
         if isinstance(inside, float | np.ndarray):
-            yield (*way, field.name)
+            yield (*route, field.name)
         elif dataclasses.is_dataclass(inside):
-            yield from numbers(inside, (*way, field.name))
+            yield from numbers(inside, (*route, field.name))
         elif isinstance(inside, tuple):
             for place, one in enumerate(inside):
                 if dataclasses.is_dataclass(one):
-                    yield from numbers(one, (*way, field.name, place))
+                    yield from numbers(one, (*route, field.name, place))
 
 
-def put(content, way, size):
+def put(content, route, size):
     """Return a value with a number of a size at a place inside it."""
-    key, *rest = way
+    key, *rest = route
     if isinstance(key, int):
         return (*content[:key], put(content[key], rest, size), *content[key + 1 :])
     inside = getattr(content, key)
@@ -76,12 +76,12 @@ def undefined(answer) -> list[str]:
 def faults(name: str) -> list[str]:
     """Return what is wrong with the marches of a kind."""
     example, wrong = build(completed({"kind": name}), slot_of(name)), []
-    for way, size in itertools.product(numbers(example), SIZES):
-        where = f"{'.'.join(map(str, way))} = {size:g}"
+    for route, size in itertools.product(numbers(example), SIZES):
+        where = f"{'.'.join(map(str, route))} = {size:g}"
         try:
             with warnings.catch_warnings():
                 warnings.simplefilter("error")
-                for state in itertools.islice(put(example, way, size).steps(), STATES):
+                for state in itertools.islice(put(example, route, size).steps(), STATES):
                     if bad := undefined(state):
                         wrong.append(f"{where}: {bad}")
         except WinklerError as error:
@@ -107,7 +107,7 @@ BALL = wk.Foundation(wk.Sphere(10e-3), wk.HalfSpace(wk.Elastic(210e9, 0.3)))
 
 @value
 class Undefined:
-    """What a compiled kernel hands out that has lost its numbers: they are not told of by numpy."""
+    """What a compiled kernel returns that has lost its numbers: numpy does not warn of them."""
 
     force: float
 
@@ -127,12 +127,12 @@ class Losing:
         yield Undefined(math.nan)
 
 
-@pytest.mark.parametrize("way", [lambda problem: problem.solve(), lambda problem: list(problem.steps())])
-def test_what_overflows_in_a_kernel_is_stated_by_both_ways(way):
+@pytest.mark.parametrize("method", [lambda problem: problem.solve(), lambda problem: list(problem.steps())])
+def test_what_overflows_in_a_kernel_is_stated_by_both_methods(method):
     with pytest.raises(
         OutsideValidity, match=r"^Losing: .* cannot be computed \(the force comes out undefined\); check"
     ):
-        way(Losing())
+        method(Losing())
 
 
 def test_no_load_is_beyond_physics():
@@ -174,8 +174,8 @@ def test_the_smallest_exponent_of_a_crack():
 
 
 @pytest.mark.parametrize(("distance", "word"), [(1e-12, "short"), (1e6, "long")])
-def test_a_way_that_cannot_be_sampled(distance, word):
+def test_a_distance_that_cannot_be_sampled(distance, word):
     problem = wk.RollingStart(BALL, wk.Coulomb(0.3), wk.Creepage(longitudinal=1e-3), wk.Force(100.0), distance)
-    for way in (problem.solve, lambda: next(problem.steps())):
+    for method in (problem.solve, lambda: next(problem.steps())):
         with pytest.raises(OutsideValidity, match=rf"^RollingStart: .* is so {word} beside the contact radius"):
-            way()
+            method()

@@ -58,7 +58,7 @@ LAYOUTS = {
     "comments and blank lines": "r [um],h [nm]\n\n# halfway\n" + rows(",").replace("\n", "  # a remark\n", 1) + "\n\n",
     "other columns": "n,r [um],remark,h [nm]\n"
     + "".join(f"{n},{r},good,{h}\n" for n, (r, h) in enumerate(zip(RADII, HEIGHTS, strict=True))),
-    "columns the other way round": "h [nm],r [um]\n" + rows(",", HEIGHTS, RADII),
+    "columns in reverse order": "h [nm],r [um]\n" + rows(",", HEIGHTS, RADII),
     "empty cells at the end": "r [um],h [nm]\n" + rows(",").replace("\n", ",,\n"),
     "capitals": "RADIUS [um],HEIGHT [nm]\n" + rows(","),
     "carriage returns and newlines": ("r [um],h [nm]\n" + rows(",")).replace("\n", "\r\n"),

@@ -158,7 +158,7 @@ def test_against_the_least_energy_of_the_closed_compliance(young, a):
     "name",
     ["hard", "soft", pytest.param("film", marks=pytest.mark.slow), pytest.param("stack", marks=pytest.mark.slow)],
 )
-def test_stiffness_two_ways(name):
+def test_stiffness_by_two_formulas(name):
     medium = MEDIA[name]
     a = np.geomspace(0.01, 20.0, 50)
     h = 1e-3 * a

@@ -135,7 +135,7 @@ def test_the_tangential_modulus():
     assert wide == pytest.approx(3.0 * 4.0 / 2.6 / 1.7, rel=2e-3)
 
 
-def test_the_way_down():
+def test_states_at_depth():
     """Tractions and displacements at depth, against the same matrix exponential."""
     grading, depth, xi = Growing(1.5, 1.7, 0.3), 0.6, 2.3
     found = {

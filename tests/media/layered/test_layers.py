@@ -186,7 +186,7 @@ SIX = np.arange(1.0, 7.0)
         (lambda: wk.MeasuredBed(SIX, SIX, SIX[:5]), "depths has 5 numbers; give a row of at least 6"),
     ],
 )
-def test_bad_input_is_answered_in_one_sentence(make, sentence):
+def test_bad_input_is_refused_in_one_sentence(make, sentence):
     with pytest.raises(wk.InvalidInput, match=sentence) as caught:
         make()
     assert "\n" not in str(caught.value)

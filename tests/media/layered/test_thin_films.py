@@ -93,7 +93,7 @@ def test_punches_on_films_by_equal_panels(poisson, a):
 
 
 @pytest.mark.parametrize("a", [3.0, 30.0])
-def test_the_judge_does_not_move_with_half_its_panels(a):
+def test_the_reference_solution_does_not_move_with_half_its_panels(a):
     _, w, phi = compared(0.5, a)
     _, finer, twice = compared(0.5, a, step=0.25)
     assert float(finer @ twice) == pytest.approx(float(w @ phi), rel=1e-10)
@@ -189,7 +189,7 @@ def test_thickness_and_modulus_are_units(shape, poisson):
             np.testing.assert_allclose(solutions(h, young), one, rtol=1e-11)
 
 
-def test_films_share_what_contrasts_and_poisson_ratios_tell():
+def test_films_share_what_depends_on_contrasts_and_poisson_ratios():
     """Another thickness, another modulus, another body of the same contrast: nothing is computed again."""
     first = wk.CoatedHalfSpace(
         [wk.Layer(wk.Elastic(3.0, 0.4), 0.7)], on=wk.Elastic(30.0, 0.2), second=wk.Elastic(9.0, 0)
@@ -206,7 +206,7 @@ def test_films_share_what_contrasts_and_poisson_ratios_tell():
 
 
 @pytest.mark.parametrize("shape", [wk.Sphere(40.0), wk.Hyperboloid(0.5, 1.3), wk.Formula("r**2/2 + r**4/50")])
-def test_samples_tell_the_moments_of_smooth_shapes(shape):
+def test_samples_give_the_moments_of_smooth_shapes(shape):
     """Against Gauss' rule on many panels, with the kernel of the film as the tables give it."""
     response = film(0.5).response
     nodes, weights = np.polynomial.legendre.leggauss(60)

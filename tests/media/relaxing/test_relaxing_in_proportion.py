@@ -19,7 +19,8 @@ from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.path import Path
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
-from winkler.problems.viscoelastic.material_tests import CreepTest, HarmonicIndentation, RelaxationTest
+from winkler.problems.viscoelastic.material_tests import CreepTest, RelaxationTest
+from winkler.problems.viscoelastic.oscillation import HarmonicIndentation
 
 SOLID = StandardSolid(2.0, 3.0, 0.3)
 BALL = wk.Paraboloid(1.0)
@@ -71,7 +72,7 @@ def test_a_stiffening_body_creeps():
     assert found.depth[1] == pytest.approx(elastic.depth, rel=5e-3)
 
 
-def test_a_homogeneous_body_is_the_same_either_way():
+def test_a_homogeneous_body_is_the_same_in_both_classes():
     """Against ViscoelasticHalfSpace, along a path with unloading, lost touch and a second one."""
     solid = Prony(0.5, [1.0, 0.5], [0.1, 1.0], poisson=0.3)
     one = wk.Foundation(BALL, ViscoelasticHalfSpace(solid))
@@ -180,7 +181,7 @@ def test_what_has_no_single_answer():
         medium.gap_load(BALL, x)
 
 
-def test_what_is_assumed_is_said():
+def test_what_is_assumed_is_stated():
     found = pressed(bed(FILM), [0.0, 1.0], Depth([0.0, 0.01]), count=50)
     text = " ".join(note.statement for note in found.validity)
     assert "same function of time" in text

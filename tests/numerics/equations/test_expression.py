@@ -135,7 +135,7 @@ def test_constants_and_variable_have_names():
     assert law != dataclasses.replace(law, constants=(("a", 3.0), ("b_1", -1)))
 
 
-def test_powers_are_told_from_the_rest():
+def test_powers_are_separated_from_the_rest():
     law = Expression("r**2/(2*R) - 4*r**4*R", constants=(("R", 0.5),))
     assert law.powers == ((1.0, 2.0), (-2.0, 4.0))
     assert law.remainder([1.0]) is None

@@ -61,7 +61,7 @@ def test_the_error_of_what_has_settled_is_filtered():
     assert end[1] == pytest.approx(end[0] - 1e-6, abs=5e-6)
 
 
-def test_a_stage_that_is_not_met_is_told():
+def test_a_stage_that_is_not_met_is_refused():
     class Wild(Chased):
         def slopes(self, state):
             return np.array([True, True]), np.array([[1.0, 0.0], [0.0, 1e3]])

@@ -42,7 +42,7 @@ def test_a_span_is_gone_through_exactly():
 
 def test_to_start_from_a_condition_is_not_to_pass_it():
     """The speed is zero at first: that does not end a fall."""
-    floor = StopCondition(lambda time, state: state[0] + 1.0, -1)
+    ground = StopCondition(lambda time, state: state[0] + 1.0, -1)
     stands = StopCondition(lambda time, state: state[1], 1)
     fell = integrate_to_stop(
         lambda time, state: [state[1], -2.0],
@@ -51,7 +51,7 @@ def test_to_start_from_a_condition_is_not_to_pass_it():
         unit=1.0,
         precision=1e-12,
         scales=np.ones(2),
-        stops=(floor, stands),
+        stops=(ground, stands),
     )
     assert fell.stopped == (True, False)
     assert fell.end == pytest.approx(1.0, rel=1e-12)

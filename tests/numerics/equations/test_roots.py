@@ -119,7 +119,7 @@ def test_a_root_that_rounding_pushes_out_of_its_bracket_is_its_end(sign):
     assert between(lambda x: sign, 1.0, 1.0 + 1e-12) == 1.0
 
 
-def test_a_bracket_without_a_root_is_an_error_of_the_house():
+def test_a_bracket_without_a_root_is_an_error_of_winkler():
     with pytest.raises(
         NotConverged, match=r"No root lies between 1 and 2 \(f\(a\) and f\(b\) must have different signs\)"
     ):

@@ -30,7 +30,7 @@ def test_a_step_is_stable_as_far_as_it_says(stages):
     assert longest(stages, 0.0) == math.inf
 
 
-def test_the_error_is_told():
+def test_the_error_is_estimated():
     y, length = np.ones(1), 0.2
     end = step(lambda z: -z, y, -y, length, 3)
     stated = abs(float(step_error(y, end, -y, -end, length)[0]))

@@ -13,10 +13,10 @@ from winkler.numerics.equations.streaming import streamed
 def test_only_one_of_the_two_is_at_work():
     course = []
 
-    def routine(hand_over):
+    def routine(emit):
         for number in range(3):
             course.append(f"made {number}")
-            hand_over(number)
+            emit(number)
         return "end"
 
     for item in streamed(routine):
@@ -25,8 +25,8 @@ def test_only_one_of_the_two_is_at_work():
 
 
 def test_an_error_comes_to_the_reader():
-    def routine(hand_over):
-        hand_over(1)
+    def routine(emit):
+        emit(1)
         raise ValueError("of the routine")
 
     stream = streamed(routine)
@@ -39,11 +39,11 @@ def test_a_reader_that_leaves_ends_the_routine():
     """It does not take that for an error of its own."""
     ended = threading.Event()
 
-    def routine(hand_over):
+    def routine(emit):
         try:
             for number in range(100):
                 try:
-                    hand_over(number)
+                    emit(number)
                 except Exception:
                     pytest.fail("the routine received an error")
         finally:
@@ -56,7 +56,7 @@ def test_a_reader_that_leaves_ends_the_routine():
 
 
 def test_the_context_of_the_reader_holds_in_the_routine():
-    def routine(hand_over):
+    def routine(emit):
         return float(np.divide(1.0, 0.0))
 
     with np.errstate(divide="raise"), pytest.raises(FloatingPointError):

@@ -1,4 +1,4 @@
-"""Climbing along a curve against a walk over a fine grid."""
+"""Climbing along a curve against a search over a fine grid."""
 
 from __future__ import annotations
 
@@ -37,8 +37,8 @@ GRID = np.linspace(0.0, END, 70_001)
 HEIGHTS = wave(GRID)
 
 
-def walked(levels):
-    """Walk from cell to cell while the level exceeds the next one; for every level a new walk from where one stands."""
+def searched(levels):
+    """Go from cell to cell while the level exceeds the next one; each level begins where the last one ended."""
     index, path, before = 0, [], -np.inf
     for level in levels:
         if level >= before:
@@ -54,7 +54,7 @@ def walked(levels):
 
 @settings(max_examples=50, deadline=None, derandomize=True)
 @given(levels=st.lists(st.floats(-1.5, 2.5).map(lambda y: round(y, 3) + 3e-4), min_size=2, max_size=8))
-def test_against_a_walk(levels):
+def test_against_a_search_cell_by_cell(levels):
     curve, place, found = slopes(), 0.0, []
     before = -np.inf
     for level in levels:
@@ -67,7 +67,7 @@ def test_against_a_walk(levels):
             assert leap.end in (0.0, END) or wave(leap.end) == pytest.approx(leap.level, abs=1e-12)
             assert leap.aim == 0
         before = level
-    np.testing.assert_allclose(found, walked(levels), atol=2.0 * END / 70_000 + 1e-4)
+    np.testing.assert_allclose(found, searched(levels), atol=2.0 * END / 70_000 + 1e-4)
 
 
 def test_many_levels_at_once_are_the_same_as_one_by_one():

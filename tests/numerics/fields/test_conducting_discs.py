@@ -65,7 +65,7 @@ def test_a_rod_constricts_as_little_as_the_best_flux_allows(ratio):
     assert 4.0 * ratio * resistance == pytest.approx(float(relief(np.array(ratio))), rel=1e-6)
 
 
-def test_a_rod_relieves_a_narrow_contact_as_roess_said():
+def test_a_rod_relieves_a_narrow_contact_as_roess_stated():
     """The first coefficient of the series in a/b is 1.40925."""
     ratio = np.array([0.0, 1e-4])
     found = relief(ratio)

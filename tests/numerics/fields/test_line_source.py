@@ -159,7 +159,7 @@ def test_backwards_is_the_mirror_image():
     assert HERTZ.peak(-4.0).x == pytest.approx(-HERTZ.peak(4.0).x, rel=1e-9)
 
 
-def test_the_fits_of_tian_and_kennedy_are_as_good_as_told():
+def test_the_fits_of_tian_and_kennedy_are_as_good_as_stated():
     peclet = np.geomspace(0.01, 100.0, 9)
     hertz, uniform = ([source.peak(2.0 * each).height for each in peclet] for source in (HERTZ, UNIFORM))
     apart = [np.max(np.abs(fit(1.0, 1.0, 1.0, peclet) / own - 1.0)) for fit, own in

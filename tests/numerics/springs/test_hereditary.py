@@ -82,11 +82,11 @@ def test_a_dashpot_in_and_out_is_the_closed_form():
     """Loading F = 4/3 E* d^(3/2) + 2 eta* sqrt(d) d', unloading 4/3 E* (d + tau d')^(3/2), with tau = 0.2."""
     time, place, turn = triangle(1001)
     found, radius = solutions(KelvinVoigt(0.25, 0.05), time, place, turn)
-    way_in = 4.0 / 3.0 * place**1.5 + 2.0 * 0.2 * np.sqrt(np.maximum(place, 0.0))
+    loading = 4.0 / 3.0 * place**1.5 + 2.0 * 0.2 * np.sqrt(np.maximum(place, 0.0))
     pressed = np.maximum(place - 0.2, 0.0)
     inward = slice(1, turn)
     outward = slice(turn + 2, -1)
-    assert found.force[inward] == pytest.approx(way_in[inward], rel=1e-6)
+    assert found.force[inward] == pytest.approx(loading[inward], rel=1e-6)
     assert found.force[outward] == pytest.approx(4.0 / 3.0 * pressed[outward] ** 1.5, abs=1e-5)
     assert radius[outward] == pytest.approx(np.sqrt(pressed[outward]), abs=1e-4)
 
@@ -116,7 +116,7 @@ def test_a_hold_after_a_sudden_step_is_the_relaxation():
     assert found.force == pytest.approx(4.0 / 3.0 * bed(SLS).medium.relaxation.at(time), rel=1e-12)
 
 
-def test_a_machine_that_gives_way_relaxes_what_the_integral_says():
+def test_a_compliant_machine_relaxes_what_the_integral_says():
     """Step of the machine by D = 1, paraboloid, Maxwell: F = Phi(d(0)) M(t) + integral of M(t-s) dPhi, d = 1 - cF."""
     solid, c = Maxwell(0.25, 0.5), 0.8
     time = np.concatenate([[0.0], np.linspace(1e-4, 2.0, 4001)])

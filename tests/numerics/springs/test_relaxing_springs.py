@@ -34,8 +34,8 @@ def test_modes_share_no_energy(name):
     series = SERIES[name]
     recovery = Recovery.of(series)
     form = series.relaxed + (recovery.to_memory.T / series.moduli) @ recovery.to_memory
-    kept = recovery.law(series)[-1]
-    assert np.diag(kept) == pytest.approx(0.5 * form, abs=1e-12 * np.max(np.abs(form)))
+    energy = recovery.law(series)[-1]
+    assert np.diag(energy) == pytest.approx(0.5 * form, abs=1e-12 * np.max(np.abs(form)))
 
 
 @pytest.mark.parametrize(
@@ -104,8 +104,8 @@ def test_a_free_spring_bears_nothing(name):
     done = row.march(np.array([0.0]), np.array([0.5]))
     assert done.force[0] == 0.0
     assert row.place[0] == pytest.approx(after[0], rel=1e-7)
-    kept = 0.5 * series.relaxed * after[0] ** 2 + 0.5 * np.sum(after[1:] ** 2 / series.moduli)
-    assert done.stored[0] == pytest.approx(kept, rel=1e-7)
+    energy = 0.5 * series.relaxed * after[0] ** 2 + 0.5 * np.sum(after[1:] ** 2 / series.moduli)
+    assert done.stored[0] == pytest.approx(energy, rel=1e-7)
     assert done.stored[0] <= stored[0]
 
 

@@ -78,7 +78,7 @@ def test_a_wide_punch_on_a_sharp_kernel():
 
 @pytest.mark.slow
 @pytest.mark.parametrize("strength", [3.0, -0.9])
-def test_stiffness_two_ways(strength):
+def test_stiffness_by_two_formulas(strength):
     """d(area)/da = phi(a; a)^2, across the ends of octaves too."""
     response = Love(strength)
     a = np.geomspace(0.02, 40.0, 60)
@@ -123,7 +123,7 @@ def test_the_derivatives_of_the_resolvent():
 
 
 @pytest.mark.slow
-def test_answers_do_not_depend_on_what_was_asked_before():
+def test_results_do_not_depend_on_earlier_calls():
     response = Love(0.7)
     punch_tables._tables.cache_clear()
     before = float(fredholm.area(response, np.array(3.3)))

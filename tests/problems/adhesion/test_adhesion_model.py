@@ -11,7 +11,8 @@ import winkler as wk
 from winkler.laws.adhesion import DerjaguinMullerToporov, Dugdale, ShortRange
 from winkler.materials.layered import Layer
 from winkler.media.layered.coated import CoatedHalfSpace
-from winkler.problems.adhesion.model_choice import maugis_parameter, tabor_parameter, which_model
+from winkler.problems.adhesion.model_choice import which_model
+from winkler.problems.adhesion.tabor import maugis_parameter, tabor_parameter
 
 RADIUS, MODULUS, WORK = 50e-9, 80e9, 0.06
 BALL = wk.Foundation(wk.Paraboloid(RADIUS), wk.HalfSpace(wk.Elastic(MODULUS, 0.0)))

@@ -228,7 +228,7 @@ SHAPES = {
     ratio=st.sampled_from([0.0, 0.2, 0.7, 1.0]),
     softness=st.floats(0.0, 10.0),
 )
-def test_energy_is_kept(name, turns, ratio, softness):
+def test_energy_is_conserved(name, turns, ratio, softness):
     """Work of the machine, integrated independently, = energy stored + energy lost; nothing is ever gained."""
     n, c = SHAPES[name]
     factor = {1.0: math.pi / 2, 1.5: 1.5 * math.gamma(0.75) * math.sqrt(math.pi) / (2 * math.gamma(1.25)), 2.0: 2.0}

@@ -76,12 +76,10 @@ def test_against_a_march_along_the_path(n, m, count):
     problem = wk.BimodalDamping(BALL, Coulomb(0.3), DEPTH, DOWN, ASIDE, 0.7, n, m)
     loss = problem.solve().loss_per_cycle
     path = problem.path(0.7, ASIDE, 2, count)
-    walked = Tangential(BALL, Coulomb(0.3), path).solve()
+    trace = Tangential(BALL, Coulomb(0.3), path).solve()
     first = int(np.searchsorted(path.time, 1.0))
     assert path.time[first] == 1.0
-    assert walked.dissipation[-1] - walked.dissipation[first] == pytest.approx(
-        loss, rel=10.0 * (max(n, m) / count) ** 2
-    )
+    assert trace.dissipation[-1] - trace.dissipation[first] == pytest.approx(loss, rel=10.0 * (max(n, m) / count) ** 2)
 
 
 def test_a_steady_depth_is_mindlin_and_deresiewicz():

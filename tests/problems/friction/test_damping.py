@@ -81,9 +81,9 @@ def test_against_a_march_along_the_path(name):
         shift = part * BETA * contact.depth
         lateral = np.array([0.0, 1.0, -1.0, 1.0, -1.0]) * shift + 0.1 * shift
         path = Path(np.arange(5.0), wk.Depth(contact.depth), wk.Shift(lateral))
-        walked = Tangential(bed, Coulomb(MU), path).solve().dissipation
+        marched = Tangential(bed, Coulomb(MU), path).solve().dissipation
         swing = wk.FrictionDamping(bed, Coulomb(MU), wk.Depth(contact.depth), wk.Shift(shift)).solve()
-        assert walked[4] - walked[2] == pytest.approx(swing.loss_per_cycle, rel=1e-9)
+        assert marched[4] - marched[2] == pytest.approx(swing.loss_per_cycle, rel=1e-9)
 
 
 @pytest.mark.parametrize("name", PROFILES)

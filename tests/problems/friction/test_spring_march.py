@@ -161,16 +161,16 @@ def test_too_large_a_force_is_refused_where_it_is_prescribed(plane):
         problem.solve()
 
 
-WAYS = {
+LATERAL_PATHS = {
     "line": wk.Shift(FULL * np.sin(np.arange(600) * 0.1)),
     "plane": wk.Shift(FULL * np.column_stack([np.sin(np.arange(600) * 0.1), 0.4 * np.cos(np.arange(600) * 0.23)])),
     "force": wk.ShearForce(0.3 * MU * FORCE * np.sin(np.arange(600) * 0.1)),
 }
 
 
-@pytest.mark.parametrize("name", WAYS)
+@pytest.mark.parametrize("name", LATERAL_PATHS)
 def test_solve_is_steps_to_the_last_bit(name):
-    path = Path(np.arange(600.0), wk.Depth(1.0 + 0.3 * np.sin(np.arange(600) * 0.03)), WAYS[name])
+    path = Path(np.arange(600.0), wk.Depth(1.0 + 0.3 * np.sin(np.arange(600) * 0.03)), LATERAL_PATHS[name])
     problem = SpringMarch(BALL, Coulomb(MU), path, 60)
     trace, states = problem.solve(), list(problem.steps())
     for word in ("time", "depth", "force", "radius", "shift", "shear_force", "stored_energy", "dissipation"):
@@ -180,15 +180,15 @@ def test_solve_is_steps_to_the_last_bit(name):
 @settings(max_examples=30, deadline=None)
 @given(st.integers(0, 10**6), st.floats(0.1, 2.0))
 def test_no_energy_is_created(seed, size):
-    """Over random ways in the plane with changing depth the springs lose, and pay for what they store."""
+    """Over random paths in the plane with changing depth the springs lose, and pay for what they store."""
     rng = np.random.default_rng(seed)
     coarse = np.arange(9.0)
     points = rng.normal(scale=size * FULL, size=(9, 2)).cumsum(0)
     depth = rng.uniform(-0.2, 1.0, 9)
     depth[0] = 1.0
     fine = np.linspace(0.0, 8.0, 801)
-    way = np.column_stack([np.interp(fine, coarse, part) for part in points.T])
-    path = Path(fine, wk.Depth(np.interp(fine, coarse, depth)), wk.Shift(way - way[0]))
+    points_between = np.column_stack([np.interp(fine, coarse, part) for part in points.T])
+    path = Path(fine, wk.Depth(np.interp(fine, coarse, depth)), wk.Shift(points_between - points_between[0]))
     trace = SpringMarch(BALL, Coulomb(MU), path, 40).solve()
     assert np.all(np.diff(trace.dissipation) >= 0.0)
     assert np.all(np.hypot(*trace.shear_force.T) <= MU * trace.force * (1.0 + 1e-12))

@@ -206,8 +206,8 @@ def test_nothing_slides_where_friction_is_endless():
 
 def test_nothing_is_dragged_without_friction():
     solution = run(through(wk.Depth([0.1, 0.3]), wk.Shift([0.0, 0.5])), law=wk.Coulomb(0.0))
-    for answered in (solution.shear_force, solution.dissipation, solution.stick_radius):
-        assert not np.any(answered)
+    for column in (solution.shear_force, solution.dissipation, solution.stick_radius):
+        assert not np.any(column)
 
 
 def shapes():

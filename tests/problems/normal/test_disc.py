@@ -1,6 +1,6 @@
 """Wavy and concave bodies: what is accepted is right, and what is refused is really not a disc.
 
-The judge is `rings`: uniformly loaded rings and complementarity, which knows nothing of springs.
+The reference solution is `rings`: uniformly loaded rings and complementarity, which knows nothing of springs.
 """
 
 from __future__ import annotations
@@ -242,7 +242,7 @@ def test_twenty_waves_are_restored():
     assert 0.005 < np.max(np.abs(pressure - hertz)) / hertz[0] < 1.0
 
 
-def test_measured_waves_are_judged_alike():
+def test_measured_waves_are_checked_alike():
     r = np.linspace(0.0, 1.0, 200)
     profile = wk.Measured(r, r**2 / 2.0 + 4e-3 * (1.0 - np.cos(10.0 * np.pi * r)))
     bed = wk.Foundation(profile, UNIT)

@@ -1,6 +1,6 @@
 """Is a contact on layers one disc?  Hard coatings pull and bend away; what is accepted and refused must be right.
 
-The judge restores the pressure in another way: as that of the load which the same pressure puts on a homogeneous
+The reference solution takes the pressure as that of the load which the same pressure puts on a homogeneous
 half-space (`CarriedLoad`), without the flat punches' own pressures.
 """
 

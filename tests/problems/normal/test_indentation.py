@@ -156,9 +156,9 @@ def test_one_load_of_many():
     for index in (7, (0, 5), (0, 0, 0), "first", 0):
         with pytest.raises(wk.InvalidInput, match=r"there is no load .* in a solution of shape \(2, 2\)"):
             many.at(index)
-    for ask in (lambda: many.line_load(np.zeros(1)), lambda: wk.restore(many, [0.0]), lambda: many.pressed):
+    for request in (lambda: many.line_load(np.zeros(1)), lambda: wk.restore(many, [0.0]), lambda: many.pressed):
         with pytest.raises(wk.InvalidInput, match=r"holds 4 loads; pick one with solution.at\(index\)"):
-            ask()
+            request()
     by_depth = wk.Indentation(bed, wk.Depth(np.array([1e-6, 2e-6]))).solve().at(-1)
     assert by_depth.problem.load == wk.Depth(2e-6)
     assert wk.Indentation(bed, wk.Radius(np.array([1e-3]))).solve().at(0).problem.load == wk.Radius(1e-3)

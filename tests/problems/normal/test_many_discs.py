@@ -37,7 +37,7 @@ SLOW = {"waves on a film", "a hard coating"}
 
 
 @pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.slow if name in SLOW else ()) for name in CASES])
-def test_many_loads_are_judged_as_each_alone(name):
+def test_many_loads_are_checked_as_each_alone(name):
     shape, medium, depths = CASES[name]
     bed = wk.Foundation(shape, medium)
     radii = [alone(bed, float(depth)) for depth in depths]

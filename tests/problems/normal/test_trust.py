@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.problems.normal import single_contact
+from winkler.problems.normal import overlap, single_contact
 from winkler.validity import worst
 
 STEEL = wk.Elastic(210e9, 0.3)
@@ -110,7 +110,7 @@ def test_a_check_that_does_not_come_to_an_end_refuses_nothing(monkeypatch):
     def endless(*_):
         raise wk.NotConverged("The separation outside the contact could not be computed.")
 
-    monkeypatch.setattr(single_contact, "_clear_outside", endless)
+    monkeypatch.setattr(overlap, "_clear_outside", endless)
     single_contact._unfinished.cache_clear()
     try:
         unseen = wk.Indentation(bed, loads).solve()

@@ -173,7 +173,7 @@ def test_round_ellipse_is_a_ball(nu):
         assert statement(pressed).standing is standing
 
 
-def test_layers_are_judged_one_by_one():
+def test_layers_are_checked_one_by_one():
     """A layer of the substrate's own solid is no layer: Huber's axis gives both stresses, nu = 0.3, h = 1.5 a."""
     a, h = 1e-4, 1.5e-4
     peak, at_face = 0.6200410039, 0.0
@@ -269,7 +269,7 @@ RUBBER = wk.StandardSolid(relaxed_shear=1e9, shear=2e9, relaxation_time=1.0)
         (lambda solid: wk.CoatedHalfSpace([wk.Layer(wk.Elastic(E, NU), 1e-3)], on=solid), True),
     ],
 )
-def test_every_body_of_a_medium_is_judged(medium, known):
+def test_every_body_of_a_medium_is_checked(medium, known):
     """Whichever body is given the strength: tiny, it yields; where its stresses are not known, that is stated."""
     for strength, standing in ((1e3, wk.Standing.OUTSIDE), (1e30, wk.Standing.EXACT)):
         bed = wk.Foundation(wk.Paraboloid(R), medium(steel(strength)))

@@ -290,7 +290,7 @@ def test_energy_is_never_made(points, solid):
     st.sampled_from([MAXWELL, STANDARD, VOIGT, Prony(0.01, [0.1, 0.2], [0.01, 5.0], 0.02)]),
 )
 def test_forces_come_back_from_the_depths_they_made(points, solid):
-    """A history of forces, marched, gives depths and energies; no energy is made on the way, and none leaks."""
+    """A history of forces, marched, gives depths and energies; no energy is created, and none is lost."""
     times = np.concatenate([[0.0], np.cumsum([dt for dt, _ in points])])
     forces = np.concatenate([[0.0], [0.01 + force for _, force in points]])
     found = pressed(solid, times, Force(forces), count=80, tolerance=1e-4)

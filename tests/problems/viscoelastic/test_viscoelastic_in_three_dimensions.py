@@ -1,7 +1,7 @@
 """An independent reference solution: the restored pressures, as loads on a three-dimensional half-space that creeps.
 
 At every moment of a history the pressure of the springs is put on the surface; Boussinesq's integral over the contact
-tells how an elastic half-space would sink, the hereditary integral over the past how the creeping one does.  Under the
+gives how an elastic half-space would sink, the hereditary integral over the past how the creeping one does.  Under the
 body that must be d - f(r), whatever has happened before; outside it is what `restore` says.
 """
 
@@ -60,7 +60,7 @@ def crept(creep, times, loads):
     return out
 
 
-def judge(solid, shape, corners, loads, steps, places, count=400):
+def solve(solid, shape, corners, loads, steps, places, count=400):
     """Return the last state of a history, and how far the creeping half-space has sunk at some places by then."""
     medium = ViscoelasticHalfSpace(solid)
     times = np.unique(np.concatenate([np.linspace(0.0, corners[-1], steps + 1), corners]))
@@ -86,7 +86,7 @@ def test_growing_contacts_sink_as_the_body_says(steps, solid):
     corners = np.concatenate([[0.0], np.cumsum([dt for dt, _ in steps])])
     depths = np.concatenate([[0.0], np.cumsum([change for _, change in steps])])
     depth, places = depths[-1], np.array([0.25, 0.8]) * math.sqrt(depths[-1])
-    _, found = judge(solid, wk.Paraboloid(1.0), corners, Depth(depths), 40, places, 200)
+    _, found = solve(solid, wk.Paraboloid(1.0), corners, Depth(depths), 40, places, 200)
     assert found == pytest.approx(depth - 0.5 * places**2, rel=4e-3)
 
 
@@ -101,17 +101,17 @@ HISTORIES = {
 @pytest.mark.parametrize("solid", [MAXWELL, TWO], ids=["Maxwell", "two times"])
 def test_under_the_body_the_surface_follows_it(name, solid):
     corners, depths, places = HISTORIES[name]
-    state, result = judge(solid, wk.Paraboloid(1.0), np.array(corners), Depth(np.array(depths)), 160, np.array(places))
+    state, result = solve(solid, wk.Paraboloid(1.0), np.array(corners), Depth(np.array(depths)), 160, np.array(places))
     assert max(places) < state.radius
     assert result == pytest.approx(depths[-1] - 0.5 * np.array(places) ** 2, rel=1.5e-3)
 
 
-def test_the_judge_converges():
+def test_the_reference_solution_converges():
     """The error is that of the reference solution's straight lines in time, and goes."""
     corners, depths = np.array([0.0, 0.4, 0.6, 1.0]), np.array([0.0, 0.5, -0.3, 0.6])
     place = np.array([0.5])
     errors = [
-        abs(judge(MAXWELL, wk.Paraboloid(1.0), corners, Depth(depths), steps, place)[1][0] - 0.475)
+        abs(solve(MAXWELL, wk.Paraboloid(1.0), corners, Depth(depths), steps, place)[1][0] - 0.475)
         for steps in (40, 160)
     ]
     assert errors[1] < 0.2 * errors[0]
@@ -123,9 +123,9 @@ def test_the_judge_converges():
 def test_outside_the_surface_is_where_it_is_restored(shape):
     """Where it has not recovered from a wider contact."""
     corners, depths = np.array([0.0, 1.0, 1.1]), np.array([0.0, 0.5, 0.4])
-    result = judge(STANDARD, shape, corners, Depth(depths), 120, np.zeros(0))[0]
+    result = solve(STANDARD, shape, corners, Depth(depths), 120, np.zeros(0))[0]
     places = np.array([0.5 * (result.radius + result.pressed.radius), 1.5 * result.pressed.radius])
-    state, moved = judge(STANDARD, shape, corners, Depth(depths), 120, places)
+    state, moved = solve(STANDARD, shape, corners, Depth(depths), 120, places)
     fields = restore(state, places)
     assert fields.displacement == pytest.approx(moved, rel=2e-3)
     assert np.all(fields.gap > 0.0)
@@ -138,7 +138,7 @@ def test_a_dent_recovers_as_it_is_restored():
         np.array([0.0, 0.5, -0.5, -0.5]),
         np.array([0.2, 0.6, 1.0]),
     )
-    state, moved = judge(TWO, wk.Paraboloid(1.0), corners, Depth(depths), 200, places)
+    state, moved = solve(TWO, wk.Paraboloid(1.0), corners, Depth(depths), 200, places)
     assert state.radius == 0.0
     fields = restore(state, places)
     assert np.all(fields.pressure == 0.0)
@@ -150,12 +150,12 @@ def test_under_a_force():
     """Loaded, held, and taken off within the relaxation time; the depth is that of the marched springs."""
     corners, forces = np.array([0.0, 0.3, 1.0, 1.1]), np.array([0.0, 0.1, 0.1, 0.06])
     places = np.array([0.2, 0.4])
-    state, result = judge(STANDARD, wk.Paraboloid(1.0), corners, Force(forces), 120, places, 200)
+    state, result = solve(STANDARD, wk.Paraboloid(1.0), corners, Force(forces), 120, places, 200)
     assert max(places) < state.radius
     assert result == pytest.approx(state.depth - 0.5 * places**2, rel=2e-3)
 
 
 def test_a_dashpot_alongside():
     corners, depths, places = np.array([0.0, 1.0, 1.2]), np.array([0.0, 0.5, 0.46]), np.array([0.2, 0.5])
-    _, result = judge(KelvinVoigt(0.25, 0.075), wk.Paraboloid(1.0), corners, Depth(depths), 160, places)
+    _, result = solve(KelvinVoigt(0.25, 0.075), wk.Paraboloid(1.0), corners, Depth(depths), 160, places)
     assert result == pytest.approx(0.46 - 0.5 * places**2, rel=3e-3)

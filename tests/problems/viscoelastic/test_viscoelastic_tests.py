@@ -15,7 +15,8 @@ from winkler.materials.viscoelastic import Prony
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.path import Path
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
-from winkler.problems.viscoelastic.material_tests import CreepTest, HarmonicIndentation, RelaxationTest
+from winkler.problems.viscoelastic.material_tests import CreepTest, RelaxationTest
+from winkler.problems.viscoelastic.oscillation import HarmonicIndentation
 
 
 def bed(solid, profile=None) -> wk.Foundation:

@@ -159,7 +159,7 @@ def test_a_case_is_recomputed(reference):
         assert deviation < 5e-15, (expectation["quantity"], float(deviation))
 
 
-def test_every_friction_case_is_recomputed_or_told_from_where():
+def test_every_friction_case_is_recomputed_or_cited():
     kinds = {"tangential", "torsion", "friction_damping", "bimodal_damping", "relaxation_damper"}
     kinds |= {"impact", "adhesive_impact"}
     cases = {path.stem: tomllib.loads(path.read_text(encoding="utf-8")) for path in CASES.glob("*.toml")}

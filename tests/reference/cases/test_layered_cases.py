@@ -49,7 +49,7 @@ def given(expectation: dict) -> np.ndarray:
     return np.atleast_1d(np.array(expectation["value"], dtype=float))
 
 
-def test_every_case_has_a_judge():
+def test_every_case_has_a_reference_solution():
     assert len(GRADED) >= 8
     assert len(LAYERED) >= 16
     assert set(CASES) == {*GRADED, *LAYERED, "measured_elliptic"}

@@ -28,7 +28,7 @@ def expected(name):
 
 
 @pytest.mark.parametrize("name", REFERENCES)
-def test_a_case_says_what_the_judge_says(name):
+def test_a_case_states_what_the_reference_solution_gives(name):
     stated = REFERENCES[name]()
     found = expected(name)
     assert len(found) == len(stated)
@@ -168,7 +168,7 @@ def test_coefficients_of_rolling_by_boundary_elements():
     assert found[:2] == pytest.approx([4.127, 3.684], rel=8e-3)
 
 
-def test_coarse_elements_are_on_the_way_to_the_table():
+def test_coarse_elements_converge_to_the_table():
     found = np.array([rolling_elements.coefficients(count, 0.25) for count in (10, 20)])
     off = np.abs(found / [4.12, 3.67, 1.47] - 1.0)
     assert np.all(off[1] < off[0])

@@ -113,7 +113,7 @@ def test_a_slope_is_that_of_its_table(name, word, power, coefficient):
     assert case["expect"][0]["value"] == pytest.approx(float(wanted), rel=1e-12)
 
 
-def test_every_rolling_case_is_recomputed_or_told_from_where():
+def test_every_rolling_case_is_recomputed_or_cited():
     kinds = {"rolling", "simplified_rolling", "rolling_start", "oscillating_rolling"}
     names = {path.stem for path in CASES.glob("*.toml")}
     found = {name for name in names if case_of(name).get("problem", {}).get("kind") in kinds}

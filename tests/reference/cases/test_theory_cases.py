@@ -61,7 +61,7 @@ def values(name, quantity):
 
 
 @pytest.mark.parametrize("name", REFERENCES)
-def test_a_case_says_what_the_judge_says(name):
+def test_a_case_states_what_the_reference_solution_gives(name):
     stated = REFERENCES[name]()
     expected = {item["quantity"] for item in read(name)["expect"]}
     assert set(stated) - REQUESTED.get(name, set()) <= expected
@@ -78,7 +78,7 @@ def test_a_case_says_what_the_judge_says(name):
 
 
 @pytest.mark.parametrize("name", ["lubkin_table", "torsion_flat_punch", "torsion_cone"])
-def test_the_angles_are_those_of_the_judge(name):
+def test_the_angles_are_those_of_the_reference_solution(name):
     requested = read(name)["problem"]["path"]["lateral"]["angle"]["values"]
     np.testing.assert_allclose(requested, [float(angle) for angle in REFERENCES[name]()["angle"]], rtol=1e-14)
 

@@ -25,8 +25,8 @@ def test_the_limiting_profile_of_a_ball(case, share):
     c, nu = mpmath.mpf(share), mpmath.mpf("0.3")
 
     def shape(r):
-        kept = mpmath.quad(lambda w: (r * mpmath.sin(w)) ** 2, [0, mpmath.asin(c / r)])
-        return 2 / mpmath.pi * (kept + mpmath.acos(c / r))
+        unworn = mpmath.quad(lambda w: (r * mpmath.sin(w)) ** 2, [0, mpmath.asin(c / r)])
+        return 2 / mpmath.pi * (unworn + mpmath.acos(c / r))
 
     end = mpmath.findroot(lambda r: shape(r) - r * r / 2, (1.1, 1.4), solver="anderson")
     # r^2 = c^2 + s^2 takes the root at the core away

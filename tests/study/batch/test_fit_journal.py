@@ -30,9 +30,9 @@ STUDY = FitStudy("map", wk.Indentation(BED, wk.Depth(0.0)), ("map.jpk",), (YOUNG
 def curve(number: int) -> PlacedCurve:
     """F = 4/3 E/(1-nu^2) sqrt(R) d^(3/2) with noise, E = 3 kPa + number kPa."""
     random = np.random.default_rng(number)
-    way = np.linspace(-1e-6, 1e-6, 80)
-    force = 4.0 / 3.0 * (3e3 + 1e3 * number) / 0.75 * math.sqrt(5e-6) * np.maximum(way, 0.0) ** 1.5
-    measured = ForceCurve(way, force + 5e-12 * random.standard_normal(80), name=f"map.jpk, curve {number}")
+    depth = np.linspace(-1e-6, 1e-6, 80)
+    force = 4.0 / 3.0 * (3e3 + 1e3 * number) / 0.75 * math.sqrt(5e-6) * np.maximum(depth, 0.0) ** 1.5
+    measured = ForceCurve(depth, force + 5e-12 * random.standard_normal(80), name=f"map.jpk, curve {number}")
     return PlacedCurve(measured, 1e-6 * number, math.nan)
 
 
@@ -42,18 +42,18 @@ MAP = [curve(0), UnreadCurve("map.jpk, curve 1", "map.jpk: it is broken."), curv
 @pytest.fixture
 def counted(monkeypatch):
     """Count the curves that are fitted."""
-    seen = []
+    calls = []
     plain = fit_run._fit_curve
 
     def watched(study, one, where, watch):
-        seen.append(one)
+        calls.append(one)
         return plain(study, one, where, watch)
 
     monkeypatch.setattr(fit_run, "_fit_curve", watched)
-    return seen
+    return calls
 
 
-def kept(path, study=STUDY, todo=MAP, count=None):
+def fitted(path, study=STUDY, todo=MAP, count=None):
     """Fit the first curves with a journal; return what is known before, and all that came."""
     with Journal(path, study) as journal:
         known = recalled_fits(study, todo, journal)
@@ -69,8 +69,8 @@ def digits(results):
 def test_fits_come_back_to_the_last_digit_and_are_not_done_twice(tmp_path, counted):
     whole = dict(fit_curves(STUDY, MAP))
     del counted[:]
-    kept(tmp_path / "x", count=3)
-    known, found = kept(tmp_path / "x")
+    fitted(tmp_path / "x", count=3)
+    known, found = fitted(tmp_path / "x")
     assert counted == MAP
     assert sorted(known) == [0, 1, 2]
     for place, results in whole.items():
@@ -83,25 +83,25 @@ def test_a_fit_with_adhesion_and_corrections_comes_back(root, tmp_path):
     """Fits of bodies that relax do, too: test_relaxing_fit_study.py."""
     study = read_fit_study(root / "examples" / "studies" / "fitting" / "fit_sticky.toml")
     todo = fit_run.pieces(study)
-    _, fresh = kept(tmp_path / "x", study, todo)
-    known, _ = kept(tmp_path / "x", study, todo)
+    _, fresh = fitted(tmp_path / "x", study, todo)
+    known, _ = fitted(tmp_path / "x", study, todo)
     assert known[0][0].fit == fresh[0][0].fit
     assert known[0][0].notes == fresh[0][0].notes == known[0][0].fit.validity
     assert known[0][0].steps == fresh[0][0].steps
 
 
 def test_a_curve_that_was_changed_is_fitted_again(tmp_path, counted):
-    kept(tmp_path / "x")
+    fitted(tmp_path / "x")
     del counted[:]
     one = curve(2)
     force = one.curve.force.copy()
     force[7] = np.nextafter(force[7], 1.0)
     other = dataclasses.replace(one, curve=dataclasses.replace(one.curve, force=force))
-    known, found = kept(tmp_path / "x", todo=[MAP[0], MAP[1], other, MAP[3]])
+    known, found = fitted(tmp_path / "x", todo=[MAP[0], MAP[1], other, MAP[3]])
     assert counted == [other]
     assert sorted(known) == [0, 1, 3]
     assert found[2] == fit_run._fit_piece(STUDY, other)
-    assert sorted(kept(tmp_path / "x", todo=[other, curve(5)])[0]) == [0]  # of the two lines of one curve, its own
+    assert sorted(fitted(tmp_path / "x", todo=[other, curve(5)])[0]) == [0]  # of the two lines of one curve, its own
 
 
 @pytest.mark.parametrize(
@@ -119,7 +119,7 @@ def test_a_curve_that_was_changed_is_fitted_again(tmp_path, counted):
     ],
 )
 def test_another_fit_is_refused(change, tmp_path):
-    kept(tmp_path / "x", count=1)
+    fitted(tmp_path / "x", count=1)
     with (
         pytest.raises(InvalidInput, match="holds curves of another study, or of another version of this one; add --an"),
         Journal(tmp_path / "x", dataclasses.replace(STUDY, **change)),
@@ -144,7 +144,7 @@ def test_in_python_the_same_call_goes_on(tmp_path, monkeypatch, counted):
     study = dataclasses.replace(STUDY, sources=("map.jpk",))
     monkeypatch.setattr(fit_run, "pieces", lambda _: MAP)
     monkeypatch.setattr(fit_run, "_hash", lambda _: "")
-    kept(tmp_path / "x", study, count=2)
+    fitted(tmp_path / "x", study, count=2)
     outcome = fit_study(study, journal=tmp_path / "x")
     assert len(counted) == len(MAP)
     assert digits(outcome.results) == digits(fit_study(study).results)
@@ -152,21 +152,21 @@ def test_in_python_the_same_call_goes_on(tmp_path, monkeypatch, counted):
 
 
 def test_a_batch_without_any_answer_leaves_no_journal(tmp_path):
-    kept(tmp_path / "x", todo=[MAP[1], dataclasses.replace(MAP[1], name="another")])
+    fitted(tmp_path / "x", todo=[MAP[1], dataclasses.replace(MAP[1], name="another")])
     assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.parametrize(("before", "sentence"), [(2, "2 of 4 curves are kept in '{}'"), (0, "No curve was fitted.")])
-def test_when_workers_die_it_is_said_what_is_kept(before, sentence, tmp_path, monkeypatch):
+def test_when_workers_die_it_is_stated_what_is_stored(before, sentence, tmp_path, monkeypatch):
     def dead(*_):
         raise NotConverged("workers: a worker process ended before its time.")
 
     path = tmp_path / "x"
     if before:
-        kept(path, count=before)
+        fitted(path, count=before)
     monkeypatch.setattr(fit_run, "fingerprint", dead)
     with pytest.raises(NotConverged, match=re.escape(f"ended before its time. {sentence.format(path)}")):
-        kept(path)
+        fitted(path)
 
 
 def test_a_mistake_of_ours_costs_one_curve_and_is_tried_again(monkeypatch, tmp_path):
@@ -179,11 +179,11 @@ def test_a_mistake_of_ours_costs_one_curve_and_is_tried_again(monkeypatch, tmp_p
 
     with monkeypatch.context() as patch:
         patch.setattr(fit_run, "_fit_of", broken)
-        _, found = kept(tmp_path / "x")
+        _, found = fitted(tmp_path / "x")
     assert found[2][0].reason == "an unexpected error, ZeroDivisionError: float division by zero"
     assert found[2][0].code == 70
     assert isinstance(found[3][0], Fitted)
-    known, found = kept(tmp_path / "x")
+    known, found = fitted(tmp_path / "x")
     assert sorted(known) == [0, 1, 3]
     assert isinstance(found[2][0], Fitted)
 

@@ -33,7 +33,7 @@ figures = []
 report = false
 """
 CODES = {signal.SIGINT: 130, signal.SIGTERM: 143}
-SAID = {signal.SIGINT: "winkler: interrupted; nothing was written.\n", signal.SIGTERM: ""}
+MESSAGES = {signal.SIGINT: "winkler: interrupted; nothing was written.\n", signal.SIGTERM: ""}
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="a process cannot send itself these signals there")
 
@@ -106,24 +106,24 @@ def test_no_signal_is_lost(when, how, sign, here, monkeypatch, capsys):
 
     monkeypatch.setattr(module, when, met)
     assert main(["run", "ball.toml", "--quiet"]) == CODES[sign]
-    assert capsys.readouterr().err == SAID[sign]
+    assert capsys.readouterr().err == MESSAGES[sign]
     assert [path.name for path in here.iterdir()] == ["ball.toml"]
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
     assert signal.getsignal(signal.SIGTERM) is signal.SIG_DFL
     assert sys.unraisablehook is hook
-    stopping.raise_pending()  # what was heard is not left to the next run
+    stopping.raise_pending()  # what was received is not left to the next run
 
 
-def test_a_point_that_failed_of_an_interrupt_is_not_kept_as_a_failed_one(here, monkeypatch, capsys):
+def test_a_point_that_failed_of_an_interrupt_is_not_stored_as_a_failed_one(here, monkeypatch, capsys):
     import winkler as wk
 
     text = BALL + '\n[sweep]\n"problem.load.force" = ["1 N", "2 N", "3 N"]\n'
     (here / "balls.toml").write_text(text, encoding="utf-8")
-    solve, seen = wk.Indentation.solve, []
+    solve, calls = wk.Indentation.solve, []
 
     def met(self):
-        seen.append(self)
-        if len(seen) == 2:
+        calls.append(self)
+        if len(calls) == 2:
             misread(signal.SIGINT)
         return solve(self)
 
@@ -137,7 +137,7 @@ def test_a_point_that_failed_of_an_interrupt_is_not_kept_as_a_failed_one(here, m
 
 @pytest.mark.parametrize("sign", CODES)
 def test_the_two_renamings_are_not_torn_apart(sign, here, monkeypatch, capsys):
-    """The signal comes between them: the results are placed, and said to be complete."""
+    """The signal comes between them: the results are placed, and stated to be complete."""
     assert main(["run", "ball.toml", "--quiet"]) == 0
     old = (here / "results/ball/provenance.json").stat().st_ino
     real = os.rename
@@ -171,14 +171,14 @@ def test_what_was_half_made_is_taken_down_without_a_word(here, monkeypatch, caps
 
 def test_whoever_listens_already_goes_on_listening(here):
     """A program that runs a command in itself keeps its own handlers."""
-    heard = []
-    signal.signal(signal.SIGINT, lambda *_: heard.append(1))
-    signal.signal(signal.SIGTERM, lambda *_: heard.append(2))
+    received = []
+    signal.signal(signal.SIGINT, lambda *_: received.append(1))
+    signal.signal(signal.SIGTERM, lambda *_: received.append(2))
     with stopping.receiving_signals() as end:
         os.kill(os.getpid(), signal.SIGINT)
         os.kill(os.getpid(), signal.SIGTERM)
         stopping.raise_pending()
-    assert heard == [1, 2]
+    assert received == [1, 2]
     assert end.code == 0
 
 

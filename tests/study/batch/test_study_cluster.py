@@ -85,7 +85,7 @@ ONE_BY_ONE = Study("x", wk.Indentation(BED, wk.Force(1.0)), sweep=(FORCES,))
 
 @contextlib.contextmanager
 def inside(**how):
-    """Give a cluster that lives in threads of this process."""
+    """Give a cluster that runs in threads of this process."""
     distributed = pytest.importorskip("distributed")
     few = {"n_workers": 1, "threads_per_worker": 1, "processes": False, "dashboard_address": None, "silence_logs": 50}
     with distributed.LocalCluster(**(few | how)) as local:
@@ -103,33 +103,33 @@ def test_a_cluster_whose_last_worker_died_is_given_up_and_goes_on_with_another(t
             local.sync(local.workers[0].close)
             with pytest.raises(NotConverged) as message:
                 list(points)
-        kept = journal.count
-        assert 0 < kept < 100
+        stored = journal.count
+        assert 0 < stored < 100
         assert str(message.value) == (
             f"cluster: '{cluster.address}' has had no worker for 0.2 s; start some with "
-            f"`dask worker {cluster.address}` and run again. {kept} of 100 points are kept in '{path}', "
+            f"`dask worker {cluster.address}` and run again. {stored} of 100 points are kept in '{path}', "
             "and the same run goes on from there."
         )
         local.scale(2)
         local.sync(local._correct_state)
         outcome = run(ONE_BY_ONE, workers=cluster, journal=path)
-    assert sum(isinstance(point, Recalled) for point in outcome.points) == kept
+    assert sum(isinstance(point, Recalled) for point in outcome.points) == stored
     assert [point.found for point in outcome.points] == [point.found for point in run(ONE_BY_ONE).points]
 
 
 @pytest.mark.slow
 def test_what_dask_raises_becomes_a_sentence(monkeypatch):
     distributed = pytest.importorskip("distributed")
-    deadly = distributed.KilledWorker("_answered-1", types.SimpleNamespace(address="tcp://host:9"), 3)
+    deadly = distributed.KilledWorker("_solved-1", types.SimpleNamespace(address="tcp://host:9"), 3)
     raised = iter((deadly, CancelledError(), OSError("in <TCP>: Stream is closed")))
-    said = ("died whenever they solved certain points", *2 * ("is gone; start it and its workers, and run again",))
+    sentences = ("died whenever they solved certain points", *2 * ("is gone; start it and its workers, and run again",))
 
     def broken(*_, **__):
         raise next(raised)
 
     with inside() as local:
         monkeypatch.setattr("distributed.wait", broken)
-        for sentence in said:
+        for sentence in sentences:
             with pytest.raises(NotConverged, match=sentence):
                 run(ONE_BY_ONE, workers=Cluster(local.scheduler_address))
 

@@ -41,16 +41,16 @@ SHEARED = Study(
 @pytest.fixture
 def counted(monkeypatch):
     """Count what is solved."""
-    seen = []
+    solved = []
     solve = wk.Indentation.solve
 
     @functools.wraps(solve)
     def watched(self):
-        seen.append(self)
+        solved.append(self)
         return solve(self)
 
     monkeypatch.setattr(wk.Indentation, "solve", watched)
-    return seen
+    return solved
 
 
 def first(study: Study, path, count: int):
@@ -88,7 +88,7 @@ def test_a_stopped_run_goes_on_where_it_was(tmp_path, counted):
         np.testing.assert_array_equal(mine.content, theirs.content)
 
 
-def test_a_recalled_point_solves_again_when_it_is_asked_for_its_solution(tmp_path, counted):
+def test_a_recalled_point_solves_again_when_its_solution_is_requested(tmp_path, counted):
     path = tmp_path / "x.journal"
     first(STUDY, path, 2)
     with Journal(path, STUDY) as journal:
@@ -226,7 +226,7 @@ def test_a_line_for_every_point_as_soon_as_it_is_solved(tmp_path):
     assert "tensile" in content[3]["reason"]
 
 
-def test_of_long_sweeps_solutions_are_not_kept(monkeypatch, tmp_path):
+def test_of_long_sweeps_solutions_are_not_stored(monkeypatch, tmp_path):
     monkeypatch.setattr(sweep, "MOST_KEPT_SOLUTIONS", 4)
     points = list(solve_points(STUDY))
     assert {type(point) for point in points} == {Recalled, Failed}

@@ -35,16 +35,16 @@ FEW = 30_000_000
 @pytest.fixture
 def made(monkeypatch):
     """Count the shapes that are made."""
-    seen = []
+    built = []
     check = wk.Paraboloid.__post_init__
 
     @functools.wraps(check)
     def watched(self):
-        seen.append(self.curvature_radius)
+        built.append(self.curvature_radius)
         check(self)
 
     monkeypatch.setattr(wk.Paraboloid, "__post_init__", watched)
-    return seen
+    return built
 
 
 def test_no_more_points_are_made_than_are_looked_at(made):

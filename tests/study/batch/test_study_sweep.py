@@ -14,7 +14,8 @@ import pytest
 import winkler as wk
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.study.batch.outcome import Failed, Solved
-from winkler.study.batch.pool import THREAD_VARIABLES, Machine
+from winkler.study.batch.pool import Machine
+from winkler.study.batch.processes import THREAD_VARIABLES
 from winkler.study.batch.run import run
 from winkler.study.batch.sweep import solve_points
 from winkler.study.batch.tasks import tasks
@@ -117,7 +118,7 @@ def test_a_point_that_fails_keeps_its_reason_and_does_not_stop_the_others():
     assert np.isnan(columns["depth"]).tolist() == [False, True, False]
 
 
-def test_if_nothing_can_be_answered_the_reason_is_raised():
+def test_if_nothing_can_be_solved_the_reason_is_raised():
     with pytest.raises(OutsideValidity, match=r"^force -1 N is tensile"):
         run(Study("x", wk.Indentation(BED, wk.Force(-1.0))))
     study = Study("x", PROBLEM, sweep=(Axis("problem.load.force", (-1.0, -2.0)),))
@@ -127,7 +128,7 @@ def test_if_nothing_can_be_answered_the_reason_is_raised():
         run(study)
 
 
-def test_a_point_that_cannot_be_asked_is_refused_before_anything_is_solved(monkeypatch):
+def test_a_point_that_cannot_be_built_is_refused_before_anything_is_solved(monkeypatch):
     monkeypatch.setattr(wk.Indentation, "solve", lambda self: pytest.fail("solved"))
     study = Study("x", PROBLEM, sweep=(Axis("problem.bed.medium.first.poisson", (0.3, 0.7)),))
     with pytest.raises(InvalidInput, match=r"^sweep: at problem\.bed\.medium\.first\.poisson = 0\.7: "):
@@ -148,18 +149,18 @@ def test_wrong_numbers_of_workers(workers):
 
 def test_points_are_a_stream():
     """A point is handed out before the next one is solved."""
-    seen = []
+    forces = []
 
-    class Told(wk.Indentation):
+    class Recorded(wk.Indentation):
         def solve(self):
-            seen.append(self.load.force)
+            forces.append(self.load.force)
             return super().solve()
 
-    points = solve_points(Study("x", Told(BED, wk.Force(1.0)), sweep=(FORCES,)))
+    points = solve_points(Study("x", Recorded(BED, wk.Force(1.0)), sweep=(FORCES,)))
     next(points)
-    assert seen == [1.0]
+    assert forces == [1.0]
     next(points)
-    assert seen == [1.0, 2.0]
+    assert forces == [1.0, 2.0]
 
 
 def test_a_pool_gives_the_same_numbers():
@@ -191,7 +192,7 @@ run(study, workers=2)
 """
 
 
-def test_a_script_without_a_guard_is_told_so(tmp_path):
+def test_a_script_without_a_guard_is_refused_in_a_sentence(tmp_path):
     """Pools start Python anew and read the script again; without a guard they would do so for ever."""
     (tmp_path / "script.py").write_text(SCRIPT)
     answer = subprocess.run([sys.executable, "script.py"], cwd=tmp_path, capture_output=True, text=True, check=False)
@@ -202,7 +203,7 @@ def test_a_script_without_a_guard_is_told_so(tmp_path):
 
 WORKER = """
 import json, os, sys
-from winkler.study.batch.pool import THREAD_VARIABLES, _quiet_start
+from winkler.study.batch.processes import THREAD_VARIABLES, _quiet_start
 import multiprocessing, signal
 def look():
     deaf = signal.SIGINT in signal.pthread_sigmask(signal.SIG_BLOCK, ())

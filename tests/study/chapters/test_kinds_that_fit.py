@@ -1,4 +1,4 @@
-"""What does not fit is refused when a value is made, by one sentence; what is accepted is answered, or refused so.
+"""What does not fit is refused when a value is made, by one sentence; what is accepted is solved, or refused so.
 
 All kinds of the catalogue are put where all others stand, right or wrong.
 """
@@ -30,7 +30,7 @@ BALL = wk.Paraboloid(10e-3)
 LONG = {"coated_half_space", "depth_graded_half_space", "relaxing_in_proportion"}
 """Media whose tables take seconds: each is pressed once."""
 MARCHES = {"adhesive_impact", "friction_heating", "transient_heating", "viscoelastic_adhesion", "viscoelastic_impact"}
-"""Problems that take seconds on a bed: they are asked on each kind of bed and medium, not under each profile."""
+"""Problems that take seconds on a bed: they are solved on each kind of bed and medium, not under each profile."""
 
 
 @functools.cache
@@ -78,7 +78,7 @@ def replaced(content: Any, field: str, part: Any) -> Any:
         return None
 
 
-def answered(problem: Any) -> None:
+def solve_or_refuse(problem: Any) -> None:
     """Solve, or march two steps; errors of winkler are answers."""
     try:
         if callable(getattr(type(problem), "steps", None)):
@@ -98,23 +98,23 @@ def test_a_part_is_taken_or_refused_by_a_sentence(name):
 
 @pytest.mark.parametrize("name", PROBLEMS)
 def test_a_problem_takes_what_it_can_answer(name):
-    """Parts of all other kinds, beds apart; what is taken is answered or refused by a sentence."""
+    """Parts of all other kinds, beds apart; what is taken is solved or refused by a sentence."""
     whole = example(name)
     for field, other in itertools.product(parts(whole), (*OTHERS, *PROBLEMS)):
-        asked = replaced(whole, field, example(other))
-        if asked is not None and slot_of(other) != "bed" and other not in LONG:
-            answered(asked)
+        changed = replaced(whole, field, example(other))
+        if changed is not None and slot_of(other) != "bed" and other not in LONG:
+            solve_or_refuse(changed)
 
 
 @pytest.mark.parametrize("name", PRESSED)
 def test_a_problem_answers_on_a_bed_or_refuses_it(name):
     whole = example(name)
     taken = {word: replaced(whole, "bed", bed) for word, bed in beds().items()}
-    for word, asked in taken.items():
+    for word, changed in taken.items():
         slow = any(medium in word for medium in LONG) and name != "indentation"
         many = name in MARCHES and word.startswith(("plane foundation on", "foundation under"))
-        if asked is not None and not (slow or many or ("on graded" in word and "viscoelastic" in name)):
-            answered(asked)
+        if changed is not None and not (slow or many or ("on graded" in word and "viscoelastic" in name)):
+            solve_or_refuse(changed)
     outline = getattr(type(whole), "needs_round", "")
     for word in ("elliptic_foundation", "measured_bed", "reduced_bed", "reduced", "reduced, soft", "soft ellipse"):
         assert outline == "" or taken[word] is None, f"{name} says that it needs a disc, and takes a {word}"
@@ -125,7 +125,7 @@ WITHOUT_OUTLINE = {
     "impact", "indentation", "joule_heating", "relaxation_damper", "relaxation_test", "tangential",
     "thermal_constriction", "viscoelastic_impact", "viscoelastic_indentation", "viscoelastic_tangential", "yield_onset",
 }  # fmt: skip
-"""Problems that are answered by force, depth and stiffness, whatever the outline of the contact."""
+"""Problems that are solved by force, depth and stiffness, whatever the outline of the contact."""
 
 
 def test_a_new_problem_says_whether_it_needs_a_disc():
@@ -144,7 +144,7 @@ def test_no_pair_of_curvatures_is_rubbed():
         wk.FrictionHeating(wk.CurvedBodies(1e-2, 1e-3), wk.Coulomb(0.1), wk.Force(10.0), heat, 1.0)
 
 
-def test_who_writes_a_bed_is_told_what_it_lacks():
+def test_what_a_written_bed_lacks_is_named():
     class Row:
         """Half of a bed and a little more."""
 

@@ -1,4 +1,4 @@
-"""Studies on bodies that stick: read from files, swept, written down again, kept with their jumps, and reported."""
+"""Studies on bodies that stick: read from files, swept, written down again, stored with their jumps, and reported."""
 
 from __future__ import annotations
 
@@ -19,6 +19,7 @@ from winkler.study.language.keys import replaced
 from winkler.study.language.reading import parse_study, study_text
 from winkler.study.language.study import Axis, Output, Study
 from winkler.study.report import figures
+from winkler.study.report.figure import ReportFigure
 from winkler.study.report.figures import figures_of, shown_contact, shown_point
 from winkler.study.report.mathml import formula
 from winkler.study.report.report import page
@@ -129,7 +130,7 @@ def test_curves_of_different_lengths_stand_side_by_side():
     assert rows["radius"].size == sum(lengths)
 
 
-def test_jumps_branches_and_limits_are_kept(tmp_path):
+def test_jumps_branches_and_limits_are_stored(tmp_path):
     import xarray
 
     for name, question in (("jumps", "cycle"), ("branches", "equilibrium"), ("limit", "shear")):
@@ -178,9 +179,9 @@ def test_a_cycle_that_never_touches_shows_no_contact():
 
 
 def quiet(monkeypatch):
-    """Draw nothing: what is asked for is the page."""
+    """Draw nothing: what is requested is the page."""
     monkeypatch.setattr(
-        figures, "drawn", lambda name, title, sentence, picture: figures.ReportFigure(name, title, sentence, None)
+        figures, "drawn", lambda name, title, sentence, picture: ReportFigure(name, title, sentence, None)
     )
 
 

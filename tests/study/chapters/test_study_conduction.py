@@ -1,4 +1,4 @@
-"""Conduction in study files: every kind is read, written and described, answered and reported."""
+"""Conduction in study files: every kind is read, written and described, solved and reported."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def test_every_kind_makes_a_study_that_has_an_answer(name):
     assert formulas_of(problem)
 
 
-def test_formulas_tell_what_was_done():
+def test_formulas_state_what_was_done():
     bare, filmed = wk.ElectricalConductors(METAL, METAL), FILMED
     plain = [one.says for one in formulas_of(wk.Constriction(BALL, bare, wk.Force(1.0)))]
     more = [one.says for one in formulas_of(wk.Constriction(BALL, filmed, wk.Force(1.0)))]

@@ -96,7 +96,7 @@ def test_paths_come_back_from_their_tables(path):
     assert build(unbuild(path), "path") == path
 
 
-def test_what_is_not_told_is_not_written():
+def test_what_is_not_stated_is_not_written():
     assert unbuild(wk.Ramp(wk.Force(2.0))) == {"kind": "ramp", "normal": {"kind": "force", "force": "2 N"}}
     assert unbuild(wk.Hold()) == {"kind": "hold"}
     assert set(unbuild(LOOP)) == {"kind", "steps"}
@@ -162,7 +162,7 @@ PULLED = dataclasses.replace(
 """Friction bears 20 N."""
 
 
-def test_what_was_reached_before_an_error_is_kept():
+def test_what_was_reached_before_an_error_is_stored():
     march = solve_march(PULLED)
     assert march.code == OutsideValidity("").exit_code
     assert march.stopped.startswith("After 3 of 5 points of the path, which are kept, the march ended: Tangential: at")
@@ -188,7 +188,7 @@ def test_an_interrupted_march_keeps_what_it_reached():
     assert np.array_equal(points[0].answers["shear_force"], RUBBED.solve().shear_force[:4])
 
 
-def test_nothing_is_kept_of_a_march_that_did_not_begin():
+def test_nothing_is_stored_of_a_march_that_did_not_begin():
     def watch(states, total):
         raise KeyboardInterrupt
         yield
@@ -245,7 +245,7 @@ FRICTION = ("tangential", "torsion", "friction_damping", "bimodal_damping", "rel
 
 
 @pytest.mark.parametrize("name", [*FRICTION, "adhesive_impact", "elastic_plastic_particle"])
-def test_every_kind_is_cited_told_and_has_formulas(name):
+def test_every_kind_is_cited_described_and_has_formulas(name):
     problem = build(example_study(name)["problem"])
     study = Study("", problem)
     assert len(cite(problem)) >= 3
@@ -303,7 +303,7 @@ def test_examples_with_every_part_of_a_path_have_an_answer(name):
     assert problem.solve() is not None
 
 
-def test_the_command_says_what_an_interrupted_march_kept(tmp_path, monkeypatch, capsys):
+def test_the_command_states_what_an_interrupted_march_stored(tmp_path, monkeypatch, capsys):
     from winkler.cli import main
     from winkler.problems.friction.tangential import Tangential
 

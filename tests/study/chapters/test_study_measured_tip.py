@@ -1,4 +1,4 @@
-"""The measured-like tip that ships with the project: made as its script says, and answered as its geometry demands."""
+"""The measured-like tip that ships with the project: made as its script says, and solved as its geometry demands."""
 
 from __future__ import annotations
 

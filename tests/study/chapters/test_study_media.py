@@ -86,7 +86,7 @@ def test_a_thickness_of_one_layer_and_the_solid_of_another_can_be_swept():
     force = outcome.answer("force")[:, 0]
     own = wk.HalfSpace(wk.Elastic(180e9, 0.22))
     alone = wk.Indentation(wk.Foundation(wk.Paraboloid(5e-5), own), wk.Depth(1e-7)).solve().force
-    assert abs(force[1] / alone - 1.0) < abs(force[0] / alone - 1.0)  # the thicker, the less is felt of the rest
+    assert abs(force[1] / alone - 1.0) < abs(force[0] / alone - 1.0)  # the thicker, the less the rest matters
 
 
 def test_a_designed_body_can_be_written_and_read():
@@ -145,7 +145,7 @@ def test_the_formula_of_the_layered_profile_is_the_one_that_is_computed():
     assert float(bed.stiffness(edge)[0]) == pytest.approx(2.0 * film.modulus * float(dt @ phi), rel=1e-9)
 
 
-def test_layers_are_asked_for_in_words_and_rows():
+def test_layers_are_listed_in_words_and_rows():
     study = Study("x", ball_on(STACK))
     message = in_words(study)
     assert "The coating, from the surface down: layer (" in message
@@ -179,11 +179,11 @@ def test_the_study_of_three_layers_lies_between_its_layer_and_its_stiffest_part(
     outcome = run(study)
     assert outcome.failed == ()
     medium = study.problem.bed.medium
-    seen = (outcome.answer("stiffness") / (2.0 * outcome.answer("radius")))[:, 0]
+    apparent = (outcome.answer("stiffness") / (2.0 * outcome.answer("radius")))[:, 0]
     tip = wk.Elastic(1140e9, 0.07)
     soft = wk.HalfSpace(wk.Elastic(180e9, 0.22), tip).modulus
     hard = wk.HalfSpace(wk.Elastic(300e9, 0.24), tip).modulus
     assert medium.modulus == pytest.approx(soft, rel=1e-14)
-    assert np.all((seen > soft) & (seen < hard))
-    assert np.all(np.diff(seen) > 0.0)
+    assert np.all((apparent > soft) & (apparent < hard))
+    assert np.all(np.diff(apparent) > 0.0)
     assert outcome.answer("depth")[:, 0].tolist() == pytest.approx([1e-8, 2e-8, 5e-8, 1e-7, 2e-7, 3e-7], rel=1e-12)

@@ -41,7 +41,7 @@ def test_a_study_is_written_down_and_read_again(problem):
 
 
 @pytest.mark.parametrize("name", ROLLING)
-def test_every_kind_is_cited_told_and_has_formulas(name):
+def test_every_kind_is_cited_described_and_has_formulas(name):
     problem = build(example_study(name)["problem"])
     assert type(problem) is kinds()[name].cls
     assert len(cite(problem)) >= 2

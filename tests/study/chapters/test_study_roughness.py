@@ -210,7 +210,7 @@ def test_large_maps_are_stated_by_their_hash():
     assert canonical(Study("", again)) == message
 
 
-def test_a_report_tells_what_a_random_surface_is_made_of():
+def test_a_report_states_what_a_random_surface_is_made_of():
     study = Study("", build(example_study("surface_contact")["problem"]))
     message = {row.name: row.text for row in inputs(study)}
     assert message["shape"] == "64 × 64"

@@ -27,7 +27,8 @@ from winkler.study.language.reading import parse_study, study_text
 from winkler.study.language.study import Axis, Study
 from winkler.study.report.citing import cite
 from winkler.study.report.describe import in_words, inputs
-from winkler.study.report.figures import ReportFigure, figures_of
+from winkler.study.report.figure import ReportFigure
+from winkler.study.report.figures import figures_of
 from winkler.study.report.mathml import formula
 from winkler.study.report.report import page
 
@@ -160,7 +161,7 @@ def test_a_march_that_breaks_off_keeps_what_it_reached():
     assert march.solution.time.tolist() == [0.0, 0.1, 0.2]
 
 
-def test_a_program_tells_the_path():
+def test_a_program_defines_the_path():
     table = example_study("viscoelastic_indentation")["problem"]
     assert table["path"]["kind"] == "program"
     answer = build(table).solve()
@@ -180,7 +181,7 @@ def test_elastic_questions_about_viscoelastic_bodies_are_refused():
 
 
 @pytest.mark.parametrize("name", PROBLEMS)
-def test_every_problem_is_cited_told_and_has_formulas(name):
+def test_every_problem_is_cited_described_and_has_formulas(name):
     problem = build(example_study(name)["problem"])
     keys = {paper.key for paper in cite(problem)}
     assert {"popov_hess_2015", "lee_radok_1960"} <= keys

@@ -116,7 +116,7 @@ def test_a_march_that_ends_early_keeps_its_states(monkeypatch):
     np.testing.assert_array_equal(march.solution.cycles, [0.0, 1e4, 1e5])
 
 
-def test_the_table_tells_every_state():
+def test_the_table_lists_every_state():
     outcome = run(study())
     names = [column.name for column in outcome.table()]
     assert {"cycles", "worn_volume", "first_volume", "stick_radius", "loss_per_cycle"} <= set(names)

@@ -55,8 +55,8 @@ def hertz(depth, young):
 
 def curve_of(young, seed, touch=0.3e-6):
     random = np.random.default_rng(seed)
-    way = np.linspace(-1e-6, 1e-6, 120)
-    return ForceCurve(way + touch, hertz(way, young) + 5e-12 * random.standard_normal(way.size), name=f"seed {seed}")
+    ramp = np.linspace(-1e-6, 1e-6, 120)
+    return ForceCurve(ramp + touch, hertz(ramp, young) + 5e-12 * random.standard_normal(ramp.size), name=f"seed {seed}")
 
 
 def table_of(curve) -> str:
@@ -138,7 +138,7 @@ def test_units_of_a_number_that_depends_on_another(here):
     assert study.word("problem.bed.profile.coefficient").unit == "m^-3"
 
 
-def test_a_layer_is_named_by_its_number_either_way(here):
+def test_a_layer_is_named_by_its_number_in_both_forms(here):
     medium = (
         'medium = { kind = "coated_half_space", on = { kind = "rigid" }, layers = [{ kind = "layer", thickness = '
         '"3 um", solid = { kind = "elastic", young = "1 kPa", poisson = 0.4 } }] }'
@@ -184,24 +184,24 @@ def test_no_answer_at_all_is_the_error_of_the_first(here):
 
 
 def test_corrections_are_made_in_their_order_and_stated(here):
-    way = np.linspace(-1e-6, 1e-6, 200)
-    there_and_back = np.concatenate([way, way[::-1]])
+    ramp = np.linspace(-1e-6, 1e-6, 200)
+    there_and_back = np.concatenate([ramp, ramp[::-1]])
     drag, tilt = 0.4e-9, 2e-5
-    direction = np.repeat([1.0, -1.0], way.size)
+    direction = np.repeat([1.0, -1.0], ramp.size)
     force = hertz(there_and_back, 4e3) + drag * direction + tilt * there_and_back + 0.1e-9
     force = force + 5e-12 * np.random.default_rng(4).standard_normal(force.size)
     (here / "curve.csv").write_text(table_of(ForceCurve(there_and_back, force)), encoding="utf-8")
-    asked = STUDY.replace('part = "approach"', 'part = "both"\ncorrect = ["drag", "baseline"]')
-    (result,) = fit_study(parse_fit_study(asked, file="gel.toml", folder=here)).fitted
+    changed = STUDY.replace('part = "approach"', 'part = "both"\ncorrect = ["drag", "baseline"]')
+    (result,) = fit_study(parse_fit_study(changed, file="gel.toml", folder=here)).fitted
     assert [step.partition(":")[0] for step in result.steps] == ["drag", "baseline"]
     assert result.fit.value("bed.medium.first.young") == pytest.approx(4e3, rel=0.005)
 
 
 def held_and_back():
     """Return a curve of 60 points in, 40 held, and 60 out, with times, in which the hold is plain."""
-    way = np.concatenate([np.linspace(-1e-6, 1e-6, 60), np.full(40, 1e-6), np.linspace(1e-6, -1e-6, 61)[1:]])
+    ramp = np.concatenate([np.linspace(-1e-6, 1e-6, 60), np.full(40, 1e-6), np.linspace(1e-6, -1e-6, 61)[1:]])
     rows = (
-        f"{1e9 * d!r}, {1e9 * f!r}, {0.1 * k!r}\n" for k, (d, f) in enumerate(zip(way, hertz(way, 4e3), strict=True))
+        f"{1e9 * d!r}, {1e9 * f!r}, {0.1 * k!r}\n" for k, (d, f) in enumerate(zip(ramp, hertz(ramp, 4e3), strict=True))
     )
     return "depth [nm], force [nN], time [s]\n" + "".join(
         row.replace("np.float64(", "").replace(")", "") for row in rows
@@ -219,8 +219,8 @@ def held_and_back():
 )
 def test_segments_are_found_or_stated(here, segments, fitted):
     (here / "curve.csv").write_text(held_and_back(), encoding="utf-8")
-    asked = STUDY.replace('part = "approach"', f'part = "approach"\n{segments}').replace("baseline = true\n", "")
-    (result,) = fit_study(parse_fit_study(asked, file="gel.toml", folder=here)).fitted
+    changed = STUDY.replace('part = "approach"', f'part = "approach"\n{segments}').replace("baseline = true\n", "")
+    (result,) = fit_study(parse_fit_study(changed, file="gel.toml", folder=here)).fitted
     assert result.fit.curve.count == pytest.approx(fitted, abs=1)
     assert result.steps[0].startswith(
         f"segments: by the numbers of their points, loading (0 to {result.fit.curve.count - 1})"
@@ -240,18 +240,18 @@ def test_segments_are_found_or_stated(here, segments, fitted):
     ],
 )
 def test_segments_that_are_refused(here, segments, sentence):
-    asked = STUDY.replace('part = "approach"', f'part = "approach"\nsegments = {segments}')
+    changed = STUDY.replace('part = "approach"', f'part = "approach"\nsegments = {segments}')
     with pytest.raises(InvalidInput, match=sentence):
-        fit_study(parse_fit_study(asked, file="gel.toml", folder=here))
+        fit_study(parse_fit_study(changed, file="gel.toml", folder=here))
 
 
-def test_a_frame_that_gives_way(here):
+def test_a_compliant_frame(here):
     stiffness = 0.05
     curve = curve_of(4e3, 6)
     bent = ForceCurve(curve.position + hertz(curve.position - 0.3e-6, 4e3) / stiffness, curve.force)
     (here / "curve.csv").write_text(table_of(bent), encoding="utf-8")
-    asked = STUDY.replace('part = "approach"', 'part = "approach"\nframe_stiffness = "0.05 N/m"')
-    (result,) = fit_study(parse_fit_study(asked, file="gel.toml", folder=here)).fitted
+    changed = STUDY.replace('part = "approach"', 'part = "approach"\nframe_stiffness = "0.05 N/m"')
+    (result,) = fit_study(parse_fit_study(changed, file="gel.toml", folder=here)).fitted
     assert abs(result.fit.value("bed.medium.first.young") - 4e3) < 4.0 * result.fit.error("bed.medium.first.young")
 
 

@@ -136,7 +136,7 @@ def test_a_curve_without_times_is_refused_by_name(studies, tmp_path):
         fit_study(parse_fit_study(text, file="study.toml", folder=tmp_path))
 
 
-def test_segments_of_a_table_tell_the_hold(tmp_path):
+def test_segments_of_a_table_give_the_hold(tmp_path):
     rows = ["0, 0, 0, 1", "100, 1, 1, 1", "101, 0.7, 2, 2", "100, 0.6, 3, 2", "90, 0.2, 4, 3", "0, 0, 5, 3"]
     path = tmp_path / "curve.csv"
     path.write_text("depth [nm], force [nN], time [s], segment\n" + "\n".join(rows), encoding="utf-8")

@@ -95,7 +95,7 @@ def test_designs_come_back_from_text(study):
     assert parse_study(study_text(study)).axes == study.axes
 
 
-def test_the_hash_tells_designs_apart():
+def test_the_hash_distinguishes_designs():
     studies = [
         Study("x", PROBLEM, sweep=(FORCE,), design=design)
         for design in (LatinHypercube(8), LatinHypercube(8, 1), LatinHypercube(4), Sobol(8), Sensitivity(8))

@@ -1,4 +1,4 @@
-"""A point of a sweep that meets a mistake of winkler's own: it says so, the others are solved, the exit code tells."""
+"""A point of a sweep that meets a mistake of winkler's own: it says so, the others are solved, the exit code is 70."""
 
 from __future__ import annotations
 
@@ -27,17 +27,17 @@ SENTENCE = "winkler made a mistake (LookupError: no such word at winkler.study.b
 @pytest.fixture
 def broken(monkeypatch):
     """Let winkler stumble over the force of 2 N, and count what is solved."""
-    seen = []
+    solved = []
 
     @functools.wraps(SOLVE)
     def solve(self):
-        seen.append(self.load.force)
+        solved.append(self.load.force)
         if self.load.force == 2.0:
             raise LookupError("no such\n word")
         return SOLVE(self)
 
     monkeypatch.setattr(wk.Indentation, "solve", solve)
-    return seen
+    return solved
 
 
 def test_the_others_are_solved(broken):
@@ -53,8 +53,8 @@ def test_the_others_are_solved(broken):
     assert pickle.loads(pickle.dumps(ours)) == ours
 
 
-def test_a_point_whose_answer_cannot_be_told_fails(monkeypatch, tmp_path):
-    """What stands beside the numbers is asked for when the point is kept, not when all results are written."""
+def test_a_point_whose_validity_cannot_be_stated_fails(monkeypatch, tmp_path):
+    """What stands beside the numbers is computed when the point is stored, not when all results are written."""
 
     def validity(self):
         if self.force == 2.0:
@@ -115,7 +115,7 @@ def test_none_has_an_answer(broken):
     assert "in solve\n    raise LookupError(" in message.value.__notes__[0]
 
 
-def test_a_point_that_cannot_be_asked_by_our_mistake(monkeypatch):
+def test_a_point_that_cannot_be_built_by_our_mistake(monkeypatch):
     made = wk.Force.__post_init__
 
     def broken(self):
@@ -139,7 +139,7 @@ def test_what_is_expected_wrongly_ends_the_sweep(tmp_path):
         run(study, journal=tmp_path / "x.journal")
 
 
-def test_the_command_line_tells(broken, tmp_path, monkeypatch, capsys):
+def test_the_command_line_reports_it(broken, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     text = study_text(STUDY) + "\n[output]\nfigures = []\nreport = false\n"
     (tmp_path / "x.toml").write_text(text, encoding="utf-8")

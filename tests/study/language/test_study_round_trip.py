@@ -69,18 +69,18 @@ ELSEWHERE = {
 
 def test_the_catalogue_knows_every_public_value_that_a_study_could_name():
     """A new shape, solid, medium, load or problem needs its line."""
-    doors = [getattr(wk, name) for name in wk.__all__]
-    kept = {line.cls for line in kinds().values()} | set(REFUSED.values())
+    public_items = [getattr(wk, name) for name in wk.__all__]
+    in_catalogue = {line.cls for line in kinds().values()} | {line.cls for line in REFUSED.values()}
     folders = ("winkler.profiles", "winkler.materials", "winkler.media", "winkler.loading", "winkler.problems")
-    asked = {
+    expected = {
         item
-        for item in doors
+        for item in public_items
         if isinstance(item, type)
         and dataclasses.is_dataclass(item)
         and item.__module__.startswith(folders)
-        and not any(field.name == "problem" for field in dataclasses.fields(item))  # an answer knows what was asked
+        and not any(field.name == "problem" for field in dataclasses.fields(item))  # a solution knows its problem
     }
-    assert asked - ELSEWHERE <= kept
+    assert expected - ELSEWHERE <= in_catalogue
 
 
 @given(number=positive)
@@ -196,7 +196,7 @@ def test_constants_coefficients_and_dependent_units_can_be_swept_and_written():
         assert parse_study(study_text(study)) == study, key
 
 
-def test_the_ways_to_write_numbers_agree():
+def test_the_forms_of_writing_numbers_agree():
     def force(text: str):
         return build({"kind": "force", "force": text}, "load")
 
@@ -238,7 +238,7 @@ def test_equal_values_have_one_canonical_form():
     assert '"inf"' in canonical(one)  # the strength that was not given
 
 
-def test_examples_stand_where_they_are_said_to_stand():
+def test_examples_stand_where_they_are_stated_to_stand():
     for name in kinds():
         table = table_at(example_study(name), place_of(name))
         assert table["kind"] == name or f"'kind': '{name}'" in str(table)

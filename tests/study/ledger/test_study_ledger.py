@@ -1,4 +1,4 @@
-"""The ledger as a whole: every physics has its sources, sweeps are judged point by point, fits by what they tell."""
+"""The ledger as a whole: every physics has its sources, sweeps are checked point by point, fits by their numbers."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ tolerance = 1e-6
 """
 
 
-ASKED = """\
+FUNCTION_CASE = """\
 title = "Spin of a circle"
 source = "J. J. Kalker"
 grade = "published table"
@@ -125,9 +125,7 @@ def test_what_an_outside_source_is():
 
 def test_second_solvers_of_our_own_are_graded_as_such():
     """They verify the code and not the physics, as do formulas of the springs themselves."""
-    own = re.compile(
-        r"^own |^independent |the springs' own|layered_judge|another root finder|rule of springs|ahead of the"
-    )
+    own = re.compile(r"^own |^independent |the springs' own|another root finder|rule of springs|ahead of the")
     for path in case_files():
         content = tomllib.loads(path.read_text(encoding="utf-8"))
         if own.search(content["source"]):
@@ -145,12 +143,12 @@ def test_every_physics_has_two_outside_sources():
 
 def test_no_case_says_the_same_as_another():
     """Problem, sweep and expectations of any two cases differ."""
-    seen: dict[str, str] = {}
+    stems: dict[str, str] = {}
     for path in case_files():
         content = tomllib.loads(path.read_text(encoding="utf-8"))
         message = repr([content.get(key) for key in ("problem", "function", "sweep", "fit", "expect")])
-        assert message not in seen, (path.stem, seen[message])
-        seen[message] = path.stem
+        assert message not in stems, (path.stem, stems[message])
+        stems[message] = path.stem
 
 
 @pytest.mark.parametrize(
@@ -176,10 +174,10 @@ def test_a_case_is_in_its_chapter(name, chapter):
     assert chapter in CHAPTERS
 
 
-def test_cases_ask_for_problems_that_are_there():
+def test_cases_solve_problems_that_are_there():
     contents = [tomllib.loads(path.read_text(encoding="utf-8")) for path in case_files()]
-    asked = {content["problem"]["kind"] for content in contents if "problem" in content}
-    assert asked <= set(CATALOGUE["problem"])
+    solved = {content["problem"]["kind"] for content in contents if "problem" in content}
+    assert solved <= set(CATALOGUE["problem"])
     assert {content["function"]["name"] for content in contents if "function" in content} == set(FUNCTIONS)
 
 
@@ -197,7 +195,7 @@ def test_what_no_table_knows_is_another_contact():
     assert physics_of(Study("x", Strange())) == "other contacts"
 
 
-def test_a_sweep_is_judged_point_by_point(tmp_path):
+def test_a_sweep_is_checked_point_by_point(tmp_path):
     (tmp_path / "swept.toml").write_text(SWEPT, encoding="utf-8")
     entry = run_case(tmp_path / "swept.toml")
     assert entry.passed
@@ -216,7 +214,7 @@ def written(tmp_path, text):
     return tmp_path / "fitted.toml"
 
 
-def test_a_fit_is_judged(tmp_path):
+def test_a_fit_is_checked(tmp_path):
     entry = run_case(written(tmp_path, FITTED))
     assert entry.passed
     assert entry.physics == FITS
@@ -246,15 +244,15 @@ def test_wrong_fits_are_refused(tmp_path, old, new, sentence):
     assert sentence in str(caught.value)
 
 
-def test_a_function_is_judged(tmp_path):
+def test_a_function_is_checked(tmp_path):
     path = tmp_path / "spin.toml"
-    path.write_text(ASKED.replace("[0.25]", "0.25"), encoding="utf-8")
+    path.write_text(FUNCTION_CASE.replace("[0.25]", "0.25"), encoding="utf-8")
     entry = run_case(path)
     assert entry.passed
     assert (entry.physics, entry.verdicts[0].got) == ("rolling", 1.47)
-    path.write_text(ASKED.replace("[0.25]", "0.25").replace("1.47", "1.48"), encoding="utf-8")
+    path.write_text(FUNCTION_CASE.replace("[0.25]", "0.25").replace("1.47", "1.48"), encoding="utf-8")
     assert not run_case(path).passed
-    path.write_text(ASKED.replace("[0.25]", "0.7"), encoding="utf-8")
+    path.write_text(FUNCTION_CASE.replace("[0.25]", "0.7"), encoding="utf-8")
     assert "Poisson's ratio is 0.7; the table goes from 0 to 0.5" in run_case(path).failure
     with pytest.raises(InvalidInput, match=r"a section \[function\]: it is a case of the ledger; `winkler validate"):
         read_study(path)
@@ -280,7 +278,7 @@ def test_a_function_is_judged(tmp_path):
     ],
 )
 def test_wrong_functions_are_refused(tmp_path, old, new, sentence):
-    (tmp_path / "spin.toml").write_text(ASKED.replace(old, new).replace("[0.25]", "0.25"), encoding="utf-8")
+    (tmp_path / "spin.toml").write_text(FUNCTION_CASE.replace(old, new).replace("[0.25]", "0.25"), encoding="utf-8")
     with pytest.raises(InvalidInput) as caught:
         run_case(tmp_path / "spin.toml")
     assert sentence in str(caught.value)

@@ -112,7 +112,7 @@ def test_identifiers_are_unique_and_found(name, page):
 @pytest.mark.parametrize("name", REPORTED)
 def test_every_chapter_is_there(name, page):
     text = Page(page(name)).text
-    chapters = ["What was asked", "What came out", "The method in pictures", "The formulas"]
+    chapters = ["The problem", "Results", "The method in pictures", "The formulas"]
     chapters += ["How far this can be trusted", "Papers", "What made these numbers"]
     places = [text.find(chapter) for chapter in chapters]
     assert min(places) > 0
@@ -231,7 +231,7 @@ def test_failed_points_are_listed_with_their_reasons(written, page):
     assert f"radius = 2 mm: {outcome.failed[0].reason}" in text
 
 
-def test_what_is_not_known_is_said_in_a_sentence(page):
+def test_what_is_not_known_is_stated_in_a_sentence(page):
     text = Page(page("crystal")).text
     assert "Not shown: The stresses inside a TransverselyIsotropicHalfSpace are not known to winkler" in text
     text = Page(page("no contact")).text
@@ -260,27 +260,27 @@ def test_long_tables_are_cut_and_say_where_the_rest_is():
     text = report.page(run(study), ())
     parsed = Page(text)
     assert "50 rows, of which the first and last 12 are shown; results.csv holds all." in parsed.text
-    table = re.search(r"What came out.*?</table>", text, re.DOTALL)[0]
+    table = re.search(r"Results</h2>.*?</table>", text, re.DOTALL)[0]
     assert table.count("<tr>") == 1 + 24
 
 
 def test_a_table_repeats_no_column_that_was_given(page):
     for name, heading in (("two keys", "force"), ("some fail", "contact radius")):
-        table = re.search(r"What came out.*?</thead>", page(name), re.DOTALL)[0]
+        table = re.search(r"Results</h2>.*?</thead>", page(name), re.DOTALL)[0]
         assert len(re.findall(f">{heading} ", table)) == 1
 
 
 def test_tables_are_shown_with_prefixes(page):
-    table = re.search(r"What came out.*?</table>", page("two keys"), re.DOTALL)[0]
+    table = re.search(r"Results</h2>.*?</table>", page("two keys"), re.DOTALL)[0]
     assert "[µm]" in table
     modulus = 210e9 / (2 * (1 - 0.3**2))
     depth = (9 * 1.0**2 / (16 * modulus**2 * 10e-3)) ** (1 / 3)
     assert f'<td class="number">{depth * 1e6:.6g}</td>' in table
 
 
-def test_expectations_are_judged_in_sight():
+def test_expectations_and_results_are_shown():
     study = Study(
-        "Judged",
+        "Compared",
         pressed(),
         expect=(Expectation("depth", 1.191e-6, 1e-3), Expectation("pressure", 1e9, 1e-3, (("r", 0.0),))),
     )
@@ -290,7 +290,7 @@ def test_expectations_are_judged_in_sight():
     assert "depth as expected" in text
 
 
-def test_a_problem_that_tells_nothing_about_its_springs():
+def test_a_problem_that_states_nothing_about_its_springs():
     outcome = run(SAMPLES["one load"])
 
     class Odd:
@@ -329,9 +329,9 @@ def test_a_real_browser_shows_it_without_a_network_and_without_sideways_scrollin
     probe = """<script>window.onload = () => {
       const wide = [...document.querySelectorAll('section, figure, figure > svg, h1, p, li')]
         .filter(e => e.getBoundingClientRect().right > document.documentElement.clientWidth + 1);
-      const asked = performance.getEntriesByType('resource').filter(e => !e.name.startsWith('data:'));
+      const requests = performance.getEntriesByType('resource').filter(e => !e.name.startsWith('data:'));
       const small = [...document.querySelectorAll('figure > svg')].filter(e => e.getBoundingClientRect().height < 100);
-      document.title = 'wide ' + wide.length + ' asked ' + asked.length + ' small ' + small.length
+      document.title = 'wide ' + wide.length + ' requests ' + requests.length + ' small ' + small.length
         + ' scroll ' + (document.documentElement.scrollWidth - document.documentElement.clientWidth)
         + ' math ' + (document.querySelector('mfrac').getBoundingClientRect().height > 20);
     };</script></body>"""
@@ -359,4 +359,4 @@ def test_a_real_browser_shows_it_without_a_network_and_without_sideways_scrollin
     )  # fmt: skip
     title = re.search(r"<title>(.*?)</title>", answer.stdout)
     assert title, answer.stdout[:500] + answer.stderr[-500:]
-    assert title[1] == "wide 0 asked 0 small 0 scroll 0 math true"
+    assert title[1] == "wide 0 requests 0 small 0 scroll 0 math true"

@@ -17,7 +17,8 @@ from winkler.study.batch.run import run
 from winkler.study.chapters.answer import Equation
 from winkler.study.language.study import Axis, Study
 from winkler.study.report.describe import content_label, in_words, inputs, values_text
-from winkler.study.report.figures import answers_over, svg_element
+from winkler.study.report.figure import svg_element
+from winkler.study.report.figures import answers_over
 from winkler.study.report.markup import safe, table, with_fixed_units
 from winkler.study.report.mathml import formula, inline, symbol
 
@@ -75,7 +76,7 @@ def test_a_name_that_is_no_formula_is_shown_as_it_is():
     assert symbol("") == ""
 
 
-def test_inputs_are_told_part_by_part():
+def test_inputs_are_listed_part_by_part():
     found = inputs(SAMPLES["one load"])
     assert [(row.group, row.name, row.text) for row in found] == [
         ("profile: paraboloid", "curvature radius", "10 mm"),

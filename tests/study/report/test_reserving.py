@@ -113,7 +113,7 @@ def test_a_disk_that_offers_no_locks_is_none_that_is_taken(tmp_path, monkeypatch
         assert not able
 
 
-def test_a_lock_that_was_removed_while_it_was_waited_for_is_asked_for_anew(tmp_path, monkeypatch):
+def test_a_lock_that_was_removed_while_it_was_waited_for_is_requested_anew(tmp_path, monkeypatch):
     path, lock, calls = tmp_path / "lock", locking.lock, []
 
     def late(file):

@@ -22,7 +22,7 @@ depth is that of the turn, and the force that of the fitted law there.
 from __future__ import annotations
 
 import math
-from typing import ClassVar, NamedTuple
+from typing import ClassVar
 
 import numpy as np
 
@@ -33,16 +33,14 @@ from winkler.fitting.curves.segments import SegmentKind
 from winkler.fitting.unloading.contact_reading import Tip, contact_reading, intercept_factor
 from winkler.fitting.unloading.unloading_law import fitted_power_law
 from winkler.fitting.unloading.unloading_notes import UnloadingFacts, unloading_notes
+from winkler.fitting.unloading.unloading_peak import FEWEST, UnloadingFromPeak, unloading_from_peak
 from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
 __all__ = ["OliverPharr", "OliverPharrSolution"]
 
-FEWEST = 10
 DIFFERENCE_STEP = 1e-6
-HOLD_END_SHARE = 0.1
-"""Last part of a hold that defines the peak."""
 
 
 @value
@@ -104,7 +102,7 @@ class OliverPharr:
         NotConverged
             If no power law fits the unloading.
         """
-        path = self._unloading()
+        path = unloading_from_peak(self.curve, self.unloading, self.peak_hold, self.contact_point)
         law = fitted_power_law(path.depth, path.force, self._between(path.force))
         chosen = self._between(law.fitted / math.exp(law.numbers[0]))
         law = fitted_power_law(path.depth, path.force, chosen)
@@ -148,26 +146,6 @@ class OliverPharr:
         hold = [part for part in held if part.kind is SegmentKind.HOLD]
         return np.arange(hold[0].first, hold[0].last + 1) if hold else np.arange(0)
 
-    def _unloading(self) -> _Unloading:
-        """Return the last unloading in parts of its peak."""
-        points, hold = self.unloading, self.peak_hold
-        if points.size < FEWEST:
-            raise InvalidInput(
-                f"OliverPharr: curve '{self.curve.name}' has no unloading of at least {FEWEST} points; check its "
-                "segments, and state them by with_segments if they are wrong."
-            )
-        depth, force = self.curve.depth(self.contact_point), self.curve.force
-        end = hold[-max(1, int(HOLD_END_SHARE * hold.size)) :] if hold.size else np.array([max(points[0] - 1, 0)])
-        if not hold.size:
-            points = np.union1d(end, points)
-        deepest, highest = float(np.median(depth[end])), float(np.median(force[end]))
-        if not highest > 0.0 or not deepest > 0.0:
-            raise InvalidInput(
-                f"OliverPharr: at the peak, {deepest:.3g} m deep, the force is {highest:.3g} N; both must be positive: "
-                "check signs and contact_point."
-            )
-        return _Unloading(points, depth[points] / deepest, force[points] / highest, deepest, highest, bool(hold.size))
-
     def _between(self, share: Array) -> Array:
         """Return the points between the limits."""
         chosen = (share <= self.upper) & (share >= self.lower)
@@ -178,7 +156,7 @@ class OliverPharr:
             )
         return np.asarray(chosen)
 
-    def _evaluate(self, law: Array, path: _Unloading) -> Array:
+    def _evaluate(self, law: Array, path: UnloadingFromPeak) -> Array:
         """Return m, h_f, S, h_c, A, E_r and H from the numbers of the power law."""
         top, final, exponent = math.exp(law[0]) * path.highest, float(law[1]), 1.0 + math.exp(law[2])
         slope = exponent * top / ((1.0 - final) * path.deepest)
@@ -200,17 +178,6 @@ def _rate(time: Array, column: Array) -> float:
     centred = time - time.mean()
     spread = float(centred @ centred)
     return float(centred @ column) / spread if spread else 0.0
-
-
-class _Unloading(NamedTuple):
-    """The last unloading: indices in the curve, depths and forces in parts of the peak, and the peak [m, N]."""
-
-    points: Array
-    depth: Array
-    force: Array
-    deepest: float
-    highest: float
-    held: bool
 
 
 @value

@@ -26,7 +26,7 @@ LAW_CONVENTIONS = (
     "One curve for loading and unloading: the contact has no friction, no adhesion and no memory; below depth 0 all "
     "columns are zero, beyond the last row the law is not known.",
     "Between two rows the force is the cubic with their forces and stiffnesses (Hermite), or a straight line; the "
-    "errors of both, over the greatest force, are told.",
+    "errors of both, over the greatest force, are stated.",
     "The shear stiffness is that of the sticking contact under a constant normal force; it falls when the contact "
     "slips, and the shear force never exceeds the friction coefficient times the force.",
 )

@@ -17,15 +17,16 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.materials.elastic import RIGID, Elastic, Solid
 from winkler.materials.layered import Layer
+from winkler.media.families import CoatedBody, DepthVaryingMedium
 from winkler.media.interior import subsurface
 from winkler.media.layered import coated_interior, coated_load, flat_punch, punch_facts
-from winkler.media.layered.coated_load import CarriedLoad
+from winkler.media.layered.coated_load import CarriedLoad, spread
 from winkler.media.layered.layers import NormalResponse, TangentialResponse
 from winkler.media.medium import Displacement, PunchFacts, rigid_body
 from winkler.media.punch_field import BodyField
 from winkler.numerics.transforms import abel, fredholm
 from winkler.numerics.transforms.cosine_transform import WaveResponse
-from winkler.numerics.types import Array
+from winkler.numerics.types import Array, Curve
 from winkler.profiles.profile import Profile
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
@@ -44,7 +45,7 @@ class SurfaceResponse(WaveResponse, Protocol):
         ...
 
 
-class LayeredMedium:
+class LayeredMedium(DepthVaryingMedium):
     """What all media with a known surface compliance have in common: subclasses state it, and what is inside."""
 
     second: Solid
@@ -57,11 +58,6 @@ class LayeredMedium:
     @property
     def tangential_response(self) -> SurfaceResponse:
         """The response of the pair to a shear load, averaged over its angle with the wave."""
-        raise NotImplementedError
-
-    @property
-    def thickness(self) -> float:
-        """Depth below which nothing changes any more [m]."""
         raise NotImplementedError
 
     def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
@@ -138,6 +134,17 @@ class LayeredMedium:
         """The displacement of the surface [m], inside and outside the contact, sum over both bodies."""
         return coated_load.surface(displacement, self.response, r)
 
+    def transformed_slope(self, imprint: Displacement) -> Curve:
+        """Return h'(x) [-] as a function of 0 <= x <= a (`winkler.media.body_of`)."""
+        load = CarriedLoad(imprint, self.response)
+        own_share = spread(load, 0, 1)
+
+        def rise(x: Array) -> Array:
+            x = np.asarray(x, dtype=float)
+            return np.asarray(load.slope(x) + own_share(x)[0])
+
+        return rise
+
     def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
         """Stresses and displacements in the layers and their base (`below`), or in the other body."""
         second = self.second
@@ -151,7 +158,7 @@ class LayeredMedium:
 
 
 @value
-class CoatedHalfSpace(LayeredMedium):
+class CoatedHalfSpace(LayeredMedium, CoatedBody):
     """Bonded, isotropic layers on a half-space or a rigid base, against a homogeneous body.
 
     Parameters
@@ -175,8 +182,9 @@ class CoatedHalfSpace(LayeredMedium):
 
     Examples
     --------
+    >>> from winkler.materials.elastic import Rigid
     >>> rubber = Elastic(young=1e6, poisson=0.5)
-    >>> film = CoatedHalfSpace([Layer(rubber, thickness=1e-3)], on=RIGID)
+    >>> film = CoatedHalfSpace([Layer(rubber, thickness=1e-3)], on=Rigid())
     >>> round(float(film.punch_stiffness(np.array(1e-3)) / (2 * film.modulus * 1e-3)), 4)  # Hayes 1972: 3.609
     3.6187
     """

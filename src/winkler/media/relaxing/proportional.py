@@ -86,6 +86,11 @@ class RelaxingInProportion(RelaxingMedium):
         return self.medium
 
     @property
+    def bodies(self) -> ElasticMedium:
+        """The medium that names the solids."""
+        return self.medium
+
+    @property
     def relaxation(self) -> RelaxationSeries:
         """phi(t) [-]."""
         return self.solid.series.scaled(1.0 / self.shear)

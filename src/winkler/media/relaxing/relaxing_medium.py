@@ -9,16 +9,18 @@ linear, and the same at all times.
 
 from __future__ import annotations
 
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.media.medium import Displacement, Medium, PunchFacts
 from winkler.media.punch_field import BodyField
-from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
+
+if TYPE_CHECKING:
+    from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries
 
 __all__ = ["RelaxingDisplacement", "RelaxingMedium"]
 
@@ -41,6 +43,11 @@ class RelaxingMedium:
     def elastic(self) -> Medium:
         """The medium as if it were elastic."""
         raise NotImplementedError
+
+    @property
+    def bodies(self) -> Any:
+        """What names the solids of the bodies: the medium itself, unless it is made of another one."""
+        return self
 
     @property
     def relaxation(self) -> RelaxationSeries:

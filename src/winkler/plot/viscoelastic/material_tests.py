@@ -10,7 +10,8 @@ from winkler.plot.decades import Quantity, decades_around, decades_panel
 from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Sheet, titled
 from winkler.plot.series import series, with_unit
-from winkler.problems.viscoelastic.material_tests import CreepTest, HarmonicSolution, StepSolution
+from winkler.problems.viscoelastic.material_tests import CreepTest, StepSolution
+from winkler.problems.viscoelastic.oscillation import HarmonicSolution
 
 __all__ = ["harmonic_sheet", "step_sheet"]
 

@@ -159,6 +159,8 @@ class AdhesiveSolution:
     radius: Quantity
     stable: bool | Array
 
+    per_load: ClassVar[str] = "depth"
+
     @property
     def _states(self) -> EdgeStates:
         return states_of(self.problem.bed, self.problem.law)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from winkler.foundation.bed import Bed
 from winkler.materials.elastic import Elastic
-from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.media.families import CoatedBody
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.validity import Assumption, Note, Standing, standing_of
 
@@ -26,12 +26,12 @@ DIMITRIADIS = "E. K. Dimitriadis et al., Biophys. J. 82 (2002) 2798-2810, doi:10
 LONG = "R. Long, M. S. Hall, M. Wu, C.-Y. Hui, Biophys. J. 101 (2011) 643-650, doi:10.1016/j.bpj.2011.06.049"
 
 
-def film_strain(medium: CoatedHalfSpace, depth: float, force: float, radius: float) -> float:
+def film_strain(medium: CoatedBody, depth: float, force: float, radius: float) -> float:
     """Return the mean compression of the layers over their thickness [-].
 
     Parameters
     ----------
-    medium : CoatedHalfSpace
+    medium : CoatedBody
     depth, force, radius : float
         d [m], F_N [N] and a [m], positive.
     """
@@ -51,7 +51,7 @@ def film_notes(bed: Bed, depth: float, force: float, radius: float) -> tuple[Not
         d [m], F_N [N] and a [m] of the deepest contact.
     """
     medium = bed.medium.elastic if isinstance(bed.medium, RelaxingMedium) else bed.medium
-    if not isinstance(medium, CoatedHalfSpace) or radius <= 0.0 or depth <= 0.0:
+    if not isinstance(medium, CoatedBody) or radius <= 0.0 or depth <= 0.0:
         return ()
     strain = film_strain(medium, depth, force, radius)
     standing = standing_of(strain, SMALL_STRAIN, LARGE_STRAIN)

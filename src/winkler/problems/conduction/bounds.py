@@ -25,8 +25,8 @@ from winkler.media.conduction.disc_resistance import BARBER
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.problems.conduction.stiffness_analogy import conductance_of_stiffness
 from winkler.problems.normal.indentation import Indentation
-from winkler.problems.normal.single_contact import rises
-from winkler.problems.normal.yield_statement import unknown_yield
+from winkler.problems.normal.overlap import rises
+from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, Self
+from typing import Any, ClassVar, Self
 
 import numpy as np
 
@@ -36,6 +36,8 @@ class ConductingSolution:
     force: Quantity
     radius: Quantity
     resistance: Quantity
+
+    per_load: ClassVar[str] = "depth"
 
     @property
     def pressed(self) -> PressedSprings:

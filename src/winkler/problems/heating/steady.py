@@ -21,7 +21,7 @@ from typing import ClassVar
 import numpy as np
 
 from winkler.checks.number_checks import FiniteQuantity
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Overcome
 from winkler.laws.heat import EqualMaximum, HeatPartition
@@ -32,10 +32,11 @@ from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import load_number
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import HEATED
-from winkler.problems.heating.estimates import fast, first_share, shared, stationary, tian_kennedy
-from winkler.problems.heating.heat_source import HeatSource, heat_sources, loads_over
+from winkler.problems.heating.estimates import fast, stationary, tian_kennedy
+from winkler.problems.heating.heat_source import HeatSource, loads_over
 from winkler.problems.heating.heated_body import HeatedBody
-from winkler.problems.heating.input_checks import thick_bodies
+from winkler.problems.heating.input_checks import peclet_numbers, thick_bodies
+from winkler.problems.heating.sharing import estimated, shared_temperatures
 from winkler.problems.heating.validity import heating_notes
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.yield_statement import SurfaceFriction
@@ -44,9 +45,6 @@ from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
 __all__ = ["FrictionHeating", "FrictionHeatingSolution"]
-
-HIGHEST_PECLET = 1e8
-"""Peclet number above which rounding matters in means over the contact."""
 
 
 @value
@@ -146,41 +144,11 @@ class FrictionHeating:
         speeds = [np.asarray(each, dtype=float) for each in (self.first_speed, self.second_speed)]
         shape = np.broadcast_shapes(np.shape(contact.radius), *(each.shape for each in speeds))
         rates = [np.broadcast_to(each, shape) for each in speeds]
-        peclets = [
-            0.5 * np.abs(rate) * contact.radius / body.diffusivity
-            for rate, body in zip(rates, self._bodies, strict=True)
-        ]
-        fastest = max(float(np.max(each, initial=0.0)) for each in peclets)
-        if fastest > HIGHEST_PECLET:
-            raise OutsideValidity(
-                f"FrictionHeating: a Peclet number V a / (2 kappa) is {fastest:.3g}; temperatures of moving bodies are "
-                f"computed up to {HIGHEST_PECLET:g}: check speeds and diffusivities."
-            )
-        which, sources = loads_over(contact, shape), heat_sources(contact)
-        table = np.zeros((5, *shape))
-        for place in np.ndindex(shape):
-            table[(slice(None), *place)] = _shares(self, sources[which[place]], *(float(rate[place]) for rate in rates))
+        peclets = peclet_numbers("FrictionHeating", contact.radius, rates, self._bodies)
+        table = shared_temperatures(contact, self._bodies, self.partition, rates)
         heat = self.law.coefficient * np.broadcast_to(contact.force, shape) * np.abs(rates[0] - rates[1])
         columns = [heat, table[0], *peclets, *(table[1:] * heat)]
         return FrictionHeatingSolution(self, contact, *(float(each) if shape == () else each for each in columns))
-
-
-def _shares(problem: FrictionHeating, heat: HeatSource | None, *speeds: float) -> tuple[float, ...]:
-    """Return the share of the first body, and greatest and mean temperatures of both for 1 W in all [K/W]."""
-    bodies = problem._bodies
-    if heat is None:
-        return bodies[0].conductivity / (bodies[0].conductivity + bodies[1].conductivity), 0.0, 0.0, 0.0, 0.0
-    waves = [speed / body.diffusivity for speed, body in zip(speeds, bodies, strict=True)]
-    same = abs(waves[0]) == abs(waves[1])
-    peaks = [heat.source.peak(abs(waves[0])).height]
-    means = [heat.source.mean(waves[0])]
-    peaks.append(peaks[0] if same else heat.source.peak(abs(waves[1])).height)
-    means.append(means[0] if same else heat.source.mean(waves[1]))
-    peaks, means = (
-        [each / body.conductivity for each, body in zip(pair, bodies, strict=True)] for pair in (peaks, means)
-    )
-    share = first_share(problem.partition, peaks, means)
-    return share, share * peaks[0], (1.0 - share) * peaks[1], share * means[0], (1.0 - share) * means[1]
 
 
 @value
@@ -223,6 +191,8 @@ class FrictionHeatingSolution:
     first_mean_temperature: Quantity
     second_mean_temperature: Quantity
 
+    per_load: ClassVar[str] = "heat_rate"
+
     @property
     def radius(self) -> Quantity:
         """Radius of the contact a [m]."""
@@ -255,18 +225,8 @@ class FrictionHeatingSolution:
         return self._estimate(tian_kennedy)
 
     def _estimate(self, per_watt: Callable[[HeatSource, Array], Array]) -> Quantity:
-        problem, shape = self.problem, np.shape(self.heat_rate)
-        which = loads_over(self.contact, shape)
-        average = np.zeros(shape)
-        for j, source in enumerate(heat_sources(self.contact)):
-            mine = which == j
-            if source is not None:
-                first, second = (
-                    per_watt(source, np.asarray(peclet)[mine]) / body.conductivity
-                    for peclet, body in zip((self.first_peclet, self.second_peclet), problem._bodies, strict=True)
-                )
-                average[mine] = shared(first, second, problem.partition)
-        return shaped(average * self.heat_rate)
+        problem, peclets = self.problem, (self.first_peclet, self.second_peclet)
+        return shaped(estimated(per_watt, self.contact, problem._bodies, problem.partition, peclets) * self.heat_rate)
 
     @property
     def overestimate(self) -> Quantity:

@@ -27,7 +27,7 @@ from winkler.numerics.equations.roots import between, invert, rough_root
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.types import Array, Curve
 from winkler.problems.normal.indentation import Indentation
-from winkler.problems.normal.single_contact import rises
+from winkler.problems.normal.overlap import rises
 from winkler.problems.normal.solve_contact import at_depth, at_end, flat_radius
 from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
 

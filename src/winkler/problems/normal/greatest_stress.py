@@ -28,12 +28,12 @@ from winkler.footprint import EllipticOutline
 from winkler.foundation.bed import PressedSprings, StretchedSprings
 from winkler.foundation.foundation import Foundation
 from winkler.materials.elastic import Elastic
+from winkler.media.families import DepthVaryingMedium
 from winkler.media.halfspace import HalfSpace
 from winkler.media.interior import shear_field
 from winkler.media.interior.peak import REFINEMENTS, greatest
 from winkler.media.interior.stress import von_mises
 from winkler.media.interior.tensor import von_mises_of_tensor
-from winkler.media.layered.coated import LayeredMedium
 from winkler.numerics.types import Array
 from winkler.problems.normal.elliptic_stress import greatest_under_ellipse
 from winkler.problems.normal.strong_parts import StrongPart
@@ -97,7 +97,7 @@ def greatest_stress(pressed: PressedSprings, part: StrongPart, friction: float =
             stress[regular] = _stress(pressed, part, friction, x[regular], z[regular])
         return stress
 
-    layered = isinstance(bed.medium, LayeredMedium)
+    layered = isinstance(bed.medium, DepthVaryingMedium)
     place = greatest(
         field,
         pressed.radius,

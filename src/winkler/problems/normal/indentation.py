@@ -123,6 +123,8 @@ class IndentationSolution:
     force: Quantity
     radius: Quantity
 
+    per_load: ClassVar[str] = "depth"
+
     @property
     def stiffness(self) -> Quantity:
         """dF/dd = k(a) [N/m]."""

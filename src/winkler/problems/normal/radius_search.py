@@ -18,7 +18,8 @@ from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.numerics.equations.roots import bracketed
 from winkler.numerics.types import Array
-from winkler.problems.normal.single_contact import MOST_TURNING_POINTS, SLOPE_SAMPLES, too_many
+from winkler.problems.normal.overlap import SLOPE_SAMPLES
+from winkler.problems.normal.single_contact import MOST_TURNING_POINTS, too_many
 
 __all__ = ["radii_at_depth", "radii_at_force"]
 

@@ -21,17 +21,8 @@ import numpy as np
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.numerics.types import Array
-from winkler.problems.normal.single_contact import (
-    RISING_SAMPLES,
-    SLOPE_ROUNDING,
-    ended,
-    falling_kinks,
-    pulls,
-    refuse_overlap,
-    refuse_tension,
-    rises,
-    surely_pressed,
-)
+from winkler.problems.normal.overlap import RISING_SAMPLES, SLOPE_ROUNDING, falling_kinks, refuse_overlap, rises
+from winkler.problems.normal.single_contact import ended, pulls, refuse_tension, surely_pressed
 
 __all__ = ["refuse_unless_discs"]
 

@@ -17,7 +17,7 @@ from winkler.media.body_of import thickness_of
 from winkler.numerics.equations.roots import invert, rough_root
 from winkler.numerics.types import Array
 from winkler.problems.normal import radius_search
-from winkler.problems.normal.single_contact import rises
+from winkler.problems.normal.overlap import rises
 from winkler.problems.normal.single_contacts import refuse_unless_discs
 
 __all__ = ["at_depth", "at_end", "at_force", "at_radius", "flat_radius"]

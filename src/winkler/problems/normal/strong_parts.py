@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from winkler.materials.elastic import Elastic
-from winkler.media.layered.coated import CoatedHalfSpace
-from winkler.media.relaxing.proportional import RelaxingInProportion
+from winkler.media.families import CoatedBody
+from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 
 __all__ = ["StrongPart", "strong_parts"]
 
@@ -46,11 +46,10 @@ def strong_parts(medium: object) -> tuple[StrongPart, ...]:
 
 
 def _parts(medium: object) -> Iterator[StrongPart]:
-    if isinstance(medium, RelaxingInProportion):
-        yield from _parts(medium.medium)
-        return
+    if isinstance(medium, RelaxingMedium):
+        medium = medium.bodies
     first, second = getattr(medium, "first", None), getattr(medium, "second", None)
-    if isinstance(medium, CoatedHalfSpace):
+    if isinstance(medium, CoatedBody):
         top = 0.0
         for number, layer in enumerate(medium.layers, 1):
             yield StrongPart(f"layer {number}", layer.solid, True, top, top + layer.thickness)

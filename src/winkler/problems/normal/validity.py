@@ -9,7 +9,8 @@ import numpy as np
 from winkler.foundation.bed import Bed
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.film import film_notes
-from winkler.problems.normal.single_contact import rises, unfinished
+from winkler.problems.normal.overlap import rises
+from winkler.problems.normal.single_contact import unfinished
 from winkler.problems.normal.yield_statement import FRICTIONLESS, SurfaceFriction, yield_notes_of_bed
 from winkler.validity import Assumption, Note, Standing
 

@@ -9,7 +9,8 @@ import numpy as np
 from winkler.numerics.types import Quantity
 from winkler.problems.normal.elliptic_stress import greatest_under_ellipse
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
-from winkler.problems.normal.yield_statement import MISES, share_of, unknown_yield
+from winkler.problems.normal.unknown_yield import MISES, unknown_yield
+from winkler.problems.normal.yield_statement import share_of
 from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["ellipse_yield_notes", "map_yield_notes", "spots_yield_notes"]

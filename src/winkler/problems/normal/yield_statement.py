@@ -19,29 +19,19 @@ from winkler.errors import NotConverged, OutsideValidity
 from winkler.footprint import EllipticOutline
 from winkler.foundation.bed import Bed, PressedSprings
 from winkler.foundation.foundation import Foundation
+from winkler.media.families import CoatedBody
 from winkler.media.halfspace import HalfSpace
-from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array
 from winkler.problems.normal.greatest_stress import GreatestStress, greatest_stress
 from winkler.problems.normal.solve_contact import at_depth, flat_radius
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
+from winkler.problems.normal.unknown_yield import MISES, unknown_yield
 from winkler.profiles.power import Paraboloid
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = [
-    "FRICTIONLESS",
-    "MISES",
-    "SurfaceFriction",
-    "relaxing_yield",
-    "share_of",
-    "slid_depth",
-    "unknown_yield",
-    "yield_notes",
-    "yield_notes_of_bed",
-]
+__all__ = ["FRICTIONLESS", "SurfaceFriction", "share_of", "slid_depth", "yield_notes", "yield_notes_of_bed"]
 
-MISES = "R. von Mises, Nachr. Ges. Wiss. Goettingen (1913) 582; largest von Mises stress of the restored field"
 HAMILTON = "G. M. Hamilton, Proc. Inst. Mech. Eng. C 197 (1983) 53, doi:10.1243/PIME_PROC_1983_197_076_02"
 RADIUS_SHARES = (0.25, 0.5, 0.75, 1.0)
 """Parts of the contact radius that are examined where the profile may fall."""
@@ -153,7 +143,7 @@ def _refuse_costly(pressed: PressedSprings) -> None:
     medium = pressed.bed.medium
     if isinstance(medium, RelaxingMedium):
         raise OutsideValidity("the stresses in a relaxing body follow the history of the load.")
-    if isinstance(medium, CoatedHalfSpace) and pressed.radius > WIDEST_ON_LAYER * medium.layers[0].thickness:
+    if isinstance(medium, CoatedBody) and pressed.radius > WIDEST_ON_LAYER * medium.layers[0].thickness:
         raise OutsideValidity(
             f"the contact is more than {WIDEST_ON_LAYER:g} times as wide as the uppermost layer is thick; use "
             "peak_stress for the stresses inside."
@@ -279,26 +269,3 @@ def slid_depth(coefficient: float, depth: Array, force: Array, shear_force: Arra
         return 0.0
     slid = (force > 0.0) & (sheared >= (1.0 - SLIDING_ROUNDING) * coefficient * force)
     return float(np.max(np.where(slid, depth, 0.0), initial=0.0))
-
-
-def relaxing_yield(medium: object) -> tuple[Note, ...]:
-    """Return what is known of yield in bodies that relax; nothing where no part of them has a strength."""
-    return unknown_yield(medium, "the stresses in bodies that relax follow the history of the load")
-
-
-def unknown_yield(medium: object, why: str, addition: str = "") -> tuple[Note, ...]:
-    """Return that the onset of yield is not known, if a part of the medium has a strength.
-
-    Parameters
-    ----------
-    medium
-        Any.
-    why : str
-        Why it is not known, the end of a sentence.
-    addition : str
-        What is certain nevertheless, a sentence.
-    """
-    if not strong_parts(medium):
-        return ()
-    statement = f"The onset of yield is not known because {why}. {addition}".rstrip()
-    return (Note(Assumption.ELASTIC, Standing.APPROXIMATE, statement, MISES),)

@@ -2,8 +2,7 @@ r"""Many small contacts of balls at once, each with its history: what a discrete
 
 The normal force is Hertz', :math:`F_N=\tfrac43E^*\sqrt R\,d^{3/2}`.  The shear force is that of a row of springs for
 each contact, which stick and slip (`winkler.numerics.springs.contact_kernels`).  A twist about the normal is borne up
-to
-:math:`\tfrac{3\pi}{16}\mu F_Na` with the stiffness :math:`\tfrac{16}3G_ta^3`; rolling up to :math:`e F_N` with
+to :math:`\tfrac{3\pi}{16}\mu F_Na` with the stiffness :math:`\tfrac{16}3G_ta^3`; rolling up to :math:`e F_N` with
 :math:`\tfrac43E^*a^3`, that of a disc that is tilted.  Shear, twist and rolling do not affect each other.
 """
 

@@ -23,7 +23,7 @@ from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.medium import Medium
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array
-from winkler.problems.normal.yield_statement import unknown_yield
+from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.rough.contact_springs import ContactPoints, force_uncertainty, springs_of
 from winkler.problems.rough.surface_contact import SurfaceContact
 from winkler.problems.rough.surface_states import SurfaceState

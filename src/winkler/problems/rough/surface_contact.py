@@ -27,8 +27,8 @@ from winkler.numerics.surfaces.punched_grid import punch
 from winkler.numerics.surfaces.surface_grid import bytes_needed
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.assumptions.declared import MAPPED
+from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.normal.yield_of_pressure import map_yield_notes
-from winkler.problems.normal.yield_statement import unknown_yield
 from winkler.problems.rough.surface_notes import surface_notes
 from winkler.problems.rough.surface_states import SurfaceState
 from winkler.profiles.rough.topography import Topography

@@ -33,7 +33,7 @@ from winkler.problems.adhesion.validity import adhesive_notes
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import ADHESIVE, BALANCED, RELAXING
 from winkler.problems.assumptions.energy import energy_note
-from winkler.problems.normal.yield_statement import relaxing_yield
+from winkler.problems.normal.unknown_yield import relaxing_yield
 from winkler.problems.viscoelastic.adhesion_crack import Crack
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words

@@ -27,9 +27,10 @@ from winkler.problems.assumptions.inertia import wave_loss, wave_note
 from winkler.problems.assumptions.times import times_notes
 from winkler.problems.normal.length_scale import shape_length
 from winkler.problems.normal.solve_contact import at_depth
+from winkler.problems.normal.unknown_yield import relaxing_yield
 from winkler.problems.normal.validity import contact_notes
-from winkler.problems.normal.yield_statement import relaxing_yield
-from winkler.problems.viscoelastic.march import SpringMemory, SpringRow, elastic_like, refuse_rings, relaxation_of
+from winkler.problems.viscoelastic.flight import Flight
+from winkler.problems.viscoelastic.march import SpringRow, elastic_like, relaxation_of
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -123,9 +124,9 @@ class ViscoelasticImpact:
         scale = self._scale(series)
         # the first march only determines how wide the contact gets
         reach = 1.5 * scale
-        while (trial := self._march(series, reach, scale / self.velocity / FIRST_STEPS, 60)).deepest > reach:
+        while (trial := self._march(series, reach, scale / self.velocity / FIRST_STEPS, 60)).greatest_depth() > reach:
             reach = 2.0 * reach
-        reach = 1.02 * trial.deepest
+        reach = 1.02 * trial.greatest_depth()
         finer, last = FIRST_STEPS, math.nan
         while finer <= MOST_STEPS:
             march = self._march(series, reach, scale / self.velocity / finer, self.count)
@@ -156,10 +157,10 @@ class ViscoelasticImpact:
             depth, last = _depth_of(elastic, energy / modulus, depth), depth
         return depth
 
-    def _march(self, series: RelaxationSeries, deepest: float, dt: float, count: int) -> _Flight:
+    def _march(self, series: RelaxationSeries, deepest: float, dt: float, count: int) -> Flight:
         elastic = elastic_like(self.bed)
         _, radius = at_depth(elastic, np.array([deepest]))
-        flight = _Flight(
+        flight = Flight(
             SpringRow(elastic, Springs.of(elastic, float(radius[0]), count), series), self.mass, self.velocity
         )
         for _ in range(int(LONGEST_CONTACT * deepest / self.velocity / dt)):
@@ -172,49 +173,6 @@ class ViscoelasticImpact:
         raise NotConverged(
             "ViscoelasticImpact: the body neither comes to rest nor leaves; give the solid a shorter relaxation time."
         )
-
-
-class _Flight:
-    """A body of a mass [kg] that flies against a row of springs, and what it has met so far."""
-
-    def __init__(self, row: SpringRow, mass: float, velocity: float) -> None:
-        self.row, self.mass = row, mass
-        self.time, self.velocity, self.lost = 0.0, velocity, 0.0
-        self.lines = [(0.0, 0.0, velocity, 0.0, 0.0, 0.0, 0.0)]
-
-    @property
-    def deepest(self) -> float:
-        """Greatest depth [m]."""
-        return max(line[1] for line in self.lines)
-
-    def goes_on(self, dt: float) -> bool:
-        """Fly for a time, or until the last spring lets go; return whether one is still pressed."""
-        mean, held = self.row.struck(self.velocity, self.mass, dt)
-        if self.velocity < 0.0 and held == 0:
-            mean, dt = self._parting(dt)
-            done = self.row.march(np.array([mean * dt]), np.array([dt]))
-            self._arrive(mean, dt, done._replace(force=np.zeros(1), radius=np.zeros(1)))
-            return False
-        done = self.row.march(np.array([mean * dt]), np.array([dt]))
-        self._arrive(mean, dt, done)
-        refuse_rings("ViscoelasticImpact", np.array([self.time]), done.ring)
-        return True
-
-    def _arrive(self, mean: float, dt: float, done: SpringMemory) -> None:
-        self.velocity, self.time = 2.0 * mean - self.velocity, self.time + dt
-        depth = self.lines[-1][1] + mean * dt
-        self.lost += float(done.lost[0])
-        ends = float(done.force[0]), float(done.radius[0]), float(done.stored[0]), self.lost
-        self.lines.append((self.time, depth, self.velocity, *ends))
-
-    def _parting(self, dt: float) -> tuple[float, float]:
-        """Return the mean velocity in the step that ends when the last spring lets go, and its length."""
-        low, high = 0.0, dt
-        for _ in range(40):
-            middle = 0.5 * (low + high)
-            _, held = self.row.struck(self.velocity, self.mass, middle)
-            low, high = (middle, high) if held else (low, middle)
-        return self.row.struck(self.velocity, self.mass, high)[0], high
 
 
 def _depth_of(elastic: Bed, energy: float, guess: float) -> float:

@@ -13,59 +13,28 @@ speed (`winkler.problems.viscoelastic.sliding_factor`).
 
 from __future__ import annotations
 
-import math
-from typing import Annotated, ClassVar, NamedTuple
+from typing import Annotated, ClassVar
 
 import numpy as np
 
 from winkler.checks.number_checks import PositiveQuantity, Whole
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
 from winkler.limits import RELAXING_SPRINGS
-from winkler.loading import Depth
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
-from winkler.numerics.equations.roots import between
-from winkler.numerics.integrals.quadrature import gauss_legendre
-from winkler.numerics.springs.free_relaxation import Recovery
-from winkler.numerics.springs.spring_pass import pass_over
 from winkler.numerics.types import Array, Quantity
 from winkler.path import OnePositiveNormal
 from winkler.problems.assumptions.declared import RELAXING
 from winkler.problems.assumptions.times import times_notes
-from winkler.problems.normal.solve_contact import at_depth, at_end, at_force
+from winkler.problems.normal.unknown_yield import relaxing_yield
 from winkler.problems.normal.validity import contact_notes
-from winkler.problems.normal.yield_statement import relaxing_yield
 from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
+from winkler.problems.viscoelastic.passing import pass_at_depth, pass_under_load
 from winkler.problems.viscoelastic.sliding_factor import share_of_line
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
 __all__ = ["SlidingLine", "SlidingResistance", "SlidingResistanceSolution"]
-
-DOUBLINGS = 200
-NODES = 8
-"""For what fades within an interval by no more than e: exact to rounding."""
-RECONTACT_MARGIN = 1e-6
-"""A spring behind the contact is touched again when the body is this part of the depth below it."""
-
-
-class _SlidPast(NamedTuple):
-    """What a spring has met under a body at one depth, place by place, with force, resistance and trailing edge."""
-
-    depth: float
-    radius: float
-    place: Array
-    loads: Array
-    force: float
-    shear_force: float
-    trailing_edge: float
-
-    @property
-    def touching(self) -> tuple[Array, Array]:
-        """Places and loads from the trailing to the leading edge."""
-        inside = self.place > self.trailing_edge
-        place = np.append(self.place[inside], self.trailing_edge)
-        return place[::-1], np.append(self.loads[inside], 0.0)[::-1]
 
 
 @value
@@ -102,6 +71,7 @@ class SlidingResistance:
     Slowly, a ball meets the resistance tau v F / R (E* = 1 Pa, tau = 1 s), half of that of the line.
 
     >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.loading import Depth
     >>> from winkler.materials.spring_and_dashpot import KelvinVoigt
     >>> from winkler.profiles.power import Paraboloid
     >>> bed = Foundation(Paraboloid(1.0), ViscoelasticHalfSpace(KelvinVoigt(shear=0.25, viscosity=0.25)))
@@ -148,7 +118,7 @@ class SlidingResistance:
         assert isinstance(medium, ViscoelasticHalfSpace)
         rows = []
         for speed in np.ravel(np.asarray(self.speed, dtype=float)).tolist():
-            done = self._settled(speed)
+            done = pass_under_load(self.bed, self.normal, self.count, speed)
             share = share_of_line(medium.creep, speed, *done.touching)
             sums = done.depth, done.force, done.radius, done.trailing_edge, done.shear_force
             rows.append((*sums, share * done.shear_force))
@@ -156,95 +126,6 @@ class SlidingResistance:
         if np.ndim(self.speed) == 0:
             return SlidingResistanceSolution(self, self.speed, *(float(column) for column in columns))
         return SlidingResistanceSolution(self, np.array(self.speed, dtype=float), *columns)
-
-    def _settled(self, speed: float) -> _SlidPast:
-        """Return what the springs have met at the depth that is prescribed, or that gives the force."""
-        if isinstance(self.normal, Depth):
-            return self._passed(float(self.normal.depth), speed)
-        wanted = float(self.normal.force)
-        elastic = elastic_like(self.bed)
-        series = relaxation_of("", self.bed)
-        finite = [modulus for modulus in (series.relaxed, series.glassy) if 0.0 < modulus < math.inf]
-        modulus = finite[0] if finite else float(series.viscosity / np.max(series.times, initial=1.0))
-        end, most = at_end(elastic)
-        high = low = end if wanted / modulus >= most else float(at_force(elastic, np.array([wanted / modulus]))[0][0])
-        for _ in range(DOUBLINGS):
-            if self._passed(low, speed).force <= wanted:
-                break
-            high, low = low, 0.5 * low
-        for _ in range(DOUBLINGS):
-            if self._passed(high, speed).force >= wanted:
-                break
-            if high == end:
-                raise OutsideValidity(
-                    f"SlidingResistance: at {speed:.6g} m/s the force {wanted:.6g} N presses the body beyond what is "
-                    "known of its profile; give less."
-                )
-            low, high = high, min(2.0 * high, end)
-        else:
-            raise NotConverged(f"SlidingResistance: at {speed:.6g} m/s no depth bears the force {wanted:.6g} N.")
-        depth = high
-        if high > low:
-
-            def missing(logarithm: float) -> float:
-                return self._passed(math.exp(logarithm), speed).force / wanted - 1.0
-
-            depth = math.exp(between(missing, math.log(low), math.log(high), absolute=1e-15))
-        return self._passed(depth, speed)
-
-    def _passed(self, depth: float, speed: float) -> _SlidPast:
-        """Let the body pass over a spring at a depth."""
-        elastic = elastic_like(self.bed)
-        _, radii = at_depth(elastic, np.array([depth]))
-        radius = float(radii[0])
-        if radius >= elastic.rim:
-            raise OutsideValidity(
-                f"SlidingResistance: at the depth {depth:.6g} m the contact fills the body up to its rim, whose "
-                "leading corner would cut into the other one; give a rounded body, or less load."
-            )
-        x = np.linspace(radius, 0.0, self.count // 2 + 1)
-        x = np.unique(np.concatenate([x, [b for b, _ in elastic.kinks if b < radius]]))
-        before, after = _slopes(elastic, x)
-        gaps = elastic.gap(x)
-        recess = np.concatenate([depth - gaps[::-1], depth - gaps[1:]])
-        recess[0] = recess[-1] = 0.0
-        place = np.concatenate([radius - x[::-1], radius + x[1:]])
-        series = relaxation_of("", self.bed)
-        memory, loads, sums = np.zeros(series.moduli.size), np.empty(place.size), np.empty(3)
-        pass_over(
-            series.relaxed, series.viscosity * speed, series.moduli, series.times * speed, place, recess,
-            np.concatenate([after[::-1], -before]), np.concatenate([before[::-1], -after]), memory, loads,
-            gauss_legendre(NODES), sums,
-        )  # fmt: skip
-        force, work, let_go = sums.tolist()
-        self._refuse_again(place, recess, memory, let_go, depth, speed)
-        return _SlidPast(depth, radius, radius - place, loads, force, work, radius - let_go)
-
-    def _refuse_again(
-        self, place: Array, recess: Array, memory: Array, let_go: float, depth: float, speed: float
-    ) -> None:
-        """Refuse bodies that touch the spring again after it has let go."""
-        behind = place > let_go
-        recovery = Recovery.of(relaxation_of("", self.bed))
-        left = depth - float(self.bed.gap(np.abs(np.array([0.5 * float(place[-1]) - let_go])))[0])
-        weights = recovery.from_displacement * left + recovery.from_memory @ memory
-        free = np.exp(-(place[behind, None] - let_go) / speed * recovery.rates) @ weights
-        if np.any(recess[behind] - free > RECONTACT_MARGIN * depth):
-            raise OutsideValidity(
-                f"SlidingResistance: at {speed:.6g} m/s the body touches the surface again behind the contact, which "
-                "is no disc then; give a body whose flanks grow steeper, or another speed."
-            )
-
-
-def _slopes(bed: Bed, x: Array) -> tuple[Array, Array]:
-    """Return g' at the near and at the far end of every interval between places (n,), with their mean as it is."""
-    mean = np.diff(bed.gap(x)) / np.diff(x)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        slope = bed.gap_slope(x)
-    near = np.where(np.isfinite(slope[:-1]), slope[:-1], mean)
-    far = np.where(np.isfinite(slope[1:]), slope[1:], mean)
-    excess = mean - 0.5 * (near + far)
-    return near + excess, far + excess
 
 
 @value
@@ -320,7 +201,7 @@ class SlidingResistanceSolution:
             raise InvalidInput(
                 f"solution.line: there is no speed {index!r} in a solution of shape {np.shape(self.speed)}."
             ) from None
-        done = self.problem._passed(depth, speed)
+        done = pass_at_depth(self.problem.bed, self.problem.count, depth, speed)
         return SlidingLine(done.place, done.loads)
 
     @property

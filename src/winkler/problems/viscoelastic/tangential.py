@@ -34,8 +34,8 @@ from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.assumptions.times import path_notes
 from winkler.problems.normal.solve_contact import at_depth
+from winkler.problems.normal.unknown_yield import relaxing_yield
 from winkler.problems.normal.validity import contact_notes
-from winkler.problems.normal.yield_statement import relaxing_yield
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.problems.viscoelastic.march import SpringRow, elastic_like, refuse_rings, relaxation_of
 from winkler.problems.viscoelastic.tangential_march import (
@@ -43,6 +43,7 @@ from winkler.problems.viscoelastic.tangential_march import (
     ShearedMarch,
     StepTarget,
     shear_relaxation,
+    sudden_step,
     travel,
 )
 from winkler.problems.viscoelastic.tangential_states import ViscoelasticTangentialState, stick_radius
@@ -155,7 +156,7 @@ class ViscoelasticTangential:
             if i and time > times[i - 1]:
                 row, pace = travel(row, goals[i - 1], goal, time - times[i - 1], pace, scales)
             else:
-                row = self._sudden(row, goal, time, scales)
+                row = sudden_step(row, goal, time, scales)
             refuse_rings("ViscoelasticTangential", np.array([time]), np.array([row.turn.ring]))
             turn, springs = row.turn, row.row
             place = springs.springs.position
@@ -194,28 +195,6 @@ class ViscoelasticTangential:
         slide_ = slide_ if slide_ > 0.0 else deepest
         little = self.tolerance
         return row, ErrorScales(little * deepest, little * slide_, little * borne, little * borne * slide_, force)
-
-    def _sudden(self, row: ShearedMarch, goal: StepTarget, time: float, scales: ErrorScales) -> ShearedMarch:
-        """Press and then move the bodies at once, as far as a dashpot lets them."""
-        stubborn = row.row.series.viscosity > 0.0
-        here = StepTarget(goal.across, row.shift if row.by_shift else row.turn.shear_force)
-        rising = row.by_depth and goal.across > max(row.row.depth, 0.0)
-        if stubborn and rising:
-            raise OutsideValidity(
-                f"ViscoelasticTangential: at {time:.6g} s the depth rises suddenly to {goal.across:.6g} m, which a "
-                "dashpot alongside responds to with an infinite force; give the step some time."
-            )
-        if row.by_depth or not stubborn:
-            row = row.step(here, 0.0, max(goal.across, 0.0), scales)
-        if row.shear.viscosity > 0.0:
-            if not row.by_shift:
-                return row
-            if goal.along != row.shift and np.any(row.row.pressed):
-                raise OutsideValidity(
-                    f"ViscoelasticTangential: at {time:.6g} s the bodies are moved suddenly along the surface, which a "
-                    "dashpot alongside responds to with an infinite force; give the step some time."
-                )
-        return row.step(StepTarget(row.row.depth, goal.along), 0.0, row.turn.force, scales)
 
     def gathered(self, states: Iterable[ViscoelasticTangentialState]) -> ViscoelasticTangentialSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""
@@ -267,7 +246,7 @@ class ViscoelasticTangentialSolution:
 
     __words__ = words(
         work=("W", "J", "what the machine has spent since the beginning"),
-        stored_energy=("U", "J", "energy stored in all springs, both ways"),
+        stored_energy=("U", "J", "energy stored in all springs, both directions"),
     )
 
     problem: ViscoelasticTangential
@@ -307,7 +286,6 @@ CATTANEO = Note(
     Assumption.SLIP,
     Standing.ASYMPTOTIC,
     "Tractions are taken parallel to the motion and the directions as independent (Cattaneo-Mindlin); "
-    "sliding is decided spring by spring at the end "
-    "of every step.",
+    "sliding is decided spring by spring at the end of every step.",
     "R. D. Mindlin, J. Appl. Mech. 16 (1949) 259-268, doi:10.1115/1.4009973",
 )

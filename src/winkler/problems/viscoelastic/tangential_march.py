@@ -15,17 +15,14 @@ from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSer
 from winkler.numerics.springs.free_relaxation import Recovery
 from winkler.numerics.springs.relaxing_friction import drag
 from winkler.numerics.types import Array
+from winkler.problems.viscoelastic.force_driven import RESTING_FORCE, SHORTEST_STEP
 from winkler.problems.viscoelastic.march import SpringRow
 
-__all__ = ["ErrorScales", "ShearedMarch", "ShearedRowState", "StepTarget", "shear_relaxation", "travel"]
+__all__ = ["ErrorScales", "ShearedMarch", "ShearedRowState", "StepTarget", "shear_relaxation", "sudden_step", "travel"]
 
 MOST_TRIALS = 200
 FORCE_TOLERANCE = 1e-12
 """Part of what friction bears to which a shear force is met."""
-SHORTEST_STEP = 1e-12
-"""Part of a stretch of the path below which no step falls."""
-RESTING_FORCE = 1e-11
-"""A body under no force rests on the surface with this part of the greatest one."""
 
 
 def shear_relaxation(medium: ViscoelasticHalfSpace, share: float = 0.5) -> RelaxationSeries:
@@ -192,6 +189,29 @@ class ShearedMarch:
                 stride = max(2.0 * stride, abs(moved), float(np.max(np.abs(self.displaced))), 1e-9 * self.row.depth)
                 moved += math.copysign(stride, short)
         raise NotConverged(f"The springs find no shift at which they bear the shear force {prescribed:.6g} N.")
+
+
+def sudden_step(row: ShearedMarch, goal: StepTarget, time: float, scales: ErrorScales) -> ShearedMarch:
+    """Press and then move the bodies at once, as far as a dashpot lets them."""
+    stubborn = row.row.series.viscosity > 0.0
+    here = StepTarget(goal.across, row.shift if row.by_shift else row.turn.shear_force)
+    rising = row.by_depth and goal.across > max(row.row.depth, 0.0)
+    if stubborn and rising:
+        raise OutsideValidity(
+            f"ViscoelasticTangential: at {time:.6g} s the depth rises suddenly to {goal.across:.6g} m, which a "
+            "dashpot alongside responds to with an infinite force; give the step some time."
+        )
+    if row.by_depth or not stubborn:
+        row = row.step(here, 0.0, max(goal.across, 0.0), scales)
+    if row.shear.viscosity > 0.0:
+        if not row.by_shift:
+            return row
+        if goal.along != row.shift and np.any(row.row.pressed):
+            raise OutsideValidity(
+                f"ViscoelasticTangential: at {time:.6g} s the bodies are moved suddenly along the surface, which a "
+                "dashpot alongside responds to with an infinite force; give the step some time."
+            )
+    return row.step(StepTarget(row.row.depth, goal.along), 0.0, row.turn.force, scales)
 
 
 def travel(

@@ -42,7 +42,7 @@ class ViscoelasticTangentialState:
 
     __words__ = words(
         work=("W", "J", "what the machine has spent since the beginning"),
-        stored_energy=("U", "J", "energy stored in all springs, both ways"),
+        stored_energy=("U", "J", "energy stored in all springs, both directions"),
         displacement=("u_t", "m", "displacement of every spring along the surface"),
     )
 

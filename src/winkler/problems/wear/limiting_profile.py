@@ -19,7 +19,6 @@ import numpy as np
 
 from winkler.checks.field_checks import Condition
 from winkler.errors import OutsideValidity
-from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
 from winkler.laws.friction import Sliding
 from winkler.loading import Depth, Shift
@@ -30,53 +29,18 @@ from winkler.path import numbers_of
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import WORN
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
-from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
 from winkler.problems.normal.yield_statement import SurfaceFriction
-from winkler.problems.wear.validity import debris_note, slip_note
-from winkler.validity import Assumption, Note, Standing
+from winkler.problems.wear.core import Core
+from winkler.problems.wear.validity import debris_note, limiting_notes, slip_note
+from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
-__all__ = ["Core", "LimitingProfile", "LimitingSolution"]
+__all__ = ["LimitingProfile", "LimitingSolution"]
 
-POPOV = "V. L. Popov, Sci. Rep. 4 (2014) 3749, doi:10.1038/srep03749"
 NODES = 64
 SAMPLES = 513
 MIDDLE_RADIUS = 1e-9
 """Part of the contact that stands for its middle, where springs of graded media are known in the limit only."""
-
-
-@value
-class Core:
-    """The springs that bear in the end: those of the bed as deep as it is pressed, up to the stick radius.
-
-    Parameters
-    ----------
-    bed : Bed
-    depth, radius : float
-        d [m], c [m].
-    """
-
-    bed: Bed
-    depth: float
-    radius: float
-
-    @property
-    def kinks(self) -> tuple[tuple[float, float], ...]:
-        """``(x, strength)`` within the core."""
-        return tuple((b, strength) for b, strength in self.bed.kinks if b < self.radius)
-
-    @property
-    def edge(self) -> float:
-        """u(c-) [m]: the core ends with a jump."""
-        return float(self.depth - self.bed.gap(np.array([self.radius]))[0])
-
-    def value(self, x: Array) -> Array:
-        """u(x) [m]."""
-        return self.depth - self.bed.gap(x)
-
-    def slope(self, x: Array) -> Array:
-        """u'(x) [-]."""
-        return -self.bed.gap_slope(x)
 
 
 ONE_DEPTH = Condition(
@@ -309,25 +273,5 @@ class LimitingSolution:
         """How far the result can be trusted."""
         bed = self.problem.bed
         rubbing = SurfaceFriction(self.problem.law.coefficient)
-        notes = [*self.problem.contact.notes_with(rubbing), debris_note(), slip_note(bed)]
-        notes.append(sticking_note(bed.medium, self.problem.law.coefficient))
-        notes.append(
-            Note(
-                Assumption.WEAR,
-                Standing.EXACT,
-                "The limiting profile does not depend on the law of wear; the pressure is infinite at the edge of the "
-                "core, where a real one yields or cracks.",
-                POPOV,
-            )
-        )
-        if not alike(stiffness_ratios(bed, self.core.radius)):
-            notes.append(
-                Note(
-                    Assumption.SLIP,
-                    Standing.APPROXIMATE,
-                    "On layers the radius of the core is that of springs which stick or slip by themselves, an "
-                    "approximation; the shape around a core of this radius is exact.",
-                    "flat punches have tangential tractions of another shape than pressures",
-                )
-            )
-        return tuple(notes)
+        worn = (debris_note(), slip_note(bed), sticking_note(bed.medium, self.problem.law.coefficient))
+        return (*self.problem.contact.notes_with(rubbing), *worn, *limiting_notes(bed, self.core.radius))

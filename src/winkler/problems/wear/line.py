@@ -7,7 +7,7 @@ bear
 .. math:: q = c_N\,v_+ , \qquad u_t = \min(U, \mu\tfrac{E^*}{G^*}\,v_+) , \qquad
           s(r) = \frac2\pi\int_0^r \frac{U-u_t(x)}{\sqrt{r^2-x^2}}\,\mathrm dx ,
 
-exactly zero where everything inside sticks.  Only what was worn off lives on the grid: the shape itself keeps its own
+exactly zero where everything inside sticks.  Only what was worn off is held on the grid: the shape itself keeps its own
 transform.
 """
 

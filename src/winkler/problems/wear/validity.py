@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -11,15 +11,18 @@ from winkler.foundation.bed import Bed
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.problems.assumptions.coupling import sliding_note, sticking_note
+from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
 from winkler.problems.normal.strong_parts import strong_parts
+from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.normal.validity import indentation_notes
-from winkler.problems.normal.yield_statement import SurfaceFriction, unknown_yield
+from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.problems.wear.states import WearState
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["debris_note", "fretting_notes", "sliding_notes", "slip_note"]
+__all__ = ["debris_note", "fretting_notes", "limiting_notes", "sliding_notes", "slip_note"]
 
 DIMAKI = "A. V. Dimaki, A. I. Dmitriev, Y. S. Chai, V. L. Popov, Int. J. Solids Struct. 51 (2014) 4215-4220"
+POPOV = "V. L. Popov, Sci. Rep. 4 (2014) 3749, doi:10.1038/srep03749"
 JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sect. 7.2, doi:10.1017/CBO9781139171731"
 
 
@@ -54,6 +57,25 @@ def slip_note(bed: Bed) -> Note:
         "contraction the worn profile would not be quite round.",
         JOHNSON,
     )
+
+
+def limiting_notes(bed: Bed, radius: float) -> Iterator[Note]:
+    """Yield the notes on the limiting profile around a core of a radius [m]."""
+    yield Note(
+        Assumption.WEAR,
+        Standing.EXACT,
+        "The limiting profile does not depend on the law of wear; the pressure is infinite at the edge of the core, "
+        "where a real one yields or cracks.",
+        POPOV,
+    )
+    if not alike(stiffness_ratios(bed, radius)):
+        yield Note(
+            Assumption.SLIP,
+            Standing.APPROXIMATE,
+            "On layers the radius of the core is that of springs which stick or slip by themselves, an approximation; "
+            "the shape around a core of this radius is exact.",
+            "flat punches have tangential tractions of another shape than pressures",
+        )
 
 
 def _march_notes(bed: Bed, tolerance: float, states: Sequence[WearState], rubbing: SurfaceFriction) -> list[Note]:

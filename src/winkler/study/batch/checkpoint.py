@@ -13,7 +13,6 @@ from pathlib import Path
 from typing import Any
 
 from winkler.errors import InvalidInput
-from winkler.io.array_file import version_of
 from winkler.study.chapters.kind import path_of
 from winkler.study.language.canonical import digest_of
 from winkler.values import value
@@ -88,6 +87,7 @@ class CheckpointStore:
         path = self.path(problem)
         if not self.resumes(problem) or not path.exists():
             return []
+        from winkler.io.array_file import version_of
         from winkler.io.wear_states import read_wear
 
         try:

@@ -12,7 +12,6 @@ import functools
 import math
 import time
 from collections.abc import Callable, Collection, Iterator
-from concurrent.futures import CancelledError
 from importlib.metadata import version
 from typing import Annotated, Any, NamedTuple
 
@@ -84,6 +83,8 @@ def connected(cluster: Cluster) -> Iterator[Connection]:
     NotConverged
         If all workers or the scheduler die during the run.
     """
+    from concurrent.futures import CancelledError
+
     try:
         from distributed import Client, KilledWorker
     except ImportError:

@@ -17,7 +17,7 @@ import zlib
 from collections.abc import Iterator
 from importlib.metadata import version
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -25,9 +25,11 @@ from winkler.errors import InvalidInput
 from winkler.study.batch.checkpoint import refuse_other_version
 from winkler.study.batch.locking import lock
 from winkler.study.language.canonical import digest, how_fitted, plain
-from winkler.study.language.fit_study import FitStudy
 from winkler.study.language.study import Study
 from winkler.study.language.varied import Axis
+
+if TYPE_CHECKING:
+    from winkler.study.language.fit_study import FitStudy
 
 __all__ = ["Journal", "is_final"]
 
@@ -191,7 +193,7 @@ def _content(line: bytes) -> Any:
 def _head(study: Study | FitStudy) -> dict[str, Any]:
     """Return the content of the first line: equal heads mean equal points, expectations and numbers."""
     made = {"journal of": "winkler", "version": version("winkler")}
-    if isinstance(study, FitStudy):
+    if not isinstance(study, Study):
         return {**made, "fit": _hash([how_fitted(study), str(study.time_limit)])}
     drawn_points = [_drawn(axis) for axis in study.axes] if study.design.draws else []
     return {

@@ -31,14 +31,13 @@ import dataclasses
 import functools
 import re
 from collections.abc import Iterable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.numerics.types import Array, Quantity
-from winkler.study.batch.points import Answered, ComparedNumber, Failed, Point, Recalled, Solved
-from winkler.study.batch.sensitivity import Indices, sensitivity
+from winkler.study.batch.points import ComparedNumber, Failed, Point, Recalled, Solved, SolvedPoint
 from winkler.study.language import keys
 from winkler.study.language.designs import Sensitivity
 from winkler.study.language.study import Study
@@ -46,8 +45,10 @@ from winkler.validity import Note, worst
 from winkler.values import value
 from winkler.vocabulary import Word, word
 
+if TYPE_CHECKING:
+    from winkler.study.batch.sensitivity import Indices
+
 __all__ = [
-    "Answered",
     "ComparedNumber",
     "Failed",
     "Outcome",
@@ -56,6 +57,7 @@ __all__ = [
     "Recalled",
     "ResultColumn",
     "Solved",
+    "SolvedPoint",
     "answers_of",
     "worst_of_each",
 ]
@@ -188,7 +190,7 @@ class Outcome:
     provenance: Provenance
 
     @functools.cached_property
-    def solved(self) -> tuple[Answered, ...]:
+    def solved(self) -> tuple[SolvedPoint, ...]:
         """The points that were solved, in the order of the sweep."""
         return tuple(point for point in self.points if not isinstance(point, Failed))
 
@@ -230,6 +232,8 @@ class Outcome:
         """Indices of Sobol of each answer for every key; none unless the design is a `Sensitivity`."""
         if not isinstance(self.study.design, Sensitivity):
             return ()
+        from winkler.study.batch.sensitivity import sensitivity
+
         return sensitivity(self.study, {name: self.answer(name) for name in self.answers})
 
     @functools.cached_property

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import functools
 from collections.abc import Iterator
 from typing import Any
@@ -17,7 +16,7 @@ from winkler.study.language.study import Expectation
 from winkler.validity import Note
 from winkler.values import value
 
-__all__ = ["Answered", "ComparedNumber", "Failed", "Point", "Recalled", "Solved"]
+__all__ = ["ComparedNumber", "Failed", "Point", "Recalled", "Solved", "SolvedPoint"]
 
 
 @value
@@ -66,10 +65,8 @@ def _loads(solution: Any) -> Iterator[Any]:
     if is_history(solution):
         yield from solution.states
         return
-    shape = max(
-        (np.shape(getattr(solution, field.name)) for field in dataclasses.fields(solution)), key=len, default=()
-    )
-    if shape == () or not many_loads(solution):
+    shape = np.shape(getattr(solution, solution.per_load)) if many_loads(solution) else ()
+    if not shape:
         yield solution
         return
     for index in np.ndindex(shape):
@@ -145,7 +142,7 @@ class Recalled:
         Class of the solution.
     validity
         What was assumed and checked.
-    told
+    event_rows
         ``(kind of event, rows)``.
     verdicts
         Comparisons with the expected numbers.
@@ -184,7 +181,7 @@ class Recalled:
         return tuple(_loads(self.solution))
 
 
-Answered = Solved | Recalled
+SolvedPoint = Solved | Recalled
 Point = Solved | Recalled | Failed
 
 

@@ -6,22 +6,14 @@ results of long ones return at once.
 
 from __future__ import annotations
 
-import contextlib
-import multiprocessing
 import os
-import signal
-import threading
 import time
 from collections.abc import Callable, Collection, Iterator, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
-from concurrent.futures.process import BrokenProcessPool
-from multiprocessing import resource_tracker
 from typing import Annotated, Any, TypeVar
 
 from winkler.checks.number_checks import Number
-from winkler.errors import InvalidInput, NotConverged
+from winkler.errors import InvalidInput
 from winkler.study.batch.cluster import Cluster, connected
-from winkler.study.batch.stopping import deferred_signals
 from winkler.values import value
 
 __all__ = ["Machine", "Workers", "checked_workers", "completed"]
@@ -57,16 +49,6 @@ BATCHES_PER_WORKER = 3
 """Batches in progress for every worker."""
 MOST_ITEMS = 1024
 
-THREAD_VARIABLES = (
-    "OMP_NUM_THREADS",
-    "OPENBLAS_NUM_THREADS",
-    "MKL_NUM_THREADS",
-    "VECLIB_MAXIMUM_THREADS",
-    "NUMEXPR_NUM_THREADS",
-    "NUMBA_NUM_THREADS",
-)
-"""Environment variables that set the number of threads of libraries."""
-
 
 def checked_workers(workers: Workers) -> Workers:
     """Return `workers`, or refuse what is no whole number from 1 on, no cluster and not the machine."""
@@ -100,8 +82,10 @@ def completed(compute: Callable[[T], R], todo: Sequence[T], workers: int | Clust
         with connected(workers) as cluster:
             yield from _shared(compute, todo, cluster.submit, cluster.threads, cluster.ready)
         return
-    with _processes(min(workers, len(todo))) as submit:
-        yield from _shared(compute, todo, submit, workers, _ready)
+    from winkler.study.batch.processes import processes, ready  # with what starts processes, unused by one alone
+
+    with processes(min(workers, len(todo))) as submit:
+        yield from _shared(compute, todo, submit, workers, ready)
 
 
 def _shared(
@@ -127,79 +111,6 @@ def _shared(
             size = max(1, min(MOST_ITEMS, fair, round(BATCH_SECONDS * len(computed) / max(seconds, 1e-9)), 8 * size))
 
 
-def _ready(waiting: Collection[Future[Any]]) -> list[tuple[Future[Any], Any]]:
-    return [(future, future.result()) for future in wait(waiting, return_when=FIRST_COMPLETED).done]
-
-
 def _computed(compute: Callable[[T], R], batch: list[T]) -> tuple[list[R], float]:
     started = time.perf_counter()
     return [compute(item) for item in batch], time.perf_counter() - started
-
-
-# --------------------------------------------------------------------------------------------------- processes
-
-
-@contextlib.contextmanager
-def _processes(count: int) -> Iterator[Callable[..., Future[Any]]]:
-    """Provide a function that submits work to processes of this machine; they end with the block."""
-    if getattr(multiprocessing.current_process(), "_inheriting", False):
-        raise InvalidInput("workers: put the call of run(...) under `if __name__ == '__main__':`, as pools need it.")
-    before = set(multiprocessing.active_children())
-    mine = set(before)
-    pool = ProcessPoolExecutor(count, multiprocessing.get_context("spawn"), initializer=_ignore_interrupts)
-
-    def submit(*work: Any) -> Future[Any]:
-        if len(mine - before) == count:
-            return pool.submit(*work)
-        with _quiet_start():
-            future: Future[Any] = pool.submit(*work)
-            mine.update(multiprocessing.active_children())
-        return future
-
-    try:
-        yield submit
-        pool.shutdown()
-    except BrokenProcessPool:
-        raise NotConverged(
-            "workers: a worker process ended before its time (out of memory, stopped from outside, or started by a "
-            "script that does not call run under `if __name__ == '__main__':`); run again with one worker."
-        ) from None
-    finally:
-        pool.shutdown(wait=False, cancel_futures=True)
-        for process in mine - before:
-            process.terminate()
-
-
-def _ignore_interrupts() -> None:
-    """Ignore Ctrl-C, which the parent process handles, and end when the parent ends."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    threading.Thread(target=_end_with_parent, daemon=True).start()
-
-
-def _end_with_parent() -> None:
-    parent = multiprocessing.parent_process()
-    if parent is not None:
-        parent.join()
-        os._exit(1)
-
-
-@contextlib.contextmanager
-def _quiet_start() -> Iterator[None]:
-    """Start processes with one thread each that ignore Ctrl-C from the beginning; here it is received afterwards."""
-    blocks = hasattr(signal, "pthread_sigmask")
-    if blocks:
-        resource_tracker.ensure_running()  # its start would reset the mask that the others are to inherit
-    with deferred_signals():
-        previous = {name: os.environ.get(name) for name in THREAD_VARIABLES}
-        os.environ.update(dict.fromkeys(THREAD_VARIABLES, "1"))
-        mask = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT}) if blocks else set()
-        try:
-            yield
-        finally:
-            for name, content in previous.items():
-                if content is None:
-                    del os.environ[name]
-                else:
-                    os.environ[name] = content
-            if blocks:
-                signal.pthread_sigmask(signal.SIG_SETMASK, mask)

@@ -5,11 +5,12 @@ from __future__ import annotations
 import datetime
 import functools
 import platform
+import re
 import time
 from collections.abc import Callable, Iterable
-from importlib.metadata import version
+from importlib.metadata import distribution, version
 from pathlib import Path
-from typing import TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 from winkler.errors import InvalidInput, Mistake, NotConverged, OutsideValidity, WinklerError
 from winkler.study.batch.journal import Journal
@@ -18,8 +19,10 @@ from winkler.study.batch.pool import Workers
 from winkler.study.batch.sweep import solve_points
 from winkler.study.batch.verdicts import compared
 from winkler.study.language.canonical import digest
-from winkler.study.language.fit_study import FitStudy
 from winkler.study.language.study import Study
+
+if TYPE_CHECKING:
+    from winkler.study.language.fit_study import FitStudy
 
 __all__ = ["ERRORS", "first_failure", "gather", "named", "provenance", "raised", "resumed", "run"]
 
@@ -133,5 +136,6 @@ def provenance(question: str, seconds: float, source: str) -> Provenance:
 
 @functools.cache
 def _version(package: str) -> str:
-    """Return the version of an installed package; its files are read once."""
-    return version(package)
+    """Return the version of an installed package; its files are read once, and not all of their text is parsed."""
+    stated = re.search(r"^Version: *(\S+)", distribution(package).read_text("METADATA") or "", re.MULTILINE)
+    return stated[1] if stated else version(package)

@@ -158,7 +158,7 @@ VISCOELASTIC = Chapter(
         ),
         "harmonic_indentation": Answer(
             kind(
-                "winkler.problems.viscoelastic.material_tests:HarmonicIndentation",
+                "winkler.problems.viscoelastic.oscillation:HarmonicIndentation",
                 bed=BED,
                 normal={"kind": "depth", "depth": "100 um"},
                 angular_frequency={"from": "0.1 rad/s", "to": "1000 rad/s", "count": 33, "spacing": "log"},

@@ -6,13 +6,15 @@ import dataclasses
 import hashlib
 import json
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from winkler.study.language.catalogue import kind_of
-from winkler.study.language.fit_study import FitStudy
 from winkler.study.language.study import Places, Study
+
+if TYPE_CHECKING:
+    from winkler.study.language.fit_study import FitStudy
 
 __all__ = ["canonical", "digest", "digest_of", "how_fitted", "plain"]
 

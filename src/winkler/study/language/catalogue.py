@@ -9,17 +9,10 @@ keys of the papers on which the class is based.
 from __future__ import annotations
 
 import functools
-from typing import Any
 
-from winkler.foundation.bed import Bed
-from winkler.materials.depth_grading import DepthGrading
-from winkler.media.medium import Medium
-from winkler.profiles.flat import Cylinder
-from winkler.profiles.profile import Profile
-from winkler.profiles.rough.spectrum import Spectrum
 from winkler.study.chapters.bodies import BODIES
 from winkler.study.chapters.contents import CHAPTERS
-from winkler.study.chapters.kind import Kind, path_of
+from winkler.study.chapters.kind import Kind, kind, path_of
 from winkler.study.chapters.relaxing_bodies import RELAXING_BODIES
 
 __all__ = ["CATALOGUE", "REFUSED", "SLOTS", "UNWRITTEN", "Kind", "kind_of", "kinds", "slot_of"]
@@ -41,12 +34,12 @@ CATALOGUE: dict[str, dict[str, Kind]] = _merged(
 )
 """Slot -> kind -> class; kinds are unique over all slots."""
 
-SLOTS: dict[Any, str] = {
-    Profile: "profile",
-    Medium: "medium",
-    Bed: "bed",
-    DepthGrading: "grading",
-    Spectrum: "spectrum",
+SLOTS: dict[str, str] = {
+    "winkler.profiles.profile:Profile": "profile",
+    "winkler.media.medium:Medium": "medium",
+    "winkler.foundation.bed:Bed": "bed",
+    "winkler.materials.depth_grading:DepthGrading": "grading",
+    "winkler.profiles.rough.spectrum:Spectrum": "spectrum",
 }
 """Protocol -> slot: the kinds that are allowed where a class requires this protocol."""
 
@@ -59,7 +52,7 @@ UNWRITTEN = frozenset(
 )
 """Classes that a study file cannot name: a load that stays as it is, and laws that are functions."""
 
-REFUSED: dict[str, type] = {"cylinder": Cylinder}
+REFUSED: dict[str, Kind] = {"cylinder": kind("winkler.profiles.flat:Cylinder")}
 """Kinds that cannot be solved; creating one raises the reason."""
 
 

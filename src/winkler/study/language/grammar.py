@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 from typing import Annotated, Any
 
-from pydantic import BaseModel, BeforeValidator, Field, StrictBool, StrictStr, create_model
+from pydantic import BaseModel, BeforeValidator, StrictBool, StrictStr, create_model
 from pydantic_core import PydanticCustomError
 
 from winkler.errors import InvalidInput, suggest
@@ -210,11 +210,11 @@ def study_form() -> type[BaseModel]:
         source=(StrictStr, ""),
         grade=(StrictStr, ""),
         problem=(choice("problem"), ...),
-        sweep=(dict[str, Any], Field(default_factory=dict)),
+        sweep=(dict[str, Any], {}),  # pydantic copies it
         fields=(fields, MISSING),
         fit=(Annotated[Any, BeforeValidator(_fit)], MISSING),
         output=(output, MISSING),
-        expect=(list[expect], Field(default_factory=list)),  # type: ignore[valid-type]
+        expect=(list[expect], []),  # type: ignore[valid-type]
     )
 
 

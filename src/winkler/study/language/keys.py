@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 
 from winkler.errors import InvalidInput, suggest
-from winkler.laws.adhesion import ShortRange
 from winkler.limits import KEY_LETTERS
+from winkler.study.chapters.kind import is_a
 from winkler.vocabulary import Word, word
 
 __all__ = ["content_at", "label", "owner_at", "replaced", "word_at"]
@@ -99,12 +99,12 @@ def replaced(root: Any, key: str, content: Any) -> Any:
 
 def _remade(owner: Any, field: str, content: Any) -> Any:
     """Return a value with one field changed; the works of adhesion change together; `work` is that of opening."""
-    if not isinstance(owner, ShortRange):
+    if not is_a(owner, "winkler.laws.adhesion:ShortRange"):
         return dataclasses.replace(owner, **{field: content})
     if field == "work" and owner.work_closing == owner.work_opening:
-        return ShortRange(content)
+        return type(owner)(content)
     pair = {"work_closing": owner.work_closing, "work_opening": owner.work_opening}
-    return ShortRange(**pair | {"work_opening" if field == "work" else field: content})
+    return type(owner)(**pair | {"work_opening" if field == "work" else field: content})
 
 
 def word_at(root: Any, key: str) -> Word:

@@ -24,7 +24,7 @@ def refuse_kind(raw: Any, allowed: tuple[str, ...]) -> NoReturn:
         wrong(f"{WHERE}.kind is {value_text(tag)}, not text; allowed are {', '.join(allowed)}.")
     if tag in REFUSED:
         try:
-            REFUSED[tag](1.0)
+            REFUSED[tag].cls(1.0)
         except ValueError as refusal:
             wrong(f"{WHERE}.kind is '{tag}': {refusal}")
     if tag in kinds():

@@ -32,6 +32,7 @@ from winkler.numerics.types import Array
 from winkler.study.chapters.kind import path_of
 from winkler.study.language import maps, quantities
 from winkler.study.language.catalogue import CATALOGUE, SLOTS, UNWRITTEN, Kind, kinds
+from winkler.study.language.file_or_keys import either_file_or
 from winkler.study.language.kind_of_table import refuse_kind
 
 __all__ = [
@@ -50,7 +51,7 @@ __all__ = [
 MISSING: Any = object()
 """Stands in a form for a key that was left out and has a default in its class."""
 
-FORBID = ConfigDict(extra="forbid", arbitrary_types_allowed=True, protected_namespaces=())
+FORBID = ConfigDict(extra="forbid", arbitrary_types_allowed=True, protected_namespaces=(), defer_build=True)
 
 
 def _checked(convert: Callable[[Any], Any]) -> Any:
@@ -104,7 +105,7 @@ def annotation(owner: type, field: str, hint: Any) -> Any:
         return _checked(quantities.named)
     if origin is tuple and len(inner) == 2 and inner[1] is Ellipsis:
         return list[annotation(owner, field, inner[0])]  # type: ignore[misc]
-    if hint in SLOTS or origin in (Union, types.UnionType) or isinstance(hint, type):
+    if origin in (Union, types.UnionType) or isinstance(hint, type):
         return choice(hint)
     raise TypeError(f"{owner.__name__}.{field}: a study file cannot hold {hint}.")
 
@@ -114,18 +115,23 @@ def allowed_kinds(hint: Any) -> tuple[str, ...]:
 
     A `hint` that is a text is the name of a slot.
     """
-    if isinstance(hint, str) or hint in SLOTS:
-        return tuple(CATALOGUE[SLOTS.get(hint, hint)])
+    if slot := _slot(hint):
+        return tuple(CATALOGUE[slot])
     if typing.get_origin(hint) in (Union, types.UnionType):
         parts = [allowed_kinds(part) for part in typing.get_args(hint) if path_of(part) not in UNWRITTEN]
         return tuple(dict.fromkeys(name for part in parts for name in part)) if all(parts) else ()
     return _kinds_of(hint) if isinstance(hint, type) else ()
 
 
+def _slot(hint: Any) -> str:
+    """Return the slot whose kinds are allowed for the type `hint`, or that it names; empty if it allows other kinds."""
+    return hint if isinstance(hint, str) else SLOTS.get(path_of(hint), "") if isinstance(hint, type) else ""
+
+
 def _may_stand(name: str, hint: Any) -> bool:
     """Return whether a kind is allowed for the type `hint`; no other kind is loaded for it."""
-    if isinstance(hint, str) or hint in SLOTS:
-        return name in CATALOGUE[SLOTS.get(hint, hint)]
+    if slot := _slot(hint):
+        return name in CATALOGUE[slot]
     if typing.get_origin(hint) in (Union, types.UnionType):
         return any(_may_stand(name, part) for part in typing.get_args(hint))
     return isinstance(hint, type) and path_of(hint) not in UNWRITTEN and issubclass(kinds()[name].cls, hint)
@@ -176,9 +182,7 @@ def _model(name: str, line: Kind) -> type[BaseModel]:
         taken = options(line)
         keys |= {option: (annotation(line.cls, option, hint), MISSING) for option, hint in taken.items()}
         alone = tuple(option for option in taken if option not in hints(line.cls))
-        either = functools.partial(
-            quantities.either_file_or, required=required, others=others, options=tuple(taken), alone=alone
-        )
+        either = functools.partial(either_file_or, required=required, others=others, options=tuple(taken), alone=alone)
         rules["either"] = model_validator(mode="before")(either)
     depends = quantities.dependent(line.cls)
     if depends:

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from winkler.fitting.unloading.contact_reading import CalibratedArea, contact_reading, sample_young
 from winkler.materials.elastic import Elastic
-from winkler.problems.adhesion.model_choice import maugis_parameter
+from winkler.problems.adhesion.tabor import maugis_parameter
 from winkler.problems.rolling.kalker import creep_coefficients
 from winkler.problems.rough.persson import area_fraction
 

@@ -135,7 +135,7 @@ def _summary(parts: tuple[LedgerChapter, ...], used: list[str]) -> list[str]:
 def _entry(entry: LedgerEntry) -> list[str]:
     lines = ["", f"### {entry.title}", "", f"`{entry.name}`, {entry.grade}. Source: {entry.source}", ""]
     if entry.failure:
-        lines += [f"Not answered: {entry.failure}", ""]
+        lines += [f"Not solved: {entry.failure}", ""]
     if entry.verdicts:
         lines += ["| quantity | expected | got | digits | tolerance |", "|---|---|---|---|---|"]
     for verdict, point in zip(entry.verdicts, entry.points, strict=True):

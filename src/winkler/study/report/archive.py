@@ -27,7 +27,7 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.study.batch.events import EVENTS
-from winkler.study.batch.outcome import Answered, Outcome, ResultColumn
+from winkler.study.batch.outcome import Outcome, ResultColumn, SolvedPoint
 from winkler.study.batch.sensitivity import SENSITIVITY, write_indices
 from winkler.study.batch.sensitivity import variables as index_variables
 from winkler.study.language import keys
@@ -255,7 +255,7 @@ def _place_dims(
     return tuple(dims)
 
 
-def _stacked(outcome: Outcome, of_point: list[tuple[Answered, Any]], name: str, loads: int) -> Array:
+def _stacked(outcome: Outcome, of_point: list[tuple[SolvedPoint, Any]], name: str, loads: int) -> Array:
     """Return one field of all points and loads, NaN where there is none; no axis of loads if each has one."""
     shape = next(
         np.broadcast_shapes(fields[0].r.shape, np.shape(getattr(fields[0], name))) for _, fields in of_point if fields

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from winkler.study.batch.events import Event
 from winkler.study.batch.outcome import Outcome
-from winkler.study.batch.points import Answered
+from winkler.study.batch.points import SolvedPoint
 
 __all__ = ["columns_of", "rows_of"]
 
@@ -14,7 +14,7 @@ def columns_of(outcome: Outcome, name: str) -> tuple[Event, ...]:
     return next((rows[0] for _, rows in rows_of(outcome, name)), ())
 
 
-def rows_of(outcome: Outcome, name: str) -> list[tuple[Answered, tuple[tuple[Event, ...], ...]]]:
+def rows_of(outcome: Outcome, name: str) -> list[tuple[SolvedPoint, tuple[tuple[Event, ...], ...]]]:
     """Return the points that have events of a kind, with their rows."""
     pairs = [(point, point.events(name)) for point in outcome.solved]
     return [(point, rows) for point, rows in pairs if rows]

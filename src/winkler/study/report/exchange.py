@@ -12,7 +12,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from winkler.checks.contract import keeps
 from winkler.errors import InvalidInput, OutsideValidity, WinklerError
+from winkler.problems.answer import Assessed, Posed
 from winkler.study.batch.outcome import Outcome, answers_of
 from winkler.study.language.reading import study_text
 from winkler.study.language.study import Study
@@ -125,7 +127,7 @@ def to_pandas(answer: Any) -> pandas.DataFrame:
 
 def _check(caller: str, answer: Any) -> None:
     """Refuse what is no answer."""
-    solved = hasattr(answer, "problem") or hasattr(answer, "validity") or _is_field(answer)
+    solved = keeps(answer, Posed) or keeps(answer, Assessed) or _is_field(answer)
     if isinstance(answer, type) or not dataclasses.is_dataclass(answer) or not solved:
         made = "a class" if isinstance(answer, type) else f"a {type(answer).__name__}"
         raise InvalidInput(
@@ -137,7 +139,7 @@ def _check(caller: str, answer: Any) -> None:
 
 def _is_field(answer: Any) -> bool:
     """Return whether a value holds quantities at places, and no problem."""
-    if isinstance(answer, type) or not dataclasses.is_dataclass(answer) or hasattr(answer, "problem"):
+    if isinstance(answer, type) or not dataclasses.is_dataclass(answer) or keeps(answer, Posed):
         return False
     names = [field.name for field in dataclasses.fields(answer)]
     return names[0] in PLACE_NAMES and all(isinstance(getattr(answer, name), np.ndarray | float) for name in names)
@@ -164,7 +166,7 @@ def _attributes(answer: Any) -> dict[str, str]:
     texts = {"title": type(answer).__name__, "program": "winkler"}
     if notes:
         texts["validity"] = "\n".join(f"{note.standing.value}: {note.statement}" for note in notes)
-    if hasattr(answer, "problem"):
+    if keeps(answer, Posed):
         with contextlib.suppress(WinklerError):  # a law that is a function cannot be written in a study file
             texts["study"] = study_text(Study("", answer.problem))
     return texts

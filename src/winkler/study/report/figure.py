@@ -1,8 +1,10 @@
-"""One figure of a study: its name, its caption, and its picture."""
+"""One figure of a study: its name, its caption, its picture, and its files."""
 
 from __future__ import annotations
 
 import io
+import re
+from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from winkler.study.chapters.method_captions import CAPTIONS
@@ -11,7 +13,7 @@ if TYPE_CHECKING:
     from winkler.plot.panel import Sheet
     from winkler.plot.picture import Picture
 
-__all__ = ["ReportFigure", "capital", "drawn"]
+__all__ = ["ReportFigure", "capital", "drawn", "save", "svg_element"]
 
 
 class ReportFigure(NamedTuple):
@@ -77,3 +79,43 @@ def _lay_out(picture: Picture) -> None:
 def capital(text: str) -> str:
     """Return a text with a capital letter at its beginning."""
     return text[:1].upper() + text[1:]
+
+
+def svg_element(shown: ReportFigure, description: str) -> str:
+    """Return a figure as one SVG element for a page: no prolog, its own identifiers, scalable, with a description.
+
+    Parameters
+    ----------
+    shown
+        A figure that was drawn; its name is put before every identifier, so that many figures can stand on one page.
+    description
+        Description for screen readers; already escaped.
+    """
+    name = shown.name.replace("_", "-")
+    text = shown.svg[shown.svg.index("<svg") :]
+    text = re.sub(r"<metadata>.*?</metadata>", "", text, flags=re.DOTALL)
+    text = re.sub(r'\bid="', f'id="{name}-', text)
+    text = re.sub(r"url\(#", f"url(#{name}-", text)
+    text = re.sub(r'href="#', f'href="#{name}-', text)
+    head, rest = text.split(">", 1)
+    size = re.search(r'viewBox="[\d.]+ [\d.]+ ([\d.]+) ([\d.]+)"', head)
+    assert size is not None
+    box = f'viewBox="0 0 {size[1]} {size[2]}"'
+    links = 'xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"'
+    wide = f'style="max-width:{float(size[1]) * 1.6:.0f}px"'
+    return f'<svg {links} {box} role="img" aria-label="{description}" {wide}>{rest}'
+
+
+def save(shown: tuple[ReportFigure, ...], folder: Path, formats: tuple[str, ...]) -> None:
+    """Write every figure into ``folder/figures`` in every format."""
+    if not formats:
+        return
+    target = folder / "figures"
+    target.mkdir(exist_ok=True)
+    for one in shown:
+        for ending in formats if one.picture is not None else ():
+            assert one.picture is not None
+            if ending == "svg":
+                (target / f"{one.name}.svg").write_text(one.svg, encoding="utf-8")
+            else:
+                one.picture.savefig(target / f"{one.name}.{ending}", dpi=200)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -18,7 +17,7 @@ from winkler.plot.method import Contact, method_sheet, pictures_of
 from winkler.plot.series import Series, name_in_words
 from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
-from winkler.study.batch.outcome import Answered, Outcome
+from winkler.study.batch.outcome import Outcome, SolvedPoint
 from winkler.study.chapters.answer import ALONG, Answer
 from winkler.study.chapters.answer import PicturedContact as Shows
 from winkler.study.chapters.contents import answer_of
@@ -30,29 +29,19 @@ from winkler.study.report.extra_pictures import ExtraPicture, extra_pictures
 from winkler.study.report.figure import ReportFigure, capital, drawn
 from winkler.study.report.sweep_figures import clouds, mapped, maps, parts, varied_series
 
-__all__ = [
-    "ReportFigure",
-    "answers_over",
-    "drawn",
-    "figures_of",
-    "save",
-    "settings_of",
-    "shown_contact",
-    "shown_point",
-    "svg_element",
-]
+__all__ = ["answers_over", "figures_of", "settings_of", "shown_contact", "shown_point"]
 
 MOST_CURVES = 24
 """Curves in one figure; the table holds all."""
 MOST_BARS = 40
 
 
-def shown_point(outcome: Outcome) -> Answered:
+def shown_point(outcome: Outcome) -> SolvedPoint:
     """Return the point whose contact the pictures show: the last one that was solved."""
     return outcome.solved[-1]
 
 
-def shown_contact(point: Answered) -> Contact | None:
+def shown_contact(point: SolvedPoint) -> Contact | None:
     """Return the contact of a point in the pictures, of its last load; None if there is none."""
     shows = answer_of(point.problem).contact
     if shows is Shows.NONE:
@@ -194,7 +183,7 @@ def _sheets(outcome: Outcome) -> Iterator[ReportFigure]:
             yield ReportFigure(f"answer_{name}", title, sentence, None, missing=re.sub(r"^\w+: ", "", str(error)))
 
 
-def settings_of(outcome: Outcome, point: Answered) -> str:
+def settings_of(outcome: Outcome, point: SolvedPoint) -> str:
     """Return the values of the varied keys at one point."""
     pairs = zip(outcome.study.sweep, point.settings, strict=True)
     return ", ".join(setting_text(outcome.study, axis, item) for axis, item in pairs)
@@ -256,7 +245,7 @@ def _over(outcome: Outcome, over: str) -> Iterator[ReportFigure]:
     for name in _answers_worth(outcome):
         if name != over and all(name in answers for answers in answers_of_points):
             of = [Series(name, outcome.word(name), answers[name]) for answers in answers_of_points]
-            sentence = f"All loads that were asked at once.{cut}"
+            sentence = f"All loads of the problem.{cut}"
             picture = family_sheet(along, of, labels)
             yield drawn(
                 f"answer_{name}", capital(f"{name_in_words(name)} over {name_in_words(over)}"), sentence, picture
@@ -272,46 +261,3 @@ def _answers_worth(outcome: Outcome) -> list[str]:
         if name != "stable" and finite.size and np.ptp(finite) > 1e-9 * np.max(np.abs(finite)):
             names.append(name)
     return names
-
-
-# ------------------------------------------------------------------------------------------------------- files
-
-
-def svg_element(shown: ReportFigure, description: str) -> str:
-    """Return a figure as one SVG element for a page: no prolog, its own identifiers, scalable, with a description.
-
-    Parameters
-    ----------
-    shown
-        A figure that was drawn; its name is put before every identifier, so that many figures can stand on one page.
-    description
-        Description for screen readers; already escaped.
-    """
-    name = shown.name.replace("_", "-")
-    text = shown.svg[shown.svg.index("<svg") :]
-    text = re.sub(r"<metadata>.*?</metadata>", "", text, flags=re.DOTALL)
-    text = re.sub(r'\bid="', f'id="{name}-', text)
-    text = re.sub(r"url\(#", f"url(#{name}-", text)
-    text = re.sub(r'href="#', f'href="#{name}-', text)
-    head, rest = text.split(">", 1)
-    size = re.search(r'viewBox="[\d.]+ [\d.]+ ([\d.]+) ([\d.]+)"', head)
-    assert size is not None
-    box = f'viewBox="0 0 {size[1]} {size[2]}"'
-    links = 'xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"'
-    wide = f'style="max-width:{float(size[1]) * 1.6:.0f}px"'
-    return f'<svg {links} {box} role="img" aria-label="{description}" {wide}>{rest}'
-
-
-def save(shown: tuple[ReportFigure, ...], folder: Path, formats: tuple[str, ...]) -> None:
-    """Write every figure into ``folder/figures`` in every format."""
-    if not formats:
-        return
-    target = folder / "figures"
-    target.mkdir(exist_ok=True)
-    for one in shown:
-        for ending in formats if one.picture is not None else ():
-            assert one.picture is not None
-            if ending == "svg":
-                (target / f"{one.name}.svg").write_text(one.svg, encoding="utf-8")
-            else:
-                one.picture.savefig(target / f"{one.name}.{ending}", dpi=200)

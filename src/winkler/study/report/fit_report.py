@@ -21,7 +21,7 @@ from winkler.study.language.fit_study import FitStudy, Free
 from winkler.study.language.study import Study
 from winkler.study.report import page_parts as parts
 from winkler.study.report.describe import inputs
-from winkler.study.report.figures import ReportFigure, drawn
+from winkler.study.report.figure import ReportFigure, drawn
 from winkler.study.report.fit_tables import MOST_ROWS, answers, counts, doubts, failures
 from winkler.study.report.fit_writing import CSV, MAPS, MOST_CURVES_AS_TEXT, NETCDF, map_grid
 from winkler.study.report.markup import safe, section, table
@@ -132,7 +132,7 @@ def _question(outcome: FitOutcome) -> str:
         f"<p>{safe(_in_words(study))} The table holds the model as it was given; of the {len(study.free)} free numbers "
         "these are the values before the fit.</p>"
     )
-    return section("What was asked", lead, table(["what", "", "given", "meaning"], rows))
+    return section("The problem", lead, table(["what", "", "given", "meaning"], rows))
 
 
 def _in_words(study: FitStudy) -> str:

@@ -12,9 +12,8 @@ from typing import Any
 
 from winkler.study.batch.outcome import Provenance
 from winkler.study.chapters.answer import Equation
-from winkler.study.report import figures
 from winkler.study.report.citing import cite
-from winkler.study.report.figure import ReportFigure
+from winkler.study.report.figure import ReportFigure, save, svg_element
 from winkler.study.report.markup import safe, section, table
 from winkler.study.report.mathml import formula
 from winkler.validity import Note, Standing
@@ -49,7 +48,7 @@ def write_page(
     outcome: Any, folder: Path, shown: tuple[ReportFigure, ...], page: Callable[[Any, tuple[ReportFigure, ...]], str]
 ) -> None:
     """Write figures, and the page that shows them, as the study of an outcome asks."""
-    figures.save(shown, folder, outcome.study.output.figures)
+    save(shown, folder, outcome.study.output.figures)
     if outcome.study.output.report:
         (folder / REPORT).write_text(page(outcome, shown), encoding="utf-8")
 
@@ -81,7 +80,7 @@ def _figure_element(one: ReportFigure) -> str:
     caption = f"<figcaption><h3>{safe(one.title)}</h3><p>{safe(one.sentence)}</p></figcaption>"
     if one.picture is None:
         return f'<figure>{caption}<p class="missing">Not shown: {safe(one.missing)}</p></figure>'
-    drawn = figures.svg_element(one, safe(f"{one.title}. {one.sentence}"))
+    drawn = svg_element(one, safe(f"{one.title}. {one.sentence}"))
     # panels side by side would be too small to read in one column of the page
     kind = ' class="wide"' if one.picture.get_size_inches()[0] > WIDE_FIGURE else ""
     return f"<figure{kind}>{caption}{drawn}</figure>"

@@ -12,7 +12,8 @@ from winkler.study.chapters.contents import answer_of, formulas_of
 from winkler.study.language.reading import study_text
 from winkler.study.report import page_parts as parts
 from winkler.study.report.archive import CSV, NETCDF
-from winkler.study.report.figures import ReportFigure, figures_of, shown_contact, shown_point
+from winkler.study.report.figure import ReportFigure
+from winkler.study.report.figures import figures_of, shown_contact, shown_point
 from winkler.study.report.markup import safe, section
 from winkler.study.report.tables import answer_section, expected, failures, question_section, settings_text
 from winkler.validity import Standing, worst

@@ -29,7 +29,7 @@ CARD_ANSWERS = ("force", "depth", "radius", "stiffness", "shift", "shear_force")
 def question_section(outcome: Outcome) -> str:
     """Return the study in words, and the table of its inputs."""
     given_table = table(["what", "", "given", "meaning"], given_rows(inputs(outcome.study)))
-    return section("What was asked", f'<p class="lead">{with_fixed_units(in_words(outcome.study))}</p>', given_table)
+    return section("The problem", f'<p class="lead">{with_fixed_units(in_words(outcome.study))}</p>', given_table)
 
 
 def given_rows(given_inputs: Iterable[Input]) -> list[str]:
@@ -52,12 +52,12 @@ def answer_section(outcome: Outcome) -> str:
     columns = outcome.table()
     rows = len(columns[0].content)
     if rows == 1:
-        return section("What came out", _cards(outcome), _single(columns), _events(outcome))
+        return section("Results", _cards(outcome), _single(columns), _events(outcome))
     cut = ""
     if rows > MOST_ROWS:
         half = MOST_ROWS // 2
         cut = f"<p class='small'>{rows} rows, of which the first and last {half} are shown; {CSV} holds all.</p>"
-    return section("What came out", _many(columns, outcome), cut, _events(outcome), _indices(outcome))
+    return section("Results", _many(columns, outcome), cut, _events(outcome), _indices(outcome))
 
 
 def _indices(outcome: Outcome) -> str:

@@ -13,12 +13,12 @@ from winkler.errors import WinklerError
 from winkler.plot import method
 from winkler.plot.wear.wear import moment_panels
 from winkler.problems.adhesion.indentation import AdhesiveSolution
-from winkler.problems.answer import is_recovering
-from winkler.problems.wear.states import WearState
+from winkler.problems.answer import is_recovering, is_worn
 from winkler.study.batch.outcome import Outcome
 from winkler.study.chapters.contents import answer_of
 from winkler.study.chapters.method_captions import captions_of
-from winkler.study.report.figures import answers_over, settings_of, shown_point, svg_element
+from winkler.study.report.figure import svg_element
+from winkler.study.report.figures import answers_over, settings_of, shown_point
 from winkler.study.report.markup import safe
 from winkler.study.report.page_parts import papers, trust
 from winkler.study.report.tables import answer_section, expected, failures
@@ -200,7 +200,7 @@ def pictures(shown_scene: Scene) -> Iterator[InteractivePicture]:
         yield _made("springs", lambda: chart(moment_springs(contact, shown_scene.point.problem.bed, view)))
     elif contact is not None:
         yield from method_pictures(contact, view)
-    if shown_scene.states and isinstance(shown_scene.states[shown_scene.moment], WearState):
+    if shown_scene.states and is_worn(shown_scene.states[shown_scene.moment]):
         yield from _worn(shown_scene.states, shown_scene.moment)
     for pair in histories.curves_of(shown_scene.outcome, shown_scene.point):
         drawn = histories.draw_curves(shown_scene.outcome, shown_scene.point, pair, shown_scene.moment)

@@ -10,7 +10,7 @@ from winkler.fitting.outcome import Fit
 from winkler.plot.series import with_unit as number_text
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted
 from winkler.study.report import fit_tables
-from winkler.study.report.figures import svg_element
+from winkler.study.report.figure import svg_element
 from winkler.study.report.fit_report import figures_of_curves, figures_of_many, steps
 from winkler.study.report.markup import safe, with_fixed_units
 from winkler.study.report.mathml import symbol

@@ -11,7 +11,7 @@ from winkler.plot.normal.curves import curve_panel
 from winkler.plot.panel import Line
 from winkler.plot.series import Curve, Series, name_in_words
 from winkler.study.batch.outcome import Outcome
-from winkler.study.batch.points import Answered
+from winkler.study.batch.points import SolvedPoint
 from winkler.study.chapters.answer import ALONG
 from winkler.study.chapters.contents import answer_of
 from winkler.web.pictures.chart import Chart, chart
@@ -23,7 +23,7 @@ MOST_CURVES = 8
 LEAST_VARIATION = 1e-9
 
 
-def curves_of(outcome: Outcome, point: Answered) -> tuple[tuple[str, str], ...]:
+def curves_of(outcome: Outcome, point: SolvedPoint) -> tuple[tuple[str, str], ...]:
     """Return the pairs ``(along, of)`` of drawn curves; empty if all results are single numbers."""
     answers = point.answers
     pairs = tuple(pair for pair in answer_of(point.problem).curves if all(name in answers for name in pair))
@@ -38,7 +38,7 @@ def _varies(content: Any) -> bool:
     return finite.size > 1 and float(np.ptp(finite)) > LEAST_VARIATION * float(np.max(np.abs(finite)))
 
 
-def draw_curves(outcome: Outcome, point: Answered, pair: tuple[str, str], moment: int = -1) -> Chart:
+def draw_curves(outcome: Outcome, point: SolvedPoint, pair: tuple[str, str], moment: int = -1) -> Chart:
     """Return one result over another.
 
     Parameters

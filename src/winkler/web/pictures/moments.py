@@ -8,11 +8,10 @@ import numpy as np
 
 from winkler.loading import Depth
 from winkler.problems.adhesion.indentation import AdhesiveIndentation, AdhesiveSolution
-from winkler.problems.answer import is_march, is_recovering, is_restorable
+from winkler.problems.answer import is_march, is_recovering, is_restorable, is_worn
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
-from winkler.problems.wear.states import WearState
-from winkler.study.batch.points import Answered
+from winkler.study.batch.points import SolvedPoint
 from winkler.study.chapters.answer import PicturedContact
 from winkler.study.chapters.contents import answer_of
 from winkler.study.report.figures import shown_contact
@@ -35,7 +34,7 @@ class Moments(NamedTuple):
     states: tuple[Any, ...] = ()
 
 
-def moments_of(point: Answered) -> Moments:
+def moments_of(point: SolvedPoint) -> Moments:
     """Return the moments of a solution along a path or over time, or its loads."""
     if len(point.each) > 1:
         return Moments(len(point.each), point.each)
@@ -47,12 +46,12 @@ def moments_of(point: Answered) -> Moments:
     return Moments(rows if history and rows > 1 else 0)
 
 
-def initial_moment(point: Answered, moments: Moments) -> int:
+def initial_moment(point: SolvedPoint, moments: Moments) -> int:
     """Return the moment shown first: that of the greatest tangential load, depth or force; else the last.
 
     Of wear it is the last.
     """
-    if moments.states and isinstance(moments.states[-1], WearState):
+    if moments.states and is_worn(moments.states[-1]):
         return moments.total - 1
     for name in ("shear_force", "torque", "depth", "force"):
         content = np.abs(np.nan_to_num(point.answers.get(name, np.zeros(0))))
@@ -61,7 +60,7 @@ def initial_moment(point: Answered, moments: Moments) -> int:
     return moments.total - 1
 
 
-def contact_at(point: Answered, moments: Moments, moment: int) -> tuple[Any, bool]:
+def contact_at(point: SolvedPoint, moments: Moments, moment: int) -> tuple[Any, bool]:
     """Return the contact drawn at a moment (None if there is none), and whether it belongs to that moment.
 
     A state with a depth alone is drawn without its tangential springs.

@@ -11,6 +11,7 @@ from typing import NamedTuple
 from winkler.study.batch.fit_outcome import FitOutcome
 from winkler.study.batch.outcome import Outcome
 from winkler.study.report import archive, figures, fit_report, fit_writing, report
+from winkler.study.report.figure import ReportFigure, save
 from winkler.study.report.page_parts import REPORT
 
 __all__ = ["File", "exported"]
@@ -40,13 +41,13 @@ def exported(outcome: Outcome | FitOutcome, what: str, page: Path) -> File:
     with tempfile.TemporaryDirectory(dir=page) as place:
         folder = Path(place)
         if what == "png":
-            figures.save(_figures(outcome), folder, ("png",))
+            save(_figures(outcome), folder, ("png",))
             return _packed(folder)
         name = _numbers(outcome, folder)[0 if what == "csv" else 1]
         return File(name, (folder / name).read_bytes())
 
 
-def _figures(outcome: Outcome | FitOutcome) -> tuple[figures.ReportFigure, ...]:
+def _figures(outcome: Outcome | FitOutcome) -> tuple[ReportFigure, ...]:
     return fit_report.figures_of(outcome) if isinstance(outcome, FitOutcome) else figures.figures_of(outcome)
 
 

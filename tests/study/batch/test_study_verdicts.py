@@ -87,7 +87,7 @@ def test_what_is_not_finite_is_missed():
         (Expectation("problem.load", 1.0, 0.1), "'problem.load' is no number but a Radius"),
     ],
 )
-def test_expectations_that_cannot_be_judged(expectation, sentence):
+def test_expectations_that_cannot_be_compared(expectation, sentence):
     with pytest.raises(InvalidInput) as caught:
         compared(POINT, expectation)
     assert sentence in str(caught.value)
@@ -157,12 +157,12 @@ def test_a_case_needs_source_grade_and_expectations(key, tmp_path):
     assert str(caught.value).startswith(f"case.toml: a case needs {key}")
 
 
-def test_a_case_that_cannot_be_answered_is_missed(tmp_path):
+def test_a_case_that_cannot_be_solved_is_missed(tmp_path):
     (tmp_path / "case.toml").write_text(CASE.replace('"radius", radius = "0.5 m"', '"force", force = "-1 N"'))
     entry = run_case(tmp_path / "case.toml")
     assert not entry.passed
     assert "tensile" in entry.failure
-    assert "Not answered: force -1 N is tensile" in markdown([entry])
+    assert "Not solved: force -1 N is tensile" in markdown([entry])
 
 
 def test_cases_are_found_by_name_file_and_folder(tmp_path):
@@ -236,7 +236,7 @@ def test_components_of_a_direction_in_the_plane():
         ("depth.1", (("x", 0.6),), "depth.1 is no function of x of TangentialSolution; leave x out"),
     ],
 )
-def test_places_that_cannot_be_judged(quantity, place, sentence):
+def test_places_that_cannot_be_compared(quantity, place, sentence):
     with pytest.raises(InvalidInput) as caught:
         compared(rubbed(np.array([0.0, 1.0, -1.0])), Expectation(quantity, 1.0, 0.1, place=place))
     assert sentence in str(caught.value)

@@ -1,0 +1,156 @@
+r"""A small oscillation of a viscoelastic contact: stiffness and damping.
+
+An oscillation so small that the contact stays as wide as it is meets :math:`2aE^*(\mathrm i\omega)`.
+"""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.checks.number_checks import PositiveQuantity
+from winkler.errors import InvalidInput
+from winkler.foundation.bed import Bed
+from winkler.loading import Depth, Force
+from winkler.numerics.types import Quantity
+from winkler.path import OnePositiveNormal
+from winkler.problems.assumptions.declared import RELAXING
+from winkler.problems.assumptions.times import times_notes
+from winkler.problems.normal.indentation import Indentation
+from winkler.problems.normal.unknown_yield import relaxing_yield
+from winkler.problems.normal.validity import contact_notes
+from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value, words
+
+__all__ = ["HarmonicIndentation", "HarmonicSolution"]
+
+
+@value
+class HarmonicIndentation:
+    """A body pressed in, at rest until all has relaxed, then moved up and down a little.
+
+    Parameters
+    ----------
+    bed : Bed
+        Foundation(profile, ViscoelasticHalfSpace(solid)).
+    normal : Depth or Force
+        The steady load about which it oscillates, one number; a Force needs a solid that does not flow for ever.
+    angular_frequency : float or ndarray
+        omega [rad/s], positive; the results have its shape.
+
+    Raises
+    ------
+    InvalidInput
+        If the bed does not relax, a fluid is to bear a force, or a number is out of range.
+
+    References
+    ----------
+    V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015, doi:10.1007/978-3-642-53876-6
+
+    Examples
+    --------
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.materials.spring_and_dashpot import KelvinVoigt
+    >>> from winkler.profiles.power import Paraboloid
+    >>> from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
+    >>> bed = Foundation(Paraboloid(1.0), ViscoelasticHalfSpace(KelvinVoigt(shear=0.25, viscosity=0.5)))
+    >>> shaken = HarmonicIndentation(bed, Depth(0.25), 3.0).solve()
+    >>> shaken.storage_stiffness, shaken.loss_stiffness  # 2 a E*, 2 a omega eta*
+    (1.0, 6.0)
+    """
+
+    bed: Bed
+    normal: OnePositiveNormal
+    angular_frequency: PositiveQuantity
+
+    references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "lee_radok_1960")
+    assumptions: ClassVar[frozenset[Assumption]] = RELAXING
+
+    def __post_init__(self) -> None:
+        series = relaxation_of("HarmonicIndentation", self.bed)
+        if isinstance(self.normal, Force) and series.relaxed == 0.0:
+            raise InvalidInput(
+                "HarmonicIndentation: the body flows for ever, so that it never rests under a force; give a Depth."
+            )
+
+    def solve(self) -> HarmonicSolution:
+        """Return storage and loss stiffness.
+
+        Returns
+        -------
+        HarmonicSolution
+
+        Raises
+        ------
+        OutsideValidity
+            If the load is beyond what is known of the profile.
+        """
+        series, elastic = relaxation_of("", self.bed), elastic_like(self.bed)
+        load = self.normal if isinstance(self.normal, Depth) else Force(float(self.normal.force) / series.relaxed)
+        contact = Indentation(elastic, load).solve()
+        complex_stiffness = float(contact.stiffness) * series.dynamic(np.asarray(self.angular_frequency, dtype=float))
+        single = np.ndim(self.angular_frequency) == 0
+        storage, loss = (
+            float(part) if single else part for part in (np.real(complex_stiffness), np.imag(complex_stiffness))
+        )
+        return HarmonicSolution(
+            self,
+            depth=float(contact.depth),
+            force=series.relaxed * float(contact.force),
+            radius=float(contact.radius),
+            storage_stiffness=storage,
+            loss_stiffness=loss,
+        )
+
+
+@value
+class HarmonicSolution:
+    """The solution of a `HarmonicIndentation`.
+
+    Parameters
+    ----------
+    problem : HarmonicIndentation
+        The problem that was solved.
+    depth, radius : float
+        d and a [m] of the steady contact.
+    force : float
+        F_N [N] of the steady contact, relaxed.
+    storage_stiffness, loss_stiffness : float or ndarray
+        Amplitudes of the force in phase with the motion and a quarter of a turn ahead, over that of the motion [N/m].
+    """
+
+    __words__ = words(loss_stiffness=("k''", "N/m", "force a quarter turn ahead of a motion, over the motion"))
+
+    problem: HarmonicIndentation
+    depth: float
+    force: float
+    radius: float
+    storage_stiffness: Quantity
+    loss_stiffness: Quantity
+
+    @property
+    def angular_frequency(self) -> Quantity:
+        """Omega [rad/s], as prescribed."""
+        return self.problem.angular_frequency
+
+    @property
+    def loss_tangent(self) -> Quantity:
+        """tan delta [-], loss over storage stiffness."""
+        return self.loss_stiffness / self.storage_stiffness
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        bed, frequency = self.problem.bed, np.asarray(self.problem.angular_frequency)
+        small = Note(
+            Assumption.RESPONSE,
+            Standing.ASYMPTOTIC,
+            "The amplitude is small against the depth, so that the contact stays as wide as it is and no spring lets "
+            "go.",
+            "linearisation about the relaxed contact",
+        )
+        place = np.array([self.depth]), np.array([self.radius])
+        times = times_notes(bed, float(1.0 / np.max(frequency)), float(1.0 / np.min(frequency)))
+        return (*bed.notes, *contact_notes(elastic_like(bed), *place), *times, small, *relaxing_yield(bed.medium))
