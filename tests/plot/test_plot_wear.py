@@ -65,5 +65,5 @@ def test_the_limit_is_shown_beside_what_was_before():
 
 def test_sheets_have_no_extent():
     limit = wk.LimitingProfile(BED, FRICTION, DEPTH, SWING).solve()
-    with pytest.raises(wk.InvalidInput, match="has no extent"):
+    with pytest.raises(wk.InvalidInput, match="have no extent"):
         draw(limit, extent=1e-3)

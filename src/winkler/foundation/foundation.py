@@ -8,7 +8,6 @@ plane profile g(x); with :math:`g(a) = d`
 
 from __future__ import annotations
 
-from winkler.footprint import Footprint, footprint_of
 from winkler.foundation.on_medium import UnderProfile
 from winkler.media.medium import Medium
 from winkler.profiles.profile import Profile
@@ -36,8 +35,3 @@ class Foundation(UnderProfile):
 
     profile: Profile
     medium: Medium
-
-    @property
-    def footprint(self) -> Footprint:
-        """That of the profile: a body of revolution leaves a disc."""
-        return footprint_of(self.profile)

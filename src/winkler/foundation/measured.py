@@ -131,15 +131,11 @@ class MeasuredBed:
         """The greatest measured radius [m]."""
         return float(self.radii[-1])
 
-    @property
-    def rim(self) -> float:
-        """Infinite: a pinned contact does not widen with the load, so none was measured."""
-        return math.inf
+    rim = math.inf
+    """Infinite: a pinned contact does not widen with the load, so none was measured."""
 
-    @property
-    def size(self) -> float:
-        """Infinite: the body is not known."""
-        return math.inf
+    size = math.inf
+    """Infinite: the body is not known."""
 
     @property
     def kinks(self) -> tuple[tuple[float, float], ...]:
@@ -147,15 +143,11 @@ class MeasuredBed:
         first = 0 if self.depths[0] == 0.0 and self.radii[0] > 0.0 else 1
         return tuple((float(x), 0.0) for x in self.radii[first:-1] if x > 0.0)
 
-    @property
-    def rising(self) -> bool:
-        """It was checked that the depth rises with the radius."""
-        return True
+    rising = True
+    """It was checked that the depth rises with the radius."""
 
-    @property
-    def certain(self) -> bool:
-        """The points are of real contacts, whatever their shape: there is nothing to check."""
-        return True
+    certain = True
+    """The points are of real contacts, whatever their shape: there is nothing to check."""
 
     @property
     def notes(self) -> tuple[Note, ...]:

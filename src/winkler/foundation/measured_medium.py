@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
-from winkler.media.medium import Displacement, PunchFacts
+from winkler.media.medium import Displacement
 from winkler.media.punch_field import BodyField
 from winkler.numerics.types import Array
-from winkler.profiles.profile import Profile
 from winkler.validity import Note
 from winkler.values import value
 
@@ -32,38 +33,25 @@ class MeasuredMedium:
             "the medium is known; give Foundation(profile, medium) for fields."
         )
 
+    def _other_gap(self, *_: Any, **__: Any) -> Any:
+        """Refused."""
+        raise self._unknown("gap of another body")
+
+    def _pressure(self, *_: Any, **__: Any) -> Any:
+        """Refused."""
+        raise self._unknown("pressure")
+
+    gap = gap_slope = gap_load = kinks = _other_gap
+    punch_pressure = punch_facts = pressure = _pressure
+
     @property
     def notes(self) -> tuple[Note, ...]:
         """As the bed."""
         return self.bed.notes
 
-    def gap(self, profile: Profile, x: Array) -> Array:
-        """Refused."""
-        raise self._unknown("gap of another body")
-
-    def gap_slope(self, profile: Profile, x: Array) -> Array:
-        """Refused."""
-        raise self._unknown("gap of another body")
-
-    def gap_load(self, profile: Profile, radius: Array) -> Array:
-        """Refused."""
-        raise self._unknown("gap of another body")
-
-    def kinks(self, profile: Profile) -> tuple[tuple[float, float], ...]:
-        """Refused."""
-        raise self._unknown("gap of another body")
-
     def punch_stiffness(self, radius: Array) -> Array:
         """k(a) [N/m]."""
         return self.bed.stiffness(radius)
-
-    def punch_pressure(self, r: Array, radius: Array) -> Array:
-        """Refused."""
-        raise self._unknown("pressure")
-
-    def punch_facts(self, radius: float) -> PunchFacts:
-        """Refused."""
-        raise self._unknown("pressure")
 
     def normal_stiffness(self, x: Array) -> Array:
         """c_N(x) [Pa]."""
@@ -76,10 +64,6 @@ class MeasuredMedium:
     def tangential_stiffness(self, x: Array) -> Array:
         """c_T(x) [Pa]."""
         return self.bed.tangential_stiffness(x)
-
-    def pressure(self, displacement: Displacement, r: Array) -> Array:
-        """Refused."""
-        raise self._unknown("pressure")
 
     def displacement(self, displacement: Displacement, r: Array) -> Array:
         """Refused."""

@@ -5,13 +5,14 @@ from __future__ import annotations
 import dataclasses
 from typing import Self
 
+from winkler.footprint import Footprint, footprint_of
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.medium import Medium
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
 from winkler.validity import Note
 
-__all__ = ["OnMedium", "UnderProfile"]
+__all__ = ["OfShape", "OnMedium", "UnderProfile"]
 
 
 class OnMedium:
@@ -40,25 +41,47 @@ class OnMedium:
         return self.medium.tangential_stiffness(x)
 
 
-class UnderProfile(OnMedium):
+class OfShape(OnMedium):
+    """The part of a bed that the extent of a shape determines: of a body, or of a plane profile."""
+
+    @property
+    def _shape(self) -> Profile:
+        raise NotImplementedError
+
+    @property
+    def footprint(self) -> Footprint:
+        """That of the shape: a disc, unless the shape stands for another outline."""
+        return footprint_of(self._shape)
+
+    @property
+    def reach(self) -> float:
+        """The greatest x for which the bed is defined [m]."""
+        return self._shape.reach
+
+    @property
+    def rim(self) -> float:
+        """Where the contact is pinned [m]."""
+        return self._shape.rim
+
+    @property
+    def size(self) -> float:
+        """Radius of the body [m]."""
+        return self._shape.size
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """What must be stated about shape and medium."""
+        return (*self.medium.notes, *self._shape.notes)
+
+
+class UnderProfile(OfShape):
     """The part of a bed that a profile determines together with the medium."""
 
     profile: Profile
 
     @property
-    def reach(self) -> float:
-        """The greatest x for which the bed is defined [m]."""
-        return self.profile.reach
-
-    @property
-    def rim(self) -> float:
-        """Where the contact is pinned [m]."""
-        return self.profile.rim
-
-    @property
-    def size(self) -> float:
-        """Radius of the body [m]."""
-        return self.profile.size
+    def _shape(self) -> Profile:
+        return self.profile
 
     @property
     def kinks(self) -> tuple[tuple[float, float], ...]:
@@ -74,11 +97,6 @@ class UnderProfile(OnMedium):
     def certain(self) -> bool:
         """Whether every contact is known to be one disc: on a homogeneous half-space a g that never falls suffices."""
         return isinstance(self.medium, HomogeneousMedium) and self.profile.rising
-
-    @property
-    def notes(self) -> tuple[Note, ...]:
-        """What must be stated about shape and medium."""
-        return (*self.medium.notes, *self.profile.notes)
 
     def height(self, r: Array) -> Array:
         """f(r) [m]."""

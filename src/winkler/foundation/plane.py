@@ -11,8 +11,7 @@ import math
 
 import numpy as np
 
-from winkler.footprint import Footprint, footprint_of
-from winkler.foundation.on_medium import OnMedium
+from winkler.foundation.on_medium import OfShape
 from winkler.media import body_of
 from winkler.media.body_of import Imprint
 from winkler.media.halfspace import HomogeneousMedium
@@ -20,7 +19,6 @@ from winkler.media.medium import Medium
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
-from winkler.validity import Note
 from winkler.values import value
 
 __all__ = ["PlaneFoundation"]
@@ -30,7 +28,7 @@ INFINITE_LENGTH = 1e30
 
 
 @value
-class PlaneFoundation(OnMedium):
+class PlaneFoundation(OfShape):
     """Springs under a given plane profile.
 
     Parameters
@@ -50,44 +48,19 @@ class PlaneFoundation(OnMedium):
     medium: Medium
 
     @property
-    def footprint(self) -> Footprint:
-        """That of the plane profile: a disc, unless the profile stands for another outline."""
-        return footprint_of(self.plane_profile)
-
-    @property
-    def reach(self) -> float:
-        """The greatest x for which the bed is defined [m]."""
-        return self.plane_profile.reach
-
-    @property
-    def rim(self) -> float:
-        """Where the contact is pinned [m]."""
-        return self.plane_profile.rim
-
-    @property
-    def size(self) -> float:
-        """Radius of the body [m]."""
-        return self.plane_profile.size
+    def _shape(self) -> Profile:
+        return self.plane_profile
 
     @property
     def kinks(self) -> tuple[tuple[float, float], ...]:
         """Where g is not smooth; its slope jumps there but stays finite."""
         return tuple((b, 0.0) for b, _ in self.plane_profile.kinks)
 
-    @property
-    def rising(self) -> bool:
-        """Unknown; the solver computes it."""
-        return False
+    rising = False
+    """Unknown; the solver computes it."""
 
-    @property
-    def certain(self) -> bool:
-        """Unknown; the solver computes it."""
-        return False
-
-    @property
-    def notes(self) -> tuple[Note, ...]:
-        """What must be stated about shape and medium."""
-        return (*self.medium.notes, *self.plane_profile.notes)
+    certain = False
+    """Unknown; the solver computes it."""
 
     def height(self, r: Array) -> Array:
         """f(r) [m] of the body that has these springs."""

@@ -110,10 +110,8 @@ class ShearStep:
     radius: float
     edge: float
 
-    @property
-    def kinks(self) -> tuple[tuple[float, float], ...]:
-        """None."""
-        return ()
+    kinks = ()
+    """None."""
 
     def value(self, x: Array) -> Array:
         """u_t(x) [m]."""

@@ -13,7 +13,7 @@ from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.media.interior import shear_field
 from winkler.media.interior.tensor import principal_of_tensor, von_mises_of_tensor
-from winkler.media.medium import Displacement
+from winkler.media.medium import Displacement, rigid_body
 from winkler.numerics.types import Array
 from winkler.values import value
 
@@ -200,10 +200,7 @@ def _dragged(sheared: ShearedSprings, x: Array, y: Array, z: Array, *, below: bo
     medium = _half_space(sheared.pressed)
     body, sign = (medium.first, 1.0) if below else (medium.second, -1.0)
     if not isinstance(body, Elastic):
-        raise OutsideValidity(
-            f"The {'first body (z > 0)' if below else 'second body (z < 0)'} is rigid; there is no stress field in it: "
-            "request the other side."
-        )
+        raise rigid_body(below)
 
     def field(part: Displacement, along: Array, across: Array) -> Array:
         with np.errstate(invalid="ignore"):  # stresses are infinite at an edge

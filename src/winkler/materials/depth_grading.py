@@ -56,8 +56,28 @@ class DepthGrading(Protocol):
         ...
 
 
+class _SmoothGrading:
+    """E goes over from one value at the surface to another far below; nu is the same everywhere."""
+
+    surface_young: float
+    deep_young: float
+    poisson: float
+
+    breaks = ()
+    """None."""
+
+    def poisson_at(self, z: Array) -> Array:
+        """nu [-]."""
+        return np.full(np.shape(z), self.poisson)
+
+    def _lengths_to(self, tolerance: float) -> float:
+        """Return after how many lengths of its exponential the difference is less than this part."""
+        excess = abs(self.surface_young / self.deep_young - 1.0) / tolerance
+        return math.log(max(excess, math.e))
+
+
 @value
-class ExponentialGrading:
+class ExponentialGrading(_SmoothGrading):
     """E(z) = deep + (surface - deep) exp(-z / depth_scale).
 
     Parameters
@@ -78,11 +98,6 @@ class ExponentialGrading:
     poisson: PoissonRatio
 
     @property
-    def breaks(self) -> tuple[float, ...]:
-        """None."""
-        return ()
-
-    @property
     def finest(self) -> float:
         """Depth over which E changes most quickly [m]."""
         return self.depth_scale * min(1.0, self.surface_young / self.deep_young)
@@ -91,18 +106,13 @@ class ExponentialGrading:
         """E(z) [Pa]."""
         return self.deep_young + (self.surface_young - self.deep_young) * np.exp(-np.asarray(z) / self.depth_scale)
 
-    def poisson_at(self, z: Array) -> Array:
-        """nu [-]."""
-        return np.full(np.shape(z), self.poisson)
-
     def settled_at(self, tolerance: float) -> float:
         """Depth below which E is settled [m]."""
-        excess = abs(self.surface_young / self.deep_young - 1.0) / tolerance
-        return self.depth_scale * math.log(max(excess, math.e))
+        return self.depth_scale * self._lengths_to(tolerance)
 
 
 @value
-class SigmoidalGrading:
+class SigmoidalGrading(_SmoothGrading):
     """A smooth step: E(z) goes over from surface to deep like a logistic curve.
 
     Parameters
@@ -124,11 +134,6 @@ class SigmoidalGrading:
     poisson: PoissonRatio
 
     @property
-    def breaks(self) -> tuple[float, ...]:
-        """None."""
-        return ()
-
-    @property
     def finest(self) -> float:
         """Depth over which E changes most quickly [m]."""
         ratio = min(self.surface_young, self.deep_young) / max(self.surface_young, self.deep_young)
@@ -139,14 +144,9 @@ class SigmoidalGrading:
         step = 0.5 * (1.0 + np.tanh(0.5 * (np.asarray(z) - self.transition_depth) / self.transition_width))
         return np.asarray(self.surface_young + (self.deep_young - self.surface_young) * step)
 
-    def poisson_at(self, z: Array) -> Array:
-        """nu [-]."""
-        return np.full(np.shape(z), self.poisson)
-
     def settled_at(self, tolerance: float) -> float:
         """Depth below which E is settled [m]."""
-        excess = abs(self.surface_young / self.deep_young - 1.0) / tolerance
-        return self.transition_depth + self.transition_width * math.log(max(excess, math.e))
+        return self.transition_depth + self.transition_width * self._lengths_to(tolerance)
 
 
 @value

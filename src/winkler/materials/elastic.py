@@ -8,7 +8,7 @@ from winkler.checks.number_checks import Finite, PoissonRatio, PositiveNotTiny, 
 from winkler.errors import InvalidInput
 from winkler.values import value
 
-__all__ = ["Elastic", "Rigid", "Solid", "TransverselyIsotropic"]
+__all__ = ["RIGID", "Elastic", "Rigid", "Solid", "TransverselyIsotropic"]
 
 
 @value
@@ -87,5 +87,6 @@ class TransverselyIsotropic:
             )
 
 
+RIGID = Rigid()
 Solid = Elastic | Rigid
 """What the isotropic half-space may be made of."""

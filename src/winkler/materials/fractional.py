@@ -17,7 +17,7 @@ import numpy as np
 from winkler.checks.number_checks import Advice, NonNegative, Number, PoissonRatio, Positive, between
 from winkler.errors import InvalidInput, NotConverged
 from winkler.limits import LEAST_STEP_RATIO
-from winkler.materials.viscoelastic import ViscoelasticSolid
+from winkler.materials.viscoelastic import FittedSolid
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.numerics.types import Array
 from winkler.values import value, words
@@ -40,8 +40,58 @@ FractionalExponent: TypeAlias = Annotated[
 ]
 
 
+class _FractionalSolid(FittedSolid):
+    """What both solids share: a span of times, and the sum of exponentials that stands for the solid there."""
+
+    exponent: float
+    shortest: float
+    longest: float
+    tolerance: float
+
+    def __post_init__(self) -> None:
+        if not self.shortest < self.longest:
+            raise InvalidInput(
+                f"{type(self).__name__}: the span from {self.shortest:g} to {self.longest:g} s is empty; exchange them."
+            )
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """From which time on and up to which the series is the solid [s]."""
+        return self.shortest, self.longest
+
+    def _density(self, y: Array) -> Array:
+        """Return the spectrum per ln s."""
+        raise NotImplementedError
+
+    def _summed(self, target: Callable[[Array], Array], relaxed: float = 0.0) -> tuple[RelaxationSeries, float]:
+        """Return the shortest series within the tolerance, and its error; `target` is the relaxation itself."""
+        shortest, longest = self.span
+        t = np.geomspace(shortest, longest, SPAN_SAMPLES)
+        goal = target(t)
+        little = math.log(1.0 / self.tolerance)
+        for spacing in TERM_SPACINGS:
+            # slower than this, a rate changes nothing within the span; faster, it is over when the span begins
+            low = -math.log(longest) - little
+            high = -math.log(shortest) + math.log(little + 3.0) + spacing
+            y = np.arange(low, high + spacing, spacing)
+            moduli = spacing * self._density(y)
+            series = RelaxationSeries(relaxed + self._slower(low, spacing), 0.0, moduli[::-1], np.exp(-y)[::-1])
+            error = float(np.max(np.abs(series.at(t) / goal - 1.0)))
+            if error <= self.tolerance:
+                return series, error
+        raise NotConverged(
+            f"{type(self).__name__}: no series comes closer than {error:.2g} to the solid within {shortest:g} to "
+            f"{longest:g} s; allow a greater tolerance than {self.tolerance:g}."
+        )
+
+    def _slower(self, low: float, spacing: float) -> float:
+        """Return the sum of all terms below a ln s; they fall with its exponent."""
+        count = math.ceil(40.0 / (self.exponent * spacing))
+        return float(spacing * np.sum(self._density(low - spacing * np.arange(count, 0, -1))))
+
+
 @value
-class PowerLawSolid(ViscoelasticSolid):
+class PowerLawSolid(_FractionalSolid):
     r"""The springpot: it relaxes by a power of time, within a span of it.
 
     :math:`G(t)=G_0\,(t/t_0)^{-\alpha}`.
@@ -83,39 +133,21 @@ class PowerLawSolid(ViscoelasticSolid):
     tolerance: Annotated[float, between(1e-10, 0.1)] = 1e-4
     poisson: PoissonRatio = 0.5
 
-    def __post_init__(self) -> None:
-        _refuse_empty_span(self)
-
-    @property
-    def span(self) -> tuple[float, float]:
-        """From which time on and up to which the series is the solid [s]."""
-        return self.shortest, self.longest
-
     def _density(self, y: Array) -> Array:
         alpha = self.exponent
         factor = self.shear * self.time_scale**alpha / math.gamma(alpha)
         return np.asarray(factor * np.exp(alpha * y))
 
     @property
-    def _parts(self) -> tuple[RelaxationSeries, float]:
+    def _fitted(self) -> tuple[RelaxationSeries, float]:
         def target(t: Array) -> Array:
             return np.asarray(self.shear * (t / self.time_scale) ** -self.exponent)
 
-        return _summed(self, self._density, target)
-
-    @property
-    def series(self) -> RelaxationSeries:
-        """G(t) [Pa]."""
-        return self._parts[0]
-
-    @property
-    def series_error(self) -> float:
-        """Greatest relative error of the series within the span [-]."""
-        return self._parts[1]
+        return self._summed(target)
 
 
 @value
-class FractionalZener(ViscoelasticSolid):
+class FractionalZener(_FractionalSolid):
     r"""The fractional Zener solid: a spring beside a spring and a springpot one behind the other.
 
     :math:`G(t)=G_\infty+G_1\,E_\alpha\!\bigl(-(t/\tau)^\alpha\bigr)`.
@@ -162,14 +194,6 @@ class FractionalZener(ViscoelasticSolid):
     tolerance: Annotated[float, between(1e-10, 0.1)] = 1e-4
     poisson: PoissonRatio = 0.5
 
-    def __post_init__(self) -> None:
-        _refuse_empty_span(self)
-
-    @property
-    def span(self) -> tuple[float, float]:
-        """From which time on and up to which the series is the solid [s]."""
-        return self.shortest, self.longest
-
     def _density(self, y: Array) -> Array:
         alpha = self.exponent
         power = alpha * np.abs(np.asarray(y) + math.log(self.relaxation_time))
@@ -180,68 +204,13 @@ class FractionalZener(ViscoelasticSolid):
         )
 
     @property
-    def _parts(self) -> tuple[RelaxationSeries, float]:
+    def _fitted(self) -> tuple[RelaxationSeries, float]:
         def target(t: Array) -> Array:
             y = np.arange(
                 -math.log(self.longest) - SLOW_MARGIN, -math.log(self.shortest) + FAST_MARGIN, REFERENCE_SPACING
             )
-            slow = _slower(self._density, y[0], REFERENCE_SPACING, self.exponent)
+            slow = self._slower(y[0], REFERENCE_SPACING)
             terms = np.exp(-np.exp(y) * t[:, None])
             return np.asarray(self.relaxed_shear + slow + REFERENCE_SPACING * terms @ self._density(y))
 
-        return _summed(self, self._density, target, self.relaxed_shear)
-
-    @property
-    def series(self) -> RelaxationSeries:
-        """G(t) [Pa]."""
-        return self._parts[0]
-
-    @property
-    def series_error(self) -> float:
-        """Greatest relative error of the series within the span [-]."""
-        return self._parts[1]
-
-
-def _summed(
-    solid: PowerLawSolid | FractionalZener,
-    density: Callable[[Array], Array],
-    target: Callable[[Array], Array],
-    relaxed: float = 0.0,
-) -> tuple[RelaxationSeries, float]:
-    """Return the shortest series within the tolerance, and its error.
-
-    `density` is the spectrum per ln s, `target` the relaxation itself.
-    """
-    shortest, longest = solid.span
-    t = np.geomspace(shortest, longest, SPAN_SAMPLES)
-    goal = target(t)
-    little = math.log(1.0 / solid.tolerance)
-    for spacing in TERM_SPACINGS:
-        # slower than this, a rate changes nothing within the span; faster, it is over when the span begins
-        low = -math.log(longest) - little
-        high = -math.log(shortest) + math.log(little + 3.0) + spacing
-        y = np.arange(low, high + spacing, spacing)
-        moduli = spacing * density(y)
-        series = RelaxationSeries(
-            relaxed + _slower(density, low, spacing, solid.exponent), 0.0, moduli[::-1], np.exp(-y)[::-1]
-        )
-        error = float(np.max(np.abs(series.at(t) / goal - 1.0)))
-        if error <= solid.tolerance:
-            return series, error
-    raise NotConverged(
-        f"{type(solid).__name__}: no series comes closer than {error:.2g} to the solid within {shortest:g} to "
-        f"{longest:g} s; allow a greater tolerance than {solid.tolerance:g}."
-    )
-
-
-def _slower(density: Callable[[Array], Array], low: float, spacing: float, exponent: float) -> float:
-    """Return the sum of all terms below a ln s; they fall with its exponent."""
-    count = math.ceil(40.0 / (exponent * spacing))
-    return float(spacing * np.sum(density(low - spacing * np.arange(count, 0, -1))))
-
-
-def _refuse_empty_span(solid: PowerLawSolid | FractionalZener) -> None:
-    if not solid.shortest < solid.longest:
-        raise InvalidInput(
-            f"{type(solid).__name__}: the span from {solid.shortest:g} to {solid.longest:g} s is empty; exchange them."
-        )
+        return self._summed(target, self.relaxed_shear)

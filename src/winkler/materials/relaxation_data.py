@@ -16,7 +16,7 @@ import numpy as np
 from winkler.checks.number_checks import POSITIVE, Advice, Numbers, PoissonRatio
 from winkler.errors import InvalidInput
 from winkler.limits import MEASURED_TIMES
-from winkler.materials.viscoelastic import ViscoelasticSolid
+from winkler.materials.viscoelastic import FittedSolid
 from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries, merged, of_creep
 from winkler.numerics.types import Array
 from winkler.values import value, words
@@ -30,26 +30,22 @@ PER_DECADE = 8
 """Terms in each decade of time that may be taken; few of them are, since none may be negative."""
 
 
-class _MeasuredSolid(ViscoelasticSolid):
-    """What the solids here share: a fit, its misfit, and the span of the data."""
+class _MeasuredSolid(FittedSolid):
+    """What the solids here share: rows of one length, and the span of the data."""
 
-    @property
-    def _fitted(self) -> tuple[RelaxationSeries, float]:
-        raise NotImplementedError
+    time: Array
+
+    def __post_init__(self) -> None:
+        (first, content), *others = ((name, row) for name, row in vars(self).items() if isinstance(row, np.ndarray))
+        for name, row in others:
+            if row.size != content.size:
+                raise InvalidInput(
+                    f"{type(self).__name__}: {first} has {content.size} numbers and {name} {row.size}; give as many."
+                )
 
     @property
     def _times(self) -> Array:
-        raise NotImplementedError
-
-    @property
-    def series(self) -> RelaxationSeries:
-        """G(t) [Pa]."""
-        return self._fitted[0]
-
-    @property
-    def series_error(self) -> float:
-        """Greatest relative misfit of the data [-]."""
-        return self._fitted[1]
+        return self.time
 
     @property
     def span(self) -> tuple[float, float]:
@@ -90,13 +86,6 @@ class RelaxationData(_MeasuredSolid):
     shear: Annotated[Array, Numbers(POSITIVE, FEWEST_ROWS, MEASURED_TIMES)]
     poisson: PoissonRatio = 0.5
 
-    def __post_init__(self) -> None:
-        _refuse_lengths(self, "time", "shear")
-
-    @property
-    def _times(self) -> Array:
-        return self.time
-
     @property
     def _fitted(self) -> tuple[RelaxationSeries, float]:
         return _of_relaxation(self)
@@ -134,13 +123,6 @@ class CreepData(_MeasuredSolid):
     compliance: Annotated[Array, Numbers(POSITIVE, FEWEST_ROWS, MEASURED_TIMES)]
     poisson: PoissonRatio = 0.5
 
-    def __post_init__(self) -> None:
-        _refuse_lengths(self, "time", "compliance")
-
-    @property
-    def _times(self) -> Array:
-        return self.time
-
     @property
     def _fitted(self) -> tuple[RelaxationSeries, float]:
         return _of_creep(self)
@@ -177,9 +159,6 @@ class DynamicData(_MeasuredSolid):
     loss_shear: Annotated[Array, Numbers(POSITIVE, FEWEST_ROWS, MEASURED_TIMES)]
     poisson: PoissonRatio = 0.5
 
-    def __post_init__(self) -> None:
-        _refuse_lengths(self, "angular_frequency", "storage_shear", "loss_shear")
-
     @property
     def _times(self) -> Array:
         return 1.0 / self.angular_frequency[::-1]
@@ -187,16 +166,6 @@ class DynamicData(_MeasuredSolid):
     @property
     def _fitted(self) -> tuple[RelaxationSeries, float]:
         return _of_dynamic(self)
-
-
-def _refuse_lengths(data: RelaxationData | CreepData | DynamicData, first: str, *others: str) -> None:
-    count = getattr(data, first).size
-    for name in others:
-        if getattr(data, name).size != count:
-            raise InvalidInput(
-                f"{type(data).__name__}: {first} has {count} numbers and {name} {getattr(data, name).size}; "
-                "give as many."
-            )
 
 
 def _spread(time: Array) -> Array:

@@ -20,7 +20,7 @@ from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSer
 from winkler.numerics.types import Array, ArrayLike
 from winkler.values import value
 
-__all__ = ["GeneralisedKelvin", "Prony", "ViscoelasticSolid"]
+__all__ = ["FittedSolid", "GeneralisedKelvin", "Prony", "ViscoelasticSolid"]
 
 
 POSITIVE_TIMES = Numbers(POSITIVE, most=MOST_NUMBERS, any_shape=True)
@@ -149,6 +149,24 @@ class ViscoelasticSolid:
         checked(POSITIVE, "slowed", "factor", factor)
         series = self.series.scaled(1.0, factor)
         return Prony(series.relaxed, series.moduli, series.times, series.viscosity, self.poisson)
+
+
+class FittedSolid(ViscoelasticSolid):
+    """A solid that a series stands for, but for an error."""
+
+    @property
+    def _fitted(self) -> tuple[RelaxationSeries, float]:
+        raise NotImplementedError
+
+    @property
+    def series(self) -> RelaxationSeries:
+        """G(t) [Pa]."""
+        return self._fitted[0]
+
+    @property
+    def series_error(self) -> float:
+        """Greatest relative error of the series within the span, or misfit of the data [-]."""
+        return self._fitted[1]
 
 
 @value

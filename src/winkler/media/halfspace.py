@@ -13,10 +13,10 @@ import math
 import numpy as np
 
 from winkler.checks.contract import offered
-from winkler.errors import InvalidInput, OutsideValidity
-from winkler.materials.elastic import Elastic, Rigid, Solid
+from winkler.errors import InvalidInput
+from winkler.materials.elastic import RIGID, Elastic, Solid
 from winkler.media.interior import subsurface
-from winkler.media.medium import Displacement, PunchFacts
+from winkler.media.medium import Displacement, PunchFacts, rigid_body
 from winkler.media.punch_field import BodyField
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array
@@ -26,7 +26,6 @@ from winkler.values import value
 
 __all__ = ["HalfSpace", "HomogeneousMedium"]
 
-RIGID = Rigid()
 GALIN = "V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015, doi:10.1007/978-3-642-53876-6"
 
 
@@ -170,27 +169,22 @@ class HalfSpace(HomogeneousMedium):
         )
         return (first - second) / normal
 
-    @property
-    def notes(self) -> tuple[Note, ...]:
-        """What is assumed of the half-spaces."""
-        return (
-            Note(
-                Assumption.RESPONSE,
-                Standing.EXACT,
-                "Homogeneous, isotropic, linear elastic half-spaces: for one round contact that is pressed without "
-                "friction the springs give the three-dimensional solution itself.",
-                GALIN,
-            ),
-        )
+    notes = (
+        Note(
+            Assumption.RESPONSE,
+            Standing.EXACT,
+            "Homogeneous, isotropic, linear elastic half-spaces: for one round contact that is pressed without "
+            "friction the springs give the three-dimensional solution itself.",
+            GALIN,
+        ),
+    )
+    """What is assumed of the half-spaces."""
 
     def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
         """Stresses and displacements inside the first body (`below`) or the second, at depths z >= 0 into it."""
         body = self.first if below else self.second
         if not isinstance(body, Elastic):
-            raise OutsideValidity(
-                f"The {'first body (z > 0)' if below else 'second body (z < 0)'} is rigid; there is no stress field in "
-                "it: request the other side."
-            )
+            raise rigid_body(below)
         return subsurface.field(displacement, r, z, modulus=self.modulus, poisson=body.poisson, shear=body.shear)
 
     @property

@@ -5,12 +5,13 @@ from __future__ import annotations
 from typing import NamedTuple, Protocol
 
 from winkler.checks.contract import offered
+from winkler.errors import OutsideValidity
 from winkler.media.punch_field import BodyField
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
 from winkler.validity import Note
 
-__all__ = ["LEAST_SURFACE_RISE", "Displacement", "Medium", "PunchFacts"]
+__all__ = ["LEAST_SURFACE_RISE", "Displacement", "Medium", "PunchFacts", "rigid_body"]
 
 
 class PunchFacts(NamedTuple):
@@ -33,6 +34,12 @@ class PunchFacts(NamedTuple):
 
 LEAST_SURFACE_RISE = -0.25
 """A surface that rises by less than this part of the depth of a punch is not tested for contact with the body."""
+
+
+def rigid_body(below: bool) -> OutsideValidity:
+    """Return the refusal of a field inside a rigid body: the first one (`below`), or the second."""
+    side = "first body (z > 0)" if below else "second body (z < 0)"
+    return OutsideValidity(f"The {side} is rigid; there is no stress field in it: request the other side.")
 
 
 class Displacement(Protocol):

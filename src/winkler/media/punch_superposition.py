@@ -12,13 +12,13 @@ from __future__ import annotations
 import functools
 import itertools
 import math
-from collections.abc import Hashable
-from typing import NamedTuple, cast
+from typing import NamedTuple
 
 import numpy as np
 
 from winkler.errors import NotConverged
 from winkler.media.medium import Displacement
+from winkler.numerics.caching import cached_by_value
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 
@@ -78,6 +78,7 @@ class PunchSuperposition(NamedTuple):
     root: PunchCluster
 
 
+@cached_by_value(32)
 def punch_superposition(displacement: Displacement) -> PunchSuperposition:
     """Return the pile of punches of a displacement; cached by value, so the displacement must be hashable.
 
@@ -86,12 +87,6 @@ def punch_superposition(displacement: Displacement) -> PunchSuperposition:
     NotConverged
         If u'(x) is not smooth between the kinks.
     """
-    return _punch_superposition(cast(Hashable, displacement))
-
-
-@functools.lru_cache(maxsize=32)
-def _punch_superposition(cache_key: Hashable) -> PunchSuperposition:
-    displacement = cast(Displacement, cache_key)
     panels = tuple(_panels(displacement))
     nodes, weights = gauss_legendre(SAMPLES)
     radii, parts = [], []

@@ -11,7 +11,7 @@ import functools
 import math
 
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
+from winkler.materials.elastic import RIGID, Elastic, Rigid, TransverselyIsotropic
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.interior.twist_field import twist_constants
 from winkler.media.medium import Displacement
@@ -23,7 +23,6 @@ from winkler.values import value
 __all__ = ["TransverselyIsotropicHalfSpace"]
 
 Body = TransverselyIsotropic | Elastic | Rigid
-RIGID = Rigid()
 
 
 def _compliances(body: Body) -> tuple[float, float]:
@@ -98,15 +97,13 @@ class TransverselyIsotropicHalfSpace(HomogeneousMedium):
             "(without z), or use HalfSpace."
         )
 
-    @property
-    def notes(self) -> tuple[Note, ...]:
-        """The assumptions."""
-        return (
-            Note(
-                Assumption.RESPONSE,
-                Standing.EXACT,
-                "Frictionless contact of homogeneous half-spaces, transversely isotropic about the surface normal: "
-                "pressure and depth follow from the isotropic solution with the effective modulus.",
-                "H. A. Elliott, Proc. Camb. Phil. Soc. 45 (1949) 621, doi:10.1017/S0305004100025305",
-            ),
-        )
+    notes = (
+        Note(
+            Assumption.RESPONSE,
+            Standing.EXACT,
+            "Frictionless contact of homogeneous half-spaces, transversely isotropic about the surface normal: "
+            "pressure and depth follow from the isotropic solution with the effective modulus.",
+            "H. A. Elliott, Proc. Camb. Phil. Soc. 45 (1949) 621, doi:10.1017/S0305004100025305",
+        ),
+    )
+    """The assumptions."""

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any
 from winkler.caches import with_fonts
 
 if TYPE_CHECKING:
-    from winkler.plot.drawing import draw, sheet_of
+    from winkler.plot.dispatch import sheet_of
+    from winkler.plot.drawing import draw
 
 __all__ = ["draw", "sheet_of"]
 

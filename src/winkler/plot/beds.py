@@ -14,7 +14,7 @@ from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.media.medium import Medium
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
-from winkler.plot.drawing import sheet_of
+from winkler.plot.dispatch import sheet_of
 from winkler.plot.extent import checked_extent, typical
 from winkler.plot.medium import (
     body_is_defined,

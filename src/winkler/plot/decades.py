@@ -8,12 +8,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.families import spans_decades
-from winkler.plot.panel import Line, Panel, PanelAxis
+from winkler.plot.panel import Panel, PanelAxis, among, points
 from winkler.plot.series import Series, middle_scale
 
-__all__ = ["Quantity", "decades_panel"]
+__all__ = ["Quantity", "decades_around", "decades_panel"]
 
 MOST_MARKED_POINTS = 60
 """Points are marked individually up to this number."""
@@ -32,6 +33,14 @@ class Quantity(NamedTuple):
     points: tuple[np.ndarray, np.ndarray] = (np.empty(0), np.empty(0))
 
 
+def decades_around(requested: Array, factor: float, count: int) -> Array:
+    """Return so many numbers across the requested range, or up to a factor around a single one."""
+    low, high = float(np.min(requested)), float(np.max(requested))
+    if high <= low * (1.0 + 1e-12):
+        low, high = low / factor, high * factor
+    return np.geomspace(low, high, count)
+
+
 def decades_panel(along: Series, quantities: Sequence[Quantity], label: str = "") -> Panel:
     """Return quantities of one unit over decades of another.
 
@@ -47,10 +56,9 @@ def decades_panel(along: Series, quantities: Sequence[Quantity], label: str = ""
     contents = np.concatenate([np.ravel(one.of.content) for one in quantities])
     marks = []
     for place, one in enumerate(quantities):
-        colour, dash = style.CYCLE[place], style.DASHES[place % len(style.DASHES)]
-        marks.append(Line(along.content, one.of.content, colour, dash=dash, name=one.name))
+        marks.append(among(place, along.content, one.of.content, one.name, most=0))
         if 0 < one.points[0].size <= MOST_MARKED_POINTS:
-            marks.append(Line(*one.points, colour, width=0.0, marker="o", size=4.0, order=5.0))
+            marks.append(points(*one.points, style.CYCLE[place], size=4.0, order=5.0))
     crowded = np.ptp(np.log10(along.content)) > MOST_LABELLED_DECADES
     across = PanelAxis.of(along, margin=0.04, log=True, plain=True, parts=5 if crowded else 0)
     greatest = float(np.max(contents))

@@ -7,37 +7,17 @@ let a notebook show it.
 from __future__ import annotations
 
 import dataclasses
-import functools
-from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.fitting.curves.curve import ForceCurve
-from winkler.fitting.outcome import Fit
-from winkler.fitting.unloading.oliver_pharr import OliverPharrSolution
 from winkler.foundation.measured import MeasuredBed
-from winkler.foundation.sheared_fields import BodyFields, ShearedFields
 from winkler.loading import Force
 from winkler.plot import style
+from winkler.plot.dispatch import sheet_of
 from winkler.plot.extent import around, checked_extent, typical
-from winkler.plot.fitting.fits import fit_sheet
-from winkler.plot.fitting.unloading import segments_sheet, unloading_sheet
-from winkler.plot.friction.damping import bimodal_sheet, damping_sheet, relaxation_sheet
-from winkler.plot.friction.sheets import (
-    body_sheet,
-    sheared_sheet,
-    tangential_sheet,
-    tangential_state_sheet,
-    torsion_sheet,
-    twist_sheet,
-)
-from winkler.plot.impact.impact import adhesive_impact_sheet, impact_sheet
-from winkler.plot.medium import (
-    body_is_defined,
-    stiffness_panel,
-)
+from winkler.plot.medium import body_is_defined, stiffness_panel
 from winkler.plot.method import Contact
 from winkler.plot.normal.body import body_panel, contact_panel
 from winkler.plot.normal.curves import (
@@ -52,38 +32,19 @@ from winkler.plot.normal.outline import profile_panel
 from winkler.plot.normal.punches import pressures_panel, steps_panel
 from winkler.plot.normal.springs import springs_panel
 from winkler.plot.normal.stresses import stress_panel
-from winkler.plot.panel import Line, Panel, Sheet, note, titled
-from winkler.plot.particles.elastic_plastic import particle_sheet
+from winkler.plot.panel import NO_CONTACT, Panel, Sheet, points, titled
 from winkler.plot.series import headline
-from winkler.plot.sheets import SHEETS, contact_sheet
+from winkler.plot.sheets import contact_sheet
 from winkler.problems.adhesion.indentation import AdhesiveSolution
-from winkler.problems.friction.bimodal_damping import BimodalDampingSolution
-from winkler.problems.friction.damping import FrictionDampingSolution
-from winkler.problems.friction.relaxation_damping import RelaxationDamperSolution
-from winkler.problems.friction.spring_states import SpringState
-from winkler.problems.friction.tangential import TangentialSolution
-from winkler.problems.friction.tangential_states import TangentialState
-from winkler.problems.friction.torsion import TorsionSolution
-from winkler.problems.friction.torsion_states import TorsionState
-from winkler.problems.impact.adhesive_impact import AdhesiveImpactSolution
-from winkler.problems.impact.impact import ImpactSolution
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.yielding import YieldOnsetSolution
-from winkler.problems.particles.elastic_plastic import ParticleSolution
 from winkler.profiles.profile import Shape
 from winkler.punch_staircase import Staircase
 
 if TYPE_CHECKING:
     from winkler.plot.picture import Picture
 
-__all__ = ["draw", "sheet_of"]
-
-DRAWABLE = (
-    "a profile, a Foundation, PlaneFoundation or MeasuredBed, a coated, graded or viscoelastic half-space, a solid "
-    "that relaxes, a height map or a spectrum, a solution of a problem, restored fields, a Staircase, a ForceCurve, or "
-    "a Fit"
-)
-SHAPE_ATTRIBUTES = ("height", "gap", "reach", "rim", "size", "kinks")
+__all__ = ["draw"]
 
 
 def draw(item: Any, *, extent: float | None = None) -> Picture:
@@ -143,14 +104,6 @@ def draw(item: Any, *, extent: float | None = None) -> Picture:
     return render(sheet_of(item, extent=extent))
 
 
-@functools.singledispatch
-def sheet_of(item: Any, *, extent: float | None = None) -> Sheet:
-    """Return the panels that show `item`, as plain data; parameters and errors as for `draw`."""
-    if all(hasattr(item, name) for name in SHAPE_ATTRIBUTES):
-        return _profile(item, extent=extent)
-    raise InvalidInput(f"draw: there is no picture of a {type(item).__name__}; give {DRAWABLE}.")
-
-
 @sheet_of.register(Shape)
 def _profile(item: Shape, *, extent: float | None = None) -> Sheet:
     end = checked_extent(extent) or typical(item)
@@ -186,7 +139,7 @@ def _single_load_sheet(item: IndentationSolution, extent: float | None) -> Sheet
 def _force_curve(item: IndentationSolution) -> Panel:
     """Return F(d) up to a contact, and the contact itself as a point."""
     if float(item.depth) <= 0.0:
-        return Panel((note("no contact", "upper centre"),))
+        return NO_CONTACT
     return loaded_so_far(item.pressed, float(item.force))
 
 
@@ -209,51 +162,13 @@ def _adhesive(item: AdhesiveSolution, *, extent: float | None = None) -> Sheet:
     return contact_sheet(item, extent) if np.ndim(item.depth) == 0 else _curves_sheet(item, extent)
 
 
-WITHOUT_EXTENT: dict[type, Callable[[Any], Sheet]] = {
-    **SHEETS,
-    TangentialSolution: tangential_sheet,
-    TorsionSolution: torsion_sheet,
-    TorsionState: twist_sheet,
-    FrictionDampingSolution: damping_sheet,
-    BimodalDampingSolution: bimodal_sheet,
-    RelaxationDamperSolution: relaxation_sheet,
-    ImpactSolution: impact_sheet,
-    AdhesiveImpactSolution: adhesive_impact_sheet,
-    ParticleSolution: particle_sheet,
-    ShearedFields: sheared_sheet,
-    BodyFields: body_sheet,
-    ForceCurve: segments_sheet,
-    OliverPharrSolution: unloading_sheet,
-}
-"""Sheets that have no extent."""
-
-
-def _without_extent(item: Any, *, extent: float | None = None) -> Sheet:
-    if extent is not None:
-        raise InvalidInput(f"draw: the curves of a {type(item).__name__} have no extent; leave it out.")
-    return WITHOUT_EXTENT[type(item)](item)
-
-
-for _kind in WITHOUT_EXTENT:
-    sheet_of.register(_kind)(_without_extent)
-
-
-@sheet_of.register(TangentialState)
-@sheet_of.register(SpringState)
-def _sheared_state(item: TangentialState | SpringState, *, extent: float | None = None) -> Sheet:
-    return tangential_state_sheet(item, checked_extent(extent))
-
-
 @sheet_of.register(YieldOnsetSolution)
 def _onset(item: YieldOnsetSolution, *, extent: float | None = None) -> Sheet:
     contact = Indentation(item.problem.bed, Force(item.force)).solve()
     left = stress_panel(contact, around(contact.pressed, extent), item.radius)
     curve = curve_panel(force_depth(contact.pressed), marker="", name="elastic")
-    point = Line(
-        np.array([item.depth]), np.array([item.force]), style.RED, width=0.0, marker="o", name="yielding begins"
-    )
     right = curve.plus(
-        point,
+        points(item.depth, item.force, name="yielding begins"),
         across=dataclasses.replace(curve.across, low=0.0, high=1.15 * item.depth),
         upright=dataclasses.replace(curve.upright, low=0.0, high=1.15 * item.force),
         legend="upper left",
@@ -269,10 +184,3 @@ def _staircase(item: Staircase, *, extent: float | None = None) -> Sheet:
     end = checked_extent(extent) or 1.25 * item.pressed.radius
     panels = steps_panel(item, end), pressures_panel(item, end)
     return Sheet(titled(panels, "a staircase of flat punches", "their pressures add up"), height=3.3)
-
-
-@sheet_of.register(Fit)
-def _fit(item: Fit, *, extent: float | None = None) -> Sheet:
-    if extent is not None:
-        raise InvalidInput("draw: a Fit is drawn over all its positions; leave extent out.")
-    return fit_sheet(item)

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
 from winkler.plot import style
-from winkler.plot.panel import Bars, Line, Panel, PanelAxis, Sheet
+from winkler.plot.panel import Bars, Panel, PanelAxis, Sheet, among
 from winkler.plot.series import Scale, Series, common_scale, middle_scale
 
 __all__ = ["bar_sheet", "family_sheet", "spans_decades"]
@@ -46,16 +47,9 @@ def family_sheet(
     lines = []
     for place, (x, y) in enumerate(zip(along, of, strict=True)):
         order = np.argsort(x.content, kind="stable") if ordered else np.arange(x.content.size)
-        line = Line(
-            x.content[order],
-            y.content[order],
-            style.shade(0.15 + 0.85 * place / (len(of) - 1)) if many else style.CYCLE[place],
-            dash=() if many else style.DASHES[place % len(style.DASHES)],
-            marker="o" if order.size <= 40 else "",
-            size=4.0,
-            name=labels[place] if not many or place in (0, len(of) // 2, len(of) - 1) else "",
-        )
-        lines.append(line)
+        look: dict[str, Any] = {"colour": style.shade(0.15 + 0.85 * place / (len(of) - 1)), "dash": ()} if many else {}
+        name = labels[place] if not many or place in (0, len(of) // 2, len(of) - 1) else ""
+        lines.append(among(place, x.content[order], y.content[order], name, **look))
     across = PanelAxis.of(along[0], _scale(along, logarithmic), margin=0.04, log=logarithmic, plain=logarithmic)
     upright = PanelAxis.of(
         of[0], _scale(of, logarithmic_upright), margin=0.06, log=logarithmic_upright, plain=logarithmic_upright

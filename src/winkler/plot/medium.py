@@ -23,7 +23,7 @@ from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.media.medium import Medium
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.panel import Area, Line, Panel, PanelAxis, Rule, Text
+from winkler.plot.panel import Area, Line, Panel, PanelAxis, Rule, Text, points
 from winkler.plot.series import scale_of, series, with_unit
 
 __all__ = [
@@ -238,7 +238,7 @@ def stiffness_panel(bed: Bed, to: float, radius: float = 0.0) -> Panel:
         marks.append(Line(bed.radii, bed.stiffnesses, style.ORANGE, width=0.0, name=name, **look))
     if radius > 0.0:
         here = bed.stiffness(np.array([radius]))
-        marks.append(Line(np.array([radius]), here, style.RED, width=0.0, marker="o", name="this contact"))
+        marks.append(points(radius, here, name="this contact"))
     across = PanelAxis.of(series("radius", a), scale_of("m", [end]), low=0.0, high=1.02 * end)
     of = series("stiffness", stiffness)
     upright = PanelAxis.of(of, low=0.0, high=1.08 * float(np.max(stiffness)))

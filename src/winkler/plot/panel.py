@@ -9,6 +9,10 @@ from __future__ import annotations
 import dataclasses
 from typing import Any
 
+import numpy as np
+
+from winkler.numerics.types import Array, ArrayLike
+from winkler.plot import style
 from winkler.plot.axis import PanelAxis, plane
 from winkler.plot.marks import (
     Area,
@@ -29,6 +33,7 @@ from winkler.plot.marks import (
 from winkler.values import value
 
 __all__ = [
+    "NO_CONTACT",
     "Area",
     "Arrow",
     "Band",
@@ -46,11 +51,16 @@ __all__ = [
     "Strokes",
     "Text",
     "Vectors",
+    "among",
     "note",
     "plane",
+    "points",
     "titled",
     "zero",
 ]
+
+
+ALONE: dict[str, Any] = {"width": 0.0, "marker": "o"}
 
 
 @value
@@ -143,6 +153,18 @@ def titled(panels: Any, *titles: str) -> tuple[Panel, ...]:
     return tuple(panel.plus(title=title) for panel, title in zip(panels, titles, strict=True))
 
 
+def points(x: ArrayLike, y: ArrayLike, colour: Any = style.RED, **look: Any) -> Line:
+    """Return places marked one by one, without a line through them."""
+    places, heights = (np.atleast_1d(np.asarray(part, dtype=float)) for part in (x, y))
+    return Line(places, heights, colour, **(ALONE | look))
+
+
+def among(place: int, x: Array, y: Array, name: str = "", *, most: int = 40, **look: Any) -> Line:
+    """Return one curve of several, by its place among them, with its points marked up to a number of `most`."""
+    own = {"colour": style.CYCLE[place % len(style.CYCLE)], "dash": style.DASHES[place % len(style.DASHES)]}
+    return Line(x, y, name=name, **({"marker": "o" if x.size <= most else "", "size": 4.0} | own | look))
+
+
 def zero(**look: Any) -> Rule:
     """Return the thin line at zero behind the curves."""
     return Rule(0.0, order=1.0, **look)
@@ -161,3 +183,6 @@ def note(text: str, where: str = "upper right") -> Text:
         framed=(True, True),
         order=9.0,
     )
+
+
+NO_CONTACT = Panel((note("no contact", "upper centre"),))

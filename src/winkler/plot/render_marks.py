@@ -12,30 +12,14 @@ from matplotlib.collections import LineCollection, PatchCollection, PolyCollecti
 from matplotlib.colors import ListedColormap, LogNorm, Normalize
 from matplotlib.patches import Circle
 
-from winkler.plot import style
-from winkler.plot.panel import (
-    Area,
-    Arrow,
-    Band,
-    Bars,
-    Dots,
-    Facets,
-    Line,
-    Map,
-    Mark,
-    PanelAxis,
-    Polygon,
-    Rule,
-    Strokes,
-    Text,
-    Vectors,
-)
+from winkler.plot import marks, style
+from winkler.plot.axis import PanelAxis
 from winkler.plot.render_axis import set_axis
 
 __all__ = ["draw_mark"]
 
 
-def draw_mark(axes: Axes, mark: Mark, across: float, upright: float) -> None:
+def draw_mark(axes: Axes, mark: marks.Mark, across: float, upright: float) -> None:
     """Draw a mark, whose SI numbers are divided by the factors of both axes."""
     DRAWING_FUNCTIONS[type(mark)](axes, mark, across, upright)
 
@@ -49,7 +33,7 @@ def _dashed(dash: tuple[float, ...]) -> Any:
     return (0, dash) if dash else "-"
 
 
-def _line(axes: Axes, mark: Line, across: float, upright: float) -> None:
+def _line(axes: Axes, mark: marks.Line, across: float, upright: float) -> None:
     look: dict[str, Any] = {
         "color": _colour(mark.colour),
         "linewidth": mark.width,
@@ -78,7 +62,7 @@ def _line(axes: Axes, mark: Line, across: float, upright: float) -> None:
     axes.errorbar(x, y, **lengths, **(look | {"linestyle": "none"}), **bars)
 
 
-def _dots(axes: Axes, mark: Dots, across: float, upright: float) -> None:
+def _dots(axes: Axes, mark: marks.Dots, across: float, upright: float) -> None:
     axes.scatter(
         mark.x / across,
         mark.y / upright,
@@ -91,13 +75,13 @@ def _dots(axes: Axes, mark: Dots, across: float, upright: float) -> None:
     )
 
 
-def _strokes(axes: Axes, mark: Strokes, across: float, upright: float) -> None:
+def _strokes(axes: Axes, mark: marks.Strokes, across: float, upright: float) -> None:
     lines = np.stack([mark.x / across, mark.y / upright], axis=-1)
     for line, colour, width, alpha in zip(lines, mark.colours, mark.widths, mark.alphas, strict=True):
         axes.add_collection(LineCollection([line], colors=colour, linewidths=width, alpha=alpha, zorder=mark.order))
 
 
-def _area(axes: Axes, mark: Area, across: float, upright: float) -> None:
+def _area(axes: Axes, mark: marks.Area, across: float, upright: float) -> None:
     look: dict[str, Any] = {"color": _colour(mark.colour), "linewidth": 0.0, "label": mark.name or None}
     if mark.hatch:
         look = {"facecolor": mark.colour, "edgecolor": style.MUTED, "hatch": mark.hatch, "linewidth": 0.0}
@@ -108,7 +92,7 @@ def _area(axes: Axes, mark: Area, across: float, upright: float) -> None:
         axes.fill_between(mark.x / across, mark.low / upright, mark.high / upright, **look)
 
 
-def _polygon(axes: Axes, mark: Polygon, across: float, upright: float) -> None:
+def _polygon(axes: Axes, mark: marks.Polygon, across: float, upright: float) -> None:
     axes.fill(
         mark.x / across,
         mark.y / upright,
@@ -120,7 +104,7 @@ def _polygon(axes: Axes, mark: Polygon, across: float, upright: float) -> None:
     )
 
 
-def _rule(axes: Axes, mark: Rule, across: float, upright: float) -> None:
+def _rule(axes: Axes, mark: marks.Rule, across: float, upright: float) -> None:
     look: dict[str, Any] = {
         "color": mark.colour,
         "linewidth": mark.width,
@@ -138,12 +122,12 @@ def _rule(axes: Axes, mark: Rule, across: float, upright: float) -> None:
         axes.axhline(mark.at / upright, **look)
 
 
-def _band(axes: Axes, mark: Band, across: float, _: float) -> None:
+def _band(axes: Axes, mark: marks.Band, across: float, _: float) -> None:
     look: Any = {"color": mark.colour, "alpha": mark.alpha, "linewidth": 0.0, "label": mark.name or "_"}
     axes.axvspan(mark.low / across, mark.high / across, **look)
 
 
-def _text(axes: Axes, mark: Text, across: float, upright: float) -> None:
+def _text(axes: Axes, mark: marks.Text, across: float, upright: float) -> None:
     x, y = (
         number if framed else number / factor
         for number, framed, factor in zip((mark.x, mark.y), mark.framed, (across, upright), strict=True)
@@ -167,7 +151,7 @@ def _text(axes: Axes, mark: Text, across: float, upright: float) -> None:
     )
 
 
-def _arrow(axes: Axes, mark: Arrow, across: float, upright: float) -> None:
+def _arrow(axes: Axes, mark: marks.Arrow, across: float, upright: float) -> None:
     look = {"color": mark.colour, "linewidth": mark.width, "arrowstyle": "<->" if mark.both else "-|>"}
     stop, start = ((x / across, y / upright) for x, y in (mark.stop, mark.start))
     arrow: Any = {**look, "shrinkA": 0, "shrinkB": 0}
@@ -175,7 +159,7 @@ def _arrow(axes: Axes, mark: Arrow, across: float, upright: float) -> None:
     axes.annotate("", stop, start, arrowprops=arrow, zorder=mark.order, annotation_clip=clip)
 
 
-def _bars(axes: Axes, mark: Bars, across: float, upright: float) -> None:
+def _bars(axes: Axes, mark: marks.Bars, across: float, upright: float) -> None:
     errors: dict[str, Any] = {} if mark.ends is None else {"xerr": mark.ends / across}
     look: Any = {"ecolor": "black", "elinewidth": 0.8, "capsize": 2.0} if errors else {}
     axes.barh(
@@ -190,7 +174,7 @@ def _bars(axes: Axes, mark: Bars, across: float, upright: float) -> None:
     )
 
 
-def _map(axes: Axes, mark: Map, across: float, upright: float) -> None:
+def _map(axes: Axes, mark: marks.Map, across: float, upright: float) -> None:
     factor = mark.bar.scale.factor
     x, y, z = mark.x / across, mark.y / upright, mark.z / factor
     colours = colormaps[mark.colours] if isinstance(mark.colours, str) else None
@@ -226,7 +210,7 @@ def _map(axes: Axes, mark: Map, across: float, upright: float) -> None:
         _colour_bar(axes, mark, drawn)
 
 
-def _colour_bar(axes: Axes, mark: Map, drawn: Any) -> None:
+def _colour_bar(axes: Axes, mark: marks.Map, drawn: Any) -> None:
     figure: Any = axes.figure
     if mark.place == "inset":
         bar = figure.colorbar(drawn, cax=axes.inset_axes((1.025, 0.0, 0.035, 1.0)))
@@ -243,12 +227,12 @@ def _colour_bar(axes: Axes, mark: Map, drawn: Any) -> None:
         bar.ax.minorticks_off()
 
 
-def _vectors(axes: Axes, mark: Vectors, across: float, upright: float) -> None:
+def _vectors(axes: Axes, mark: marks.Vectors, across: float, upright: float) -> None:
     look: Any = {"color": mark.colour, "angles": "xy", "pivot": "mid", "width": 0.005}
     axes.quiver(mark.x / across, mark.y / upright, mark.u, mark.v, **look)
 
 
-def _facets(axes: Axes, mark: Facets, across: float, upright: float) -> None:
+def _facets(axes: Axes, mark: marks.Facets, across: float, upright: float) -> None:
     flat = list(mark.corners / np.array([across, upright]))
     look: Any = {"facecolors": mark.colours, "edgecolors": mark.colours, "linewidths": 0.4}
     axes.add_collection(PolyCollection(flat, **look, rasterized=True, zorder=mark.order))
@@ -256,17 +240,17 @@ def _facets(axes: Axes, mark: Facets, across: float, upright: float) -> None:
 
 
 DRAWING_FUNCTIONS: dict[type, Callable[[Axes, Any, float, float], None]] = {
-    Line: _line,
-    Dots: _dots,
-    Strokes: _strokes,
-    Area: _area,
-    Polygon: _polygon,
-    Rule: _rule,
-    Band: _band,
-    Text: _text,
-    Arrow: _arrow,
-    Bars: _bars,
-    Map: _map,
-    Vectors: _vectors,
-    Facets: _facets,
+    marks.Line: _line,
+    marks.Dots: _dots,
+    marks.Strokes: _strokes,
+    marks.Area: _area,
+    marks.Polygon: _polygon,
+    marks.Rule: _rule,
+    marks.Band: _band,
+    marks.Text: _text,
+    marks.Arrow: _arrow,
+    marks.Bars: _bars,
+    marks.Map: _map,
+    marks.Vectors: _vectors,
+    marks.Facets: _facets,
 }

@@ -8,7 +8,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.fields import SubsurfaceFields, SurfaceFields
-from winkler.plot.drawing import sheet_of
+from winkler.plot.dispatch import sheet_of
 from winkler.plot.extent import checked_extent
 from winkler.plot.normal.curves import surface_panel, surface_pressure_panel
 from winkler.plot.normal.stresses import along_panel, field_panel

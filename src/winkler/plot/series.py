@@ -28,10 +28,10 @@ __all__ = [
     "places",
     "pretty_unit",
     "round_numbers",
+    "row_of",
     "scale_of",
     "series",
-    "spoken",
-    "told",
+    "series_of",
     "with_unit",
 ]
 
@@ -52,13 +52,20 @@ NAMES_IN_WORDS = {
 """Names in words that differ from the field names."""
 
 
-def headline(solution: Any) -> str:
-    """Return depth, force and contact radius in one line."""
-    parts = [
-        f"${symbol}$ = {with_unit(float(getattr(solution, name)), unit)}"
-        for name, symbol, unit in (("force", "F_N", "N"), ("depth", "d", "m"), ("radius", "a", "m"))
-    ]
-    return "   ".join(parts)
+HEADLINE_SYMBOLS = {
+    "time": ("t", "s"),
+    "force": ("F_N", "N"),
+    "shear_force": ("F_x", "N"),
+    "depth": ("d", "m"),
+    "shift": ("u_x", "m"),
+    "radius": ("a", "m"),
+}
+
+
+def headline(solution: Any, *names: str) -> str:
+    """Return some fields of a solution in one line: force, depth and contact radius if none are named."""
+    shown = [(name, *HEADLINE_SYMBOLS[name]) for name in names or ("force", "depth", "radius")]
+    return "   ".join(f"${symbol}$ = {with_unit(float(getattr(solution, name)), unit)}" for name, symbol, unit in shown)
 
 
 def name_in_words(name: str) -> str:
@@ -112,6 +119,16 @@ def series(name: str, content: ArrayLike, owner: type = object) -> Series:
     return Series(name, word(owner, name), np.asarray(content, dtype=float))
 
 
+def series_of(item: Any, name: str) -> Series:
+    """Return a field of an answer, with the words of its class."""
+    return series(name, getattr(item, name), type(item))
+
+
+def row_of(item: Any, name: str) -> Series:
+    """Return the same of all loads in one row."""
+    return series(name, np.ravel(getattr(item, name)), type(item))
+
+
 def common_scale(*many: Series) -> Scale:
     """Return one scale for several series of one unit."""
     return scale_of(many[0].word.unit, *(one.content for one in many))
@@ -144,9 +161,6 @@ def places(end: float, marks: tuple[float, ...] = (), *, count: int = 240, start
         pieces.append(low + (high - low) * np.sin(0.5 * np.pi * phase) ** 2)
     return np.concatenate(pieces)
 
-
-spoken, told = name_in_words, with_unit
-"""Earlier names."""
 
 ROUND_STEPS = (1.0, 2.0, 2.5, 5.0, 10.0)
 

@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
-
 import numpy as np
 
 from winkler.loading import Force
 from winkler.plot.adhesion.cycles import cycle_panels, sheared_panels
 from winkler.plot.adhesion.equilibria import around_panel, equilibrium_panel, pull_off_panel, radii_panel
+from winkler.plot.dispatch import without_extent
 from winkler.plot.extent import around
 from winkler.plot.medium import body_is_defined, stiffness_panel
 from winkler.plot.method import line_load, pressure
 from winkler.plot.normal.body import contact_panel
 from winkler.plot.normal.springs import springs_panel
-from winkler.plot.panel import Panel, Sheet, note, titled
+from winkler.plot.panel import NO_CONTACT, Sheet, titled
 from winkler.plot.series import headline, with_unit
 from winkler.problems.adhesion.cycle import AdhesiveCycleSolution
 from winkler.problems.adhesion.equilibrium import EquilibriumCurve
@@ -23,7 +21,7 @@ from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.adhesion.pull_off import PullOffSolution
 from winkler.problems.adhesion.shear import AdhesiveShearSolution
 
-__all__ = ["SHEETS", "contact_sheet", "cycle_sheet", "equilibrium_sheet", "pull_off_sheet", "shear_sheet"]
+__all__ = ["contact_sheet", "cycle_sheet", "equilibrium_sheet", "pull_off_sheet", "shear_sheet"]
 
 
 def contact_sheet(item: AdhesiveSolution, extent: float | None = None) -> Sheet:
@@ -43,7 +41,7 @@ def contact_sheet(item: AdhesiveSolution, extent: float | None = None) -> Sheet:
             contact_panel(item, end) if defined else stiffness_panel(bed, end, float(item.radius)),
             springs_panel(item.pressed, end),
             pressure(item, end) if defined else line_load(item, end),
-            around_panel(item) if item.radius > 0.0 else Panel((note("no contact", "upper centre"),)),
+            around_panel(item) if item.radius > 0.0 else NO_CONTACT,
         ),
         "the contact" if defined else "measured stiffness",
         "springs under $g(x) − d$",
@@ -53,12 +51,14 @@ def contact_sheet(item: AdhesiveSolution, extent: float | None = None) -> Sheet:
     return Sheet(panels, 2, height=3.2, title=headline(item))
 
 
+@without_extent(EquilibriumCurve)
 def equilibrium_sheet(item: EquilibriumCurve) -> Sheet:
     """Return force and contact radius over the depth, with branches and jumps."""
     panels = titled((equilibrium_panel(item), radii_panel(item)), "force over depth", "contact radius over depth")
     return Sheet(panels, height=3.5, title=f"equilibria under {_machine_text(item.problem.machine_stiffness)}")
 
 
+@without_extent(AdhesiveCycleSolution)
 def cycle_sheet(item: AdhesiveCycleSolution) -> Sheet:
     """Return force and contact radius along a cycle, with its jumps and the dissipated energy."""
     dead = isinstance(item.problem.path, Force)
@@ -69,11 +69,13 @@ def cycle_sheet(item: AdhesiveCycleSolution) -> Sheet:
     return Sheet(titled(cycle_panels(item), over, "contact radius"), height=3.5, title=title)
 
 
+@without_extent(AdhesiveShearSolution)
 def shear_sheet(item: AdhesiveShearSolution) -> Sheet:
     """Return shear force and contact radius over the shift."""
     return Sheet(titled(sheared_panels(item), "shear force over shift", "contact radius over shift"), height=3.3)
 
 
+@without_extent(PullOffSolution)
 def pull_off_sheet(item: PullOffSolution) -> Sheet:
     """Return the pull-off on the curve of equilibria."""
     title = f"pull-off under {_machine_text(item.problem.machine_stiffness)}"
@@ -84,12 +86,3 @@ def _machine_text(stiffness: float) -> str:
     if stiffness == 0.0:
         return "a dead load"
     return "fixed grips" if np.isinf(stiffness) else f"a machine of {with_unit(stiffness, 'N/m')}"
-
-
-SHEETS: dict[type, Callable[[Any], Sheet]] = {
-    EquilibriumCurve: equilibrium_sheet,
-    AdhesiveCycleSolution: cycle_sheet,
-    AdhesiveShearSolution: shear_sheet,
-    PullOffSolution: pull_off_sheet,
-}
-"""Drawing functions of solutions that are curves."""

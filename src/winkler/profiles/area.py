@@ -96,11 +96,6 @@ class AreaFunction(Shape):
         return area, first, second
 
     @property
-    def _top(self) -> float:
-        """The height at which the area stops growing [m]; infinite if it never does."""
-        return _summit(self)
-
-    @property
     def _pieces(self) -> _AreaPieces:
         return _area_pieces(self)
 
@@ -118,7 +113,7 @@ class AreaFunction(Shape):
     def rising(self) -> bool:
         """Whether r f' = 2 A / A' rises with h everywhere, so that g does."""
         heights = self._unit * SEARCHED_HEIGHTS
-        heights = heights[heights < self._top]
+        heights = heights[heights < _summit(self)]
         area, first, second = self._derivatives(heights)
         return bool(np.all(first**2 - area * second >= -1e-13 * first**2))
 
@@ -128,39 +123,32 @@ class AreaFunction(Shape):
         if len(self._terms) < 2:
             return ()
         heights = self._unit * (SEARCHED_BENDS if self._terms[-1][1] < 1.0 else np.ones(1))
-        heights = heights[heights < self._top]
+        heights = heights[heights < _summit(self)]
         radii = np.sqrt(self._derivatives(heights)[0] / math.pi)
         return tuple((float(radius), 0.0) for radius in radii)
 
-    @property
-    def notes(self) -> tuple[Note, ...]:
-        """That the indenter is replaced by its axisymmetric equivalent."""
-        return (
-            Note(
-                Assumption.SHAPE,
-                Standing.APPROXIMATE,
-                "The indenter is replaced by the body of revolution with the same cross-sections; for a pyramid the "
-                "force at a given depth is then 3 to 7 % low.",
-                "boundary-element solution of the sharp pyramid, theory sheet 1.3",
-            ),
-        )
+    notes = (
+        Note(
+            Assumption.SHAPE,
+            Standing.APPROXIMATE,
+            "The indenter is replaced by the body of revolution with the same cross-sections; for a pyramid the "
+            "force at a given depth is then 3 to 7 % low.",
+            "boundary-element solution of the sharp pyramid, theory sheet 1.3",
+        ),
+    )
+    """That the indenter is replaced by its axisymmetric equivalent."""
 
     def height(self, r: Array) -> Array:
         """f(r) [m], the root of A(f) = pi r^2."""
         r = np.asarray(r, dtype=float)
         result = np.zeros(r.shape)
-        above = r > self._blunt
+        above = r > self._pieces.blunt
         if above.any():
             result[above] = self._heights(r[above])
         return result
 
-    @property
-    def _blunt(self) -> float:
-        """Radius within which the height counts as zero [m]."""
-        return self._pieces.blunt
-
     def _heights(self, r: Array) -> Array:
-        top = self._top
+        top = _summit(self)
         if len(self._terms) == 1:
             c, n = self._terms[0]
             return (math.pi * r * r / c) ** (1.0 / n)
@@ -174,8 +162,7 @@ class AreaFunction(Shape):
 
     def slope(self, r: Array) -> Array:
         """f'(r) = 2 pi r / A'(f) [-]."""
-        r = np.asarray(r, dtype=float)
-        return self._implicit(r)[0]
+        return self._implicit(np.asarray(r, dtype=float))[0]
 
     def curvature(self, r: Array) -> Array:
         """f''(r) [1/m]."""
@@ -184,7 +171,7 @@ class AreaFunction(Shape):
     def _implicit(self, r: Array) -> tuple[Array, Array]:
         apex_slope, apex_bend = self._apex
         slope, bend = np.where(r > 0.0, 0.0, apex_slope), np.where(r > 0.0, 0.0, apex_bend)
-        above = r > self._blunt
+        above = r > self._pieces.blunt
         if above.any():
             inner = r[above]
             _, first, second = self._derivatives(self._heights(inner))
@@ -207,7 +194,7 @@ class AreaFunction(Shape):
         """g'(x) [-]; infinite at the reach."""
         x = np.asarray(x, dtype=float)
         result = np.where(x < self.reach, np.where(x > 0.0, 0.0, 0.5 * math.pi * self._apex[0]), math.inf)
-        above = (x > self._blunt) & (x < self.reach)
+        above = (x > self._pieces.blunt) & (x < self.reach)
         if above.any():
             h, inner = self._heights(x[above]), x[above]
             growth = 2.0 * math.pi * inner / self._derivatives(h)[1]
@@ -254,7 +241,7 @@ class _AreaPieces(NamedTuple):
 
 @functools.lru_cache(maxsize=64)
 def _area_pieces(profile: AreaFunction) -> _AreaPieces:
-    top = profile._top
+    top = _summit(profile)
     blunt, reach = (
         math.inf if h == math.inf else math.sqrt(profile._derivatives(np.array([h]))[0][0] / math.pi)
         for h in (LEAST_HEIGHT, top)
@@ -267,9 +254,9 @@ def _area_pieces(profile: AreaFunction) -> _AreaPieces:
 
 @functools.lru_cache(maxsize=64)
 def _summit(profile: AreaFunction) -> float:
+    """Return the height at which the area stops growing [m]; infinite if it never does."""
     heights = profile._unit * SEARCHED_HEIGHTS
-    growth = profile._derivatives(heights)[1]
-    (shrinking,) = np.nonzero(growth <= 0.0)
+    (shrinking,) = np.nonzero(profile._derivatives(heights)[1] <= 0.0)
     if not shrinking.size:
         return math.inf
     low, high = heights[shrinking[0] - 1], heights[shrinking[0]]

@@ -6,6 +6,7 @@ Half-angles are measured from the axis, :math:`f = r/\tan\theta`.
 from __future__ import annotations
 
 import math
+from typing import ClassVar
 
 import numpy as np
 
@@ -14,7 +15,7 @@ from winkler.numerics.transforms.abel import root_difference
 from winkler.numerics.types import Array
 from winkler.profiles.half_angle import HalfAngle
 from winkler.profiles.pieces import PowerPieces, Term
-from winkler.profiles.profile import Shape
+from winkler.profiles.profile import RisingShape
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
@@ -105,7 +106,7 @@ class RoundedCone(PowerPieces):
 
 
 @value
-class SpheroConical(Shape):
+class SpheroConical(RisingShape):
     """A cone with a spherical tip that joins it with a common tangent: the real AFM or nanoindenter tip.
 
     Parameters
@@ -132,11 +133,6 @@ class SpheroConical(Shape):
     def kinks(self) -> tuple[tuple[float, float], ...]:
         """The blend, where the slope is continuous."""
         return ((self.blend_radius, 0.0),)
-
-    @property
-    def rising(self) -> bool:
-        """g rises everywhere."""
-        return True
 
     def _tip(self, r: Array) -> tuple[Array, Array]:
         """Return r within the tip, and sqrt(R^2 - r^2) there."""
@@ -193,14 +189,10 @@ class SpheroConical(Shape):
 class _EqualAreaCone(PowerPieces):
     """The cone whose cross-section at every height has the area of the pyramid's."""
 
-    @property
-    def _area(self) -> float:
-        """Cross-section over height squared [-]."""
-        raise NotImplementedError
-
-    @property
-    def _error(self) -> str:
-        raise NotImplementedError
+    _area: ClassVar[float]
+    """Cross-section over height squared [-]."""
+    _error: ClassVar[str]
+    """How much less force it takes than the pyramid."""
 
     @property
     def half_angle(self) -> float:
@@ -235,36 +227,21 @@ def _three_sided(face_angle: float) -> float:
 class Berkovich(_EqualAreaCone):
     """The modified Berkovich pyramid (three faces, 65.27 deg to the axis) as the cone of equal area."""
 
-    @property
-    def _area(self) -> float:
-        return _three_sided(65.27)
-
-    @property
-    def _error(self) -> str:
-        return "7 %"
+    _area = _three_sided(65.27)
+    _error = "7 %"
 
 
 @value
 class CubeCorner(_EqualAreaCone):
     """The cube corner (three faces, 35.264 deg to the axis) as the cone of equal area."""
 
-    @property
-    def _area(self) -> float:
-        return 1.5 * math.sqrt(3.0)
-
-    @property
-    def _error(self) -> str:
-        return "7 %"
+    _area = 1.5 * math.sqrt(3.0)
+    _error = "7 %"
 
 
 @value
 class Vickers(_EqualAreaCone):
     """The Vickers pyramid (four faces, 68 deg to the axis) as the cone of equal area."""
 
-    @property
-    def _area(self) -> float:
-        return 4.0 * math.tan(math.radians(68.0)) ** 2
-
-    @property
-    def _error(self) -> str:
-        return "2.6 %"
+    _area = 4.0 * math.tan(math.radians(68.0)) ** 2
+    _error = "2.6 %"

@@ -7,6 +7,7 @@ import numpy as np
 from winkler.checks.number_checks import Positive
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.numerics.types import Array
+from winkler.profiles.pieces import PowerPieces
 from winkler.profiles.profile import Profile, Shape
 from winkler.validity import Note
 from winkler.values import value, words
@@ -14,8 +15,24 @@ from winkler.values import value, words
 __all__ = ["CappedCylinder", "Cylinder", "FlatPunch"]
 
 
+class _Pinned(Shape):
+    """A body with a vertical wall at its radius."""
+
+    radius: float
+
+    @property
+    def reach(self) -> float:
+        """The rim [m]."""
+        return self.radius
+
+    @property
+    def rim(self) -> float:
+        """The rim [m]."""
+        return self.radius
+
+
 @value
-class FlatPunch(Shape):
+class FlatPunch(_Pinned, PowerPieces):
     """A flat-ended circular cylinder.
 
     Parameters
@@ -32,48 +49,12 @@ class FlatPunch(Shape):
 
     radius: Positive
 
-    @property
-    def reach(self) -> float:
-        """The rim [m]."""
-        return self.radius
-
-    @property
-    def rim(self) -> float:
-        """The rim [m]."""
-        return self.radius
-
-    @property
-    def rising(self) -> bool:
-        """g never falls."""
-        return True
-
-    def height(self, r: Array) -> Array:
-        """f = 0 [m]."""
-        return np.zeros(np.shape(r))
-
-    def slope(self, r: Array) -> Array:
-        """f' = 0 [-]."""
-        return np.zeros(np.shape(r))
-
-    def curvature(self, r: Array) -> Array:
-        """f'' = 0 [1/m]."""
-        return np.zeros(np.shape(r))
-
-    def gap(self, x: Array) -> Array:
-        """g = 0 [m]."""
-        return np.zeros(np.shape(x))
-
-    def gap_slope(self, x: Array) -> Array:
-        """g' = 0 [-]."""
-        return np.zeros(np.shape(x))
-
-    def gap_integral(self, x: Array) -> Array:
-        """0 [m^2]."""
-        return np.zeros(np.shape(x))
+    terms = ()
+    """None: the slope is zero."""
 
 
 @value
-class CappedCylinder(Shape):
+class CappedCylinder(_Pinned):
     """A circular cylinder whose end has the shape of another profile; the contact is pinned once it fills the end.
 
     Parameters
@@ -102,16 +83,6 @@ class CappedCylinder(Shape):
                 f"CappedCylinder: the cap is vertical at the rim (radius {self.radius:g} m); give a cylinder that is "
                 "thinner than its cap."
             )
-
-    @property
-    def reach(self) -> float:
-        """The rim [m]."""
-        return self.radius
-
-    @property
-    def rim(self) -> float:
-        """The rim [m]."""
-        return self.radius
 
     @property
     def kinks(self) -> tuple[tuple[float, float], ...]:

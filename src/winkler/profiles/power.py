@@ -11,14 +11,14 @@ import numpy as np
 
 from winkler.checks.number_checks import Positive, PositiveNotTiny, PositiveOfAnySize
 from winkler.numerics.types import Array
-from winkler.profiles.profile import Shape
+from winkler.profiles.profile import RisingShape
 from winkler.values import value, words
 
 __all__ = ["Paraboloid", "PowerLaw"]
 
 
 @value
-class Paraboloid(Shape):
+class Paraboloid(RisingShape):
     """A paraboloid of revolution, f = r^2 / (2 R): what Hertz put in place of the sphere.
 
     Parameters
@@ -37,11 +37,6 @@ class Paraboloid(Shape):
     def size(self) -> float:
         """R [m], the body whose apex the paraboloid stands for."""
         return self.curvature_radius
-
-    @property
-    def rising(self) -> bool:
-        """g rises everywhere."""
-        return True
 
     def height(self, r: Array) -> Array:
         """f(r) [m]."""
@@ -69,7 +64,7 @@ class Paraboloid(Shape):
 
 
 @value
-class PowerLaw(Shape):
+class PowerLaw(RisingShape):
     """A body of revolution with f = c r^n.
 
     Parameters
@@ -91,11 +86,6 @@ class PowerLaw(Shape):
 
     coefficient: PositiveOfAnySize
     exponent: Positive
-
-    @property
-    def rising(self) -> bool:
-        """g rises everywhere."""
-        return True
 
     @property
     def stretch(self) -> float:

@@ -23,7 +23,7 @@ from winkler.numerics.types import Array
 from winkler.validity import Note
 from winkler.values import value
 
-__all__ = ["Profile", "Shape", "Sum"]
+__all__ = ["Profile", "RisingShape", "Shape", "Sum"]
 
 Kinks = tuple[tuple[float, float], ...]
 
@@ -155,6 +155,13 @@ class Shape:
     def __add__(self, other: Profile) -> Sum:
         """Return the profile whose height is the sum of both."""
         return Sum((self, other))
+
+
+class RisingShape(Shape):
+    """A shape whose g rises everywhere."""
+
+    rising = True
+    """g rises everywhere."""
 
 
 @value

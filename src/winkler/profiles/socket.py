@@ -17,7 +17,7 @@ import numpy as np
 from winkler.checks.number_checks import Positive, PositiveNotTiny
 from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
-from winkler.profiles.profile import Shape
+from winkler.profiles.profile import RisingShape
 from winkler.profiles.sphere import shape_integral
 from winkler.values import value
 
@@ -25,7 +25,7 @@ __all__ = ["BallInSocket"]
 
 
 @value
-class BallInSocket(Shape):
+class BallInSocket(RisingShape):
     """The distance between a ball and the socket around it.
 
     Parameters
@@ -73,11 +73,6 @@ class BallInSocket(Shape):
     def size(self) -> float:
         """Radius of the ball [m]."""
         return self.curvature_radius
-
-    @property
-    def rising(self) -> bool:
-        """g rises everywhere."""
-        return True
 
     def _roots(self, r: Array) -> tuple[Array, Array]:
         """Return s_1 and s_2 [m]."""

@@ -13,7 +13,7 @@ import numpy as np
 from winkler.checks.number_checks import Positive, PositiveNotTiny
 from winkler.numerics.types import Array
 from winkler.profiles.half_angle import HalfAngle
-from winkler.profiles.profile import Shape
+from winkler.profiles.profile import RisingShape
 from winkler.values import value
 
 __all__ = ["Ellipsoid", "Hyperboloid", "Sphere", "shape_integral"]
@@ -45,7 +45,7 @@ def shape_integral(t: Array, sign: float) -> Array:
     return np.where(t < SERIES_LIMIT, small, closed)
 
 
-class _RoundBody(Shape):
+class _RoundBody(RisingShape):
     """An ellipsoid of revolution with semi-axes A (radial) and B (axial)."""
 
     @property
@@ -61,11 +61,6 @@ class _RoundBody(Shape):
     def size(self) -> float:
         """Radius of the body, taken at its equator [m]."""
         return self._axes[0]
-
-    @property
-    def rising(self) -> bool:
-        """g rises everywhere."""
-        return True
 
     def height(self, r: Array) -> Array:
         """f(r) [m]; infinite beyond the equator."""
@@ -147,7 +142,7 @@ class Ellipsoid(_RoundBody):
 
 
 @value
-class Hyperboloid(Shape):
+class Hyperboloid(RisingShape):
     """A hyperboloid of revolution: a round tip that goes over into a cone.
 
     Parameters
@@ -166,16 +161,6 @@ class Hyperboloid(Shape):
         """The slope m of the cone and the length A = R m."""
         m = 1.0 / math.tan(self.half_angle)
         return m, self.curvature_radius * m
-
-    @property
-    def size(self) -> float:
-        """Infinite: the flanks go on as a cone."""
-        return math.inf
-
-    @property
-    def rising(self) -> bool:
-        """g rises everywhere."""
-        return True
 
     def height(self, r: Array) -> Array:
         """f(r) [m]."""

@@ -3,6 +3,9 @@ r"""A paraboloid of radius R with a parabolic cap of radius R1 up to r = b: a wo
 The profile is that of a paraboloid of radius R1 and, from b on, (1/R - 1/R1)(r^2 - b^2)/2 more: every result is
 the sum of Hertz's and of (1 - R/R1) times that of a truncated paraboloid of radius R.
 
+The arguments are the contact radius ``radius`` a [m], the distance ``r`` from the axis [m], ``modulus`` E* [Pa],
+``curvature_radius`` R beyond the cap, ``cap_curvature_radius`` R1 of the cap and ``cap_radius`` b [m].
+
 References
 ----------
 .. [1] D. Maugis, M. Barquins, Adhesive contact of sectionally smooth-ended punches on elastic half-spaces: theory
@@ -33,17 +36,7 @@ __all__ = [
 def capped_paraboloid_depth(
     radius: ArrayLike, *, curvature_radius: float, cap_curvature_radius: float, cap_radius: float
 ) -> Array:
-    """Return the depth d(a) = g(a) [m] of a capped paraboloid.
-
-    Parameters
-    ----------
-    radius : array_like
-        Contact radius a [m].
-    curvature_radius, cap_curvature_radius : float
-        R beyond the cap and R1 of the cap [m].
-    cap_radius : float
-        b [m].
-    """
+    """Return the depth d(a) = g(a) [m] of a capped paraboloid."""
     more = truncated_paraboloid_depth(radius, curvature_radius=curvature_radius, flat_radius=cap_radius)
     share = 1.0 - curvature_radius / cap_curvature_radius
     return np.asarray(hertz_depth(radius, curvature_radius=cap_curvature_radius) + share * more)
@@ -52,19 +45,7 @@ def capped_paraboloid_depth(
 def capped_paraboloid_force(
     radius: ArrayLike, *, curvature_radius: float, cap_curvature_radius: float, cap_radius: float, modulus: float
 ) -> Array:
-    """Return the force F(a) [N] on a capped paraboloid.
-
-    Parameters
-    ----------
-    radius : array_like
-        Contact radius a [m].
-    curvature_radius, cap_curvature_radius : float
-        R beyond the cap and R1 of the cap [m].
-    cap_radius : float
-        b [m].
-    modulus : float
-        E* [Pa].
-    """
+    """Return the force F(a) [N] on a capped paraboloid."""
     more = truncated_paraboloid_force(
         radius, curvature_radius=curvature_radius, flat_radius=cap_radius, modulus=modulus
     )
@@ -81,21 +62,7 @@ def capped_paraboloid_pressure(
     cap_radius: float,
     modulus: float,
 ) -> Array:
-    """Return the pressure p(r) [Pa] under a capped paraboloid; logarithmically infinite at r = b.
-
-    Parameters
-    ----------
-    r : array_like
-        Distance from the axis [m].
-    radius : array_like
-        Contact radius a [m].
-    curvature_radius, cap_curvature_radius : float
-        R beyond the cap and R1 of the cap [m].
-    cap_radius : float
-        b [m].
-    modulus : float
-        E* [Pa].
-    """
+    """Return the pressure p(r) [Pa] under a capped paraboloid; logarithmically infinite at r = b."""
     more = truncated_paraboloid_pressure(
         r, radius, curvature_radius=curvature_radius, flat_radius=cap_radius, modulus=modulus
     )
@@ -106,19 +73,7 @@ def capped_paraboloid_pressure(
 def capped_paraboloid_displacement(
     r: ArrayLike, radius: ArrayLike, *, curvature_radius: float, cap_curvature_radius: float, cap_radius: float
 ) -> Array:
-    """Return the surface displacement u(r) [m] of a capped paraboloid, a > b.
-
-    Parameters
-    ----------
-    r : array_like
-        Distance from the axis [m].
-    radius : array_like
-        Contact radius a [m].
-    curvature_radius, cap_curvature_radius : float
-        R beyond the cap and R1 of the cap [m].
-    cap_radius : float
-        b [m].
-    """
+    """Return the surface displacement u(r) [m] of a capped paraboloid, a > b."""
     more = truncated_paraboloid_displacement(r, radius, curvature_radius=curvature_radius, flat_radius=cap_radius)
     share = 1.0 - curvature_radius / cap_curvature_radius
     return np.asarray(hertz_displacement(r, radius, curvature_radius=cap_curvature_radius) + share * more)

@@ -3,6 +3,9 @@ r"""The cone, f = r / tan(half_angle), on a homogeneous half-space of modulus E*
 .. math:: d = \frac\pi2\,\frac{a}{\tan\theta},\qquad F = \frac{\pi}{2}\frac{E^*a^2}{\tan\theta},\qquad
           p = \frac{E^*}{2\tan\theta}\,\mathrm{arcosh}\frac ar .
 
+The arguments are the contact radius ``radius`` a [m], the distance ``r`` from the axis [m], ``half_angle`` from the
+axis [rad], and ``modulus`` E* [Pa].
+
 References
 ----------
 .. [1] A. E. H. Love, Boussinesq's problem for a rigid cone, Quart. J. Math. 10 (1939) 161-175,
@@ -34,47 +37,17 @@ def equal_area_angle(area_coefficient: float) -> float:
 
 
 def cone_depth(radius: ArrayLike, *, half_angle: float) -> Array:
-    """Return the depth d(a) = g(a) [m] of a cone.
-
-    Parameters
-    ----------
-    radius : array_like
-        Contact radius a [m].
-    half_angle : float
-        From the axis [rad].
-    """
+    """Return the depth d(a) = g(a) [m] of a cone."""
     return np.asarray(0.5 * np.pi / np.tan(half_angle) * np.asarray(radius, dtype=float))
 
 
 def cone_force(radius: ArrayLike, *, half_angle: float, modulus: float) -> Array:
-    """Return the force F(a) [N] on a cone.
-
-    Parameters
-    ----------
-    radius : array_like
-        Contact radius a [m].
-    half_angle : float
-        From the axis [rad].
-    modulus : float
-        E* [Pa].
-    """
+    """Return the force F(a) [N] on a cone."""
     return np.asarray(0.5 * np.pi * modulus / np.tan(half_angle) * np.asarray(radius, dtype=float) ** 2)
 
 
 def cone_pressure(r: ArrayLike, radius: ArrayLike, *, half_angle: float, modulus: float) -> Array:
-    """Return the pressure p(r) [Pa] under a cone: infinite (logarithmically) at the tip, zero outside.
-
-    Parameters
-    ----------
-    r : array_like
-        Distance from the axis [m].
-    radius : array_like
-        Contact radius a [m].
-    half_angle : float
-        From the axis [rad].
-    modulus : float
-        E* [Pa].
-    """
+    """Return the pressure p(r) [Pa] under a cone: infinite (logarithmically) at the tip, zero outside."""
     r, a = np.broadcast_arrays(np.asarray(r, dtype=float), np.asarray(radius, dtype=float))
     away = np.where(r > 0.0, np.minimum(r, a), a)
     # arcosh(a/r) = ln((a + w)/r) with w = sqrt(a^2 - r^2): written so that it keeps its digits at the edge
@@ -87,15 +60,6 @@ def cone_displacement(r: ArrayLike, radius: ArrayLike, *, half_angle: float) -> 
     """Return the surface displacement u(r) [m] of a cone: d - f inside, the closed form of T3 outside.
 
     Outside, u = (a/tan) [asin(a/r) - (r - sqrt(r^2 - a^2))/a].
-
-    Parameters
-    ----------
-    r : array_like
-        Distance from the axis [m].
-    radius : array_like
-        Contact radius a [m].
-    half_angle : float
-        From the axis [rad].
     """
     r, a = np.broadcast_arrays(np.asarray(r, dtype=float), np.asarray(radius, dtype=float))
     beyond = np.maximum(r, a)

@@ -13,6 +13,10 @@ L = ln(Z + P) and q0 = pi a p0/2
 
 and so on.  Deep below the contact the brackets cancel: about (z/a)^3 in the last digit.
 
+The arguments are the contact radius ``radius`` a [m], ``curvature_radius`` R [m], ``modulus`` E* [Pa], ``force`` F
+[N], the distance ``r`` from the axis [m], the depth ``z`` >= 0 below the surface [m], ``peak_pressure`` p0 [Pa], and
+of the body ``poisson`` nu [-] and ``shear`` G [Pa].
+
 References
 ----------
 .. [1] H. Hertz, Ueber die Beruehrung fester elastischer Koerper, J. reine angew. Math. 92 (1882) 156-171,
@@ -45,77 +49,27 @@ __all__ = [
 
 
 def hertz_depth(radius: ArrayLike, *, curvature_radius: float) -> Array:
-    """Return the depth d(a) = g(a) = a^2/R [m].
-
-    Parameters
-    ----------
-    radius : array_like
-        Contact radius a [m].
-    curvature_radius : float
-        R [m].
-    """
+    """Return the depth d(a) = g(a) = a^2/R [m]."""
     return np.asarray(np.asarray(radius, dtype=float) ** 2 / curvature_radius)
 
 
 def hertz_force(radius: ArrayLike, *, curvature_radius: float, modulus: float) -> Array:
-    """Return the force F(a) = 4 E* a^3/(3 R) [N].
-
-    Parameters
-    ----------
-    radius : array_like
-        Contact radius a [m].
-    curvature_radius : float
-        R [m].
-    modulus : float
-        E* [Pa].
-    """
+    """Return the force F(a) = 4 E* a^3/(3 R) [N]."""
     return np.asarray(4.0 * modulus / (3.0 * curvature_radius) * np.asarray(radius, dtype=float) ** 3)
 
 
 def hertz_radius(force: ArrayLike, *, curvature_radius: float, modulus: float) -> Array:
-    """Return the contact radius a(F) = (3 F R/(4 E*))^(1/3) [m].
-
-    Parameters
-    ----------
-    force : array_like
-        F [N].
-    curvature_radius : float
-        R [m].
-    modulus : float
-        E* [Pa].
-    """
+    """Return the contact radius a(F) = (3 F R/(4 E*))^(1/3) [m]."""
     return np.asarray(np.cbrt(0.75 * np.asarray(force, dtype=float) * curvature_radius / modulus))
 
 
 def hertz_peak_pressure(radius: ArrayLike, *, curvature_radius: float, modulus: float) -> Array:
-    """Return the pressure at the centre p0 = 2 E* a/(pi R) [Pa].
-
-    Parameters
-    ----------
-    radius : array_like
-        Contact radius a [m].
-    curvature_radius : float
-        R [m].
-    modulus : float
-        E* [Pa].
-    """
+    """Return the pressure at the centre p0 = 2 E* a/(pi R) [Pa]."""
     return np.asarray(2.0 * modulus / (np.pi * curvature_radius) * np.asarray(radius, dtype=float))
 
 
 def hertz_pressure(r: ArrayLike, radius: ArrayLike, *, curvature_radius: float, modulus: float) -> Array:
-    """Return the pressure p(r) [Pa]; zero outside the contact.
-
-    Parameters
-    ----------
-    r : array_like
-        Distance from the axis [m].
-    radius : array_like
-        Contact radius a [m].
-    curvature_radius : float
-        R [m].
-    modulus : float
-        E* [Pa].
-    """
+    """Return the pressure p(r) [Pa]; zero outside the contact."""
     r, a = np.asarray(r, dtype=float), np.asarray(radius, dtype=float)
     root = np.sqrt(np.maximum((a - r) * (a + r), 0.0))
     return np.asarray(2.0 * modulus / (np.pi * curvature_radius) * root)
@@ -126,15 +80,6 @@ def hertz_displacement(r: ArrayLike, radius: ArrayLike, *, curvature_radius: flo
 
     Outside, u = (a^2/(pi R)) [(2 - s^2) asin(1/s) + sqrt(s^2 - 1)] with s = r/a; beyond s = 2, where the bracket
     cancels, the same as a hypergeometric function.
-
-    Parameters
-    ----------
-    r : array_like
-        Distance from the axis [m].
-    radius : array_like
-        Contact radius a [m].
-    curvature_radius : float
-        R [m].
     """
     r, a = np.broadcast_arrays(np.asarray(r, dtype=float), np.asarray(radius, dtype=float))
     s = np.maximum(r, a) / a
@@ -148,19 +93,7 @@ def hertz_displacement(r: ArrayLike, radius: ArrayLike, *, curvature_radius: flo
 def hertz_surface_stress(
     r: ArrayLike, radius: ArrayLike, *, peak_pressure: float, poisson: float
 ) -> tuple[Array, Array]:
-    """Return the radial and hoop stress [Pa] at the surface, tension positive.
-
-    Parameters
-    ----------
-    r : array_like
-        Distance from the axis [m].
-    radius : array_like
-        Contact radius a [m].
-    peak_pressure : float
-        p0 [Pa].
-    poisson : float
-        nu [-] of the body.
-    """
+    """Return the radial and hoop stress [Pa] at the surface, tension positive."""
     r, a = np.broadcast_arrays(np.asarray(r, dtype=float), np.asarray(radius, dtype=float))
     s = np.minimum(r / a, 1.0)
     c = np.sqrt((1.0 - s) * (1.0 + s))
@@ -172,19 +105,7 @@ def hertz_surface_stress(
 
 
 def hertz_axis_stress(z: ArrayLike, radius: ArrayLike, *, peak_pressure: float, poisson: float) -> tuple[Array, Array]:
-    """Return the radial (= hoop) and the axial stress [Pa] on the axis, tension positive.
-
-    Parameters
-    ----------
-    z : array_like
-        Depth below the surface [m], z >= 0.
-    radius : array_like
-        Contact radius a [m].
-    peak_pressure : float
-        p0 [Pa].
-    poisson : float
-        nu [-] of the body.
-    """
+    """Return the radial (= hoop) and the axial stress [Pa] on the axis, tension positive."""
     s = np.asarray(z, dtype=float) / np.asarray(radius, dtype=float)
     axial = -1.0 / (1.0 + s**2)
     radial = -(1.0 + poisson) * (1.0 - s * np.arctan2(1.0, s)) - 0.5 * axial
@@ -194,21 +115,7 @@ def hertz_axis_stress(z: ArrayLike, radius: ArrayLike, *, peak_pressure: float, 
 def hertz_subsurface(
     r: ArrayLike, z: ArrayLike, radius: float, *, peak_pressure: float, poisson: float, shear: float
 ) -> Interior:
-    """Return stresses and displacements below Hertz's contact, in closed form.
-
-    Parameters
-    ----------
-    r, z : array_like
-        Places [m] in the body z >= 0.
-    radius : float
-        Contact radius a [m].
-    peak_pressure : float
-        p0 [Pa].
-    poisson : float
-        nu [-] of the body.
-    shear : float
-        G [Pa] of the body.
-    """
+    """Return stresses and displacements below Hertz's contact, in closed form."""
     s, h = np.broadcast_arrays(np.asarray(r, dtype=float) / radius, np.asarray(z, dtype=float) / radius)
     big_z = h + 1j
     big_p = np.sqrt(s**2 + big_z**2)

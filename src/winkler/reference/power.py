@@ -3,6 +3,9 @@ r"""Powers of the radius, f = c r^n, on a homogeneous half-space of modulus E* [
 .. math:: g(x) = \kappa_n\,c\,x^n,\qquad \kappa_n = \frac{\sqrt\pi\,n\,\Gamma(n/2)}{2\,\Gamma((n+1)/2)},\qquad
           F = \frac{2n}{n+1}E^*\kappa_n\,c\,a^{n+1}.
 
+The arguments are the contact radius ``radius`` a [m], the distance ``r`` from the axis [m], ``coefficient`` c
+[m^(1-n)], ``exponent`` n [-], positive, and ``modulus`` E* [Pa].
+
 References
 ----------
 .. [1] I. N. Sneddon, The relation between load and penetration in the axisymmetric Boussinesq problem for a punch
@@ -40,33 +43,13 @@ def stretch(exponent: Quantity) -> Array:
 
 
 def power_law_depth(radius: ArrayLike, *, coefficient: float, exponent: float) -> Array:
-    """Return the depth d(a) = g(a) [m] of f = c r^n.
-
-    Parameters
-    ----------
-    radius : array_like
-        Contact radius a [m].
-    coefficient : float
-        c [m^(1-n)].
-    exponent : float
-        n [-], positive.
-    """
+    """Return the depth d(a) = g(a) [m] of f = c r^n."""
     a = np.asarray(radius, dtype=float)
     return np.asarray(stretch(exponent) * coefficient * a**exponent)
 
 
 def power_law_force(radius: ArrayLike, *, coefficient: float, exponent: float, modulus: float) -> Array:
-    """Return the force F(a) [N] on f = c r^n.
-
-    Parameters
-    ----------
-    radius : array_like
-        Contact radius a [m].
-    coefficient, exponent : float
-        c [m^(1-n)] and n [-].
-    modulus : float
-        E* [Pa].
-    """
+    """Return the force F(a) [N] on f = c r^n."""
     a = np.asarray(radius, dtype=float)
     depth = power_law_depth(a, coefficient=coefficient, exponent=exponent)
     return np.asarray(2.0 * modulus * exponent / (exponent + 1.0) * a * depth)
@@ -75,21 +58,10 @@ def power_law_force(radius: ArrayLike, *, coefficient: float, exponent: float, m
 def power_law_pressure(
     r: ArrayLike, radius: ArrayLike, *, coefficient: float, exponent: float, modulus: float
 ) -> Array:
-    """Return the pressure p(r) [Pa] under f = c r^n; zero outside the contact.
+    """Return the pressure p(r) [Pa] under f = c r^n; zero outside the contact; for n <= 1 infinite at r = 0.
 
     T4 with t = (x^2 - r^2)/(a^2 - r^2) is Euler's integral of a hypergeometric function,
     p = (n E* kappa_n c a^(n-1)/pi) s F(1 - n/2, 1; 3/2; s^2) with s^2 = 1 - r^2/a^2.
-
-    Parameters
-    ----------
-    r : array_like
-        Distance from the axis [m]; for n <= 1 the pressure at r = 0 is infinite.
-    radius : array_like
-        Contact radius a [m].
-    coefficient, exponent : float
-        c [m^(1-n)] and n [-].
-    modulus : float
-        E* [Pa].
     """
     r, a = np.broadcast_arrays(np.asarray(r, dtype=float), np.asarray(radius, dtype=float))
     inside = r < a
@@ -102,15 +74,6 @@ def power_law_displacement(r: ArrayLike, radius: ArrayLike, *, coefficient: floa
     """Return the surface displacement u(r) [m] of f = c r^n: d - f inside, the closed form of T3 outside.
 
     Outside, u = (2 d/pi) [asin(a/r) - (a/r) F(1/2, (n+1)/2; (n+3)/2; a^2/r^2)/(n+1)].
-
-    Parameters
-    ----------
-    r : array_like
-        Distance from the axis [m].
-    radius : array_like
-        Contact radius a [m].
-    coefficient, exponent : float
-        c [m^(1-n)] and n [-].
     """
     r, a = np.broadcast_arrays(np.asarray(r, dtype=float), np.asarray(radius, dtype=float))
     depth = power_law_depth(a, coefficient=coefficient, exponent=exponent)
@@ -121,19 +84,7 @@ def power_law_displacement(r: ArrayLike, radius: ArrayLike, *, coefficient: floa
 
 
 def quartic_pressure(r: ArrayLike, radius: ArrayLike, *, coefficient: float, modulus: float) -> Array:
-    """Return the pressure p(r) [Pa] under f = c r^4: (32 E* c/(9 pi)) (a^2 + 2 r^2) sqrt(a^2 - r^2).
-
-    Parameters
-    ----------
-    r : array_like
-        Distance from the axis [m].
-    radius : array_like
-        Contact radius a [m].
-    coefficient : float
-        c [1/m^3].
-    modulus : float
-        E* [Pa].
-    """
+    """Return the pressure p(r) [Pa] under f = c r^4: (32 E* c/(9 pi)) (a^2 + 2 r^2) sqrt(a^2 - r^2); c [1/m^3]."""
     r, a = np.asarray(r, dtype=float), np.asarray(radius, dtype=float)
     root = np.sqrt(np.maximum((a - r) * (a + r), 0.0))
     return np.asarray(32.0 * modulus * coefficient / (9.0 * np.pi) * (a**2 + 2.0 * r**2) * root)

@@ -6,6 +6,10 @@ Below the surface, with Z = z + i a and P = sqrt(r^2 + Z^2), the potentials of t
 V = 2q Im ln(Z + P), V_z = 2q Im(1/P), V_zz = -2q Im(Z/P^3), V_rz = -2qr Im(1/P^3), V_r/r = 2q Im(1/(P(P + Z))),
 psi_r/r = -2q Im(1/(P + Z)).
 
+The arguments are the radius of the punch ``radius`` a [m], ``modulus`` E* [Pa], ``depth`` d [m], ``force`` F [N], the
+distance ``r`` from the axis and the depth ``z`` >= 0 in the body [m], and of the body ``poisson`` nu [-] and
+``shear`` G [Pa].
+
 References
 ----------
 .. [1] J. Boussinesq, Application des potentiels a l'etude de l'equilibre et du mouvement des solides elastiques,
@@ -33,62 +37,22 @@ __all__ = [
 
 
 def flat_punch_stiffness(radius: ArrayLike, *, modulus: float) -> Array:
-    """Return the stiffness k = 2 E* a [N/m] of a flat punch.
-
-    Parameters
-    ----------
-    radius : array_like
-        Radius of the punch a [m].
-    modulus : float
-        E* [Pa].
-    """
+    """Return the stiffness k = 2 E* a [N/m] of a flat punch."""
     return np.asarray(2.0 * modulus * np.asarray(radius, dtype=float))
 
 
 def flat_punch_force(depth: ArrayLike, *, radius: float, modulus: float) -> Array:
-    """Return the force F(d) [N] on a flat punch.
-
-    Parameters
-    ----------
-    depth : array_like
-        d [m].
-    radius : float
-        Radius of the punch a [m].
-    modulus : float
-        E* [Pa].
-    """
+    """Return the force F(d) [N] on a flat punch."""
     return np.asarray(flat_punch_stiffness(radius, modulus=modulus) * np.asarray(depth, dtype=float))
 
 
 def flat_punch_depth(force: ArrayLike, *, radius: float, modulus: float) -> Array:
-    """Return the depth d(F) [m] of a flat punch.
-
-    Parameters
-    ----------
-    force : array_like
-        F [N].
-    radius : float
-        Radius of the punch a [m].
-    modulus : float
-        E* [Pa].
-    """
+    """Return the depth d(F) [m] of a flat punch."""
     return np.asarray(np.asarray(force, dtype=float) / flat_punch_stiffness(radius, modulus=modulus))
 
 
 def flat_punch_pressure(r: ArrayLike, radius: ArrayLike, *, depth: float, modulus: float) -> Array:
-    """Return the pressure p(r) [Pa] under a flat punch: infinite at the edge, zero outside.
-
-    Parameters
-    ----------
-    r : array_like
-        Distance from the axis [m].
-    radius : array_like
-        Radius of the punch a [m].
-    depth : float
-        d [m].
-    modulus : float
-        E* [Pa].
-    """
+    """Return the pressure p(r) [Pa] under a flat punch: infinite at the edge, zero outside."""
     r, a = np.broadcast_arrays(np.asarray(r, dtype=float), np.asarray(radius, dtype=float))
     inside = r < a
     root = np.sqrt(np.where(inside, (a - r) * (a + r), 1.0))
@@ -96,17 +60,7 @@ def flat_punch_pressure(r: ArrayLike, radius: ArrayLike, *, depth: float, modulu
 
 
 def flat_punch_displacement(r: ArrayLike, radius: ArrayLike, *, depth: float) -> Array:
-    """Return the surface displacement u(r) [m] of a flat punch, inside and outside.
-
-    Parameters
-    ----------
-    r : array_like
-        Distance from the axis [m].
-    radius : array_like
-        Radius of the punch a [m].
-    depth : float
-        d [m].
-    """
+    """Return the surface displacement u(r) [m] of a flat punch, inside and outside."""
     r, a = np.asarray(r, dtype=float), np.asarray(radius, dtype=float)
     return np.asarray(2.0 / np.pi * depth * np.arcsin(a / np.maximum(r, a)))
 
@@ -114,21 +68,7 @@ def flat_punch_displacement(r: ArrayLike, radius: ArrayLike, *, depth: float) ->
 def flat_punch_subsurface(
     r: ArrayLike, z: ArrayLike, radius: float, *, force: float, poisson: float, shear: float
 ) -> Interior:
-    """Return stresses and displacements below a flat punch, in closed form.
-
-    Parameters
-    ----------
-    r, z : array_like
-        Places [m] in the body z >= 0, not on the edge itself.
-    radius : float
-        Radius of the punch a [m].
-    force : float
-        F [N].
-    poisson : float
-        nu [-] of the body.
-    shear : float
-        G [Pa] of the body.
-    """
+    """Return stresses and displacements below a flat punch, in closed form; not on the edge itself."""
     r, z = np.broadcast_arrays(np.asarray(r, dtype=float), np.asarray(z, dtype=float))
     load = force / (2.0 * radius)
     big_z = z + 1j * radius

@@ -8,6 +8,10 @@ with a common tangent at r = b.  The spherical tip, f' = r / sqrt(R^2 - r^2) up 
           F = E^*\Bigl[(R^2+a^2)\ln\frac{R+a}{m+n} + mn - aR\Bigr]
               + \frac{E^*}{\tan\theta}\Bigl[a^2\arccos\frac ba + bn\Bigr]_{x=a}.
 
+The arguments are the contact radius ``radius`` a [m], the distance ``r`` from the axis [m], ``modulus`` E* [Pa], of
+the punch ``flat_radius`` b and ``edge_radius`` R [m], and of the cones ``curvature_radius`` R of the tip [m] and
+``half_angle`` from the axis [rad].
+
 References
 ----------
 .. [1] M. Ciavarella, Indentation by nominally flat or conical indenters with rounded corners, Int. J. Solids
@@ -42,12 +46,7 @@ __all__ = [
 def rounded_punch_depth(radius: ArrayLike, *, flat_radius: float, edge_radius: float) -> Array:
     """Return the depth d(a) = g(a) [m] of f = (r - b)^2/(2 R) beyond b, (a/R)[sqrt(a^2 - b^2) - b acos(b/a)].
 
-    Parameters
-    ----------
-    radius : array_like
-        Contact radius a [m]; the depth is zero up to the flat radius.  Near it the bracket cancels.
-    flat_radius, edge_radius : float
-        b and R [m].
+    Zero up to the flat radius, near which the bracket cancels.
     """
     a, b = np.asarray(radius, dtype=float), flat_radius
     return np.asarray(a * (leg(a, b) - b * angle(a, b)) / edge_radius)
@@ -56,14 +55,7 @@ def rounded_punch_depth(radius: ArrayLike, *, flat_radius: float, edge_radius: f
 def rounded_punch_force(radius: ArrayLike, *, flat_radius: float, edge_radius: float, modulus: float) -> Array:
     """Return the force F(a) [N] on a rounded punch, (E*/3R)[sqrt(a^2-b^2)(4a^2-b^2) - 3 a^2 b acos(b/a)].
 
-    Parameters
-    ----------
-    radius : array_like
-        Contact radius a [m]; beyond the flat radius.
-    flat_radius, edge_radius : float
-        b and R [m].
-    modulus : float
-        E* [Pa].
+    Beyond the flat radius.
     """
     a, b = np.asarray(radius, dtype=float), flat_radius
     shape = leg(a, b) * (4.0 * a**2 - b**2) - 3.0 * a**2 * b * angle(a, b)
@@ -71,17 +63,7 @@ def rounded_punch_force(radius: ArrayLike, *, flat_radius: float, edge_radius: f
 
 
 def rounded_punch_displacement(r: ArrayLike, radius: ArrayLike, *, flat_radius: float, edge_radius: float) -> Array:
-    """Return the surface displacement u(r) [m] of a rounded punch, a > b.
-
-    Parameters
-    ----------
-    r : array_like
-        Distance from the axis [m].
-    radius : array_like
-        Contact radius a [m].
-    flat_radius, edge_radius : float
-        b and R [m].
-    """
+    """Return the surface displacement u(r) [m] of a rounded punch, a > b."""
     r, a = np.broadcast_arrays(np.asarray(r, dtype=float), np.asarray(radius, dtype=float))
     b, beyond = flat_radius, np.maximum(r, a)
     depth = rounded_punch_depth(a, flat_radius=b, edge_radius=edge_radius)
@@ -91,17 +73,7 @@ def rounded_punch_displacement(r: ArrayLike, radius: ArrayLike, *, flat_radius: 
 
 
 def rounded_cone_depth(radius: ArrayLike, *, curvature_radius: float, half_angle: float) -> Array:
-    """Return the depth d(a) = g(a) [m] of a cone with a tangent parabolic tip, which ends at b = R/tan.
-
-    Parameters
-    ----------
-    radius : array_like
-        Contact radius a [m].
-    curvature_radius : float
-        R of the tip [m].
-    half_angle : float
-        From the axis [rad].
-    """
+    """Return the depth d(a) = g(a) [m] of a cone with a tangent parabolic tip, which ends at b = R/tan."""
     a, rise = np.asarray(radius, dtype=float), 1.0 / math.tan(half_angle)
     b = curvature_radius * rise
     # a/b - sqrt(a^2/b^2 - 1) = b/(a + sqrt(a^2 - b^2)); before b it is a/b
@@ -110,19 +82,7 @@ def rounded_cone_depth(radius: ArrayLike, *, curvature_radius: float, half_angle
 
 
 def rounded_cone_force(radius: ArrayLike, *, curvature_radius: float, half_angle: float, modulus: float) -> Array:
-    """Return the force F(a) [N] on a cone with a tangent parabolic tip; Hertz's up to a = b.
-
-    Parameters
-    ----------
-    radius : array_like
-        Contact radius a [m].
-    curvature_radius : float
-        R of the tip [m].
-    half_angle : float
-        From the axis [rad].
-    modulus : float
-        E* [Pa].
-    """
+    """Return the force F(a) [N] on a cone with a tangent parabolic tip; Hertz's up to a = b."""
     a, rise = np.asarray(radius, dtype=float), 1.0 / math.tan(half_angle)
     b = curvature_radius * rise
     inner, rest = np.minimum(b / np.maximum(a, b), 1.0), leg(a, b)
@@ -132,19 +92,7 @@ def rounded_cone_force(radius: ArrayLike, *, curvature_radius: float, half_angle
 
 
 def rounded_cone_displacement(r: ArrayLike, radius: ArrayLike, *, curvature_radius: float, half_angle: float) -> Array:
-    """Return the surface displacement u(r) [m] of a cone with a tangent parabolic tip, a > b.
-
-    Parameters
-    ----------
-    r : array_like
-        Distance from the axis [m].
-    radius : array_like
-        Contact radius a [m].
-    curvature_radius : float
-        R of the tip [m].
-    half_angle : float
-        From the axis [rad].
-    """
+    """Return the surface displacement u(r) [m] of a cone with a tangent parabolic tip, a > b."""
     r, a = np.broadcast_arrays(np.asarray(r, dtype=float), np.asarray(radius, dtype=float))
     rise = 1.0 / math.tan(half_angle)
     b, beyond = curvature_radius * rise, np.maximum(r, a)
@@ -159,14 +107,7 @@ def rounded_cone_displacement(r: ArrayLike, radius: ArrayLike, *, curvature_radi
 def sphero_conical_depth(radius: ArrayLike, *, curvature_radius: float, half_angle: float) -> Array:
     """Return the depth d(a) = g(a) [m] of a cone with a tangent spherical tip, which ends at b = R cos.
 
-    Parameters
-    ----------
-    radius : array_like
-        Contact radius a [m]; may exceed R.
-    curvature_radius : float
-        R of the tip [m].
-    half_angle : float
-        From the axis [rad].
+    The contact radius may exceed R.
     """
     a, big = np.asarray(radius, dtype=float), curvature_radius
     b, m = big * math.cos(half_angle), big * math.sin(half_angle)
@@ -177,19 +118,7 @@ def sphero_conical_depth(radius: ArrayLike, *, curvature_radius: float, half_ang
 
 
 def sphero_conical_force(radius: ArrayLike, *, curvature_radius: float, half_angle: float, modulus: float) -> Array:
-    """Return the force F(a) [N] on a cone with a tangent spherical tip; the sphere's up to a = b.
-
-    Parameters
-    ----------
-    radius : array_like
-        Contact radius a [m]; may exceed R.
-    curvature_radius : float
-        R of the tip [m].
-    half_angle : float
-        From the axis [rad].
-    modulus : float
-        E* [Pa].
-    """
+    """Return the force F(a) [N] on a cone with a tangent spherical tip; the sphere's up to a = b; a may exceed R."""
     a, big = np.asarray(radius, dtype=float), curvature_radius
     b, m = big * math.cos(half_angle), big * math.sin(half_angle)
     ball = sphere_force(np.minimum(a, b), curvature_radius=big, modulus=modulus)

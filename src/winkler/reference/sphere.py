@@ -9,6 +9,11 @@ An ellipsoid of revolution (semi-axes A in the plane, B along the axis) is the s
 hyperboloid c (sqrt(1 + r^2/A^2) - 1) has d = (c/A) a atan(a/A).  For small a/R the brackets cancel; there the
 power series is summed.
 
+The arguments are the contact radius ``radius`` a [m], the distance ``r`` from the axis [m], ``modulus`` E* [Pa], of
+the sphere ``curvature_radius`` R [m], of the ellipsoid ``radial_semi_axis`` A and ``axial_semi_axis`` B [m], and of
+the hyperboloid ``curvature_radius`` R = A^2/c at the apex [m] and ``half_angle`` of the asymptotic cone, from the
+axis [rad]: c/A = 1/tan(half_angle).
+
 References
 ----------
 .. [1] C. M. Segedin, The relation between load and penetration for a spherical punch, Mathematika 4 (1957) 156-161,
@@ -53,13 +58,6 @@ def _force_series(ratio: Array, sign: float) -> Array:
 def sphere_depth(radius: ArrayLike, *, curvature_radius: float) -> Array:
     """Return the depth d(a) = g(a) [m] of a sphere, a < R.
 
-    Parameters
-    ----------
-    radius : array_like
-        Contact radius a [m].
-    curvature_radius : float
-        R [m].
-
     Examples
     --------
     >>> round(float(sphere_depth(0.5, curvature_radius=1.0)), 15)
@@ -70,17 +68,7 @@ def sphere_depth(radius: ArrayLike, *, curvature_radius: float) -> Array:
 
 
 def sphere_force(radius: ArrayLike, *, curvature_radius: float, modulus: float) -> Array:
-    """Return the force F(a) [N] on a sphere, a < R.
-
-    Parameters
-    ----------
-    radius : array_like
-        Contact radius a [m].
-    curvature_radius : float
-        R [m].
-    modulus : float
-        E* [Pa].
-    """
+    """Return the force F(a) [N] on a sphere, a < R."""
     t = np.asarray(radius, dtype=float) / curvature_radius
     small = t < SERIES_LIMIT
     closed = (1.0 + t**2) * np.arctanh(t) - t
@@ -94,15 +82,6 @@ def sphere_displacement(r: ArrayLike, radius: ArrayLike, *, curvature_radius: fl
     With w = sqrt(r^2 - a^2) and S = sqrt(R^2 - r^2) (imaginary beyond r = R, where atan turns into artanh),
     u = (2/pi) [(d - R) asin(a/r) + w artanh(a/R) + S atan(S a/(R w))].  The terms are of order a, their sum
     is of order a^2/R.
-
-    Parameters
-    ----------
-    r : array_like
-        Distance from the axis [m].
-    radius : array_like
-        Contact radius a [m].
-    curvature_radius : float
-        R [m].
     """
     r, a = np.broadcast_arrays(np.asarray(r, dtype=float), np.asarray(radius, dtype=float))
     big = curvature_radius
@@ -124,31 +103,13 @@ def sphere_displacement(r: ArrayLike, radius: ArrayLike, *, curvature_radius: fl
 
 
 def ellipsoid_depth(radius: ArrayLike, *, radial_semi_axis: float, axial_semi_axis: float) -> Array:
-    """Return the depth d(a) = g(a) [m] of an ellipsoid of revolution, a < A.
-
-    Parameters
-    ----------
-    radius : array_like
-        Contact radius a [m].
-    radial_semi_axis, axial_semi_axis : float
-        A in the plane of the surface and B along the axis [m].
-    """
+    """Return the depth d(a) = g(a) [m] of an ellipsoid of revolution, a < A."""
     stretched = axial_semi_axis / radial_semi_axis
     return np.asarray(stretched * sphere_depth(radius, curvature_radius=radial_semi_axis))
 
 
 def ellipsoid_force(radius: ArrayLike, *, radial_semi_axis: float, axial_semi_axis: float, modulus: float) -> Array:
-    """Return the force F(a) [N] on an ellipsoid of revolution, a < A.
-
-    Parameters
-    ----------
-    radius : array_like
-        Contact radius a [m].
-    radial_semi_axis, axial_semi_axis : float
-        A in the plane of the surface and B along the axis [m].
-    modulus : float
-        E* [Pa].
-    """
+    """Return the force F(a) [N] on an ellipsoid of revolution, a < A."""
     stretched = axial_semi_axis / radial_semi_axis
     return np.asarray(stretched * sphere_force(radius, curvature_radius=radial_semi_axis, modulus=modulus))
 
@@ -156,52 +117,20 @@ def ellipsoid_force(radius: ArrayLike, *, radial_semi_axis: float, axial_semi_ax
 def ellipsoid_displacement(
     r: ArrayLike, radius: ArrayLike, *, radial_semi_axis: float, axial_semi_axis: float
 ) -> Array:
-    """Return the surface displacement u(r) [m] of an ellipsoid of revolution.
-
-    Parameters
-    ----------
-    r : array_like
-        Distance from the axis [m].
-    radius : array_like
-        Contact radius a [m].
-    radial_semi_axis, axial_semi_axis : float
-        A in the plane of the surface and B along the axis [m].
-    """
+    """Return the surface displacement u(r) [m] of an ellipsoid of revolution."""
     stretched = axial_semi_axis / radial_semi_axis
     return np.asarray(stretched * sphere_displacement(r, radius, curvature_radius=radial_semi_axis))
 
 
 def hyperboloid_depth(radius: ArrayLike, *, curvature_radius: float, half_angle: float) -> Array:
-    """Return the depth d(a) = g(a) [m] of a hyperboloid of revolution.
-
-    Parameters
-    ----------
-    radius : array_like
-        Contact radius a [m].
-    curvature_radius : float
-        R = A^2/c at the apex [m].
-    half_angle : float
-        Of the asymptotic cone, from the axis [rad]: c/A = 1/tan(half_angle).
-    """
+    """Return the depth d(a) = g(a) [m] of a hyperboloid of revolution."""
     a = np.asarray(radius, dtype=float)
     rise = 1.0 / np.tan(half_angle)
     return np.asarray(rise * a * np.arctan(a / (curvature_radius * rise)))
 
 
 def hyperboloid_force(radius: ArrayLike, *, curvature_radius: float, half_angle: float, modulus: float) -> Array:
-    """Return the force F(a) [N] on a hyperboloid: (E* c/A) [(a^2 - A^2) atan(a/A) + a A].
-
-    Parameters
-    ----------
-    radius : array_like
-        Contact radius a [m].
-    curvature_radius : float
-        R = A^2/c at the apex [m].
-    half_angle : float
-        Of the asymptotic cone, from the axis [rad].
-    modulus : float
-        E* [Pa].
-    """
+    """Return the force F(a) [N] on a hyperboloid: (E* c/A) [(a^2 - A^2) atan(a/A) + a A]."""
     rise = 1.0 / np.tan(half_angle)
     scale = curvature_radius * rise
     t = np.asarray(radius, dtype=float) / scale
@@ -216,17 +145,6 @@ def hyperboloid_displacement(r: ArrayLike, radius: ArrayLike, *, curvature_radiu
 
     With w = sqrt(r^2 - a^2) and S = sqrt(r^2 + A^2),
     u = (2/pi) (c/A) [a atan(a/A) asin(a/r) + w atan(a/A) - S atan(S a/(A w)) + A asin(a/r)].
-
-    Parameters
-    ----------
-    r : array_like
-        Distance from the axis [m].
-    radius : array_like
-        Contact radius a [m].
-    curvature_radius : float
-        R = A^2/c at the apex [m].
-    half_angle : float
-        Of the asymptotic cone, from the axis [rad].
     """
     r, a = np.broadcast_arrays(np.asarray(r, dtype=float), np.asarray(radius, dtype=float))
     rise = 1.0 / np.tan(half_angle)

@@ -7,6 +7,10 @@ Their plane profiles are made of two functions that vanish for x < b,
 and so are forces, displacements and, where elliptic integrals close them, pressures; the pressure of a kinked
 shape is logarithmically infinite at r = b.
 
+The arguments are the contact radius ``radius`` a [m], the distance ``r`` from the axis [m], ``modulus`` E* [Pa],
+``flat_radius`` b [m], of the cone ``half_angle`` from the axis [rad], and of the paraboloid ``curvature_radius`` R
+[m].
+
 References
 ----------
 .. [1] G. Ejike, The stress on an elastic half-space due to sectionally smooth-ended punch, J. Elasticity 11 (1981)
@@ -61,54 +65,20 @@ def outer_arccos(r: Array, a: Array, b: float) -> Array:
 
 
 def truncated_cone_depth(radius: ArrayLike, *, half_angle: float, flat_radius: float) -> Array:
-    """Return the depth d(a) = g(a) [m] of a truncated cone, a acos(b/a)/tan(half_angle).
-
-    Parameters
-    ----------
-    radius : array_like
-        Contact radius a [m]; the depth is zero up to the flat radius.
-    half_angle : float
-        From the axis [rad].
-    flat_radius : float
-        b [m].
-    """
+    """Return the depth d(a) = g(a) [m] of a truncated cone, a acos(b/a)/tan(half_angle); zero up to the flat radius."""
     a = np.asarray(radius, dtype=float)
     return np.asarray(a * angle(a, flat_radius) / np.tan(half_angle))
 
 
 def truncated_cone_force(radius: ArrayLike, *, half_angle: float, flat_radius: float, modulus: float) -> Array:
-    """Return the force F(a) [N] on a truncated cone.
-
-    Parameters
-    ----------
-    radius : array_like
-        Contact radius a [m].
-    half_angle : float
-        From the axis [rad].
-    flat_radius : float
-        b [m].
-    modulus : float
-        E* [Pa].
-    """
+    """Return the force F(a) [N] on a truncated cone."""
     a = np.asarray(radius, dtype=float)
     shape = a**2 * angle(a, flat_radius) + flat_radius * leg(a, flat_radius)
     return np.asarray(modulus / np.tan(half_angle) * shape)
 
 
 def truncated_cone_displacement(r: ArrayLike, radius: ArrayLike, *, half_angle: float, flat_radius: float) -> Array:
-    """Return the surface displacement u(r) [m] of a truncated cone, a > b.
-
-    Parameters
-    ----------
-    r : array_like
-        Distance from the axis [m].
-    radius : array_like
-        Contact radius a [m].
-    half_angle : float
-        From the axis [rad].
-    flat_radius : float
-        b [m].
-    """
+    """Return the surface displacement u(r) [m] of a truncated cone, a > b."""
     r, a = np.broadcast_arrays(np.asarray(r, dtype=float), np.asarray(radius, dtype=float))
     rise, beyond = 1.0 / np.tan(half_angle), np.maximum(r, a)
     depth = truncated_cone_depth(a, half_angle=half_angle, flat_radius=flat_radius)
@@ -118,17 +88,7 @@ def truncated_cone_displacement(r: ArrayLike, radius: ArrayLike, *, half_angle: 
 
 
 def truncated_paraboloid_depth(radius: ArrayLike, *, curvature_radius: float, flat_radius: float) -> Array:
-    """Return the depth d(a) = g(a) [m] of a truncated paraboloid, (a/R) sqrt(a^2 - b^2).
-
-    Parameters
-    ----------
-    radius : array_like
-        Contact radius a [m]; the depth is zero up to the flat radius.
-    curvature_radius : float
-        R [m].
-    flat_radius : float
-        b [m].
-    """
+    """Return the depth d(a) = g(a) [m] of a truncated paraboloid, (a/R) sqrt(a^2 - b^2); zero up to the flat radius."""
     a = np.asarray(radius, dtype=float)
     return np.asarray(a * leg(a, flat_radius) / curvature_radius)
 
@@ -136,19 +96,7 @@ def truncated_paraboloid_depth(radius: ArrayLike, *, curvature_radius: float, fl
 def truncated_paraboloid_force(
     radius: ArrayLike, *, curvature_radius: float, flat_radius: float, modulus: float
 ) -> Array:
-    """Return the force F(a) [N] on a truncated paraboloid, (2E*/3R)(2a^2 + b^2) sqrt(a^2 - b^2).
-
-    Parameters
-    ----------
-    radius : array_like
-        Contact radius a [m].
-    curvature_radius : float
-        R [m].
-    flat_radius : float
-        b [m].
-    modulus : float
-        E* [Pa].
-    """
+    """Return the force F(a) [N] on a truncated paraboloid, (2E*/3R)(2a^2 + b^2) sqrt(a^2 - b^2)."""
     a = np.asarray(radius, dtype=float)
     shape = (2.0 * a**2 + flat_radius**2) * leg(a, flat_radius)
     return np.asarray(2.0 * modulus / (3.0 * curvature_radius) * shape)
@@ -161,19 +109,6 @@ def truncated_paraboloid_pressure(
 
     With h = max(r, b), l = min(r, b), sin(phi)^2 = (a^2 - h^2)/(a^2 - l^2) and m = l^2/h^2, T4 gives
     p = (E*/(pi R)) [2 h (F - E) + 2 a sin(phi) - (b^2/h) F]; infinite at r = b, zero outside.
-
-    Parameters
-    ----------
-    r : array_like
-        Distance from the axis [m].
-    radius : array_like
-        Contact radius a [m].
-    curvature_radius : float
-        R [m].
-    flat_radius : float
-        b [m].
-    modulus : float
-        E* [Pa].
     """
     b = flat_radius
     r, a = np.broadcast_arrays(np.asarray(r, dtype=float), np.asarray(radius, dtype=float))
@@ -193,19 +128,7 @@ def truncated_paraboloid_pressure(
 def truncated_paraboloid_displacement(
     r: ArrayLike, radius: ArrayLike, *, curvature_radius: float, flat_radius: float
 ) -> Array:
-    """Return the surface displacement u(r) [m] of a truncated paraboloid, a > b.
-
-    Parameters
-    ----------
-    r : array_like
-        Distance from the axis [m].
-    radius : array_like
-        Contact radius a [m].
-    curvature_radius : float
-        R [m].
-    flat_radius : float
-        b [m].
-    """
+    """Return the surface displacement u(r) [m] of a truncated paraboloid, a > b."""
     r, a = np.broadcast_arrays(np.asarray(r, dtype=float), np.asarray(radius, dtype=float))
     depth = truncated_paraboloid_depth(a, curvature_radius=curvature_radius, flat_radius=flat_radius)
     beyond = np.maximum(r, a)

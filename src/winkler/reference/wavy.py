@@ -5,6 +5,9 @@ r"""Concentric waves, f = h (1 - cos(k r)) with k = 2 pi / wavelength [1]_.
 H0 and H1 Struve's functions.  The contact is one disc only while g grows; added to a paraboloid it is the
 profile of Guduru.
 
+The arguments are the contact radius ``radius`` a [m], ``amplitude`` h and ``wavelength`` 2 pi/k [m], and ``modulus``
+E* [Pa].
+
 References
 ----------
 .. [1] P. R. Guduru, Detachment of a rigid solid from an elastic wavy surface: theory, J. Mech. Phys. Solids 55
@@ -22,31 +25,13 @@ __all__ = ["wavy_depth", "wavy_force"]
 
 
 def wavy_depth(radius: ArrayLike, *, amplitude: float, wavelength: float) -> Array:
-    """Return the depth d(a) = g(a) [m] of concentric waves.
-
-    Parameters
-    ----------
-    radius : array_like
-        Contact radius a [m].
-    amplitude, wavelength : float
-        h and 2 pi/k [m].
-    """
+    """Return the depth d(a) = g(a) [m] of concentric waves."""
     phase = 2.0 * np.pi / wavelength * np.asarray(radius, dtype=float)
     return np.asarray(0.5 * np.pi * amplitude * phase * struve(0.0, phase))
 
 
 def wavy_force(radius: ArrayLike, *, amplitude: float, wavelength: float, modulus: float) -> Array:
-    """Return the force F(a) [N] on concentric waves.
-
-    Parameters
-    ----------
-    radius : array_like
-        Contact radius a [m].
-    amplitude, wavelength : float
-        h and 2 pi/k [m].
-    modulus : float
-        E* [Pa].
-    """
+    """Return the force F(a) [N] on concentric waves."""
     a = np.asarray(radius, dtype=float)
     phase = 2.0 * np.pi / wavelength * a
     return np.asarray(np.pi * modulus * amplitude * a * (phase * struve(0.0, phase) - struve(1.0, phase)))

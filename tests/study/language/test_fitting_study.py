@@ -327,5 +327,5 @@ def test_a_fit_is_drawn_with_labels_and_units(here):
     assert (above.get_ylabel(), below.get_ylabel()) == ("force $F_N$ [nN]", "residual [pN]")
     shown = below.collections[0].get_offsets()
     assert np.allclose(shown[:, 1], 1e12 * result.fit.residuals)
-    with pytest.raises(InvalidInput, match="leave extent out"):
+    with pytest.raises(InvalidInput, match="no extent; leave it out"):
         draw(result.fit, extent=1.0)

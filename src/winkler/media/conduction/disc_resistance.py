@@ -96,10 +96,8 @@ class PlatedResponse:
             contrast = max(contrast, max(pair) / min(pair))
         return contrast * max(body.thickness for body in self._platings)
 
-    @property
-    def precision(self) -> float:
-        """Rounding of M."""
-        return 3e-15
+    precision = 3e-15
+    """Rounding of M."""
 
     def excess(self, xi: ComplexArray) -> ComplexArray:
         """M(xi) [-] at real or complex wave numbers (m,) [1/m]."""

@@ -68,22 +68,13 @@ def _weighted(slope: Panels, n: float, x: Array) -> Array:
     return np.asarray(whole[index] + between(edges[index], x))
 
 
+@functools.lru_cache(maxsize=64)
 def measured(profile: Measured, k: float) -> _OnPanels:
     """Return the transform of measured points."""
-    return _OnPanels(*_measured(profile, k), k)
-
-
-def designed(profile: Designed, k: float) -> _OnPanels:
-    """Return the transform of a body made to order."""
-    return _OnPanels(*_designed(profile, k), k)
-
-
-@functools.lru_cache(maxsize=64)
-def _measured(profile: Measured, k: float) -> tuple[Panels, Panels]:
     curve = profile.curve
     steepest = float(np.max(np.abs(curve.evaluate(np.linspace(0.0, curve.knots[-1], 1001), 1))))
     slope = fit_panels(lambda x: _spline_gap_slope(curve, k, x), curve.knots, TOLERANCE * steepest)
-    return slope.integral, slope
+    return _OnPanels(slope.integral, slope, k)
 
 
 def _spline_gap_slope(curve: Spline, k: float, x: Array) -> Array:
@@ -114,9 +105,11 @@ def _slope_beyond(x: Array, b: Array, k: float) -> Array:
 
 
 @functools.lru_cache(maxsize=64)
-def _designed(profile: Designed, k: float) -> tuple[Panels, Panels]:
+def designed(profile: Designed, k: float) -> _OnPanels:
+    """Return the transform of a body made to order."""
+
     def gap_slope(x: Array) -> Array:
         return graded_abel.gap_slope(profile.slope, profile.curvature, profile.joints, k, x)
 
     slope = fit_panels(gap_slope, profile.edges, profile.gap_tolerance)
-    return slope.integral, slope
+    return _OnPanels(slope.integral, slope, k)

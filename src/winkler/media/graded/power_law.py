@@ -23,7 +23,7 @@ import math
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.materials.elastic import Rigid
+from winkler.materials.elastic import RIGID, Rigid
 from winkler.materials.graded import PowerLawGraded
 from winkler.media.families import PowerLawMedium
 from winkler.media.graded.profile import transform
@@ -40,7 +40,6 @@ from winkler.values import value
 __all__ = ["GradedHalfSpace"]
 
 Body = PowerLawGraded | Rigid
-RIGID = Rigid()
 BOOKER = "J. R. Booker, N. P. Balaam, E. H. Davis, Int. J. Numer. Anal. Methods Geomech. 9 (1985) 369-381"
 
 

@@ -14,15 +14,15 @@ from typing import Protocol
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
-from winkler.materials.elastic import Elastic, Rigid, Solid
+from winkler.errors import InvalidInput
+from winkler.materials.elastic import RIGID, Elastic, Solid
 from winkler.materials.layered import Layer
 from winkler.media.families import CoatedBody, DepthVaryingMedium
 from winkler.media.interior import subsurface
 from winkler.media.layered import coated_interior, coated_load, flat_punch, punch_facts
 from winkler.media.layered.coated_load import CarriedLoad, spread
 from winkler.media.layered.layers import NormalResponse, TangentialResponse
-from winkler.media.medium import Displacement, PunchFacts
+from winkler.media.medium import Displacement, PunchFacts, rigid_body
 from winkler.media.punch_field import BodyField
 from winkler.numerics.transforms import abel, fredholm
 from winkler.numerics.transforms.cosine_transform import WaveResponse
@@ -33,7 +33,6 @@ from winkler.values import value
 
 __all__ = ["CoatedHalfSpace", "LayeredMedium"]
 
-RIGID = Rigid()
 BARBER = "J. R. Barber, Determining the contact area in elastic-indentation problems, J. Strain Anal. 9 (1974) 230-232"
 
 
@@ -154,9 +153,7 @@ class LayeredMedium(DepthVaryingMedium):
         if below:
             return self.inside(load, r, z)
         if not isinstance(second, Elastic):
-            raise OutsideValidity(
-                "The second body (z < 0) is rigid; there is no stress field in it: request the other side."
-            )
+            raise rigid_body(below)
         return subsurface.field(load, r, z, modulus=self.modulus, poisson=second.poisson, shear=second.shear)
 
 
@@ -185,6 +182,7 @@ class CoatedHalfSpace(LayeredMedium, CoatedBody):
 
     Examples
     --------
+    >>> from winkler.materials.elastic import Rigid
     >>> rubber = Elastic(young=1e6, poisson=0.5)
     >>> film = CoatedHalfSpace([Layer(rubber, thickness=1e-3)], on=Rigid())
     >>> round(float(film.punch_stiffness(np.array(1e-3)) / (2 * film.modulus * 1e-3)), 4)  # Hayes 1972: 3.609
@@ -221,15 +219,13 @@ class CoatedHalfSpace(LayeredMedium, CoatedBody):
         """Stresses and displacements in the layers and their base; arrays of one shape."""
         return coated_interior.field(load, self.layers, self.on, self.modulus, r, z)
 
-    @property
-    def notes(self) -> tuple[Note, ...]:
-        """What is assumed."""
-        return (
-            Note(
-                Assumption.RESPONSE,
-                Standing.EXACT,
-                "Frictionless contact of perfectly bonded, isotropic, linear elastic layers: k and g follow from the "
-                "flat punches of the stack without approximation, for one round contact.",
-                BARBER,
-            ),
-        )
+    notes = (
+        Note(
+            Assumption.RESPONSE,
+            Standing.EXACT,
+            "Frictionless contact of perfectly bonded, isotropic, linear elastic layers: k and g follow from the "
+            "flat punches of the stack without approximation, for one round contact.",
+            BARBER,
+        ),
+    )
+    """What is assumed."""

@@ -16,15 +16,14 @@ which goes on beyond the contact.
 
 from __future__ import annotations
 
-import functools
 import math
-from collections.abc import Callable, Hashable
-from typing import cast
+from collections.abc import Callable
 
 import numpy as np
 
 from winkler.errors import NotConverged
 from winkler.media.medium import Displacement
+from winkler.numerics.caching import cached_by_value
 from winkler.numerics.panels.sqrt_panels import RootPanels, doubled, fit, nodes
 from winkler.numerics.transforms import abel, fredholm
 from winkler.numerics.transforms.cosine_transform import WaveResponse, transform
@@ -125,10 +124,9 @@ def _size(load: CarriedLoad) -> float:
     return float(np.max(np.abs(load.displacement.value(load.radius * np.linspace(0.0, 1.0, 9)))))
 
 
-@functools.lru_cache(maxsize=64)
-def _springs(key: Hashable) -> RootPanels:
+@cached_by_value(64)
+def _springs(displacement: Displacement) -> RootPanels:
     """Return u(x) on panels: the springs are evaluated at many more places than it takes to tabulate them."""
-    displacement = cast(Displacement, key)
     a, kinks = displacement.radius, np.array([b for b, _ in displacement.kinks if b < displacement.radius])
 
     def tolerances(values: Array) -> Array:
@@ -138,14 +136,9 @@ def _springs(key: Hashable) -> RootPanels:
     return fit(lambda x: displacement.value(x)[None], np.unique(edges), kinks, tolerances)
 
 
+@cached_by_value(128)
 def _panels(load: CarriedLoad) -> RootPanels:
-    return _tabulated(cast(Hashable, load))
-
-
-@functools.lru_cache(maxsize=128)
-def _tabulated(key: Hashable) -> RootPanels:
     """Return the integral over rho w and its derivative by x."""
-    load = cast(CarriedLoad, key)
     a, kinks = load.radius, np.array([b for b, _ in load.displacement.kinks if b < load.radius])
     near_edge = a - _steps(load.response, a)
     edges = np.unique(np.concatenate([[0.0, a], doubled(list(kinks), a), near_edge[near_edge > 0.0]]))
@@ -193,7 +186,7 @@ def _settled(sums: Callable[[int, Array], Array], x: Array, least: Array, aim: f
 
 
 def _rho_sums(load: CarriedLoad, x: Array, kinks: Array, count: int) -> Array:
-    a, response, springs = load.radius, load.response, _springs(cast(Hashable, load.displacement))
+    a, response, springs = load.radius, load.response, _springs(load.displacement)
     steps, fixed = _steps(response, a), doubled(list(kinks), a)
     result = np.empty((2, x.size))
     width = max(1, PAIRS_PER_CHUNK // (count * (steps.size + fixed.size + 5)))
@@ -208,14 +201,9 @@ def _rho_sums(load: CarriedLoad, x: Array, kinks: Array, count: int) -> Array:
     return result
 
 
+@cached_by_value(64)
 def spread(load: CarriedLoad, octave: int, order: int = 0) -> RootPanels:
     """Return K phi, or its slope (order 1), from the axis to 2^octave contact radii."""
-    return _spread(cast(Hashable, load), octave, order)
-
-
-@functools.lru_cache(maxsize=64)
-def _spread(key: Hashable, octave: int, order: int) -> RootPanels:
-    load = cast(CarriedLoad, key)
     a = load.radius
     end = a * 2.0**octave
     steps = _steps(load.response, end)
@@ -227,7 +215,7 @@ def _spread(key: Hashable, octave: int, order: int) -> RootPanels:
     kinks = np.array([b for b, _ in load.kinks])
     panels = np.unique(np.concatenate([doubled(list(kinks), a), a - steps[steps < a]]))
     least = np.array([_size(load) / a**order])
-    springs = _springs(cast(Hashable, load.displacement))
+    springs = _springs(load.displacement)
 
     def line_load(t: Array) -> Array:
         return np.asarray(fredholm.edge(load.response, t) * springs(t)[0] - _panels(load)(t)[0])

@@ -14,7 +14,7 @@ from typing import Annotated
 
 from winkler.checks.number_checks import between
 from winkler.materials.depth_grading import DepthGrading
-from winkler.materials.elastic import Rigid, Solid
+from winkler.materials.elastic import RIGID, Solid
 from winkler.media.layered import depth_interior
 from winkler.media.layered.coated import LayeredMedium
 from winkler.media.layered.coated_load import CarriedLoad
@@ -26,7 +26,6 @@ from winkler.values import value, words
 
 __all__ = ["DepthGradedHalfSpace"]
 
-RIGID = Rigid()
 LEAST_TOLERANCE, LARGEST_TOLERANCE = 1e-7, 1e-2
 
 

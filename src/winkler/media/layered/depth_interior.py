@@ -14,8 +14,7 @@ polynomials, octave by octave, and evaluated at the many wave numbers of the int
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterator
-from typing import cast
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -118,7 +117,7 @@ def _states(
         edges.append(2.0 * edges[-1])
     bounds = np.array(edges)
     samples = fit_nodes(bounds)
-    cells = mesh(cast(Hashable, grading), tolerance, 0.25 / bounds[-1], tuple(float(z) for z in depths))
+    cells = mesh(grading, tolerance, 0.25 / bounds[-1], tuple(float(z) for z in depths))
     for depth, amplitudes in _amplitudes(cells, samples.ravel(), depths):
         last = int(np.searchsorted(xi, DECAY_DEPTH / depth)) if depth > 0.0 else xi.size
         scaled = amplitudes * np.exp(np.minimum(samples.ravel() * depth, 2.0 * DECAY_DEPTH))

@@ -17,14 +17,14 @@ Going up it grows with the field it carries, so that nothing cancels.
 
 from __future__ import annotations
 
-import functools
-from collections.abc import Hashable, Iterator
-from typing import NamedTuple, cast
+from collections.abc import Iterator
+from typing import NamedTuple
 
 import numpy as np
 
 from winkler.errors import NotConverged
 from winkler.materials.depth_grading import DepthGrading
+from winkler.numerics.caching import cached_by_value
 from winkler.numerics.types import Array, ComplexArray
 
 __all__ = [
@@ -78,8 +78,8 @@ def surface_depth(grading: DepthGrading) -> float:
     return min([grading.finest, *grading.breaks[:1]])
 
 
-@functools.lru_cache(maxsize=128)
-def mesh(key: Hashable, tolerance: float, shortest: float, depths: tuple[float, ...] = ()) -> Mesh:
+@cached_by_value(128)
+def mesh(grading: DepthGrading, tolerance: float, shortest: float, depths: tuple[float, ...] = ()) -> Mesh:
     """Return cells so fine that the compliance of the surface errs by less than a part `tolerance`.
 
     Parameters
@@ -98,7 +98,6 @@ def mesh(key: Hashable, tolerance: float, shortest: float, depths: tuple[float, 
     NotConverged
         If more than 3000 cells would be needed.
     """
-    grading = cast(DepthGrading, key)
     reach = grading.settled_at(0.1 * tolerance)
     part = COARSEST_CELL
     xi = np.geomspace(1e-3 / reach, 1.0 / shortest, SAMPLED_WAVES)

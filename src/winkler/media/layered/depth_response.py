@@ -14,13 +14,11 @@ A flat punch of any radius is then stiffer or softer by less than a part :math:`
 from __future__ import annotations
 
 import functools
-from collections.abc import Hashable
-from typing import cast
 
 import numpy as np
 
 from winkler.materials.depth_grading import DepthGrading
-from winkler.materials.elastic import Elastic, Rigid, Solid
+from winkler.materials.elastic import RIGID, Elastic, Solid
 from winkler.media.layered.depth_recursion import (
     Mesh,
     mesh,
@@ -28,6 +26,7 @@ from winkler.media.layered.depth_recursion import (
     surface_compliance_across,
     surface_depth,
 )
+from winkler.numerics.caching import cached_by_value
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values import value
 
@@ -49,7 +48,7 @@ def solid_at(grading: DepthGrading, depth: float = 0.0) -> Elastic:
 
 
 def _cells(grading: DepthGrading, tolerance: float) -> Mesh:
-    return mesh(cast(Hashable, grading), tolerance, surface_depth(grading) / (SERIES_WAVE_NUMBER * SERIES_SPAN))
+    return mesh(grading, tolerance, surface_depth(grading) / (SERIES_WAVE_NUMBER * SERIES_SPAN))
 
 
 class _DepthResponse:
@@ -71,7 +70,7 @@ class _DepthResponse:
     @functools.cached_property
     def length(self) -> float:
         """Delta [m]: M tends to zero like exp(-2 xi length)."""
-        return _rounding(cast(Hashable, self))
+        return _rounding(self)
 
     @functools.cached_property
     def span(self) -> float:
@@ -99,25 +98,23 @@ class _DepthResponse:
         result[~short] = self._own(xi[~short])
         if short.any():
             shorter = limit / xi[short]
-            result[short] = shorter * np.polyval(_series(cast(Hashable, self))[::-1], shorter)
+            result[short] = shorter * np.polyval(_series(self)[::-1], shorter)
         return np.asarray(self._share * result * (1.0 + np.expm1(-2.0 * xi * self.length) ** 3))
 
 
-@functools.lru_cache(maxsize=128)
-def _series(key: Hashable) -> Array:
+@cached_by_value(128)
+def _series(response: _DepthResponse) -> Array:
     """Return the coefficients of M = sum over j of c_j (xi_1 / xi)^(j+1)."""
-    response = cast(_DepthResponse, key)
     angle = np.pi * (np.arange(4 * SERIES_TERMS) + 0.5) / (4 * SERIES_TERMS)
     shorter = 1.0 / SERIES_SPAN + (1.0 - 1.0 / SERIES_SPAN) * np.cos(0.5 * angle) ** 2
     own = response._own(SERIES_WAVE_NUMBER / surface_depth(response.grading) / shorter)
     return np.asarray(np.linalg.lstsq(np.vander(shorter, SERIES_TERMS, increasing=True), own / shorter, rcond=None)[0])
 
 
-@functools.lru_cache(maxsize=128)
-def _rounding(key: Hashable) -> float:
-    response = cast(_DepthResponse, key)
+@cached_by_value(128)
+def _rounding(response: _DepthResponse) -> float:
     limit = SERIES_WAVE_NUMBER / surface_depth(response.grading)
-    fall = abs(float(_series(key)[0])) * limit
+    fall = abs(float(_series(response)[0])) * limit
     # a grading that starts flat has no logarithm: the next terms of the series are then rounded off
     xi = limit * np.geomspace(1e-2, SERIES_SPAN, 60)
     fall = max(fall, float(np.max(np.abs(response._own(xi)) * xi)) * 1e-3)
@@ -141,7 +138,7 @@ class NormalDepthResponse(_DepthResponse):
     """
 
     grading: DepthGrading
-    second: Solid = Rigid()
+    second: Solid = RIGID
     tolerance: float = 1e-6
 
     @property
@@ -166,7 +163,7 @@ class TangentialDepthResponse(_DepthResponse):
     """The same for a tangential load, averaged over its angle with the wave: 1 + M(xi) = C_T(xi) G* xi / 2."""
 
     grading: DepthGrading
-    second: Solid = Rigid()
+    second: Solid = RIGID
     tolerance: float = 1e-6
 
     @property

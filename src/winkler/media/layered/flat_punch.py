@@ -14,13 +14,12 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Hashable
-from typing import cast
 
 import numpy as np
 
 from winkler.errors import NotConverged
 from winkler.media.layered.smooth_moments import smooth_moments
+from winkler.numerics.caching import cached_by_value
 from winkler.numerics.panels.sqrt_panels import RootPanels, doubled, fit, nodes
 from winkler.numerics.transforms import fredholm, punch_tables
 from winkler.numerics.transforms.cosine_transform import WaveResponse, in_own_lengths, scaled_response
@@ -105,7 +104,7 @@ def _moments(response: WaveResponse, profile: Profile, x: Array) -> Array:
     own, unit = in_own_lengths(response)
     coefficient, exponent = _power(profile)
     if exponent == 0.0:
-        return _moments_of(response if unit == 1.0 else scaled_response(cast(Hashable, own), unit), profile, x)
+        return _moments_of(response if unit == 1.0 else scaled_response(own, unit), profile, x)
     height = coefficient * unit**exponent
     scales = np.array([height, height / unit, height * unit]).reshape(3, *([1] * x.ndim))
     return np.asarray(scales * _moments_of(own, _unit_power(exponent), x / unit))
@@ -134,17 +133,16 @@ def _moments_of(response: WaveResponse, profile: Profile, x: Array) -> Array:
         if octave == LOWEST_OCTAVE:
             result[2, members] = profile.gap_integral(flat[members])
             continue
-        steep = flat[members] > _table_end(cast(Hashable, profile))
+        steep = flat[members] > _table_end(profile)
         for chosen, moments in ((members[steep], _directly), (members[~steep], _tabulated)):
             if chosen.size:
                 result[:, chosen] = moments(response, profile, int(octave), flat[chosen])
     return result.reshape(3, *x.shape)
 
 
-@functools.lru_cache(maxsize=256)
-def _table_end(body: Hashable) -> float:
+@cached_by_value(256)
+def _table_end(profile: Profile) -> float:
     """Return up to where the moments are tabulated: not quite to the equator of a sphere, where it is vertical."""
-    profile = cast(Profile, body)
     end = _end(profile)
     if not math.isfinite(end):
         return end
@@ -154,18 +152,17 @@ def _table_end(body: Hashable) -> float:
 
 
 def _tabulated(response: WaveResponse, profile: Profile, octave: int, a: Array) -> Array:
-    return _octave(cast(Hashable, response), cast(Hashable, profile), octave)(a)
+    return _octave(response, profile, octave)(a)
 
 
 def _directly(response: WaveResponse, profile: Profile, octave: int, a: Array) -> Array:
     return _integrated(response, profile, a, punch_tables.tables(response, octave)[-1].panels)
 
 
-@functools.lru_cache(maxsize=512)
-def _octave(key: Hashable, body: Hashable, octave: int) -> RootPanels:
-    response, profile = cast(WaveResponse, key), cast(Profile, body)
+@cached_by_value(512)
+def _octave(response: WaveResponse, profile: Profile, octave: int) -> RootPanels:
     high = punch_tables.first_radius(response) * 2.0**octave
-    low, high = 0.5 * high, min(high, _table_end(body))
+    low, high = 0.5 * high, min(high, _table_end(profile))
     kinks = np.array([b for b, _ in profile.kinks if b < high])
     steps = [table.high for table in punch_tables.tables(response, octave) if low < table.high < high]
     edges = np.unique(np.concatenate([[low, high], kinks[kinks > low], steps]))
@@ -194,7 +191,7 @@ def _integrated(response: WaveResponse, profile: Profile, a: Array, panels: Arra
     """Integrate over the springs of contacts with radii a ``(m,)`` of one octave, which has these panels of x/a."""
     kinks = np.array([b for b, _ in profile.kinks if b < np.max(a)])
     inner, end = doubled(list(kinks), float(np.max(a))), _end(profile)
-    if np.max(a) > 0.5 * end > 0.5 * _table_end(cast(Hashable, profile)):  # where the profile ends it is vertical
+    if np.max(a) > 0.5 * end > 0.5 * _table_end(profile):  # where the profile ends it is vertical
         inner = np.concatenate([inner, end * (1.0 - 0.5 ** np.arange(1, 49))])
     edges = np.concatenate([np.minimum(inner, a[:, None]), a[:, None] * panels], axis=1)
     edges.sort(axis=1)

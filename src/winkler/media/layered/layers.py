@@ -20,7 +20,7 @@ from typing import NamedTuple, Self
 
 import numpy as np
 
-from winkler.materials.elastic import Elastic, Rigid, Solid
+from winkler.materials.elastic import RIGID, Elastic, Rigid, Solid
 from winkler.materials.layered import Layer
 from winkler.media.layered.blocks import Four, add, four, invert, matrix, scaled, stacked, times
 from winkler.numerics.types import ComplexArray
@@ -202,10 +202,8 @@ class _LayeredResponse:
         """The same: the kernel has no logarithm [m]."""
         return self.length
 
-    @property
-    def precision(self) -> float:
-        """Rounding of M, relative to its largest value."""
-        return 3e-14
+    precision = 3e-14
+    """Rounding of M, relative to its largest value."""
 
     @property
     def span(self) -> float:
@@ -232,7 +230,7 @@ class NormalResponse(_LayeredResponse):
 
     layers: tuple[Layer, ...]
     on: Solid
-    second: Solid = Rigid()
+    second: Solid = RIGID
 
     @property
     def own(self) -> tuple[NormalResponse, float]:
@@ -265,7 +263,7 @@ class TangentialResponse(_LayeredResponse):
 
     layers: tuple[Layer, ...]
     on: Solid
-    second: Solid = Rigid()
+    second: Solid = RIGID
 
     @property
     def own(self) -> tuple[TangentialResponse, float]:

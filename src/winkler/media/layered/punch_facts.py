@@ -13,14 +13,12 @@ Both are sampled, octave by octave, and cached by value.
 
 from __future__ import annotations
 
-import functools
 import math
-from collections.abc import Hashable
-from typing import cast
 
 import numpy as np
 
 from winkler.media.medium import LEAST_SURFACE_RISE, PunchFacts
+from winkler.numerics.caching import cached_by_value
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.sqrt_panels import root
 from winkler.numerics.transforms import fredholm, punch_tables
@@ -48,28 +46,26 @@ def facts(response: WaveResponse, radius: float) -> PunchFacts:
     radius /= unit
     pull, least, most, flat_beyond = math.inf, LEAST_SURFACE_RISE, 1.0, 0.0
     for octave in range(max(int(punch_tables.octave_of(response, np.array([radius]))[0]), 0), -1, -1):
-        if _weight_of_octave(cast(Hashable, response), octave) < SMALL_KERNEL_INTEGRAL:
+        if _weight_of_octave(response, octave) < SMALL_KERNEL_INTEGRAL:
             break  # and so are all narrower ones
-        first, low, high, far = _octave(cast(Hashable, response), octave)
+        first, low, high, far = _octave(response, octave)
         pull, least, most, flat_beyond = min(pull, first), min(least, low), max(most, high), max(flat_beyond, far)
     return PunchFacts(
         pulls=bool(pull < radius), least=least, most=most, gives_separation=False, flat_beyond=unit * flat_beyond
     )
 
 
-@functools.lru_cache(maxsize=512)
-def _octave(key: Hashable, octave: int) -> tuple[float, float, float, float]:
+@cached_by_value(512)
+def _octave(response: WaveResponse, octave: int) -> tuple[float, float, float, float]:
     """Return up to which radius no punch of an octave pulls, and what `_outside` returns for its widest."""
-    response = cast(WaveResponse, key)
     tables = punch_tables.tables(response, octave)
     pull = min(_first_pull(table) for table in tables)
     return pull, *_outside(response, tables[-1])
 
 
-@functools.lru_cache(maxsize=512)
-def _weight_of_octave(key: Hashable, octave: int) -> float:
+@cached_by_value(512)
+def _weight_of_octave(response: WaveResponse, octave: int) -> float:
     """Return the weight of the widest punch of an octave of radii."""
-    response = cast(WaveResponse, key)
     return _weight(response, punch_tables.first_radius(response) * 2.0**octave)
 
 

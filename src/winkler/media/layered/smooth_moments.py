@@ -12,11 +12,11 @@ before costs nothing but its samples.
 from __future__ import annotations
 
 import functools
-from collections.abc import Hashable
-from typing import NamedTuple, cast
+from typing import NamedTuple
 
 import numpy as np
 
+from winkler.numerics.caching import cached_by_value
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.transforms import fredholm, punch_tables
 from winkler.numerics.transforms.cosine_transform import WaveResponse, in_own_lengths
@@ -68,7 +68,7 @@ def smooth_moments(response: WaveResponse, profile: Profile, octave: int, a: Arr
     result = np.zeros((3, a.size))
     if not holds.any():
         return result, holds
-    rules, octave_tables = _rules(cast(Hashable, own), max(octave, 0)), punch_tables.tables(response, octave)
+    rules, octave_tables = _rules(own, max(octave, 0)), punch_tables.tables(response, octave)
     which = np.searchsorted([table.high for table in octave_tables[:-1]], a)
     for index, (table, rule) in enumerate(zip(octave_tables, rules, strict=True)):
         (mine,) = np.nonzero((which == index) & holds)
@@ -101,15 +101,15 @@ def _tail() -> Array:
     return np.asarray(weights[:, None] * basis * (2.0 * order + 1.0))
 
 
-@functools.lru_cache(maxsize=256)
-def _rules(key: Hashable, octave: int) -> tuple[MomentRule, ...]:
+@cached_by_value(256)
+def _rules(key: WaveResponse, octave: int) -> tuple[MomentRule, ...]:
     """Return the rules of an octave of radii, for all parts of its tables."""
     legendre, chebyshev = np.polynomial.legendre, np.polynomial.chebyshev
     xi, weights = gauss_legendre(SAMPLES)
     order = np.arange(SAMPLES)
     to_series = (weights[:, None] * legendre.legvander(2.0 * xi - 1.0, SAMPLES - 1) * (2.0 * order + 1.0)).T
     rules = []
-    for table in punch_tables.tables(cast(WaveResponse, key), octave):
+    for table in punch_tables.tables(key, octave):
         degree = table.rho.shape[2]
         count = (degree + SAMPLES) // 2 + 1  # exact for both polynomials
         ratio, shares = panel_nodes(table.panels, count)

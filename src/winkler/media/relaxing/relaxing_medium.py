@@ -94,29 +94,12 @@ class RelaxingMedium:
         """What is known of all flat punches up to this radius [m]."""
         return self.elastic.punch_facts(radius)
 
-    def gap_load(self, profile: Profile, radius: Array) -> Array:
+    def _changing(self, *_: Any, **__: Any) -> Any:
         """There is none that would hold at all times."""
         raise self.timeless()
 
-    def punch_stiffness(self, radius: Array) -> Array:
-        """There is none that would hold at all times."""
-        raise self.timeless()
-
-    def punch_pressure(self, r: Array, radius: Array) -> Array:
-        """There is none that would hold at all times."""
-        raise self.timeless()
-
-    def normal_stiffness(self, x: Array) -> Array:
-        """There is none that would hold at all times."""
-        raise self.timeless()
-
-    def normal_stiffness_slope(self, x: Array) -> Array:
-        """There is none that would hold at all times."""
-        raise self.timeless()
-
-    def tangential_stiffness(self, x: Array) -> Array:
-        """There is none that would hold at all times."""
-        raise self.timeless()
+    gap_load = punch_stiffness = punch_pressure = _changing
+    normal_stiffness = normal_stiffness_slope = tangential_stiffness = _changing
 
     def pressure(self, displacement: Displacement, r: Array) -> Array:
         """p(r) [Pa] of springs with a history."""

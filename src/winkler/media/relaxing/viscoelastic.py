@@ -16,11 +16,11 @@ import functools
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.materials.elastic import Elastic, Rigid
+from winkler.materials.elastic import RIGID, Elastic, Rigid
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.media.halfspace import HalfSpace, HomogeneousMedium
 from winkler.media.interior import subsurface
-from winkler.media.medium import Displacement
+from winkler.media.medium import Displacement, rigid_body
 from winkler.media.punch_field import BodyField
 from winkler.media.relaxing.relaxing_medium import LEE, RelaxingMedium
 from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries, of_creep, of_relaxation
@@ -30,7 +30,6 @@ from winkler.values import value
 
 __all__ = ["ViscoelasticHalfSpace"]
 
-RIGID = Rigid()
 UNIT_HALF_SPACE = HalfSpace(Elastic(0.75, 0.5))
 """E* = 1 Pa."""
 
@@ -112,18 +111,16 @@ class ViscoelasticHalfSpace(RelaxingMedium, HomogeneousMedium):
         """There is none that would hold at all times."""
         raise self.timeless()
 
-    @property
-    def notes(self) -> tuple[Note, ...]:
-        """What is assumed."""
-        return (
-            Note(
-                Assumption.RESPONSE,
-                Standing.EXACT,
-                "Linear viscoelastic half-spaces with Poisson's ratios that do not change in time, without friction "
-                "and inertia: while the contact is one disc, the springs give the three-dimensional solution itself.",
-                LEE,
-            ),
-        )
+    notes = (
+        Note(
+            Assumption.RESPONSE,
+            Standing.EXACT,
+            "Linear viscoelastic half-spaces with Poisson's ratios that do not change in time, without friction "
+            "and inertia: while the contact is one disc, the springs give the three-dimensional solution itself.",
+            LEE,
+        ),
+    )
+    """What is assumed."""
 
     def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
         """Stresses and displacements inside the first body (`below`) or the second, at depths z >= 0 into it.
@@ -136,10 +133,7 @@ class ViscoelasticHalfSpace(RelaxingMedium, HomogeneousMedium):
         borne = self.elastic_parts(displacement)
         body, other = (self.first, self.second) if below else (self.second, self.first)
         if isinstance(body, Rigid):
-            raise OutsideValidity(
-                f"The {'first body (z > 0)' if below else 'second body (z < 0)'} is rigid; there is no stress field in "
-                "it: request the other side."
-            )
+            raise rigid_body(below)
         shear = body.shear if isinstance(body, Elastic) else 0.5 * (1.0 - body.poisson)
         stresses = [subsurface.field(part, r, z, modulus=1.0, poisson=body.poisson, shear=shear) for part in borne]
         if isinstance(body, Elastic):

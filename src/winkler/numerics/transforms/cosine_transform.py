@@ -9,14 +9,13 @@ octave.
 
 from __future__ import annotations
 
-import functools
 import math
-from collections.abc import Hashable
 from typing import Protocol, cast
 
 import numpy as np
 
 from winkler.errors import NotConverged
+from winkler.numerics.caching import cached_by_value
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.types import Array, ComplexArray
@@ -116,19 +115,15 @@ class ScaledResponse:
         return self.response.excess(xi * self.unit)
 
 
-@functools.lru_cache(maxsize=1024)
-def scaled_response(response: Hashable, unit: float) -> ScaledResponse:
+@cached_by_value(1024)
+def scaled_response(response: WaveResponse, unit: float) -> ScaledResponse:
     """Return the response of `ScaledResponse`, the same object for the same content: caches find it sooner."""
-    return ScaledResponse(cast(WaveResponse, response), unit)
+    return ScaledResponse(response, unit)
 
 
+@cached_by_value(256)
 def in_own_lengths(response: WaveResponse) -> tuple[WaveResponse, float]:
     """Return a response in its own unit of length, and the unit [m]; itself and one if it has none."""
-    return _in_own_lengths(cast(Hashable, response))
-
-
-@functools.lru_cache(maxsize=256)
-def _in_own_lengths(response: Hashable) -> tuple[WaveResponse, float]:
     return cast(tuple[WaveResponse, float], getattr(response, "own", (response, 1.0)))
 
 
@@ -155,18 +150,18 @@ def transform(response: WaveResponse, end: float) -> Panels:
     """
     own, unit = in_own_lengths(response)
     octave = max(0, math.ceil(math.log2(end / unit / own.length)))
-    return _stretched(cast(Hashable, own), octave, unit)
+    return _stretched(own, octave, unit)
 
 
-@functools.lru_cache(maxsize=256)
-def _stretched(response: Hashable, octave: int, unit: float) -> Panels:
+@cached_by_value(256)
+def _stretched(response: WaveResponse, octave: int, unit: float) -> Panels:
     """Return C(x) with x in m, of a response in units of a length [m]."""
     panels = _joined(response, octave)
     return panels if unit == 1.0 else Panels(panels.edges * unit, panels.coefficients / unit)
 
 
-@functools.lru_cache(maxsize=256)
-def _joined(response: Hashable, octave: int) -> Panels:
+@cached_by_value(256)
+def _joined(response: WaveResponse, octave: int) -> Panels:
     last = _octave(response, octave)
     if octave == 0:
         return last
@@ -183,13 +178,12 @@ def _path(response: WaveResponse, low: float, high: float, angle: float) -> tupl
         end = min(end / math.cos(angle), 40.0 / (low * math.sin(angle)))
     s, weights = wave_numbers(FIRST_WAVE_NUMBER / response.span, 10.0 / high, end)
     turn = complex(math.cos(angle), math.sin(angle)) if angle > 0.0 else 1.0
-    return s * turn, _ray(cast(Hashable, response), angle)(s) * (weights * turn * (2.0 / math.pi))
+    return s * turn, _ray(response, angle)(s) * (weights * turn * (2.0 / math.pi))
 
 
-@functools.lru_cache(maxsize=256)
-def _ray(key: Hashable, angle: float) -> Panels:
+@cached_by_value(256)
+def _ray(response: WaveResponse, angle: float) -> Panels:
     """Return M along a ray from the origin: the recursion through many layers runs once, not once for every octave."""
-    response = cast(WaveResponse, key)
     turn = complex(math.cos(angle), math.sin(angle)) if angle > 0.0 else 1.0
     end = DECAY_SPAN / (response.length * math.cos(angle))
     edges = [0.0, min(FIRST_WAVE_NUMBER / response.span, end)]
@@ -210,9 +204,8 @@ def _sum(xi: ComplexArray, weights: ComplexArray, x: Array) -> Array:
     return np.concatenate(parts).reshape(np.shape(x))
 
 
-@functools.lru_cache(maxsize=1024)
-def _octave(key: Hashable, octave: int) -> Panels:
-    response = cast(WaveResponse, key)
+@cached_by_value(1024)
+def _octave(response: WaveResponse, octave: int) -> Panels:
     high = response.length * 2.0**octave
     low = 0.5 * high if octave else 0.0
     xi, weights = _path(response, low, high, PATH_ANGLES[0] if octave else 0.0)

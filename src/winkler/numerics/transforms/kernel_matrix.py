@@ -13,11 +13,11 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Callable, Hashable
-from typing import cast
+from collections.abc import Callable
 
 import numpy as np
 
+from winkler.numerics.caching import cached_by_value
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.transforms.cosine_transform import WaveResponse, transform
 from winkler.numerics.types import Array, Curve
@@ -80,7 +80,7 @@ def kernel_matrix(response: WaveResponse, a: float, halvings: int, count: int) -
     x, w = panel_nodes(a * halving_panels(halvings), count)
     matrix = _sums(kernel, x, a, halvings, count) * w
     _correct(matrix[:, :count], response, kernel, -x, 0.0, a if halvings == 0 else 0.5 * a, count)
-    hook = _first_panel_tables(cast(Hashable, response), count)
+    hook = _first_panel_tables(response, count)
     for step in range(halvings + 1):
         right, below = hook(a * 0.5**step, halvings - step)
         start, stop = step * count, (step + 1) * count
@@ -110,10 +110,10 @@ def _samples(halvings: int, count: int) -> tuple[Array, Array]:
     return 0.75 + 0.25 * s, cheb.chebvander(4.0 * x - 3.0, SAMPLES - 1) @ np.linalg.inv(cheb.chebvander(s, SAMPLES - 1))
 
 
-@functools.lru_cache(maxsize=16)
-def _first_panel_tables(key: Hashable, count: int) -> Callable[[float, int], tuple[Array, Array]]:
+@cached_by_value(16)
+def _first_panel_tables(response: WaveResponse, count: int) -> Callable[[float, int], tuple[Array, Array]]:
     """Return `_first_panel_table` of a response with a cache of its own: the response is compared only once."""
-    return functools.lru_cache(maxsize=1024)(functools.partial(_first_panel_table, cast(WaveResponse, key), count))
+    return functools.lru_cache(maxsize=1024)(functools.partial(_first_panel_table, response, count))
 
 
 def _first_panel_table(response: WaveResponse, count: int, a: float, halvings: int) -> tuple[Array, Array]:

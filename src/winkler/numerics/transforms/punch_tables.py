@@ -10,12 +10,12 @@ from __future__ import annotations
 import functools
 import itertools
 import math
-from collections.abc import Hashable
-from typing import NamedTuple, cast
+from typing import NamedTuple
 
 import numpy as np
 
 from winkler.errors import NotConverged
+from winkler.numerics.caching import cached_by_value
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.transforms.cosine_transform import WaveResponse, in_own_lengths, transform
 from winkler.numerics.transforms.kernel_matrix import halving_panels, kernel_matrix, legendre_to_chebyshev, panel_nodes
@@ -62,12 +62,11 @@ class Punches(NamedTuple):
 def first_radius(response: WaveResponse) -> float:
     """Return the end of the lowest octave [m], which reaches down to zero: a power series in a holds there."""
     own, unit = in_own_lengths(response)
-    return unit * _first_radius(cast(Hashable, own))
+    return unit * _first_radius(own)
 
 
-@functools.lru_cache(maxsize=256)
-def _first_radius(cache_key: Hashable) -> float:
-    response = cast(WaveResponse, cache_key)
+@cached_by_value(256)
+def _first_radius(response: WaveResponse) -> float:
     strength = abs(float(transform(response, response.length)(np.zeros(1))[0]))
     return 0.5 * response.length / (1.0 + response.length * strength)
 
@@ -88,18 +87,17 @@ def tables(response: WaveResponse, octave: int) -> tuple[Punches, ...]:
         If the solution does not settle.
     """
     own, unit = in_own_lengths(response)
-    return _stretched(cast(Hashable, own), max(octave, 0), unit)
+    return _stretched(own, max(octave, 0), unit)
 
 
-@functools.lru_cache(maxsize=512)
-def _stretched(cache_key: Hashable, octave: int, unit: float) -> tuple[Punches, ...]:
+@cached_by_value(512)
+def _stretched(response: WaveResponse, octave: int, unit: float) -> tuple[Punches, ...]:
     """Return the tables with radii in m, of a response in units of a length [m]."""
-    return tuple(table._replace(low=unit * table.low, high=unit * table.high) for table in _tables(cache_key, octave))
+    return tuple(table._replace(low=unit * table.low, high=unit * table.high) for table in _tables(response, octave))
 
 
-@functools.lru_cache(maxsize=512)
-def _tables(cache_key: Hashable, octave: int) -> tuple[Punches, ...]:
-    response = cast(WaveResponse, cache_key)
+@cached_by_value(512)
+def _tables(response: WaveResponse, octave: int) -> tuple[Punches, ...]:
     high = first_radius(response) * 2.0**octave
     waiting = [(0.5 * high if octave else 0.0, high, 0)]
     done: list[Punches] = []

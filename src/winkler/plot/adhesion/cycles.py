@@ -13,7 +13,7 @@ from winkler.errors import OutsideValidity
 from winkler.loading import Depth, Force, ShearForce, Shift
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.panel import Arrow, Line, Panel, PanelAxis, Polygon, note, zero
+from winkler.plot.panel import Arrow, Line, Panel, PanelAxis, Polygon, note, points, zero
 from winkler.plot.series import series, with_unit
 from winkler.problems.adhesion.cycle import AdhesiveCycle, AdhesiveCycleSolution
 from winkler.problems.adhesion.cycle_states import EdgeState
@@ -96,8 +96,7 @@ def cycle_panels(solution: AdhesiveCycleSolution) -> tuple[Panel, Panel]:
             start, stop = ((float(path.place[at]), float(content[at])) for at in (index, index + 1))
             marks.append(Arrow(start, stop, width=1.2))
         if solution.depth.size <= MOST_MARKED_POINTS:
-            points = getattr(solution, name), getattr(solution, what)
-            marks.append(Line(*points, width=0.0, marker="o", size=4.0))
+            marks.append(points(getattr(solution, name), getattr(solution, what), style.BLUE, size=4.0))
         upright = PanelAxis.of(of, margin=0.08, low=0.0 if what == "radius" else None)
         panels.append(Panel(tuple(marks), across, upright))
     lost, closed = (
@@ -186,11 +185,10 @@ def sheared_panels(solution: AdhesiveShearSolution) -> tuple[Panel, Panel]:
     for name, last in (("shear_force", limit.shear_force), ("radius", limit.radius)):
         of = series(name, getattr(whole, name))
         requested = np.abs(np.ravel(solution.shift)), np.abs(np.ravel(getattr(solution, name)))
-        end = np.array([float(limit.shift)]), np.array([float(last)])
         marks = (
             Line(shift.content, of.content),
-            Line(*requested, width=0.0, marker="o", name="requested", clipped=False),
-            Line(*end, style.RED, width=0.0, marker="o", name="instability"),
+            points(*requested, style.BLUE, name="requested", clipped=False),
+            points(limit.shift, last, name="instability"),
         )
         panels.append(Panel(marks, PanelAxis.of(shift, margin=MARGIN), PanelAxis.of(of, low=0.0)))
     return panels[0].plus(note("approximate", "upper left")), panels[1].plus(legend="lower left")

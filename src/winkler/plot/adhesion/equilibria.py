@@ -13,7 +13,7 @@ from winkler.laws.adhesion import ShortRange
 from winkler.loading import Depth, Force
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.panel import Arrow, Line, Panel, PanelAxis, Rule, note, zero
+from winkler.plot.panel import Arrow, Line, Panel, PanelAxis, Rule, note, points, zero
 from winkler.plot.series import series
 from winkler.problems.adhesion.equilibrium import Equilibrium, EquilibriumCurve
 from winkler.problems.adhesion.indentation import AdhesiveIndentation, AdhesiveSolution
@@ -107,11 +107,7 @@ def around_panel(solution: AdhesiveSolution) -> Panel:
     receding = isinstance(law, ShortRange) and law.work_closing < law.work_opening
     text = f"stability under {'fixed grips' if isinstance(problem.load, Depth) else 'a dead load'}"
     marks.append(note(f"the edge about to recede,\n{text}" if receding else text, "lower right"))
-    return equilibrium_panel(curve, jumps=False).plus(*marks, _point(depth, force, clipped=False))
-
-
-def _point(depth: float, force: float, **more: Any) -> Line:
-    return Line(np.array([depth]), np.array([force]), style.RED, width=0.0, marker="o", order=7.0, **more)
+    return equilibrium_panel(curve, jumps=False).plus(*marks, points(depth, force, order=7.0, clipped=False))
 
 
 def pull_off_panel(solution: PullOffSolution) -> Panel:
@@ -129,7 +125,7 @@ def pull_off_panel(solution: PullOffSolution) -> Panel:
     place = float(solution.depth), float(solution.force)
     look: dict[str, Any] = {"colour": style.RED, "width": 1.0, "dash": style.DASHES[2], "name": "the machine"}
     line = Rule(place[0], upright=True, **look) if math.isinf(machine) else Rule(point=place, slope=-machine, **look)
-    return equilibrium_panel(curve, jumps=False).plus(line, _point(*place, name="pull-off"))
+    return equilibrium_panel(curve, jumps=False).plus(line, points(*place, order=7.0, name="pull-off"))
 
 
 def _curve(bed: Any, law: Any, reach: float, machine: float) -> EquilibriumCurve:

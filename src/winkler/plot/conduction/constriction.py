@@ -8,14 +8,14 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity, WinklerError
+from winkler.errors import OutsideValidity, WinklerError
 from winkler.laws.current import Voltage
 from winkler.loading import Force
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.conduction.fields import conduction_map, crossing_panel
-from winkler.plot.drawing import sheet_of
-from winkler.plot.panel import Area, Line, Panel, PanelAxis, Sheet
+from winkler.plot.dispatch import without_extent
+from winkler.plot.panel import Area, Line, Panel, PanelAxis, Sheet, points
 from winkler.plot.series import Series, common_scale, middle_scale, series, with_unit
 from winkler.problems.conduction.constriction import ConstrictionSolution
 from winkler.problems.conduction.joule_heating import JouleHeatingSolution
@@ -43,9 +43,7 @@ PARTS = {
 }
 
 
-def _refuse(item: Any, extent: float | None) -> None:
-    if extent is not None:
-        raise InvalidInput(f"draw: the curves of a {type(item).__name__} have no extent; leave it out.")
+def _refuse_nothing_to_show(item: Any) -> None:
     if isinstance(item, JouleHeatingSolution) and not np.any(np.asarray(item.current) > 0.0):
         raise OutsideValidity("draw: no current flows, so there is nothing to show; give a voltage and a contact.")
     if not np.any(np.asarray(item.radius) > 0.0):
@@ -69,10 +67,10 @@ def _curve_over_force(item: Any) -> Any:
     )
 
 
-@sheet_of.register(ConstrictionSolution)
-def constriction_sheet(item: ConstrictionSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(ConstrictionSolution)
+def constriction_sheet(item: ConstrictionSolution) -> Sheet:
     """Return the resistance over the force, and its parts."""
-    _refuse(item, extent)
+    _refuse_nothing_to_show(item)
     curve = _curve_over_force(item)
     return Sheet((_resistance_panel(curve, item), _parts_panel(curve)), height=3.2)
 
@@ -95,7 +93,7 @@ def _resistance_panel(curve: Steady, item: Steady) -> Panel:
     force, requested = (np.ravel(np.asarray(one, dtype=float)) for one in (item.force, item.resistance))
     touching = np.isfinite(requested)
     if touching.sum() <= POINTS:
-        marks.append(Line(force[touching], requested[touching], style.RED, width=0.0, marker="o", name="requested"))
+        marks.append(points(force[touching], requested[touching], name="requested"))
     low = (0.3 if len(parts) > 1 else 0.7) * float(np.min(whole.content))
     is_sparse = bool(np.ptp(np.log10(whole.content)) > 0.8)
     upright = PanelAxis.of(
@@ -129,18 +127,18 @@ def _parts_panel(curve: Steady) -> Panel:
     return Panel(tuple(areas), across, upright, legend="lower left", title="parts of the resistance")
 
 
-@sheet_of.register(ThermalConstrictionSolution)
-def thermal_sheet(item: ThermalConstrictionSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(ThermalConstrictionSolution)
+def thermal_sheet(item: ThermalConstrictionSolution) -> Sheet:
     """Return the temperature around the contact and over its surface, and the resistance over the force."""
-    _refuse(item, extent)
+    _refuse_nothing_to_show(item)
     curve = _curve_over_force(item)
     return _with_fields(item, _resistance_panel(curve, item), lambda: _parts_panel(curve))
 
 
-@sheet_of.register(JouleHeatingSolution)
-def joule_sheet(item: JouleHeatingSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(JouleHeatingSolution)
+def joule_sheet(item: JouleHeatingSolution) -> Sheet:
     """Return the temperature around the contact, current density, and the temperature over the voltage."""
-    _refuse(item, extent)
+    _refuse_nothing_to_show(item)
     if np.ndim(item.radius) != 0:
         return _heated_over_force(item)
     return _with_fields(item, _voltages_panel(item), lambda: _current_panel(item))
@@ -182,9 +180,8 @@ def _voltages_panel(item: JouleHeatingSolution) -> Panel:
     marks = [Line(along.content, hottest.content, style.RED, name="hottest place")]
     if np.max(hottest.content - contact.content) > 1e-9 * np.max(hottest.content):
         marks.append(Line(along.content, contact.content, dash=style.DASHES[1], name="contact"))
-    point = np.array([float(item.voltage)]), np.array([float(item.max_temperature)])
     name = with_unit(float(item.current), "A")
-    marks.append(Line(*point, style.RED, width=0.0, marker="o", clipped=False, name=name))
+    marks.append(points(item.voltage, item.max_temperature, clipped=False, name=name))
     upright = PanelAxis("temperature $T$", common_scale(hottest, contact))
     return Panel(tuple(marks), PanelAxis.of(along), upright, legend="upper left", title="temperature over voltage")
 
@@ -193,8 +190,7 @@ def _current_panel(item: JouleHeatingSolution) -> Panel:
     """Return the current over the voltage."""
     solutions = _solved_at_voltages(item)
     along, of = _collected(solutions, "voltage"), _collected(solutions, "current")
-    point = np.array([float(item.voltage)]), np.array([float(item.current)])
-    marks = Line(along.content, of.content), Line(*point, style.RED, width=0.0, marker="o")
+    marks = Line(along.content, of.content), points(item.voltage, item.current)
     return Panel(marks, PanelAxis.of(along), PanelAxis.of(of), title="current over voltage")
 
 
@@ -209,7 +205,7 @@ def _heated_over_force(item: JouleHeatingSolution) -> Sheet:
         marks = [Line(along.content, of.content, name="hot" if name == "resistance" else "")]
         force, requested = (np.ravel(np.asarray(part, dtype=float)) for part in (item.force, getattr(item, name)))
         if requested.size <= POINTS:
-            marks.append(Line(force, requested, style.RED, width=0.0, marker="o"))
+            marks.append(points(force, requested))
         upright = PanelAxis.of(of, middle_scale(of.word.unit, of.content), log=name == "resistance")
         panels.append(Panel(tuple(marks), across, upright, title=f"{name.removeprefix('max_')} over force"))
     cold = Line(along.content, np.asarray(curve.cold_resistance), style.MUTED, dash=style.DASHES[1], name="cold")

@@ -9,7 +9,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.plot import style
-from winkler.plot.drawing import sheet_of
+from winkler.plot.dispatch import sheet_of
 from winkler.plot.extent import checked_extent
 from winkler.plot.panel import Line, Map, Panel, PanelAxis, Rule, Sheet, note
 from winkler.plot.series import Series, places, scale_of, series

@@ -7,10 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.loading import Depth, Force
 from winkler.plot import style
-from winkler.plot.drawing import sheet_of
+from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Area, Bars, Line, Map, Panel, PanelAxis, Rule, Sheet, plane
 from winkler.plot.series import scale_of, series, with_unit
 from winkler.problems.conduction.bounds import ConductanceBoundsSolution
@@ -22,15 +21,9 @@ __all__ = ["bounds_sheet", "spots_sheet"]
 POINTS = 161
 
 
-def _refuse(item: Any, extent: float | None) -> None:
-    if extent is not None:
-        raise InvalidInput(f"draw: a {type(item).__name__} has no extent; leave it out.")
-
-
-@sheet_of.register(SpotClusterSolution)
-def spots_sheet(item: SpotClusterSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(SpotClusterSolution)
+def spots_sheet(item: SpotClusterSolution) -> Sheet:
     """Return the spots from above, shaded by their current density, and the current of each spot."""
-    _refuse(item, extent)
     problem = item.problem
     reach = np.hypot(problem.x - np.mean(problem.x), problem.y - np.mean(problem.y)) + problem.radii
     scale = scale_of("m", reach)
@@ -61,10 +54,9 @@ def spots_sheet(item: SpotClusterSolution, *, extent: float | None = None) -> Sh
     return Sheet((left, Panel(tuple(bars), across, upright, title, grid="x", legend="upper left")), height=3.3)
 
 
-@sheet_of.register(ConductanceBoundsSolution)
-def bounds_sheet(item: ConductanceBoundsSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(ConductanceBoundsSolution)
+def bounds_sheet(item: ConductanceBoundsSolution) -> Sheet:
     """Return the force curves that bound a rough contact, and the bounds of its incremental stiffness."""
-    _refuse(item, extent)
     problem = item.problem
     bed, rough = problem.bed, problem.roughness
     depth0 = float(Indentation(bed, Force(problem.force)).solve().depth)

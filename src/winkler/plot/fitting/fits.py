@@ -10,6 +10,7 @@ from winkler.fitting.compare import AnyFit
 from winkler.fitting.outcome import CreepFit, Fit
 from winkler.numerics.types import Array
 from winkler.plot import style
+from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Bars, Dots, Line, Map, Panel, PanelAxis, Rule, Sheet
 from winkler.plot.series import Scale, Series, common_scale, middle_scale
 from winkler.vocabulary import Word
@@ -36,6 +37,7 @@ DIRECTIONS = (
 )
 
 
+@without_extent(Fit)
 def fit_sheet(fit: Fit) -> Sheet:
     """Return a curve, the fitted model, and the residuals below.
 

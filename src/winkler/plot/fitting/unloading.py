@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
+from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.segments import Segment, SegmentKind
+from winkler.fitting.unloading.oliver_pharr import OliverPharrSolution
 from winkler.numerics.types import Array
 from winkler.plot import style
+from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Band, Line, Panel, PanelAxis, Rule, Sheet, Text, titled
 from winkler.plot.series import Series
 from winkler.vocabulary import Word
-
-if TYPE_CHECKING:
-    from winkler.fitting.curves.curve import ForceCurve
-    from winkler.fitting.unloading.oliver_pharr import OliverPharrSolution
 
 __all__ = ["segments_sheet", "unloading_sheet"]
 
@@ -31,6 +30,7 @@ HEADROOM = 0.45
 """Part of the range of forces left free above for the labels."""
 
 
+@without_extent(ForceCurve)
 def segments_sheet(curve: ForceCurve) -> Sheet:
     """Return a curve: its segments in their order, each with its name, and force over position.
 
@@ -43,6 +43,7 @@ def segments_sheet(curve: ForceCurve) -> Sheet:
     return Sheet(titled(panels, "segments", "force over position"), width=4.6, height=3.4)
 
 
+@without_extent(OliverPharrSolution)
 def unloading_sheet(item: OliverPharrSolution) -> Sheet:
     """Return an evaluation: the segments, the fitted unloading, its slope at the peak, and the contact depth.
 

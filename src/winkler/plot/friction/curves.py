@@ -12,7 +12,7 @@ from winkler.foundation.sheared import ShearedSprings
 from winkler.foundation.sheared_fields import ShearedFields
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.panel import Area, Band, Line, Panel, PanelAxis, Rule, note, zero
+from winkler.plot.panel import Area, Band, Line, Panel, PanelAxis, Rule, among, note, points, zero
 from winkler.plot.series import Series, common_scale, places, scale_of, series, with_unit
 
 __all__ = [
@@ -24,6 +24,7 @@ __all__ = [
     "loop_panel",
     "loss_text",
     "mirrored_bounds",
+    "path_ends",
     "slip_panel",
     "stick_band",
     "traction_panel",
@@ -62,11 +63,15 @@ def loop_panel(along: Series, of: Series, lost: float | None = None) -> Panel:
     marks: list[Any] = [
         zero(),
         Line(x, y, marker="o" if x.size <= MOST_MARKED_POINTS else "", size=3.5),
-        Line(x[:1], y[:1], width=0.0, marker="o", hollow=True, order=5.0),
-        Line(x[-1:], y[-1:], style.RED, width=0.0, marker="o", order=6.0),
+        *path_ends(x, y),
     ]
     marks += [] if lost is None else [note(loss_text(lost, x, y), "upper left")]
     return Panel(tuple(marks), PanelAxis.of(along, margin=0.06), PanelAxis.of(of, margin=0.12))
+
+
+def path_ends(x: Array, y: Array) -> tuple[Line, Line]:
+    """Return the first point of a path (open) and the last (full)."""
+    return points(x[0], y[0], style.BLUE, hollow=True, order=5.0), points(x[-1], y[-1], order=6.0)
 
 
 def loss_text(lost: float, path: Array, load: Array) -> str:
@@ -96,10 +101,10 @@ def lines_panel(
     bounded = any(name in BOUNDS for _, name in lines)
     for place, (line, name) in enumerate(lines):
         content = np.where(np.isfinite(line.content), line.content, np.nan)
-        look: dict[str, Any] = {"colour": style.CYCLE[place], "dash": style.DASHES[place % len(style.DASHES)]}
+        look: dict[str, Any] = {}
         if bounded and name in (*BOUNDS, "_"):
             look = {"colour": style.MUTED, "dash": style.DASHES[1], "width": 1.1}
-        marks.append(Line(along.content, content, name=name if len(lines) > 1 else "", **look))
+        marks.append(among(place, along.content, content, name if len(lines) > 1 else "", most=0, **look))
     names = [name for _, name in lines if not name.startswith("_")]
     columns = 3 if bounded else len(names) if sum(map(len, names)) <= MOST_LEGEND_LETTERS else 2
     upright = PanelAxis(

@@ -11,8 +11,9 @@ import numpy as np
 from winkler.loading import ShearForce, Shift
 from winkler.numerics.types import Array
 from winkler.plot import style
+from winkler.plot.dispatch import without_extent
 from winkler.plot.friction.curves import lines_panel
-from winkler.plot.panel import Line, Panel, PanelAxis, Polygon, Rule, Sheet, note, titled, zero
+from winkler.plot.panel import Line, Panel, PanelAxis, Polygon, Rule, Sheet, note, points, titled, zero
 from winkler.plot.series import Series, middle_scale, series, with_unit
 from winkler.problems.friction.bimodal_damping import BimodalDampingSolution
 from winkler.problems.friction.damping import FrictionDamping, FrictionDampingSolution
@@ -27,6 +28,7 @@ LEAST_SHIFT_SHARE, GREATEST_SHIFT_SHARE = 0.02, 4.0
 PHASE_POINTS = 19
 
 
+@without_extent(FrictionDampingSolution)
 def damping_sheet(item: FrictionDampingSolution) -> Sheet:
     """Return loss and loss factor over the amplitude, up to sliding and beyond, and the loop of the greatest amplitude.
 
@@ -63,7 +65,7 @@ def _over(curve: FrictionDampingSolution, item: FrictionDampingSolution, name: s
     moving = shift > 0.0
     marks = (
         Line(along.content, of.content),
-        Line(shift[moving], requested[moving], style.RED, width=0.0, marker="o", name="requested"),
+        points(shift[moving], requested[moving], name="requested"),
         Rule(reach, upright=True, width=0.9, dash=style.DOTTED, name="all slides"),
     )
     across = PanelAxis("amplitude of the shift $U$", middle_scale("m", along.content), log=True)
@@ -89,6 +91,7 @@ def _cycle_panel(problem: FrictionDamping, amplitude: float) -> Panel:
     return Panel(marks, PanelAxis.of(along, margin=0.06), PanelAxis.of(of, margin=0.12))
 
 
+@without_extent(BimodalDampingSolution)
 def bimodal_sheet(item: BimodalDampingSolution) -> Sheet:
     """Return the closed cycle of depth and shift, and the loss over the varied quantity, or over the phase."""
     problem = item.problem
@@ -110,7 +113,7 @@ def bimodal_sheet(item: BimodalDampingSolution) -> Sheet:
         Line(along.content[order], of.content, marker="o" if amplitudes_along.size > 1 and loss.size <= 40 else "")
     ]
     if amplitudes_along.size == 1:
-        marks.append(Line(phase_angle.ravel(), np.ravel(item.loss_per_cycle), style.RED, width=0.0, marker="o"))
+        marks.append(points(phase_angle.ravel(), np.ravel(item.loss_per_cycle)))
     right = Panel(tuple(marks), PanelAxis.of(along, margin=0.04), PanelAxis.of(of, low=0.0))
     panels = titled(
         (left, right),
@@ -133,6 +136,7 @@ def _varied(item: BimodalDampingSolution, name: str) -> Series:
     return series(name, np.ravel(content))
 
 
+@without_extent(RelaxationDamperSolution)
 def relaxation_sheet(item: RelaxationDamperSolution) -> Sheet:
     """Return the viscous damper over the amplitude of the depth."""
     problem = item.problem
@@ -144,6 +148,7 @@ def relaxation_sheet(item: RelaxationDamperSolution) -> Sheet:
     ]
     along = series("depth_amplitude", amplitudes)
     of = series("damping", np.array(damping))
-    point = Line(np.array([greatest]), np.array([float(item.damping)]), style.RED, width=0.0, marker="o")
-    panel = lines_panel(along, [(of, "damping")], f"damping ${of.word.symbol}$", low=0.0).plus(point)
+    panel = lines_panel(along, [(of, "damping")], f"damping ${of.word.symbol}$", low=0.0).plus(
+        points(greatest, item.damping)
+    )
     return Sheet((panel.plus(title="viscous damper that the contact amounts to"),), width=4.8, height=3.2)

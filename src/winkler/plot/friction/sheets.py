@@ -15,7 +15,8 @@ from winkler.foundation.sheared_fields import BodyFields, ShearedFields
 from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.loading import ShearForce
 from winkler.plot import style
-from winkler.plot.extent import around
+from winkler.plot.dispatch import sheet_of, without_extent
+from winkler.plot.extent import around, checked_extent
 from winkler.plot.friction.curves import (
     BOUNDS,
     around_contact,
@@ -24,13 +25,14 @@ from winkler.plot.friction.curves import (
     lines_panel,
     loop_panel,
     loss_text,
+    path_ends,
     slip_panel,
     stick_band,
     traction_panel,
 )
 from winkler.plot.friction.springs import dragged_panel
 from winkler.plot.friction.stress import body_stress_panel, dragged_stress_panel
-from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, note, titled, zero
+from winkler.plot.panel import NO_CONTACT, Line, Panel, PanelAxis, Sheet, note, titled, zero
 from winkler.plot.series import Series, headline, places, scale_of, series, with_unit
 from winkler.problems.friction.spring_states import SpringState
 from winkler.problems.friction.tangential import TangentialSolution
@@ -45,6 +47,7 @@ RADII_DRAWN = 1.35
 ENERGY_NAMES = {"dissipation": "lost", "stored_energy": "stored"}
 
 
+@without_extent(TangentialSolution)
 def tangential_sheet(item: TangentialSolution) -> Sheet:
     """Return the loop, the forces and the energies along a path; below springs, traction and slip at its last contact.
 
@@ -73,7 +76,9 @@ def tangential_sheet(item: TangentialSolution) -> Sheet:
     return Sheet(panels, 3, width=3.9)
 
 
-def tangential_state_sheet(item: TangentialState | SpringState, extent: float | None = None) -> Sheet:
+@sheet_of.register(TangentialState)
+@sheet_of.register(SpringState)
+def tangential_state_sheet(item: TangentialState | SpringState, *, extent: float | None = None) -> Sheet:
     """Return springs, traction, slip and, where it can be computed, the stress below one state of a path.
 
     Parameters
@@ -82,9 +87,9 @@ def tangential_state_sheet(item: TangentialState | SpringState, extent: float | 
     extent : float, optional
         [m].
     """
-    sheared = item.sheared
+    sheared, extent = item.sheared, checked_extent(extent)
     if item.radius == 0.0:
-        return Sheet((Panel((note("no contact", "upper centre"),), title="no contact", bare=True),))
+        return Sheet((NO_CONTACT.plus(title="no contact", bare=True),))
     end, stick = around(sheared.pressed, extent), float(item.stick_radius)
     near = RADII_DRAWN * sheared.pressed.radius if extent is None else extent
     panels: list[Panel | None] = [dragged_panel(sheared, stick, end).plus(title="springs")]
@@ -104,6 +109,7 @@ def tangential_state_sheet(item: TangentialState | SpringState, extent: float | 
     return Sheet(tuple(panels), 2, height=3.3, width=4.8, title=f"{headline(item)}   {pull}")
 
 
+@without_extent(ShearedFields)
 def sheared_sheet(item: ShearedFields) -> Sheet:
     """Return restored tractions and slips over the distance from the axis."""
     order = np.argsort(np.ravel(item.r), kind="stable")
@@ -124,11 +130,13 @@ def sheared_sheet(item: ShearedFields) -> Sheet:
     return Sheet(titled((left, right), "traction", "displacement and slip"))
 
 
+@without_extent(BodyFields)
 def body_sheet(item: BodyFields) -> Sheet:
     """Return a map of the stress below a sheared contact."""
     return Sheet((body_stress_panel(item).plus(title="stress below the surface"),), width=5.4, height=3.2)
 
 
+@without_extent(TorsionSolution)
 def torsion_sheet(item: TorsionSolution) -> Sheet:
     """Return the loop, torque and energies along a path of twists, and the traction at its last contact."""
     touching = np.flatnonzero(item.radius > 0.0)
@@ -149,14 +157,12 @@ def torsion_sheet(item: TorsionSolution) -> Sheet:
     return Sheet(panels, 2, height=3.2)
 
 
+@without_extent(TorsionState)
 def twist_sheet(item: TorsionState) -> Sheet:
     """Return the traction of a twisted contact."""
     panel = _twist_panel(item) if item.radius > 0.0 else NO_CONTACT
     title = f"{headline(item)}   $M_z$ = {with_unit(item.torque, 'N m')}"
     return Sheet((panel.plus(title="traction around the axis"),), width=5.0, title=title)
-
-
-NO_CONTACT = Panel((note("no contact", "upper centre"),))
 
 
 def _twist_panel(state: TorsionState) -> Panel:
@@ -214,8 +220,7 @@ def _path_panel(item: TangentialSolution) -> Panel:
     scale = scale_of("N", item.shear_force, bound if math.isfinite(bound) else 0.0)
     marks: list[Any] = [
         Line(x, y),
-        Line(x[:1], y[:1], width=0.0, marker="o", hollow=True, order=5.0),
-        Line(x[-1:], y[-1:], style.RED, width=0.0, marker="o", order=6.0),
+        *path_ends(x, y),
     ]
     if math.isfinite(bound):
         turn = np.linspace(0.0, 2.0 * np.pi, 181)

@@ -10,10 +10,24 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.drawing import sheet_of
-from winkler.plot.panel import Area, Arrow, Band, Line, Map, Panel, PanelAxis, Rule, Sheet, note, plane, titled
+from winkler.plot.dispatch import without_extent
+from winkler.plot.panel import (
+    Area,
+    Arrow,
+    Band,
+    Line,
+    Map,
+    Panel,
+    PanelAxis,
+    Rule,
+    Sheet,
+    among,
+    note,
+    plane,
+    points,
+    titled,
+)
 from winkler.plot.series import common_scale, middle_scale, scale_of, series, with_unit
-from winkler.plot.viscoelastic.contacts import refuse_extent
 from winkler.problems.heating.fretting import FrettingHeatSolution
 from winkler.problems.heating.heated_body import HeatedBody
 from winkler.problems.heating.steady import FrictionHeatingSolution
@@ -38,14 +52,13 @@ MOMENTS_DRAWN = 6
 RADII_DRAWN = 2.5
 
 
-@sheet_of.register(FrictionHeatingSolution)
-def heating_sheet(item: FrictionHeatingSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(FrictionHeatingSolution)
+def heating_sheet(item: FrictionHeatingSolution) -> Sheet:
     """Return the temperature map of the body with the higher Peclet number, the centre line of both bodies, and the
     flash temperature over speed.
 
     For many loads or speeds: flash temperature and heat partition over the varied quantity.
     """
-    refuse_extent(item, extent)
     if not np.any(np.asarray(item.flash_temperature) > 0.0):
         raise OutsideValidity(
             "draw: no heat is released, so there is nothing to show; give a load and a sliding speed."
@@ -131,8 +144,8 @@ def _speeds_panel(item: FrictionHeatingSolution) -> Panel:
         estimate = np.asarray(getattr(curve, name)) / rest
         if np.all(np.isfinite(estimate)):
             marks.append(Line(speed, estimate, colour, width=1.2, dash=dash, name=label))
-    requested = np.array([float(item.flash_temperature) / float(item.stationary_temperature)])
-    marks.append(Line(np.array([sliding]), requested, style.RED, width=0.0, marker="o", name="requested", order=5.0))
+    requested = float(item.flash_temperature) / float(item.stationary_temperature)
+    marks.append(points(sliding, requested, name="requested", order=5.0))
     across = PanelAxis("speed of sliding $v$", middle_scale("m/s", speed), log=True)
     upright = PanelAxis("over that of bodies at rest [-]", low=0.0, high=1.7)
     return Panel(tuple(marks), across, upright, legend="upper right", columns=2)
@@ -157,20 +170,10 @@ def _curves_sheet(item: FrictionHeatingSolution) -> Sheet:
             for name in names
         ]
         scale = scale_of(many[0].word.unit, *(one.content for one in many))
-        looks = zip(
-            (style.RED, style.BLUE, style.GREEN), style.DASHES, ("first", "second", "both at rest"), strict=False
-        )
+        looks = zip((style.RED, style.BLUE, style.GREEN), ("first", "second", "both at rest"), strict=False)
         lines = [
-            Line(
-                heated.content[order],
-                one.content[order],
-                colour,
-                dash=dash,
-                name=name,
-                marker="o" if order.size <= 40 else "",
-                size=3.0,
-            )
-            for one, (colour, dash, name) in zip(many, looks, strict=False)
+            among(place, heated.content[order], one.content[order], name, colour=colour, size=3.0)
+            for place, (one, (colour, name)) in enumerate(zip(many, looks, strict=False))
         ]
         share = names == ("first_share",)
         upright = PanelAxis.of(many[0], scale, low=0.0, high=1.0)
@@ -183,10 +186,9 @@ def _curves_sheet(item: FrictionHeatingSolution) -> Sheet:
     return Sheet(titled(panels, *titles), width=4.6, height=3.3)
 
 
-@sheet_of.register(TransientHeatingSolution)
-def transient_heating_sheet(item: TransientHeatingSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(TransientHeatingSolution)
+def transient_heating_sheet(item: TransientHeatingSolution) -> Sheet:
     """Return the temperature of the contact over time, and along the surface of the first body at some times."""
-    refuse_extent(item, extent)
     if item.stationary_temperature == 0.0:
         raise OutsideValidity(
             "draw: no heat is released, so there is nothing to show; give a load and a sliding speed."
@@ -200,12 +202,11 @@ def transient_heating_sheet(item: TransientHeatingSolution, *, extent: float | N
     of = series("flash_temperature", curve.flash_temperature)
     mean = np.maximum(curve.first_mean_temperature, curve.second_mean_temperature)
     final = item.stationary_temperature
-    look: dict[str, Any] = {"width": 0.0, "marker": "o", "size": 3.5, "name": "requested"}
     marks = (
         Line(time.content, of.content, name="flash temperature"),
         Line(time.content, mean, style.ORANGE, dash=style.DASHES[1], name="mean"),
         Rule(final, colour=style.GREEN, width=1.2, dash=style.DASHES[2], name="in the end"),
-        Line(item.time, item.flash_temperature, style.RED, **look),
+        points(item.time, item.flash_temperature, size=3.5, name="requested"),
     )
     across = PanelAxis.of(time, middle_scale("s", time.content), log=True)
     left = Panel(marks, across, PanelAxis.of(of, low=0.0, high=1.15 * final), legend="lower right")
@@ -224,10 +225,9 @@ def transient_heating_sheet(item: TransientHeatingSolution, *, extent: float | N
     return Sheet(titled((left, right), *titles), width=4.6, height=3.3)
 
 
-@sheet_of.register(FrettingHeatSolution)
-def fretting_heat_sheet(item: FrettingHeatSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(FrettingHeatSolution)
+def fretting_heat_sheet(item: FrettingHeatSolution) -> Sheet:
     """Return the heat flux of a cycle over the radius, and the mean temperature of the surface."""
-    refuse_extent(item, extent)
     a = item.source.radius
     stick = a * float(item.source.joints[1])  # radius of the stick zone
     places = np.linspace(0.0, 1.8, 3 * POINTS_ALONG) * a

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from typing import Any
 
 import numpy as np
 
 from winkler.plot import style
+from winkler.plot.dispatch import without_extent
 from winkler.plot.friction.curves import bounds, energies_panel, lines_panel, loop_panel
 from winkler.plot.panel import Band, Panel, Sheet, titled
-from winkler.plot.series import Series, series
+from winkler.plot.series import series_of
 from winkler.problems.impact.adhesive_impact import AdhesiveImpactSolution
 from winkler.problems.impact.impact import ImpactSolution
 
@@ -21,20 +21,21 @@ __all__ = ["adhesive_impact_sheet", "impact_sheet"]
 STOPPED_IN_CONTACT = "stopped before the bodies part"
 
 
+@without_extent(ImpactSolution)
 def impact_sheet(item: ImpactSolution) -> Sheet:
     """Return forces, velocities, the contact and the energies over time; phases of edge sliding are shaded."""
-    time = _series(item, "time")
+    time = series_of(item, "time")
     mu = float(item.problem.law.coefficient)
-    forces = [(_series(item, "force"), "$F_N$"), (_series(item, "shear_force"), "$F_x$")]
+    forces = [(series_of(item, "force"), "$F_N$"), (series_of(item, "shear_force"), "$F_x$")]
     if math.isfinite(mu) and np.any(item.shear_force):
         forces += bounds("shear_force", mu * item.force)
-    speeds = [(_series(item, "velocity"), "approach $v$")]
+    speeds = [(series_of(item, "velocity"), "approach $v$")]
     if item.problem.sliding_velocity != 0.0:
         speeds += [
-            (_series(item, "sliding_velocity"), "sliding $w$"),
-            (_series(item, "lateral_velocity"), "centre $v_x$"),
+            (series_of(item, "sliding_velocity"), "sliding $w$"),
+            (series_of(item, "lateral_velocity"), "centre $v_x$"),
         ]
-    radii = [(_series(item, "radius"), "contact $a$"), (_series(item, "stick_radius"), "stick $c$")]
+    radii = [(series_of(item, "radius"), "contact $a$"), (series_of(item, "stick_radius"), "stick $c$")]
     names = {
         "dissipation": "lost",
         "stored_energy": "elastic, along the surface",
@@ -56,19 +57,20 @@ def impact_sheet(item: ImpactSolution) -> Sheet:
     return Sheet(panels, 2, height=3.1, title=_restitution(item))
 
 
+@without_extent(AdhesiveImpactSolution)
 def adhesive_impact_sheet(item: AdhesiveImpactSolution) -> Sheet:
     """Return the force over the depth, velocity and energies over time, of an adhesive impact."""
-    time = _series(item, "time")
+    time = series_of(item, "time")
     energies = [
-        (_series(item, "kinetic_energy"), "kinetic"),
-        (_series(item, "energy"), "bodies and surfaces"),
-        (_series(item, "dissipation"), "lost"),
+        (series_of(item, "kinetic_energy"), "kinetic"),
+        (series_of(item, "energy"), "bodies and surfaces"),
+        (series_of(item, "dissipation"), "lost"),
     ]
     panels = titled(
         (
-            loop_panel(_series(item, "depth"), _series(item, "force"), float(item.dissipation[-1])),
-            lines_panel(time, [(_series(item, "velocity"), "approach")], "velocity of approach $v$"),
-            lines_panel(time, [(_series(item, "radius"), "contact")], "contact radius $a$", low=0.0),
+            loop_panel(series_of(item, "depth"), series_of(item, "force"), float(item.dissipation[-1])),
+            lines_panel(time, [(series_of(item, "velocity"), "approach")], "velocity of approach $v$"),
+            lines_panel(time, [(series_of(item, "radius"), "contact")], "contact radius $a$", low=0.0),
             lines_panel(time, energies, "energy"),
         ),
         "force over depth",
@@ -78,10 +80,6 @@ def adhesive_impact_sheet(item: AdhesiveImpactSolution) -> Sheet:
     )
     left = STOPPED_IN_CONTACT if math.isnan(item.restitution) else f"restitution $e$ = {item.restitution:.4g}"
     return Sheet(panels, 2, height=3.1, title="the body stays" if item.captured else left)
-
-
-def _series(item: Any, name: str) -> Series:
-    return series(name, getattr(item, name), type(item))
 
 
 def _restitution(item: ImpactSolution) -> str:

@@ -12,7 +12,7 @@ from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.extent import has_tensile_singularity, is_singular, marks_of
 from winkler.plot.medium import OFFSET_FROM_AXIS
-from winkler.plot.panel import Area, Line, Panel, PanelAxis, Text, note, zero
+from winkler.plot.panel import Area, Line, Panel, PanelAxis, Text, note, points, zero
 from winkler.plot.series import Curve, Series, places, scale_of, series, with_unit
 from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.answer import Restorable
@@ -126,9 +126,7 @@ def curve_panel(curve: Curve, colour: str = style.BLUE, **look: Any) -> Panel:
 def loaded_so_far(pressed: PressedSprings, force: float) -> Panel:
     """Return F(d) up to a contact, and the contact itself as a point."""
     curve = force_depth(pressed)
-    depth = float(pressed.depth)
-    point = Line(np.array([depth]), np.array([force]), style.RED, width=0.0, marker="o", clipped=False)
-    panel = curve_panel(curve, marker="").plus(point)
+    panel = curve_panel(curve, marker="").plus(points(pressed.depth, force, clipped=False))
     return panel.plus(across=PanelAxis.of(curve.along), upright=PanelAxis.of(curve.of, low=0.0))
 
 

@@ -15,7 +15,7 @@ from winkler.peaks import PeakStress, peak_stress
 from winkler.plot import style
 from winkler.plot.extent import is_singular
 from winkler.plot.medium import interfaces
-from winkler.plot.panel import Line, Map, Panel, PanelAxis, Rule, note
+from winkler.plot.panel import Line, Map, Panel, PanelAxis, Rule, among, note
 from winkler.plot.series import Series, common_scale, round_numbers, scale_of, series, with_unit
 from winkler.problems.answer import Restorable
 
@@ -184,17 +184,8 @@ def along_panel(fields: SubsurfaceFields) -> Panel:
     order = np.argsort(along.content, kind="stable")
     names = ("radial_stress", "hoop_stress", "axial_stress", "shear_stress", "von_mises")
     stresses = [series(one, np.ravel(getattr(fields, one))) for one in names]
-    marker = "o" if order.size <= 40 else ""
     lines = [
-        Line(
-            along.content[order],
-            one.content[order],
-            style.CYCLE[place],
-            marker=marker,
-            size=3.5,
-            dash=style.DASHES[place % len(style.DASHES)],
-            name=one.label().partition(" [")[0],
-        )
+        among(place, along.content[order], one.content[order], one.label().partition(" [")[0], size=3.5)
         for place, one in enumerate(stresses)
     ]
     upright = PanelAxis("stress", common_scale(*stresses))

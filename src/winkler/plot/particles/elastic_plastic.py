@@ -12,6 +12,7 @@ import numpy as np
 from winkler.loading import Depth, Force
 from winkler.numerics.types import Array
 from winkler.plot import style
+from winkler.plot.dispatch import without_extent
 from winkler.plot.friction.curves import loss_text
 from winkler.plot.panel import Line, Panel, PanelAxis, Rule, Sheet, note, titled, zero
 from winkler.plot.series import series, with_unit
@@ -36,6 +37,7 @@ class _Leg(NamedTuple):
     radius: Array
 
 
+@without_extent(ParticleSolution)
 def particle_sheet(item: ParticleSolution) -> Sheet:
     """Return force and contact radius over the depth: going in, coming out, and where yield begins."""
     legs = _legs(item)

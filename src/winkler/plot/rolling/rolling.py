@@ -9,8 +9,8 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.drawing import sheet_of
-from winkler.plot.panel import Area, Line, Map, Panel, PanelAxis, Rule, Sheet, Text, Vectors, note, titled, zero
+from winkler.plot.dispatch import sheet_of
+from winkler.plot.panel import Area, Line, Map, Panel, PanelAxis, Rule, Sheet, Text, Vectors, note, points, titled, zero
 from winkler.plot.series import Series, middle_scale, series
 from winkler.problems.rolling.creepage import Creepage
 from winkler.problems.rolling.oscillating import OscillatingRollingSolution
@@ -79,11 +79,7 @@ def _creep_panel(item: Any, force: float) -> Panel:
         name = part.removesuffix("_force")
         marks.append(Line(along.content[order], content[order], colour, marker=marker, name=name))
         if single:
-            point = (
-                np.array([float(getattr(creepage, varied[0]))]),
-                np.array([float(getattr(item, part)) / bound_force]),
-            )
-            marks.append(Line(*point, colour, width=0.0, marker="o"))
+            marks.append(points(getattr(creepage, varied[0]), float(getattr(item, part)) / bound_force, colour))
         if np.max(np.abs(content)) > 0.8:
             marks.append(Rule(float(np.sign(content[np.argmax(np.abs(content))])), width=0.9, dash=style.DOTTED))
     lines = sum(isinstance(mark, Line) and bool(mark.name) for mark in marks)
@@ -239,14 +235,14 @@ def rocking_sheet(item: OscillatingRollingSolution, *, extent: float | None = No
     shares, limit = np.concatenate([[0.0], shares]), np.concatenate([[1.0], limits])
     look: dict[str, Any] = {"across": "left", "upright": "baseline", "size": 9.0}
     colour = style.RED if item.ratchets else style.GREEN
-    this_load = np.array([min(problem.amplitude / radius, 1.0)]), np.array([problem.shear_force / bound_force])
+    this_load = min(problem.amplitude / radius, 1.0), problem.shear_force / bound_force
     marks = (
         Area(shares, limit, 1.0, style.RED),
         Area(shares, 0.0, limit, style.GREEN),
         Line(shares, limit, style.INK),
         Text(0.1, 0.25, "comes to rest", **look),
         Text(0.55, 0.75, "creeps on", **look),
-        Line(*this_load, colour, width=0.0, marker="o", clipped=False),
+        points(*this_load, colour, clipped=False),
     )
     axes = PanelAxis("amplitude $W/a$", low=0.0, high=1.0), PanelAxis(r"shear force $F_x/(\mu F_N)$", low=0.0, high=1.0)
     panels = titled(

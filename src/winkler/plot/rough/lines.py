@@ -10,11 +10,10 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.drawing import sheet_of
-from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, plane, titled
+from winkler.plot.dispatch import without_extent
+from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, plane, points, titled
 from winkler.plot.rough.roughness import Bounds, framed, image_of, models_panel, spectrum_panel
-from winkler.plot.series import Series, scale_of, series, with_unit
-from winkler.plot.viscoelastic.contacts import refuse_extent
+from winkler.plot.series import row_of, scale_of, series, with_unit
 from winkler.problems.normal.elliptic import EllipticSolution
 from winkler.problems.normal.near_round import NearlyRoundSolution
 from winkler.problems.rough.elastomer_friction import ElastomerFrictionSolution
@@ -31,30 +30,24 @@ CONTOUR_DIRECTIONS = 256
 """Directions in which a contour is drawn."""
 
 
-def _flat(item: Any, name: str) -> Series:
-    return series(name, np.ravel(np.asarray(getattr(item, name), dtype=float)), type(item))
-
-
 def _band_of(item: Any, name: str) -> Bounds:
     low, high = np.asarray(getattr(item, f"{name}_band"), dtype=float).reshape(2, -1)
     return Bounds(low, high, "eight lines of ten", style.BLUE)
 
 
-@sheet_of.register(RoughContactSolution)
-@sheet_of.register(RoughIndentationSolution)
-def lines_sheet(item: RoughContactSolution | RoughIndentationSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(RoughContactSolution, RoughIndentationSolution)
+def lines_sheet(item: RoughContactSolution | RoughIndentationSolution) -> Sheet:
     """Return the spectrum, and depth, stiffness and true area over the force, with bands."""
-    refuse_extent(item, extent)
     spectrum = spectrum_panel([(item.problem.spectrum, "")]).plus(title="power spectrum")
     if np.size(item.force) < 2:
         return Sheet((spectrum, *(_single_panel(item, name) for name in ("depth", "stiffness", "area"))), 2)
-    force, stiffness = _flat(item, "force"), [(_flat(item, "stiffness"), "median")]
+    force, stiffness = row_of(item, "force"), [(row_of(item, "stiffness"), "median")]
     if isinstance(item, RoughIndentationSolution):
-        stiffness.append((_flat(item, "smooth_stiffness"), "smooth body"))
+        stiffness.append((row_of(item, "smooth_stiffness"), "smooth body"))
     panels = (
-        models_panel(force, [(_flat(item, "depth"), "median")], [_band_of(item, "depth")]),
+        models_panel(force, [(row_of(item, "depth"), "median")], [_band_of(item, "depth")]),
         models_panel(force, stiffness, [_band_of(item, "stiffness")]),
-        models_panel(force, [(_flat(item, "area"), "Persson")]),
+        models_panel(force, [(row_of(item, "area"), "Persson")]),
     )
     titles = (f"{name} over force" for name in ("depth", "stiffness", "true contact area"))
     return Sheet((spectrum, *titled(panels, *titles)), 2)
@@ -62,7 +55,7 @@ def lines_sheet(item: RoughContactSolution | RoughIndentationSolution, *, extent
 
 def _single_panel(item: Any, name: str) -> Panel:
     """Return one number of a single load, with its band."""
-    of = _flat(item, name)
+    of = row_of(item, name)
     middle = float(of.content[0])
     band = np.ravel(np.asarray(getattr(item, f"{name}_band", (middle, middle)), dtype=float))
     low, high = float(band[0]), float(band[-1])
@@ -83,10 +76,9 @@ def _interpolated_contour(contour: Array) -> Array:
     return np.asarray(np.fft.irfft(waves, CONTOUR_DIRECTIONS) * CONTOUR_DIRECTIONS / contour.size)
 
 
-@sheet_of.register(NearlyRoundSolution)
-def contour_sheet(item: NearlyRoundSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(NearlyRoundSolution)
+def contour_sheet(item: NearlyRoundSolution) -> Sheet:
     """Return the contour of the contact, and the force over the depth."""
-    refuse_extent(item, extent)
     contours = np.reshape(item.contour, (-1, np.shape(item.contour)[-1]))
     drawn = contours[np.unique(np.linspace(0, len(contours) - 1, min(MOST_CONTOURS, len(contours))).astype(int))]
     lines = []
@@ -94,12 +86,12 @@ def contour_sheet(item: NearlyRoundSolution, *, extent: float | None = None) -> 
         colour = style.shade(0.25 + 0.7 * (place + 1) / len(drawn))
         lines.append(Line(*_places(_interpolated_contour(contour), closed=True), colour))
         if contour.size <= CONTOUR_DIRECTIONS // 8:
-            lines.append(Line(*_places(contour), colour, width=0.0, marker="o", size=3.5))
+            lines.append(points(*_places(contour), colour, size=3.5))
     scale = scale_of("m", drawn)
     axes = plane(scale, margin=0.08)
     panels = [Panel(tuple(lines), *axes, title="contour of the contact", equal=True)]
     if len(contours) > 1:
-        panels.append(models_panel(_flat(item, "depth"), [(_flat(item, "force"), "")]).plus(title="force over depth"))
+        panels.append(models_panel(row_of(item, "depth"), [(row_of(item, "force"), "")]).plus(title="force over depth"))
     return Sheet(tuple(panels), height=3.6)
 
 
@@ -110,16 +102,15 @@ def _places(radii: Array, *, closed: bool = False) -> tuple[Array, Array]:
     return (x, y) if closed else (x[:-1], y[:-1])
 
 
-@sheet_of.register(EllipticSolution)
-def ellipse_sheet(item: EllipticSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(EllipticSolution)
+def ellipse_sheet(item: EllipticSolution) -> Sheet:
     """Return the pressure over the ellipse; for many loads force and semi-axes over the depth."""
-    refuse_extent(item, extent)
     if np.ndim(item.depth) == 0:
         title = f"{with_unit(float(item.force), 'N')} at a depth of {with_unit(float(item.depth), 'm')}"
         return Sheet((_ellipse_panel(item),), width=4.8, height=3.4, title=title)
-    depth = _flat(item, "depth")
-    semi_axes = [(_flat(item, f"{name}_semi_axis"), f"${a}$") for name, a in (("longitudinal", "a"), ("lateral", "b"))]
-    panels = models_panel(depth, [(_flat(item, "force"), "")]), models_panel(depth, semi_axes, label="semi-axes")
+    depth = row_of(item, "depth")
+    semi_axes = [(row_of(item, f"{name}_semi_axis"), f"${a}$") for name, a in (("longitudinal", "a"), ("lateral", "b"))]
+    panels = models_panel(depth, [(row_of(item, "force"), "")]), models_panel(depth, semi_axes, label="semi-axes")
     return Sheet(titled(panels, "force over depth", "semi-axes over depth"), height=3.2)
 
 
@@ -135,11 +126,10 @@ def _ellipse_panel(item: EllipticSolution) -> Panel:
     return framed(image, scale_of("m", square.lengths)).plus(title="pressure over the ellipse")
 
 
-@sheet_of.register(ElastomerFrictionSolution)
-def elastomer_sheet(item: ElastomerFrictionSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(ElastomerFrictionSolution)
+def elastomer_sheet(item: ElastomerFrictionSolution) -> Sheet:
     """Return the coefficient of friction over the velocity, and the spectrum of the surface."""
-    refuse_extent(item, extent)
     velocity = series("velocity", np.ravel(item.problem.velocity), ElastomerFrictionSolution)
-    panels = models_panel(velocity, [(_flat(item, "coefficient"), "")]), spectrum_panel([(item.problem.spectrum, "")])
+    panels = models_panel(velocity, [(row_of(item, "coefficient"), "")]), spectrum_panel([(item.problem.spectrum, "")])
     titles = ("friction over velocity: a trend", "power spectrum of the surface")
     return Sheet(titled(panels, *titles), height=3.2)

@@ -10,11 +10,10 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.drawing import sheet_of
+from winkler.plot.dispatch import without_extent
 from winkler.plot.families import spans_decades
-from winkler.plot.panel import Area, Line, Map, Panel, PanelAxis, Sheet, note, plane
+from winkler.plot.panel import Area, Map, Panel, PanelAxis, Sheet, among, note, plane
 from winkler.plot.series import Scale, Series, middle_scale, scale_of, series, with_unit
-from winkler.plot.viscoelastic.contacts import refuse_extent
 from winkler.profiles.rough.map_spectrum import spectrum_of
 from winkler.profiles.rough.spectrum import PowerSpectrum, SelfAffine, Spectrum
 from winkler.profiles.rough.topography import Topography
@@ -110,14 +109,7 @@ def cuts_panel(item: Topography) -> Panel:
     of = heights_of(item)
     nx, ny = of.content.shape
     lines = [
-        Line(
-            (np.arange(line.size) + 0.5) * float(item.pixel[axis]),
-            line,
-            style.CYCLE[axis],
-            dash=style.DASHES[axis],
-            width=1.2,
-            name=name,
-        )
+        among(axis, (np.arange(line.size) + 0.5) * float(item.pixel[axis]), line, name, most=0, width=1.2)
         for name, line, axis in (("along $x$", of.content[:, ny // 2], 0), ("along $y$", of.content[nx // 2], 1))
     ]
     across = PanelAxis("place", scale_of("m", item.lengths), margin=0.0)
@@ -133,16 +125,7 @@ def spectrum_panel(spectra: Sequence[tuple[Spectrum, str]]) -> Panel:
         q: Array = np.geomspace(spectrum.smallest, spectrum.greatest, WAVE_NUMBERS_DRAWN)
         if isinstance(spectrum, PowerSpectrum):
             q = spectrum.wave_numbers
-        line = Line(
-            q,
-            spectrum.at(q),
-            style.CYCLE[place],
-            dash=style.DASHES[place % len(style.DASHES)],
-            marker="o" if measured and q.size <= WAVE_NUMBERS_DRAWN else "",
-            size=3.0,
-            name=name,
-        )
-        lines.append(line)
+        lines.append(among(place, q, spectrum.at(q), name, most=WAVE_NUMBERS_DRAWN if measured else 0, size=3.0))
     contents = np.concatenate([line.y for line in lines])
     positive, most = contents[contents > 0.0], float(np.max(contents))
     has_window_floor = bool(np.min(positive) * (np.min(positive) / most) ** 0.08 < LEAST_DENSITY_SHARE * most)
@@ -164,10 +147,9 @@ def _map_text(item: Topography) -> str:
     return ";  ".join(parts)
 
 
-@sheet_of.register(Topography)
-def topography_sheet(item: Topography, *, extent: float | None = None) -> Sheet:
+@without_extent(Topography)
+def topography_sheet(item: Topography) -> Sheet:
     """Return a height map, two cuts through it, and its power spectrum."""
-    refuse_extent(item, extent)
     rough = item.rms_height > 0.0 and not item.missing and min(item.heights.shape) >= 8
     heights = map_panel(item, heights_of(item), style.RELIEFS, label="height $z$", lowest=np.inf)
     panels = [heights.plus(title="heights"), cuts_panel(item).plus(title="cuts through the middle")]
@@ -176,11 +158,9 @@ def topography_sheet(item: Topography, *, extent: float | None = None) -> Sheet:
     return Sheet(tuple(panels), width=4.0, height=3.3, title=_map_text(item))
 
 
-@sheet_of.register(SelfAffine)
-@sheet_of.register(PowerSpectrum)
-def spectrum_sheet(item: Spectrum, *, extent: float | None = None) -> Sheet:
+@without_extent(SelfAffine, PowerSpectrum)
+def spectrum_sheet(item: Spectrum) -> Sheet:
     """Return a power spectrum."""
-    refuse_extent(item, extent)
     slope = note(f"slope {item.rms_slope:.3g} (root mean square)")
     return Sheet((spectrum_panel([(item, "")]).plus(slope, title="power spectrum"),), width=4.8, height=3.3)
 
@@ -218,16 +198,7 @@ def models_panel(
     for one in bounds:
         marks.append(Area(x, one.low[order], one.high[order], one.colour, 0.2, one.name))
     for place, (of, name) in enumerate(lines):
-        line = Line(
-            x,
-            of.content[order],
-            style.CYCLE[place],
-            dash=style.DASHES[place % len(style.DASHES)],
-            marker="o" if order.size <= MOST_MARKED_POINTS else "",
-            size=4.0,
-            name=name,
-        )
-        marks.append(line)
+        marks.append(among(place, x, of.content[order], name, most=MOST_MARKED_POINTS))
     most = float(np.max(contents[np.isfinite(contents)]))
     if steeper:  # bounds may be far away or infinite
         low, high = float(np.min(contents[contents > 0.0])) / AXIS_FACTOR, most * AXIS_FACTOR

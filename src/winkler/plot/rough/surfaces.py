@@ -10,12 +10,11 @@ import numpy as np
 
 from winkler.numerics.types import ArrayLike
 from winkler.plot import style
-from winkler.plot.drawing import sheet_of
+from winkler.plot.dispatch import without_extent
 from winkler.plot.normal.springs import at_first_touch, springs_panel
 from winkler.plot.panel import Bars, Line, Panel, PanelAxis, Sheet, titled
 from winkler.plot.rough.roughness import Bounds, heights_of, image_of, map_panel, models_panel
-from winkler.plot.series import Series, series, with_unit
-from winkler.plot.viscoelastic.contacts import refuse_extent
+from winkler.plot.series import Series, row_of, series, with_unit
 from winkler.problems.rough.reduce import ReductionSolution
 from winkler.problems.rough.surface_conduction import SurfaceConductionSolution
 from winkler.problems.rough.surface_contact import SurfaceContactSolution
@@ -65,19 +64,14 @@ def _share(area: ArrayLike, item: SurfaceContactSolution) -> Series:
     return Series("area", Word("", "", "part of the map in contact"), part)
 
 
-def _along(item: SurfaceContactSolution | SurfaceConductionSolution, name: str) -> Series:
-    return series(name, np.ravel(np.asarray(getattr(item, name), dtype=float)), type(item))
-
-
-@sheet_of.register(SurfaceContactSolution)
-def surface_sheet(item: SurfaceContactSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(SurfaceContactSolution)
+def surface_sheet(item: SurfaceContactSolution) -> Sheet:
     """Return the maps of the last load; for many loads also force, stiffness and area."""
-    refuse_extent(item, extent)
     if np.size(item.force) < FEWEST_LOADS:
         return contact_maps(item)
     panels = list(_map_panels(item.problem.topography, item.last))
     for over, what in (("depth", "force"), ("force", "stiffness"), ("force", "area")):
-        along, of = _along(item, over), _share(item.area, item) if what == "area" else _along(item, what)
+        along, of = row_of(item, over), _share(item.area, item) if what == "area" else row_of(item, what)
         finite, panel = np.isfinite(of.content), Panel()
         if finite.any():
             along, of = (dataclasses.replace(one, content=one.content[finite]) for one in (along, of))
@@ -91,18 +85,17 @@ def _rises(item: SurfaceContactSolution) -> bool:
     return bool(item.last.force >= np.max(item.force))
 
 
-@sheet_of.register(SurfaceConductionSolution)
-def conduction_sheet(item: SurfaceConductionSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(SurfaceConductionSolution)
+def conduction_sheet(item: SurfaceConductionSolution) -> Sheet:
     """Return stiffness, conductance and area over the force, by boundary elements and springs, with bounds."""
-    refuse_extent(item, extent)
     if np.size(item.force) < FEWEST_LOADS:
         return Sheet((_single_panel(item),), width=5.4, height=3.0)
-    force, conductance = _along(item, "force"), _along(item, "conductance")
+    force, conductance = row_of(item, "force"), row_of(item, "conductance")
     band = item.line.stiffness_band.reshape(2, -1)
     least, most = (np.ravel(np.asarray(part)) for part in (item.least_stiffness, item.greatest_stiffness))
     top = np.where(np.isfinite(most), most, 1e3 * np.max(np.asarray(item.stiffness)[np.isfinite(item.stiffness)]))
-    factor = conductance.content / _along(item, "stiffness").content
-    line = series("conductance", factor * _along(item, "line_stiffness").content, type(item))
+    factor = conductance.content / row_of(item, "stiffness").content
+    line = series("conductance", factor * row_of(item, "line_stiffness").content, type(item))
 
     def between(factor: Any) -> list[Bounds]:
         return [
@@ -110,7 +103,7 @@ def conduction_sheet(item: SurfaceConductionSolution, *, extent: float | None = 
             Bounds(factor * band[0], factor * band[1], "eight lines of ten", style.RED),
         ]
 
-    stiffness = [(_along(item, "stiffness"), ELEMENTS_NAME), (_along(item, "line_stiffness"), LINES_NAME)]
+    stiffness = [(row_of(item, "stiffness"), ELEMENTS_NAME), (row_of(item, "line_stiffness"), LINES_NAME)]
     touched, persson = (_share(part, item.contact) for part in (item.contact.area, item.line.area))
     panels = (
         models_panel(force, stiffness, between(1.0)),
@@ -133,10 +126,9 @@ def _single_panel(item: SurfaceConductionSolution) -> Panel:
     return Panel((bars,), PanelAxis.of(of), upright, title, grid="x")
 
 
-@sheet_of.register(ReductionSolution)
-def reduction_sheet(item: ReductionSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(ReductionSolution)
+def reduction_sheet(item: ReductionSolution) -> Sheet:
     """Return the computed contacts on the curve of the springs, their stiffness, and g(x) over the springs."""
-    refuse_extent(item, extent)
     bed = item.bed
     radius = bed.radii[bed.depths >= 0.5 * float(np.min(item.depth))]
     d, k = bed.gap(radius), bed.stiffness(radius)

@@ -7,38 +7,30 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.plot import style
-from winkler.plot.drawing import sheet_of
+from winkler.plot.dispatch import without_extent
 from winkler.plot.friction.curves import energies_panel, lines_panel, loop_panel
 from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, titled
-from winkler.plot.series import Series, series, with_unit
+from winkler.plot.series import headline, series_of, with_unit
 from winkler.plot.viscoelastic.springs import pressure_panel, recovering_panel
 from winkler.problems.viscoelastic.impact import ViscoelasticImpactSolution
 from winkler.problems.viscoelastic.indentation import ViscoelasticSolution
 from winkler.problems.viscoelastic.states import ViscoelasticState
 
-__all__ = ["LEAST_FORCE_SHARE", "depth_and_radius", "impact_sheet", "path_sheet", "refuse_extent", "state_sheet"]
+__all__ = ["LEAST_FORCE_SHARE", "depth_and_radius", "impact_sheet", "path_sheet", "state_sheet"]
 
 LEAST_FORCE_SHARE = 0.1
 """The last contact under at least this part of the greatest force is drawn."""
 
 
-def refuse_extent(item: Any, extent: float | None) -> None:
-    """Raise InvalidInput if an extent is given for a picture without one."""
-    if extent is not None:
-        raise InvalidInput(f"draw: the curves of a {type(item).__name__} have no extent; leave it out.")
-
-
-@sheet_of.register(ViscoelasticSolution)
-def path_sheet(item: ViscoelasticSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(ViscoelasticSolution)
+def path_sheet(item: ViscoelasticSolution) -> Sheet:
     """Return the loop, force, depth and contact over time, energies; below springs and pressure of a late contact."""
-    refuse_extent(item, extent)
     state = _late_state(item)
-    time = _series(item, "time")
-    force = _series(item, "force")
+    time = series_of(item, "time")
+    force = series_of(item, "force")
     panels = (
-        loop_panel(_series(item, "depth"), force, float(item.dissipation[-1])),
+        loop_panel(series_of(item, "depth"), force, float(item.dissipation[-1])),
         lines_panel(time, [(force, "force")], "force $F_N$"),
         depth_and_radius(item),
         energies_panel(item, {"dissipation": "lost", "stored_energy": "stored"}, height_factor=1.2),
@@ -59,7 +51,7 @@ def _late_state(item: ViscoelasticSolution) -> ViscoelasticState:
 
 def depth_and_radius(item: Any) -> Panel:
     """Return the depth, and on a second axis the contact radius, over time."""
-    time, depth, radius = (_series(item, name) for name in ("time", "depth", "radius"))
+    time, depth, radius = (series_of(item, name) for name in ("time", "depth", "radius"))
     sides: dict[str, Any] = {"low": 0.0, "high": 1.08 * float(np.max(depth.content))}
     if np.min(depth.content) < 0.0:
         sides = {"margin": 0.08}
@@ -74,32 +66,25 @@ def depth_and_radius(item: Any) -> Panel:
     )
 
 
-@sheet_of.register(ViscoelasticState)
-def state_sheet(item: ViscoelasticState, *, extent: float | None = None) -> Sheet:
+@without_extent(ViscoelasticState)
+def state_sheet(item: ViscoelasticState) -> Sheet:
     """Return the springs at one time, including those that recover, and the pressure."""
-    refuse_extent(item, extent)
-    parts = (("t", item.time, "s"), ("F_N", item.force, "N"), ("d", item.depth, "m"), ("a", item.radius, "m"))
-    title = "   ".join(f"${symbol}$ = {with_unit(number, unit)}" for symbol, number, unit in parts)
+    title = headline(item, "time", "force", "depth", "radius")
     panels = titled((recovering_panel(item), pressure_panel(item)), "springs", "pressure $p(r)$")
     return Sheet(panels, height=3.3, title=title)
 
 
-@sheet_of.register(ViscoelasticImpactSolution)
-def impact_sheet(item: ViscoelasticImpactSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(ViscoelasticImpactSolution)
+def impact_sheet(item: ViscoelasticImpactSolution) -> Sheet:
     """Return force over depth and over time, velocity, depth and contact of an impact."""
-    refuse_extent(item, extent)
-    time = _series(item, "time")
-    force = _series(item, "force")
+    time = series_of(item, "time")
+    force = series_of(item, "force")
     panels = (
-        loop_panel(_series(item, "depth"), force, float(item.dissipation)),
+        loop_panel(series_of(item, "depth"), force, float(item.dissipation)),
         lines_panel(time, [(force, "force")], "force $F_N$"),
-        lines_panel(time, [(_series(item, "velocity"), "velocity")], "velocity of approach $v$"),
+        lines_panel(time, [(series_of(item, "velocity"), "velocity")], "velocity of approach $v$"),
         depth_and_radius(item),
     )
     title = f"restitution $e$ = {item.restitution:.4g}   contact for {with_unit(item.duration, 's')}"
     titles = ("force over depth", "force", "velocity", "depth and contact")
     return Sheet(titled(panels, *titles), 2, height=3.1, title=title)
-
-
-def _series(item: Any, name: str) -> Series:
-    return series(name, getattr(item, name), type(item))

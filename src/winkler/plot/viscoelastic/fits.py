@@ -11,11 +11,10 @@ from winkler.fitting.viscoelastic.band import observed_times, relaxation_band
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.drawing import sheet_of
+from winkler.plot.dispatch import without_extent
 from winkler.plot.fitting.fits import fit_panels, measured_dots, origin_of
 from winkler.plot.panel import Area, Band, Line, Panel, PanelAxis, Sheet
 from winkler.plot.series import Series, common_scale, middle_scale
-from winkler.plot.viscoelastic.contacts import refuse_extent
 from winkler.vocabulary import Word
 
 __all__ = ["relaxing_fit_sheet", "relaxing_loop"]
@@ -26,11 +25,9 @@ WIDEST_INTERVAL_RATIO = 1e3
 """Intervals with a greater ratio of their ends are not drawn."""
 
 
-@sheet_of.register(ViscoelasticFit)
-@sheet_of.register(CreepFit)
-def relaxing_fit_sheet(item: ViscoelasticFit | CreepFit, *, extent: float | None = None) -> Sheet:
+@without_extent(ViscoelasticFit, CreepFit)
+def relaxing_fit_sheet(item: ViscoelasticFit | CreepFit) -> Sheet:
     """Return the fitted quantity over time with residuals, force over depth, and the relaxation with its interval."""
-    refuse_extent(item, extent)
     left = Sheet(fit_panels(item), 1, heights=(2.6, 1.0), shared="x")
     right = Sheet((relaxing_loop(item), _relaxation(item)), 1)
     return Sheet((left, right), width=4.3, height=5.0, widths=(1.35, 1.0))

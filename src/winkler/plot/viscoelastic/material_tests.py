@@ -6,12 +6,10 @@ import dataclasses
 
 import numpy as np
 
-from winkler.numerics.types import Array
-from winkler.plot.decades import Quantity, decades_panel
-from winkler.plot.drawing import sheet_of
+from winkler.plot.decades import Quantity, decades_around, decades_panel
+from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Sheet, titled
 from winkler.plot.series import series, with_unit
-from winkler.plot.viscoelastic.contacts import refuse_extent
 from winkler.problems.viscoelastic.material_tests import CreepTest, StepSolution
 from winkler.problems.viscoelastic.oscillation import HarmonicSolution
 
@@ -23,13 +21,12 @@ FACTOR_AROUND = 100.0
 PANEL_TITLES = {"depth": "depth over time", "radius": "contact radius over time", "force": "force over time"}
 
 
-@sheet_of.register(StepSolution)
-def step_sheet(item: StepSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(StepSolution)
+def step_sheet(item: StepSolution) -> Sheet:
     """Return depth and contact radius under a constant force, or the force at a constant depth."""
-    refuse_extent(item, extent)
     names = ("depth", "radius") if isinstance(item.problem, CreepTest) else ("force",)
     requested = np.asarray(item.time)
-    along = series("time", _between(requested))
+    along = series("time", decades_around(requested, FACTOR_AROUND, POINTS))
     curve = dataclasses.replace(item.problem, time=along.content).solve()
     panels = []
     for name in names:
@@ -39,12 +36,11 @@ def step_sheet(item: StepSolution, *, extent: float | None = None) -> Sheet:
     return Sheet(tuple(panels), width=4.6, height=3.3)
 
 
-@sheet_of.register(HarmonicSolution)
-def harmonic_sheet(item: HarmonicSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(HarmonicSolution)
+def harmonic_sheet(item: HarmonicSolution) -> Sheet:
     """Return storage and loss stiffness over the frequency, and the tangent of loss; requested points marked."""
-    refuse_extent(item, extent)
     requested = np.ravel(np.asarray(item.problem.angular_frequency, dtype=float))
-    along = series("angular_frequency", _between(requested))
+    along = series("angular_frequency", decades_around(requested, FACTOR_AROUND, POINTS))
     curve = dataclasses.replace(item.problem, angular_frequency=along.content).solve()
 
     def quantity(name: str, label: str = "") -> Quantity:
@@ -55,11 +51,3 @@ def harmonic_sheet(item: HarmonicSolution, *, extent: float | None = None) -> Sh
     panels = decades_panel(along, pair, "stiffness"), decades_panel(along, [quantity("loss_tangent")])
     title = f"about $d$ = {with_unit(item.depth, 'm')}   $a$ = {with_unit(item.radius, 'm')}"
     return Sheet(titled(panels, "storage and loss stiffness", "loss over storage"), width=4.6, height=3.3, title=title)
-
-
-def _between(requested: Array) -> Array:
-    """Return numbers across the requested range, or around a single one."""
-    low, high = float(np.min(requested)), float(np.max(requested))
-    if high <= low * (1.0 + 1e-12):
-        low, high = low / FACTOR_AROUND, high * FACTOR_AROUND
-    return np.geomspace(low, high, POINTS)

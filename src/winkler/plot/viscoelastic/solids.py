@@ -14,10 +14,9 @@ from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.springs.exponential_sums import RelaxationSeries, of_relaxation
 from winkler.numerics.types import Array
 from winkler.plot.decades import Quantity, decades_panel
-from winkler.plot.drawing import sheet_of
+from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Sheet, note, titled
 from winkler.plot.series import Series, series, with_unit
-from winkler.plot.viscoelastic.contacts import refuse_extent
 from winkler.vocabulary import Word
 
 __all__ = ["half_space_sheet", "proportional_sheet", "solid_sheet"]
@@ -28,8 +27,8 @@ TIME_FACTOR_BEYOND = 30.0
 NO_POINTS = (np.empty(0), np.empty(0))
 
 
-@sheet_of.register(ViscoelasticSolid)
-def solid_sheet(item: ViscoelasticSolid, *, extent: float | None = None) -> Sheet:
+@without_extent(ViscoelasticSolid)
+def solid_sheet(item: ViscoelasticSolid) -> Sheet:
     """Return G(t), J(t), and storage and loss over the frequency; measured points marked.
 
     Parameters
@@ -38,7 +37,6 @@ def solid_sheet(item: ViscoelasticSolid, *, extent: float | None = None) -> Shee
     extent : float, optional
         Has no meaning here.
     """
-    refuse_extent(item, extent)
     relaxed = (item.time, item.shear) if isinstance(item, RelaxationData) else NO_POINTS
     crept = (item.time, item.compliance) if isinstance(item, CreepData) else NO_POINTS
     stored, lost = NO_POINTS, NO_POINTS
@@ -47,17 +45,15 @@ def solid_sheet(item: ViscoelasticSolid, *, extent: float | None = None) -> Shee
     return _sheet(item, item.series, _drawn_span(item.series, item.span), "G", "J", (relaxed, crept, stored, lost))
 
 
-@sheet_of.register(ViscoelasticHalfSpace)
-def half_space_sheet(item: ViscoelasticHalfSpace, *, extent: float | None = None) -> Sheet:
+@without_extent(ViscoelasticHalfSpace)
+def half_space_sheet(item: ViscoelasticHalfSpace) -> Sheet:
     """Return E*(t), the creep of the pair, and storage and loss over the frequency."""
-    refuse_extent(item, extent)
     return _sheet(item, item.relaxation, _drawn_span(item.relaxation, item.span), "E^*", "C", (NO_POINTS,) * 4)
 
 
-@sheet_of.register(RelaxingInProportion)
-def proportional_sheet(item: RelaxingInProportion, *, extent: float | None = None) -> Sheet:
+@without_extent(RelaxingInProportion)
+def proportional_sheet(item: RelaxingInProportion) -> Sheet:
     """Return the common relaxation function of all moduli of a medium, and its creep, storage and loss."""
-    refuse_extent(item, extent)
     relaxation_series = item.relaxation
     return _sheet(
         item, relaxation_series, _drawn_span(relaxation_series, item.span), r"\varphi", "", (NO_POINTS,) * 4, unit=""

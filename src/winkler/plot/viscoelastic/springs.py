@@ -8,12 +8,12 @@ from winkler.foundation.bed import Bed
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.normal.springs import DrawnSprings, SpringFrame, row_panel, spring_places
-from winkler.plot.panel import Area, Line, Panel, PanelAxis, note
+from winkler.plot.panel import NO_CONTACT, Area, Line, Panel, PanelAxis
 from winkler.plot.series import places, series
 from winkler.problems.viscoelastic.states import ViscoelasticState
 from winkler.problems.viscoelastic.tangential_states import ViscoelasticTangentialState
 
-__all__ = ["no_contact", "pressure_panel", "recovering_panel", "width_of"]
+__all__ = ["pressure_panel", "recovering_panel", "width_of"]
 
 RecoveringState = ViscoelasticState | ViscoelasticTangentialState
 
@@ -63,15 +63,10 @@ def recovering_panel(state: RecoveringState, bed: Bed | None = None, frame: Spri
     return row_panel(row, bed, float(state.depth), frame).plus(*names, legend="lower center", columns=2)
 
 
-def no_contact() -> Panel:
-    """Return a panel with the note that the bodies do not touch."""
-    return Panel((note("no contact", "upper centre"),), bare=True)
-
-
 def pressure_panel(state: ViscoelasticState) -> Panel:
     """Return the pressure over the contact."""
     if state.radius == 0.0:
-        return no_contact()
+        return NO_CONTACT.plus(bare=True)
     extent = width_of(state)
     r = places(extent, (state.radius,), count=300)
     pressure: Array = state.pressure(r)

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from typing import Any
 
 import numpy as np
 
 from winkler.plot import style
-from winkler.plot.decades import Quantity, decades_panel
-from winkler.plot.drawing import sheet_of
+from winkler.plot.decades import Quantity, decades_around, decades_panel
+from winkler.plot.dispatch import without_extent
 from winkler.plot.friction.curves import (
     bounds,
     energies_panel,
@@ -19,10 +18,10 @@ from winkler.plot.friction.curves import (
     mirrored_bounds,
     stick_band,
 )
-from winkler.plot.panel import Area, Line, Panel, PanelAxis, Rule, Sheet, note, titled
-from winkler.plot.series import Series, common_scale, series, with_unit
-from winkler.plot.viscoelastic.contacts import LEAST_FORCE_SHARE, depth_and_radius, refuse_extent
-from winkler.plot.viscoelastic.springs import no_contact, recovering_panel, width_of
+from winkler.plot.panel import NO_CONTACT, Area, Line, Panel, PanelAxis, Rule, Sheet, note, titled
+from winkler.plot.series import common_scale, headline, series, series_of, with_unit
+from winkler.plot.viscoelastic.contacts import LEAST_FORCE_SHARE, depth_and_radius
+from winkler.plot.viscoelastic.springs import recovering_panel, width_of
 from winkler.problems.viscoelastic.adhesion import ViscoelasticAdhesionSolution
 from winkler.problems.viscoelastic.sliding import SlidingResistanceSolution
 from winkler.problems.viscoelastic.tangential import ViscoelasticTangentialSolution
@@ -35,19 +34,18 @@ FACTOR_AROUND = 300.0
 """Range drawn around a single speed, as a factor."""
 
 
-@sheet_of.register(ViscoelasticTangentialSolution)
-def dragged_sheet(item: ViscoelasticTangentialSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(ViscoelasticTangentialSolution)
+def dragged_sheet(item: ViscoelasticTangentialSolution) -> Sheet:
     """Return the loop, forces, energies and contact along a path; springs and their loads of a late contact."""
-    refuse_extent(item, extent)
     bearing = np.flatnonzero(item.force >= LEAST_FORCE_SHARE * np.max(item.force))
-    state, time = item.states[int(bearing[-1]) if bearing.size else 0], _series(item, "time")
+    state, time = item.states[int(bearing[-1]) if bearing.size else 0], series_of(item, "time")
     mu = item.problem.law.coefficient
-    lines = [(_series(item, "shear_force"), "$F_x$")]
+    lines = [(series_of(item, "shear_force"), "$F_x$")]
     lines += bounds("shear_force", mu * item.force) if math.isfinite(mu) else []
     names = {"friction_loss": "lost to friction", "bulk_loss": "lost in the bodies", "stored_energy": "stored"}
-    radii = [(_series(item, "radius"), "contact"), (_series(item, "stick_radius"), "stick")]
+    radii = [(series_of(item, "radius"), "contact"), (series_of(item, "stick_radius"), "stick")]
     panels = (
-        loop_panel(_series(item, "shift"), _series(item, "shear_force")),
+        loop_panel(series_of(item, "shift"), series_of(item, "shear_force")),
         lines_panel(time, lines, "shear force"),
         energies_panel(item, names, height_factor=1.35),
         lines_panel(time, radii, "radius", low=0.0),
@@ -59,17 +57,10 @@ def dragged_sheet(item: ViscoelasticTangentialSolution, *, extent: float | None 
     return Sheet(titled(panels, *titles), 3, width=3.9)
 
 
-@sheet_of.register(ViscoelasticTangentialState)
-def dragged_state_sheet(item: ViscoelasticTangentialState, *, extent: float | None = None) -> Sheet:
+@without_extent(ViscoelasticTangentialState)
+def dragged_state_sheet(item: ViscoelasticTangentialState) -> Sheet:
     """Return the springs at one time, and their loads in both directions."""
-    refuse_extent(item, extent)
-    parts = (
-        ("F_N", item.force, "N"),
-        ("F_x", item.shear_force, "N"),
-        ("d", item.depth, "m"),
-        ("u_x", item.shift, "m"),
-    )
-    title = "   ".join(f"${symbol}$ = {with_unit(number, unit)}" for symbol, number, unit in parts)
+    title = headline(item, "force", "shear_force", "depth", "shift")
     panels = titled((recovering_panel(item), _loads_panel(item, math.inf)), "springs", "their loads")
     return Sheet(panels, height=3.3, title=title)
 
@@ -77,7 +68,7 @@ def dragged_state_sheet(item: ViscoelasticTangentialState, *, extent: float | No
 def _loads_panel(state: ViscoelasticTangentialState, coefficient: float) -> Panel:
     """Return the load of the springs along the surface, and the bound of friction."""
     if state.radius == 0.0:
-        return no_contact()
+        return NO_CONTACT.plus(bare=True)
     along = series("x", state.position)
     bound = coefficient * state.line_load if math.isfinite(coefficient) else np.zeros(state.line_load.shape)
     of, limit = (series("shear_load", loads) for loads in (state.shear_load, bound))
@@ -93,17 +84,11 @@ def _loads_panel(state: ViscoelasticTangentialState, coefficient: float) -> Pane
     return Panel(marks, PanelAxis.of(along, low=-end, high=end), upright, legend="upper right")
 
 
-@sheet_of.register(SlidingResistanceSolution)
-def sliding_sheet(item: SlidingResistanceSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(SlidingResistanceSolution)
+def sliding_sheet(item: SlidingResistanceSolution) -> Sheet:
     """Return the resistance and the coefficient of friction over the speed, and the springs where it is greatest."""
-    refuse_extent(item, extent)
     requested = np.ravel(np.asarray(item.speed, dtype=float))
-    low, high = (
-        (np.min(requested), np.max(requested))
-        if requested.size > 1
-        else (requested[0] / FACTOR_AROUND, requested[0] * FACTOR_AROUND)
-    )
-    speeds = np.geomspace(low, high, POINTS)
+    speeds = decades_around(requested, FACTOR_AROUND, POINTS)
     curve = item if requested.size >= POINTS else dataclasses.replace(item.problem, speed=speeds).solve()
     order = np.argsort(np.ravel(np.asarray(curve.speed)), kind="stable")
     along = series("speed", np.ravel(np.asarray(curve.speed))[order], type(item))
@@ -138,23 +123,18 @@ def _trace_panel(curve: SlidingResistanceSolution, place: int) -> Panel:
     return Panel(marks, PanelAxis.of(along, margin=0.04), upright)
 
 
-@sheet_of.register(ViscoelasticAdhesionSolution)
-def adhesion_sheet(item: ViscoelasticAdhesionSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(ViscoelasticAdhesionSolution)
+def adhesion_sheet(item: ViscoelasticAdhesionSolution) -> Sheet:
     """Return force over the position of the machine, depth and contact radius over time, and the speed of the edge."""
-    refuse_extent(item, extent)
-    time = _series(item, "time")
+    time = series_of(item, "time")
     opening = np.where(item.crack_speed > 0.0, item.crack_speed, np.nan)
     edge, opens = series("crack_speed", opening, type(item)), bool(np.any(item.crack_speed > 0.0))
     speed = lines_panel(time, [(edge, "")], "speed of the edge", log=opens)
     panels = (
-        loop_panel(_series(item, "position"), _series(item, "force"), float(item.dissipation[-1])),
+        loop_panel(series_of(item, "position"), series_of(item, "force"), float(item.dissipation[-1])),
         depth_and_radius(item),
         speed,
     )
     titles = ("force over the position of the machine", "depth and contact", "opening speed of the edge")
     title = f"lowest force {with_unit(float(item.lowest_force[-1]), 'N')}"
     return Sheet(titled(panels, *titles), width=3.9, height=3.3, title=title)
-
-
-def _series(item: Any, name: str) -> Series:
-    return series(name, getattr(item, name), type(item))

@@ -8,11 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.plot import style
-from winkler.plot.drawing import sheet_of
+from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Area, Line, Panel, PanelAxis, Rule, Sheet, titled
-from winkler.plot.series import Series, series, with_unit
+from winkler.plot.series import Series, series, series_of, with_unit
 from winkler.problems.wear.fretting import FrettingSolution
 from winkler.problems.wear.limiting_profile import LimitingSolution
 from winkler.problems.wear.sliding import SlidingSolution
@@ -29,24 +28,18 @@ PRESSURE_CEILING = 3.0
 """Greatest drawn pressure over its mean; at the edge of a core or a punch it is infinite."""
 
 
-def _refuse(item: Any, extent: float | None) -> None:
-    if extent is not None:
-        raise InvalidInput(f"draw: the sheet of a {type(item).__name__} has no extent; leave it out.")
-
-
-@sheet_of.register(FrettingSolution)
-def fretting_sheet(item: FrettingSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(FrettingSolution)
+def fretting_sheet(item: FrettingSolution) -> Sheet:
     """Return worn profiles and pressures after growing numbers of cycles, and radii, volume and loads over them."""
-    _refuse(item, extent)
-    cycles = _series(item, "cycles")
+    cycles = series_of(item, "cycles")
     names = [f"{count:,.0f}" if count >= 10 or count == 0 else f"{count:.2g}" for count in item.cycles]
     steady = np.ptp(item.force) <= 1e-6 * np.max(item.force)
     volumes = ("first_volume", "second_volume") if np.any(item.second_volume > 0.0) else ("worn_volume",)
     below = titled(
         (
-            _over(cycles, [_series(item, "radius"), _series(item, "stick_radius")], "radius"),
-            _over(cycles, [_series(item, name) for name in volumes], "worn volume" if len(volumes) > 1 else ""),
-            _over(cycles, [_series(item, "depth" if steady else "force")]),
+            _over(cycles, [series_of(item, "radius"), series_of(item, "stick_radius")], "radius"),
+            _over(cycles, [series_of(item, name) for name in volumes], "worn volume" if len(volumes) > 1 else ""),
+            _over(cycles, [series_of(item, "depth" if steady else "force")]),
         ),
         "contact and core",
         "worn volume",
@@ -55,28 +48,24 @@ def fretting_sheet(item: FrettingSolution, *, extent: float | None = None) -> Sh
     return Sheet((*_state_panels(item.states, names, "cycles"), *below), 3, width=3.9)
 
 
-@sheet_of.register(SlidingSolution)
-def sliding_sheet(item: SlidingSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(SlidingSolution)
+def sliding_sheet(item: SlidingSolution) -> Sheet:
     """Return worn profiles and pressures after growing distances, and contact, volume and pressure over them."""
-    _refuse(item, extent)
-    distance = _series(item, "distance")
+    distance = series_of(item, "distance")
     above = _state_panels(item.states, [with_unit(far, "m", 3) for far in item.distance.tolist()], "distance")
-    below = (_over(distance, [_series(item, name)]) for name in ("radius", "worn_volume", "mean_pressure"))
+    below = (_over(distance, [series_of(item, name)]) for name in ("radius", "worn_volume", "mean_pressure"))
     return Sheet((*above, *titled(below, "contact", "worn volume", "mean pressure")), 3, width=3.9)
 
 
-@sheet_of.register(WearState)
-@sheet_of.register(FrettingState)
-def wear_state_sheet(item: WearState, *, extent: float | None = None) -> Sheet:
+@without_extent(WearState, FrettingState)
+def wear_state_sheet(item: WearState) -> Sheet:
     """Return the worn profile and the pressure of one state."""
-    _refuse(item, extent)
     return Sheet(_state_panels((item,), [f"{item.elapsed:.4g}"], "after"), width=3.9)
 
 
-@sheet_of.register(LimitingSolution)
-def limiting_sheet(item: LimitingSolution, *, extent: float | None = None) -> Sheet:
+@without_extent(LimitingSolution)
+def limiting_sheet(item: LimitingSolution) -> Sheet:
     """Return the limiting profile, the worn depth, and the pressure in the limit and before wear."""
-    _refuse(item, extent)
     bed, c, end = item.problem.bed, item.stick_radius, item.radius
     reach = min(RADII_DRAWN * end, bed.reach)
     ring = c + (end - c) * np.linspace(0.0, 1.0, POINTS) ** 2
@@ -103,10 +92,6 @@ def limiting_sheet(item: LimitingSolution, *, extent: float | None = None) -> Sh
     )
     chosen_states = titled((panel.plus(core, legend="best") for panel in panels), "profile", "worn depth", "pressure")
     return Sheet(chosen_states, width=3.9, title=title)
-
-
-def _series(item: Any, name: str) -> Series:
-    return series(name, getattr(item, name), type(item))
 
 
 def _chosen(states: tuple[WearState, ...]) -> list[int]:

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from winkler.path_steps import Unchanged
-from winkler.plot.series import scale_of, spoken
+from winkler.plot.series import name_in_words, scale_of
 from winkler.readable import with_unit
 from winkler.study.language import keys
 from winkler.study.language.catalogue import kind_of
@@ -82,7 +82,7 @@ def _label(content: Any) -> str:
 
 def _name(owner: type, field: str) -> str:
     """Return the name of a field in words; a name with another meaning for its owner stays as it is."""
-    return field.replace("_", " ") if own_word(owner, field) else spoken(field)
+    return field.replace("_", " ") if own_word(owner, field) else name_in_words(field)
 
 
 def _rows(content: Any, path: str, group: str, swept: dict[str, Axis | Range]) -> Iterator[Input]:

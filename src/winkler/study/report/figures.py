@@ -14,7 +14,7 @@ from winkler.numerics.types import Array
 from winkler.plot.adhesion.cycles import contact_of
 from winkler.plot.families import bar_sheet, family_sheet
 from winkler.plot.method import Contact, method_sheet, pictures_of
-from winkler.plot.series import Series, spoken
+from winkler.plot.series import Series, name_in_words
 from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.study.batch.outcome import Outcome, SolvedPoint
@@ -127,7 +127,7 @@ def _varied(outcome: Outcome, answers: dict[str, Array]) -> Iterator[ReportFigur
     for name, content in answers.items():
         of = [Series(name, outcome.word(name), content[where]) for _, where in curves]
         picture = family_sheet([x for _ in curves], of, [label for label, _ in curves])
-        yield drawn(f"answer_{name}", capital(f"{spoken(name)} over {spoken(x.name)}"), sentence, picture)
+        yield drawn(f"answer_{name}", capital(f"{name_in_words(name)} over {name_in_words(x.name)}"), sentence, picture)
 
 
 def _curves(study: Study, along: Axis) -> list[tuple[str, Any]]:
@@ -163,7 +163,7 @@ def _bars(outcome: Outcome, answers: dict[str, Array]) -> Iterator[ReportFigure]
     for name, content in answers.items():
         of = Series(name, outcome.word(name), content.ravel()[:MOST_BARS])
         sentence = f"One bar for each that was varied.{cut}"
-        yield drawn(f"answer_{name}", capital(spoken(name)), sentence, bar_sheet(labels, of))
+        yield drawn(f"answer_{name}", capital(name_in_words(name)), sentence, bar_sheet(labels, of))
 
 
 def _sheets(outcome: Outcome) -> Iterator[ReportFigure]:
@@ -200,7 +200,7 @@ def _side_by_side(outcome: Outcome, compared: tuple[str, ...]) -> Iterator[Repor
     for what in compared:
         of = [Series(what, outcome.word(what), answers[what]) for answers in answers_of_points]
         picture = family_sheet(along, of, labels, ordered=False)
-        title = capital(f"{spoken(what)} over {spoken(name)}")
+        title = capital(f"{name_in_words(what)} over {name_in_words(name)}")
         yield drawn(f"answer_{what}", title, f"One curve for each point of the sweep.{_cut(outcome)}", picture)
 
 
@@ -219,7 +219,7 @@ def _loops(outcome: Outcome, answer: Answer) -> Iterator[ReportFigure]:
             if len(of) > 1 and all(np.array_equal(one.content, of[0].content) for one in of):
                 continue  # given, not computed
             picture = family_sheet(along, of, labels, ordered=False)
-            title = capital(f"{spoken(what)} over {spoken(over)}")
+            title = capital(f"{name_in_words(what)} over {name_in_words(over)}")
             name = f"answer_{what}_over_{over}" if what in used else f"answer_{what}"
             used.add(what)
             yield drawn(name, title, f"One curve for each point of the sweep.{_cut(outcome)}", picture)
@@ -247,7 +247,9 @@ def _over(outcome: Outcome, over: str) -> Iterator[ReportFigure]:
             of = [Series(name, outcome.word(name), answers[name]) for answers in answers_of_points]
             sentence = f"All loads of the problem.{cut}"
             picture = family_sheet(along, of, labels)
-            yield drawn(f"answer_{name}", capital(f"{spoken(name)} over {spoken(over)}"), sentence, picture)
+            yield drawn(
+                f"answer_{name}", capital(f"{name_in_words(name)} over {name_in_words(over)}"), sentence, picture
+            )
 
 
 def _answers_worth(outcome: Outcome) -> list[str]:

@@ -10,7 +10,7 @@ import numpy as np
 from winkler.fitting.outcome import Fit
 from winkler.plot import sheet_of
 from winkler.plot.fitting.fits import Grid, map_sheet, numbers_sheet
-from winkler.plot.series import Series, spoken
+from winkler.plot.series import Series, name_in_words
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.readable import with_unit
@@ -62,9 +62,11 @@ def figures_of_many(outcome: FitOutcome) -> Iterator[ReportFigure]:
         stem = _stem(free)
         if isinstance(grid, Grid):
             sentence = "Over the sample; grey where a curve has no answer."
-            yield drawn(f"map_{stem}", f"Map: {spoken(of.name)}", sentence, map_sheet(grid, of))
+            yield drawn(f"map_{stem}", f"Map: {name_in_words(of.name)}", sentence, map_sheet(grid, of))
         sentence = "Every curve with its standard error, and how often each value occurs."
-        yield drawn(f"all_{stem}", f"All curves: {spoken(of.name)}", sentence, numbers_sheet(of, outcome.errors(free)))
+        yield drawn(
+            f"all_{stem}", f"All curves: {name_in_words(of.name)}", sentence, numbers_sheet(of, outcome.errors(free))
+        )
 
 
 def figures_of_curves(outcome: FitOutcome) -> Iterator[ReportFigure]:

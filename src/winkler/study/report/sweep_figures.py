@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from winkler.numerics.types import Array
-from winkler.plot.series import Series, spoken
+from winkler.plot.series import Series, name_in_words
 from winkler.plot.sweeps import VariancePart, cloud_sheet, map_sheet, part_sheet
 from winkler.study.batch.outcome import Outcome
 from winkler.study.language import keys
@@ -43,7 +43,7 @@ def maps(outcome: Outcome, answers: dict[str, Array]) -> Iterator[ReportFigure]:
     """Yield a map of every one of the answers over two varied keys."""
     along, up = (varied_series(outcome.study, axis) for axis in outcome.study.axes)
     for name, content in answers.items():
-        title = capital(f"{spoken(name)} over {spoken(along.name)} and {spoken(up.name)}")
+        title = capital(f"{name_in_words(name)} over {name_in_words(along.name)} and {name_in_words(up.name)}")
         picture = map_sheet(along, up, Series(name, outcome.word(name), content))
         yield drawn(f"answer_{name}", title, "Lines join points of equal answers.", picture)
 
@@ -53,7 +53,7 @@ def clouds(outcome: Outcome, answers: dict[str, Array]) -> Iterator[ReportFigure
     along = [varied_series(outcome.study, axis) for axis in outcome.study.axes if axis.numeric]
     for name, content in answers.items():
         picture = cloud_sheet(along, Series(name, outcome.word(name), content))
-        title = capital(f"{spoken(name)} over what was varied")
+        title = capital(f"{name_in_words(name)} over what was varied")
         yield drawn(f"answer_{name}", title, "One dot for each point; everything else varies as well.", picture)
 
 
@@ -65,7 +65,7 @@ def parts(outcome: Outcome) -> Iterator[ReportFigure]:
             VariancePart("alone", one.first_order, one.first_order_low, one.first_order_high),
             VariancePart("with the others", one.total_order, one.total_order_low, one.total_order_high),
         ]
-        title = capital(f"what makes {spoken(one.answer)} scatter")
+        title = capital(f"what makes {name_in_words(one.answer)} scatter")
         sentence = (
             f"Indices of Sobol of first and total order, from {one.pairs} pairs of points, with intervals of 95 %."
         )

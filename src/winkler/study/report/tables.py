@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from winkler.plot.series import middle_scale, spoken
+from winkler.plot.series import middle_scale, name_in_words
 from winkler.readable import with_unit
 from winkler.study.batch.events import EVENTS
 from winkler.study.batch.outcome import ComparedNumber, Outcome, ResultColumn
@@ -73,7 +73,7 @@ def _indices(outcome: Outcome) -> str:
                     (one.total_order, one.total_order_low, one.total_order_high),
                 )
             ]
-            head = f"<td>{safe(spoken(one.answer))}</td><td>{safe(axis.key.removeprefix('problem.'))}</td>"
+            head = f"<td>{safe(name_in_words(one.answer))}</td><td>{safe(axis.key.removeprefix('problem.'))}</td>"
             rows.append(f"<tr>{head}{''.join(cells)}</tr>")
     if not rows:
         return ""
@@ -121,7 +121,7 @@ def _cards(outcome: Outcome) -> str:
             entry, number = outcome.word(name), float(outcome.answer(name).ravel()[0])
             cards.append(
                 f'<div class="card"><div class="value">{safe(with_unit(number, entry.unit))}</div>'
-                f'<div class="name">{safe(spoken(name))} {symbol(entry.symbol)}</div></div>'
+                f'<div class="name">{safe(name_in_words(name))} {symbol(entry.symbol)}</div></div>'
             )
     return f'<div class="cards">{"".join(cards)}</div>'
 
@@ -132,7 +132,7 @@ def _single(columns: tuple[ResultColumn, ...]) -> str:
         content = column.content[0]
         text = with_unit(float(content), column.word.unit, 7) if column.word.unit is not None else str(content)
         rows.append(
-            f"<tr><td>{safe(spoken(column.name))}</td><td>{symbol(column.word.symbol)}</td>"
+            f"<tr><td>{safe(name_in_words(column.name))}</td><td>{symbol(column.word.symbol)}</td>"
             f'{number(safe(text))}<td class="text small">{safe(column.word.meaning)}</td></tr>'
         )
     return table(["answer", "", "#value", "meaning"], rows)
@@ -149,7 +149,7 @@ def _many(columns: tuple[ResultColumn, ...], outcome: Outcome) -> str:
     ]
     heads, bodies = [], []
     for column in shown_columns:
-        name = spoken(column.name.rpartition(".")[2])
+        name = name_in_words(column.name.rpartition(".")[2])
         if column.word.unit is None:
             heads.append(safe(name))
             named = _labels(outcome, column.name)
@@ -256,8 +256,8 @@ def _quantity_text(quantity: str) -> str:
     """Return the name of a quantity in words, with its index among many answers."""
     base, _, number = quantity.rpartition(".")
     if not number.removeprefix("-").isdecimal():
-        return spoken(quantity)
-    return f"{spoken(base)} ({'last' if number == '-1' else f'number {number}'})"
+        return name_in_words(quantity)
+    return f"{name_in_words(base)} ({'last' if number == '-1' else f'number {number}'})"
 
 
 def _some(content: Any, unit: str | None) -> str:
