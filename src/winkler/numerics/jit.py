@@ -34,7 +34,7 @@ R = TypeVar("R")
 
 FAST_MATH_FLAGS = frozenset({"reassoc", "contract", "nsz"})
 """What the compiler may do to arithmetic; never to assume that there is no infinity and no not-a-number."""
-OPTIONS = {"nogil": True, "error_model": "numpy", "forceinline": True}
+OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy", "forceinline": True}
 """How kernels are compiled: each stands in full within those that call it.
 
 A kernel that calls a copy of another one may reach the copy in any kernel that was compiled or loaded earlier; as
