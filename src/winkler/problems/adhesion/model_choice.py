@@ -15,10 +15,10 @@ import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
-from winkler.laws.adhesion import AdhesionLaw, DerjaguinMullerToporov, Dugdale, ShortRange
+from winkler.laws.adhesion import DerjaguinMullerToporov, Dugdale, ShortRange
 from winkler.loading import Force
 from winkler.problems.adhesion import griffith
-from winkler.problems.adhesion.indentation import AdhesiveIndentation
+from winkler.problems.adhesion.indentation import AdhesiveIndentation, AdhesiveSolution
 from winkler.problems.adhesion.pull_off import PullOff
 from winkler.problems.adhesion.tabor import MAUGIS_OVER_TABOR
 from winkler.problems.assumptions.adhesion_range import GREENWOOD, PULL_OFF_STRETCH
@@ -133,7 +133,13 @@ def which_model(bed: Bed, law: Dugdale, load: Force = UNLOADED, *, tolerance: fl
         raise InvalidInput(f"which_model: the load is {load!r}; give one Force(force), zero or positive.")
     if not 0.0 < tolerance < 1.0:
         raise InvalidInput(f"which_model: tolerance is {tolerance!r}; give a number between 0 and 1, such as 0.02.")
-    models, refused = _models(bed, law, load)
+    problems: dict[str, Indentation | AdhesiveIndentation] = {
+        "Maugis": AdhesiveIndentation(bed, law, load),
+        "JKR": AdhesiveIndentation(bed, ShortRange(law.work), load),
+        "DMT": AdhesiveIndentation(bed, DerjaguinMullerToporov(law.work), load),
+        "Hertz": Indentation(bed, load),
+    }
+    models, refused = _models(problems)
     short = PullOff(bed, ShortRange(law.work)).solve()
     stretch = float(griffith.stretch(bed, law.work, np.array([short.radius]))[0])
     tabor = stretch / (PULL_OFF_STRETCH * law.range)
@@ -144,34 +150,26 @@ def which_model(bed: Bed, law: Dugdale, load: Force = UNLOADED, *, tolerance: fl
         name = "Hertz"
     else:
         name = next(each for each in ("JKR", "DMT", "Maugis") if each in good)
-    problems: dict[str, Indentation | AdhesiveIndentation] = {
-        "Hertz": Indentation(bed, load),
-        "JKR": AdhesiveIndentation(bed, ShortRange(law.work), load),
-        "DMT": AdhesiveIndentation(bed, DerjaguinMullerToporov(law.work), load),
-        "Maugis": AdhesiveIndentation(bed, law, load),
-    }
     notes = _reasons(name, tabor, stretch, law, load, models, tolerance, refused)
     return Recommendation(problems[name], name, tabor, models, notes)
 
 
-def _models(bed: Bed, law: Dugdale, load: Force) -> tuple[tuple[ModelError, ...], str]:
-    """Return the results of the models, and why there is no DMT, if there is none."""
-    laws: dict[str, AdhesionLaw] = {"JKR": ShortRange(law.work), "DMT": DerjaguinMullerToporov(law.work)}
-    force = PullOff(bed, law).solve().force
-    radius = float(AdhesiveIndentation(bed, law, load).solve().radius)
-    models, refused = [ModelError("Maugis", force, radius, 0.0, 0.0)], ""
-    for name, other in laws.items():
+def _models(problems: dict[str, Indentation | AdhesiveIndentation]) -> tuple[tuple[ModelError, ...], str]:
+    """Return the results of the models, Maugis' first, and why there is no DMT, if there is none."""
+    models: list[ModelError] = []
+    refused = ""
+    for name, problem in problems.items():
         try:
-            pull_off = PullOff(bed, other).solve().force
-            wide = float(AdhesiveIndentation(bed, other, load).solve().radius)
+            contact = problem.solve()
+            pull_off = contact.pull_off.force if isinstance(contact, AdhesiveSolution) else 0.0
         except OutsideValidity as error:
-            if name == "JKR":
+            if name != "DMT":
                 raise
             refused = str(error)
             continue
-        models.append(ModelError(name, pull_off, wide, pull_off / force - 1.0, wide / radius - 1.0))
-    wide = float(Indentation(bed, load).solve().radius)
-    models.append(ModelError("Hertz", 0.0, wide, -1.0, wide / radius - 1.0))
+        radius = float(contact.radius)
+        best = models[0] if models else ModelError(name, pull_off, radius, 0.0, 0.0)
+        models.append(ModelError(name, pull_off, radius, pull_off / best.pull_off - 1.0, radius / best.radius - 1.0))
     return tuple(models), refused
 
 

@@ -206,7 +206,6 @@ class SlidingResistanceSolution:
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         bed = self.problem.bed
-        assert isinstance(bed.medium, ViscoelasticHalfSpace)
         depth, radius = (np.ravel(np.asarray(column)) for column in (self.depth, self.radius))
         passing = (2.0 * radius / np.ravel(np.asarray(self.speed)))[radius > 0.0]
         times = times_notes(bed, float(np.min(passing)), float(np.max(passing))) if passing.size else ()

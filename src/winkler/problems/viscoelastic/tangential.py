@@ -173,10 +173,11 @@ class ViscoelasticTangential:
         deepest = self._normal._deepest
         if deepest == 0.0:
             raise OutsideValidity("ViscoelasticTangential: the bodies never touch along this path; press them.")
-        elastic = elastic_like(self.bed)
+        elastic, medium = elastic_like(self.bed), self.bed.medium
+        assert isinstance(medium, ViscoelasticHalfSpace)
         _, reach = at_depth(elastic, np.array([deepest]))
         springs = Springs.of(elastic, float(reach[0]), self.count)
-        normal, shear = relaxation_of("", self.bed), shear_relaxation(_medium(self.bed), self.bed.footprint.shear_share)
+        normal, shear = relaxation_of("", self.bed), shear_relaxation(medium, self.bed.footprint.shear_share)
         by_depth, by_shift = isinstance(self.path.normal, Depth), isinstance(self.path.lateral, Shift)
         row = ShearedMarch(SpringRow(elastic, springs, normal), shear, self.law.coefficient, by_depth, by_shift)
         row.row.motion[0] = min(float(self.path.across[0]), 0.0) if by_depth else row.row.depth
@@ -213,11 +214,6 @@ class ViscoelasticTangential:
             As `steps`.
         """
         return self.gathered(self.steps())
-
-
-def _medium(bed: Bed) -> ViscoelasticHalfSpace:
-    assert isinstance(bed.medium, ViscoelasticHalfSpace)
-    return bed.medium
 
 
 @value
@@ -268,14 +264,12 @@ class ViscoelasticTangentialSolution:
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         bed = self.problem.bed
-        times = path_notes(bed, self.time)
-        coupled = sticking_note(bed.medium, self.problem.law.coefficient)
         return (
             *bed.notes,
             CATTANEO,
-            coupled,
+            sticking_note(bed.medium, self.problem.law.coefficient),
             *direction_notes(bed),
-            *times,
+            *path_notes(bed, self.time),
             energy_note(self.work, self.stored_energy, self.dissipation),
             *contact_notes(elastic_like(bed), self.depth, self.radius),
             *relaxing_yield(bed.medium),
