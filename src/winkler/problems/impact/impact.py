@@ -151,10 +151,8 @@ class Impact:
             _, radius = at_depth(self.bed, np.array([depth]))
             ratio = common_ratio("Impact", self.bed, float(radius[0]), ONE_RATIO)
         curve = normal_curve(self.bed, depth)
-        mobility, sliding = self.mobility, self.sliding_velocity
-        return ImpactProblem(
-            curve, depth, self.mass, mobility, self.velocity, sliding, ratio, float(self.law.coefficient)
-        )
+        moving = self.mass, self.mobility, self.velocity, self.sliding_velocity
+        return ImpactProblem(curve, depth, *moving, ratio, float(self.law.coefficient))
 
     @property
     def total(self) -> int:
