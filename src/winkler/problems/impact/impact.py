@@ -145,18 +145,17 @@ class Impact:
 
     @property
     def _motion(self) -> ImpactProblem:
-        depth = deepest(self.bed, 0.5 * self.mass * self.velocity**2)
-        ratio = 1.0
+        depth, ratio = deepest(self.bed, 0.5 * self.mass * self.velocity**2), 1.0
         if self.law.coefficient > 0.0 and self.sliding_velocity != 0.0:
-            _, radius = at_depth(self.bed, np.array([depth]))
-            ratio = common_ratio("Impact", self.bed, float(radius[0]), ONE_RATIO)
+            radius = float(at_depth(self.bed, np.array([depth]))[1][0])
+            ratio = common_ratio("Impact", self.bed, radius, ONE_RATIO)
         curve = normal_curve(self.bed, depth)
         moving = self.mass, self.mobility, self.velocity, self.sliding_velocity
-        return ImpactProblem(curve, depth, *moving, ratio, float(self.law.coefficient))
+        return ImpactProblem(curve, depth, *moving, ratio, self.law.coefficient)
 
     @property
     def total(self) -> int:
-        """How many states `steps` yields: `count`."""
+        """How many states `steps` yields."""
         return self.count
 
     def steps(self) -> Iterator[ImpactState]:
