@@ -12,7 +12,6 @@ __all__ = ["main"]
 def main() -> int:
     """Run the command of this process and return its exit code."""
     try:
-        import gc
         import os
         import signal
 
@@ -26,6 +25,8 @@ def main() -> int:
         usual = signal.getsignal(signal.SIGINT) is signal.default_int_handler
         if usual:
             signal.signal(signal.SIGINT, leave)
+        import gc
+
         gc.set_threshold(100_000)  # loaded modules stay: searching them for garbage takes a tenth of a short run
         os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")  # sought in all that is installed; none is used
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # matrices are small: threads cost more than they save

@@ -73,6 +73,7 @@ class FrettingHeat(RubbingBodies):
     --------
     >>> from winkler.foundation.foundation import Foundation
     >>> from winkler.laws.friction import Coulomb
+    >>> from winkler.materials.conductor import ThermalConductor
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.path import Path

@@ -84,6 +84,7 @@ class FrictionHeating(RubbingBodies):
     >>> from winkler.foundation.foundation import Foundation
     >>> from winkler.laws.friction import Coulomb
     >>> from winkler.loading import Radius
+    >>> from winkler.materials.conductor import ThermalConductor
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.power import Paraboloid
