@@ -123,7 +123,7 @@ def _varied(outcome: Outcome, answers: dict[str, Array]) -> Iterator[ReportFigur
     cut = f" The first {MOST_CURVES} of {len(curves)} curves are shown." if len(curves) > MOST_CURVES else ""
     curves = curves[:MOST_CURVES]
     x = varied_series(study, along)
-    sentence = f"One curve for each of the other settings.{cut}" if len(curves) > 1 else "Everything else was kept."
+    sentence = f"One curve for each of the other settings.{cut}" if len(curves) > 1 else "All other values are constant."
     for name, content in answers.items():
         of = [Series(name, outcome.word(name), content[where]) for _, where in curves]
         picture = family_sheet([x for _ in curves], of, [label for label, _ in curves])

@@ -81,7 +81,7 @@ def _pictures(outcome: Outcome, shown: tuple[ReportFigure, ...]) -> str:
     method = [one for one in shown if one.of_method]
     sections = []
     if answers:
-        sections.append(section("The answers as curves", parts.figure_elements(answers)))
+        sections.append(section("Results as curves", parts.figure_elements(answers)))
     if method:
         sections.append(section("The method in pictures", _which(outcome), parts.figure_elements(method)))
     point = shown_point(outcome)
