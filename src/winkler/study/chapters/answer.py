@@ -11,7 +11,7 @@ import enum
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-from winkler.study.chapters.kind import Kind
+from winkler.study.chapters.kind import Kind, kind
 
 __all__ = [
     "ALONG",
@@ -22,6 +22,7 @@ __all__ = [
     "Formulas",
     "Kinds",
     "PicturedContact",
+    "answer",
     "constant_formulas",
     "followed_by",
 ]
@@ -90,7 +91,7 @@ class Answer(NamedTuple):
         ``(abscissa, ordinate)`` of the curves of an answer along a path, over time or over many loads.
     compared
         Answers that are drawn over the position or depth, one curve for each point of a sweep.
-    contact
+    pictured
         The contact in the pictures of the method.
     contact_shown
         The same in words, of an answer that holds many contacts.
@@ -101,8 +102,24 @@ class Answer(NamedTuple):
     picture: Caption | None = None
     curves: tuple[tuple[str, str], ...] = ()
     compared: tuple[str, ...] = ()
-    contact: PicturedContact = PicturedContact.LOAD
+    pictured: PicturedContact = PicturedContact.LOAD
     contact_shown: str = ""
+
+
+def answer(
+    path: str,
+    /,
+    *cites: str,
+    formulas: Formulas,
+    picture: Caption | None = None,
+    curves: tuple[tuple[str, str], ...] = (),
+    compared: tuple[str, ...] = (),
+    pictured: PicturedContact = PicturedContact.LOAD,
+    contact_shown: str = "",
+    **example: Any,
+) -> Answer:
+    """Return a record: the path of the problem, its papers and an example as for `kind`, and the fields of `Answer`."""
+    return Answer(kind(path, *cites, **example), formulas, picture, curves, compared, pictured, contact_shown)
 
 
 class Chapter(NamedTuple):

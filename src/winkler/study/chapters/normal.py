@@ -6,11 +6,11 @@ import math
 from typing import Any
 
 from winkler.study.chapters.answer import (
-    Answer,
     Caption,
     Chapter,
     Equation,
     PicturedContact,
+    answer,
     constant_formulas,
     followed_by,
 )
@@ -221,41 +221,35 @@ NORMAL = Chapter(
         },
     },
     answers={
-        "indentation": Answer(
-            kind(
-                "winkler.problems.normal.indentation:Indentation",
-                "popov_hess_2015",
-                "galin_1946",
-                "sneddon_1965",
-                "jaeger_1995",
-            ),
+        "indentation": answer(
+            "winkler.problems.normal.indentation:Indentation",
+            "popov_hess_2015",
+            "galin_1946",
+            "sneddon_1965",
+            "jaeger_1995",
             formulas=normal_formulas,
         ),
-        "yield_onset": Answer(
-            kind(
-                "winkler.problems.normal.yielding:YieldOnset",
-                "johnson_1985",
-                "popov_hess_2015",
-                bed={"kind": "foundation", "medium": {"kind": "half_space", **STRONG}},
-            ),
+        "yield_onset": answer(
+            "winkler.problems.normal.yielding:YieldOnset",
+            "johnson_1985",
+            "popov_hess_2015",
+            bed={"kind": "foundation", "medium": {"kind": "half_space", **STRONG}},
             formulas=followed_by(normal_formulas, ONSET),
         ),
-        "elliptic_indentation": Answer(
-            kind("winkler.problems.normal.elliptic:EllipticIndentation"),
+        "elliptic_indentation": answer(
+            "winkler.problems.normal.elliptic:EllipticIndentation",
             picture=Caption("ellipse", "The contact", "Pressure over the ellipse; of many loads force and semi-axes."),
             curves=(("depth", "force"), ("depth", "longitudinal_semi_axis"), ("depth", "lateral_semi_axis")),
-            contact=PicturedContact.NONE,
+            pictured=PicturedContact.NONE,
             formulas=constant_formulas(ELLIPSE, BALL),
         ),
-        "nearly_round_indentation": Answer(
-            kind(
-                "winkler.problems.normal.near_round:NearlyRoundIndentation",
-                profiles=OVAL,
-                load={"kind": "depth", "depth": "1 um"},
-            ),
+        "nearly_round_indentation": answer(
+            "winkler.problems.normal.near_round:NearlyRoundIndentation",
+            profiles=OVAL,
+            load={"kind": "depth", "depth": "1 um"},
             picture=Caption("contour", "The contact", "Its contour, computed in the directions of the points."),
             curves=(("depth", "force"),),
-            contact=PicturedContact.NONE,
+            pictured=PicturedContact.NONE,
             formulas=constant_formulas(BETTI, GREATEST),
         ),
     },

@@ -43,7 +43,7 @@ def shown_point(outcome: Outcome) -> SolvedPoint:
 
 def shown_contact(point: SolvedPoint) -> Contact | None:
     """Return the contact of a point in the pictures, of its last load; None if there is none."""
-    shows = answer_of(point.problem).contact
+    shows = answer_of(point.problem).pictured
     if shows is Shows.NONE:
         return None
     solution = point.solution if shows is Shows.PATH else point.each[-1]
@@ -68,7 +68,7 @@ def figures_of(outcome: Outcome) -> tuple[ReportFigure, ...]:
         return tuple(figures)
     wanted = pictures_of(contact)
     answer = answer_of(shown_point(outcome).problem)
-    if answer.contact is Shows.EDGE and answer.picture is not None:  # which shows F(d) along the path of the edge
+    if answer.pictured is Shows.EDGE and answer.picture is not None:  # which shows F(d) along the path of the edge
         wanted = tuple(name for name in wanted if name != "force")
     captions = captions_of(sticks=isinstance(contact, AdhesiveSolution))
     for name in wanted:

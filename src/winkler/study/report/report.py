@@ -85,7 +85,7 @@ def _pictures(outcome: Outcome, shown: tuple[ReportFigure, ...]) -> str:
     if method:
         sections.append(section("The method in pictures", _which(outcome), parts.figure_elements(method)))
     point = shown_point(outcome)
-    if shown_contact(point) is None and answer_of(point.problem).contact is not PicturedContact.NONE:
+    if shown_contact(point) is None and answer_of(point.problem).pictured is not PicturedContact.NONE:
         kind = type(point.problem).__name__
         sentence = (
             f"There are no pictures of the method for {kind}: its solution does not state how the springs are "
