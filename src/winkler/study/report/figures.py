@@ -24,12 +24,12 @@ from winkler.study.chapters.contents import answer_of
 from winkler.study.chapters.method_captions import captions_of
 from winkler.study.language.designs import POINT
 from winkler.study.language.study import Axis, Study
-from winkler.study.report.describe import content_label, setting_text
+from winkler.study.report.describe import content_label, setting_text, settings_text
 from winkler.study.report.extra_pictures import ExtraPicture, extra_pictures
 from winkler.study.report.figure import ReportFigure, capital, drawn
 from winkler.study.report.sweep_figures import clouds, mapped, maps, parts, varied_series
 
-__all__ = ["answers_over", "figures_of", "settings_of", "shown_contact", "shown_point"]
+__all__ = ["answers_over", "figures_of", "shown_contact", "shown_point"]
 
 MOST_CURVES = 24
 """Curves in one figure; the table holds all."""
@@ -172,7 +172,7 @@ def _sheets(outcome: Outcome) -> Iterator[ReportFigure]:
     wanted, picture = [*extra_pictures(point.solution)], answer_of(point.problem).picture
     if picture is not None:
         wanted.append(ExtraPicture(picture, point.solution))
-    where = settings_of(outcome, point)
+    where = settings_text(outcome.study, point.settings)
     for (name, title, caption), item in wanted:
         from winkler.plot import sheet_of  # loads all pictures, which those of the method do not need
 
@@ -183,18 +183,13 @@ def _sheets(outcome: Outcome) -> Iterator[ReportFigure]:
             yield ReportFigure(f"answer_{name}", title, sentence, None, missing=re.sub(r"^\w+: ", "", str(error)))
 
 
-def settings_of(outcome: Outcome, point: SolvedPoint) -> str:
-    """Return the values of the varied keys at one point."""
-    pairs = zip(outcome.study.sweep, point.settings, strict=True)
-    return ", ".join(setting_text(outcome.study, axis, item) for axis, item in pairs)
-
-
 def _side_by_side(outcome: Outcome, compared: tuple[str, ...]) -> Iterator[ReportFigure]:
     """Yield force and radius of cycles or curves of equilibria, one for every point of the sweep, in their order."""
     points = outcome.solved[:MOST_CURVES]
     if len(points) < 2:
         return
-    answers_of_points, labels = [point.answers for point in points], [settings_of(outcome, point) for point in points]
+    answers_of_points = [point.answers for point in points]
+    labels = [settings_text(outcome.study, point.settings) for point in points]
     name = "position" if "position" in outcome.answers else "depth"
     along = [Series(name, outcome.word(name), answers[name]) for answers in answers_of_points]
     for what in compared:
@@ -209,7 +204,7 @@ def _loops(outcome: Outcome, answer: Answer) -> Iterator[ReportFigure]:
     points = outcome.solved[:MOST_CURVES]
     if len(points) < 2 and answer.picture is not None:
         return  # the picture of the answer shows them
-    labels = [settings_of(outcome, point) for point in points]
+    labels = [settings_text(outcome.study, point.settings) for point in points]
     worth, used = _answers_worth(outcome), set[str]()
     for over, what in answer.curves:
         if over in outcome.answers and what in worth:
@@ -239,7 +234,7 @@ def _cut(outcome: Outcome) -> str:
 def _over(outcome: Outcome, over: str) -> Iterator[ReportFigure]:
     """Yield a figure for every answer to many loads over one of them, one curve for every point of the sweep."""
     points, cut = outcome.solved[:MOST_CURVES], _cut(outcome)
-    labels = [settings_of(outcome, point) for point in points]
+    labels = [settings_text(outcome.study, point.settings) for point in points]
     answers_of_points = [point.answers for point in points]
     along = [Series(over, outcome.word(over), answers[over]) for answers in answers_of_points]
     for name in _answers_worth(outcome):

@@ -22,14 +22,14 @@ from winkler.fitting.outcome import CreepFit, Fit
 from winkler.plot.fitting.fits import Grid, grid_of
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted
 from winkler.study.batch.outcome import ResultColumn
-from winkler.study.report.archive import write_netcdf, write_table
-from winkler.study.report.netcdf import netcdf_attributes
+from winkler.study.report.archive import write_table
+from winkler.study.report.netcdf import Variables, netcdf_attributes, write_variables
 from winkler.vocabulary import Word
 
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["CSV", "MAPS", "MOST_CURVES_AS_TEXT", "NETCDF", "dataset", "map_grid", "maps", "write_numbers"]
+__all__ = ["CSV", "MAPS", "MOST_CURVES_AS_TEXT", "NETCDF", "dataset", "map_grid", "write_numbers"]
 
 CSV, NETCDF, MAPS = "fit.csv", "fit.nc", "maps.nc"
 MOST_CURVES_AS_TEXT = 24
@@ -52,10 +52,10 @@ POINT_COLUMNS = {
 def write_numbers(outcome: FitOutcome, folder: Path) -> None:
     """Write the numbers of fits, as tables and as NetCDF, into an existing, empty `folder`."""
     write_table(outcome.table(), folder / CSV, nothing="")
-    write_netcdf(dataset(outcome), folder / NETCDF)
+    write_variables(folder / NETCDF, *_dataset(outcome))
     grid = map_grid(outcome)
     if isinstance(grid, Grid):
-        write_netcdf(maps(outcome, grid), folder / MAPS)
+        write_variables(folder / MAPS, *_maps(outcome, grid))
     _write_curves(outcome, folder / "curves")
 
 
@@ -109,13 +109,18 @@ def dataset(outcome: FitOutcome) -> xarray.Dataset:
     """
     import xarray
 
-    variables: dict[str, Any] = {}
-    coords: dict[str, Any] = {}
+    return xarray.Dataset(*_dataset(outcome))
+
+
+def _dataset(outcome: FitOutcome) -> tuple[Variables, Variables, dict[str, Any]]:
+    """Return variables, coordinates and attributes of the dataset."""
+    variables: Variables = {}
+    coords: Variables = {}
     for column in outcome.table():
         target = coords if column.name in ("curve", "x", "y") else variables
-        target[column.name] = ("curve", column.content, netcdf_attributes(column.word))
+        target[column.name] = (("curve",), column.content, netcdf_attributes(column.word))
     keys = np.array([free.key for free in outcome.study.free])
-    coords |= {"free": ("free", keys), "other_free": ("other_free", keys)}
+    coords |= {name: ((name,), keys, {}) for name in ("free", "other_free")}
     order = [free.path for free in outcome.study.free]
     correlation = np.full((len(outcome.results), len(keys), len(keys)), np.nan)
     longest = max(result.fit.curve.count for result in outcome.fitted)
@@ -133,20 +138,16 @@ def dataset(outcome: FitOutcome) -> xarray.Dataset:
         {"units": "1", "long_name": "correlation of the errors of two numbers"},
     )
     variables |= {name: (("curve", "point"), points[name], netcdf_attributes(word)) for name, word in words.items()}
-    return xarray.Dataset(variables, coords, outcome.provenance.attributes(outcome.study.title, outcome.study.text))
+    return variables, coords, outcome.provenance.attributes(outcome.study.title, outcome.study.text)
 
 
-def maps(outcome: FitOutcome, grid: Grid) -> xarray.Dataset:
-    """Return every free number over the places of a force map as an xarray dataset, dimensions ``y`` and ``x``."""
-    import xarray
-
-    variables: dict[str, Any] = {}
-    for column in outcome.table():
-        if column.word.unit is not None and column.name not in ("x", "y"):
-            variables[column.name] = (("y", "x"), grid.arranged(column.content), netcdf_attributes(column.word))
+def _maps(outcome: FitOutcome, grid: Grid) -> tuple[Variables, Variables, dict[str, Any]]:
+    """Return every free number over the places of a force map, dimensions ``y`` and ``x``."""
+    variables: Variables = {
+        column.name: (("y", "x"), grid.arranged(column.content), netcdf_attributes(column.word))
+        for column in outcome.table()
+        if column.word.unit is not None and column.name not in ("x", "y")
+    }
     place = {"units": "m", "long_name": "place on the sample"}
-    return xarray.Dataset(
-        variables,
-        {"x": ("x", grid.x, place), "y": ("y", grid.y, place)},
-        outcome.provenance.attributes(outcome.study.title, outcome.study.text),
-    )
+    coords: Variables = {"x": (("x",), grid.x, place), "y": (("y",), grid.y, place)}
+    return variables, coords, outcome.provenance.attributes(outcome.study.title, outcome.study.text)

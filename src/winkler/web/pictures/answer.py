@@ -17,8 +17,9 @@ from winkler.problems.answer import is_recovering, is_worn
 from winkler.study.batch.outcome import Outcome
 from winkler.study.chapters.contents import answer_of
 from winkler.study.chapters.method_captions import captions_of
+from winkler.study.report.describe import settings_text
 from winkler.study.report.figure import svg_element
-from winkler.study.report.figures import answers_over, settings_of, shown_point
+from winkler.study.report.figures import answers_over, shown_point
 from winkler.study.report.markup import safe
 from winkler.study.report.page_parts import papers, trust
 from winkler.study.report.tables import answer_section, expected, failures
@@ -188,8 +189,8 @@ def scene(outcome: Outcome, moments: Moments, moment: int, previous: View, *, st
                 "The pictures of the method show the contact at this depth, its springs along the surface left out."
             )
     if outcome.study.sweep and contact is not None:
-        sentence = f"The pictures below are of {settings_of(outcome, point)}, the last point of the sweep."
-        remark = f"{sentence} {remark}".rstrip()
+        settings = settings_text(outcome.study, point.settings)
+        remark = f"The pictures below are of {settings}, the last point of the sweep. {remark}".rstrip()
     return Scene(outcome, point, contact, view, moments.states, moment if moments.total else -1, remark)
 
 
