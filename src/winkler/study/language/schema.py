@@ -32,8 +32,7 @@ from winkler.numerics.types import Array
 from winkler.study.chapters.kind import path_of
 from winkler.study.language import maps, quantities
 from winkler.study.language.catalogue import CATALOGUE, SLOTS, UNWRITTEN, Kind, kinds
-from winkler.study.language.file_or_keys import either_file_or
-from winkler.study.language.kind_of_table import refuse_kind
+from winkler.study.language.kind_of_table import either_file_or, refuse_kind
 
 __all__ = [
     "FORBID",

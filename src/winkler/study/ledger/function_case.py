@@ -32,7 +32,7 @@ from winkler.study.language.study import Expectation
 from winkler.study.ledger.expected_case import expectations
 from winkler.study.ledger.functions import FUNCTIONS, Function
 
-__all__ = ["FunctionCase", "function_verdicts", "is_function", "read_function_case"]
+__all__ = ["FunctionCase", "function_verdicts", "read_function_case"]
 
 CASE_KEYS = ("title", "source", "grade", "function", "expect")
 
@@ -46,11 +46,6 @@ class FunctionCase(NamedTuple):
     function: Function
     arguments: dict[str, Quantity]
     expect: tuple[Expectation, ...]
-
-
-def is_function(path: Path) -> bool:
-    """Return whether a case evaluates a function."""
-    return "function" in parsed(read_text(path), path.name)
 
 
 def read_function_case(path: Path) -> FunctionCase:

@@ -27,20 +27,19 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.study.batch import sensitivity
-from winkler.study.batch.events import EVENTS
+from winkler.study.batch.events import EVENTS, Event
 from winkler.study.batch.outcome import Outcome, ResultColumn, SolvedPoint
 from winkler.study.batch.sensitivity import INDEX_MEANINGS, SENSITIVITY
 from winkler.study.language import keys
 from winkler.study.language.reading import study_text
 from winkler.study.report.archive_maps import add_maps
-from winkler.study.report.event_rows import columns_of, rows_of
 from winkler.study.report.netcdf import netcdf_attributes, write_variables
 from winkler.vocabulary import Word, word
 
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["CSV", "NETCDF", "SURFACE", "dataset", "heading", "write_archive", "write_table"]
+__all__ = ["CSV", "NETCDF", "SURFACE", "dataset", "heading", "rows_of", "write_archive", "write_table"]
 
 NETCDF, CSV, SURFACE = "results.nc", "results.csv", "surface.csv"
 
@@ -69,9 +68,8 @@ def write_archive(outcome: Outcome, folder: Path) -> None:
         heads = ["answer", "key", "pairs", *(f"{name} [-]" for name in INDEX_MEANINGS)]
         _write_rows(folder / SENSITIVITY, heads, sensitivity.rows(outcome.indices, _varied(outcome)))
     for name in EVENTS:
-        if columns := columns_of(outcome, name):
-            headings = [heading(one.name, one.word) for one in columns]
-            points = rows_of(outcome, name)
+        if points := rows_of(outcome, name):
+            headings = [heading(one.name, one.word) for one in points[0][1][0]]
             rows = ((point, [[one.content for one in event] for event in events]) for point, events in points)
             _write_points(outcome, folder / f"{name}.csv", headings, rows)
 
@@ -116,6 +114,12 @@ def _write_surface(outcome: Outcome, path: Path) -> None:
                 yield [*([load] if many else []), *row]
 
     _write_points(outcome, path, headings, ((point, rows(point)) for point in outcome.solved))
+
+
+def rows_of(outcome: Outcome, name: str) -> list[tuple[SolvedPoint, tuple[tuple[Event, ...], ...]]]:
+    """Return the points that have events of a kind, jumps, branches, limits or stages, each with a row for each."""
+    pairs = [(point, point.events(name)) for point in outcome.solved]
+    return [(point, rows) for point, rows in pairs if rows]
 
 
 def _write_points(
@@ -215,7 +219,7 @@ def _add_events(outcome: Outcome, dims: tuple[str, ...], variables: dict[str, An
     for name in EVENTS:
         point_rows = rows_of(outcome, name)
         count = max((len(events) for _, events in point_rows), default=0)
-        for place, one in enumerate(columns_of(outcome, name)):
+        for place, one in enumerate(point_rows[0][1][0] if point_rows else ()):
             content = np.full((*outcome.shape, count), np.nan)
             for point, events in point_rows:
                 content[point.index][: len(events)] = [event[place].content for event in events]

@@ -183,20 +183,25 @@ def _sheets(outcome: Outcome) -> Iterator[ReportFigure]:
             yield ReportFigure(f"answer_{name}", title, sentence, None, missing=re.sub(r"^\w+: ", "", str(error)))
 
 
+def _family(
+    outcome: Outcome, over: str, what: str, *, ordered: bool = False, stem: str = "", sentence: str = ""
+) -> ReportFigure:
+    """Return one answer over another, one curve for each of the first points of the sweep."""
+    points = outcome.solved[:MOST_CURVES]
+    labels = [settings_text(outcome.study, point.settings) for point in points]
+    along, of = ([Series(name, outcome.word(name), point.answers[name]) for point in points] for name in (over, what))
+    count = len(outcome.solved)
+    cut = f" The first {MOST_CURVES} of {count} curves are shown." if count > MOST_CURVES else ""
+    title = capital(f"{spoken(what)} over {spoken(over)}")
+    sentence = f"{sentence or 'One curve for each point of the sweep.'}{cut}"
+    return drawn(stem or f"answer_{what}", title, sentence, family_sheet(along, of, labels, ordered=ordered))
+
+
 def _side_by_side(outcome: Outcome, compared: tuple[str, ...]) -> Iterator[ReportFigure]:
     """Yield force and radius of cycles or curves of equilibria, one for every point of the sweep, in their order."""
-    points = outcome.solved[:MOST_CURVES]
-    if len(points) < 2:
-        return
-    answers_of_points = [point.answers for point in points]
-    labels = [settings_text(outcome.study, point.settings) for point in points]
-    name = "position" if "position" in outcome.answers else "depth"
-    along = [Series(name, outcome.word(name), answers[name]) for answers in answers_of_points]
-    for what in compared:
-        of = [Series(what, outcome.word(what), answers[what]) for answers in answers_of_points]
-        picture = family_sheet(along, of, labels, ordered=False)
-        title = capital(f"{spoken(what)} over {spoken(name)}")
-        yield drawn(f"answer_{what}", title, f"One curve for each point of the sweep.{_cut(outcome)}", picture)
+    if len(outcome.solved) > 1:
+        name = "position" if "position" in outcome.answers else "depth"
+        yield from (_family(outcome, name, what) for what in compared)
 
 
 def _loops(outcome: Outcome, answer: Answer) -> Iterator[ReportFigure]:
@@ -204,20 +209,14 @@ def _loops(outcome: Outcome, answer: Answer) -> Iterator[ReportFigure]:
     points = outcome.solved[:MOST_CURVES]
     if len(points) < 2 and answer.picture is not None:
         return  # the picture of the answer shows them
-    labels = [settings_text(outcome.study, point.settings) for point in points]
     worth, used = _answers_worth(outcome), set[str]()
     for over, what in answer.curves:
         if over in outcome.answers and what in worth:
-            along, of = (
-                [Series(name, outcome.word(name), point.answers[name]) for point in points] for name in (over, what)
-            )
-            if len(of) > 1 and all(np.array_equal(one.content, of[0].content) for one in of):
+            of = [point.answers[what] for point in points]
+            if len(of) > 1 and all(np.array_equal(one, of[0]) for one in of):
                 continue  # given, not computed
-            picture = family_sheet(along, of, labels, ordered=False)
-            title = capital(f"{spoken(what)} over {spoken(over)}")
-            name = f"answer_{what}_over_{over}" if what in used else f"answer_{what}"
+            yield _family(outcome, over, what, stem=f"answer_{what}_over_{over}" if what in used else "")
             used.add(what)
-            yield drawn(name, title, f"One curve for each point of the sweep.{_cut(outcome)}", picture)
 
 
 def _single(outcome: Outcome) -> list[str]:
@@ -226,23 +225,12 @@ def _single(outcome: Outcome) -> list[str]:
     return [name for name in _answers_worth(outcome) if name in numbers]
 
 
-def _cut(outcome: Outcome) -> str:
-    count = len(outcome.solved)
-    return f" The first {MOST_CURVES} of {count} curves are shown." if count > MOST_CURVES else ""
-
-
 def _over(outcome: Outcome, over: str) -> Iterator[ReportFigure]:
     """Yield a figure for every answer to many loads over one of them, one curve for every point of the sweep."""
-    points, cut = outcome.solved[:MOST_CURVES], _cut(outcome)
-    labels = [settings_text(outcome.study, point.settings) for point in points]
-    answers_of_points = [point.answers for point in points]
-    along = [Series(over, outcome.word(over), answers[over]) for answers in answers_of_points]
+    points = outcome.solved[:MOST_CURVES]
     for name in _answers_worth(outcome):
-        if name != over and all(name in answers for answers in answers_of_points):
-            of = [Series(name, outcome.word(name), answers[name]) for answers in answers_of_points]
-            sentence = f"All loads of the problem.{cut}"
-            picture = family_sheet(along, of, labels)
-            yield drawn(f"answer_{name}", capital(f"{spoken(name)} over {spoken(over)}"), sentence, picture)
+        if name != over and all(name in point.answers for point in points):
+            yield _family(outcome, over, name, ordered=True, sentence="All loads of the problem.")
 
 
 def _answers_worth(outcome: Outcome) -> list[str]:

@@ -12,9 +12,8 @@ from winkler.readable import with_unit
 from winkler.study.batch.events import EVENTS
 from winkler.study.batch.outcome import ComparedNumber, Outcome, ResultColumn
 from winkler.study.language import keys
-from winkler.study.report.archive import CSV
+from winkler.study.report.archive import CSV, rows_of
 from winkler.study.report.describe import Input, content_label, in_words, inputs, settings_text
-from winkler.study.report.event_rows import rows_of
 from winkler.study.report.markup import number, safe, section, table, with_fixed_units
 from winkler.study.report.mathml import symbol
 
