@@ -23,7 +23,6 @@ __all__ = [
     "Kinds",
     "PicturedContact",
     "answer",
-    "constant_formulas",
     "followed_by",
 ]
 
@@ -110,7 +109,7 @@ def answer(
     path: str,
     /,
     *cites: str,
-    formulas: Formulas,
+    formulas: Formulas | tuple[Equation, ...],
     picture: Caption | None = None,
     curves: tuple[tuple[str, str], ...] = (),
     compared: tuple[str, ...] = (),
@@ -118,8 +117,12 @@ def answer(
     contact_shown: str = "",
     **example: Any,
 ) -> Answer:
-    """Return a record: the path of the problem, its papers and an example as for `kind`, and the fields of `Answer`."""
-    return Answer(kind(path, *cites, **example), formulas, picture, curves, compared, pictured, contact_shown)
+    """Return a record: the path of the problem, its papers and an example as for `kind`, and the fields of `Answer`.
+
+    Formulas in place of a function of the problem are the same for each problem of the kind.
+    """
+    made = (lambda problem: formulas) if isinstance(formulas, tuple) else formulas
+    return Answer(kind(path, *cites, **example), made, picture, curves, compared, pictured, contact_shown)
 
 
 class Chapter(NamedTuple):
@@ -143,11 +146,6 @@ class Chapter(NamedTuple):
     def problems(self) -> dict[str, Kind]:
         """Its problems as lines of the catalogue."""
         return {name: answer.kind for name, answer in self.answers.items()}
-
-
-def constant_formulas(*formulas: Equation) -> Formulas:
-    """Return a function that gives the same formulas for each problem of a kind."""
-    return lambda problem: formulas
 
 
 def followed_by(first: Formulas, *more: Equation) -> Formulas:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from winkler.study.chapters.answer import Caption, Chapter, Equation, answer, constant_formulas, followed_by
+from winkler.study.chapters.answer import Caption, Chapter, Equation, answer, followed_by
 from winkler.study.chapters.kind import is_a, kind
 from winkler.study.chapters.normal import HOMOGENEOUS, normal_formulas
 
@@ -182,7 +182,7 @@ CONDUCTION = Chapter(
                 "The spots",
                 "Which spots carry more current than others of their size, and the resistance of all.",
             ),
-            formulas=constant_formulas(SPOT_INTERACTION, GREENWOOD),
+            formulas=(SPOT_INTERACTION, GREENWOOD),
         ),
         "conductance_bounds": answer(
             "winkler.problems.conduction.bounds:ConductanceBounds",
@@ -194,7 +194,7 @@ CONDUCTION = Chapter(
                 "The force curve of the rough body lies in the shaded band; it cannot be steeper or flatter than "
                 "the lines.",
             ),
-            formulas=constant_formulas(TANGENTS, PROPORTION),
+            formulas=(TANGENTS, PROPORTION),
         ),
     },
 )

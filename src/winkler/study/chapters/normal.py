@@ -5,15 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from winkler.study.chapters.answer import (
-    Caption,
-    Chapter,
-    Equation,
-    PicturedContact,
-    answer,
-    constant_formulas,
-    followed_by,
-)
+from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
 from winkler.study.chapters.kind import is_a, kind
 
 __all__ = [
@@ -241,7 +233,7 @@ NORMAL = Chapter(
             picture=Caption("ellipse", "The contact", "Pressure over the ellipse; of many loads force and semi-axes."),
             curves=(("depth", "force"), ("depth", "longitudinal_semi_axis"), ("depth", "lateral_semi_axis")),
             pictured=PicturedContact.NONE,
-            formulas=constant_formulas(ELLIPSE, BALL),
+            formulas=(ELLIPSE, BALL),
         ),
         "nearly_round_indentation": answer(
             "winkler.problems.normal.near_round:NearlyRoundIndentation",
@@ -250,7 +242,7 @@ NORMAL = Chapter(
             picture=Caption("contour", "The contact", "Its contour, computed in the directions of the points."),
             curves=(("depth", "force"),),
             pictured=PicturedContact.NONE,
-            formulas=constant_formulas(BETTI, GREATEST),
+            formulas=(BETTI, GREATEST),
         ),
     },
 )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from winkler.study.chapters.answer import Caption, Chapter, Equation, answer, constant_formulas
+from winkler.study.chapters.answer import Caption, Chapter, Equation, answer
 
 __all__ = ["PARTICLES"]
 
@@ -38,7 +38,7 @@ PARTICLES = Chapter(
                 "Force and contact radius over the depth, pressed in and let go; dotted where yield begins.",
             ),
             curves=(("depth", "force"),),
-            formulas=constant_formulas(HALF_ELLIPSE, YIELD, SHAPED_PARTICLE, ADHESIVE_EDGE),
+            formulas=(HALF_ELLIPSE, YIELD, SHAPED_PARTICLE, ADHESIVE_EDGE),
         ),
     },
 )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, constant_formulas
+from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
 from winkler.study.chapters.kind import kind
 
 __all__ = ["ROUGH"]
@@ -117,7 +117,7 @@ ROUGH = Chapter(
             ),
             curves=(("depth", "force"), ("force", "stiffness"), ("force", "area"), ("force", "mean_gap")),
             pictured=PicturedContact.NONE,
-            formulas=constant_formulas(ELEMENTS, SAME_AREA),
+            formulas=(ELEMENTS, SAME_AREA),
         ),
         "surface_conduction": answer(
             "winkler.problems.rough.surface_conduction:SurfaceConduction",
@@ -130,7 +130,7 @@ ROUGH = Chapter(
             ),
             curves=(("force", "stiffness"), ("force", "conductance"), ("force", "resistance")),
             pictured=PicturedContact.NONE,
-            formulas=constant_formulas(ELEMENTS, SAME_AREA, PROPORTION, BOUNDS, SPECTRUM, LINE, PERSSON),
+            formulas=(ELEMENTS, SAME_AREA, PROPORTION, BOUNDS, SPECTRUM, LINE, PERSSON),
         ),
         "reduction": answer(
             "winkler.problems.rough.reduce:Reduction",
@@ -143,7 +143,7 @@ ROUGH = Chapter(
             ),
             curves=(("depth", "force"), ("depth", "stiffness")),
             pictured=PicturedContact.NONE,
-            formulas=constant_formulas(ELEMENTS, SAME_AREA, DISC),
+            formulas=(ELEMENTS, SAME_AREA, DISC),
         ),
         "rough_contact": answer(
             "winkler.problems.rough.line_contact:RoughContact",
@@ -158,7 +158,7 @@ ROUGH = Chapter(
             ),
             curves=(("depth", "force"), ("force", "stiffness"), ("force", "area"), ("force", "mean_gap")),
             pictured=PicturedContact.NONE,
-            formulas=constant_formulas(SPECTRUM, LINE, PERSSON),
+            formulas=(SPECTRUM, LINE, PERSSON),
         ),
         "rough_indentation": answer(
             "winkler.problems.rough.line_indentation:RoughIndentation",
@@ -174,7 +174,7 @@ ROUGH = Chapter(
             ),
             curves=(("depth", "force"), ("force", "stiffness"), ("force", "area")),
             pictured=PicturedContact.NONE,
-            formulas=constant_formulas(SPECTRUM, ON_BODY, LINE, PERSSON),
+            formulas=(SPECTRUM, ON_BODY, LINE, PERSSON),
         ),
         "elastomer_friction": answer(
             "winkler.problems.rough.elastomer_friction:ElastomerFriction",
@@ -186,7 +186,7 @@ ROUGH = Chapter(
             ),
             curves=(("velocity", "coefficient"),),
             pictured=PicturedContact.NONE,
-            formulas=constant_formulas(SHEARED_WAVES),
+            formulas=(SHEARED_WAVES,),
         ),
     },
 )

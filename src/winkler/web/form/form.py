@@ -19,6 +19,7 @@ __all__ = [
     "at",
     "choose_kind",
     "drop",
+    "entry_at",
     "initial_table",
     "owner_of",
     "part_of",
@@ -165,6 +166,13 @@ def _holder(table: Any, path: str) -> tuple[Any, Any]:
     parent_path, _, last = path.rpartition(".")
     holder = at(table, parent_path) if parent_path else table
     return holder, int(last) if isinstance(holder, list) else last
+
+
+def entry_at(
+    table: dict[str, Any], path: str, label: str, hint: str, takes: str, *, unit: str = "", required: bool = False
+) -> FormEntry:
+    """Return an entry without a symbol, with the content at its path."""
+    return FormEntry(path, label, "", unit, hint, takes, field_text(at(table, path)), required)
 
 
 def put(table: dict[str, Any], path: str, content: Any) -> None:

@@ -15,14 +15,13 @@ from winkler.plot.series import with_unit as number_text
 from winkler.plot.viscoelastic.fits import relaxing_loop
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted
 from winkler.study.report import fit_tables
-from winkler.study.report.figure import svg_element
 from winkler.study.report.fit_report import figures_of_curves, figures_of_many, steps
 from winkler.study.report.markup import safe, with_fixed_units
 from winkler.study.report.mathml import symbol
 from winkler.study.report.page_parts import papers, trust
 from winkler.validity import worst
 from winkler.web.form.fit_form import key_in_words
-from winkler.web.pictures.answer import AnswerText, DrawnSheet, InteractivePicture, method_pictures, packed
+from winkler.web.pictures.answer import AnswerText, DrawnSheet, InteractivePicture, method_pictures, packed, sheet_of
 from winkler.web.pictures.chart import chart
 from winkler.web.pictures.view import fitting
 
@@ -114,5 +113,4 @@ def _relaxing(result: Fitted) -> Iterator[InteractivePicture]:
 def fit_sheets(outcome: FitOutcome) -> Iterator[DrawnSheet]:
     """Yield the sheets of fits: maps and numbers of many curves, and of a body that relaxes its relaxation."""
     relaxing = not isinstance(outcome.fitted[0].fit, Fit)
-    for one in (*figures_of_many(outcome), *(figures_of_curves(outcome) if relaxing else ())):
-        yield DrawnSheet(one.title, one.sentence, svg_element(one, safe(f"{one.title}. {one.sentence}")))
+    yield from map(sheet_of, (*figures_of_many(outcome), *(figures_of_curves(outcome) if relaxing else ())))
