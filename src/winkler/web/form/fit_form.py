@@ -151,7 +151,7 @@ def _candidates(table: dict[str, Any]) -> dict[str, Word]:
     """Return all parameters that may be free, with their glossary entries."""
     relaxes = form.at(table, "problem.kind") == RELAXES
     result = dict(OF_A_TIMED_CURVE if relaxes else OF_A_CURVE)
-    return result | {one.path: Word(one.symbol, one.unit, one.hint) for one in numbers_in(model(table))}
+    return result | {one.path: one.word for one in numbers_in(model(table))}
 
 
 def free_numbers(table: dict[str, Any]) -> tuple[tuple[FreeNumber, ...], dict[str, str]]:

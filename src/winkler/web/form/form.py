@@ -9,6 +9,7 @@ from winkler.plot.series import name_in_words
 from winkler.study.language.catalogue import kinds
 from winkler.study.language.explain import completed, example_study, keys_of, summary
 from winkler.study.language.schema import allowed_in_list, allowed_kinds, hints
+from winkler.vocabulary import Word
 from winkler.web.form.typed import field_text
 
 __all__ = [
@@ -65,6 +66,11 @@ class FormEntry(NamedTuple):
     takes: str
     text: str
     required: bool
+
+    @property
+    def word(self) -> Word:
+        """Symbol, unit and meaning."""
+        return Word(self.symbol, self.unit, self.hint)
 
 
 class Slot(NamedTuple):
