@@ -69,10 +69,7 @@ MISES = Equation(
     r"(\sigma_z-\sigma_r)^2\right]+3\tau_{rz}^2}",
 )
 ONSET = Equation("Yielding begins where this stress first reaches the strength", r"\max\sigma_{vM} = \sigma_Y")
-TOP = Equation(
-    "The uppermost solid and the other body alone would act with the effective modulus",
-    r"\frac{1}{E^*} = \frac{1-\nu_1^2}{E_1} + \frac{1-\nu_2^2}{E_2}",
-)
+TOP = MODULUS._replace(says="The uppermost solid and the other body alone would act with the effective modulus")
 COMPLIANCE = Equation(
     "The layers below affect long waves of pressure, which displace the surface by C per pressure",
     r"C(\xi) = \frac{2}{E^*\xi}\left(1+M(\xi)\right)",
