@@ -55,9 +55,9 @@ def missing(name: str, result: Answer, manual: str, cases: set[str]) -> list[str
     checks = {
         "a picture, registered with winkler.plot.draw": sheet_of.dispatch(solution) is not sheet_of.dispatch(object),
         "a caption, of its own or of a contact that is shown": result.picture
-        or result.contact is not PicturedContact.NONE,
+        or result.pictured is not PicturedContact.NONE,
         "formulas": result.formulas(build(example_study(name)["problem"])),
-        "words for the contact that the report shows": result.contact is not PicturedContact.PATH
+        "words for the contact that the report shows": result.pictured is not PicturedContact.PATH
         or result.contact_shown,
         "a place in the validation table": PHYSICS.get(name) in CHAPTERS,
         "curves of numbers that it has": drawn <= known,

@@ -18,7 +18,7 @@ from winkler.study.language.reading import parsed
 from winkler.web.form import fit_form, form
 from winkler.web.form.study_form import StudyForm
 from winkler.web.pictures.answer import AnswerText, MomentComplete
-from winkler.web.pictures.fit_chart import MOST_POINTS, drawn_points
+from winkler.web.pictures.fitted import MOST_POINTS, drawn_points
 from winkler.web.session.upload_folder import UploadFolder, files_in
 from winkler.web.session.worker import Export, Look, Solve, Wrong, _WorkerState, beside_the_curve
 

@@ -13,7 +13,8 @@ import pytest
 
 import winkler as wk
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
-from winkler.study.batch.outcome import Failed, Solved
+from winkler.problems.particles.trace import ContactTrace
+from winkler.study.batch.outcome import Failed, Solved, answers_of
 from winkler.study.batch.pool import Machine
 from winkler.study.batch.processes import THREAD_VARIABLES
 from winkler.study.batch.run import run
@@ -231,3 +232,10 @@ def test_the_machine_takes_over_when_a_sweep_lasts():
     assert run(study, workers=Machine(patience=60.0)).points == alone.points
     with pytest.raises(InvalidInput, match="patience is -1"):
         Machine(patience=-1.0)
+
+
+def test_vectors_of_many_contacts_and_steps_are_split_into_their_components():
+    rows, vectors = np.zeros((2, 3)), np.arange(12.0).reshape(2, 3, 2)
+    found = answers_of(ContactTrace(rows, rows, vectors, rows, vectors, rows, rows))
+    assert found["shear_force_x"].tolist() == [[0.0, 2.0, 4.0], [6.0, 8.0, 10.0]]
+    assert found["rolling_moment_y"].tolist() == [[1.0, 3.0, 5.0], [7.0, 9.0, 11.0]]

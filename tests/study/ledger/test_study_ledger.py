@@ -12,8 +12,8 @@ from winkler.errors import InvalidInput
 from winkler.study.language.catalogue import CATALOGUE
 from winkler.study.language.reading import read_study
 from winkler.study.language.study import Study
-from winkler.study.ledger.fit_case import is_fit, read_fit_case
-from winkler.study.ledger.function_case import is_function, read_function_case
+from winkler.study.ledger.fit_case import read_fit_case
+from winkler.study.ledger.function_case import read_function_case
 from winkler.study.ledger.functions import FUNCTIONS
 from winkler.study.ledger.ledger import CASES, case_files, run_case
 from winkler.study.ledger.ledger_page import chapters, markdown
@@ -98,10 +98,14 @@ tolerance = 1e-12
 """
 
 
+def holds(path, section):
+    return section in tomllib.loads(path.read_text(encoding="utf-8"))
+
+
 def physics(path):
-    if is_function(path):
+    if holds(path, "function"):
         return read_function_case(path).function.physics
-    return FITS if is_fit(path) else physics_of(read_study(path))
+    return FITS if holds(path, "fit") else physics_of(read_study(path))
 
 
 def outside(source):
@@ -297,7 +301,7 @@ def test_a_curve_that_cannot_be_fitted_is_missed(tmp_path):
 
 def test_fit_cases_of_the_package():
     for path in case_files():
-        if is_fit(path):
+        if holds(path, "fit"):
             case = read_fit_case(path)
             assert case.source
             assert case.expect

@@ -88,7 +88,7 @@ def answers_of(solution: Any) -> dict[str, Quantity]:
             if content.shape == rows:
                 answers[name] = np.asarray(content, dtype=float) + 0.0
             elif content.shape == (*rows, 2):
-                answers |= {f"{name}_{axis}": content[:, place] + 0.0 for place, axis in enumerate("xy")}
+                answers |= {f"{name}_{axis}": content[..., place] + 0.0 for place, axis in enumerate("xy")}
     return answers
 
 

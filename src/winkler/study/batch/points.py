@@ -19,8 +19,31 @@ from winkler.values import value
 __all__ = ["ComparedNumber", "Failed", "Point", "Recalled", "Solved", "SolvedPoint"]
 
 
+class _WithAnswers:
+    """A point with answers and a solution."""
+
+    found: tuple[tuple[str, Quantity], ...]
+    solution: Any
+
+    @property
+    def answers(self) -> dict[str, Array]:
+        """Name -> numbers of shape (loads,), SI."""
+        count = max((content.size for _, content in self.found if isinstance(content, np.ndarray)), default=1)
+        return {
+            name: np.broadcast_to(number.ravel(), (count,))
+            if isinstance(number, np.ndarray)
+            else np.full(count, number)
+            for name, number in self.found
+        }
+
+    @property
+    def each(self) -> tuple[Any, ...]:
+        """The solution load by load: one scalar solution for every load."""
+        return tuple(_loads(self.solution))
+
+
 @value
-class Solved:
+class Solved(_WithAnswers):
     """A point of the study that was solved; see the module for its parts.
 
     A march that ended before the end of its path states why in `stopped`; `code` is then the exit code.
@@ -37,11 +60,6 @@ class Solved:
     code: int = 0
 
     @property
-    def answers(self) -> dict[str, Array]:
-        """Name -> numbers of shape (loads,), SI."""
-        return _answers(self.found)
-
-    @property
     def answer_type(self) -> type:
         """Class of the solution."""
         return type(self.solution)
@@ -49,11 +67,6 @@ class Solved:
     def events(self, name: str) -> tuple[tuple[Event, ...], ...]:
         """Return one row for each event of a kind (`winkler.study.batch.events`)."""
         return events_of(self.solution, name)
-
-    @property
-    def each(self) -> tuple[Any, ...]:
-        """The solution load by load: one scalar solution for every load."""
-        return tuple(_loads(self.solution))
 
     @property
     def validity(self) -> tuple[Note, ...]:
@@ -131,7 +144,7 @@ class ComparedNumber:
 
 
 @value
-class Recalled:
+class Recalled(_WithAnswers):
     """A point of the study of which only the numbers were kept: of a long sweep, or from a journal.
 
     Parameters
@@ -161,11 +174,6 @@ class Recalled:
     stopped: str = ""
     code: int = 0
 
-    @property
-    def answers(self) -> dict[str, Array]:
-        """Name -> numbers of shape (loads,), SI."""
-        return _answers(self.found)
-
     def events(self, name: str) -> tuple[tuple[Event, ...], ...]:
         """Return one row for each event of a kind (`winkler.study.batch.events`)."""
         return dict(self.event_rows).get(name, ())
@@ -175,11 +183,6 @@ class Recalled:
         """The solution, computed once more."""
         return _solved_again(self.problem)
 
-    @property
-    def each(self) -> tuple[Any, ...]:
-        """The solution load by load, solved once more: one scalar solution for every load."""
-        return tuple(_loads(self.solution))
-
 
 SolvedPoint = Solved | Recalled
 Point = Solved | Recalled | Failed
@@ -188,11 +191,3 @@ Point = Solved | Recalled | Failed
 @functools.lru_cache(maxsize=1)
 def _solved_again(problem: Any) -> Any:
     return solve_march(problem).solution if is_march(problem) else problem.solve()
-
-
-def _answers(found: tuple[tuple[str, Quantity], ...]) -> dict[str, Array]:
-    count = max((content.size for _, content in found if isinstance(content, np.ndarray)), default=1)
-    return {
-        name: np.broadcast_to(content.ravel(), (count,)) if isinstance(content, np.ndarray) else np.full(count, content)
-        for name, content in found
-    }

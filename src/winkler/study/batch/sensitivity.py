@@ -6,21 +6,19 @@ ranges.
 
 from __future__ import annotations
 
-import csv
-from collections.abc import Mapping
-from pathlib import Path
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.numerics.equations.sobol_indices import SobolEstimate, sobol_indices
+from winkler.numerics.equations.sobol_indices import sobol_indices
 from winkler.numerics.types import Array
 from winkler.study.language.designs import Sensitivity
 from winkler.study.language.study import Study
 from winkler.values import value
 
-__all__ = ["INDEX_MEANINGS", "SENSITIVITY", "Indices", "sensitivity", "variables", "write_indices"]
+__all__ = ["INDEX_MEANINGS", "SENSITIVITY", "Indices", "rows", "sensitivity", "variables"]
 
 SENSITIVITY = "sensitivity.csv"
 
@@ -113,12 +111,8 @@ def variables(indices: tuple[Indices, ...], keys: list[str]) -> tuple[dict[str, 
     return content, {name: ((name,), np.array(places), {}) for name, places in names.items()}
 
 
-def write_indices(indices: tuple[Indices, ...], keys: list[str], path: Path) -> None:
-    """Write the indices as a table, one row for each answer and key."""
-    with path.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["answer", "key", "pairs", *(f"{name} [-]" for name in SobolEstimate._fields)])
-        for one in indices:
-            for place, key in enumerate(keys):
-                numbers = [repr(float(getattr(one, name)[place])) for name in SobolEstimate._fields]
-                writer.writerow([one.answer, key, one.pairs, *numbers])
+def rows(indices: tuple[Indices, ...], keys: list[str]) -> Iterator[list[Any]]:
+    """Yield the rows of a table, one for each answer and key: both, the number of pairs, and the indices."""
+    for one in indices:
+        for place, key in enumerate(keys):
+            yield [one.answer, key, one.pairs, *(float(getattr(one, name)[place]) for name in INDEX_MEANINGS)]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from winkler.study.chapters.answer import Answer, Caption, Chapter, Equation, PicturedContact
+from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
 from winkler.study.chapters.kind import is_a, kind
 from winkler.study.chapters.normal import bed_formulas
 
@@ -93,74 +93,68 @@ ADHESION = Chapter(
         },
     },
     answers={
-        "adhesive_indentation": Answer(
-            kind(
-                "winkler.problems.adhesion.indentation:AdhesiveIndentation",
-                "popov_hess_2015",
-                "johnson_kendall_roberts_1971",
-                "maugis_1992",
-            ),
-            contact=PicturedContact.EDGE,
+        "adhesive_indentation": answer(
+            "winkler.problems.adhesion.indentation:AdhesiveIndentation",
+            "popov_hess_2015",
+            "johnson_kendall_roberts_1971",
+            "maugis_1992",
+            pictured=PicturedContact.EDGE,
             formulas=adhesion_formulas,
         ),
-        "pull_off": Answer(
-            kind("winkler.problems.adhesion.pull_off:PullOff", "popov_hess_2015", "johnson_kendall_roberts_1971"),
+        "pull_off": answer(
+            "winkler.problems.adhesion.pull_off:PullOff",
+            "popov_hess_2015",
+            "johnson_kendall_roberts_1971",
             picture=Caption("pull_off", "Where the contact comes apart", "Among all states of equilibrium, the point."),
-            contact=PicturedContact.EDGE,
+            pictured=PicturedContact.EDGE,
             contact_shown="the contact just before it comes apart",
             formulas=adhesion_formulas,
         ),
-        "equilibrium": Answer(
-            kind(
-                "winkler.problems.adhesion.equilibrium:Equilibrium",
-                "popov_hess_2015",
-                "johnson_kendall_roberts_1971",
-                "guduru_2007",
-                reach="10 um",
-                count=200,
-            ),
+        "equilibrium": answer(
+            "winkler.problems.adhesion.equilibrium:Equilibrium",
+            "popov_hess_2015",
+            "johnson_kendall_roberts_1971",
+            "guduru_2007",
+            reach="10 um",
+            count=200,
             picture=Caption(
                 "equilibria",
                 "All states of equilibrium",
                 "Solid where they are stable; the arrows are jumps from the ends of the stable branches.",
             ),
-            contact=PicturedContact.EDGE,
+            pictured=PicturedContact.EDGE,
             contact_shown="the widest stable contact of the curve",
             compared=("force", "radius"),
             formulas=adhesion_formulas,
         ),
-        "adhesive_cycle": Answer(
-            kind(
-                "winkler.problems.adhesion.cycle:AdhesiveCycle",
-                "popov_hess_2015",
-                "johnson_kendall_roberts_1971",
-                "guduru_2007",
-                path={"kind": "depth", "depth": APPROACH_AND_RETRACTION},
-            ),
+        "adhesive_cycle": answer(
+            "winkler.problems.adhesion.cycle:AdhesiveCycle",
+            "popov_hess_2015",
+            "johnson_kendall_roberts_1971",
+            "guduru_2007",
+            path={"kind": "depth", "depth": APPROACH_AND_RETRACTION},
             picture=Caption(
                 "cycle",
                 "Approach and retraction",
                 "The contact follows the states of equilibrium and jumps, along the arrows, where it becomes unstable.",
             ),
-            contact=PicturedContact.EDGE,
+            pictured=PicturedContact.EDGE,
             contact_shown="the widest contact of the cycle",
             compared=("force", "radius"),
             formulas=cycle_formulas,
         ),
-        "adhesive_shear": Answer(
-            kind(
-                "winkler.problems.adhesion.shear:AdhesiveShear",
-                "popov_hess_2015",
-                "savkoor_briggs_1977",
-                normal={"kind": "force", "force": "100 N"},
-                lateral={"kind": "shear_force", "shear_force": "1 mN"},
-            ),
+        "adhesive_shear": answer(
+            "winkler.problems.adhesion.shear:AdhesiveShear",
+            "popov_hess_2015",
+            "savkoor_briggs_1977",
+            normal={"kind": "force", "force": "100 N"},
+            lateral={"kind": "shear_force", "shear_force": "1 mN"},
             picture=Caption(
                 "shear",
                 "The contact shrinks as it is sheared",
                 "Up to the shift at which no contact radius is in equilibrium any more.",
             ),
-            contact=PicturedContact.EDGE,
+            pictured=PicturedContact.EDGE,
             contact_shown="the contact under the last load, its springs along the surface left out",
             formulas=shear_formulas,
         ),

@@ -11,7 +11,7 @@ import enum
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-from winkler.study.chapters.kind import Kind
+from winkler.study.chapters.kind import Kind, kind
 
 __all__ = [
     "ALONG",
@@ -22,7 +22,7 @@ __all__ = [
     "Formulas",
     "Kinds",
     "PicturedContact",
-    "constant_formulas",
+    "answer",
     "followed_by",
 ]
 
@@ -90,7 +90,7 @@ class Answer(NamedTuple):
         ``(abscissa, ordinate)`` of the curves of an answer along a path, over time or over many loads.
     compared
         Answers that are drawn over the position or depth, one curve for each point of a sweep.
-    contact
+    pictured
         The contact in the pictures of the method.
     contact_shown
         The same in words, of an answer that holds many contacts.
@@ -101,8 +101,28 @@ class Answer(NamedTuple):
     picture: Caption | None = None
     curves: tuple[tuple[str, str], ...] = ()
     compared: tuple[str, ...] = ()
-    contact: PicturedContact = PicturedContact.LOAD
+    pictured: PicturedContact = PicturedContact.LOAD
     contact_shown: str = ""
+
+
+def answer(
+    path: str,
+    /,
+    *cites: str,
+    formulas: Formulas | tuple[Equation, ...],
+    picture: Caption | None = None,
+    curves: tuple[tuple[str, str], ...] = (),
+    compared: tuple[str, ...] = (),
+    pictured: PicturedContact = PicturedContact.LOAD,
+    contact_shown: str = "",
+    **example: Any,
+) -> Answer:
+    """Return a record: the path of the problem, its papers and an example as for `kind`, and the fields of `Answer`.
+
+    Formulas in place of a function of the problem are the same for each problem of the kind.
+    """
+    made = (lambda problem: formulas) if isinstance(formulas, tuple) else formulas
+    return Answer(kind(path, *cites, **example), made, picture, curves, compared, pictured, contact_shown)
 
 
 class Chapter(NamedTuple):
@@ -126,11 +146,6 @@ class Chapter(NamedTuple):
     def problems(self) -> dict[str, Kind]:
         """Its problems as lines of the catalogue."""
         return {name: answer.kind for name, answer in self.answers.items()}
-
-
-def constant_formulas(*formulas: Equation) -> Formulas:
-    """Return a function that gives the same formulas for each problem of a kind."""
-    return lambda problem: formulas
 
 
 def followed_by(first: Formulas, *more: Equation) -> Formulas:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from winkler.study.chapters.answer import Answer, Caption, Chapter, Equation, constant_formulas, followed_by
+from winkler.study.chapters.answer import Caption, Chapter, Equation, answer, followed_by
 from winkler.study.chapters.kind import is_a, kind
 from winkler.study.chapters.normal import HOMOGENEOUS, normal_formulas
 
@@ -139,8 +139,9 @@ CONDUCTION = Chapter(
         },
     },
     answers={
-        "constriction": Answer(
-            kind("winkler.problems.conduction.constriction:Constriction", load={"kind": "force", "force": "1 N"}),
+        "constriction": answer(
+            "winkler.problems.conduction.constriction:Constriction",
+            load={"kind": "force", "force": "1 N"},
             picture=Caption(
                 "contact_resistance",
                 "The contact resistance",
@@ -148,12 +149,10 @@ CONDUCTION = Chapter(
             ),
             formulas=electric_formulas,
         ),
-        "thermal_constriction": Answer(
-            kind(
-                "winkler.problems.conduction.thermal_constriction:ThermalConstriction",
-                conductors={"kind": "heat_conductors", **STEEL_PAIR},
-                temperature_drop="10 K",
-            ),
+        "thermal_constriction": answer(
+            "winkler.problems.conduction.thermal_constriction:ThermalConstriction",
+            conductors={"kind": "heat_conductors", **STEEL_PAIR},
+            temperature_drop="10 K",
             picture=Caption(
                 "heat",
                 "Heat through the contact",
@@ -161,8 +160,9 @@ CONDUCTION = Chapter(
             ),
             formulas=thermal_formulas,
         ),
-        "joule_heating": Answer(
-            kind("winkler.problems.conduction.joule_heating:JouleHeating", load={"kind": "force", "force": "1 N"}),
+        "joule_heating": answer(
+            "winkler.problems.conduction.joule_heating:JouleHeating",
+            load={"kind": "force", "force": "1 N"},
             picture=Caption(
                 "joule",
                 "Heating of the contact by a current",
@@ -170,31 +170,31 @@ CONDUCTION = Chapter(
             ),
             formulas=joule_formulas,
         ),
-        "spot_cluster": Answer(
-            kind(
-                "winkler.problems.conduction.spots:SpotCluster",
-                x=["0 um", "10 um", "5 um"],
-                y=["0 um", "0 um", "8 um"],
-                radii=["2 um", "3 um", "1 um"],
-                first=SILVER,
-                second=SILVER,
-            ),
+        "spot_cluster": answer(
+            "winkler.problems.conduction.spots:SpotCluster",
+            x=["0 um", "10 um", "5 um"],
+            y=["0 um", "0 um", "8 um"],
+            radii=["2 um", "3 um", "1 um"],
+            first=SILVER,
+            second=SILVER,
             picture=Caption(
                 "spots",
                 "The spots",
                 "Which spots carry more current than others of their size, and the resistance of all.",
             ),
-            formulas=constant_formulas(SPOT_INTERACTION, GREENWOOD),
+            formulas=(SPOT_INTERACTION, GREENWOOD),
         ),
-        "conductance_bounds": Answer(
-            kind("winkler.problems.conduction.bounds:ConductanceBounds", roughness="0.1 um", force="10 N"),
+        "conductance_bounds": answer(
+            "winkler.problems.conduction.bounds:ConductanceBounds",
+            roughness="0.1 um",
+            force="10 N",
             picture=Caption(
                 "bounds",
                 "Between two smooth bodies",
                 "The force curve of the rough body lies in the shaded band; it cannot be steeper or flatter than "
                 "the lines.",
             ),
-            formulas=constant_formulas(TANGENTS, PROPORTION),
+            formulas=(TANGENTS, PROPORTION),
         ),
     },
 )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from winkler.study.chapters.answer import Answer, Caption, Chapter, Equation, PicturedContact, followed_by
+from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
 from winkler.study.chapters.kind import kind
 from winkler.study.chapters.normal import normal_formulas
 
@@ -95,8 +95,9 @@ FRICTION = Chapter(
         },
     },
     answers={
-        "tangential": Answer(
-            kind("winkler.problems.friction.tangential:Tangential", path={"kind": "program", "steps": OSCILLATION}),
+        "tangential": answer(
+            "winkler.problems.friction.tangential:Tangential",
+            path={"kind": "program", "steps": OSCILLATION},
             picture=Caption(
                 "tangential",
                 "The contact along its path",
@@ -109,51 +110,46 @@ FRICTION = Chapter(
                 ("shift_y", "shear_force_y"),
                 ("time", "dissipation"),
             ),
-            contact=PicturedContact.PATH,
+            pictured=PicturedContact.PATH,
             contact_shown="the contact at its greatest depth, its springs along the surface left out",
             formulas=tangential_formulas,
         ),
-        "torsion": Answer(
-            kind("winkler.problems.friction.torsion:Torsion", path={"kind": "program", "steps": TWIST}),
+        "torsion": answer(
+            "winkler.problems.friction.torsion:Torsion",
+            path={"kind": "program", "steps": TWIST},
             picture=Caption(
                 "torsion",
                 "The contact along its path",
                 "The loop of the torque, forces and energies over time, and how the last contact sticks and slips.",
             ),
             curves=(("angle", "torque"), ("time", "dissipation")),
-            contact=PicturedContact.PATH,
+            pictured=PicturedContact.PATH,
             contact_shown="the contact at its greatest depth, its twist left out",
             formulas=followed_by(normal_formulas, TWISTED, TWIST_BOUND, TORQUE),
         ),
-        "friction_damping": Answer(
-            kind(
-                "winkler.problems.friction.damping:FrictionDamping",
-                normal={"kind": "force", "force": "100 N"},
-                amplitude={"kind": "shift", "shift": "0.5 um"},
-            ),
+        "friction_damping": answer(
+            "winkler.problems.friction.damping:FrictionDamping",
+            normal={"kind": "force", "force": "100 N"},
+            amplitude={"kind": "shift", "shift": "0.5 um"},
             picture=Caption("damping", "Damping by friction", "Loss, stiffness and loss factor over the amplitude."),
             contact_shown="the contact under its normal load, its springs along the surface left out",
             formulas=followed_by(tangential_formulas, LOSS),
         ),
-        "bimodal_damping": Answer(
-            kind(
-                "winkler.problems.friction.bimodal_damping:BimodalDamping",
-                depth="3 um",
-                depth_amplitude="1 um",
-                shift_amplitude="0.5 um",
-                phase="90 deg",
-            ),
+        "bimodal_damping": answer(
+            "winkler.problems.friction.bimodal_damping:BimodalDamping",
+            depth="3 um",
+            depth_amplitude="1 um",
+            shift_amplitude="0.5 um",
+            phase="90 deg",
             picture=Caption("damping", "Damping by friction", "Loss in every closed cycle of depth and shift."),
             contact_shown="the contact at its greatest depth, its springs along the surface left out",
             formulas=followed_by(normal_formulas, TANGENTIAL_SPRINGS, COMMON_OSCILLATION, LOSS),
         ),
-        "relaxation_damper": Answer(
-            kind(
-                "winkler.problems.friction.relaxation_damping:RelaxationDamper",
-                depth="3 um",
-                depth_amplitude="1 um",
-                frequency="100 Hz",
-            ),
+        "relaxation_damper": answer(
+            "winkler.problems.friction.relaxation_damping:RelaxationDamper",
+            depth="3 um",
+            depth_amplitude="1 um",
+            frequency="100 Hz",
             picture=Caption("damping", "Damping by relaxation", "Damper and spring, as the depth oscillates."),
             contact_shown="the contact at its greatest depth, its springs along the surface left out",
             formulas=followed_by(normal_formulas, RELAXED),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from winkler.study.chapters.answer import Answer, Caption, Chapter, Equation, followed_by
+from winkler.study.chapters.answer import Caption, Chapter, Equation, answer, followed_by
 from winkler.study.chapters.friction import tangential_formulas
 from winkler.study.chapters.kind import kind
 from winkler.study.chapters.normal import normal_formulas
@@ -68,14 +68,12 @@ HEATING = Chapter(
         },
     },
     answers={
-        "friction_heating": Answer(
-            kind(
-                "winkler.problems.heating.steady:FrictionHeating",
-                law=COULOMB,
-                load={"kind": "force", "force": "20 N"},
-                conductors=STEELS,
-                first_speed="1 m/s",
-            ),
+        "friction_heating": answer(
+            "winkler.problems.heating.steady:FrictionHeating",
+            law=COULOMB,
+            load={"kind": "force", "force": "20 N"},
+            conductors=STEELS,
+            first_speed="1 m/s",
             picture=Caption(
                 "heating",
                 "Temperatures of the bodies",
@@ -84,15 +82,13 @@ HEATING = Chapter(
             ),
             formulas=followed_by(normal_formulas, FLUX, AT_REST, MOVING, MOVING_KERNEL, SHARE),
         ),
-        "transient_heating": Answer(
-            kind(
-                "winkler.problems.heating.transient:TransientHeating",
-                law=COULOMB,
-                load={"kind": "force", "force": "20 N"},
-                conductors=STEELS,
-                speed="10 mm/s",
-                time={"from": "10 us", "to": "1 s", "count": 16, "spacing": "log"},
-            ),
+        "transient_heating": answer(
+            "winkler.problems.heating.transient:TransientHeating",
+            law=COULOMB,
+            load={"kind": "force", "force": "20 N"},
+            conductors=STEELS,
+            speed="10 mm/s",
+            time={"from": "10 us", "to": "1 s", "count": 16, "spacing": "log"},
             picture=Caption(
                 "heating",
                 "Heating of the contact",
@@ -101,13 +97,11 @@ HEATING = Chapter(
             curves=(("time", "flash_temperature"), ("time", "first_share")),
             formulas=followed_by(normal_formulas, FLUX, AT_REST, TRANSIENT, SHARE),
         ),
-        "fretting_heat": Answer(
-            kind(
-                "winkler.problems.heating.fretting:FrettingHeat",
-                motion={"kind": "tangential", "law": COULOMB, "path": {"kind": "program", "steps": TWO_CYCLES}},
-                frequency="100 Hz",
-                conductors=STEELS,
-            ),
+        "fretting_heat": answer(
+            "winkler.problems.heating.fretting:FrettingHeat",
+            motion={"kind": "tangential", "law": COULOMB, "path": {"kind": "program", "steps": TWO_CYCLES}},
+            frequency="100 Hz",
+            conductors=STEELS,
             picture=Caption(
                 "heating",
                 "Temperature of the contact",

@@ -5,9 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from winkler.study.chapters.adhesion import adhesion_formulas
-from winkler.study.chapters.answer import Answer, Caption, Chapter, Equation, followed_by
+from winkler.study.chapters.answer import Caption, Chapter, Equation, answer, followed_by
 from winkler.study.chapters.friction import tangential_formulas
-from winkler.study.chapters.kind import kind
 
 __all__ = ["EQUATION_OF_MOTION", "IMPACT"]
 
@@ -29,27 +28,23 @@ IMPACT = Chapter(
     "friction and impacts",
     kinds={},
     answers={
-        "impact": Answer(
-            kind(
-                "winkler.problems.impact.impact:Impact",
-                mass="33 g",
-                velocity="1 m/s",
-                lateral_velocity="0.5 m/s",
-                inertia="1.3e-6 kg m^2",
-                lever="10 mm",
-            ),
+        "impact": answer(
+            "winkler.problems.impact.impact:Impact",
+            mass="33 g",
+            velocity="1 m/s",
+            lateral_velocity="0.5 m/s",
+            inertia="1.3e-6 kg m^2",
+            lever="10 mm",
             picture=Caption("impact", "The impact", "Forces, velocities, contact and energies over time."),
             curves=(("time", "force"), ("time", "shear_force"), ("time", "angular_velocity")),
             contact_shown="the contact at its greatest depth, its springs along the surface left out",
             formulas=impact_formulas,
         ),
-        "adhesive_impact": Answer(
-            kind(
-                "winkler.problems.impact.adhesive_impact:AdhesiveImpact",
-                law={"kind": "short_range", "work": "50 mJ/m^2"},
-                mass="33 g",
-                velocity="1 mm/s",
-            ),
+        "adhesive_impact": answer(
+            "winkler.problems.impact.adhesive_impact:AdhesiveImpact",
+            law={"kind": "short_range", "work": "50 mJ/m^2"},
+            mass="33 g",
+            velocity="1 mm/s",
             picture=Caption("impact", "The impact", "Force, velocity, contact and energies over time."),
             curves=(("time", "force"), ("time", "velocity")),
             contact_shown="the contact at its greatest depth, without the attraction",

@@ -5,15 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from winkler.study.chapters.answer import (
-    Answer,
-    Caption,
-    Chapter,
-    Equation,
-    PicturedContact,
-    constant_formulas,
-    followed_by,
-)
+from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
 from winkler.study.chapters.kind import is_a, kind
 
 __all__ = [
@@ -77,10 +69,7 @@ MISES = Equation(
     r"(\sigma_z-\sigma_r)^2\right]+3\tau_{rz}^2}",
 )
 ONSET = Equation("Yielding begins where this stress first reaches the strength", r"\max\sigma_{vM} = \sigma_Y")
-TOP = Equation(
-    "The uppermost solid and the other body alone would act with the effective modulus",
-    r"\frac{1}{E^*} = \frac{1-\nu_1^2}{E_1} + \frac{1-\nu_2^2}{E_2}",
-)
+TOP = MODULUS._replace(says="The uppermost solid and the other body alone would act with the effective modulus")
 COMPLIANCE = Equation(
     "The layers below affect long waves of pressure, which displace the surface by C per pressure",
     r"C(\xi) = \frac{2}{E^*\xi}\left(1+M(\xi)\right)",
@@ -221,42 +210,36 @@ NORMAL = Chapter(
         },
     },
     answers={
-        "indentation": Answer(
-            kind(
-                "winkler.problems.normal.indentation:Indentation",
-                "popov_hess_2015",
-                "galin_1946",
-                "sneddon_1965",
-                "jaeger_1995",
-            ),
+        "indentation": answer(
+            "winkler.problems.normal.indentation:Indentation",
+            "popov_hess_2015",
+            "galin_1946",
+            "sneddon_1965",
+            "jaeger_1995",
             formulas=normal_formulas,
         ),
-        "yield_onset": Answer(
-            kind(
-                "winkler.problems.normal.yielding:YieldOnset",
-                "johnson_1985",
-                "popov_hess_2015",
-                bed={"kind": "foundation", "medium": {"kind": "half_space", **STRONG}},
-            ),
+        "yield_onset": answer(
+            "winkler.problems.normal.yielding:YieldOnset",
+            "johnson_1985",
+            "popov_hess_2015",
+            bed={"kind": "foundation", "medium": {"kind": "half_space", **STRONG}},
             formulas=followed_by(normal_formulas, ONSET),
         ),
-        "elliptic_indentation": Answer(
-            kind("winkler.problems.normal.elliptic:EllipticIndentation"),
+        "elliptic_indentation": answer(
+            "winkler.problems.normal.elliptic:EllipticIndentation",
             picture=Caption("ellipse", "The contact", "Pressure over the ellipse; of many loads force and semi-axes."),
             curves=(("depth", "force"), ("depth", "longitudinal_semi_axis"), ("depth", "lateral_semi_axis")),
-            contact=PicturedContact.NONE,
-            formulas=constant_formulas(ELLIPSE, BALL),
+            pictured=PicturedContact.NONE,
+            formulas=(ELLIPSE, BALL),
         ),
-        "nearly_round_indentation": Answer(
-            kind(
-                "winkler.problems.normal.near_round:NearlyRoundIndentation",
-                profiles=OVAL,
-                load={"kind": "depth", "depth": "1 um"},
-            ),
+        "nearly_round_indentation": answer(
+            "winkler.problems.normal.near_round:NearlyRoundIndentation",
+            profiles=OVAL,
+            load={"kind": "depth", "depth": "1 um"},
             picture=Caption("contour", "The contact", "Its contour, computed in the directions of the points."),
             curves=(("depth", "force"),),
-            contact=PicturedContact.NONE,
-            formulas=constant_formulas(BETTI, GREATEST),
+            pictured=PicturedContact.NONE,
+            formulas=(BETTI, GREATEST),
         ),
     },
 )

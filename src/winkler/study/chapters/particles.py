@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from winkler.study.chapters.answer import Answer, Caption, Chapter, Equation, constant_formulas
-from winkler.study.chapters.kind import kind
+from winkler.study.chapters.answer import Caption, Chapter, Equation, answer
 
 __all__ = ["PARTICLES"]
 
@@ -28,20 +27,18 @@ PARTICLES = Chapter(
     "friction and impacts",
     kinds={},
     answers={
-        "elastic_plastic_particle": Answer(
-            kind(
-                "winkler.problems.particles.elastic_plastic:ElasticPlasticParticle",
-                curvature_radius="1 mm",
-                solid={"kind": "elastic", "young": "1 GPa", "poisson": 0.3, "strength": "20 MPa"},
-                path={"kind": "depth", "depth": ["20 um", "40 um", "0 um"]},
-            ),
+        "elastic_plastic_particle": answer(
+            "winkler.problems.particles.elastic_plastic:ElasticPlasticParticle",
+            curvature_radius="1 mm",
+            solid={"kind": "elastic", "young": "1 GPa", "poisson": 0.3, "strength": "20 MPa"},
+            path={"kind": "depth", "depth": ["20 um", "40 um", "0 um"]},
             picture=Caption(
                 "particle",
                 "The particle along its path",
                 "Force and contact radius over the depth, pressed in and let go; dotted where yield begins.",
             ),
             curves=(("depth", "force"),),
-            formulas=constant_formulas(HALF_ELLIPSE, YIELD, SHAPED_PARTICLE, ADHESIVE_EDGE),
+            formulas=(HALF_ELLIPSE, YIELD, SHAPED_PARTICLE, ADHESIVE_EDGE),
         ),
     },
 )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from winkler.study.chapters.answer import Answer, Caption, Chapter, Equation, PicturedContact, followed_by
+from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
 from winkler.study.chapters.kind import is_a, kind
 from winkler.study.chapters.normal import plane_profile_formula
 
@@ -92,8 +92,10 @@ ROLLING = Chapter(
         },
     },
     answers={
-        "rolling": Answer(
-            kind("winkler.problems.rolling.steady:Rolling", creepage=CURVE, load=PRESSED),
+        "rolling": answer(
+            "winkler.problems.rolling.steady:Rolling",
+            creepage=CURVE,
+            load=PRESSED,
             picture=Caption("creep", "Rolling", "The creep force, and what the springs bear at the greatest of these."),
             curves=(
                 ("longitudinal_creepage", "longitudinal_force"),
@@ -103,13 +105,11 @@ ROLLING = Chapter(
             contact_shown="the contact under its normal load, its springs along the surface left out",
             formulas=followed_by(_springs, DRIVEN, ROLLED, CREEP),
         ),
-        "simplified_rolling": Answer(
-            kind(
-                "winkler.problems.rolling.simplified_theory:SimplifiedRolling",
-                medium={"kind": "half_space"},
-                creepage={"kind": "creepages", "longitudinal": 0.0005, "spin": "5 1/m"},
-                load=PRESSED,
-            ),
+        "simplified_rolling": answer(
+            "winkler.problems.rolling.simplified_theory:SimplifiedRolling",
+            medium={"kind": "half_space"},
+            creepage={"kind": "creepages", "longitudinal": 0.0005, "spin": "5 1/m"},
+            load=PRESSED,
             picture=Caption(
                 "creep",
                 "Rolling",
@@ -121,33 +121,34 @@ ROLLING = Chapter(
                 ("lateral_creepage", "lateral_force"),
                 ("spin_creepage", "lateral_force"),
             ),
-            contact=PicturedContact.NONE,
+            pictured=PicturedContact.NONE,
             formulas=_simplified,
         ),
-        "rolling_start": Answer(
-            kind("winkler.problems.rolling.start:RollingStart", creepage=CREEPING, load=PRESSED, distance="0.6 mm"),
+        "rolling_start": answer(
+            "winkler.problems.rolling.start:RollingStart",
+            creepage=CREEPING,
+            load=PRESSED,
+            distance="0.6 mm",
             picture=Caption(
                 "start", "From rest to rolling", "The force over the distance, and the springs at some places."
             ),
             curves=(("distance", "shear_force"), ("distance", "stick_share")),
-            contact=PicturedContact.PATH,
+            pictured=PicturedContact.PATH,
             contact_shown="the contact under its normal load, its springs along the surface left out",
             formulas=followed_by(_springs, DRIVEN, CARRIED_LOAD, CREEP),
         ),
-        "oscillating_rolling": Answer(
-            kind(
-                "winkler.problems.rolling.oscillating:OscillatingRolling",
-                amplitude="40 um",
-                shear_force="15 N",
-                load=PRESSED,
-            ),
+        "oscillating_rolling": answer(
+            "winkler.problems.rolling.oscillating:OscillatingRolling",
+            amplitude="40 um",
+            shear_force="15 N",
+            load=PRESSED,
             picture=Caption(
                 "rocking",
                 "Rocking to and fro",
                 "The shift over the cycles, the springs after some of them, and the limit of shakedown.",
             ),
             curves=(("cycle", "shift"),),
-            contact=PicturedContact.PATH,
+            pictured=PicturedContact.PATH,
             contact_shown="the contact under its normal load, its springs along the surface left out",
             formulas=followed_by(_springs, CARRIED_LOAD, LIMIT),
         ),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from winkler.study.chapters.answer import Answer, Caption, Chapter, Equation, PicturedContact, constant_formulas
+from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
 from winkler.study.chapters.kind import kind
 
 __all__ = ["ROUGH"]
@@ -106,8 +106,9 @@ ROUGH = Chapter(
         },
     },
     answers={
-        "surface_contact": Answer(
-            kind("winkler.problems.rough.surface_contact:SurfaceContact", load=LOADS),
+        "surface_contact": answer(
+            "winkler.problems.rough.surface_contact:SurfaceContact",
+            load=LOADS,
             picture=Caption(
                 "contact",
                 "Where the surfaces touch",
@@ -115,14 +116,12 @@ ROUGH = Chapter(
                 "force, stiffness and contact area.",
             ),
             curves=(("depth", "force"), ("force", "stiffness"), ("force", "area"), ("force", "mean_gap")),
-            contact=PicturedContact.NONE,
-            formulas=constant_formulas(ELEMENTS, SAME_AREA),
+            pictured=PicturedContact.NONE,
+            formulas=(ELEMENTS, SAME_AREA),
         ),
-        "surface_conduction": Answer(
-            kind(
-                "winkler.problems.rough.surface_conduction:SurfaceConduction",
-                contact={"kind": "surface_contact", "topography": {**STAMP, "seed": 1}},
-            ),
+        "surface_conduction": answer(
+            "winkler.problems.rough.surface_conduction:SurfaceConduction",
+            contact={"kind": "surface_contact", "topography": {**STAMP, "seed": 1}},
             picture=Caption(
                 "conductance",
                 "Stiffness, conductance and contact area over the load",
@@ -130,64 +129,64 @@ ROUGH = Chapter(
                 "Barber's bounds, which no surface of this height can leave.",
             ),
             curves=(("force", "stiffness"), ("force", "conductance"), ("force", "resistance")),
-            contact=PicturedContact.NONE,
-            formulas=constant_formulas(ELEMENTS, SAME_AREA, PROPORTION, BOUNDS, SPECTRUM, LINE, PERSSON),
+            pictured=PicturedContact.NONE,
+            formulas=(ELEMENTS, SAME_AREA, PROPORTION, BOUNDS, SPECTRUM, LINE, PERSSON),
         ),
-        "reduction": Answer(
-            kind("winkler.problems.rough.reduce:Reduction", topography={**STAMP, "seed": 1}, depth="3 um"),
+        "reduction": answer(
+            "winkler.problems.rough.reduce:Reduction",
+            topography={**STAMP, "seed": 1},
+            depth="3 um",
             picture=Caption(
                 "reduction",
                 "Springs in place of the surface",
                 "The points were computed by boundary elements; the springs bear the same forces.",
             ),
             curves=(("depth", "force"), ("depth", "stiffness")),
-            contact=PicturedContact.NONE,
-            formulas=constant_formulas(ELEMENTS, SAME_AREA, DISC),
+            pictured=PicturedContact.NONE,
+            formulas=(ELEMENTS, SAME_AREA, DISC),
         ),
-        "rough_contact": Answer(
-            kind(
-                "winkler.problems.rough.line_contact:RoughContact", side="1 mm", load=LOADS, realisations=20, count=1024
-            ),
+        "rough_contact": answer(
+            "winkler.problems.rough.line_contact:RoughContact",
+            side="1 mm",
+            load=LOADS,
+            realisations=20,
+            count=1024,
             picture=Caption(
                 "lines",
                 "Rough lines of springs",
                 "Spectrum, depth and stiffness, shaded where eight of ten lines lie; the contact area is Persson's.",
             ),
             curves=(("depth", "force"), ("force", "stiffness"), ("force", "area"), ("force", "mean_gap")),
-            contact=PicturedContact.NONE,
-            formulas=constant_formulas(SPECTRUM, LINE, PERSSON),
+            pictured=PicturedContact.NONE,
+            formulas=(SPECTRUM, LINE, PERSSON),
         ),
-        "rough_indentation": Answer(
-            kind(
-                "winkler.problems.rough.line_indentation:RoughIndentation",
-                length="4 mm",
-                load=LOADS,
-                realisations=20,
-                count=2048,
-                spectrum=BLASTED,
-            ),
+        "rough_indentation": answer(
+            "winkler.problems.rough.line_indentation:RoughIndentation",
+            length="4 mm",
+            load=LOADS,
+            realisations=20,
+            count=2048,
+            spectrum=BLASTED,
             picture=Caption(
                 "lines",
                 "Rough lines of springs under the body",
                 "Spectrum, depth and stiffness, shaded where eight of ten lines lie; the contact area is Persson's.",
             ),
             curves=(("depth", "force"), ("force", "stiffness"), ("force", "area")),
-            contact=PicturedContact.NONE,
-            formulas=constant_formulas(SPECTRUM, ON_BODY, LINE, PERSSON),
+            pictured=PicturedContact.NONE,
+            formulas=(SPECTRUM, ON_BODY, LINE, PERSSON),
         ),
-        "elastomer_friction": Answer(
-            kind(
-                "winkler.problems.rough.elastomer_friction:ElastomerFriction",
-                velocity={"from": "1 um/s", "to": "1 m/s", "count": 25, "spacing": "log"},
-            ),
+        "elastomer_friction": answer(
+            "winkler.problems.rough.elastomer_friction:ElastomerFriction",
+            velocity={"from": "1 um/s", "to": "1 m/s", "count": 25, "spacing": "log"},
             picture=Caption(
                 "friction",
                 "Friction of the rough surface on the elastomer",
                 "A trend with the velocity, no prediction; beside it the spectrum of the waves that contribute.",
             ),
             curves=(("velocity", "coefficient"),),
-            contact=PicturedContact.NONE,
-            formulas=constant_formulas(SHEARED_WAVES),
+            pictured=PicturedContact.NONE,
+            formulas=(SHEARED_WAVES,),
         ),
     },
 )

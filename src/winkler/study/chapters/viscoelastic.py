@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from winkler.study.chapters.answer import Answer, Caption, Chapter, Equation, PicturedContact, followed_by
+from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
 from winkler.study.chapters.impact import EQUATION_OF_MOTION
-from winkler.study.chapters.kind import is_a, kind
+from winkler.study.chapters.kind import is_a
 from winkler.study.chapters.normal import BACK, PLANE, PLANE_FOUNDATION
 
 __all__ = ["BED", "DETACHMENT", "FORCE", "IN_AND_OUT", "PLANE_KEPT", "SPRINGS", "VISCOELASTIC", "relaxing_formulas"]
@@ -125,13 +125,11 @@ VISCOELASTIC = Chapter(
     "bodies that relax",
     kinds={},
     answers={
-        "viscoelastic_indentation": Answer(
-            kind(
-                "winkler.problems.viscoelastic.indentation:ViscoelasticIndentation",
-                bed=BED,
-                path={"kind": "program", "steps": IN_AND_OUT},
-                count=200,
-            ),
+        "viscoelastic_indentation": answer(
+            "winkler.problems.viscoelastic.indentation:ViscoelasticIndentation",
+            bed=BED,
+            path={"kind": "program", "steps": IN_AND_OUT},
+            count=200,
             picture=Caption(
                 "relaxing",
                 "The contact along its path",
@@ -139,30 +137,34 @@ VISCOELASTIC = Chapter(
                 "springs that have detached and recover.",
             ),
             curves=(("depth", "force"), ("time", "force"), ("time", "depth"), ("time", "dissipation")),
-            contact=PicturedContact.NONE,
+            pictured=PicturedContact.NONE,
             formulas=_indentation_formulas,
         ),
-        "creep_test": Answer(
-            kind("winkler.problems.viscoelastic.material_tests:CreepTest", bed=BED, force="1 N", time=DECADES),
+        "creep_test": answer(
+            "winkler.problems.viscoelastic.material_tests:CreepTest",
+            bed=BED,
+            force="1 N",
+            time=DECADES,
             picture=STEP,
             curves=STEP_CURVES,
-            contact=PicturedContact.NONE,
+            pictured=PicturedContact.NONE,
             formulas=followed_by(relaxing_formulas, CREEP),
         ),
-        "relaxation_test": Answer(
-            kind("winkler.problems.viscoelastic.material_tests:RelaxationTest", bed=BED, depth="100 um", time=DECADES),
+        "relaxation_test": answer(
+            "winkler.problems.viscoelastic.material_tests:RelaxationTest",
+            bed=BED,
+            depth="100 um",
+            time=DECADES,
             picture=STEP,
             curves=STEP_CURVES,
-            contact=PicturedContact.NONE,
+            pictured=PicturedContact.NONE,
             formulas=followed_by(relaxing_formulas, RELAXATION),
         ),
-        "harmonic_indentation": Answer(
-            kind(
-                "winkler.problems.viscoelastic.oscillation:HarmonicIndentation",
-                bed=BED,
-                normal={"kind": "depth", "depth": "100 um"},
-                angular_frequency={"from": "0.1 rad/s", "to": "1000 rad/s", "count": 33, "spacing": "log"},
-            ),
+        "harmonic_indentation": answer(
+            "winkler.problems.viscoelastic.oscillation:HarmonicIndentation",
+            bed=BED,
+            normal={"kind": "depth", "depth": "100 um"},
+            angular_frequency={"from": "0.1 rad/s", "to": "1000 rad/s", "count": 33, "spacing": "log"},
             picture=Caption(
                 "harmonic",
                 "A small oscillation",
@@ -173,21 +175,19 @@ VISCOELASTIC = Chapter(
                 ("angular_frequency", "loss_stiffness"),
                 ("angular_frequency", "loss_tangent"),
             ),
-            contact=PicturedContact.NONE,
+            pictured=PicturedContact.NONE,
             formulas=followed_by(relaxing_formulas, COMPLEX_STIFFNESS, DYNAMIC),
         ),
-        "viscoelastic_impact": Answer(
-            kind(
-                "winkler.problems.viscoelastic.impact:ViscoelasticImpact",
-                bed=BED,
-                mass="30 g",
-                velocity="1 m/s",
-                count=100,
-                tolerance=1e-3,
-            ),
+        "viscoelastic_impact": answer(
+            "winkler.problems.viscoelastic.impact:ViscoelasticImpact",
+            bed=BED,
+            mass="30 g",
+            velocity="1 m/s",
+            count=100,
+            tolerance=1e-3,
             picture=Caption("impact", "The impact", "Force, velocity, depth and contact until the body leaves."),
             curves=(("depth", "force"), ("time", "force"), ("time", "velocity")),
-            contact=PicturedContact.NONE,
+            pictured=PicturedContact.NONE,
             formulas=followed_by(_hereditary_formulas, EQUATION_OF_MOTION, RESTITUTION),
         ),
     },

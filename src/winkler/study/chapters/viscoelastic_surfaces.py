@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from winkler.study.chapters.answer import Answer, Caption, Chapter, Equation, PicturedContact, followed_by
+from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
 from winkler.study.chapters.kind import is_a, kind
 from winkler.study.chapters.normal import BACK, PLANE_FOUNDATION
 from winkler.study.chapters.viscoelastic import (
@@ -89,13 +89,11 @@ VISCOELASTIC_SURFACES = Chapter(
         },
     },
     answers={
-        "viscoelastic_tangential": Answer(
-            kind(
-                "winkler.problems.viscoelastic.tangential:ViscoelasticTangential",
-                bed=BED,
-                path={"kind": "program", "steps": DRAG_PATH},
-                count=100,
-            ),
+        "viscoelastic_tangential": answer(
+            "winkler.problems.viscoelastic.tangential:ViscoelasticTangential",
+            bed=BED,
+            path={"kind": "program", "steps": DRAG_PATH},
+            count=100,
             picture=Caption(
                 "dragged",
                 "The contact along its path",
@@ -103,16 +101,14 @@ VISCOELASTIC_SURFACES = Chapter(
                 "of a late contact, with those that have detached and recover.",
             ),
             curves=(("shift", "shear_force"), ("time", "shear_force"), ("time", "dissipation")),
-            contact=PicturedContact.NONE,
+            pictured=PicturedContact.NONE,
             formulas=followed_by(relaxing_formulas, SPRINGS, DETACHMENT, FORCE, ALONG, SLIDES, SHIFTED, LOSSES),
         ),
-        "sliding_resistance": Answer(
-            kind(
-                "winkler.problems.viscoelastic.sliding:SlidingResistance",
-                bed=BED,
-                normal={"kind": "force", "force": "1 N"},
-                speed={"from": "0.1 mm/s", "to": "1 m/s", "count": 17, "spacing": "log"},
-            ),
+        "sliding_resistance": answer(
+            "winkler.problems.viscoelastic.sliding:SlidingResistance",
+            bed=BED,
+            normal={"kind": "force", "force": "1 N"},
+            speed={"from": "0.1 mm/s", "to": "1 m/s", "count": 17, "spacing": "log"},
             picture=Caption(
                 "sliding",
                 "Resistance to sliding or rolling",
@@ -120,33 +116,31 @@ VISCOELASTIC_SURFACES = Chapter(
                 "greatest.",
             ),
             curves=(("speed", "coefficient"), ("speed", "shear_force"), ("speed", "depth")),
-            contact=PicturedContact.NONE,
+            pictured=PicturedContact.NONE,
             formulas=followed_by(relaxing_formulas, PASSING_SPRINGS, BORNE_LOAD, RESISTANCE),
         ),
-        "viscoelastic_adhesion": Answer(
-            kind(
-                "winkler.problems.viscoelastic.adhesion:ViscoelasticAdhesion",
-                bed=BED,
-                path={
-                    "kind": "program",
-                    "steps": [
-                        {"kind": "start", "normal": {"kind": "depth", "depth": "5 um"}},
-                        {
-                            "kind": "ramp",
-                            "normal": {"kind": "depth", "depth": "-25 um"},
-                            "duration": "30 s",
-                            "count": 60,
-                        },
-                    ],
-                },
-            ),
+        "viscoelastic_adhesion": answer(
+            "winkler.problems.viscoelastic.adhesion:ViscoelasticAdhesion",
+            bed=BED,
+            path={
+                "kind": "program",
+                "steps": [
+                    {"kind": "start", "normal": {"kind": "depth", "depth": "5 um"}},
+                    {
+                        "kind": "ramp",
+                        "normal": {"kind": "depth", "depth": "-25 um"},
+                        "duration": "30 s",
+                        "count": 60,
+                    },
+                ],
+            },
             picture=Caption(
                 "pulled_off",
                 "Pulled off rubber",
                 "Force over the travel of the machine, depth and contact over time, and the speed of the edge.",
             ),
             curves=(("position", "force"), ("time", "radius"), ("time", "crack_speed")),
-            contact=PicturedContact.NONE,
+            pictured=PicturedContact.NONE,
             formulas=_peeling_formulas,
         ),
     },

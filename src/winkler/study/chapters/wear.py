@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from winkler.study.chapters.answer import Answer, Caption, Chapter, Equation, PicturedContact, followed_by
+from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
 from winkler.study.chapters.kind import kind
 from winkler.study.chapters.normal import normal_formulas
 
@@ -53,53 +53,47 @@ WEAR = Chapter(
         },
     },
     answers={
-        "fretting_wear": Answer(
-            kind(
-                "winkler.problems.wear.fretting:FrettingWear",
-                normal={"kind": "force", "force": "100 N"},
-                amplitude={"kind": "shift", "shift": "0.5 um"},
-                cycles=CYCLE_COUNTS,
-                count=100,
-                tolerance=1e-3,
-            ),
+        "fretting_wear": answer(
+            "winkler.problems.wear.fretting:FrettingWear",
+            normal={"kind": "force", "force": "100 N"},
+            amplitude={"kind": "shift", "shift": "0.5 um"},
+            cycles=CYCLE_COUNTS,
+            count=100,
+            tolerance=1e-3,
             picture=Caption(
                 "fretting",
                 "Worn by fretting",
                 "Profiles, worn depth and pressure after some of the cycles; contact, core, volume and load over them.",
             ),
             curves=(("cycles", "worn_volume"), ("cycles", "stick_radius"), ("cycles", "force"), ("cycles", "depth")),
-            contact=PicturedContact.NONE,
+            pictured=PicturedContact.NONE,
             formulas=followed_by(normal_formulas, FRETTING_SPRINGS, SLIP, FRETTING_RATE, UPDATED_SPRINGS),
         ),
-        "sliding_wear": Answer(
-            kind(
-                "winkler.problems.wear.sliding:SlidingWear",
-                normal={"kind": "force", "force": "100 N"},
-                distance=["0 m", "0.1 m", "0.3 m", "1 m"],
-                count=100,
-                tolerance=1e-3,
-            ),
+        "sliding_wear": answer(
+            "winkler.problems.wear.sliding:SlidingWear",
+            normal={"kind": "force", "force": "100 N"},
+            distance=["0 m", "0.1 m", "0.3 m", "1 m"],
+            count=100,
+            tolerance=1e-3,
             picture=Caption(
                 "sliding",
                 "Worn by sliding",
                 "Profiles, worn depth and pressure after some distances; contact, volume and mean pressure over them.",
             ),
             curves=(("distance", "worn_volume"), ("distance", "radius"), ("distance", "mean_pressure")),
-            contact=PicturedContact.NONE,
+            pictured=PicturedContact.NONE,
             formulas=followed_by(normal_formulas, SLIDING_RATE, UPDATED_SPRINGS),
         ),
-        "limiting_profile": Answer(
-            kind(
-                "winkler.problems.wear.limiting_profile:LimitingProfile",
-                normal={"kind": "depth", "depth": "1 um"},
-                amplitude={"kind": "shift", "shift": "0.2 um"},
-            ),
+        "limiting_profile": answer(
+            "winkler.problems.wear.limiting_profile:LimitingProfile",
+            normal={"kind": "depth", "depth": "1 um"},
+            amplitude={"kind": "shift", "shift": "0.2 um"},
             picture=Caption(
                 "limit",
                 "Where wear ends",
                 "The profile in the end, what was worn off, and the pressure, which only the core bears then.",
             ),
-            contact=PicturedContact.NONE,
+            pictured=PicturedContact.NONE,
             formulas=followed_by(normal_formulas, CORE, LIMIT),
         ),
     },

@@ -149,10 +149,7 @@ class _Target:
         if (self.cls.__name__, self.field) in quantities.INDEXED and self.below:
             self.unit = quantities.INDEXED[self.cls.__name__, self.field](int(self.below[0]))
         else:
-            self.unit = quantities.unit_of(self.cls, self.field) or ""
-        if self.field in quantities.dependent(self.cls):
-            fields = {item.name: getattr(self.owner, item.name) for item in dataclasses.fields(self.cls)}
-            self.unit = quantities.settled(self.unit, self.cls, fields)
+            self.unit = quantities.unit_in(self.owner, self.field) or ""
 
     def numbers(self, raw: Any, where: str) -> Array:
         """Return SI numbers from a list or range."""
@@ -164,8 +161,8 @@ class _Target:
             if self.is_constant and isinstance(raw, list):
                 return np.array([quantities.named({"value": item})[0][1] for item in raw])
             return quantities.numbers(raw, self.unit)
-        except PydanticCustomError as error:
-            sentence = str((error.context or {})["sentence"])
+        except PydanticCustomError as refusal:
+            sentence = quantities.sentence_of(refusal)
             for mark in (f"{quantities.WHERE}[0]", f"{quantities.WHERE}.value", quantities.WHERE):
                 sentence = sentence.replace(mark, where)
             raise InvalidInput(sentence) from None

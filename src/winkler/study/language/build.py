@@ -17,7 +17,6 @@ import numpy as np
 from winkler.errors import InvalidInput, WinklerError
 from winkler.io.foreign import path_text, reason_of
 from winkler.study.language.catalogue import kind_of, kinds
-from winkler.vocabulary import word
 
 if TYPE_CHECKING:
     from pydantic import BaseModel
@@ -167,13 +166,9 @@ def written_field(owner: Any, field: str, content: Any) -> Any:
         return np.asarray(content, dtype=float).tolist()
     if typing.get_type_hints(cls)[field] == tuple[int, int]:
         return list(content)
-    unit = word(cls, field).unit or ""
+    unit = quantities.unit_in(owner, field) or ""
     if (cls.__name__, field) in maps.MAPS:
         return maps.written_map(content, unit)
-    if field in quantities.dependent(cls):
-        unit = quantities.settled(
-            unit, cls, {item.name: getattr(owner, item.name) for item in dataclasses.fields(owner)}
-        )
     if quantities.endless(cls, field) and math.isinf(content):
         return quantities.INFINITE
     if isinstance(content, int | float):

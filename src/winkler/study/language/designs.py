@@ -47,17 +47,32 @@ class Zipped:
     sentence: ClassVar[str] = "They vary together."
 
 
-def _refuse_uneven(count: int) -> None:
-    if count & (count - 1):
-        below = 2 ** (count.bit_length() - 1)
-        raise InvalidInput(
-            f"sweep.design.count is {count}; a Sobol sequence is even with a power of two only: give {below} or "
-            f"{2 * below}."
-        )
+@value
+class _Drawn:
+    """Points that are drawn: how many, and the seed."""
+
+    count: Annotated[int, Whole(1, MOST_SWEPT_RUNS)]
+    seed: Annotated[int, Whole(0, MOST_SWEPT_RUNS)] = 0
+
+    section: ClassVar[str] = "sweep.design"
+    draws: ClassVar[bool] = True
 
 
 @value
-class LatinHypercube:
+class _Even(_Drawn):
+    """Points that are even with a power of two only."""
+
+    def __post_init__(self) -> None:
+        if self.count & (self.count - 1):
+            below = 2 ** (self.count.bit_length() - 1)
+            raise InvalidInput(
+                f"sweep.design.count is {self.count}; a Sobol sequence is even with a power of two only: give {below} "
+                f"or {2 * below}."
+            )
+
+
+@value
+class LatinHypercube(_Drawn):
     """Points drawn so that each key has one value in each of `count` equal parts of its range.
 
     Parameters
@@ -73,12 +88,7 @@ class LatinHypercube:
     output from a computer code. Technometrics 21 (1979) 239, doi:10.1080/00401706.1979.10489755
     """
 
-    count: Annotated[int, Whole(1, MOST_SWEPT_RUNS)]
-    seed: Annotated[int, Whole(0, MOST_SWEPT_RUNS)] = 0
-
     kind: ClassVar[str] = "latin_hypercube"
-    section: ClassVar[str] = "sweep.design"
-    draws: ClassVar[bool] = True
     sentence: ClassVar[str] = "The points are a Latin hypercube."
 
     def shares(self, keys: int) -> Array:
@@ -89,7 +99,7 @@ class LatinHypercube:
 
 
 @value
-class Sobol:
+class Sobol(_Even):
     """Points of a scrambled Sobol sequence: even in all keys together.
 
     Parameters
@@ -106,16 +116,8 @@ class Sobol:
     Matousek: On the L2-discrepancy for anchored boxes. Journal of Complexity 14 (1998) 527 (the scrambling)
     """
 
-    count: Annotated[int, Whole(1, MOST_SWEPT_RUNS)]
-    seed: Annotated[int, Whole(0, MOST_SWEPT_RUNS)] = 0
-
     kind: ClassVar[str] = "sobol"
-    section: ClassVar[str] = "sweep.design"
-    draws: ClassVar[bool] = True
     sentence: ClassVar[str] = "The points are a scrambled Sobol sequence."
-
-    def __post_init__(self) -> None:
-        _refuse_uneven(self.count)
 
     def shares(self, keys: int) -> Array:
         """Return the places of the points in the ranges of the keys, shape ``(points, keys)``, from zero to one."""
@@ -125,7 +127,7 @@ class Sobol:
 
 
 @value
-class Sensitivity:
+class Sensitivity(_Even):
     """Points from which the indices of Sobol follow: the part of the variance of the answers due to each key.
 
     Pairs of points A and B of a Sobol sequence, and for every key the point A with this key taken from B:
@@ -144,16 +146,8 @@ class Sensitivity:
     Computer Physics Communications 181 (2010) 259, doi:10.1016/j.cpc.2009.09.018
     """
 
-    count: Annotated[int, Whole(1, MOST_SWEPT_RUNS)]
-    seed: Annotated[int, Whole(0, MOST_SWEPT_RUNS)] = 0
-
     kind: ClassVar[str] = "sensitivity"
-    section: ClassVar[str] = "sweep.design"
-    draws: ClassVar[bool] = True
     sentence: ClassVar[str] = "Pairs of points of a Sobol sequence have their keys exchanged one by one."
-
-    def __post_init__(self) -> None:
-        _refuse_uneven(self.count)
 
     def shares(self, keys: int) -> Array:
         """Return the places of the points in the ranges of the keys, shape ``(points, keys)``, from zero to one."""

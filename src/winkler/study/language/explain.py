@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 from winkler.errors import InvalidInput
 from winkler.study.language import maps, quantities
 from winkler.study.language.catalogue import kinds, slot_of
-from winkler.study.language.schema import allowed_in_list, allowed_kinds, hints, options
+from winkler.study.language.schema import allowed_in_list, allowed_kinds, hints, options, required_fields
 from winkler.vocabulary import Word, word
 
 __all__ = ["Key", "completed", "example_study", "keys_of", "place_of", "plain_symbol", "summary", "table_at"]
@@ -78,18 +78,17 @@ def keys_of(name: str) -> tuple[Key, ...]:
     """Return the keys of a kind, in the order of its class."""
     line = kinds()[name]
     parameters = _parameters(line.cls)
-    rows = []
-    fields = {field.name: field for field in dataclasses.fields(line.cls)}
-    for field, hint in hints(line.cls).items():
-        required = fields[field].default is fields[field].default_factory is dataclasses.MISSING
-        entry = word(line.cls, field)
-        rows.append(Key(field, entry, _takes(line.cls, field, hint), parameters.get(field, ""), required))
+    needed = required_fields(line.cls)
+    rows = [
+        Key(field, word(line.cls, field), _takes(line.cls, field, hint), parameters.get(field, ""), field in needed)
+        for field, hint in hints(line.cls).items()
+    ]
     if line.reader is not None:
         meaning = "a file with the same content, beside the study, in place of the other keys"
         rows.append(Key("file", Word("", None, meaning), "path", "", False))
         parameters = _parameters(line.reader)
         for option, hint in options(line).items():
-            if option not in fields:
+            if option not in hints(line.cls):
                 plain = hint in (bool, int, str)
                 how = Word("", None, "how the file is read") if plain else word(line.cls, option)
                 how = how._replace(meaning=f"{how.meaning}; with a file only")
@@ -133,9 +132,8 @@ def completed(table: dict[str, Any]) -> dict[str, Any]:
     line = kinds()[name]
     given = {**line.example, **table}
     result: dict[str, Any] = {"kind": name}
-    fields = {field.name: field for field in dataclasses.fields(line.cls)}
     for field, hint in hints(line.cls).items():
-        required = fields[field].default is fields[field].default_factory is dataclasses.MISSING
+        required = field in required_fields(line.cls)
         content = given.get(field)
         if content is not None:
             result[field] = _completed(content)

@@ -19,9 +19,9 @@ from winkler.loading import Depth, Force
 from winkler.path import Path as MotionPath
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.study.language import keys
-from winkler.study.language.build import MOST_NEIGHBOURS, assembled
+from winkler.study.language.build import MOST_NEIGHBOURS
 from winkler.study.language.fit_study import OF_A_CURVE, OF_A_TIMED_CURVE, FitStudy, Free, word_of
-from winkler.study.language.reading import parsed, read_text
+from winkler.study.language.reading import checked, parsed, read_text, stated
 from winkler.study.language.segmenting import FOUND
 from winkler.study.language.study import Output
 
@@ -68,11 +68,6 @@ def _with_segments(text: str, path: Path, segments: tuple[str, ...]) -> str:
 
 def parse_fit_study(text: str, *, file: str = "", folder: Path = Path()) -> FitStudy:
     """Return the study with ``[fit]`` that TOML `text` describes; parameters as for `parse_study`."""
-    from pydantic import ValidationError
-
-    from winkler.study.language import grammar, mistakes
-    from winkler.study.language.schema import MISSING
-
     raw = parsed(text, file)
     at = f"{file}: " if file else ""
     if "fit" not in raw:
@@ -81,12 +76,8 @@ def parse_fit_study(text: str, *, file: str = "", folder: Path = Path()) -> FitS
         if name in raw:
             raise InvalidInput(f"{at}a study with [fit] has no {name}; leave it out.")
     _placeholder(raw, at)
-    try:
-        form: Any = grammar.study_form().model_validate(raw)
-    except ValidationError as error:
-        raise mistakes.worded(file, mistakes.sentences(error, raw)) from None
-    problem = assembled(form.problem, folder=folder, file=file, key="problem")
-    given = {name: content for name, content in form.fit if content is not MISSING}
+    form, problem = checked(raw, file, folder)
+    given = stated(form.fit)
     try:
         problem = _unloaded(problem, given)
         if "noise" in given:
@@ -96,9 +87,7 @@ def parse_fit_study(text: str, *, file: str = "", folder: Path = Path()) -> FitS
             problem=problem,
             sources=_sources(given.pop("curve"), folder),
             free=_frees(given.pop("free"), problem),
-            output=Output()
-            if form.output is MISSING
-            else Output(**{name: content for name, content in form.output if content is not MISSING}),
+            output=Output(**stated(form.output)),
             text=text,
             folder=str(folder),
             **given,
@@ -260,11 +249,6 @@ def _free(key: str, raw: Any, problem: Any) -> Free:
 
 
 def _number(raw: Any, unit: str, where: str) -> float:
-    from pydantic_core import PydanticCustomError
-
     from winkler.study.language import quantities
 
-    try:
-        return float(quantities.number(raw, unit))
-    except PydanticCustomError as error:
-        raise InvalidInput(str((error.context or {})["sentence"]).replace(quantities.WHERE, where)) from None
+    return float(quantities.read_at(where, raw, unit, quantities.number))

@@ -15,7 +15,6 @@ The load of the problem is only a placeholder and may be left out.
 
 from __future__ import annotations
 
-import dataclasses
 import math
 import re
 from typing import Any
@@ -23,7 +22,7 @@ from typing import Any
 from winkler.study.language import keys
 from winkler.study.language.study import Output
 from winkler.values import value
-from winkler.vocabulary import Word, word
+from winkler.vocabulary import Word
 
 __all__ = ["OF_A_CURVE", "OF_A_TIMED_CURVE", "FitStudy", "Free", "word_of"]
 
@@ -141,18 +140,8 @@ def word_of(problem: Any, key: str) -> Word:
     """Return symbol, unit and meaning of a number that is free in `problem`, by its key in the study."""
     if key in OF_A_TIMED_CURVE:
         return OF_A_TIMED_CURVE[key]
-    entry = keys.word_at(problem, key.removeprefix("problem."))
-    return entry._replace(unit=_unit(problem, key))
-
-
-def _unit(problem: Any, key: str) -> str:
-    """Return the unit of a key of the problem, with the numbers inserted on which it depends."""
     from winkler.study.language import quantities
 
-    owner, field, _ = keys.owner_at(problem, key.removeprefix("problem."))
-    cls = type(owner)
-    unit = word(cls, field).unit or ""
-    if field in quantities.dependent(cls):
-        content = {item.name: getattr(owner, item.name) for item in dataclasses.fields(owner)}
-        unit = quantities.settled(unit, cls, content)
-    return unit
+    path = key.removeprefix("problem.")
+    owner, field, _ = keys.owner_at(problem, path)
+    return keys.word_at(problem, path)._replace(unit=quantities.unit_in(owner, field) or "")

@@ -6,7 +6,6 @@ import functools
 from typing import Annotated, Any
 
 from pydantic import BaseModel, BeforeValidator, StrictBool, StrictStr, create_model
-from pydantic_core import PydanticCustomError
 
 from winkler.errors import InvalidInput, suggest
 from winkler.study.language import quantities
@@ -127,7 +126,9 @@ def expectation(table: dict[str, Any]) -> Expectation:
     scale = table["scale"]
     if unit_text is not MISSING and isinstance(scale, int | float) and not isinstance(scale, bool):
         scale = f"{scale!r} {unit_text}".strip()
-    place = tuple((key, float(_at(key, table[key], "m"))) for key in PLACE_KEYS if table[key] is not MISSING)
+    place = tuple(
+        (key, float(quantities.read_at(key, table[key], "m"))) for key in PLACE_KEYS if table[key] is not MISSING
+    )
     if tuple(key for key, _ in place) not in ((), ("r",), ("r", "z"), ("x",), ("x", "y", "z")):
         raise InvalidInput(
             f"expect gives {' and '.join(key for key, _ in place)}; give r on the surface, r and z below it, "
@@ -135,10 +136,10 @@ def expectation(table: dict[str, Any]) -> Expectation:
         )
     return Expectation(
         quantity=name,
-        expected=_at("value", raw, unit),
-        tolerance=float(_at("tolerance", table["tolerance"], "")),
+        expected=quantities.read_at("value", raw, unit),
+        tolerance=float(quantities.read_at("tolerance", table["tolerance"], "")),
         place=place,
-        scale=0.0 if scale is MISSING else float(_at("scale", scale, unit)),
+        scale=0.0 if scale is MISSING else float(quantities.read_at("scale", scale, unit)),
     )
 
 
@@ -157,13 +158,6 @@ def unit_of_quantity(name: str) -> str:
     if last not in names:
         raise InvalidInput(f"quantity is '{name}'{suggest(last, names)}; give a quantity of the glossary.")
     return GLOSSARY[last].unit or ""
-
-
-def _at(key: str, raw: Any, unit: str) -> Any:
-    try:
-        return quantities.number_or_numbers(raw, unit)
-    except PydanticCustomError as error:
-        raise InvalidInput(str((error.context or {})["sentence"]).replace(WHERE, key)) from None
 
 
 def _either_value(raw: Any) -> Any:

@@ -11,7 +11,7 @@ from pydantic_core import PydanticCustomError
 
 from winkler.limits import MOST_NUMBERS
 from winkler.numerics.types import Array
-from winkler.study.language.quantities import WHERE, number_or_numbers, numbers, wrong
+from winkler.study.language.quantities import WHERE, number_or_numbers, numbers, sentence_of, wrong
 
 __all__ = ["MAPS", "PAIRS", "counts", "height_map", "pair", "written_map"]
 
@@ -80,8 +80,8 @@ def pair(raw: Any, unit: str | None) -> Array:
     """Return two quantities; one stands for both."""
     try:
         heights = numbers(raw if isinstance(raw, list | dict) else [raw], unit)
-    except PydanticCustomError as error:
-        sentence = str((error.context or {})["sentence"])
+    except PydanticCustomError as refusal:
+        sentence = sentence_of(refusal)
         wrong(sentence if isinstance(raw, list | dict) else sentence.replace(f"{WHERE}[0]", WHERE))
     if heights.size == 1:
         heights = np.repeat(heights, 2)

@@ -36,9 +36,11 @@ __all__ = [
     "number_or_infinite",
     "number_or_numbers",
     "numbers",
+    "read_at",
     "sample",
+    "sentence_of",
     "settle",
-    "settled",
+    "unit_in",
     "unit_of",
     "wrong",
 ]
@@ -79,6 +81,25 @@ def wrong(sentence: str, *key: str) -> NoReturn:
     raise PydanticCustomError("winkler", "{sentence}", {"sentence": sentence, "key": key})
 
 
+def sentence_of(refusal: PydanticCustomError) -> str:
+    """Return the sentence of a refusal that `wrong` has raised."""
+    return str((refusal.context or {})["sentence"])
+
+
+def read_at(where: str, raw: Any, unit: str | None, read: Callable[[Any, str | None], Any] | None = None) -> Any:
+    """Return what `read`, by default `number_or_numbers`, makes of the value at a key.
+
+    Raises
+    ------
+    InvalidInput
+        If it is refused, with the key `where` in the sentence.
+    """
+    try:
+        return (read or number_or_numbers)(raw, unit)
+    except PydanticCustomError as refusal:
+        raise InvalidInput(sentence_of(refusal).replace(WHERE, where)) from None
+
+
 def sample(unit: str) -> str:
     """Return a sample quantity of `unit`."""
     return SAMPLE_QUANTITIES.get(unit, f"1 {unit}" if unit else "0.3")
@@ -113,14 +134,23 @@ def settled(unit: str, owner: type, content: dict[str, Any]) -> str:
     return re.sub(r"\^1(?![\d.])", "", "" if result.endswith("^0") else result)
 
 
+def unit_in(owner: Any, field: str) -> str | None:
+    """Return the unit of a field of a value, with the other fields put in that it depends on; None if it has none."""
+    cls = type(owner)
+    unit = unit_of(cls, field)
+    if unit is None or field not in dependent(cls):
+        return unit
+    return settled(unit, cls, {item.name: getattr(owner, item.name) for item in dataclasses.fields(owner)})
+
+
 def settle(form: BaseModel, *, cls: type, keys: tuple[str, ...]) -> BaseModel:
     """Convert the `keys` of `form` whose unit depends on the others."""
     for key in keys:
         unit = unit_of(cls, key) or ""
         try:
             setattr(form, key, number(getattr(form, key), settled(unit, cls, dict(form))))
-        except PydanticCustomError as error:
-            sentence = str((error.context or {})["sentence"])
+        except PydanticCustomError as refusal:
+            sentence = sentence_of(refusal)
             unnamed = f"{WHERE} has a unit that follows from other keys, and {sentence}; check them."
             wrong(sentence if WHERE in sentence else unnamed, key)
     return form
@@ -164,8 +194,8 @@ def _entry(raw: Any, unit: str | None, below: str) -> Array:
         return np.array([_inside(raw, unit, below)])
     try:
         return _range(raw, unit)
-    except PydanticCustomError as error:
-        wrong(str((error.context or {})["sentence"]).replace(WHERE, WHERE + below))
+    except PydanticCustomError as refusal:
+        wrong(sentence_of(refusal).replace(WHERE, WHERE + below))
 
 
 def number_or_infinite(raw: Any, unit: str | None) -> Any:
@@ -196,8 +226,8 @@ def _inside(raw: Any, unit: str | None, below: str) -> float:
     """Return one quantity of a list or range; its sentence names the place `below` the key."""
     try:
         return float(number(raw, unit))
-    except PydanticCustomError as error:
-        wrong(str((error.context or {})["sentence"]).replace(WHERE, WHERE + below))
+    except PydanticCustomError as refusal:
+        wrong(sentence_of(refusal).replace(WHERE, WHERE + below))
 
 
 def _check_keys(raw: dict[str, Any], allowed: tuple[str, ...], needed: tuple[str, ...], what: str) -> None:

@@ -8,7 +8,7 @@ import tomllib
 import unicodedata
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -21,10 +21,7 @@ from winkler.study.language.build import assembled, unbuild, written_number, wri
 from winkler.study.language.designs import Crossed
 from winkler.study.language.study import Expectation, Fields, Output, Places, Study
 
-if TYPE_CHECKING:
-    from pydantic import BaseModel
-
-__all__ = ["parse_study", "parsed", "read_study", "read_text", "study_text"]
+__all__ = ["checked", "parse_study", "parsed", "read_study", "read_text", "stated", "study_text"]
 
 MOST_LEVELS = 50
 """Levels of tables and lists within each other."""
@@ -189,17 +186,29 @@ def _lowered(sentence: str) -> str:
     return sentence[:1].lower() + sentence[1:].rstrip(".")
 
 
-def _study(raw: dict[str, Any], file: str, folder: Path) -> Study:
+def checked(raw: dict[str, Any], file: str, folder: Path) -> tuple[Any, Any]:
+    """Return the checked input model of the tables of a study, and its problem.
+
+    Raises
+    ------
+    InvalidInput
+        With one sentence for every mistake.
+    """
     from pydantic import ValidationError
 
     from winkler.study.language import grammar, mistakes
-    from winkler.study.language.schema import MISSING
 
     try:
         form: Any = grammar.study_form().model_validate(raw)
     except ValidationError as error:
         raise mistakes.worded(file, mistakes.sentences(error, raw)) from None
-    problem = assembled(form.problem, folder=folder, file=file, key="problem")
+    return form, assembled(form.problem, folder=folder, file=file, key="problem")
+
+
+def _study(raw: dict[str, Any], file: str, folder: Path) -> Study:
+    from winkler.study.language import grammar
+
+    form, problem = checked(raw, file, folder)
     try:
         design = axes.design(form.sweep.pop("design", {"kind": "crossed"}))
         expect = []
@@ -217,8 +226,8 @@ def _study(raw: dict[str, Any], file: str, folder: Path) -> Study:
                 axes.line(key, values, problem, design, file=file, folder=folder) for key, values in form.sweep.items()
             ),
             design=design,
-            fields=Fields() if form.fields is MISSING else Fields(**_stated(form.fields)),
-            output=Output() if form.output is MISSING else Output(**_stated(form.output)),
+            fields=Fields(**stated(form.fields)),
+            output=Output(**stated(form.output)),
             expect=tuple(expect),
             source=form.source,
             grade=form.grade,
@@ -229,10 +238,11 @@ def _study(raw: dict[str, Any], file: str, folder: Path) -> Study:
         raise type(error)(f"{_at(file)}{error}") from None
 
 
-def _stated(form: BaseModel) -> dict[str, Any]:
+def stated(form: Any) -> dict[str, Any]:
+    """Return the keys that an input model of a section states; none if the section is missing."""
     from winkler.study.language.schema import MISSING
 
-    return {name: content for name, content in form if content is not MISSING}
+    return {} if form is MISSING else {name: content for name, content in form if content is not MISSING}
 
 
 def study_text(study: Study) -> str:

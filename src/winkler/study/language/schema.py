@@ -32,8 +32,7 @@ from winkler.numerics.types import Array
 from winkler.study.chapters.kind import path_of
 from winkler.study.language import maps, quantities
 from winkler.study.language.catalogue import CATALOGUE, SLOTS, UNWRITTEN, Kind, kinds
-from winkler.study.language.file_or_keys import either_file_or
-from winkler.study.language.kind_of_table import refuse_kind
+from winkler.study.language.kind_of_table import either_file_or, refuse_kind
 
 __all__ = [
     "FORBID",
@@ -45,6 +44,7 @@ __all__ = [
     "form",
     "hints",
     "options",
+    "required_fields",
     "slot_adapter",
 ]
 
@@ -157,6 +157,15 @@ def hints(owner: type) -> dict[str, Any]:
     return {field.name: hint_of[field.name] for field in dataclasses.fields(owner) if field.init}
 
 
+def required_fields(owner: type) -> list[str]:
+    """Return the fields of a dataclass without a default, in their order."""
+    return [
+        field.name
+        for field in dataclasses.fields(owner)
+        if field.default is field.default_factory is dataclasses.MISSING
+    ]
+
+
 def options(line: Kind) -> dict[str, Any]:
     """Return name -> type of the options of a kind's reader: its keyword-only arguments."""
     if line.reader is None:
@@ -166,11 +175,7 @@ def options(line: Kind) -> dict[str, Any]:
 
 
 def _model(name: str, line: Kind) -> type[BaseModel]:
-    required = [
-        field.name
-        for field in dataclasses.fields(line.cls)
-        if field.default is dataclasses.MISSING and field.default_factory is dataclasses.MISSING
-    ]
+    required = required_fields(line.cls)
     others = [field for field in hints(line.cls) if field not in required]
     keys: dict[str, Any] = {"kind": (Literal[name], ...)}
     for field, hint in hints(line.cls).items():

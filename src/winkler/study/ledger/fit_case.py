@@ -21,7 +21,7 @@ from winkler.study.language.reading import parsed, read_text
 from winkler.study.language.study import Expectation
 from winkler.study.ledger.expected_case import expectations
 
-__all__ = ["FitCase", "fit_verdicts", "is_fit", "read_fit_case"]
+__all__ = ["FitCase", "fit_verdicts", "read_fit_case"]
 
 
 class FitCase(NamedTuple):
@@ -32,10 +32,10 @@ class FitCase(NamedTuple):
     grade: str
     expect: tuple[Expectation, ...]
 
-
-def is_fit(path: Path) -> bool:
-    """Return whether a case fits a curve."""
-    return "fit" in parsed(read_text(path), path.name)
+    @property
+    def title(self) -> str:
+        """Title of the study."""
+        return self.study.title
 
 
 def read_fit_case(path: Path) -> FitCase:

@@ -21,20 +21,18 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
-from pydantic_core import PydanticCustomError
 
 from winkler.errors import InvalidInput, suggest
 from winkler.numerics.types import Quantity
 from winkler.study.batch.outcome import ComparedNumber
 from winkler.study.batch.verdicts import deviation
-from winkler.study.language import quantities
-from winkler.study.language.quantities import WHERE
+from winkler.study.language.quantities import read_at
 from winkler.study.language.reading import parsed, read_text
 from winkler.study.language.study import Expectation
 from winkler.study.ledger.expected_case import expectations
 from winkler.study.ledger.functions import FUNCTIONS, Function
 
-__all__ = ["FunctionCase", "function_verdicts", "is_function", "read_function_case"]
+__all__ = ["FunctionCase", "function_verdicts", "read_function_case"]
 
 CASE_KEYS = ("title", "source", "grade", "function", "expect")
 
@@ -48,11 +46,6 @@ class FunctionCase(NamedTuple):
     function: Function
     arguments: dict[str, Quantity]
     expect: tuple[Expectation, ...]
-
-
-def is_function(path: Path) -> bool:
-    """Return whether a case evaluates a function."""
-    return "function" in parsed(read_text(path), path.name)
 
 
 def read_function_case(path: Path) -> FunctionCase:
@@ -98,10 +91,9 @@ def read_function_case(path: Path) -> FunctionCase:
 
 def _number(file: str, key: str, raw: Any, unit: str) -> Quantity:
     try:
-        number: Quantity = quantities.number_or_numbers(raw, unit)
-    except PydanticCustomError as error:
-        sentence = str((error.context or {})["sentence"]).replace(WHERE, f"function.{key}")
-        raise InvalidInput(f"{file}: {sentence}") from None
+        number: Quantity = read_at(f"function.{key}", raw, unit)
+    except InvalidInput as error:
+        raise InvalidInput(f"{file}: {error}") from None
     return number
 
 

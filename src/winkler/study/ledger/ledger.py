@@ -11,17 +11,18 @@ import dataclasses
 import time
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
+from typing import Any
 
 from winkler.errors import InvalidInput, WinklerError, suggest
 from winkler.study.batch.outcome import ComparedNumber, Outcome
 from winkler.study.batch.run import gather
 from winkler.study.batch.sweep import solve_points
 from winkler.study.language import keys
-from winkler.study.language.reading import read_study
-from winkler.study.language.study import GRADES
+from winkler.study.language.reading import parsed, read_study, read_text
+from winkler.study.language.study import GRADES, Study
 from winkler.study.language.varied import Axis
-from winkler.study.ledger.fit_case import FitCase, fit_verdicts, is_fit, read_fit_case
-from winkler.study.ledger.function_case import FunctionCase, function_verdicts, is_function, read_function_case
+from winkler.study.ledger.fit_case import FitCase, fit_verdicts, read_fit_case
+from winkler.study.ledger.function_case import FunctionCase, function_verdicts, read_function_case
 from winkler.study.ledger.physics import FITS, physics_of
 from winkler.values import value
 
@@ -107,54 +108,41 @@ def run_case(path: Path) -> LedgerEntry:
     InvalidInput
         If the file is no case: it cannot be read, or lacks source, grade or expectations.
     """
-    if is_fit(path):
-        return _fit_entry(path)
-    if is_function(path):
-        return _function_entry(path)
+    sections = parsed(read_text(path), path.name)
+    if "fit" in sections:
+        fitted = read_fit_case(path)
+        return _entry(path, fitted, FITS, lambda: _at_no_points(fit_verdicts(fitted)))
+    if "function" in sections:
+        evaluated = read_function_case(path)
+        return _entry(path, evaluated, evaluated.function.physics, lambda: _at_no_points(function_verdicts(evaluated)))
     study = read_study(path)
-    _complete(path, study.source, study.grade, study.expect)
-    entry = LedgerEntry(path.stem, study.title, study.source, study.grade, physics_of(study), (), ())
-    try:
-        outcome = gather(study, solve_points(study), started=time.perf_counter(), source=path.name)
-    except WinklerError as error:
-        return dataclasses.replace(entry, failure=str(error))
-    failure = outcome.failed[0].reason if outcome.failed else ""
-    return dataclasses.replace(entry, verdicts=outcome.verdicts, points=_points(outcome), failure=failure)
+    return _entry(path, study, physics_of(study), lambda: _of_study(study, path.name))
 
 
-def _fit_entry(path: Path) -> LedgerEntry:
-    case = read_fit_case(path)
-    return _entry_of(path, case.study.title, case, FITS, lambda: fit_verdicts(case))
-
-
-def _function_entry(path: Path) -> LedgerEntry:
-    case = read_function_case(path)
-    return _entry_of(path, case.title, case, case.function.physics, lambda: function_verdicts(case))
-
-
-def _entry_of(
-    path: Path,
-    title: str,
-    case: FitCase | FunctionCase,
-    physics: str,
-    verdicts: Callable[[], tuple[ComparedNumber, ...]],
+def _entry(
+    path: Path, case: Study | FitCase | FunctionCase, physics: str, results: Callable[[], dict[str, Any]]
 ) -> LedgerEntry:
-    """Return the entry of a case that is no study."""
-    _complete(path, case.source, case.grade, case.expect)
-    if case.grade not in GRADES:
-        raise InvalidInput(f"{path.name}: grade: '{case.grade}' is not known; give one of {', '.join(GRADES)}.")
-    entry = LedgerEntry(path.stem, title, case.source, case.grade, physics, (), ())
-    try:
-        compared = verdicts()
-    except WinklerError as error:
-        return dataclasses.replace(entry, failure=str(error))
-    return dataclasses.replace(entry, verdicts=compared, points=("",) * len(compared))
-
-
-def _complete(path: Path, source: str, grade: str, expect: tuple[object, ...]) -> None:
-    for key, content in (("source", source), ("grade", grade), ("[[expect]]", expect)):
+    """Return the entry of a case, with the fields that `results` computes."""
+    for key, content in (("source", case.source), ("grade", case.grade), ("[[expect]]", case.expect)):
         if not content:
             raise InvalidInput(f"{path.name}: a case needs {key}; add it, see `winkler show study`.")
+    if case.grade not in GRADES:
+        raise InvalidInput(f"{path.name}: grade: '{case.grade}' is not known; give one of {', '.join(GRADES)}.")
+    entry = LedgerEntry(path.stem, case.title, case.source, case.grade, physics, (), ())
+    try:
+        return dataclasses.replace(entry, **results())
+    except WinklerError as error:
+        return dataclasses.replace(entry, failure=str(error))
+
+
+def _of_study(study: Study, file: str) -> dict[str, Any]:
+    outcome = gather(study, solve_points(study), started=time.perf_counter(), source=file)
+    failure = outcome.failed[0].reason if outcome.failed else ""
+    return {"verdicts": outcome.verdicts, "points": _points(outcome), "failure": failure}
+
+
+def _at_no_points(verdicts: tuple[ComparedNumber, ...]) -> dict[str, Any]:
+    return {"verdicts": verdicts, "points": ("",) * len(verdicts)}
 
 
 def _points(outcome: Outcome) -> tuple[str, ...]:

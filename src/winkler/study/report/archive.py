@@ -19,28 +19,27 @@ from __future__ import annotations
 
 import csv
 import dataclasses
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from winkler.numerics.types import Array
-from winkler.study.batch.events import EVENTS
+from winkler.study.batch import sensitivity
+from winkler.study.batch.events import EVENTS, Event
 from winkler.study.batch.outcome import Outcome, ResultColumn, SolvedPoint
-from winkler.study.batch.sensitivity import SENSITIVITY, write_indices
-from winkler.study.batch.sensitivity import variables as index_variables
+from winkler.study.batch.sensitivity import INDEX_MEANINGS, SENSITIVITY
 from winkler.study.language import keys
 from winkler.study.language.reading import study_text
 from winkler.study.report.archive_maps import add_maps
-from winkler.study.report.event_rows import columns_of, rows_of
 from winkler.study.report.netcdf import netcdf_attributes, write_variables
 from winkler.vocabulary import Word, word
 
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["CSV", "NETCDF", "SURFACE", "dataset", "heading", "write_archive", "write_table"]
+__all__ = ["CSV", "NETCDF", "SURFACE", "dataset", "heading", "rows_of", "write_archive", "write_table"]
 
 NETCDF, CSV, SURFACE = "results.nc", "results.csv", "surface.csv"
 
@@ -66,10 +65,13 @@ def write_archive(outcome: Outcome, folder: Path) -> None:
     if any(point.surface for point in outcome.solved):
         _write_surface(outcome, folder / SURFACE)
     if outcome.indices:
-        write_indices(outcome.indices, [axis.key for axis in outcome.study.axes], folder / SENSITIVITY)
+        heads = ["answer", "key", "pairs", *(f"{name} [-]" for name in INDEX_MEANINGS)]
+        _write_rows(folder / SENSITIVITY, heads, sensitivity.rows(outcome.indices, _varied(outcome)))
     for name in EVENTS:
-        if columns_of(outcome, name):
-            _write_events(outcome, name, folder / f"{name}.csv")
+        if points := rows_of(outcome, name):
+            headings = [heading(one.name, one.word) for one in points[0][1][0]]
+            rows = ((point, [[one.content for one in event] for event in events]) for point, events in points)
+            _write_points(outcome, folder / f"{name}.csv", headings, rows)
 
 
 def heading(name: str, entry: Word) -> str:
@@ -101,35 +103,39 @@ def _write_rows(path: Path, headings: list[str], rows: Any, nothing: str = "nan"
 
 
 def _write_surface(outcome: Outcome, path: Path) -> None:
-    swept = [axis.key for axis in outcome.study.sweep]
     many = any(len(point.surface) > 1 for point in outcome.solved)
     first = next(fields for point in outcome.solved for fields in point.surface)
     names = [field.name for field in dataclasses.fields(first)]
-    headings = [heading(key, _swept_word(outcome, key)) for key in swept] + ([LOAD_DIMENSION] if many else [])
-    headings += [heading(name, word(type(first), name)) for name in names]
+    headings = [*([LOAD_DIMENSION] if many else []), *(heading(name, word(type(first), name)) for name in names)]
 
-    def rows() -> Any:
-        for point in outcome.solved:
-            settings = [item if isinstance(item, int | float) else keys.label(item) for item in point.settings]
-            for load, fields in enumerate(point.surface):
-                numbers = zip(*(getattr(fields, name).tolist() for name in names), strict=True)
-                for row in numbers:
-                    yield [*settings, *([load] if many else []), *row]
+    def rows(point: SolvedPoint) -> Iterator[list[Any]]:
+        for load, fields in enumerate(point.surface):
+            for row in zip(*(getattr(fields, name).tolist() for name in names), strict=True):
+                yield [*([load] if many else []), *row]
 
-    _write_rows(path, headings, rows())
+    _write_points(outcome, path, headings, ((point, rows(point)) for point in outcome.solved))
 
 
-def _write_events(outcome: Outcome, name: str, path: Path) -> None:
-    headings = [heading(axis.key, _swept_word(outcome, axis.key)) for axis in outcome.study.sweep]
-    headings += [heading(one.name, one.word) for one in columns_of(outcome, name)]
+def rows_of(outcome: Outcome, name: str) -> list[tuple[SolvedPoint, tuple[tuple[Event, ...], ...]]]:
+    """Return the points that have events of a kind, jumps, branches, limits or stages, each with a row for each."""
+    pairs = [(point, point.events(name)) for point in outcome.solved]
+    return [(point, rows) for point, rows in pairs if rows]
 
-    def rows() -> Any:
-        for point, events in rows_of(outcome, name):
-            settings = [item if isinstance(item, int | float) else keys.label(item) for item in point.settings]
-            for event in events:
-                yield [*settings, *(one.content for one in event)]
 
-    _write_rows(path, headings, rows())
+def _write_points(
+    outcome: Outcome, path: Path, headings: list[str], rows: Iterable[tuple[SolvedPoint, Iterable[list[Any]]]]
+) -> None:
+    """Write rows of points, with the varied keys before them."""
+    swept = [heading(key, _swept_word(outcome, key)) for key in _varied(outcome)]
+    settings = {
+        point.index: [item if isinstance(item, int | float) else keys.label(item) for item in point.settings]
+        for point in outcome.solved
+    }
+    _write_rows(path, [*swept, *headings], ([*settings[point.index], *row] for point, many in rows for row in many))
+
+
+def _varied(outcome: Outcome) -> list[str]:
+    return [line.key for line in outcome.study.sweep]
 
 
 def _swept_word(outcome: Outcome, key: str) -> Word:
@@ -187,7 +193,7 @@ def _dataset(outcome: Outcome) -> tuple[dict[str, Any], dict[str, Any], dict[str
     _add_events(outcome, dims, variables)
     add_maps(outcome, dims, variables, coords)
     if outcome.indices:
-        more, places = index_variables(outcome.indices, [axis.key for axis in study.axes])
+        more, places = sensitivity.variables(outcome.indices, _varied(outcome))
         variables, coords = {**variables, **more}, {**coords, **places}
     return variables, coords, outcome.provenance.attributes(outcome.study.title, study_text(outcome.study))
 
@@ -213,7 +219,7 @@ def _add_events(outcome: Outcome, dims: tuple[str, ...], variables: dict[str, An
     for name in EVENTS:
         point_rows = rows_of(outcome, name)
         count = max((len(events) for _, events in point_rows), default=0)
-        for place, one in enumerate(columns_of(outcome, name)):
+        for place, one in enumerate(point_rows[0][1][0] if point_rows else ()):
             content = np.full((*outcome.shape, count), np.nan)
             for point, events in point_rows:
                 content[point.index][: len(events)] = [event[place].content for event in events]

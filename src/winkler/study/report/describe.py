@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -19,7 +19,7 @@ from winkler.study.language.study import Study
 from winkler.study.language.varied import Axis, Range
 from winkler.vocabulary import Word, own_word, word
 
-__all__ = ["Input", "content_label", "in_words", "inputs", "setting_text", "values_text"]
+__all__ = ["Input", "content_label", "in_words", "inputs", "setting_text", "settings_text", "values_text"]
 
 ROLES = {
     "profile": "The shape is {a}.",
@@ -123,18 +123,6 @@ def _is_left_out(content: Any, field: dataclasses.Field[Any]) -> bool:
     return isinstance(content, float) and math.isinf(content) and field.default == content
 
 
-def _unit(owner: Any, field: str) -> str | None:
-    from winkler.study.language import quantities
-
-    cls = type(owner)
-    unit = word(cls, field).unit
-    if unit is not None and field in quantities.dependent(cls):
-        return quantities.settled(
-            unit, cls, {item.name: getattr(owner, item.name) for item in dataclasses.fields(owner)}
-        )
-    return unit
-
-
 def _content_text(owner: Any, field: str, content: Any, path: str, swept: dict[str, Axis | Range]) -> str:
     from winkler.study.language import quantities
 
@@ -151,7 +139,7 @@ def _content_text(owner: Any, field: str, content: Any, path: str, swept: dict[s
         return ", ".join(parts) or "none"
     if isinstance(content, bool | str):
         return {True: "yes", False: "no"}.get(content, str(content)) if isinstance(content, bool) else content
-    return values_text(content, _unit(owner, field))
+    return values_text(content, quantities.unit_in(owner, field))
 
 
 def values_text(content: Any, unit: str | None) -> str:
@@ -192,6 +180,12 @@ def setting_text(study: Study, axis: Axis | Range, content: Any) -> str:
     if isinstance(content, int | float):
         return f"{name} = {with_unit(float(content), keys.word_at(study, axis.key).unit, 6)}"
     return f"{name}: {content_label(content)}"
+
+
+def settings_text(study: Study, settings: Iterable[Any]) -> str:
+    """Return the values of the varied keys at one point for reading."""
+    pairs = zip(study.sweep, settings, strict=True)
+    return ", ".join(setting_text(study, axis, content) for axis, content in pairs)
 
 
 def in_words(study: Study) -> str:

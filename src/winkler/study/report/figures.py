@@ -24,12 +24,12 @@ from winkler.study.chapters.contents import answer_of
 from winkler.study.chapters.method_captions import captions_of
 from winkler.study.language.designs import POINT
 from winkler.study.language.study import Axis, Study
-from winkler.study.report.describe import content_label, setting_text
+from winkler.study.report.describe import content_label, setting_text, settings_text
 from winkler.study.report.extra_pictures import ExtraPicture, extra_pictures
 from winkler.study.report.figure import ReportFigure, capital, drawn
 from winkler.study.report.sweep_figures import clouds, mapped, maps, parts, varied_series
 
-__all__ = ["answers_over", "figures_of", "settings_of", "shown_contact", "shown_point"]
+__all__ = ["answers_over", "figures_of", "shown_contact", "shown_point"]
 
 MOST_CURVES = 24
 """Curves in one figure; the table holds all."""
@@ -43,7 +43,7 @@ def shown_point(outcome: Outcome) -> SolvedPoint:
 
 def shown_contact(point: SolvedPoint) -> Contact | None:
     """Return the contact of a point in the pictures, of its last load; None if there is none."""
-    shows = answer_of(point.problem).contact
+    shows = answer_of(point.problem).pictured
     if shows is Shows.NONE:
         return None
     solution = point.solution if shows is Shows.PATH else point.each[-1]
@@ -68,7 +68,7 @@ def figures_of(outcome: Outcome) -> tuple[ReportFigure, ...]:
         return tuple(figures)
     wanted = pictures_of(contact)
     answer = answer_of(shown_point(outcome).problem)
-    if answer.contact is Shows.EDGE and answer.picture is not None:  # which shows F(d) along the path of the edge
+    if answer.pictured is Shows.EDGE and answer.picture is not None:  # which shows F(d) along the path of the edge
         wanted = tuple(name for name in wanted if name != "force")
     captions = captions_of(sticks=isinstance(contact, AdhesiveSolution))
     for name in wanted:
@@ -123,7 +123,9 @@ def _varied(outcome: Outcome, answers: dict[str, Array]) -> Iterator[ReportFigur
     cut = f" The first {MOST_CURVES} of {len(curves)} curves are shown." if len(curves) > MOST_CURVES else ""
     curves = curves[:MOST_CURVES]
     x = varied_series(study, along)
-    sentence = f"One curve for each of the other settings.{cut}" if len(curves) > 1 else "All other values are constant."
+    sentence = (
+        f"One curve for each of the other settings.{cut}" if len(curves) > 1 else "All other values are constant."
+    )
     for name, content in answers.items():
         of = [Series(name, outcome.word(name), content[where]) for _, where in curves]
         picture = family_sheet([x for _ in curves], of, [label for label, _ in curves])
@@ -172,7 +174,7 @@ def _sheets(outcome: Outcome) -> Iterator[ReportFigure]:
     wanted, picture = [*extra_pictures(point.solution)], answer_of(point.problem).picture
     if picture is not None:
         wanted.append(ExtraPicture(picture, point.solution))
-    where = settings_of(outcome, point)
+    where = settings_text(outcome.study, point.settings)
     for (name, title, caption), item in wanted:
         from winkler.plot import sheet_of  # loads all pictures, which those of the method do not need
 
@@ -183,25 +185,25 @@ def _sheets(outcome: Outcome) -> Iterator[ReportFigure]:
             yield ReportFigure(f"answer_{name}", title, sentence, None, missing=re.sub(r"^\w+: ", "", str(error)))
 
 
-def settings_of(outcome: Outcome, point: SolvedPoint) -> str:
-    """Return the values of the varied keys at one point."""
-    pairs = zip(outcome.study.sweep, point.settings, strict=True)
-    return ", ".join(setting_text(outcome.study, axis, item) for axis, item in pairs)
+def _family(
+    outcome: Outcome, over: str, what: str, *, ordered: bool = False, stem: str = "", sentence: str = ""
+) -> ReportFigure:
+    """Return one answer over another, one curve for each of the first points of the sweep."""
+    points = outcome.solved[:MOST_CURVES]
+    labels = [settings_text(outcome.study, point.settings) for point in points]
+    along, of = ([Series(name, outcome.word(name), point.answers[name]) for point in points] for name in (over, what))
+    count = len(outcome.solved)
+    cut = f" The first {MOST_CURVES} of {count} curves are shown." if count > MOST_CURVES else ""
+    title = capital(f"{name_in_words(what)} over {spoken(over)}")
+    sentence = f"{sentence or 'One curve for each point of the sweep.'}{cut}"
+    return drawn(stem or f"answer_{what}", title, sentence, family_sheet(along, of, labels, ordered=ordered))
 
 
 def _side_by_side(outcome: Outcome, compared: tuple[str, ...]) -> Iterator[ReportFigure]:
     """Yield force and radius of cycles or curves of equilibria, one for every point of the sweep, in their order."""
-    points = outcome.solved[:MOST_CURVES]
-    if len(points) < 2:
-        return
-    answers_of_points, labels = [point.answers for point in points], [settings_of(outcome, point) for point in points]
-    name = "position" if "position" in outcome.answers else "depth"
-    along = [Series(name, outcome.word(name), answers[name]) for answers in answers_of_points]
-    for what in compared:
-        of = [Series(what, outcome.word(what), answers[what]) for answers in answers_of_points]
-        picture = family_sheet(along, of, labels, ordered=False)
-        title = capital(f"{name_in_words(what)} over {name_in_words(name)}")
-        yield drawn(f"answer_{what}", title, f"One curve for each point of the sweep.{_cut(outcome)}", picture)
+    if len(outcome.solved) > 1:
+        name = "position" if "position" in outcome.answers else "depth"
+        yield from (_family(outcome, name, what) for what in compared)
 
 
 def _loops(outcome: Outcome, answer: Answer) -> Iterator[ReportFigure]:
@@ -209,20 +211,14 @@ def _loops(outcome: Outcome, answer: Answer) -> Iterator[ReportFigure]:
     points = outcome.solved[:MOST_CURVES]
     if len(points) < 2 and answer.picture is not None:
         return  # the picture of the answer shows them
-    labels = [settings_of(outcome, point) for point in points]
     worth, used = _answers_worth(outcome), set[str]()
     for over, what in answer.curves:
         if over in outcome.answers and what in worth:
-            along, of = (
-                [Series(name, outcome.word(name), point.answers[name]) for point in points] for name in (over, what)
-            )
-            if len(of) > 1 and all(np.array_equal(one.content, of[0].content) for one in of):
+            of = [point.answers[what] for point in points]
+            if len(of) > 1 and all(np.array_equal(one, of[0]) for one in of):
                 continue  # given, not computed
-            picture = family_sheet(along, of, labels, ordered=False)
-            title = capital(f"{name_in_words(what)} over {name_in_words(over)}")
-            name = f"answer_{what}_over_{over}" if what in used else f"answer_{what}"
+            yield _family(outcome, over, what, stem=f"answer_{what}_over_{over}" if what in used else "")
             used.add(what)
-            yield drawn(name, title, f"One curve for each point of the sweep.{_cut(outcome)}", picture)
 
 
 def _single(outcome: Outcome) -> list[str]:
@@ -231,25 +227,12 @@ def _single(outcome: Outcome) -> list[str]:
     return [name for name in _answers_worth(outcome) if name in numbers]
 
 
-def _cut(outcome: Outcome) -> str:
-    count = len(outcome.solved)
-    return f" The first {MOST_CURVES} of {count} curves are shown." if count > MOST_CURVES else ""
-
-
 def _over(outcome: Outcome, over: str) -> Iterator[ReportFigure]:
     """Yield a figure for every answer to many loads over one of them, one curve for every point of the sweep."""
-    points, cut = outcome.solved[:MOST_CURVES], _cut(outcome)
-    labels = [settings_of(outcome, point) for point in points]
-    answers_of_points = [point.answers for point in points]
-    along = [Series(over, outcome.word(over), answers[over]) for answers in answers_of_points]
+    points = outcome.solved[:MOST_CURVES]
     for name in _answers_worth(outcome):
-        if name != over and all(name in answers for answers in answers_of_points):
-            of = [Series(name, outcome.word(name), answers[name]) for answers in answers_of_points]
-            sentence = f"All loads of the problem.{cut}"
-            picture = family_sheet(along, of, labels)
-            yield drawn(
-                f"answer_{name}", capital(f"{name_in_words(name)} over {name_in_words(over)}"), sentence, picture
-            )
+        if name != over and all(name in point.answers for point in points):
+            yield _family(outcome, over, name, ordered=True, sentence="All loads of the problem.")
 
 
 def _answers_worth(outcome: Outcome) -> list[str]:

@@ -28,7 +28,7 @@ from winkler.study.report.markup import safe, section, table
 from winkler.study.report.mathml import formula
 from winkler.study.report.tables import given_rows
 
-__all__ = ["figures_of", "figures_of_curves", "figures_of_many", "page", "steps", "write_fit_report"]
+__all__ = ["figures_of", "figures_of_curves", "figures_of_many", "page", "steps"]
 
 MOST_CURVES_DRAWN = 12
 """Curves that are drawn, spread evenly over all."""
@@ -36,11 +36,6 @@ PLACEHOLDERS = ("load", "path", "normal", "lateral")
 """Parts of a model that its curve replaces."""
 LEAST_SHOWN_TOGETHER = 3
 """Number of curves from which their numbers are shown together."""
-
-
-def write_fit_report(outcome: FitOutcome, folder: Path) -> None:
-    """Write the figures of fits into ``folder/figures``, and the report into ``report.html``, as the study asks."""
-    parts.write_page(outcome, folder, figures_of(outcome), page)
 
 
 def _series(study: FitStudy, free: Free, content: np.ndarray) -> Series:

@@ -23,7 +23,7 @@ from winkler.plot.fitting.fits import Grid, grid_of
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted
 from winkler.study.batch.outcome import ResultColumn
 from winkler.study.report.archive import write_table
-from winkler.study.report.netcdf import netcdf_attributes, write_variables
+from winkler.study.report.netcdf import Variables, netcdf_attributes, write_variables
 from winkler.vocabulary import Word
 
 if TYPE_CHECKING:
@@ -112,10 +112,10 @@ def dataset(outcome: FitOutcome) -> xarray.Dataset:
     return xarray.Dataset(*_dataset(outcome))
 
 
-def _dataset(outcome: FitOutcome) -> tuple[dict[str, Any], dict[str, Any], dict[str, Any]]:
+def _dataset(outcome: FitOutcome) -> tuple[Variables, Variables, dict[str, Any]]:
     """Return variables, coordinates and attributes of the dataset."""
-    variables: dict[str, Any] = {}
-    coords: dict[str, Any] = {}
+    variables: Variables = {}
+    coords: Variables = {}
     for column in outcome.table():
         target = coords if column.name in ("curve", "x", "y") else variables
         target[column.name] = (("curve",), column.content, netcdf_attributes(column.word))
@@ -141,13 +141,13 @@ def _dataset(outcome: FitOutcome) -> tuple[dict[str, Any], dict[str, Any], dict[
     return variables, coords, outcome.provenance.attributes(outcome.study.title, outcome.study.text)
 
 
-def _maps(outcome: FitOutcome, grid: Grid) -> tuple[dict[str, Any], dict[str, Any], dict[str, Any]]:
-    """Return every free number over x and y of a force map, as for ``xarray.Dataset``."""
-    variables = {
+def _maps(outcome: FitOutcome, grid: Grid) -> tuple[Variables, Variables, dict[str, Any]]:
+    """Return every free number over the places of a force map, dimensions ``y`` and ``x``."""
+    variables: Variables = {
         column.name: (("y", "x"), grid.arranged(column.content), netcdf_attributes(column.word))
         for column in outcome.table()
         if column.word.unit is not None and column.name not in ("x", "y")
     }
     place = {"units": "m", "long_name": "place on the sample"}
-    coords = {"x": (("x",), grid.x, place), "y": (("y",), grid.y, place)}
+    coords: Variables = {"x": (("x",), grid.x, place), "y": (("y",), grid.y, place)}
     return variables, coords, outcome.provenance.attributes(outcome.study.title, outcome.study.text)

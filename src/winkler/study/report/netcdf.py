@@ -14,7 +14,7 @@ import numpy as np
 
 from winkler.vocabulary import Word
 
-__all__ = ["netcdf_attributes", "write_variables"]
+__all__ = ["Variables", "netcdf_attributes", "write_variables"]
 
 LEAST_COMPRESSED = 1000
 """Arrays of floats with more numbers are compressed, without loss."""

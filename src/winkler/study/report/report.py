@@ -12,10 +12,11 @@ from winkler.study.chapters.contents import answer_of, formulas_of
 from winkler.study.language.reading import study_text
 from winkler.study.report import page_parts as parts
 from winkler.study.report.archive import CSV, NETCDF
+from winkler.study.report.describe import settings_text
 from winkler.study.report.figure import ReportFigure
 from winkler.study.report.figures import figures_of, shown_contact, shown_point
 from winkler.study.report.markup import safe, section
-from winkler.study.report.tables import answer_section, expected, failures, question_section, settings_text
+from winkler.study.report.tables import answer_section, expected, failures, question_section
 from winkler.validity import Standing, worst
 
 __all__ = ["page", "write_report"]
@@ -85,7 +86,7 @@ def _pictures(outcome: Outcome, shown: tuple[ReportFigure, ...]) -> str:
     if method:
         sections.append(section("The method in pictures", _which(outcome), parts.figure_elements(method)))
     point = shown_point(outcome)
-    if shown_contact(point) is None and answer_of(point.problem).contact is not PicturedContact.NONE:
+    if shown_contact(point) is None and answer_of(point.problem).pictured is not PicturedContact.NONE:
         kind = type(point.problem).__name__
         sentence = (
             f"There are no pictures of the method for {kind}: its solution does not state how the springs are "
@@ -98,7 +99,7 @@ def _pictures(outcome: Outcome, shown: tuple[ReportFigure, ...]) -> str:
 def _which(outcome: Outcome) -> str:
     point = shown_point(outcome)
     contact = shown_contact(point)
-    where = [settings_text(outcome, point.settings)] if outcome.study.sweep else []
+    where = [settings_text(outcome.study, point.settings)] if outcome.study.sweep else []
     which = answer_of(point.problem).contact_shown
     if which and contact is not None:
         where.append(f"{which}, at a depth of {with_unit(float(contact.depth), 'm')}")

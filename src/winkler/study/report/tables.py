@@ -12,13 +12,12 @@ from winkler.readable import with_unit
 from winkler.study.batch.events import EVENTS
 from winkler.study.batch.outcome import ComparedNumber, Outcome, ResultColumn
 from winkler.study.language import keys
-from winkler.study.report.archive import CSV
-from winkler.study.report.describe import Input, content_label, in_words, inputs, setting_text
-from winkler.study.report.event_rows import rows_of
+from winkler.study.report.archive import CSV, rows_of
+from winkler.study.report.describe import Input, content_label, in_words, inputs, settings_text
 from winkler.study.report.markup import number, safe, section, table, with_fixed_units
 from winkler.study.report.mathml import symbol
 
-__all__ = ["answer_section", "expected", "failures", "given_rows", "question_section", "reason_list", "settings_text"]
+__all__ = ["answer_section", "expected", "failures", "given_rows", "question_section", "reason_list"]
 
 MOST_ROWS = 24
 """Longer tables are cut in the middle; the CSV file holds all rows."""
@@ -87,7 +86,7 @@ def _events(outcome: Outcome) -> str:
     for name, title in EVENTS.items():
         point_rows = rows_of(outcome, name)
         rows = [[*event] for _, events in point_rows for event in events]
-        where = [settings_text(outcome, point.settings) for point, events in point_rows for _ in events]
+        where = [settings_text(outcome.study, point.settings) for point, events in point_rows for _ in events]
         if not rows:
             continue
         scales = [
@@ -187,18 +186,12 @@ def _cell(content: float, factor: float) -> str:
     return number(text)
 
 
-def settings_text(outcome: Outcome, settings: Iterable[Any]) -> str:
-    """Return the values of the varied keys at one point."""
-    pairs = zip(outcome.study.sweep, settings, strict=True)
-    return ", ".join(setting_text(outcome.study, axis, content) for axis, content in pairs)
-
-
 def failures(outcome: Outcome) -> str:
     """Return the points without an answer or with a part of it, and why; nothing if there are none."""
     stopped = [point for point in outcome.solved if point.stopped]
     if not stopped:
         return _without(outcome)
-    reasons = [(settings_text(outcome, point.settings), point.stopped) for point in stopped[:MOST_ROWS]]
+    reasons = [(settings_text(outcome.study, point.settings), point.stopped) for point in stopped[:MOST_ROWS]]
     return section("Where a march ended early", reason_list(reasons, MOST_ROWS, CSV)[0]) + _without(outcome)
 
 
@@ -206,7 +199,7 @@ def _without(outcome: Outcome) -> str:
     if not outcome.failed:
         return ""
     lead = f"<p>{len(outcome.failed)} of {len(outcome.points)} points have no answer:</p>"
-    reasons = [(settings_text(outcome, point.settings), point.reason) for point in outcome.failed]
+    reasons = [(settings_text(outcome.study, point.settings), point.reason) for point in outcome.failed]
     return section("Points without an answer", lead, *reason_list(reasons, MOST_ROWS, CSV))
 
 
@@ -240,7 +233,7 @@ def _verdict(outcome: Outcome, verdict: ComparedNumber) -> str:
     what = _quantity_text(item.quantity) + (f" at {where}" if where else "")
     if outcome.study.sweep:
         settings = next(point.settings for point in outcome.points if point.index == verdict.index)
-        what += f", {settings_text(outcome, settings)}"
+        what += f", {settings_text(outcome.study, settings)}"
     cells = [
         f"<td>{safe(what)}</td>",
         f"<td>{'as expected' if verdict.passed else '<strong>missed</strong>'}</td>",

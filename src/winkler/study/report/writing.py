@@ -66,9 +66,9 @@ def write_outcome(outcome: Outcome | FitOutcome, folder: Path) -> None:
 
         fit_writing.write_numbers(outcome, folder)
         if path_text:
-            from winkler.study.report import fit_report
+            from winkler.study.report import fit_report, page_parts
 
-            fit_report.write_fit_report(outcome, folder)
+            page_parts.write_page(outcome, folder, fit_report.figures_of(outcome), fit_report.page)
         text, left = outcome.study.text, outcome.left
     if text:
         (folder / "study.toml").write_text(text, encoding="utf-8")

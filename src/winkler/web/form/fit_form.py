@@ -58,8 +58,8 @@ CURVE_PARTS = {
     "both": "approach and retraction",
 }
 DRIVEN = {"force": "forces along the measured motion", "position": "positions under the measured forces"}
-NUMBERS = {"spring_constant": "N/m", "sensitivity": "m/V", "frame_stiffness": "N/m", "noise": ""}
-"""Keys of the measurement, with units."""
+NUMBERS = {"spring_constant": "N/m", "sensitivity": "m/V", "frame_stiffness": "N/m"}
+"""Keys of the measurement, with units; that of the noise depends on what is fitted."""
 
 
 class FreeNumber(NamedTuple):
@@ -151,7 +151,7 @@ def _candidates(table: dict[str, Any]) -> dict[str, Word]:
     """Return all parameters that may be free, with their glossary entries."""
     relaxes = form.at(table, "problem.kind") == RELAXES
     result = dict(OF_A_TIMED_CURVE if relaxes else OF_A_CURVE)
-    return result | {one.path: Word(one.symbol, one.unit, one.hint) for one in numbers_in(model(table))}
+    return result | {one.path: one.word for one in numbers_in(model(table))}
 
 
 def free_numbers(table: dict[str, Any]) -> tuple[tuple[FreeNumber, ...], dict[str, str]]:
@@ -194,21 +194,15 @@ def choices(table: dict[str, Any]) -> tuple[Choice, ...]:
 
 def measurement(table: dict[str, Any]) -> tuple[FormEntry, ...]:
     """Return the entries of the measurement."""
-    section_keys = SECTIONS["fit"]
-    by_position = form.at(table, "fit.fitted") == "position"
-    result = []
-    for name, unit_ in NUMBERS.items():
-        unit = unit_ or ("m" if by_position else "N")
-        text = field_text(form.at(table, f"fit.{name}"))
-        result.append(
-            FormEntry(
-                f"fit.{name}", name.replace("_", " "), "", unit, section_keys[name], f"quantity [{unit}]", text, False
-            )
-        )
-    steps = field_text(form.at(table, "fit.correct"))
-    hint = f"in their order, any of {', '.join(CORRECTIONS)}; no other correction is applied"
-    segments_text = field_text(form.at(table, "fit.segments"))
-    result.append(
-        FormEntry("fit.segments", "segments", "", "", section_keys["segments"], "list of text", segments_text, False)
+    hints = SECTIONS["fit"]
+    units = NUMBERS | {"noise": "m" if form.at(table, "fit.fitted") == "position" else "N"}
+    numbers = (
+        form.entry_at(table, f"fit.{name}", name.replace("_", " "), hints[name], f"quantity [{unit}]", unit=unit)
+        for name, unit in units.items()
     )
-    return (*result, FormEntry("fit.correct", "corrections", "", "", hint, "list of text", steps, False))
+    steps = f"in their order, any of {', '.join(CORRECTIONS)}; no other correction is applied"
+    return (
+        *numbers,
+        form.entry_at(table, "fit.segments", "segments", hints["segments"], "list of text"),
+        form.entry_at(table, "fit.correct", "corrections", steps, "list of text"),
+    )

@@ -9,6 +9,7 @@ from winkler.plot.series import name_in_words
 from winkler.study.language.catalogue import kinds
 from winkler.study.language.explain import completed, example_study, keys_of, summary
 from winkler.study.language.schema import allowed_in_list, allowed_kinds, hints
+from winkler.vocabulary import Word
 from winkler.web.form.typed import field_text
 
 __all__ = [
@@ -19,6 +20,7 @@ __all__ = [
     "at",
     "choose_kind",
     "drop",
+    "entry_at",
     "initial_table",
     "owner_of",
     "part_of",
@@ -64,6 +66,11 @@ class FormEntry(NamedTuple):
     takes: str
     text: str
     required: bool
+
+    @property
+    def word(self) -> Word:
+        """Symbol, unit and meaning."""
+        return Word(self.symbol, self.unit, self.hint)
 
 
 class Slot(NamedTuple):
@@ -165,6 +172,13 @@ def _holder(table: Any, path: str) -> tuple[Any, Any]:
     parent_path, _, last = path.rpartition(".")
     holder = at(table, parent_path) if parent_path else table
     return holder, int(last) if isinstance(holder, list) else last
+
+
+def entry_at(
+    table: dict[str, Any], path: str, label: str, hint: str, takes: str, *, unit: str = "", required: bool = False
+) -> FormEntry:
+    """Return an entry without a symbol, with the content at its path."""
+    return FormEntry(path, label, "", unit, hint, takes, field_text(at(table, path)), required)
 
 
 def put(table: dict[str, Any], path: str, content: Any) -> None:

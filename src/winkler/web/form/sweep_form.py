@@ -179,15 +179,6 @@ def design_entries(table: dict[str, Any]) -> tuple[FormEntry, ...]:
     pairs = " of pairs, a power of two" if design_kind(table) == "sensitivity" else ""
     hints = {"count": f"how many points are drawn{pairs}", "seed": "equal seeds draw equal points"}
     return tuple(
-        FormEntry(
-            f"sweep.design.{name}",
-            name,
-            "",
-            "",
-            hint,
-            "whole number",
-            field_text(form.at(table, f"sweep.design.{name}")),
-            True,
-        )
+        form.entry_at(table, f"sweep.design.{name}", name, hint, "whole number", required=True)
         for name, hint in hints.items()
     )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import functools
+from collections.abc import Callable
 from typing import Any, Protocol
 
 from nicegui import ui
@@ -9,6 +11,7 @@ from nicegui import ui
 from winkler.plot.series import pretty_unit
 from winkler.study.language.explain import plain_symbol
 from winkler.study.report.markup import safe
+from winkler.vocabulary import Word
 from winkler.web.form.form import FormEntry, FormPart, Many, Slot
 from winkler.web.form.sliders import STEPS, span_of
 from winkler.web.form.typed import SWITCH
@@ -88,6 +91,28 @@ class FormFields:
         ui.label(meaning).classes("meaning")
         self.reserve_message(path)
 
+    def line(self, path: str, label: str, word: Word, how: str, drop: Callable[[], None]) -> None:
+        """Draw the name of one of several numbers, a button that drops it, and a label for its mistakes."""
+        with ui.row().classes("one"):
+            ui.html(_title(label, word), sanitize=False, tag="span").tooltip(word.meaning)
+            _close(f"{how} {label}", drop)
+        self.reserve_message(path)
+
+    def box(self, path: str, text: str, label: str, spoken: str, placeholder: str | None = None) -> Any:
+        """Draw and return the box of one end or count of a range; `spoken` names it for screen readers."""
+        field = ui.input(value=text, label=label, placeholder=placeholder)
+        field.props("outlined dense stack-label debounce=400 no-error-icon hide-bottom-space").classes("field")
+        field.props["aria-label"] = f"{spoken}, {label}"
+        field.props["data-path"] = path
+        self.inputs[path] = field
+        return field
+
+    def more(self, path: str, names: dict[str, str], label: str, add: Callable[[str], None]) -> None:
+        """Draw the choice of one more number or kind."""
+        choice = ui.select(names, label=label, value=None).props("outlined dense options-dense").classes("choice")
+        choice.props["data-choice"] = path
+        choice.on_value_change(lambda event: add(event.value) if event.value else None)
+
     def show_mistake(self, path: str, sentence: str) -> bool:
         """Show a mistake beside the field at a path, or at the nearest enclosing part; return whether there is one."""
         field = self.inputs.get(path)
@@ -124,10 +149,9 @@ class FormFields:
             return
         with ui.element("div").classes("entry"):
             field = ui.input(value=entry.text, placeholder="" if entry.required else "left out")
-            unit = f" [{safe(pretty_unit(entry.unit))}]" if entry.unit else ""
             with field.add_slot("label"):
-                ui.html(f"{safe(entry.label)} {symbol_html(entry.symbol)}{unit}", sanitize=False, tag="span")
-            field.props["aria-label"] = f"{entry.label} {plain_symbol(entry.symbol)}{unit}"
+                ui.html(_title(entry.label, entry.word), sanitize=False, tag="span")
+            field.props["aria-label"] = f"{entry.label} {plain_symbol(entry.symbol)}{_unit(entry.unit)}"
             field.props("outlined dense label-slot debounce=250 no-error-icon hide-bottom-space").props["hint"] = (
                 entry.hint
             )
@@ -199,14 +223,10 @@ class FormFields:
                 with ui.element("section").classes("part"):
                     with ui.row().classes("one"):
                         ui.label(f"{place + 1}. {part.kind.replace('_', ' ')}").tooltip(part.meaning)
-                        take = ui.button(icon="close", on_click=lambda path=part.path: self.actions.choose(path, ""))
-                        take.props("flat dense round size=sm").props["aria-label"] = f"remove {part.kind} {place + 1}"
+                        _close(f"remove {part.kind} {place + 1}", functools.partial(self.actions.choose, part.path, ""))
                     self.draw(part)
             names = {kind: kind.replace("_", " ") for kind in many.allowed}
-            more = ui.select(names, label=f"add to {many.label}", value=None).props("outlined dense options-dense")
-            more.classes("choice").on_value_change(
-                lambda event: self.actions.add(many.path, event.value) if event.value else None
-            )
+            self.more(many.path, names, f"add to {many.label}", lambda kind: self.actions.add(many.path, kind))
 
     def _file(self, part: FormPart) -> None:
         with ui.element("div").classes("entry file"):
@@ -221,6 +241,20 @@ class FormFields:
         button.props["data-upload"] = path
         button.on("click", lambda: self.actions.pick(path))
         button.on("click", js_handler=self.picker)
+
+
+def _unit(unit: str | None) -> str:
+    return f" [{safe(pretty_unit(unit))}]" if unit else ""
+
+
+def _title(label: str, word: Word) -> str:
+    return f"{safe(label)} {symbol_html(word.symbol)}{_unit(word.unit)}"
+
+
+def _close(label: str, drop: Callable[[], None]) -> None:
+    """Draw a button that drops something; `label` names it for screen readers."""
+    take = ui.button(icon="close", on_click=lambda: drop())
+    take.props("flat dense round size=sm").props["aria-label"] = label
 
 
 def _may_slide(entry: FormEntry) -> bool:

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any
+import functools
 
 from nicegui import ui
 
-from winkler.plot.series import pretty_unit
 from winkler.study.language.explain import plain_symbol
-from winkler.study.report.markup import safe
 from winkler.web.form import fit_form, form
 from winkler.web.form.study_form import StudyForm
 from winkler.web.page.fields import FormFields
-from winkler.web.pictures.words import symbol_html
 
 __all__ = ["draw_curve", "draw_free", "draw_measurement"]
 
@@ -50,35 +47,18 @@ def draw_free(fields: FormFields, entered: StudyForm) -> None:
     fields.heading("fit.free", "Free parameters", BOUNDS_HINT)
     for line in free_numbers:
         with ui.element("section").classes("part free"):
-            with ui.row().classes("one"):
-                unit = f" [{safe(pretty_unit(line.word.unit))}]" if line.word.unit else ""
-                title = f"{safe(line.label)} {symbol_html(line.word.symbol)}{unit}"
-                ui.html(title, sanitize=False, tag="span").tooltip(line.word.meaning)
-                take = ui.button(icon="close", on_click=lambda key=line.key: entered.fix(key))
-                take.props("flat dense round size=sm").props["aria-label"] = f"do not fit {line.label}"
-            fields.reserve_message(f"fit.free.{line.key}")
+            path, spoken = f"fit.free.{line.key}", f"{line.label} {plain_symbol(line.word.symbol)}"
+            fields.line(path, line.label, line.word, "do not fit", functools.partial(entered.fix, line.key))
             with ui.element("div").classes("bounds"):
-                ends = [_bound(fields, line, place) for place in (0, 1)]
-            for end in ends:
+                low = fields.box(f"{path}.0", line.low, "from", spoken, "free, or start")
+                high = fields.box(f"{path}.1", line.high, "to", spoken, "free")
+            for end in (low, high):
                 end.on_value_change(
-                    lambda _, line=line, ends=ends: entered.bound(
-                        line.key, str(ends[0].value or ""), str(ends[1].value or ""), line.word.unit or ""
+                    lambda _, line=line, low=low, high=high: entered.bound(
+                        line.key, str(low.value or ""), str(high.value or ""), line.word.unit or ""
                     )
                 )
-    more = ui.select(others, label="free also", value=None).props("outlined dense options-dense")
-    more.props["data-choice"] = "fit.free"
-    more.classes("choice").on_value_change(lambda event: entered.free(event.value) if event.value else None)
-
-
-def _bound(fields: FormFields, line: fit_form.FreeNumber, place: int) -> Any:
-    name, text = ("from", line.low) if place == 0 else ("to", line.high)
-    field = ui.input(value=text, label=name, placeholder="free" if place else "free, or start")
-    field.props("outlined dense stack-label debounce=400 no-error-icon hide-bottom-space").classes("field")
-    symbol = plain_symbol(line.word.symbol)
-    field.props["aria-label"] = f"{line.label} {symbol}, {name}"
-    field.props["data-path"] = f"fit.free.{line.key}.{place}"
-    fields.inputs[f"fit.free.{line.key}.{place}"] = field
-    return field
+    fields.more("fit.free", others, "free also", entered.free)
 
 
 def draw_measurement(fields: FormFields, entered: StudyForm) -> None:

@@ -2,17 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from nicegui import ui
 
-from winkler.plot.series import pretty_unit
-from winkler.study.report.markup import safe
 from winkler.web.form import sweep_form
 from winkler.web.form.study_form import StudyForm
 from winkler.web.form.sweep_form import DESIGN_LABELS, SPACINGS, VariedNumber
 from winkler.web.page.fields import FormFields
-from winkler.web.pictures.words import symbol_html
 from winkler.web.session.worker import MOST_POINTS
 
 __all__ = ["draw_sweep"]
@@ -32,33 +27,22 @@ def draw_sweep(fields: FormFields, entered: StudyForm) -> None:
         fields.reserve_message("sweep")
         for row in varied:
             _row(fields, entered, row)
-        more = ui.select(others, label="vary also" if varied else "vary", value=None)
-        more.props("outlined dense options-dense").props["data-choice"] = "sweep"
-        more.classes("choice").on_value_change(lambda event: entered.vary(event.value) if event.value else None)
+        fields.more("sweep", others, "vary also" if varied else "vary", entered.vary)
         if varied:
             _design(fields, entered)
 
 
 def _row(fields: FormFields, entered: StudyForm, row: VariedNumber) -> None:
     with ui.element("section").classes("part free"):
-        with ui.row().classes("one"):
-            unit = f" [{safe(pretty_unit(row.entry.unit))}]" if row.entry.unit else ""
-            title = f"{safe(row.label)} {symbol_html(row.entry.symbol)}{unit}"
-            ui.html(title, sanitize=False, tag="span").tooltip(row.entry.hint)
-            take = ui.button(icon="close", on_click=lambda: entered.hold_constant(row.key))
-            take.props("flat dense round size=sm").props["aria-label"] = f"do not vary {row.label}"
-        fields.reserve_message(f"sweep.{row.key}")
+        path = f"sweep.{row.key}"
+        fields.line(path, row.label, row.entry.word, "do not vary", lambda: entered.hold_constant(row.key))
         spacings = {spacing: SPACINGS[spacing] for spacing in row.spacings}
         spacing = ui.select(spacings, value=row.spacing if row.spacing in spacings else None, label="how")
-        spacing.props("outlined dense options-dense").classes("choice").props["data-choice"] = f"sweep.{row.key}"
-        boxes: dict[str, Any] = {}
+        spacing.props("outlined dense options-dense").classes("choice").props["data-choice"] = path
         with ui.element("div").classes("bounds" if len(row.texts) < 3 else "bounds three"):
-            for name, text in row.texts.items():
-                box = ui.input(value=text, label=BOXES[name])
-                box.props("outlined dense stack-label debounce=400 no-error-icon hide-bottom-space").classes("field")
-                box.props["aria-label"] = f"{row.label}, {BOXES[name]}"
-                box.props["data-path"] = f"sweep.{row.key}.{name}"
-                boxes[name] = fields.inputs[f"sweep.{row.key}.{name}"] = box
+            boxes = {
+                name: fields.box(f"{path}.{name}", text, BOXES[name], row.label) for name, text in row.texts.items()
+            }
 
         def entered_texts() -> dict[str, str]:
             return {name: str(box.value or "") for name, box in boxes.items()}

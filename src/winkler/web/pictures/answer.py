@@ -17,8 +17,9 @@ from winkler.problems.answer import is_recovering, is_worn
 from winkler.study.batch.outcome import Outcome
 from winkler.study.chapters.contents import answer_of
 from winkler.study.chapters.method_captions import captions_of
-from winkler.study.report.figure import svg_element
-from winkler.study.report.figures import answers_over, settings_of, shown_point
+from winkler.study.report.describe import settings_text
+from winkler.study.report.figure import ReportFigure, svg_element
+from winkler.study.report.figures import answers_over, shown_point
 from winkler.study.report.markup import safe
 from winkler.study.report.page_parts import papers, trust
 from winkler.study.report.tables import answer_section, expected, failures
@@ -41,6 +42,7 @@ __all__ = [
     "packed",
     "pictures",
     "scene",
+    "sheet_of",
     "sheets",
 ]
 
@@ -188,8 +190,8 @@ def scene(outcome: Outcome, moments: Moments, moment: int, previous: View, *, st
                 "The pictures of the method show the contact at this depth, its springs along the surface left out."
             )
     if outcome.study.sweep and contact is not None:
-        sentence = f"The pictures below are of {settings_of(outcome, point)}, the last point of the sweep."
-        remark = f"{sentence} {remark}".rstrip()
+        settings = settings_text(outcome.study, point.settings)
+        remark = f"The pictures below are of {settings}, the last point of the sweep. {remark}".rstrip()
     return Scene(outcome, point, contact, view, moments.states, moment if moments.total else -1, remark)
 
 
@@ -265,8 +267,10 @@ def _single(content: Any) -> Any:
 
 def sheets(outcome: Outcome) -> Iterator[DrawnSheet]:
     """Yield the sheets of the results."""
-    for one in answers_over(outcome):
-        if one.picture is None:
-            yield DrawnSheet(one.title, one.sentence, "", one.missing)
-        else:
-            yield DrawnSheet(one.title, one.sentence, svg_element(one, safe(f"{one.title}. {one.sentence}")))
+    yield from map(sheet_of, answers_over(outcome))
+
+
+def sheet_of(one: ReportFigure) -> DrawnSheet:
+    """Return a figure of a report as a sheet."""
+    svg = svg_element(one, safe(f"{one.title}. {one.sentence}")) if one.picture is not None else ""
+    return DrawnSheet(one.title, one.sentence, svg, one.missing)

@@ -5,24 +5,30 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+import numpy as np
+
 from winkler.errors import WinklerError
 from winkler.fitting.outcome import Fit
+from winkler.numerics.types import Array
+from winkler.plot.fitting.fits import fit_panels
 from winkler.plot.series import with_unit as number_text
+from winkler.plot.viscoelastic.fits import relaxing_loop
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted
 from winkler.study.report import fit_tables
-from winkler.study.report.figure import svg_element
 from winkler.study.report.fit_report import figures_of_curves, figures_of_many, steps
 from winkler.study.report.markup import safe, with_fixed_units
 from winkler.study.report.mathml import symbol
 from winkler.study.report.page_parts import papers, trust
 from winkler.validity import worst
 from winkler.web.form.fit_form import key_in_words
-from winkler.web.pictures.answer import AnswerText, DrawnSheet, InteractivePicture, method_pictures, packed
-from winkler.web.pictures.fit_chart import MOST_POINTS, draw_fit, draw_loop
+from winkler.web.pictures.answer import AnswerText, DrawnSheet, InteractivePicture, method_pictures, packed, sheet_of
+from winkler.web.pictures.chart import chart
 from winkler.web.pictures.view import fitting
 
-__all__ = ["fit_pictures", "fit_sheets", "fit_text"]
+__all__ = ["drawn_points", "fit_pictures", "fit_sheets", "fit_text"]
 
+MOST_POINTS = 3000
+"""Most drawn points of a curve, evenly spaced."""
 CURVE_CAPTION = (
     "Dots are measured, the line is the fitted law; below, the residuals, which should scatter without a trend."
 )
@@ -80,12 +86,16 @@ def fit_pictures(outcome: FitOutcome, moment: int) -> tuple[Iterator[Interactive
     return _elastic(result, contact), METHOD_REMARK
 
 
+def drawn_points(count: int) -> Array:
+    """Return the indices of the drawn points of a curve."""
+    return np.unique(np.linspace(0, count - 1, min(count, MOST_POINTS)).astype(int))
+
+
 def _curve(result: Fitted) -> InteractivePicture:
     count = result.fit.curve.count
     some = f" Of {count} points {MOST_POINTS} are drawn." if count > MOST_POINTS else ""
-    return InteractivePicture(
-        "fit", f"Curve and fit: {result.name}", f"{CURVE_CAPTION}{some}", packed(draw_fit(result.fit))
-    )
+    drawn = chart(*fit_panels(result.fit, drawn_points(count)))
+    return InteractivePicture("fit", f"Curve and fit: {result.name}", f"{CURVE_CAPTION}{some}", packed(drawn))
 
 
 def _elastic(result: Fitted, contact: Any) -> Iterator[InteractivePicture]:
@@ -95,12 +105,12 @@ def _elastic(result: Fitted, contact: Any) -> Iterator[InteractivePicture]:
 
 def _relaxing(result: Fitted) -> Iterator[InteractivePicture]:
     yield _curve(result)
-    with_unit = "Measured response; loading and unloading differ because the body relaxes."
-    yield InteractivePicture("loop", "Force over depth", with_unit, packed(draw_loop(result.fit)))
+    sentence = "Measured response; loading and unloading differ because the body relaxes."
+    loop = chart(relaxing_loop(result.fit, drawn_points(result.fit.curve.count)))
+    yield InteractivePicture("loop", "Force over depth", sentence, packed(loop))
 
 
 def fit_sheets(outcome: FitOutcome) -> Iterator[DrawnSheet]:
     """Yield the sheets of fits: maps and numbers of many curves, and of a body that relaxes its relaxation."""
     relaxing = not isinstance(outcome.fitted[0].fit, Fit)
-    for one in (*figures_of_many(outcome), *(figures_of_curves(outcome) if relaxing else ())):
-        yield DrawnSheet(one.title, one.sentence, svg_element(one, safe(f"{one.title}. {one.sentence}")))
+    yield from map(sheet_of, (*figures_of_many(outcome), *(figures_of_curves(outcome) if relaxing else ())))

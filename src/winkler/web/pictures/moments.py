@@ -67,7 +67,7 @@ def contact_at(point: SolvedPoint, moments: Moments, moment: int) -> tuple[Any, 
     """
     if moments.states and (is_restorable(moments.states[moment]) or is_recovering(moments.states[moment])):
         return moments.states[moment], True
-    contact_kind, answers, bed = answer_of(point.problem).contact, point.answers, getattr(point.problem, "bed", None)
+    contact_kind, answers, bed = answer_of(point.problem).pictured, point.answers, getattr(point.problem, "bed", None)
     if moments.total and bed is not None and contact_kind is not PicturedContact.NONE:
         numbers = {name: float(answers[name][moment]) for name in ("depth", "force", "radius") if name in answers}
         if contact_kind is PicturedContact.EDGE and len(numbers) == 3 and numbers["radius"] > 0.0:
