@@ -194,7 +194,7 @@ def _family(
     along, of = ([Series(name, outcome.word(name), point.answers[name]) for point in points] for name in (over, what))
     count = len(outcome.solved)
     cut = f" The first {MOST_CURVES} of {count} curves are shown." if count > MOST_CURVES else ""
-    title = capital(f"{name_in_words(what)} over {spoken(over)}")
+    title = capital(f"{name_in_words(what)} over {name_in_words(over)}")
     sentence = f"{sentence or 'One curve for each point of the sweep.'}{cut}"
     return drawn(stem or f"answer_{what}", title, sentence, family_sheet(along, of, labels, ordered=ordered))
 
