@@ -17,8 +17,9 @@ import winkler as wk
 from winkler.cli import main
 from winkler.study.batch.run import run
 from winkler.study.language.catalogue import kinds
-from winkler.study.language.reading import parse_study, study_text
+from winkler.study.language.reading import parse_study
 from winkler.study.language.template import whole_text
+from winkler.study.language.writing import study_text
 
 STEEL = wk.Elastic(210e9, 0.3)
 QUARTZ = wk.TransverselyIsotropic(162e9, 92e9, 69e9, 181e9, 47e9)

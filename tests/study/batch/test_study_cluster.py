@@ -61,7 +61,7 @@ def test_the_numbers_are_those_of_this_process_and_of_a_pool(address, tmp_path):
 
 @pytest.mark.slow
 def test_the_command_line(address, tmp_path, monkeypatch, capsys):
-    from winkler.study.language.reading import study_text
+    from winkler.study.language.writing import study_text
 
     monkeypatch.chdir(tmp_path)
     text = study_text(STUDY) + "\n[output]\nfigures = []\nreport = false\n"

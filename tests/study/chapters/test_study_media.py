@@ -11,8 +11,9 @@ import winkler as wk
 from winkler.study.batch.run import run
 from winkler.study.chapters.contents import formulas_of
 from winkler.study.language.build import build, unbuild
-from winkler.study.language.reading import parse_study, read_study, study_text
+from winkler.study.language.reading import parse_study, read_study
 from winkler.study.language.study import Fields, Output, Study
+from winkler.study.language.writing import study_text
 from winkler.study.report.describe import in_words, inputs
 from winkler.study.report.mathml import formula
 from winkler.study.report.report import page

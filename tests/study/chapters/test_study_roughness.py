@@ -18,8 +18,9 @@ from winkler.study.chapters.surfaces import read_surface
 from winkler.study.language.build import build, unbuild
 from winkler.study.language.canonical import canonical, digest
 from winkler.study.language.explain import example_study
-from winkler.study.language.reading import parse_study, study_text
+from winkler.study.language.reading import parse_study
 from winkler.study.language.study import Study
+from winkler.study.language.writing import study_text
 from winkler.study.report.archive import dataset
 from winkler.study.report.describe import inputs
 from winkler.study.report.figures import answers_over

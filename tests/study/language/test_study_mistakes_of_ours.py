@@ -15,8 +15,8 @@ from winkler.study.batch.journal import Journal
 from winkler.study.batch.outcome import Failed, Recalled, Solved
 from winkler.study.batch.run import gather, run
 from winkler.study.batch.sweep import solve_points
-from winkler.study.language.reading import study_text
 from winkler.study.language.study import Axis, Expectation, Study
+from winkler.study.language.writing import study_text
 
 BED = wk.Foundation(wk.Paraboloid(1e-3), wk.HalfSpace(wk.Elastic(1e9, 0.25)))
 STUDY = Study("x", wk.Indentation(BED, wk.Force(1.0)), sweep=(Axis("problem.load.force", (-1.0, 1.0, 2.0, 3.0)),))

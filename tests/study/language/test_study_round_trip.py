@@ -17,9 +17,10 @@ from winkler.study.language.canonical import canonical, digest
 from winkler.study.language.catalogue import CATALOGUE, REFUSED, kind_of, kinds, slot_of
 from winkler.study.language.designs import Zipped
 from winkler.study.language.explain import completed, example_study, keys_of, place_of, table_at
-from winkler.study.language.reading import parse_study, study_text
+from winkler.study.language.reading import parse_study
 from winkler.study.language.schema import form, hints, options
 from winkler.study.language.study import Axis, Expectation, Fields, Output, Places, Study
+from winkler.study.language.writing import study_text
 
 positive = st.floats(1e-12, 1e12)
 angle = st.floats(0.01, 1.56)

@@ -19,7 +19,7 @@ from pydantic_core import PydanticCustomError
 from winkler.checks.field_checks import numbers_taken
 from winkler.errors import InvalidInput, WinklerError, suggest
 from winkler.numerics.types import Array
-from winkler.units import quantity, to_si
+from winkler.units import quantity
 from winkler.vocabulary import word
 
 __all__ = [
@@ -27,11 +27,10 @@ __all__ = [
     "INDEXED",
     "INFINITE",
     "WHERE",
+    "check_keys",
     "dependent",
     "endless",
-    "grid",
-    "indexed",
-    "named",
+    "inside",
     "number",
     "number_or_infinite",
     "number_or_numbers",
@@ -191,7 +190,7 @@ def numbers(raw: Any, unit: str | None) -> Array:
 def _entry(raw: Any, unit: str | None, below: str) -> Array:
     """Return one entry of a list, a quantity or a range of them."""
     if not isinstance(raw, dict):
-        return np.array([_inside(raw, unit, below)])
+        return np.array([inside(raw, unit, below)])
     try:
         return _range(raw, unit)
     except PydanticCustomError as refusal:
@@ -219,10 +218,10 @@ def _table_of(rows: list[Any], unit: str | None) -> Array:
     if not all(isinstance(row, list) and row and len(row) == len(rows[0]) for row in rows):
         one = sample(unit or "")
         wrong(f'{WHERE} is a list of rows that differ; give rows of one length, such as [["{one}", "{one}"]].')
-    return np.array([[_inside(item, unit, f"[{i}][{j}]") for j, item in enumerate(row)] for i, row in enumerate(rows)])
+    return np.array([[inside(item, unit, f"[{i}][{j}]") for j, item in enumerate(row)] for i, row in enumerate(rows)])
 
 
-def _inside(raw: Any, unit: str | None, below: str) -> float:
+def inside(raw: Any, unit: str | None, below: str) -> float:
     """Return one quantity of a list or range; its sentence names the place `below` the key."""
     try:
         return float(number(raw, unit))
@@ -230,7 +229,8 @@ def _inside(raw: Any, unit: str | None, below: str) -> float:
         wrong(sentence_of(refusal).replace(WHERE, WHERE + below))
 
 
-def _check_keys(raw: dict[str, Any], allowed: tuple[str, ...], needed: tuple[str, ...], what: str) -> None:
+def check_keys(raw: dict[str, Any], allowed: tuple[str, ...], needed: tuple[str, ...], what: str) -> None:
+    """Refuse keys of a table that are unknown, and a table that lacks one."""
     for key in raw:
         if key not in allowed:
             wrong(f"{WHERE}.{key} is not known{suggest(key, allowed)}; {what} takes {', '.join(allowed)}.")
@@ -240,8 +240,8 @@ def _check_keys(raw: dict[str, Any], allowed: tuple[str, ...], needed: tuple[str
 
 
 def _range(raw: dict[str, Any], unit: str | None) -> Array:
-    _check_keys(raw, RANGE_KEYS, RANGE_KEYS[:3], "a range")
-    first, last = (_inside(raw[key], unit, f".{key}") for key in ("from", "to"))
+    check_keys(raw, RANGE_KEYS, RANGE_KEYS[:3], "a range")
+    first, last = (inside(raw[key], unit, f".{key}") for key in ("from", "to"))
     count, spacing = raw["count"], raw.get("spacing", "linear")
     if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= 1_000_000:
         wrong(f"{WHERE}.count is {count!r}; give a whole number from 1 to 1000000.")
@@ -259,7 +259,7 @@ def _range(raw: dict[str, Any], unit: str | None) -> Array:
 
 
 def _with_one_unit(raw: dict[str, Any], unit: str | None) -> Array:
-    _check_keys(raw, ("values", "unit"), ("values",) if not unit else ("values", "unit"), "a table of values")
+    check_keys(raw, ("values", "unit"), ("values",) if not unit else ("values", "unit"), "a table of values")
     values, unit_name = raw["values"], raw.get("unit", "")
     if not isinstance(values, list) or not values:
         wrong(f"{WHERE}.values is {values!r}; give a list with at least one number.")
@@ -273,40 +273,4 @@ def _with_one_unit(raw: dict[str, Any], unit: str | None) -> Array:
     if unit_name == unit:
         return np.array(values, dtype=float)
     texts = [f"{repr(float(item)).removesuffix('.0')} {unit_name}".strip() for item in values]
-    return np.array([_inside(text, unit, f".values[{place}]") for place, text in enumerate(texts)])
-
-
-def indexed(raw: Any, units: Callable[[int], str]) -> Array:
-    """Return a list of quantities where each has its own unit, ``units(place)``."""
-    if isinstance(raw, dict):
-        _check_keys(raw, ("values", "unit"), ("values",), "a table of values")
-        raw = raw["values"]
-        if isinstance(raw, list) and all(isinstance(item, int | float) and not isinstance(item, bool) for item in raw):
-            return np.array(raw, dtype=float)
-    if not isinstance(raw, list) or not raw:
-        wrong(f"{WHERE} is {raw!r}; give a list with at least one quantity.")
-    return np.array([_inside(item, units(place), f"[{place}]") for place, item in enumerate(raw)], dtype=float)
-
-
-def grid(raw: Any) -> Array:
-    """Return a table of plain numbers, given row by row in rows of one length."""
-    rows = raw if isinstance(raw, list) else []
-    if not rows or not all(isinstance(row, list) and row and len(row) == len(rows[0]) for row in rows):
-        wrong(f"{WHERE} is no table of numbers; give rows of one length, such as [[0.1, 0.2], [0.3, 0.4]].")
-    return np.array([[_inside(item, "", f"[{i}][{j}]") for j, item in enumerate(row)] for i, row in enumerate(rows)])
-
-
-def named(raw: Any) -> tuple[tuple[str, float], ...]:
-    """Return a table of named constants, each a number or a quantity of any dimension, in SI units."""
-    if not isinstance(raw, dict):
-        wrong(f'{WHERE} is {raw!r}; give a table of named constants, such as {{ R = "10 mm" }}.')
-    constants = []
-    for name, item in raw.items():
-        if isinstance(item, str):
-            try:
-                constants.append((name, to_si(item, what=f"{WHERE}.{name}")))
-            except InvalidInput as error:
-                wrong(str(error))
-        else:
-            constants.append((name, _inside(item, "", f".{name}")))
-    return tuple(constants)
+    return np.array([inside(text, unit, f".values[{place}]") for place, text in enumerate(texts)])

@@ -30,7 +30,7 @@ from pydantic import (
 
 from winkler.numerics.types import Array
 from winkler.study.chapters.kind import path_of
-from winkler.study.language import maps, quantities
+from winkler.study.language import maps, number_tables, quantities
 from winkler.study.language.catalogue import CATALOGUE, SLOTS, UNWRITTEN, Kind, kinds
 from winkler.study.language.kind_of_table import either_file_or, refuse_kind
 
@@ -83,9 +83,9 @@ def annotation(owner: type, field: str, hint: Any) -> Any:
     origin, inner = typing.get_origin(hint), typing.get_args(hint)
     unit = quantities.unit_of(owner, field)
     if (owner.__name__, field) in quantities.INDEXED:
-        return _checked(functools.partial(quantities.indexed, units=quantities.INDEXED[owner.__name__, field]))
+        return _checked(functools.partial(number_tables.indexed, units=quantities.INDEXED[owner.__name__, field]))
     if (owner.__name__, field) in quantities.GRIDS:
-        return _checked(quantities.grid)
+        return _checked(number_tables.grid)
     if (owner.__name__, field) in maps.MAPS:
         return _checked(functools.partial(maps.height_map, unit=unit))
     if (owner.__name__, field) in maps.PAIRS:
@@ -102,7 +102,7 @@ def annotation(owner: type, field: str, hint: Any) -> Any:
     if origin is tuple and inner == (float, Ellipsis):
         return _checked(functools.partial(quantities.numbers, unit=unit))
     if hint == tuple[tuple[str, float], ...]:
-        return _checked(quantities.named)
+        return _checked(number_tables.named)
     if origin is tuple and len(inner) == 2 and inner[1] is Ellipsis:
         return list[annotation(owner, field, inner[0])]  # type: ignore[misc]
     if origin in (Union, types.UnionType) or isinstance(hint, type):

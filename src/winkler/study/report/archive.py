@@ -31,7 +31,7 @@ from winkler.study.batch.events import EVENTS, Event
 from winkler.study.batch.outcome import Outcome, ResultColumn, SolvedPoint
 from winkler.study.batch.sensitivity import INDEX_MEANINGS, SENSITIVITY
 from winkler.study.language import keys
-from winkler.study.language.reading import study_text
+from winkler.study.language.writing import study_text
 from winkler.study.report.archive_maps import add_maps
 from winkler.study.report.netcdf import netcdf_attributes, write_variables
 from winkler.vocabulary import Word, word

@@ -16,8 +16,8 @@ from winkler.checks.contract import keeps
 from winkler.errors import InvalidInput, OutsideValidity, WinklerError
 from winkler.problems.answer import Assessed, Posed
 from winkler.study.batch.outcome import Outcome, answers_of
-from winkler.study.language.reading import study_text
 from winkler.study.language.study import Study
+from winkler.study.language.writing import study_text
 from winkler.study.report.archive import LOAD_DIMENSION, dataset
 from winkler.study.report.netcdf import netcdf_attributes
 from winkler.vocabulary import Word, word

@@ -9,7 +9,7 @@ from winkler.readable import with_unit
 from winkler.study.batch.outcome import Outcome
 from winkler.study.chapters.answer import PicturedContact
 from winkler.study.chapters.contents import answer_of, formulas_of
-from winkler.study.language.reading import study_text
+from winkler.study.language.writing import study_text
 from winkler.study.report import page_parts as parts
 from winkler.study.report.archive import CSV, NETCDF
 from winkler.study.report.describe import settings_text

@@ -20,7 +20,7 @@ from winkler.errors import InvalidInput
 from winkler.io.foreign import path_text
 from winkler.study.batch.outcome import Outcome, Provenance
 from winkler.study.batch.stopping import deferred_signals, raise_pending, set_kept_text
-from winkler.study.language.reading import study_text
+from winkler.study.language.writing import study_text
 
 if TYPE_CHECKING:
     from winkler.study.batch.fit_outcome import FitOutcome

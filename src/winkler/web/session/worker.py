@@ -183,7 +183,8 @@ class _WorkerState:
         yield from self._fitted(request) if "fit" in parsed(request.text, STUDY) else self._answered(request)
 
     def _answered(self, request: Solve) -> Iterator[Any]:
-        from winkler.study.language.reading import parse_study, study_text
+        from winkler.study.language.reading import parse_study
+        from winkler.study.language.writing import study_text
         from winkler.study.report.figures import shown_point
         from winkler.web.pictures.moments import initial_moment, moments_of
 
