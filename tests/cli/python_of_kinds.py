@@ -221,4 +221,14 @@ ROUGHNESS = {
     ),
     "elastomer_friction": wk.ElastomerFriction(BLASTED, RUBBER, np.geomspace(1e-6, 1.0, 25)),
 }
-NEWER = {**RELAXING, **CONDUCTING, **ROLLING, **HEATING, **WEARING, **ROUGHNESS}
+# ------------------------------------------------------------------------------------------------ lines
+
+ROLLER = wk.LineFoundation(wk.Paraboloid(10e-3), STEEL_BODY)
+LINES = {
+    **dict.fromkeys(
+        ("line_indentation", "line_foundation", "line_force"), wk.LineIndentation(ROLLER, wk.LineForce(100e3))
+    ),
+    "half_width": wk.LineIndentation(ROLLER, wk.HalfWidth(0.1e-3)),
+    "mean_pressure": wk.LineIndentation(ROLLER, wk.MeanPressure(500e6)),
+}
+NEWER = {**LINES, **RELAXING, **CONDUCTING, **ROLLING, **HEATING, **WEARING, **ROUGHNESS}

@@ -6,6 +6,7 @@ from winkler.plot import beds, restored  # noqa: F401
 from winkler.plot.conduction import constriction, fields, spots  # noqa: F401
 from winkler.plot.drawing import draw, sheet_of
 from winkler.plot.heating import heating  # noqa: F401
+from winkler.plot.line import contact  # noqa: F401
 from winkler.plot.rolling import rolling  # noqa: F401
 from winkler.plot.rough import lines, roughness  # noqa: F401
 from winkler.plot.rough import surfaces as rough_surfaces  # noqa: F401

@@ -1,0 +1,50 @@
+"""Line contacts: their loads, beds, problems, and formulas."""
+
+from __future__ import annotations
+
+from winkler.study.chapters.answer import Answer, Caption, Chapter, Equation, PicturedContact, constant_formulas
+from winkler.study.chapters.kind import kind
+from winkler.study.chapters.normal import MODULUS
+
+__all__ = ["LINE"]
+
+ROLLER = {"kind": "line_foundation", "profile": {"kind": "paraboloid"}}
+
+LOAD_PROFILE = Equation(
+    "The two-dimensional profile f(x) becomes the load profile w",
+    r"w(a) = \int_0^a \frac{x\,f'(x)}{\sqrt{a^2-x^2}}\,\mathrm{d}x",
+)
+LOAD = Equation("which is the force per length over E*", r"P = E^*\,w(a)")
+PRESSURE = Equation(
+    "Flat punches of all half-widths c add up to the pressure",
+    r"p(x) = \frac{E^*}{\pi}\int_{|x|}^a \frac{w'(c)}{\sqrt{c^2-x^2}}\,\mathrm{d}c",
+)
+
+LINE = Chapter(
+    "line contact",
+    kinds={
+        "line_load": {
+            "line_force": kind("winkler.loading:LineForce", problem="line_indentation", force_per_length="100 N/mm"),
+            "half_width": kind("winkler.loading:HalfWidth", problem="line_indentation", half_width="0.1 mm"),
+            "mean_pressure": kind("winkler.loading:MeanPressure", problem="line_indentation", mean_pressure="500 MPa"),
+        },
+        "line_bed": {
+            "line_foundation": kind(
+                "winkler.foundation.line:LineFoundation",
+                "johnson_1985",
+                problem="line_indentation",
+                profile={"kind": "paraboloid"},
+                medium={"kind": "half_space"},
+            ),
+        },
+    },
+    answers={
+        "line_indentation": Answer(
+            kind("winkler.problems.line.indentation:LineIndentation", "johnson_1985", "jaeger_1995", bed=ROLLER),
+            picture=Caption("line", "The contact", "Pressure and shape; of many loads half-width and pressures."),
+            curves=(("force_per_length", "half_width"), ("force_per_length", "peak_pressure")),
+            contact=PicturedContact.NONE,
+            formulas=constant_formulas(MODULUS, LOAD_PROFILE, LOAD, PRESSURE),
+        ),
+    },
+)
