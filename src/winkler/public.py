@@ -123,6 +123,8 @@ from winkler.problems.heating.transient import TransientHeating, TransientHeatin
 from winkler.problems.impact.adhesive_impact import AdhesiveImpact, AdhesiveImpactSolution
 from winkler.problems.impact.impact import Impact, ImpactSolution
 from winkler.problems.line.indentation import LineIndentation, LineSolution
+from winkler.problems.line.stress import LineFields
+from winkler.problems.line.yielding import LineYieldOnset, LineYieldOnsetSolution
 from winkler.problems.normal.design import design_for_pressure, design_profile
 from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
@@ -206,8 +208,9 @@ __all__ = [
     "Impact", "ImpactSolution", "Indentation", "IndentationSolution", "InvalidInput",
     "JouleHeating", "JouleHeatingSolution",
     "Kalker", "KelvinVoigt",
-    "Layer", "LimitingProfile", "LimitingSolution", "LineForce", "LineFoundation", "LineIndentation",
-    "LineScan", "LineSolution",
+    "Layer", "LimitingProfile", "LimitingSolution", "LineFields", "LineForce", "LineFoundation",
+    "LineIndentation",
+    "LineScan", "LineSolution", "LineYieldOnset", "LineYieldOnsetSolution",
     "Maxwell", "MeanPressure", "Measured", "MeasuredBed",
     "NamedElastic", "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor", "NearlyRoundIndentation",
     "NearlyRoundSolution", "NotConverged", "Note",

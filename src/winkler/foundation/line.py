@@ -14,20 +14,27 @@ rest of the load as a flat punch.  Beside the contact the distance of the surfac
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Annotated
 
 import numpy as np
 
 from winkler.checks.number_checks import Advice
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.numerics.fields.half_plane import Pile, potential
+from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.transforms import abel
-from winkler.numerics.types import Array
+from winkler.numerics.types import Array, Curve
 from winkler.profiles.line_transform import line_load, line_load_slope
+from winkler.profiles.power import Paraboloid
 from winkler.profiles.profile import Profile
 from winkler.validity import Note
 from winkler.values import value
 
 __all__ = ["LineFoundation"]
+
+DENSITY_TOLERANCE = 1e-13
+"""Error of w' over its greatest value, where the stresses below are computed from it."""
 
 
 @value
@@ -124,6 +131,57 @@ class LineFoundation:
         edges = [b for b, _ in self.kinks]
         inner = abel.surface(self.load_profile_slope, edges, x, half_width)
         return np.asarray(self.slope(x) - inner)
+
+    def surface_potential(self, x: Array, half_width: float, rim_load: float) -> Array:
+        """Return F(x) [Pa] of `potential` on the surface itself, at x >= 0: its imaginary part is -p."""
+        edges = [b for b, _ in self.kinks]
+        along = 0.5 * abel.surface(self.load_profile_slope, edges, x, half_width)
+        outside = x > half_width
+        along[outside] += rim_load / (np.pi * abel.root_difference(x[outside], half_width))
+        return np.asarray(self.medium.modulus * along - 1j * self.pressure(x, half_width, rim_load))
+
+    def potential(self, x: Array, z: Array, half_width: float, rim_load: float) -> tuple[Array, Array]:
+        """Return the potential F [Pa] of the pressure and F' [Pa/m], below the surface (`numerics.fields.half_plane`).
+
+        Parameters
+        ----------
+        x, z : ndarray, (m,)
+            Places [m], x not negative, z positive.
+        half_width, rim_load : float
+            As of `pressure`.
+        """
+        zeta = x + 1j * z
+        root = np.sqrt(zeta - half_width) * np.sqrt(zeta + half_width)
+        if isinstance(self.profile, Paraboloid):  # McEwen
+            share = half_width / (2.0 * self.profile.curvature_radius)
+            whole = share * half_width / (zeta + root)
+            slope = -whole / root
+        else:
+            whole, slope = potential(self._piles(half_width), x, z)
+        if rim_load > 0.0:
+            rim = rim_load / (np.pi * root)
+            whole, slope = whole + rim, slope - rim * zeta / root**2
+        return self.medium.modulus * whole, self.medium.modulus * slope
+
+    def _piles(self, half_width: float) -> tuple[Pile, ...]:
+        """Return the flat punches of the contact, from kink to kink."""
+        edges = [0.0, *(b for b, _ in self._kinks_to(half_width)), half_width]
+        sample = np.abs(self.load_profile_slope(half_width * np.linspace(0.02, 1.0, 33)))
+        tolerance = DENSITY_TOLERANCE * float(np.max(sample[np.isfinite(sample)]))
+        return tuple(
+            Pile(low, fit_panels(self._density(low, high), np.array([0.0, top]), tolerance))
+            for low, high in pairwise(edges)
+            if (top := float(abel.root_difference(np.array(high), low))) > 0.0
+        )
+
+    def _density(self, low: float, high: float) -> Curve:
+        first = np.nextafter(low, np.inf) if low > 0.0 else 0.0
+
+        def density(y: Array) -> Array:
+            c = np.clip(np.hypot(low, y), first, high)
+            return np.asarray(self.load_profile_slope(c) * (abel.root_difference(c, low) / c if low > 0.0 else 1.0))
+
+        return density
 
     def _kinks_to(self, half_width: float) -> tuple[tuple[float, float], ...]:
         return tuple((b, strength) for b, strength in self.kinks if b < half_width)

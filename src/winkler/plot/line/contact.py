@@ -1,4 +1,4 @@
-"""Sheets of line contacts: pressure and deformed shape of one load; half-width and pressures of many."""
+"""Sheets of line contacts: pressure and surfaces of one load, half-width and pressures of many, onset of yield."""
 
 from __future__ import annotations
 
@@ -6,15 +6,21 @@ from typing import Any
 
 import numpy as np
 
+from winkler.loading import HalfWidth
 from winkler.plot import style
 from winkler.plot.drawing import sheet_of
 from winkler.plot.extent import checked_extent
+from winkler.plot.normal.stresses import stress_map
 from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, titled
 from winkler.plot.rough.roughness import models_panel
 from winkler.plot.series import Series, places, scale_of, series, with_unit
-from winkler.problems.line.indentation import LineSolution
+from winkler.problems.line.indentation import LineIndentation, LineSolution
+from winkler.problems.line.yielding import LineYieldOnsetSolution
 
-__all__ = ["line_sheet"]
+__all__ = ["line_sheet", "line_yield_sheet"]
+
+ACROSS, DOWN = 81, 49
+"""Places of a map of stresses."""
 
 HALF_WIDTHS_DRAWN = 2.0
 CLIPPED = 99.0
@@ -36,6 +42,23 @@ def line_sheet(item: LineSolution, *, extent: float | None = None) -> Sheet:
         pressures.insert(0, (_flat(item, "peak_pressure"), "greatest"))
     widths = models_panel(force, [(_flat(item, "half_width"), "")])
     return Sheet(titled((widths, models_panel(force, pressures, label="pressure")), "half-width", "pressure"))
+
+
+@sheet_of.register(LineYieldOnsetSolution)
+def line_yield_sheet(item: LineYieldOnsetSolution, *, extent: float | None = None) -> Sheet:
+    """Return the von Mises stress below the contact where yielding begins."""
+    a = item.half_width
+    end = checked_extent(extent) or HALF_WIDTHS_DRAWN * a
+    sign = 1.0 if item.z >= 0.0 else -1.0
+    x = np.linspace(-end, end, ACROSS)
+    z = sign * end * np.linspace(0.0, 1.0, DOWN) ** 1.6
+    contact = LineIndentation(item.problem.bed, HalfWidth(a)).solve()
+    found = contact.stresses(x[:, None], z[None, :] + sign * 1e-6 * a, item.problem.friction.coefficient)
+    across, down = np.broadcast_arrays(x[:, None], z[None, :])
+    place = Line(np.array([item.x]), np.array([item.z]), "white", width=0.0, marker="+", size=9.0)
+    panel = stress_map(series("x", across), series("z", down), series("von_mises", found.von_mises), "$x$")
+    title = f"onset of yield: {with_unit(item.force_per_length, 'N/m')} on a half-width of {with_unit(a, 'm')}"
+    return Sheet((panel.plus(place),), width=5.4, height=3.3, title=title)
 
 
 def _flat(item: Any, name: str) -> Series:

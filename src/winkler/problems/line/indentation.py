@@ -9,6 +9,7 @@ reference.
 
 from __future__ import annotations
 
+import dataclasses
 from typing import ClassVar
 
 import numpy as np
@@ -20,6 +21,7 @@ from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.line.half_width import refuse_unless_strips, under_force, under_mean_pressure, widest_allowed
+from winkler.problems.line.stress import LineContact, LineFields, Placed, greatest, poisson_of, stresses
 from winkler.problems.line.validity import line_notes
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
@@ -214,6 +216,60 @@ class LineSolution:
             return np.where(x > a, bed.opening(np.maximum(x, np.nextafter(a, np.inf)), a), 0.0)
 
         return abel.integral(opening, edges, np.abs(np.asarray(x, dtype=float)))
+
+    def stresses(self, x: ArrayLike, z: ArrayLike, friction: float = 0.0) -> LineFields:
+        """Return the stresses below the surface under one load.
+
+        Parameters
+        ----------
+        x : array_like
+            Places along the surface [m].
+        z : array_like
+            Depths [m]: not negative in the first body, negative in the second.  All in one of them.
+        friction : float
+            mu [-] of a contact that slides everywhere: the body is dragged along x by mu p, against it if negative.
+
+        Raises
+        ------
+        InvalidInput
+            If the solution has more than one load, or the depths lie in both bodies.
+        OutsideValidity
+            If there is no contact, or the body is rigid or not isotropic.
+        """
+        depth = np.asarray(z, dtype=float)
+        below = bool(np.all(depth >= 0.0))
+        if not below and np.any(depth >= 0.0):
+            raise InvalidInput("LineSolution: the depths z lie in both bodies; request one after the other.")
+        fields = stresses(self._contact(below, friction), np.asarray(x, dtype=float), np.abs(depth))
+        return fields if below else dataclasses.replace(fields, z=-fields.z)
+
+    def greatest_stress(self, friction: float = 0.0, *, below: bool = True) -> Placed:
+        """Return the greatest von Mises stress [Pa] under one load, and its place x, z [m] in the axes of the body.
+
+        Parameters
+        ----------
+        friction : float
+            As of `stresses`.
+        below : bool
+            In the first body; otherwise in the second.
+
+        Raises
+        ------
+        InvalidInput, OutsideValidity
+            As of `stresses`; also where the stress is infinite, below a sharp tip, kink or rim.
+        """
+        contact = self._contact(below, friction)
+        if not np.isfinite(self.peak_pressure):
+            raise OutsideValidity(
+                "The stress below a sharp tip, kink or rim is infinite; round it off, or request places with stresses."
+            )
+        return greatest(contact, lambda fields: fields.von_mises)
+
+    def _contact(self, below: bool, friction: float) -> LineContact:
+        force, a = self._single("stresses")
+        if a == 0.0:
+            raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
+        return LineContact(self.problem.bed, a, self._rim_load(force, a), poisson_of(self.problem.bed, below), friction)
 
     def at(self, index: int | tuple[int, ...]) -> LineSolution:
         """Return the solution of one load of an array.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from winkler.study.chapters.answer import Answer, Caption, Chapter, Equation, PicturedContact, constant_formulas
 from winkler.study.chapters.kind import kind
-from winkler.study.chapters.normal import MODULUS
+from winkler.study.chapters.normal import MODULUS, ONSET, STRONG
 
 __all__ = ["LINE"]
 
@@ -19,6 +19,16 @@ PRESSURE = Equation(
     "Flat punches of all half-widths c add up to the pressure",
     r"p(x) = \frac{E^*}{\pi}\int_{|x|}^a \frac{w'(c)}{\sqrt{c^2-x^2}}\,\mathrm{d}c",
 )
+POTENTIAL = Equation(
+    "At ζ = x + iz below the surface their potential is",
+    r"F(\zeta) = \frac{E^*}{\pi}\int_0^a \frac{w'(c)}{\sqrt{\zeta^2-c^2}}\,\mathrm{d}c",
+)
+STRESSES = Equation(
+    "which gives the stresses of a contact that is pressed, and dragged by μ p where it slides",
+    r"\sigma_x = \Im F + z\,\Re F' - \mu\,(2\,\Re F - z\,\Im F'), \quad "
+    r"\sigma_z = \Im F - z\,\Re F' - \mu z\,\Im F', \quad \tau_{xz} = -z\,\Im F' + \mu\,(\Im F + z\,\Re F')",
+)
+PLANE_STRAIN = Equation("and along the strip, in plane strain", r"\sigma_y = \nu\,(\sigma_x+\sigma_z)")
 
 LINE = Chapter(
     "line contact",
@@ -45,6 +55,17 @@ LINE = Chapter(
             curves=(("force_per_length", "half_width"), ("force_per_length", "peak_pressure")),
             contact=PicturedContact.NONE,
             formulas=constant_formulas(MODULUS, LOAD_PROFILE, LOAD, PRESSURE),
+        ),
+        "line_yield_onset": Answer(
+            kind(
+                "winkler.problems.line.yielding:LineYieldOnset",
+                "johnson_1985",
+                bed={**ROLLER, "medium": {"kind": "half_space", **STRONG}},
+                friction={"kind": "coulomb", "coefficient": 0.1},
+            ),
+            picture=Caption("line_yield", "Onset of yield", "The von Mises stress where yielding begins."),
+            contact=PicturedContact.NONE,
+            formulas=constant_formulas(MODULUS, LOAD_PROFILE, LOAD, POTENTIAL, STRESSES, PLANE_STRAIN, ONSET),
         ),
     },
 )
