@@ -123,6 +123,7 @@ from winkler.problems.heating.transient import TransientHeating, TransientHeatin
 from winkler.problems.impact.adhesive_impact import AdhesiveImpact, AdhesiveImpactSolution
 from winkler.problems.impact.impact import Impact, ImpactSolution
 from winkler.problems.line.indentation import LineIndentation, LineSolution
+from winkler.problems.line.shakedown import LineShakedown, LineShakedownSolution
 from winkler.problems.line.stress import LineFields
 from winkler.problems.line.yielding import LineYieldOnset, LineYieldOnsetSolution
 from winkler.problems.normal.design import design_for_pressure, design_profile
@@ -210,7 +211,7 @@ __all__ = [
     "Kalker", "KelvinVoigt",
     "Layer", "LimitingProfile", "LimitingSolution", "LineFields", "LineForce", "LineFoundation",
     "LineIndentation",
-    "LineScan", "LineSolution", "LineYieldOnset", "LineYieldOnsetSolution",
+    "LineScan", "LineShakedown", "LineShakedownSolution", "LineSolution", "LineYieldOnset", "LineYieldOnsetSolution",
     "Maxwell", "MeanPressure", "Measured", "MeasuredBed",
     "NamedElastic", "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor", "NearlyRoundIndentation",
     "NearlyRoundSolution", "NotConverged", "Note",

@@ -14,6 +14,7 @@ rest of the load as a flat punch.  Beside the contact the distance of the surfac
 
 from __future__ import annotations
 
+import functools
 from itertools import pairwise
 from typing import Annotated
 
@@ -157,31 +158,34 @@ class LineFoundation:
             whole = share * half_width / (zeta + root)
             slope = -whole / root
         else:
-            whole, slope = potential(self._piles(half_width), x, z)
+            whole, slope = potential(_piles(self, half_width), x, z)
         if rim_load > 0.0:
             rim = rim_load / (np.pi * root)
             whole, slope = whole + rim, slope - rim * zeta / root**2
         return self.medium.modulus * whole, self.medium.modulus * slope
 
-    def _piles(self, half_width: float) -> tuple[Pile, ...]:
-        """Return the flat punches of the contact, from kink to kink."""
-        edges = [0.0, *(b for b, _ in self._kinks_to(half_width)), half_width]
-        sample = np.abs(self.load_profile_slope(half_width * np.linspace(0.02, 1.0, 33)))
-        tolerance = DENSITY_TOLERANCE * float(np.max(sample[np.isfinite(sample)]))
-        return tuple(
-            Pile(low, fit_panels(self._density(low, high), np.array([0.0, top]), tolerance))
-            for low, high in pairwise(edges)
-            if (top := float(abel.root_difference(np.array(high), low))) > 0.0
-        )
-
-    def _density(self, low: float, high: float) -> Curve:
-        first = np.nextafter(low, np.inf) if low > 0.0 else 0.0
-
-        def density(y: Array) -> Array:
-            c = np.clip(np.hypot(low, y), first, high)
-            return np.asarray(self.load_profile_slope(c) * (abel.root_difference(c, low) / c if low > 0.0 else 1.0))
-
-        return density
-
     def _kinks_to(self, half_width: float) -> tuple[tuple[float, float], ...]:
         return tuple((b, strength) for b, strength in self.kinks if b < half_width)
+
+
+@functools.lru_cache(maxsize=16)
+def _piles(bed: LineFoundation, half_width: float) -> tuple[Pile, ...]:
+    """Return the flat punches of the contact, from kink to kink."""
+    edges = [0.0, *(b for b, _ in bed.kinks if b < half_width), half_width]
+    sample = np.abs(bed.load_profile_slope(half_width * np.linspace(0.02, 1.0, 33)))
+    tolerance = DENSITY_TOLERANCE * float(np.max(sample[np.isfinite(sample)]))
+    return tuple(
+        Pile(low, fit_panels(_density(bed, low, high), np.array([0.0, top]), tolerance))
+        for low, high in pairwise(edges)
+        if (top := float(abel.root_difference(np.array(high), low))) > 0.0
+    )
+
+
+def _density(bed: LineFoundation, low: float, high: float) -> Curve:
+    first = np.nextafter(low, np.inf) if low > 0.0 else 0.0
+
+    def density(y: Array) -> Array:
+        c = np.clip(np.hypot(low, y), first, high)
+        return np.asarray(bed.load_profile_slope(c) * (abel.root_difference(c, low) / c if low > 0.0 else 1.0))
+
+    return density

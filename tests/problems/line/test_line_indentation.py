@@ -203,7 +203,9 @@ def test_the_order_of_loads_and_no_load_do_not_matter():
     contact = pressed(wk.RoundedPunch(1e-3, RADIUS), wk.LineForce(loads))
     assert contact.half_width.shape == (2, 2)
     assert contact.half_width[0, 1] == contact.mean_pressure[0, 1] == contact.peak_pressure[0, 1] == 0.0
-    assert np.all(contact.at((0, 1)).pressure([0.0, 1e-3]) == 0.0)
+    apart = contact.at((0, 1))
+    assert np.all(apart.pressure([0.0, 1e-3]) == 0.0)
+    np.testing.assert_array_equal(apart.separation([-2e-3]), apart.problem.bed.profile.height(np.array([2e-3])))
 
 
 # ---------------------------------------------------------------------------------------------------- refusals

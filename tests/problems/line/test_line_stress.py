@@ -129,7 +129,7 @@ def test_a_cylinder_yields_where_mcewen_says():
     onset = wk.LineYieldOnset(wk.LineFoundation(wk.Paraboloid(10e-3), PAIR)).solve()
     p0 = 700e6 / peak
     assert onset.force_per_length == pytest.approx(np.pi * 10e-3 * p0**2 / MODULUS, rel=1e-12)
-    assert -onset.z == pytest.approx(depth * onset.half_width, rel=1e-6)
+    assert -onset.z == pytest.approx(depth * onset.half_width, rel=1e-9)
     again = wk.LineIndentation(onset.problem.bed, wk.LineForce(onset.force_per_length)).solve()
     assert again.greatest_stress(below=False).value == pytest.approx(700e6, rel=1e-12)
 
@@ -173,7 +173,8 @@ def test_friction_brings_the_onset_to_the_surface():
 
 
 def test_other_profiles_yield_at_their_strength():
-    parabola = wk.LineYieldOnset(wk.LineFoundation(wk.Formula("r**2/(2*R)", R=10e-3), PAIR)).solve()
+    two = wk.Paraboloid(20e-3) + wk.Paraboloid(20e-3)
+    parabola = wk.LineYieldOnset(wk.LineFoundation(two, PAIR)).solve()
     cylinder = wk.LineYieldOnset(wk.LineFoundation(wk.Paraboloid(10e-3), PAIR)).solve()
     assert parabola.force_per_length == pytest.approx(cylinder.force_per_length, rel=1e-10)
 
@@ -201,3 +202,33 @@ def test_stresses_of_no_contact_both_bodies_and_rigid_ones_are_refused():
         pressed(wk.Paraboloid(10e-3), 0.0).stresses(0.0, 1e-5)
     with pytest.raises(wk.OutsideValidity, match="infinite"):
         pressed(wk.Cone(1.5), 1e-4).greatest_stress()
+
+
+# ---------------------------------------------------------------------------------------------------- shakedown
+
+
+def limit_over_shear(mu):
+    """Greatest pressure over k = Y/sqrt(3) of a cylinder at the shakedown limit."""
+    found = wk.LineShakedown(wk.LineFoundation(wk.Paraboloid(10e-3), PAIR), wk.Coulomb(mu)).solve()
+    return 4.0 / np.pi * found.mean_pressure / (700e6 / np.sqrt(3.0))
+
+
+def test_a_roller_shakes_down_at_the_known_pressures():
+    """4 k without friction, k/mu from mu = 0.367 on (Johnson 1985, sec. 9.2)."""
+    assert limit_over_shear(0.0) == pytest.approx(4.0, rel=1e-11)
+    assert limit_over_shear(0.5) == pytest.approx(2.0, rel=1e-11)
+    assert limit_over_shear(0.368) == pytest.approx(1.0 / 0.368, rel=1e-9)
+    assert limit_over_shear(0.366) < 1.0 / 0.366 - 1e-4
+
+
+@pytest.mark.parametrize("mu", [0.0, 0.2, 0.35])
+def test_residual_stresses_exist_with_which_a_roller_shakes_down(mu):
+    """Melan: at each depth one residual stress along x must keep all of the passage within k, in the plane."""
+    contact = pressed(wk.Paraboloid(10e-3), 1e-4)
+    p0 = MODULUS * 1e-4 / 20e-3
+    x, z = np.linspace(-6.0, 6.0, 601) * 1e-4, np.linspace(0.0, 1.2, 49) * 1e-4
+    fields = contact.stresses(x[:, None], z[None, :], mu)
+    difference, shear = (fields.xx_stress - fields.zz_stress) / p0, fields.xz_stress / p0
+    residual = np.linspace(-1.0, 1.5, 201)
+    radius = np.hypot(0.5 * (difference[:, :, None] + residual), shear[:, :, None]).max(axis=0).min(axis=1)
+    assert np.max(radius) == pytest.approx(1.0 / limit_over_shear(mu), rel=5e-3)

@@ -15,6 +15,7 @@ from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, titled
 from winkler.plot.rough.roughness import models_panel
 from winkler.plot.series import Series, places, scale_of, series, with_unit
 from winkler.problems.line.indentation import LineIndentation, LineSolution
+from winkler.problems.line.shakedown import LineShakedownSolution
 from winkler.problems.line.yielding import LineYieldOnsetSolution
 
 __all__ = ["line_sheet", "line_yield_sheet"]
@@ -45,8 +46,9 @@ def line_sheet(item: LineSolution, *, extent: float | None = None) -> Sheet:
 
 
 @sheet_of.register(LineYieldOnsetSolution)
-def line_yield_sheet(item: LineYieldOnsetSolution, *, extent: float | None = None) -> Sheet:
-    """Return the von Mises stress below the contact where yielding begins."""
+@sheet_of.register(LineShakedownSolution)
+def line_yield_sheet(item: LineYieldOnsetSolution | LineShakedownSolution, *, extent: float | None = None) -> Sheet:
+    """Return the von Mises stress below the contact at the onset of yield, or of one passage at the shakedown limit."""
     a = item.half_width
     end = checked_extent(extent) or HALF_WIDTHS_DRAWN * a
     sign = 1.0 if item.z >= 0.0 else -1.0
@@ -57,7 +59,8 @@ def line_yield_sheet(item: LineYieldOnsetSolution, *, extent: float | None = Non
     across, down = np.broadcast_arrays(x[:, None], z[None, :])
     place = Line(np.array([item.x]), np.array([item.z]), "white", width=0.0, marker="+", size=9.0)
     panel = stress_map(series("x", across), series("z", down), series("von_mises", found.von_mises), "$x$")
-    title = f"onset of yield: {with_unit(item.force_per_length, 'N/m')} on a half-width of {with_unit(a, 'm')}"
+    limit = "onset of yield" if isinstance(item, LineYieldOnsetSolution) else "shakedown limit"
+    title = f"{limit}: {with_unit(item.force_per_length, 'N/m')} on a half-width of {with_unit(a, 'm')}"
     return Sheet((panel.plus(place),), width=5.4, height=3.3, title=title)
 
 

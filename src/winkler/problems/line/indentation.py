@@ -210,6 +210,8 @@ class LineSolution:
         bed = self.problem.bed
         if a >= bed.rim:
             raise OutsideValidity("The contact is pinned at the rim, beyond which the body has no surface.")
+        if a == 0.0:
+            return np.asarray(bed.profile.height(np.abs(np.asarray(x, dtype=float))))
         edges = [a, *(b for b, _ in bed.kinks if b > a)]
 
         def opening(x: Array) -> Array:

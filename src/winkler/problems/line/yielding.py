@@ -6,28 +6,21 @@ stress of `winkler.problems.line.stress` is the strength of a body.
 
 from __future__ import annotations
 
-import math
 from typing import ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Coulomb, Overcome
-from winkler.media.halfspace import HalfSpace
-from winkler.numerics.equations.roots import between
+from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import PRESSED
-from winkler.problems.line.half_width import refuse_unless_strips
-from winkler.problems.line.stress import LineContact, Placed, greatest
+from winkler.problems.line.at_strength import first_at_strength, refuse_without_strength
 from winkler.problems.line.validity import line_notes
-from winkler.problems.normal.strong_parts import StrongPart, strong_parts
-from winkler.profiles.power import Paraboloid
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
-__all__ = ["LineYieldOnset", "LineYieldOnsetSolution"]
+__all__ = ["FRICTIONLESS", "LineYieldOnset", "LineYieldOnsetSolution"]
 
-MOST_DOUBLINGS = 60
 FRICTIONLESS = Coulomb(0.0)
 
 
@@ -58,16 +51,10 @@ class LineYieldOnset:
     friction: Overcome = FRICTIONLESS
 
     references: ClassVar[tuple[str, ...]] = ("johnson_1985",)
-    assumptions: ClassVar[frozenset[Assumption]] = PRESSED
+    assumptions: ClassVar[frozenset[Assumption]] = PRESSED | {Assumption.UNCOUPLED}
 
     def __post_init__(self) -> None:
-        if not isinstance(self.bed.medium, HalfSpace):
-            raise InvalidInput(
-                f"LineYieldOnset: the medium is a {type(self.bed.medium).__name__}; the onset of yield is sought in "
-                "homogeneous, isotropic bodies only: give a HalfSpace."
-            )
-        if min(self.bed.medium.strengths) == math.inf:
-            raise InvalidInput("LineYieldOnset: no body has a strength; give Elastic(young, poisson, strength=...).")
+        refuse_without_strength(self.bed, "LineYieldOnset")
 
     def solve(self) -> LineYieldOnsetSolution:
         """Return the load, and where yielding begins.
@@ -78,48 +65,9 @@ class LineYieldOnset:
             If the body yields at the first touch (a sharp tip, kink or rim), or not within the reach of the profile.
         """
         bed = self.bed
-        sharp = float(bed.slope(np.zeros(1))[0]) != 0.0 or any(strength > 0.0 for _, strength in bed.kinks)
-        if sharp or (math.isfinite(bed.rim) and bed.flat >= bed.rim):
-            raise OutsideValidity(
-                "LineYieldOnset: the stress at a sharp tip, kink or rim is infinite under every load, so that yielding "
-                "begins at the first touch; round it off."
-            )
-        found = [(*self._onset(part), part.first) for part in strong_parts(bed.medium)]
-        a, place, first = min(found, key=lambda onset: onset[0])
-        refuse_unless_strips(bed, np.array([a]))
+        a, place = first_at_strength(bed, self.friction.coefficient, lambda fields: fields.von_mises, "LineYieldOnset")
         force = bed.medium.modulus * float(bed.load_profile(np.array([a]))[0])
-        return LineYieldOnsetSolution(self, force, a, place.x, place.z if first else -place.z)
-
-    def _onset(self, part: StrongPart) -> tuple[float, Placed]:
-        """Return the half-width at which one body yields, and where."""
-        bed, strength = self.bed, part.solid.strength
-        flat, end = bed.flat, min(bed.reach, bed.rim)
-
-        def peak(beside: float) -> Placed:
-            contact = LineContact(bed, flat + beside, 0.0, part.solid.poisson, self.friction.coefficient)
-            return greatest(contact, lambda fields: fields.von_mises)
-
-        low = high = 0.01 * (end - flat if math.isfinite(end) else flat or bed.size if bed.size < math.inf else 1.0)
-        if isinstance(bed.profile, Paraboloid):  # all stresses grow in proportion to a
-            low *= strength / peak(low).value
-            return low, peak(low)
-        for _ in range(MOST_DOUBLINGS):
-            if peak(low).value < strength:
-                break
-            low *= 0.25
-        for _ in range(MOST_DOUBLINGS):
-            if peak(high).value >= strength:
-                break
-            if flat + high >= end:
-                raise OutsideValidity(
-                    f"LineYieldOnset: within the reach of the profile ({end:.6g} m) the body does not yield; give a "
-                    "lower strength or a profile that is known farther."
-                )
-            high = min(4.0 * high, end - flat)
-        beside = math.exp(
-            between(lambda t: math.log(peak(math.exp(t)).value / strength), math.log(low), math.log(high))
-        )
-        return flat + beside, peak(beside)
+        return LineYieldOnsetSolution(self, force, a, place.x, place.z)
 
 
 @value
@@ -158,4 +106,5 @@ class LineYieldOnsetSolution:
             "Yielding begins where the von Mises stress of the elastic field in plane strain reaches the strength.",
             "R. von Mises, Nachr. Ges. Wiss. Goettingen (1913) 582",
         )
-        return (*line_notes(self.problem.bed, self.half_width), criterion)
+        slid = sliding_note(self.problem.bed.medium, self.problem.friction.coefficient)  # type: ignore[arg-type]
+        return (*line_notes(self.problem.bed, self.half_width), slid, criterion)

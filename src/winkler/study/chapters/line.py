@@ -25,10 +25,15 @@ POTENTIAL = Equation(
 )
 STRESSES = Equation(
     "which gives the stresses of a contact that is pressed, and dragged by μ p where it slides",
-    r"\sigma_x = \Im F + z\,\Re F' - \mu\,(2\,\Re F - z\,\Im F'), \quad "
-    r"\sigma_z = \Im F - z\,\Re F' - \mu z\,\Im F', \quad \tau_{xz} = -z\,\Im F' + \mu\,(\Im F + z\,\Re F')",
+    r"\sigma_x = \mathrm{Im}\,F + z\,\mathrm{Re}\,F' - \mu\,(2\,\mathrm{Re}\,F - z\,\mathrm{Im}\,F'), \quad "
+    r"\sigma_z = \mathrm{Im}\,F - z\,\mathrm{Re}\,F' - \mu z\,\mathrm{Im}\,F', \quad "
+    r"\tau_{xz} = -z\,\mathrm{Im}\,F' + \mu\,(\mathrm{Im}\,F + z\,\mathrm{Re}\,F')",
 )
 PLANE_STRAIN = Equation("and along the strip, in plane strain", r"\sigma_y = \nu\,(\sigma_x+\sigma_z)")
+SHAKEDOWN = Equation(
+    "Residual stresses cannot take up the shear in planes along the surface, which limits shakedown (after Melan)",
+    r"\max\left|\tau_{xz}\right| = \frac{\sigma_Y}{\sqrt{3}}",
+)
 
 LINE = Chapter(
     "line contact",
@@ -66,6 +71,17 @@ LINE = Chapter(
             picture=Caption("line_yield", "Onset of yield", "The von Mises stress where yielding begins."),
             contact=PicturedContact.NONE,
             formulas=constant_formulas(MODULUS, LOAD_PROFILE, LOAD, POTENTIAL, STRESSES, PLANE_STRAIN, ONSET),
+        ),
+        "line_shakedown": Answer(
+            kind(
+                "winkler.problems.line.shakedown:LineShakedown",
+                "johnson_1985",
+                bed={**ROLLER, "medium": {"kind": "half_space", **STRONG}},
+                friction={"kind": "coulomb", "coefficient": 0.1},
+            ),
+            picture=Caption("line_shakedown", "Shakedown limit", "The von Mises stress of one passage at the limit."),
+            contact=PicturedContact.NONE,
+            formulas=constant_formulas(MODULUS, LOAD_PROFILE, LOAD, POTENTIAL, STRESSES, SHAKEDOWN),
         ),
     },
 )
