@@ -173,8 +173,7 @@ def test_friction_brings_the_onset_to_the_surface():
 
 
 def test_other_profiles_yield_at_their_strength():
-    two = wk.Paraboloid(20e-3) + wk.Paraboloid(20e-3)
-    parabola = wk.LineYieldOnset(wk.LineFoundation(two, PAIR)).solve()
+    parabola = wk.LineYieldOnset(wk.LineFoundation(wk.PowerLaw(coefficient=50.0, exponent=2.0), PAIR)).solve()
     cylinder = wk.LineYieldOnset(wk.LineFoundation(wk.Paraboloid(10e-3), PAIR)).solve()
     assert parabola.force_per_length == pytest.approx(cylinder.force_per_length, rel=1e-10)
 
@@ -232,3 +231,44 @@ def test_residual_stresses_exist_with_which_a_roller_shakes_down(mu):
     residual = np.linspace(-1.0, 1.5, 201)
     radius = np.hypot(0.5 * (difference[:, :, None] + residual), shear[:, :, None]).max(axis=0).min(axis=1)
     assert np.max(radius) == pytest.approx(1.0 / limit_over_shear(mu), rel=5e-3)
+
+
+# ---------------------------------------------------------------------------------------------------- approach
+
+
+def test_a_cylinder_approaches_as_johnson_says():
+    """By the strain along the axis (McEwen's stresses); far below P(1 - nu^2)/(pi E)(2 ln(2d/a) - nu/(1 - nu))."""
+    a, nu = 1e-4, mp.mpf("0.3")
+    p0 = MODULUS * a / 20e-3
+    contact = pressed(wk.Paraboloid(10e-3), a, wk.HalfSpace(STEEL, STEEL))
+
+    def strain(d):
+        root = mp.sqrt(1 + d * d)
+        x, z = -((1 + 2 * d * d) / root - 2 * d), -1 / root
+        return -((1 - nu**2) * z - nu * (1 + nu) * x)
+
+    for depth in (0.3, 7.0):
+        with mp.workdps(30):
+            exact = 2 * float(mp.quad(strain, mp.linspace(0, mp.mpf(depth), 8))) * p0 * a / 210e9
+        assert contact.approach(depth * a, depth * a) == pytest.approx(exact, rel=1e-12)
+    far = contact.force_per_length * 0.91 / (np.pi * 210e9) * (2.0 * np.log(2e5) - 0.3 / 0.7)
+    assert contact.approach(10.0, 10.0) == pytest.approx(2.0 * far, rel=1e-9)
+
+
+@pytest.mark.parametrize("name", ["rounded punch", "blunt wedge", "formula"])
+def test_the_approach_is_the_compression_of_the_axis(name):
+    profile, a, _ = BODIES[name]
+    contact, depth = pressed(profile, a, wk.HalfSpace(STEEL)), 2.0 * a
+    nodes, weights = squeezed(0.0, depth)
+    fields = contact.stresses(np.zeros(nodes.size), nodes)
+    strain = (0.91 * fields.zz_stress - 0.39 * fields.xx_stress) / 210e9
+    assert contact.approach(first=depth) == pytest.approx(-float(np.sum(weights * strain)), rel=1e-10)
+
+
+def test_a_line_contact_has_no_depth_without_a_reference():
+    contact = pressed(wk.Paraboloid(10e-3), 1e-4)
+    with pytest.raises(wk.InvalidInput, match="no depth of its own"):
+        contact.approach()
+    with pytest.raises(wk.InvalidInput, match="second body"):
+        contact.approach(first=1e-3)
+    assert pressed(wk.Paraboloid(10e-3), 0.0).approach(1e-3, 1e-3) == 0.0

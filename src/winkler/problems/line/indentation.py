@@ -20,6 +20,7 @@ from winkler.loading import HalfWidth, LineForce, MeanPressure
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
 from winkler.problems.assumptions.declared import PRESSED
+from winkler.problems.line.approach import approach
 from winkler.problems.line.half_width import refuse_unless_strips, under_force, under_mean_pressure, widest_allowed
 from winkler.problems.line.stress import LineContact, LineFields, Placed, greatest, poisson_of, stresses
 from winkler.problems.line.validity import line_notes
@@ -272,6 +273,24 @@ class LineSolution:
         if a == 0.0:
             raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
         return LineContact(self.problem.bed, a, self._rim_load(force, a), poisson_of(self.problem.bed, below), friction)
+
+    def approach(self, first: float | None = None, second: float | None = None) -> float:
+        """Return how far two points on the axis have come together under one load [m], one in each body.
+
+        Parameters
+        ----------
+        first, second : float
+            Depths of the points below the surfaces [m]; that in a rigid body may be left out.
+
+        Raises
+        ------
+        InvalidInput
+            If a reference is not stated: a line contact has no depth of its own; or if there are many loads.
+        OutsideValidity
+            If the medium is not a `HalfSpace`.
+        """
+        force, a = self._single("approach")
+        return approach(self.problem.bed, a, self._rim_load(force, a), first, second)
 
     def at(self, index: int | tuple[int, ...]) -> LineSolution:
         """Return the solution of one load of an array.
