@@ -244,3 +244,17 @@ def test_other_bodies_are_refused_and_many_loads_have_no_single_pressure():
         many.pressure(0.0)
     with pytest.raises(wk.InvalidInput, match="no load 7"):
         many.at(7)
+
+
+def test_a_steel_wheel_presses_as_in_the_boundary_elements_of_contact(shared_data):
+    """carter_line of CONTACT: 50 elements across, three digits; those at the edges are wide for its root."""
+    steel = wk.Elastic(2.0 * 1.28 * 82e9, 0.28)
+    wheel = wk.LineFoundation(wk.Paraboloid(0.5), wk.HalfSpace.between(steel, steel))
+    contact = wk.LineIndentation(wheel, wk.LineForce(178.9e3)).solve()
+    assert contact.half_width == pytest.approx(0.0010000104855494379, rel=1e-12)
+    assert contact.peak_pressure == pytest.approx(1.139e8, rel=5e-4)
+    file = shared_data / "reference" / "contact" / "carter_line_tractions.csv"
+    rows = np.genfromtxt(file, delimiter=",", names=True, skip_header=1)
+    inner = rows[np.abs(rows["x_m"]) < 0.9e-3]
+    assert inner.size > 40
+    np.testing.assert_allclose(inner["pressure_Pa"], contact.pressure(inner["x_m"]), atol=0.005 * contact.peak_pressure)
