@@ -1,5 +1,7 @@
 """Loads: a prescribed force, depth or radius; along the surface a shift, shear force, angle or torque.
 
+A line contact takes a force per length, a half-width or a mean pressure.
+
 A load's value may be an array; the result then has its shape.  Taken apart by ``match``.  How loads change with time is
 a `winkler.path.Path`.
 """
@@ -9,7 +11,21 @@ from __future__ import annotations
 from winkler.checks.number_checks import FiniteQuantity, NonNegativeQuantity
 from winkler.values import value, words
 
-__all__ = ["Angle", "Depth", "Force", "Lateral", "Load", "Normal", "Radius", "ShearForce", "Shift", "Torque"]
+__all__ = [
+    "Angle",
+    "Depth",
+    "Force",
+    "HalfWidth",
+    "Lateral",
+    "LineForce",
+    "Load",
+    "MeanPressure",
+    "Normal",
+    "Radius",
+    "ShearForce",
+    "Shift",
+    "Torque",
+]
 
 
 @value
@@ -51,6 +67,45 @@ class Radius:
     __words__ = words(radius=("a", "m", "prescribed radius of the contact"))
 
     radius: NonNegativeQuantity
+
+
+@value
+class LineForce:
+    """A prescribed normal force per length of a line contact.
+
+    Parameters
+    ----------
+    force_per_length : float or ndarray
+        P [N/m], compression positive.
+    """
+
+    force_per_length: FiniteQuantity
+
+
+@value
+class HalfWidth:
+    """A prescribed half-width of a line contact.
+
+    Parameters
+    ----------
+    half_width : float or ndarray
+        a [m], not negative.
+    """
+
+    half_width: NonNegativeQuantity
+
+
+@value
+class MeanPressure:
+    """A prescribed mean pressure of a line contact, over its whole width.
+
+    Parameters
+    ----------
+    mean_pressure : float or ndarray
+        p_m = P/(2 a) [Pa], not negative.
+    """
+
+    mean_pressure: NonNegativeQuantity
 
 
 @value

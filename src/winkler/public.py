@@ -30,6 +30,7 @@ from winkler.fitting.unloading.oliver_pharr import OliverPharr, OliverPharrSolut
 from winkler.fitting.viscoelastic.band import relaxation_band
 from winkler.foundation.elliptic import EllipticFoundation
 from winkler.foundation.foundation import Foundation
+from winkler.foundation.line import LineFoundation
 from winkler.foundation.measured import MeasuredBed
 from winkler.foundation.plane import PlaneFoundation
 from winkler.foundation.sheared_fields import BodyFields, ShearedFields
@@ -54,7 +55,18 @@ from winkler.laws.film import SurfaceFilm, ThermalInterface
 from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.laws.heat import EqualMaximum, EqualMean, FixedShare
 from winkler.laws.wear import Archard, PairWear
-from winkler.loading import Angle, Depth, Force, Radius, ShearForce, Shift, Torque
+from winkler.loading import (
+    Angle,
+    Depth,
+    Force,
+    HalfWidth,
+    LineForce,
+    MeanPressure,
+    Radius,
+    ShearForce,
+    Shift,
+    Torque,
+)
 from winkler.materials.at_temperature import AtTemperature
 from winkler.materials.conducting_body import Plated, Rod
 from winkler.materials.conductor import ElectricalConductor, ThermalConductor
@@ -111,6 +123,10 @@ from winkler.problems.heating.steady import FrictionHeating, FrictionHeatingSolu
 from winkler.problems.heating.transient import TransientHeating, TransientHeatingSolution
 from winkler.problems.impact.adhesive_impact import AdhesiveImpact, AdhesiveImpactSolution
 from winkler.problems.impact.impact import Impact, ImpactSolution
+from winkler.problems.line.indentation import LineIndentation, LineSolution
+from winkler.problems.line.shakedown import LineShakedown, LineShakedownSolution
+from winkler.problems.line.stress import LineFields
+from winkler.problems.line.yielding import LineYieldOnset, LineYieldOnsetSolution
 from winkler.problems.normal.design import design_for_pressure, design_profile
 from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
@@ -191,12 +207,14 @@ __all__ = [
     "FractionalZener", "FrettingHeat", "FrettingHeatSolution", "FrettingSolution", "FrettingWear", "FrictionDamping",
     "FrictionDampingSolution", "FrictionHeating", "FrictionHeatingSolution",
     "GeneralisedKelvin", "GradedHalfSpace",
-    "HalfSpace", "HarmonicIndentation", "HeatConductors", "HeatFields", "Hold", "Hyperboloid",
+    "HalfSpace", "HalfWidth", "HarmonicIndentation", "HeatConductors", "HeatFields", "Hold", "Hyperboloid",
     "Impact", "ImpactSolution", "Indentation", "IndentationSolution", "InvalidInput",
     "JouleHeating", "JouleHeatingSolution",
     "Kalker", "KelvinVoigt",
-    "Layer", "LimitingProfile", "LimitingSolution", "LineScan",
-    "Maxwell", "Measured", "MeasuredBed",
+    "Layer", "LimitingProfile", "LimitingSolution", "LineFields", "LineForce", "LineFoundation",
+    "LineIndentation",
+    "LineScan", "LineShakedown", "LineShakedownSolution", "LineSolution", "LineYieldOnset", "LineYieldOnsetSolution",
+    "Maxwell", "MeanPressure", "Measured", "MeasuredBed",
     "NamedElastic", "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor", "NearlyRoundIndentation",
     "NearlyRoundSolution", "NotConverged", "Note",
     "OliverPharr", "OliverPharrSolution", "Oscillate", "OscillatingRolling", "OscillatingRollingSolution",

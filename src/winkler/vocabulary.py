@@ -26,6 +26,8 @@ GLOSSARY: dict[str, Word] = {
     "depth": Word("d", "m", "indentation depth: how far the bodies have approached since first touch"),
     "force": Word("F_N", "N", "normal force, compression positive"),
     "radius": Word("a", "m", "radius of the contact"),
+    "force_per_length": Word("P", "N/m", "normal force per length of a line contact, compression positive"),
+    "half_width": Word("a", "m", "half-width of a line contact"),
     "stiffness": Word("k", "N/m", "incremental normal stiffness dF/dd"),
     "energy": Word("U", "J", "elastic energy stored in the contact"),
     "line_load": Word("q_z", "N/m", "load of the springs per length"),

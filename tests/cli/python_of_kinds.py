@@ -221,4 +221,17 @@ ROUGHNESS = {
     ),
     "elastomer_friction": wk.ElastomerFriction(BLASTED, RUBBER, np.geomspace(1e-6, 1.0, 25)),
 }
-NEWER = {**RELAXING, **CONDUCTING, **ROLLING, **HEATING, **WEARING, **ROUGHNESS}
+# ------------------------------------------------------------------------------------------------ lines
+
+ROLLER = wk.LineFoundation(wk.Paraboloid(10e-3), STEEL_BODY)
+STRONG_ROLLER = wk.LineFoundation(wk.Paraboloid(10e-3), wk.HalfSpace(wk.Elastic(210e9, 0.3, strength=700e6)))
+LINES = {
+    **dict.fromkeys(
+        ("line_indentation", "line_foundation", "line_force"), wk.LineIndentation(ROLLER, wk.LineForce(100e3))
+    ),
+    "half_width": wk.LineIndentation(ROLLER, wk.HalfWidth(0.1e-3)),
+    "line_yield_onset": wk.LineYieldOnset(STRONG_ROLLER, wk.Coulomb(0.1)),
+    "line_shakedown": wk.LineShakedown(STRONG_ROLLER, wk.Coulomb(0.1)),
+    "mean_pressure": wk.LineIndentation(ROLLER, wk.MeanPressure(500e6)),
+}
+NEWER = {**LINES, **RELAXING, **CONDUCTING, **ROLLING, **HEATING, **WEARING, **ROUGHNESS}

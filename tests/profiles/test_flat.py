@@ -74,7 +74,7 @@ def test_bad_radius(bad):
 def test_a_cylinder_on_its_side_is_refused_kindly():
     with pytest.raises(
         wk.OutsideValidity,
-        match=r"line contact.*not a body of revolution.*infinite.*plane-strain code, "
+        match=r"line contact.*not a body of revolution.*infinite.*LineIndentation with LineFoundation.*"
         r"or CappedCylinder",
     ):
         wk.Cylinder(1e-3)

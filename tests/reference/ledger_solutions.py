@@ -295,6 +295,35 @@ def elliptic_hertz_one_to_three() -> Numbers:
     return [a, b, depth, (frac("0.75") / depth ** frac("1.5")) ** 2, 3 / (2 * mp.pi * a * b), mp.pi * a / k]
 
 
+@of_case
+def line_cylinder() -> Numbers:
+    """a = 2 sqrt(P R/(pi E*)), p0 = 2P/(pi a), P/(2a)."""
+    a = 2 / mp.sqrt(mp.pi)
+    return [a, 2 / (mp.pi * a), 1 / (2 * a)]
+
+
+@of_case
+def line_yield_cylinder() -> Numbers:
+    """McEwen's axis: von Mises' stress over p0 at its maximum, in plane strain, is the strength over p0."""
+
+    def mises(d: Any) -> Any:
+        root = mp.sqrt(1 + d * d)
+        x, z = 2 * d - (1 + 2 * d * d) / root, -1 / root
+        y = frac("0.3") * (x + z)
+        return mp.sqrt(((x - y) ** 2 + (y - z) ** 2 + (z - x) ** 2) / 2)
+
+    depth = mp.findroot(lambda d: mp.diff(mises, d), frac("0.7"))
+    p0 = frac("0.01") / mises(depth)
+    return [mp.pi * p0**2, 2 * p0, 2 * p0 * depth]
+
+
+@of_case
+def line_shakedown_cylinder() -> Numbers:
+    """p0 = 4 k, at half of a half-width below the surface."""
+    p0 = 4 * frac("0.01") / mp.sqrt(3)
+    return [mp.pi * p0**2, 2 * p0, p0]
+
+
 def _oval(bend: str) -> Numbers:
     """F, and the semi-axes, of A x^2 + (1 - A) y^2 at d = 0.01 after Hertz."""
     small = frac(bend)

@@ -141,5 +141,6 @@ class Cylinder(Shape):
         raise OutsideValidity(
             "Cylinder: a cylinder on its side makes a line contact, which is not a body of revolution about the load; "
             "the depth of a line contact on a half-space is infinite (it grows with the logarithm of the body's size), "
-            "so no springs can represent it: use a plane-strain code, or CappedCylinder for a cylinder standing on end."
+            "so no springs can represent it: give LineIndentation with LineFoundation(Paraboloid(R), medium), or "
+            "CappedCylinder for a cylinder standing on end."
         )

@@ -18,7 +18,7 @@ from winkler.numerics.types import Array
 from winkler.profiles.pieces import PowerPieces, Term
 from winkler.values import value
 
-__all__ = ["CappedParaboloid", "RoundedPunch", "TruncatedParaboloid"]
+__all__ = ["CappedParaboloid", "RoundedPunch", "TruncatedParaboloid", "excess"]
 
 
 SERIES_LIMIT = 0.3
@@ -26,7 +26,7 @@ SERIES_LIMIT = 0.3
 SERIES_COEFFICIENTS = tuple(1.0 / (2.0 * k + 1.0) for k in range(17, 1, -1))
 
 
-def _excess(t: Array) -> tuple[Array, Array]:
+def excess(t: Array) -> tuple[Array, Array]:
     """Return t - arctan(t) and t^3/3 + t/2 - (1 + t^2) arctan(t)/2 without cancellation."""
     near = np.asarray(t < SERIES_LIMIT)
     if not near.any():
@@ -92,17 +92,17 @@ class RoundedPunch(PowerPieces):
     def gap(self, x: Array) -> Array:
         """g(x) [m]."""
         t = self._ratio(x)
-        return np.asarray(self.flat_radius / self.edge_radius * x * _excess(t)[0])
+        return np.asarray(self.flat_radius / self.edge_radius * x * excess(t)[0])
 
     def gap_slope(self, x: Array) -> Array:
         """g'(x) [-]."""
         t = self._ratio(x)
-        return np.asarray(self.flat_radius / self.edge_radius * (t + _excess(t)[0]))
+        return np.asarray(self.flat_radius / self.edge_radius * (t + excess(t)[0]))
 
     def gap_integral(self, x: Array) -> Array:
         """The integral of g from 0 to x [m^2]."""
         t = self._ratio(x)
-        return np.asarray(self.flat_radius**3 / self.edge_radius * _excess(t)[1])
+        return np.asarray(self.flat_radius**3 / self.edge_radius * excess(t)[1])
 
     def _ratio(self, x: Array) -> Array:
         return root_difference(np.asarray(x, dtype=float), self.flat_radius) / self.flat_radius

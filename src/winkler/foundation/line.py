@@ -1,0 +1,191 @@
+r"""The bed of a line contact: a two-dimensional profile on two half-planes, per length.
+
+With w(a) of `winkler.profiles.line_transform`,
+
+.. math:: P(a) = E^* w(a) , \qquad p(x) = \frac{E^*}\pi\int_{|x|}^a\frac{w'(c)}{\sqrt{c^2-x^2}}\,\mathrm dc .
+
+A growing contact is a pile of flat punches of half-widths c, each of which adds the load :math:`\mathrm dP = E^* w'
+\mathrm dc` with the pressure :math:`\mathrm dP/(\pi\sqrt{c^2-x^2})`.  So the pressure is that of a body of revolution
+whose equivalent plane profile is w: the transforms of `winkler.numerics.transforms` serve both.  A rim at b bears the
+rest of the load as a flat punch.  Beside the contact the distance of the surfaces opens with the slope
+
+.. math:: h'(x) = \frac2\pi\int_a^x\frac{w'(c)}{\sqrt{x^2-c^2}}\,\mathrm dc .
+"""
+
+from __future__ import annotations
+
+import functools
+from itertools import pairwise
+from typing import Annotated
+
+import numpy as np
+
+from winkler.checks.number_checks import Advice
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.numerics.fields.half_plane import Pile, potential
+from winkler.numerics.panels.chebyshev import fit_panels
+from winkler.numerics.transforms import abel
+from winkler.numerics.types import Array, Curve
+from winkler.profiles.line_transform import line_load, line_load_slope
+from winkler.profiles.power import Paraboloid
+from winkler.profiles.profile import Profile
+from winkler.validity import Note
+from winkler.values import value
+
+__all__ = ["LineFoundation"]
+
+DENSITY_TOLERANCE = 1e-13
+"""Error of w' over its greatest value, where the stresses below are computed from it."""
+
+
+@value
+class LineFoundation:
+    """A cylindrical body under a two-dimensional profile, endless along y, on two elastic half-planes.
+
+    Parameters
+    ----------
+    profile : Profile
+        The gap f(|x|) between the undeformed bodies: `Paraboloid` is a parabolic cylinder, `Cone` a wedge,
+        `FlatPunch` a flat one of half-width `radius`, `RoundedPunch` a flat one with rounded edges.
+    medium : HalfSpace or TransverselyIsotropicHalfSpace
+        Both bodies, homogeneous, in plane strain.
+
+    References
+    ----------
+    J. Jaeger, Arch. Appl. Mech. 65 (1995) 478-487, doi:10.1007/BF00835661
+    """
+
+    profile: Profile
+    medium: Annotated[HomogeneousMedium, Advice("the half-plane of a line contact is known on no other")]
+
+    @property
+    def reach(self) -> float:
+        """Up to where the profile is known [m]."""
+        return self.profile.reach
+
+    @property
+    def rim(self) -> float:
+        """Where the contact is pinned [m]; infinite if nowhere."""
+        return self.profile.rim
+
+    @property
+    def size(self) -> float:
+        """Radius of the body [m]; infinite if unknown."""
+        return self.profile.size
+
+    @property
+    def kinks(self) -> tuple[tuple[float, float], ...]:
+        """``(x, strength)``: just above x, w' holds strength / sqrt(a^2 - x^2)."""
+        return tuple((b, b * jump) for b, jump in self.profile.kinks)
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """What must be stated about the shape."""
+        return self.profile.notes
+
+    @property
+    def flat(self) -> float:
+        """Half-width of the flat middle [m]: the contact opens with it."""
+        end, flat = min(self.reach, self.rim), 0.0
+        for b in (*(b for b, _ in self.profile.kinks if b < end), end):
+            if not np.isfinite(b) or float(self.profile.height(np.array([b]))[0]) != 0.0:
+                break
+            flat = b
+        return flat
+
+    def slope(self, x: Array) -> Array:
+        """f'(x) [-]."""
+        return self.profile.slope(x)
+
+    def load_profile(self, half_width: Array) -> Array:
+        """w(a) [m], the load per length over E*."""
+        return line_load(self.profile, half_width)
+
+    def load_profile_slope(self, half_width: Array) -> Array:
+        """w'(a) [-]."""
+        return line_load_slope(self.profile, half_width)
+
+    def pressure(self, x: Array, half_width: float, rim_load: float) -> Array:
+        """Return the pressure of a contact.
+
+        Parameters
+        ----------
+        x : ndarray
+            Places on the surface [m], on either side.
+        half_width : float
+            a [m].
+        rim_load : float
+            Load per length over E* that a rim at a bears beyond w(a) [m]; zero without a rim.
+
+        Returns
+        -------
+        ndarray
+            p [Pa]; zero outside; infinite at a rim, a kink and a sharp tip.
+        """
+        part = abel.pressure(
+            lambda c: -self.load_profile_slope(c), self._kinks_to(half_width), rim_load, half_width, np.abs(x)
+        )
+        return np.asarray(self.medium.modulus * part)
+
+    def opening(self, x: Array, half_width: float) -> Array:
+        """Return the slope h'(x) [-] of the distance of the surfaces at x > a."""
+        edges = [b for b, _ in self.kinks]
+        inner = abel.surface(self.load_profile_slope, edges, x, half_width)
+        return np.asarray(self.slope(x) - inner)
+
+    def surface_potential(self, x: Array, half_width: float, rim_load: float) -> Array:
+        """Return F(x) [Pa] of `potential` on the surface itself, at x >= 0: its imaginary part is -p."""
+        edges = [b for b, _ in self.kinks]
+        along = 0.5 * abel.surface(self.load_profile_slope, edges, x, half_width)
+        outside = x > half_width
+        along[outside] += rim_load / (np.pi * abel.root_difference(x[outside], half_width))
+        return np.asarray(self.medium.modulus * along - 1j * self.pressure(x, half_width, rim_load))
+
+    def potential(self, x: Array, z: Array, half_width: float, rim_load: float) -> tuple[Array, Array]:
+        """Return the potential F [Pa] of the pressure and F' [Pa/m], below the surface (`numerics.fields.half_plane`).
+
+        Parameters
+        ----------
+        x, z : ndarray, (m,)
+            Places [m], x not negative, z positive.
+        half_width, rim_load : float
+            As of `pressure`.
+        """
+        zeta = x + 1j * z
+        root = np.sqrt(zeta - half_width) * np.sqrt(zeta + half_width)
+        if isinstance(self.profile, Paraboloid):  # McEwen
+            share = half_width / (2.0 * self.profile.curvature_radius)
+            whole = share * half_width / (zeta + root)
+            slope = -whole / root
+        else:
+            whole, slope = potential(_piles(self, half_width), x, z)
+        if rim_load > 0.0:
+            rim = rim_load / (np.pi * root)
+            whole, slope = whole + rim, slope - rim * zeta / root**2
+        return self.medium.modulus * whole, self.medium.modulus * slope
+
+    def _kinks_to(self, half_width: float) -> tuple[tuple[float, float], ...]:
+        return tuple((b, strength) for b, strength in self.kinks if b < half_width)
+
+
+@functools.lru_cache(maxsize=16)
+def _piles(bed: LineFoundation, half_width: float) -> tuple[Pile, ...]:
+    """Return the flat punches of the contact, from kink to kink."""
+    edges = [0.0, *(b for b, _ in bed.kinks if b < half_width), half_width]
+    sample = np.abs(bed.load_profile_slope(half_width * np.linspace(0.02, 1.0, 33)))
+    tolerance = DENSITY_TOLERANCE * float(np.max(sample[np.isfinite(sample)]))
+    return tuple(
+        Pile(low, fit_panels(_density(bed, low, high), np.array([0.0, top]), tolerance))
+        for low, high in pairwise(edges)
+        if (top := float(abel.root_difference(np.array(high), low))) > 0.0
+    )
+
+
+def _density(bed: LineFoundation, low: float, high: float) -> Curve:
+    first = np.nextafter(low, np.inf) if low > 0.0 else 0.0
+
+    def density(y: Array) -> Array:
+        c = np.clip(np.hypot(low, y), first, high)
+        return np.asarray(bed.load_profile_slope(c) * (abel.root_difference(c, low) / c if low > 0.0 else 1.0))
+
+    return density

@@ -1,0 +1,102 @@
+"""Sheets of line contacts: pressure and surfaces of one load, half-width and pressures of many, onset of yield."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from winkler.loading import HalfWidth
+from winkler.plot import style
+from winkler.plot.dispatch import sheet_of
+from winkler.plot.extent import checked_extent
+from winkler.plot.normal.stresses import stress_map
+from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, titled
+from winkler.plot.rough.roughness import models_panel
+from winkler.plot.series import Series, places, scale_of, series, with_unit
+from winkler.problems.line.indentation import LineIndentation, LineSolution
+from winkler.problems.line.shakedown import LineShakedownSolution
+from winkler.problems.line.yielding import LineYieldOnsetSolution
+
+__all__ = ["line_sheet", "line_yield_sheet"]
+
+ACROSS, DOWN = 81, 49
+"""Places of a map of stresses."""
+
+HALF_WIDTHS_DRAWN = 2.0
+CLIPPED = 99.0
+"""Percentile of a pressure that is infinite somewhere, above which it is not drawn."""
+
+
+@sheet_of.register(LineSolution)
+def line_sheet(item: LineSolution, *, extent: float | None = None) -> Sheet:
+    """Return pressure and surfaces of one load; of many loads half-width and pressures over the force per length."""
+    if np.ndim(item.half_width) == 0:
+        a = float(item.half_width)
+        end = checked_extent(extent) or HALF_WIDTHS_DRAWN * a or 1.0
+        title = f"{with_unit(float(item.force_per_length), 'N/m')} on a half-width of {with_unit(a, 'm')}"
+        panels = titled((_pressure_panel(item, end), _surface_panel(item, end)), "pressure", "distance of the surfaces")
+        return Sheet(panels, height=3.1, title=title)
+    force = _flat(item, "force_per_length")
+    pressures = [(_flat(item, "mean_pressure"), "mean")]
+    if np.isfinite(item.peak_pressure).all():
+        pressures.insert(0, (_flat(item, "peak_pressure"), "greatest"))
+    widths = models_panel(force, [(_flat(item, "half_width"), "")])
+    return Sheet(titled((widths, models_panel(force, pressures, label="pressure")), "half-width", "pressure"))
+
+
+@sheet_of.register(LineYieldOnsetSolution)
+@sheet_of.register(LineShakedownSolution)
+def line_yield_sheet(item: LineYieldOnsetSolution | LineShakedownSolution, *, extent: float | None = None) -> Sheet:
+    """Return the von Mises stress below the contact at the onset of yield, or of one passage at the shakedown limit."""
+    a = item.half_width
+    end = checked_extent(extent) or HALF_WIDTHS_DRAWN * a
+    sign = 1.0 if item.z >= 0.0 else -1.0
+    x = np.linspace(-end, end, ACROSS)
+    z = sign * end * np.linspace(0.0, 1.0, DOWN) ** 1.6
+    contact = LineIndentation(item.problem.bed, HalfWidth(a)).solve()
+    found = contact.stresses(x[:, None], z[None, :] + sign * 1e-6 * a, item.problem.friction.coefficient)
+    across, down = np.broadcast_arrays(x[:, None], z[None, :])
+    place = Line(np.array([item.x]), np.array([item.z]), "white", width=0.0, marker="+", size=9.0)
+    panel = stress_map(series("x", across), series("z", down), series("von_mises", found.von_mises), "$x$")
+    limit = "onset of yield" if isinstance(item, LineYieldOnsetSolution) else "shakedown limit"
+    title = f"{limit}: {with_unit(item.force_per_length, 'N/m')} on a half-width of {with_unit(a, 'm')}"
+    return Sheet((panel.plus(place),), width=5.4, height=3.3, title=title)
+
+
+def _flat(item: Any, name: str) -> Series:
+    return series(name, np.ravel(np.asarray(getattr(item, name), dtype=float)), type(item))
+
+
+def _mirrored(x: np.ndarray, content: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    return np.concatenate([-x[::-1], x]), np.concatenate([content[::-1], content])
+
+
+def _across(end: float) -> PanelAxis:
+    return PanelAxis("$x$", scale_of("m", [end]), low=-end, high=end)
+
+
+def _pressure_panel(item: LineSolution, end: float) -> Panel:
+    a = float(item.half_width)
+    marks = (a, *(b for b, _ in item.problem.bed.kinks if b < end)) if a > 0.0 else ()
+    x = places(end, marks, count=241)
+    pressure = item.pressure(x)
+    finite = np.where(np.isfinite(pressure), pressure, np.nan)
+    drawn = series("pressure", finite)
+    infinite = not np.isfinite(item.peak_pressure)
+    most = float(np.nanpercentile(finite, CLIPPED) if infinite else np.nanmax(finite))
+    upright = PanelAxis.of(drawn, scale_of("Pa", [most]), low=0.0, high=1.1 * most if most > 0.0 else None)
+    return Panel((Line(*_mirrored(x, finite), style.RED),), _across(end), upright)
+
+
+def _surface_panel(item: LineSolution, end: float) -> Panel:
+    bed, a = item.problem.bed, float(item.half_width)
+    end = min(end, bed.reach, bed.rim)
+    x = places(end, (a,) if 0.0 < a < end else (), count=121)
+    before = series("separation", np.asarray(bed.profile.height(x), dtype=float))
+    marks = [Line(*_mirrored(x, before.content), style.MUTED, dash=style.DASHES[1], name="before")]
+    if a < bed.rim:
+        marks.append(Line(*_mirrored(x, item.separation(x)), style.BLUE, name="pressed"))
+    most = float(np.max(before.content))
+    upright = PanelAxis.of(before, scale_of("m", [most or 1.0]), low=0.0, high=1.05 * most if most > 0.0 else None)
+    return Panel(tuple(marks), _across(end), upright, legend="upper center")

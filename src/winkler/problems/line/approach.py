@@ -1,0 +1,73 @@
+r"""The approach of two bodies in a line contact, against points that are stated.
+
+The surface of a half-plane sinks without bound under a force per length, so that a line contact has no depth as such.
+Against a point at the depth d on the axis below the middle it sinks by
+
+.. math:: \delta = \frac{1-\nu^2}{E}\Big[2I - \frac{d\,f(d)}{1-\nu}\Big] , \qquad
+          f(z) = \frac{E^*}\pi\int_0^a\frac{w'(c)}{\sqrt{c^2+z^2}}\,\mathrm dc , \qquad I = \int_0^d f\,\mathrm dz ,
+
+the compression of the axis by the stresses of `winkler.problems.line.stress`.  For a cylinder and :math:`d\gg a` it is
+:math:`P(1-\nu^2)/(\pi E)\,[2\ln(2d/a) - \nu/(1-\nu)]`.
+
+References
+----------
+K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 5.6, doi:10.1017/CBO9781139171731
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.line import LineFoundation
+from winkler.materials.elastic import Elastic
+from winkler.media.halfspace import HalfSpace
+from winkler.numerics.transforms import abel
+from winkler.numerics.types import Array
+
+__all__ = ["approach"]
+
+
+def approach(
+    bed: LineFoundation, half_width: float, rim_load: float, first: float | None, second: float | None
+) -> float:
+    """Return how far two points have come together [m], one in each body.
+
+    Parameters
+    ----------
+    bed : LineFoundation
+    half_width, rim_load : float
+        As of `LineFoundation.pressure`.
+    first, second : float or None
+        Depths [m] of the points in the elastic bodies; of a rigid one it does not matter.
+    """
+    medium = bed.medium
+    if not isinstance(medium, HalfSpace):
+        raise OutsideValidity("The approach of a line contact is known on isotropic bodies only: give a HalfSpace.")
+    total = 0.0
+    for body, depth, name in ((medium.first, first, "first"), (medium.second, second, "second")):
+        if not isinstance(body, Elastic):
+            continue
+        if depth is None or not 0.0 < depth < np.inf:
+            raise InvalidInput(
+                "A line contact has no depth of its own, because the surface of a half-plane sinks without bound: give "
+                f"the depth below the {name} body's surface, positive and finite, against which it is counted."
+            )
+        total += _compression(bed, half_width, rim_load, body, depth) if half_width > 0.0 else 0.0
+    return total
+
+
+def _compression(bed: LineFoundation, half_width: float, rim_load: float, body: Elastic, depth: float) -> float:
+    edges = [b for b, _ in bed.kinks]
+    end = np.array(half_width)
+
+    def lengthening(c: Array) -> Array:
+        return bed.load_profile_slope(c) * np.arcsinh(depth / np.where(c > 0.0, c, half_width))
+
+    def pressing(c: Array) -> Array:
+        return bed.load_profile_slope(c) * depth / np.hypot(c, depth)
+
+    whole = float(abel.integral(lengthening, edges, end)) + rim_load * np.arcsinh(depth / half_width)
+    last = float(abel.integral(pressing, edges, end)) + rim_load * depth / np.hypot(half_width, depth)
+    factor = bed.medium.modulus * (1.0 - body.poisson**2) / (np.pi * body.young)
+    return float(factor * (2.0 * whole - last / (1.0 - body.poisson)))

@@ -1,0 +1,104 @@
+"""The half-width of a line contact at which a stress below it reaches a given strength."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.line import LineFoundation
+from winkler.media.halfspace import HalfSpace
+from winkler.numerics.equations.roots import between, rough_root
+from winkler.numerics.types import Array
+from winkler.problems.line.half_width import refuse_unless_strips
+from winkler.problems.line.stress import LineContact, LineFields, Placed, greatest
+from winkler.problems.normal.strong_parts import strong_parts
+from winkler.profiles.power import Paraboloid
+
+__all__ = ["first_at_strength", "refuse_without_strength"]
+
+MOST_STEPS = 60
+FACTOR = 4.0
+
+Measure = Callable[[LineFields], Array]
+
+
+def refuse_without_strength(bed: LineFoundation, name: str) -> None:
+    """Refuse bodies that are not isotropic, or of which none has a strength."""
+    if not isinstance(bed.medium, HalfSpace):
+        raise InvalidInput(
+            f"{name}: the medium is a {type(bed.medium).__name__}; stresses are compared with a strength in "
+            "homogeneous, isotropic bodies only: give a HalfSpace."
+        )
+    if min(bed.medium.strengths) == math.inf:
+        raise InvalidInput(f"{name}: no body has a strength; give Elastic(young, poisson, strength=...).")
+
+
+def first_at_strength(bed: LineFoundation, friction: float, measure: Measure, name: str) -> tuple[float, Placed]:
+    """Return the half-width [m] at which the first body reaches its strength, and where; z < 0 in the second body.
+
+    Parameters
+    ----------
+    bed : LineFoundation
+    friction : float
+        Traction over pressure [-].
+    measure
+        Takes the fields, returns what is compared with the strength [Pa].
+    name : str
+        Of the problem, for its refusals.
+    """
+    sharp = float(bed.slope(np.zeros(1))[0]) != 0.0 or any(strength > 0.0 for _, strength in bed.kinks)
+    if sharp or (math.isfinite(bed.rim) and bed.flat >= bed.rim):
+        raise OutsideValidity(
+            f"{name}: the stress at a sharp tip, kink or rim is infinite under every load, so that yielding begins at "
+            "the first touch; round it off."
+        )
+    found = []
+    for part in strong_parts(bed.medium):
+        contact = LineContact(bed, 0.0, 0.0, part.solid.poisson, friction)
+        a, place = _half_width(contact, measure, part.solid.strength, name)
+        found.append((a, place if part.first else place._replace(z=-place.z)))
+    first = min(found, key=lambda onset: onset[0])
+    refuse_unless_strips(bed, np.array([first[0]]))
+    return first
+
+
+def _half_width(contact: LineContact, measure: Measure, strength: float, name: str) -> tuple[float, Placed]:
+    bed = contact.bed
+    flat, end = bed.flat, min(bed.reach, bed.rim)
+
+    def peak(beside: float) -> Placed:
+        return greatest(contact._replace(half_width=flat + beside), measure)
+
+    def mean(beside: Array) -> Array:
+        return np.asarray(0.5 * bed.load_profile(flat + beside) / (flat + beside))
+
+    if isinstance(bed.profile, Paraboloid):  # all stresses grow in proportion to a
+        start = bed.profile.curvature_radius * strength / bed.medium.modulus
+        a = start * strength / peak(start).value
+        return a, peak(a)
+    if math.isfinite(end):
+        low = high = 0.01 * (end - flat)
+    else:
+        low = high = rough_root(mean, strength / bed.medium.modulus)
+    for _ in range(MOST_STEPS):
+        if peak(low).value < strength:
+            break
+        low /= FACTOR
+    for _ in range(MOST_STEPS):
+        if peak(high).value >= strength:
+            break
+        if flat + high >= end:
+            raise OutsideValidity(
+                f"{name}: within the reach of the profile ({end:.6g} m) the strength is not reached; give a lower "
+                "strength or a profile that is known farther."
+            )
+        high = min(FACTOR * high, end - flat)
+
+    def excess(logarithm: float) -> float:
+        return math.log(peak(math.exp(logarithm)).value / strength)
+
+    beside = math.exp(between(excess, math.log(low), math.log(high), relative=1e-13))
+    return flat + beside, peak(beside)

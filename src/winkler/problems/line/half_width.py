@@ -1,0 +1,193 @@
+"""How wide a line contact is under a load: the half-width that meets a force per length or a mean pressure.
+
+Where the body is known to let w rise, Newton's method meets all loads at once.  Elsewhere the first half-width that
+bears more than all narrower ones is taken, and its contact is examined: the pressure must not pull, and the surfaces
+must not overlap beside it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.foundation.line import LineFoundation
+from winkler.numerics.equations.roots import bracketed, invert, rough_root
+from winkler.numerics.types import Array
+
+__all__ = ["refuse_unless_strips", "under_force", "under_mean_pressure", "widest_allowed"]
+
+SAMPLES = 513
+PRESSURE_SAMPLES = 129
+WIDTHS_BESIDE = 8.0
+"""How many half-widths beside the contact are examined for overlap."""
+ROUNDING = 1e-9
+
+STEP = 1.0 / 32.0
+MOST_STEPS = 60
+INTERPOLATED = 48
+"""Places between which a search begins."""
+
+Level = Callable[[Array], Array]
+Curve = Callable[[Array], tuple[Array, Array]]
+
+
+def widest_allowed(bed: LineFoundation, half_width: Array) -> None:
+    """Refuse half-widths beyond the profile, and those that do not determine the load."""
+    end = min(bed.reach, bed.rim)
+    beyond = half_width > end
+    if beyond.any():
+        wall = "the rim of the body" if bed.rim <= bed.reach else "the reach of the profile"
+        raise OutsideValidity(
+            f"half-width {half_width[beyond][0]:.6g} m is beyond {wall} ({end:.6g} m); give a smaller one."
+        )
+    flat = bed.flat
+    within = (half_width > 0.0) & (half_width <= flat)
+    if within.any():
+        raise OutsideValidity(
+            f"half-width {half_width[within][0]:.6g} m does not determine the load: the body is flat up to "
+            f"{flat:.6g} m and touches there at once; give a force per length."
+        )
+
+
+def under_force(bed: LineFoundation, load: Array) -> Array:
+    """Return the half-widths [m] under loads per length over E* ``(m,)`` [m], zero without load."""
+    return _met(bed, load, lambda a: (bed.load_profile(a), bed.load_profile_slope(a)), "force per length")
+
+
+def under_mean_pressure(bed: LineFoundation, mean: Array) -> Array:
+    """Return the half-widths [m] at which the mean pressure over E* is given ``(m,)``."""
+    if float(bed.slope(np.zeros(1))[0]) != 0.0:
+        raise InvalidInput(
+            "LineIndentation: the mean pressure under a sharp tip does not begin at zero and does not determine the "
+            "half-width; give LineForce(force_per_length) or HalfWidth(half_width)."
+        )
+
+    def curve(a: Array) -> tuple[Array, Array]:
+        level = 0.5 * bed.load_profile(a) / a
+        return level, 0.5 * bed.load_profile_slope(a) / a - level / a
+
+    return _met(bed, mean, curve, "mean pressure")
+
+
+def _met(bed: LineFoundation, target: Array, curve: Curve, what: str) -> Array:
+    end, half_width = min(bed.reach, bed.rim), np.zeros(target.shape)
+    pressed = target > 0.0
+    if not pressed.any():
+        return half_width
+    most = _at_end(curve, end)
+    pinned = target >= most if bed.rim <= bed.reach else np.zeros(target.shape, dtype=bool)
+    if (pressed & ~pinned & (target > most)).any():
+        raise OutsideValidity(
+            f"The {what} leads beyond the reach of the profile ({end:.6g} m), where nothing is known of it; press with "
+            f"at most {most / float(np.max(target)):.6g} times the greatest one given."
+        )
+    half_width[pinned] = end
+    free = pressed & ~pinned
+    if free.any():
+        wanted, flat = target[free], bed.flat
+        if bed.profile.rising:
+            guesses = _interpolated(bed, lambda a: curve(a)[0], wanted)
+            half_width[free] = invert(curve, wanted, lower=flat, upper=end, guess=guesses)
+        else:
+            half_width[free] = _first(bed, lambda a: curve(a)[0], wanted)
+    return half_width
+
+
+def _at_end(curve: Curve, end: float) -> float:
+    """Return what the profile bears at most; infinite if it has no end, or is vertical there."""
+    if not np.isfinite(end):
+        return np.inf
+    try:
+        with np.errstate(all="ignore"):
+            most = float(curve(np.array([end]))[0][0])
+    except NotConverged:  # vertical there
+        return np.inf
+    return most if np.isfinite(most) else np.inf
+
+
+def _interpolated(bed: LineFoundation, level: Level, target: Array) -> Array:
+    """Return half-widths near to those that meet all targets, by interpolation between powers."""
+    flat, end = bed.flat, min(bed.reach, bed.rim)
+    near = far = _guess(bed, level, float(np.max(target))) - flat
+    for _ in range(MOST_STEPS):
+        if float(level(np.array([flat + near]))[0]) <= np.min(target):
+            break
+        near *= STEP
+    for _ in range(MOST_STEPS):
+        if float(level(np.array([flat + far]))[0]) >= np.max(target):
+            break
+        far = min(far / STEP, 0.5 * (end - flat + far))
+    beside = np.geomspace(near, far, INTERPOLATED)
+    with np.errstate(divide="ignore"):
+        below = np.log(level(flat + beside))
+    found = np.isfinite(below)
+    if not found.any():
+        return np.full(target.shape, flat + far)
+    return np.asarray(flat + np.exp(np.interp(np.log(target), below[found], np.log(beside[found]))))
+
+
+def _guess(bed: LineFoundation, level: Level, target: float) -> float:
+    """Return a half-width of the order of the lengths of body and load, where a search begins."""
+    flat, end = bed.flat, min(bed.reach, bed.rim)
+    if np.isfinite(end):
+        return flat + 0.02 * (end - flat)
+    if flat > 0.0:
+        return 2.0 * flat
+    return 0.02 * bed.size if np.isfinite(bed.size) else rough_root(level, target)
+
+
+def _first(bed: LineFoundation, level: Level, target: Array) -> Array:
+    """Return the first half-widths at which a level is met that may fall again."""
+    most, flat, end = float(np.max(target)), bed.flat, min(bed.reach, bed.rim)
+    top = min(end, _guess(bed, level, most))
+    while top < end and float(np.max(level(np.linspace(flat, top, SAMPLES)[1:]))) < most:
+        top = min(2.0 * top, end)
+    places = np.linspace(flat, top, SAMPLES)[1:]
+    levels = np.append(0.0, level(places))
+    places = np.append(flat, places)
+    after = np.argmax(levels[None, :] >= target[:, None], axis=1)
+    low, high = places[after - 1], places[after]
+    low = np.where(low > 0.0, low, 1e-9 * high)
+    return bracketed(lambda a, index: level(a) - target[index], low, high)
+
+
+def refuse_unless_strips(bed: LineFoundation, half_width: Array) -> None:
+    """Refuse contacts that pull inside or overlap outside.
+
+    Parameters
+    ----------
+    bed : LineFoundation
+    half_width : ndarray, (m,)
+        a [m].
+    """
+    touching = np.unique(half_width[half_width > 0.0])
+    if bed.profile.rising or touching.size == 0 or _grows(bed, WIDTHS_BESIDE * touching[-1]):
+        return
+    for one in touching:
+        _refuse_unless_strip(bed, float(one))
+
+
+def _grows(bed: LineFoundation, end: float) -> bool:
+    """Return whether w never falls up to a place: then no contact pulls or overlaps."""
+    growth = bed.load_profile_slope(np.linspace(0.0, min(bed.reach, bed.rim, end), SAMPLES)[1:-1])
+    return bool(np.min(growth) >= -ROUNDING * np.max(np.abs(growth)))
+
+
+def _refuse_unless_strip(bed: LineFoundation, half_width: float) -> None:
+    inside = half_width * np.linspace(0.0, 1.0, PRESSURE_SAMPLES)[1:-1]
+    pressure = bed.pressure(inside, half_width, 0.0)
+    if np.min(pressure) < -ROUNDING * np.max(np.abs(pressure)):
+        raise OutsideValidity(
+            f"A strip of the half-width {half_width:.6g} m would pull at {inside[np.argmin(pressure)]:.6g} m: the "
+            "contact has parted into several; press harder, or give a smoother profile."
+        )
+    outside = np.linspace(half_width, min(bed.reach, bed.rim, WIDTHS_BESIDE * half_width), SAMPLES)[1:-1]
+    opened = np.cumsum(bed.opening(outside, half_width)) if half_width < outside[0] else np.zeros(1)
+    if np.min(opened) < -ROUNDING * np.max(np.abs(opened)):
+        raise OutsideValidity(
+            f"Beside a strip of the half-width {half_width:.6g} m the surfaces would overlap at "
+            f"{outside[np.argmin(opened)]:.6g} m: they touch in several strips; press harder, or give a smoother "
+            "profile."
+        )

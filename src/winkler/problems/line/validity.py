@@ -1,0 +1,54 @@
+"""Validity notes of a line contact: half-planes, slopes, size of the body, a pinned edge, one strip."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.foundation.line import LineFoundation
+from winkler.problems.normal.validity import large_body_note, steepness_note
+from winkler.validity import Assumption, Note, Standing
+
+__all__ = ["line_notes"]
+
+JAEGER = "J. Jaeger, Arch. Appl. Mech. 65 (1995) 478-487, doi:10.1007/BF00835661"
+
+
+def line_notes(bed: LineFoundation, half_width: float) -> tuple[Note, ...]:
+    """Return the notes of the widest of several line contacts.
+
+    Parameters
+    ----------
+    bed : LineFoundation
+    half_width : float
+        a [m].
+    """
+    response = Note(
+        Assumption.RESPONSE,
+        Standing.EXACT,
+        "Homogeneous, linear elastic half-planes in plane strain, pressed without friction: flat punches of all "
+        "half-widths add up to the solution itself; the ends of a body of finite length are not included.",
+        JAEGER,
+    )
+    if half_width == 0.0:
+        apart = "The bodies do not touch under this load."
+        return (*bed.notes, response, Note(Assumption.EQUILIBRIUM, Standing.EXACT, apart, "the load is zero"))
+    share = np.linspace(0.0, 1.0, 65)[1:]
+    inside = half_width * (share[:-1] if half_width >= bed.rim else share)
+    notes = [*bed.notes, response, steepness_note(float(np.max(np.abs(bed.slope(inside)))))]
+    if math.isfinite(bed.size):
+        notes.append(large_body_note(half_width / bed.size))
+    if half_width >= bed.rim:
+        text = "The contact is pinned at the rim; the pressure is infinite there: a real edge yields or is rounded."
+        notes.append(Note(Assumption.SHAPE, Standing.EXACT, text, "flat punch of Sadowsky"))
+    if not bed.profile.rising:
+        notes.append(
+            Note(
+                Assumption.SINGLE_CONTACT,
+                Standing.EXACT,
+                "That the contact is one strip was checked: no tension inside, no overlap outside.",
+                "a-posteriori check of pressure and separation, at sampled places",
+            )
+        )
+    return tuple(notes)

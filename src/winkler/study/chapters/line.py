@@ -1,0 +1,86 @@
+"""Line contacts: their loads, beds, problems, and formulas."""
+
+from __future__ import annotations
+
+from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
+from winkler.study.chapters.kind import kind
+from winkler.study.chapters.normal import MODULUS, ONSET, STRONG
+
+__all__ = ["LINE"]
+
+ROLLER = {"kind": "line_foundation", "profile": {"kind": "paraboloid"}}
+
+LOAD_PROFILE = Equation(
+    "The two-dimensional profile f(x) becomes the load profile w",
+    r"w(a) = \int_0^a \frac{x\,f'(x)}{\sqrt{a^2-x^2}}\,\mathrm{d}x",
+)
+LOAD = Equation("which is the force per length over E*", r"P = E^*\,w(a)")
+PRESSURE = Equation(
+    "Flat punches of all half-widths c add up to the pressure",
+    r"p(x) = \frac{E^*}{\pi}\int_{|x|}^a \frac{w'(c)}{\sqrt{c^2-x^2}}\,\mathrm{d}c",
+)
+POTENTIAL = Equation(
+    "At ζ = x + iz below the surface their potential is",
+    r"F(\zeta) = \frac{E^*}{\pi}\int_0^a \frac{w'(c)}{\sqrt{\zeta^2-c^2}}\,\mathrm{d}c",
+)
+STRESSES = Equation(
+    "which gives the stresses of a contact that is pressed, and dragged by μ p where it slides",
+    r"\sigma_x = \mathrm{Im}\,F + z\,\mathrm{Re}\,F' - \mu\,(2\,\mathrm{Re}\,F - z\,\mathrm{Im}\,F'), \quad "
+    r"\sigma_z = \mathrm{Im}\,F - z\,\mathrm{Re}\,F' - \mu z\,\mathrm{Im}\,F', \quad "
+    r"\tau_{xz} = -z\,\mathrm{Im}\,F' + \mu\,(\mathrm{Im}\,F + z\,\mathrm{Re}\,F')",
+)
+PLANE_STRAIN = Equation("and along the strip, in plane strain", r"\sigma_y = \nu\,(\sigma_x+\sigma_z)")
+SHAKEDOWN = Equation(
+    "Residual stresses cannot take up the shear in planes along the surface, which limits shakedown (after Melan)",
+    r"\max\left|\tau_{xz}\right| = \frac{\sigma_Y}{\sqrt{3}}",
+)
+
+LINE = Chapter(
+    "line contact",
+    kinds={
+        "line_load": {
+            "line_force": kind("winkler.loading:LineForce", problem="line_indentation", force_per_length="100 N/mm"),
+            "half_width": kind("winkler.loading:HalfWidth", problem="line_indentation", half_width="0.1 mm"),
+            "mean_pressure": kind("winkler.loading:MeanPressure", problem="line_indentation", mean_pressure="500 MPa"),
+        },
+        "line_bed": {
+            "line_foundation": kind(
+                "winkler.foundation.line:LineFoundation",
+                "johnson_1985",
+                problem="line_indentation",
+                profile={"kind": "paraboloid"},
+                medium={"kind": "half_space"},
+            ),
+        },
+    },
+    answers={
+        "line_indentation": answer(
+            "winkler.problems.line.indentation:LineIndentation",
+            "johnson_1985",
+            "jaeger_1995",
+            bed=ROLLER,
+            picture=Caption("line", "The contact", "Pressure and shape; of many loads half-width and pressures."),
+            curves=(("force_per_length", "half_width"), ("force_per_length", "peak_pressure")),
+            pictured=PicturedContact.NONE,
+            formulas=(MODULUS, LOAD_PROFILE, LOAD, PRESSURE),
+        ),
+        "line_yield_onset": answer(
+            "winkler.problems.line.yielding:LineYieldOnset",
+            "johnson_1985",
+            bed={**ROLLER, "medium": {"kind": "half_space", **STRONG}},
+            friction={"kind": "coulomb", "coefficient": 0.1},
+            picture=Caption("line_yield", "Onset of yield", "The von Mises stress where yielding begins."),
+            pictured=PicturedContact.NONE,
+            formulas=(MODULUS, LOAD_PROFILE, LOAD, POTENTIAL, STRESSES, PLANE_STRAIN, ONSET),
+        ),
+        "line_shakedown": answer(
+            "winkler.problems.line.shakedown:LineShakedown",
+            "johnson_1985",
+            bed={**ROLLER, "medium": {"kind": "half_space", **STRONG}},
+            friction={"kind": "coulomb", "coefficient": 0.1},
+            picture=Caption("line_shakedown", "Shakedown limit", "The von Mises stress of one passage at the limit."),
+            pictured=PicturedContact.NONE,
+            formulas=(MODULUS, LOAD_PROFILE, LOAD, POTENTIAL, STRESSES, SHAKEDOWN),
+        ),
+    },
+)
