@@ -22,15 +22,13 @@ from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.line.approach import approach
 from winkler.problems.line.half_width import refuse_unless_strips, under_force, under_mean_pressure, widest_allowed
+from winkler.problems.line.peak_pressure import peak_pressure, rim_load
 from winkler.problems.line.stress import LineContact, LineFields, Placed, greatest, poisson_of, stresses
 from winkler.problems.line.validity import line_notes
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
 __all__ = ["LineIndentation", "LineSolution"]
-
-PRESSURE_SAMPLES = 65
-REFINEMENTS = 9
 
 
 @value
@@ -128,6 +126,8 @@ class LineSolution:
     force_per_length: Quantity
     half_width: Quantity
 
+    per_load: ClassVar[str] = "half_width"
+
     @property
     def mean_pressure(self) -> Quantity:
         """P / (2 a) [Pa]; zero without contact."""
@@ -138,32 +138,8 @@ class LineSolution:
     def peak_pressure(self) -> Quantity:
         """The greatest pressure [Pa]; infinite at a sharp tip, kink or rim, zero without contact."""
         pairs = zip(np.ravel(self.force_per_length), np.ravel(self.half_width), strict=True)
-        return shaped(np.array([self._peak(float(p), float(a)) for p, a in pairs]), np.shape(self.half_width))
-
-    def _peak(self, force: float, a: float) -> float:
-        bed = self.problem.bed
-        if a == 0.0:
-            return 0.0
-        rim_load = self._rim_load(force, a)
-        sharp = float(bed.slope(np.zeros(1))[0]) != 0.0 or any(s > 0.0 and b < a for b, s in bed.kinks)
-        if sharp or rim_load > 0.0:
-            return np.inf
-        low, high = 0.0, 0.5 * np.pi
-        for _ in range(REFINEMENTS):
-            angle = np.linspace(low, high, PRESSURE_SAMPLES)
-            levels = bed.pressure(a * np.sin(angle), a, rim_load)
-            best = int(np.argmax(levels))
-            low, high = angle[max(best - 1, 0)], angle[min(best + 1, PRESSURE_SAMPLES - 1)]
-            if best == 0 or high - low < 1e-9:
-                break
-        return float(levels[best])
-
-    def _rim_load(self, force: float, a: float) -> float:
-        """Return the load per length over E* that a rim bears beyond w(a) [m]."""
-        bed = self.problem.bed
-        if a < bed.rim:
-            return 0.0
-        return max(force / bed.medium.modulus - float(bed.load_profile(np.array([a]))[0]), 0.0)
+        peaks = [peak_pressure(self.problem.bed, float(p), float(a)) for p, a in pairs]
+        return shaped(np.array(peaks), np.shape(self.half_width))
 
     def _single(self, what: str) -> tuple[float, float]:
         if np.ndim(self.half_width) != 0:
@@ -190,7 +166,7 @@ class LineSolution:
         x = np.asarray(x, dtype=float)
         if a == 0.0:
             return np.zeros(x.shape)
-        return self.problem.bed.pressure(x, a, self._rim_load(force, a))
+        return self.problem.bed.pressure(x, a, rim_load(self.problem.bed, force, a))
 
     def separation(self, x: ArrayLike) -> Array:
         """Return the distance of the deformed surfaces under one load [m], zero inside of the contact.
@@ -272,7 +248,9 @@ class LineSolution:
         force, a = self._single("stresses")
         if a == 0.0:
             raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
-        return LineContact(self.problem.bed, a, self._rim_load(force, a), poisson_of(self.problem.bed, below), friction)
+        return LineContact(
+            self.problem.bed, a, rim_load(self.problem.bed, force, a), poisson_of(self.problem.bed, below), friction
+        )
 
     def approach(self, first: float | None = None, second: float | None = None) -> float:
         """Return how far two points on the axis have come together under one load [m], one in each body.
@@ -290,7 +268,7 @@ class LineSolution:
             If the medium is not a `HalfSpace`.
         """
         force, a = self._single("approach")
-        return approach(self.problem.bed, a, self._rim_load(force, a), first, second)
+        return approach(self.problem.bed, a, rim_load(self.problem.bed, force, a), first, second)
 
     def at(self, index: int | tuple[int, ...]) -> LineSolution:
         """Return the solution of one load of an array.

@@ -54,7 +54,7 @@ FRICTION = Chapter(
     "friction and impacts",
     kinds={
         "law": {
-            "coulomb": kind("winkler.laws.friction:Coulomb", coefficient=0.3),
+            "coulomb": kind("winkler.laws.friction:Coulomb", problem="tangential", coefficient=0.3),
             "static_kinetic": kind(
                 "winkler.laws.friction:StaticKinetic",
                 problem="tangential",
