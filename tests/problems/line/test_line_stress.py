@@ -272,3 +272,31 @@ def test_a_line_contact_has_no_depth_without_a_reference():
     with pytest.raises(wk.InvalidInput, match="second body"):
         contact.approach(first=1e-3)
     assert pressed(wk.Paraboloid(10e-3), 0.0).approach(1e-3, 1e-3) == 0.0
+
+
+def test_a_roller_states_where_yielding_begins():
+    onset = wk.LineYieldOnset(wk.LineFoundation(wk.Paraboloid(10e-3), PAIR)).solve()
+    for share, standing, begins in (
+        (0.9, wk.Standing.EXACT, "yielding begins at"),
+        (1.1, wk.Standing.OUTSIDE, "began at"),
+    ):
+        load = wk.LineForce(np.array([0.1, share]) * onset.force_per_length)
+        notes = wk.LineIndentation(onset.problem.bed, load).solve().validity
+        (note,) = [note for note in notes if note.assumption is wk.Assumption.ELASTIC]
+        assert note.standing is standing
+        assert f"{begins} {onset.force_per_length:.4g} N/m" in note.statement
+        assert f"{np.sqrt(share):.3g} " in note.statement
+
+
+def test_what_is_sharp_is_judged_beside_its_tip():
+    wedge = wk.LineFoundation(wk.Cone(1.5), PAIR)
+    (note,) = [n for n in pressed_note(wedge) if n.assumption is wk.Assumption.ELASTIC]
+    assert note.standing is wk.Standing.OUTSIDE
+    assert "infinite at a sharp tip" in note.statement
+    weak = wk.LineIndentation(wk.LineFoundation(wk.FlatPunch(1e-3), PAIR), wk.LineForce(1.0)).solve()
+    (note,) = [n for n in weak.validity if n.assumption is wk.Assumption.ELASTIC]
+    assert note.standing is wk.Standing.APPROXIMATE
+
+
+def pressed_note(bed):
+    return wk.LineIndentation(bed, wk.LineForce(1e7)).solve().validity

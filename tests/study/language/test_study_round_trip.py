@@ -59,6 +59,7 @@ ELSEWHERE = {
     wk.CurrentFields,
     wk.HeatFields,
     wk.NamedMaterial,
+    wk.LineFields,
     wk.LineScan,
     wk.RoughLine,
     wk.Spikes,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 
 import numpy as np
 
@@ -12,8 +11,9 @@ from winkler.foundation.line import LineFoundation
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.equations.roots import between, rough_root
 from winkler.numerics.types import Array
+from winkler.problems.line.greatest_stress import Measure, Placed, greatest
 from winkler.problems.line.half_width import refuse_unless_strips
-from winkler.problems.line.stress import LineContact, LineFields, Placed, greatest
+from winkler.problems.line.stress import LineContact
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.profiles.power import Paraboloid
 
@@ -21,8 +21,6 @@ __all__ = ["first_at_strength", "refuse_without_strength"]
 
 MOST_STEPS = 60
 FACTOR = 4.0
-
-Measure = Callable[[LineFields], Array]
 
 
 def refuse_without_strength(bed: LineFoundation, name: str) -> None:

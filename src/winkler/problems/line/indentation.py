@@ -21,10 +21,13 @@ from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.line.approach import approach
+from winkler.problems.line.greatest_stress import Placed, greatest, von_mises
 from winkler.problems.line.half_width import refuse_unless_strips, under_force, under_mean_pressure, widest_allowed
 from winkler.problems.line.peak_pressure import peak_pressure, rim_load
-from winkler.problems.line.stress import LineContact, LineFields, Placed, greatest, poisson_of, stresses
+from winkler.problems.line.stress import LineContact, LineFields, poisson_of, stresses
 from winkler.problems.line.validity import line_notes
+from winkler.problems.line.yield_statement import line_yield_notes
+from winkler.problems.one_load import single
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -141,13 +144,8 @@ class LineSolution:
         peaks = [peak_pressure(self.problem.bed, float(p), float(a)) for p, a in pairs]
         return shaped(np.array(peaks), np.shape(self.half_width))
 
-    def _single(self, what: str) -> tuple[float, float]:
-        if np.ndim(self.half_width) != 0:
-            raise InvalidInput(
-                f"LineSolution: it holds {np.size(self.half_width)} loads; pick one with solution.at(index) before "
-                f"requesting its {what}."
-            )
-        return float(self.force_per_length), float(self.half_width)
+    def _single(self, requested: str) -> tuple[float, float]:
+        return single(self.force_per_length, requested), float(self.half_width)
 
     def pressure(self, x: ArrayLike) -> Array:
         """Return the pressure under one load [Pa], zero outside of the contact.
@@ -242,7 +240,7 @@ class LineSolution:
             raise OutsideValidity(
                 "The stress below a sharp tip, kink or rim is infinite; round it off, or request places with stresses."
             )
-        return greatest(contact, lambda fields: fields.von_mises)
+        return greatest(contact, von_mises)
 
     def _contact(self, below: bool, friction: float) -> LineContact:
         force, a = self._single("stresses")
@@ -294,6 +292,8 @@ class LineSolution:
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """How far the result can be trusted: assumptions, slopes, size of the body."""
+        """How far the result can be trusted: assumptions, slopes, size of the body, yield."""
         widest = int(np.argmax(self.force_per_length))
-        return line_notes(self.problem.bed, float(np.ravel(self.half_width)[widest]))
+        bed, a = self.problem.bed, float(np.ravel(self.half_width)[widest])
+        on_rim = rim_load(bed, float(np.ravel(self.force_per_length)[widest]), a)
+        return (*line_notes(bed, a), *line_yield_notes(bed, a, on_rim))

@@ -6,7 +6,7 @@ import numpy as np
 
 from winkler.foundation.line import LineFoundation
 
-__all__ = ["peak_pressure", "rim_load"]
+__all__ = ["is_sharp", "peak_pressure", "rim_load"]
 
 PRESSURE_SAMPLES = 65
 REFINEMENTS = 9
@@ -28,6 +28,21 @@ def rim_load(bed: LineFoundation, force: float, half_width: float) -> float:
     return max(force / bed.medium.modulus - float(bed.load_profile(np.array([half_width]))[0]), 0.0)
 
 
+def is_sharp(bed: LineFoundation, half_width: float, rim_load: float) -> bool:
+    """Return whether the pressure is infinite at a sharp tip, a kink or a rim.
+
+    Parameters
+    ----------
+    bed : LineFoundation
+    half_width : float
+        a [m].
+    rim_load : float
+        Load per length over E* that a rim bears [m].
+    """
+    kinked = any(strength > 0.0 and place < half_width for place, strength in bed.kinks)
+    return rim_load > 0.0 or kinked or float(bed.slope(np.zeros(1))[0]) != 0.0
+
+
 def peak_pressure(bed: LineFoundation, force: float, half_width: float) -> float:
     """Return the greatest pressure [Pa]: infinite at a sharp tip, kink or rim, zero without contact.
 
@@ -42,8 +57,7 @@ def peak_pressure(bed: LineFoundation, force: float, half_width: float) -> float
     if half_width == 0.0:
         return 0.0
     on_rim = rim_load(bed, force, half_width)
-    sharp = float(bed.slope(np.zeros(1))[0]) != 0.0 or any(s > 0.0 and b < half_width for b, s in bed.kinks)
-    if sharp or on_rim > 0.0:
+    if is_sharp(bed, half_width, on_rim):
         return np.inf
     low, high = 0.0, 0.5 * np.pi
     for _ in range(REFINEMENTS):

@@ -74,12 +74,8 @@ class LineShakedown:
         OutsideValidity
             If the profile has a sharp tip, kink or rim, or the limit is not met within its reach.
         """
-
-        def along(fields: LineFields) -> Array:
-            return np.asarray(math.sqrt(3.0) * np.abs(fields.xz_stress))
-
         bed = self.bed
-        a, place = first_at_strength(bed, self.friction.coefficient, along, "LineShakedown")
+        a, place = first_at_strength(bed, self.friction.coefficient, _shear_along, "LineShakedown")
         force = bed.medium.modulus * float(bed.load_profile(np.array([a]))[0])
         return LineShakedownSolution(self, force, a, place.x, place.z)
 
@@ -126,3 +122,8 @@ class LineShakedownSolution:
         )
         slid = sliding_note(self.problem.bed.medium, self.problem.friction.coefficient)  # type: ignore[arg-type]
         return (*line_notes(self.problem.bed, self.half_width), slid, note)
+
+
+def _shear_along(fields: LineFields) -> Array:
+    """Return what reaches the tensile strength where the shear in planes along the surface reaches k [Pa]."""
+    return np.asarray(math.sqrt(3.0) * np.abs(fields.xz_stress))

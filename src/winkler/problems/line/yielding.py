@@ -15,6 +15,7 @@ from winkler.laws.friction import Coulomb, Overcome
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.line.at_strength import first_at_strength, refuse_without_strength
+from winkler.problems.line.greatest_stress import von_mises
 from winkler.problems.line.validity import line_notes
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
@@ -65,7 +66,7 @@ class LineYieldOnset:
             If the body yields at the first touch (a sharp tip, kink or rim), or not within the reach of the profile.
         """
         bed = self.bed
-        a, place = first_at_strength(bed, self.friction.coefficient, lambda fields: fields.von_mises, "LineYieldOnset")
+        a, place = first_at_strength(bed, self.friction.coefficient, von_mises, "LineYieldOnset")
         force = bed.medium.modulus * float(bed.load_profile(np.array([a]))[0])
         return LineYieldOnsetSolution(self, force, a, place.x, place.z)
 

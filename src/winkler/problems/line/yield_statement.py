@@ -1,0 +1,99 @@
+"""Does a line contact stay elastic?  What is stated where a body of it has a strength."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.foundation.line import LineFoundation
+from winkler.problems.line.greatest_stress import Placed, greatest, von_mises
+from winkler.problems.line.peak_pressure import is_sharp
+from winkler.problems.line.stress import LineContact, stresses
+from winkler.problems.normal.strong_parts import StrongPart, strong_parts
+from winkler.problems.normal.unknown_yield import MISES
+from winkler.problems.normal.yield_statement import share_of
+from winkler.profiles.power import Paraboloid
+from winkler.validity import Assumption, Note, Standing
+
+__all__ = ["line_yield_notes"]
+
+WIDTH_SHARES = (0.25, 0.5, 0.75, 1.0)
+"""Parts of the half-width that are examined where the profile may fall."""
+AWAY = 0.1
+"""Distance from a sharp place at which its infinite stress is judged, over the half-width."""
+DIRECTIONS = 33
+
+
+def line_yield_notes(bed: LineFoundation, half_width: float, rim_load: float) -> tuple[Note, ...]:
+    """Return whether the body that comes nearest to its strength stays elastic without friction.
+
+    Parameters
+    ----------
+    bed : LineFoundation
+    half_width : float
+        a [m].
+    rim_load : float
+        Load per length over E* that a rim bears [m].
+
+    Returns
+    -------
+    tuple of Note
+        Nothing where the bodies do not touch or none has a strength.
+    """
+    parts = strong_parts(bed.medium)
+    if half_width == 0.0 or not parts:
+        return ()
+    found = [(_stress(bed, half_width, rim_load, part), part) for part in parts]
+    place, part = max(found, key=lambda one: one[0].value / one[1].solid.strength)
+    share = place.value / part.solid.strength
+    if is_sharp(bed, half_width, rim_load):
+        sharp = (
+            "The elastic stress is infinite at a sharp tip, kink or rim, which yields under the smallest load; "
+            f"{AWAY:g} half-widths away from there the greatest von Mises stress is {share_of(share, part)}"
+        )
+        beyond = "" if share < 1.0 else ": the result is not elastic"
+        standing = Standing.APPROXIMATE if share < 1.0 else Standing.OUTSIDE
+        return (Note(Assumption.ELASTIC, standing, f"{sharp}{beyond}.", MISES),)
+    depth = place.z if part.first else -place.z
+    where = f"{share_of(share, part)}, at x = {place.x:.3g} m, z = {depth:.3g} m"
+    cylinder = isinstance(bed.profile, Paraboloid)
+    onset = bed.medium.modulus * float(bed.load_profile(np.array([half_width]))[0]) / share**2
+    if share < 1.0:
+        begins = f"yielding begins at {onset:.4g} N/m; " if cylinder else ""
+        text = f"By von Mises' criterion {begins}the contact stays elastic: its greatest stress is {where}."
+    else:
+        began = f"began at {onset:.4g} N/m" if cylinder else "has begun"
+        text = (
+            f"By von Mises' criterion yielding {began}: the greatest elastic stress is {where}; the result is not "
+            "elastic."
+        )
+    return (Note(Assumption.ELASTIC, Standing.EXACT if share < 1.0 else Standing.OUTSIDE, text, MISES),)
+
+
+def _stress(bed: LineFoundation, half_width: float, rim_load: float, part: StrongPart) -> Placed:
+    contact = LineContact(bed, half_width, rim_load, part.solid.poisson, 0.0)
+    if is_sharp(bed, half_width, rim_load):
+        return _beside_sharp(contact)
+    contacts = [contact]
+    if not bed.profile.rising and half_width < bed.rim:  # a falling profile may be stressed more under less load
+        earlier = (share * half_width for share in WIDTH_SHARES[:-1])
+        contacts += [
+            contact._replace(half_width=width)
+            for width in earlier
+            if width > bed.flat and float(bed.load_profile(np.array([width]))[0]) > 0.0
+        ]
+    return max((greatest(one, von_mises) for one in contacts), key=lambda place: place.value)
+
+
+def _beside_sharp(contact: LineContact) -> Placed:
+    """Return the greatest von Mises stress on half-circles about the sharp places."""
+    bed, a = contact.bed, contact.half_width
+    marks = np.array([0.0, a, *(b for b, _ in bed.kinks if b < a)])
+    angle = np.linspace(0.0, math.pi, DIRECTIONS)
+    x = marks[:, None] + AWAY * a * np.cos(angle)
+    z = np.broadcast_to(AWAY * a * np.sin(angle), x.shape)
+    others = np.min(np.hypot(np.abs(x) - marks[:, None, None], z), axis=0) < 0.5 * AWAY * a
+    level = np.where(others, 0.0, von_mises(stresses(contact, x, z)))
+    i, j = np.unravel_index(int(np.argmax(level)), level.shape)
+    return Placed(float(level[i, j]), float(x[i, j]), float(z[i, j]))
