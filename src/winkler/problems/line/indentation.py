@@ -293,7 +293,11 @@ class LineSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: assumptions, slopes, size of the body, yield."""
+        return self.notes_with(0.0)
+
+    def notes_with(self, friction: float) -> tuple[Note, ...]:
+        """Return how far this contact can be trusted while it slides with a coefficient of friction [-]."""
         widest = int(np.argmax(self.force_per_length))
         bed, a = self.problem.bed, float(np.ravel(self.half_width)[widest])
         on_rim = rim_load(bed, float(np.ravel(self.force_per_length)[widest]), a)
-        return (*line_notes(bed, a), *line_yield_notes(bed, a, on_rim))
+        return (*line_notes(bed, a), *line_yield_notes(bed, a, on_rim, friction))
