@@ -119,6 +119,7 @@ from winkler.problems.friction.tangential import Tangential, TangentialSolution
 from winkler.problems.friction.torsion import Torsion, TorsionSolution
 from winkler.problems.friction.torsion_fields import TwistedFields
 from winkler.problems.heating.fretting import FrettingHeat, FrettingHeatSolution
+from winkler.problems.heating.line_heating import LineFrictionHeating, LineFrictionHeatingSolution
 from winkler.problems.heating.steady import FrictionHeating, FrictionHeatingSolution
 from winkler.problems.heating.transient import TransientHeating, TransientHeatingSolution
 from winkler.problems.impact.adhesive_impact import AdhesiveImpact, AdhesiveImpactSolution
@@ -212,6 +213,7 @@ __all__ = [
     "JouleHeating", "JouleHeatingSolution",
     "Kalker", "KelvinVoigt",
     "Layer", "LimitingProfile", "LimitingSolution", "LineFields", "LineForce", "LineFoundation",
+    "LineFrictionHeating", "LineFrictionHeatingSolution",
     "LineIndentation",
     "LineScan", "LineShakedown", "LineShakedownSolution", "LineSolution", "LineYieldOnset", "LineYieldOnsetSolution",
     "Maxwell", "MeanPressure", "Measured", "MeasuredBed",

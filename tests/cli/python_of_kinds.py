@@ -232,6 +232,9 @@ LINES = {
     "half_width": wk.LineIndentation(ROLLER, wk.HalfWidth(0.1e-3)),
     "line_yield_onset": wk.LineYieldOnset(STRONG_ROLLER, wk.Coulomb(0.1)),
     "line_shakedown": wk.LineShakedown(STRONG_ROLLER, wk.Coulomb(0.1)),
+    "line_friction_heating": wk.LineFrictionHeating(
+        ROLLER, wk.Coulomb(0.05), wk.LineForce(400e3), WARM_PAIR, first_speed=6.0, second_speed=4.0
+    ),
     "mean_pressure": wk.LineIndentation(ROLLER, wk.MeanPressure(500e6)),
 }
 NEWER = {**LINES, **RELAXING, **CONDUCTING, **ROLLING, **HEATING, **WEARING, **ROUGHNESS}

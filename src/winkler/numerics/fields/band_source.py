@@ -69,7 +69,7 @@ class BandSource:
     half_width : float
         a [m].
     joints : tuple of float
-        Angles between 0 and pi/2 at which the flux is not smooth.
+        Angles from 0 to below pi/2 at which the flux is not smooth.
     flux : Curve
         The flux times a cos(angle) [W/m], at angles of which the sine is x/a; the same on both sides.
     """

@@ -45,7 +45,7 @@ def band_source(bed: LineFoundation, force: float, half_width: float) -> BandSou
         return np.asarray(on_rim + half_width * np.cos(angle) * smooth / force)
 
     if is_sharp(bed, half_width, 0.0):
-        return BandSource(half_width, kinks, flux)
+        return BandSource(half_width, (0.0, *kinks), flux)
     table = fit_panels(flux, np.array([0.0, *kinks, 0.5 * math.pi]), TABLE_TOLERANCE)
     return BandSource(half_width, kinks, table)
 

@@ -34,6 +34,7 @@ from winkler.problems.heating.line_sharing import fast_strip_temperature, shared
 from winkler.problems.heating.one_result import contact_at, one_problem, one_result
 from winkler.problems.heating.validity import moving_notes
 from winkler.problems.line.indentation import LineIndentation, LineSolution
+from winkler.problems.line.statement import line_contact_notes
 from winkler.problems.one_load import single
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
@@ -256,9 +257,9 @@ class LineFrictionHeatingSolution:
         peclets = (np.asarray(self.first_peclet), np.asarray(self.second_peclet))
         greatest = (np.asarray(self.first_max_temperature), np.asarray(self.second_max_temperature))
         means = (np.asarray(self.first_mean_temperature), np.asarray(self.second_mean_temperature))
-        medium, friction = self.problem.bed.medium, self.problem.law.coefficient
+        bed, contact, friction = self.problem.bed, self.contact, self.problem.law.coefficient
         return (
-            *self.contact.notes_with(friction),
-            sliding_note(medium, friction),  # type: ignore[arg-type]
+            *line_contact_notes(bed, contact.force_per_length, contact.half_width, friction),
+            sliding_note(bed.medium, friction),  # type: ignore[arg-type]
             *moving_notes(peclets, greatest, means, self.problem.partition),
         )

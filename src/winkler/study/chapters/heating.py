@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from winkler.study.chapters.answer import Caption, Chapter, Equation, answer, followed_by
+from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
 from winkler.study.chapters.friction import tangential_formulas
 from winkler.study.chapters.kind import kind
-from winkler.study.chapters.normal import normal_formulas
+from winkler.study.chapters.line import LOAD, LOAD_PROFILE, PRESSURE, ROLLER
+from winkler.study.chapters.normal import MODULUS, normal_formulas
 
 __all__ = ["HEATING"]
 
@@ -51,6 +52,12 @@ COMMON_SURFACE = Equation(
     r"T(r) = \frac{1}{\pi(\lambda_1+\lambda_2)}\int_0^r \frac{q_1(x)}{\sqrt{r^2-x^2}}\,\mathrm{d}x, \quad "
     r"q_1(x) = 2\int_x^a \frac{q(r)\,r}{\sqrt{r^2-x^2}}\,\mathrm{d}r",
 )
+BAND = Equation(
+    "Under an endless band each body warms up by the sum of line sources (Jaeger), with Bessel's function K₀",
+    r"T(x) = \frac{1}{\pi\lambda}\int_{-a}^a \mu\,p(s)\,v\,\mathrm{e}^{z}\,K_0(|z|)\,\mathrm{d}s, \quad "
+    r"z = \frac{V}{2\kappa}\,(x-s)",
+)
+BAND_FLUX = Equation("Friction turns into heat where the bodies press", r"q(x) = \mu\,p(x)\,v, \quad Q = \mu\,P\,v")
 
 
 def fretting_formulas(problem: Any) -> tuple[Equation, ...]:
@@ -81,6 +88,24 @@ HEATING = Chapter(
                 "temperature over the speed; or, of many loads and speeds at once, over what was varied.",
             ),
             formulas=followed_by(normal_formulas, FLUX, AT_REST, MOVING, MOVING_KERNEL, SHARE),
+        ),
+        "line_friction_heating": answer(
+            "winkler.problems.heating.line_heating:LineFrictionHeating",
+            "johnson_1985",
+            bed=ROLLER,
+            law={"kind": "coulomb", "coefficient": 0.05},
+            load={"kind": "line_force", "force_per_length": "400 N/mm"},
+            conductors=STEELS,
+            first_speed="6 m/s",
+            second_speed="4 m/s",
+            picture=Caption(
+                "heating",
+                "Temperatures of the bodies",
+                "Both surfaces across the strip, and the flash temperature over the speed; of many loads or speeds, "
+                "temperatures and shares over what was varied.",
+            ),
+            pictured=PicturedContact.NONE,
+            formulas=(MODULUS, LOAD_PROFILE, LOAD, PRESSURE, BAND_FLUX, BAND, SHARE),
         ),
         "transient_heating": answer(
             "winkler.problems.heating.transient:TransientHeating",
