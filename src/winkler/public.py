@@ -118,6 +118,7 @@ from winkler.problems.friction.spring_march import SpringMarch, SpringTrace
 from winkler.problems.friction.tangential import Tangential, TangentialSolution
 from winkler.problems.friction.torsion import Torsion, TorsionSolution
 from winkler.problems.friction.torsion_fields import TwistedFields
+from winkler.problems.heating.elliptic_heating import EllipticFrictionHeating, EllipticFrictionHeatingSolution
 from winkler.problems.heating.fretting import FrettingHeat, FrettingHeatSolution
 from winkler.problems.heating.line_heating import LineFrictionHeating, LineFrictionHeatingSolution
 from winkler.problems.heating.steady import FrictionHeating, FrictionHeatingSolution
@@ -202,7 +203,8 @@ __all__ = [
     "CreepFit", "CreepTest", "Creepage", "CubeCorner", "Current", "CurrentFields", "CurvedBodies", "Cylinder",
     "Depth", "DepthGradedHalfSpace", "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData",
     "Elastic", "ElasticPlasticParticle", "ElastomerFriction", "ElastomerFrictionSolution", "ElectricalConductor",
-    "ElectricalConductors", "Ellipsoid", "EllipticFoundation", "EllipticIndentation", "EllipticSolution",
+    "ElectricalConductors", "Ellipsoid", "EllipticFoundation", "EllipticFrictionHeating",
+    "EllipticFrictionHeatingSolution", "EllipticIndentation", "EllipticSolution",
     "EqualMaximum", "EqualMean", "Equilibrium", "EquilibriumCurve", "ExponentialGrading",
     "Fit", "FitState", "FixedShare", "FlatPunch", "Follow", "Force", "ForceCurve", "Formula", "Foundation",
     "FractionalZener", "FrettingHeat", "FrettingHeatSolution", "FrettingSolution", "FrettingWear", "FrictionDamping",

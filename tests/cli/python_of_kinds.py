@@ -232,6 +232,15 @@ LINES = {
     "half_width": wk.LineIndentation(ROLLER, wk.HalfWidth(0.1e-3)),
     "line_yield_onset": wk.LineYieldOnset(STRONG_ROLLER, wk.Coulomb(0.1)),
     "line_shakedown": wk.LineShakedown(STRONG_ROLLER, wk.Coulomb(0.1)),
+    "elliptic_friction_heating": wk.EllipticFrictionHeating(
+        wk.CurvedBodies(20e-3, 10e-3),
+        STEEL_BODY,
+        wk.Coulomb(0.1),
+        wk.Force(200.0),
+        WARM_PAIR,
+        first_speed=2.0,
+        first_direction=np.radians(30.0),
+    ),
     "line_friction_heating": wk.LineFrictionHeating(
         ROLLER, wk.Coulomb(0.05), wk.LineForce(400e3), WARM_PAIR, first_speed=6.0, second_speed=4.0
     ),

@@ -10,7 +10,7 @@ from winkler.plot.fitting import fits as elastic_fits  # noqa: F401
 from winkler.plot.fitting import unloading  # noqa: F401
 from winkler.plot.friction import damping  # noqa: F401
 from winkler.plot.friction import sheets as friction_sheets  # noqa: F401
-from winkler.plot.heating import heating, strips  # noqa: F401
+from winkler.plot.heating import ellipses, heating, strips  # noqa: F401
 from winkler.plot.impact import impact  # noqa: F401
 from winkler.plot.line import contact  # noqa: F401
 from winkler.plot.particles import elastic_plastic  # noqa: F401

@@ -15,7 +15,7 @@ from winkler.problems.heating.heated_ellipse import half_length
 
 __all__ = ["estimated_ellipse", "shared_ellipse_temperatures"]
 
-FAST_HEIGHT = 1.2346198227353
+FAST_HEIGHT = 1.2346198309610955
 """Greatest integral of sqrt(1 - s^2)/sqrt(pi (t - s)) from -1 to t, at t = 0.652: Hertz' flux in fast motion."""
 Bodies = tuple[ThermalConductor, ThermalConductor]
 Pair = tuple[float, float]

@@ -8,7 +8,7 @@ from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedCo
 from winkler.study.chapters.friction import tangential_formulas
 from winkler.study.chapters.kind import kind
 from winkler.study.chapters.line import LOAD, LOAD_PROFILE, PRESSURE, ROLLER
-from winkler.study.chapters.normal import MODULUS, normal_formulas
+from winkler.study.chapters.normal import ELLIPSE, MODULUS, normal_formulas
 
 __all__ = ["HEATING"]
 
@@ -58,6 +58,20 @@ BAND = Equation(
     r"z = \frac{V}{2\kappa}\,(x-s)",
 )
 BAND_FLUX = Equation("Friction turns into heat where the bodies press", r"q(x) = \mu\,p(x)\,v, \quad Q = \mu\,P\,v")
+ELLIPTIC_FLUX = Equation(
+    "Friction turns into heat where the bodies press; in the direction θ the flux of Hertz' ellipse has the line load",
+    r"Q = \mu\,F_N\,v, \quad q_1(s) = \frac{3Q}{4h}\left(1-\frac{s^2}{h^2}\right), \quad "
+    r"h = \sqrt{a^2\cos^2\theta+b^2\sin^2\theta}",
+)
+ELLIPTIC_MOVING = Equation(
+    "On a body that moves at the speed V and the angle ψ to x temperature is the sum over all directions",
+    r"T(x,y) = \frac{3Q}{4\pi\lambda}\int_{\psi-\pi/2}^{\psi+\pi/2} \frac{1}{h^3}\int_s^h "
+    r"t\,E\left(\frac{b}{2}(t-s)\right)\,\mathrm{d}t\,\mathrm{d}\theta",
+)
+ELLIPTIC_KERNEL = Equation(
+    "with the rate and the kernel",
+    r"b = \frac{V}{\kappa}\,\cos(\theta-\psi), \quad s = x\,\cos\theta+y\,\sin\theta, \quad E(z) = e^{-z}\,I_0(z)",
+)
 
 
 def fretting_formulas(problem: Any) -> tuple[Equation, ...]:
@@ -106,6 +120,23 @@ HEATING = Chapter(
             ),
             pictured=PicturedContact.NONE,
             formulas=(MODULUS, LOAD_PROFILE, LOAD, PRESSURE, BAND_FLUX, BAND, SHARE),
+        ),
+        "elliptic_friction_heating": answer(
+            "winkler.problems.heating.elliptic_heating:EllipticFrictionHeating",
+            "johnson_1985",
+            law={"kind": "coulomb", "coefficient": 0.1},
+            load={"kind": "force", "force": "200 N"},
+            conductors=STEELS,
+            first_speed="2 m/s",
+            first_direction="30 deg",
+            picture=Caption(
+                "heating",
+                "Temperatures of the bodies",
+                "The surface of the body with the higher Peclet number, both surfaces along its motion, and the flash "
+                "temperature over the speed; of many loads or speeds, temperatures and shares over what was varied.",
+            ),
+            pictured=PicturedContact.NONE,
+            formulas=(ELLIPSE, ELLIPTIC_FLUX, ELLIPTIC_MOVING, ELLIPTIC_KERNEL, SHARE),
         ),
         "transient_heating": answer(
             "winkler.problems.heating.transient:TransientHeating",
