@@ -2,9 +2,9 @@ r"""
 An ellipse that slides along its short or its long axis
 =======================================================
 
-A crowned roller, a wheel on a rail, the ball of a bearing in its groove: the contact is an ellipse, and how warm it gets
-depends on the direction in which it slides. Slid along the short axis the surface is under the heat for a short time
-only, and stays cooler than slid along the long one.
+A crowned roller, a wheel on a rail, the ball of a bearing in its groove: the contact is an ellipse, and how warm it
+gets depends on the direction in which it slides. Slid along the short axis the surface is under the heat for a short
+time only, and stays cooler than slid along the long one.
 """
 
 import matplotlib.pyplot as plt
@@ -51,7 +51,7 @@ flash = [slid(np.radians(each)).flash_temperature for each in degrees]
 rested = [slid(np.radians(each), 0.01).flash_temperature * 500.0 for each in degrees]
 equal = wk.Foundation(wk.Paraboloid(crowned.equivalent_radius), medium)
 round_flash = wk.FrictionHeating(equal, law, load, pair, first_speed=5.0).solve().flash_temperature
-print(f"along the short axis {flash[0]:.0f} K, along the long one {flash[-1]:.0f} K, the round contact {round_flash:.0f} K")
+print(f"short axis {flash[0]:.0f} K, long axis {flash[-1]:.0f} K, round contact {round_flash:.0f} K")
 assert flash[0] < round_flash < flash[-1]
 assert np.ptp(rested) < 0.01 * rested[0]
 

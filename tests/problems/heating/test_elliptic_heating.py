@@ -150,6 +150,20 @@ def test_a_wheel_that_slides_on_a_rail():
     assert wheel.first.warmest.x == pytest.approx(-0.652 * 5.88e-3, rel=2e-3)
 
 
+def test_a_published_estimate_along_both_axes():
+    """510 K along the short and 1310 K along the long axis where the round equivalent of equal stiffness has 575 K.
+
+    Such a case has radii of curvature 1:40 and Pe = 68 on the round contact, all the heat in a moving body.
+    """
+    bodies, all_in = wk.CurvedBodies(10e-3, 400e-3), {"partition": wk.FixedShare(1.0)}
+    equal = wk.Foundation(wk.Paraboloid(bodies.equivalent_radius), PAIR)
+    pair, load = wk.HeatConductors(STEEL, STEEL), wk.Force(100.0)
+    ball = wk.FrictionHeating(equal, LAW, load, pair, first_speed=4.0, **all_in).solve()
+    for direction, kelvin in ((0.0, 510.0), (np.pi / 2, 1310.0)):
+        slides = slid(bodies, load, 4.0, first_direction=direction, **all_in)
+        assert 575.0 * slides.flash_temperature / ball.flash_temperature == pytest.approx(kelvin, rel=2e-3)
+
+
 def test_the_bodies_share_the_heat():
     both = slid(first=2.0, second=-1.0, conductors=(STEEL, BRASS), first_direction=0.5)
     assert both.first_max_temperature == pytest.approx(both.second_max_temperature, rel=1e-12)
