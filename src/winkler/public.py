@@ -109,6 +109,7 @@ from winkler.problems.conduction.bounds import ConductanceBounds, ConductanceBou
 from winkler.problems.conduction.constriction import Constriction, ConstrictionSolution
 from winkler.problems.conduction.fields import CurrentFields, HeatFields, restore_conduction
 from winkler.problems.conduction.joule_heating import JouleHeating, JouleHeatingSolution
+from winkler.problems.conduction.line_constriction import LineConstriction, LineConstrictionSolution
 from winkler.problems.conduction.spots import SpotCluster, SpotClusterSolution
 from winkler.problems.conduction.thermal_constriction import ThermalConstriction, ThermalConstrictionSolution
 from winkler.problems.friction.bimodal_damping import BimodalDamping, BimodalDampingSolution
@@ -214,7 +215,8 @@ __all__ = [
     "Impact", "ImpactSolution", "Indentation", "IndentationSolution", "InvalidInput",
     "JouleHeating", "JouleHeatingSolution",
     "Kalker", "KelvinVoigt",
-    "Layer", "LimitingProfile", "LimitingSolution", "LineFields", "LineForce", "LineFoundation",
+    "Layer", "LimitingProfile", "LimitingSolution", "LineConstriction", "LineConstrictionSolution",
+    "LineFields", "LineForce", "LineFoundation",
     "LineFrictionHeating", "LineFrictionHeatingSolution",
     "LineIndentation",
     "LineScan", "LineShakedown", "LineShakedownSolution", "LineSolution", "LineYieldOnset", "LineYieldOnsetSolution",

@@ -241,6 +241,7 @@ LINES = {
         first_speed=2.0,
         first_direction=np.radians(30.0),
     ),
+    "line_constriction": wk.LineConstriction(ROLLER, PAIR, wk.LineForce(100e3), first_depth=5e-3, second_depth=5e-3),
     "line_friction_heating": wk.LineFrictionHeating(
         ROLLER, wk.Coulomb(0.05), wk.LineForce(400e3), WARM_PAIR, first_speed=6.0, second_speed=4.0
     ),

@@ -127,3 +127,16 @@ def elliptic_heating_skew() -> Numbers:
     a, b = hertz_axes(frac("100"), frac("20e-3"), frac("5e-3"))
     unit = frac("0.1") * 100 / (45 * a)
     return [unit * elliptic_peak((1.0, float(b / a)), float(a) / 12e-6, np.pi / 6)]
+
+
+# ---------------------------------------------------------------------------------------------------------------------
+# current through a strip
+
+
+@of_case
+def line_constriction_roller() -> Numbers:
+    """rho/pi arsinh(d/a) in each body, and the film over 2 a; a = 0.1 mm."""
+    first, second = (
+        frac(rho) / mp.pi * mp.asinh(frac(depth) / frac("1e-4")) for rho, depth in (("2e-7", "5e-3"), ("3e-7", "8e-3"))
+    )
+    return [first + second + frac("1e-8"), first, frac("1e-8")]

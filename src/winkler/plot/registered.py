@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from winkler.plot import beds, restored, sheets  # noqa: F401
 from winkler.plot.conduction import constriction, fields, spots  # noqa: F401
+from winkler.plot.conduction import line as line_conduction  # noqa: F401
 from winkler.plot.dispatch import sheet_of
 from winkler.plot.drawing import draw
 from winkler.plot.fitting import fits as elastic_fits  # noqa: F401

@@ -126,7 +126,7 @@ class EllipticFrictionHeating(RubbingBodies):
             ) from None
 
     @property
-    def directions(self) -> tuple[float, float]:
+    def _directions(self) -> tuple[float, float]:
         """Angles of both velocities to x [rad]."""
         return self.first_direction, self.second_direction
 
@@ -149,7 +149,7 @@ class EllipticFrictionHeating(RubbingBodies):
         touches = a > 0.0
         lengths = [
             np.where(touches, half_length(np.where(touches, a, 1.0), np.where(touches, b, 1.0), direction), 0.0)
-            for direction in self.directions
+            for direction in self._directions
         ]
         peclets = [
             peclet_numbers("EllipticFrictionHeating", length, [speed], (body,))[0]  # type: ignore[arg-type]
@@ -158,7 +158,7 @@ class EllipticFrictionHeating(RubbingBodies):
         table = np.zeros((5, *shape))
         for place in np.ndindex(shape):
             axes, pair = (float(a[place]), float(b[place])), (float(first[place]), float(second[place]))
-            found = shared_ellipse_temperatures(axes, self._bodies, self.partition, pair, self.directions)
+            found = shared_ellipse_temperatures(axes, self._bodies, self.partition, pair, self._directions)
             table[(slice(None), *place)] = found
         between = self.first_direction - self.second_direction
         sliding = np.hypot(first * math.cos(between) - second, first * math.sin(between))
@@ -232,7 +232,7 @@ class EllipticFrictionHeatingSolution:
         along, across = (np.where(warm, axis, other) for axis, other in zip(axes, unit, strict=True))
         first, second = (np.broadcast_to(peclet, shape) for peclet in peclets)
         found = estimated_ellipse(
-            (along, across), problem._bodies, problem.partition, (first, second), problem.directions
+            (along, across), problem._bodies, problem.partition, (first, second), problem._directions
         )
         return shaped(np.where(warm, found * self.heat_rate, 0.0))
 
@@ -259,7 +259,7 @@ class EllipticFrictionHeatingSolution:
         speed = (problem.first_speed, problem.second_speed)[which]
         axes = float(self.contact.longitudinal_semi_axis), float(self.contact.lateral_semi_axis)
         return HeatedEllipse(
-            problem._bodies[which], float(speed), problem.directions[which], float(share) * heat, *axes
+            problem._bodies[which], float(speed), problem._directions[which], float(share) * heat, *axes
         )
 
     def at(self, index: int | tuple[int, ...]) -> EllipticFrictionHeatingSolution:

@@ -34,6 +34,7 @@ class HeatedEllipse:
 
     __words__ = words(
         direction=(r"\psi", "rad", "angle of the velocity to x"),
+        half_length=("l", "m", "half the length of the contact along the motion"),
         longitudinal_semi_axis=("a", "m", "semi-axis of the contact along x"),
         lateral_semi_axis=("b", "m", "semi-axis of the contact along y"),
     )
