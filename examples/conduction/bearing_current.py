@@ -43,7 +43,9 @@ loads = wk.LineForce(np.geomspace(1e3, 200e3, 7))
 strip = wk.LineConstriction(roller, pair, loads, first_depth=5e-3, second_depth=4e-3).solve()
 for force, width, resistance in zip(loads.force_per_length, strip.half_width, strip.resistance_per_length, strict=True):
     print(f"{force / 1e3:6.1f} N/mm on {2e6 * width:6.1f} um: {resistance / 10e-3 * 1e6:5.1f} uOhm over 10 mm")
-assert np.allclose(strip.first_constriction, 0.22e-6 / np.pi * np.log(2.0 * 5e-3 / strip.half_width), rtol=1e-3)
+assert np.allclose(
+    strip.first_constriction_per_length, 0.22e-6 / np.pi * np.log(2.0 * 5e-3 / strip.half_width), rtol=1e-3
+)
 
 draw(strip)
 plt.show()

@@ -139,4 +139,4 @@ def line_constriction_roller() -> Numbers:
     first, second = (
         frac(rho) / mp.pi * mp.asinh(frac(depth) / frac("1e-4")) for rho, depth in (("2e-7", "5e-3"), ("3e-7", "8e-3"))
     )
-    return [first + second + frac("1e-8"), first, frac("1e-8")]
+    return [first + second + frac("1e-8")]

@@ -31,10 +31,12 @@ def test_line_sources_on_a_strip_of_one_voltage():
 
     for x in (0.0, 0.6 * a):
         drop = (voltage(x, 0.0) - voltage(0.0, 5e-3)) * 0.2e-6 / np.pi
-        assert found.first_constriction == pytest.approx(drop, rel=1e-7)
+        assert found.first_constriction_per_length == pytest.approx(drop, rel=1e-7)
     drop = (voltage(0.0, 0.0) - voltage(0.0, 8e-3)) * 0.3e-6 / np.pi
-    assert found.second_constriction == pytest.approx(drop, rel=1e-7)
-    assert found.resistance_per_length == pytest.approx(found.first_constriction + found.second_constriction)
+    assert found.second_constriction_per_length == pytest.approx(drop, rel=1e-7)
+    assert found.resistance_per_length == pytest.approx(
+        found.first_constriction_per_length + found.second_constriction_per_length
+    )
 
 
 def test_the_parts():
@@ -43,8 +45,10 @@ def test_the_parts():
     assert many.resistance_per_length[0] == np.inf
     a = np.sqrt(4.0 * loads[1:] * 10e-3 / (np.pi * PAIR.modulus))
     np.testing.assert_allclose(many.half_width[1:], a, rtol=1e-12)
-    np.testing.assert_allclose(many.film_resistance[1:], 1e-12 / a, rtol=1e-12)
-    np.testing.assert_allclose(many.first_constriction[1:], 0.2e-6 / np.pi * np.arcsinh(5e-3 / a), rtol=1e-12)
+    np.testing.assert_allclose(many.film_resistance_per_length[1:], 1e-12 / a, rtol=1e-12)
+    np.testing.assert_allclose(
+        many.first_constriction_per_length[1:], 0.2e-6 / np.pi * np.arcsinh(5e-3 / a), rtol=1e-12
+    )
     assert many.at(2) == passed(wk.LineForce(100e3))
 
 

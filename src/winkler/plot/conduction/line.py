@@ -19,9 +19,9 @@ __all__ = ["line_constriction_sheet"]
 POINTS, DECADES_BEYOND = 41, 1.5
 PARTS = (
     ("resistance_per_length", "whole", style.RED, style.DASHES[0]),
-    ("first_constriction", "first body", style.BLUE, style.DASHES[1]),
-    ("second_constriction", "second body", style.GREEN, style.DASHES[2]),
-    ("film_resistance", "film", style.ORANGE, style.DASHES[3]),
+    ("first_constriction_per_length", "first body", style.BLUE, style.DASHES[1]),
+    ("second_constriction_per_length", "second body", style.GREEN, style.DASHES[2]),
+    ("film_resistance_per_length", "film", style.ORANGE, style.DASHES[3]),
 )
 
 
@@ -35,7 +35,7 @@ def line_constriction_sheet(item: LineConstrictionSolution) -> Sheet:
         raise OutsideValidity("draw: the bodies do not touch, so there is nothing to show; press harder.")
     low, high = np.log10(np.min(requested)), np.log10(np.max(requested))
     wide = DECADES_BEYOND if high - low < 1.0 else 0.0
-    force = np.logspace(low - wide, high, POINTS)
+    force = np.logspace(low - wide, high + 0.5 * wide, POINTS)
     curve = dataclasses.replace(item.problem, load=LineForce(force)).solve()
     marks = []
     for name, label, colour, dash in PARTS:
@@ -43,7 +43,8 @@ def line_constriction_sheet(item: LineConstrictionSolution) -> Sheet:
         if np.any(part.content > 0.0):
             marks.append(Line(force, part.content, colour, dash=dash, name=label))
     across = PanelAxis("force per length $P$", middle_scale("N/m", force), log=True)
-    upright = PanelAxis("resistance times length", scale_of("ohm m", np.asarray(curve.resistance_per_length)), low=0.0)
+    most = float(np.max(curve.resistance_per_length))
+    upright = PanelAxis("resistance times length", scale_of("ohm m", [most]), low=0.0, high=1.5 * most)
     single = np.ndim(item.half_width) == 0
     title = f"{with_unit(float(whole[0]), 'ohm m')} at {with_unit(float(requested[0]), 'N/m')}" if single else ""
     dots = points(requested, whole, name="requested", order=5.0)

@@ -136,25 +136,24 @@ class LineConstrictionSolution:
         The contact.
     resistance_per_length : float or ndarray
         R' [ohm m], all parts in series: over the length of the contact it is the resistance; infinite without contact.
-    first_constriction, second_constriction : float or ndarray
+    first_constriction_per_length, second_constriction_per_length : float or ndarray
         What the constriction costs in either body, up to its point [ohm m].
-    film_resistance : float or ndarray
+    film_resistance_per_length : float or ndarray
         Area resistance of the film over the width of the strip [ohm m].
     """
 
     __words__ = words(
-        resistance_per_length=("R'", "ohm m", "resistance times length"),
-        first_constriction=("R'_1", "ohm m", "constriction in the first body, times length"),
-        second_constriction=("R'_2", "ohm m", "constriction in the second body, times length"),
-        film_resistance=("R'_f", "ohm m", "resistance of the film, times length"),
+        first_constriction_per_length=("R'_1", "ohm m", "constriction in the first body, times length"),
+        second_constriction_per_length=("R'_2", "ohm m", "constriction in the second body, times length"),
+        film_resistance_per_length=("R'_f", "ohm m", "resistance of the film, times length"),
     )
 
     problem: LineConstriction
     contact: LineSolution
     resistance_per_length: Quantity
-    first_constriction: Quantity
-    second_constriction: Quantity
-    film_resistance: Quantity
+    first_constriction_per_length: Quantity
+    second_constriction_per_length: Quantity
+    film_resistance_per_length: Quantity
 
     per_load: ClassVar[str] = "resistance_per_length"
 

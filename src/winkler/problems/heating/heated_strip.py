@@ -9,7 +9,7 @@ from winkler.numerics.fields.band_source import BandPeak
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.heating.band_flux import band_sources
 from winkler.problems.line.indentation import LineSolution
-from winkler.values import value, words
+from winkler.values import value
 
 __all__ = ["HeatedStrip"]
 
@@ -29,8 +29,6 @@ class HeatedStrip:
     contact : LineSolution
         Of one load; the flux has the shape of its pressure.
     """
-
-    __words__ = words(heat_per_length=("Q", "W/m", "heat per time and length that flows into the body"))
 
     conductor: ThermalConductor
     speed: float

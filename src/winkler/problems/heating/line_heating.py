@@ -180,7 +180,6 @@ class LineFrictionHeatingSolution:
     __words__ = words(
         first=("1", None, "the first body with its temperature"),
         second=("2", None, "the second body with its temperature"),
-        heat_per_length=("Q", "W/m", "heat per time and length"),
     )
 
     problem: LineFrictionHeating
