@@ -73,9 +73,7 @@ def line_load(profile: Profile, a: Array) -> Array:
             return _of_wave(h, 2.0 * np.pi / length, a)[0]
         case Measured() | Designed():
             return _tables(profile)[0](a)
-    raised = _raised(profile)
-    whole = abel.gap(_raised_slope(profile), _edges(profile), a) if raised is None else raised.gap(a)
-    return _over(whole, a, 0.0)
+    return _integrated(profile, a)
 
 
 def line_load_slope(profile: Profile, a: Array) -> Array:
@@ -135,6 +133,13 @@ def _raised_slope(profile: Profile) -> Curve:
     return slope
 
 
+def _integrated(profile: Profile, a: Array) -> Array:
+    """Return w of a profile without tables."""
+    raised = _raised(profile)
+    whole = abel.gap(_raised_slope(profile), _edges(profile), a) if raised is None else raised.gap(a)
+    return _over(whole, a, 0.0)
+
+
 def _edges(profile: Profile) -> tuple[float, ...]:
     return tuple(b for b, _ in profile.kinks)
 
@@ -152,7 +157,7 @@ def _by_quadrature(profile: Any, a: Array) -> Array:
         return np.asarray(profile.slope(r) + r * profile.curvature(r))
 
     whole = abel.gap_slope(_raised_slope(profile), curvature, jumps, a)
-    return _over(whole - line_load(profile, a), a, float(profile.slope(np.zeros(1))[0]))
+    return _over(whole - _integrated(profile, a), a, float(profile.slope(np.zeros(1))[0]))
 
 
 @functools.lru_cache(maxsize=64)

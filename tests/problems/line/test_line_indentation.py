@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
+from winkler.profiles.designed import Designed
 
 STEEL = wk.Elastic(210e9, 0.3)
 PAIR = wk.HalfSpace.between(STEEL, STEEL)
@@ -258,3 +259,15 @@ def test_a_steel_wheel_presses_as_in_the_boundary_elements_of_contact(shared_dat
     inner = rows[np.abs(rows["x_m"]) < 0.9e-3]
     assert inner.size > 40
     np.testing.assert_allclose(inner["pressure_Pa"], contact.pressure(inner["x_m"]), atol=0.005 * contact.peak_pressure)
+
+
+def test_a_designed_profile():
+    """A slope that rises from 0 to 0.1 in two straight pieces, the second one steeper, joined where they meet."""
+    middle, end = 0.5e-3, 1e-3
+    profile = Designed(np.array([0.0, middle, end]), np.array([[0.0125, 0.0125], [0.0625, 0.0375]]), 1e-12)
+    a = 0.8e-3
+    wanted = load_integral(
+        lambda x: x * mp.mpf("50") if x < middle else mp.mpf("0.025") + (x - mp.mpf("5e-4")) * 150, a, (middle,)
+    )
+    found = pressed(profile, wk.HalfWidth(a))
+    assert found.force_per_length == pytest.approx(MODULUS * wanted, rel=1e-10)
