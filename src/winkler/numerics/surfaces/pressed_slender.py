@@ -4,8 +4,9 @@ On the elements that bear, the displacement closes the gap,
 
 .. math:: S\,p = A\,(d + \vartheta x - h) ,
 
-which is linear in the approach d and the tilt: three fields give the pressures of all of them, and those that belong to
-a stated force or moment.  Elements that would pull are left out, those that overlap are taken in, until none are left.
+which is linear in the approach d and the tilt: a field for each of them gives the pressures, and the approach or tilt
+that belongs to a stated force or moment.  Elements that would pull are left out, those that overlap are taken in, until
+there are none of either.
 """
 
 from __future__ import annotations
@@ -23,9 +24,9 @@ __all__ = ["Pose", "PressedSlender", "press_slender"]
 
 MOST_SETS, MOST_STEPS = 60, 200
 """Sets of elements tried, and steps of conjugate gradients for each of them; some ten and twenty are usual."""
-RESIDUAL = 1e-9
+RESIDUAL = 1e-8
 """Residual of a linear system over its right side."""
-NEGLIGIBLE = 1e-9
+NEGLIGIBLE = 1e-7
 """Tension over the greatest pressure, and overlap over the approach, at which a set counts as the contact."""
 
 
@@ -81,22 +82,22 @@ def press_slender(grid: SlenderGrid, gaps: Array, pose: Pose, start: Array) -> P
         If no set of elements is found.
     """
     areas, x = grid.areas[:, None], grid.middles[:, None]
-    loads = np.stack([-areas * gaps, np.broadcast_to(areas, gaps.shape), np.broadcast_to(areas * x, gaps.shape)])
+    free = math.isnan(pose.tilt)
+    turned = np.zeros(gaps.shape) if free else pose.tilt * x
+    loads = np.stack([areas * (turned - gaps), np.broadcast_to(areas, gaps.shape), areas * x + 0.0 * gaps][: 2 + free])
     bearing, fields = start, np.zeros(loads.shape)
     for _ in range(MOST_SETS):
         fields = _fields(grid, loads, bearing, fields)
         sums = 2.0 * np.sum(fields * areas, axis=(1, 2)), 2.0 * np.sum(fields * areas * x, axis=(1, 2))
-        approach, tilt = _posed(sums, pose)
-        weights = np.array([1.0, approach, tilt])
+        approach, tilt, stiffness = _posed(sums, pose)
+        weights = np.array([1.0, approach, tilt][: 2 + free])
         pressure = np.tensordot(weights, fields, axes=1)
-        overlap = approach + tilt * x - gaps - grid.displaced(pressure[None])[0] / areas
+        depth = approach + tilt * x - gaps
+        overlap = depth - grid.displaced(pressure[None])[0] / areas
         pulls = bearing & (pressure < -NEGLIGIBLE * np.max(pressure))
-        meets = ~bearing & (overlap > NEGLIGIBLE * abs(approach))
+        meets = ~bearing & (overlap > NEGLIGIBLE * np.max(depth))
         if not (np.any(pulls) or np.any(meets)):
             force, moment = (float(one @ weights) for one in sums)
-            stiffness = float(sums[0][1])
-            if math.isnan(pose.tilt):
-                stiffness -= float(sums[0][2] * sums[1][1] / sums[1][2])
             return PressedSlender(np.maximum(pressure, 0.0), approach, tilt, force, moment, stiffness)
         bearing = np.cumprod((bearing & ~pulls) | meets, axis=1).astype(bool)
     raise NotConverged(
@@ -105,17 +106,19 @@ def press_slender(grid: SlenderGrid, gaps: Array, pose: Pose, start: Array) -> P
     )
 
 
-def _posed(sums: tuple[Array, Array], pose: Pose) -> tuple[float, float]:
-    """Return approach and tilt under which force and moment are as stated."""
-    rows, right = [], []
-    for stated, moved, one, total in (
-        (pose.force, pose.approach, np.array([1.0, 0.0]), sums[0]),
-        (pose.moment, pose.tilt, np.array([0.0, 1.0]), sums[1]),
-    ):
-        rows.append(total[1:] if math.isnan(moved) else one)
-        right.append(stated - total[0] if math.isnan(moved) else moved)
-    approach, tilt = np.linalg.solve(np.array(rows), np.array(right))
-    return float(approach), float(tilt)
+def _posed(sums: tuple[Array, Array], pose: Pose) -> tuple[float, float, float]:
+    """Return approach and tilt under which force and moment are as stated, and the stiffness."""
+    forces, moments = sums
+    if not math.isnan(pose.tilt):
+        approach = (pose.force - forces[0]) / forces[1] if math.isnan(pose.approach) else pose.approach
+        return float(approach), pose.tilt, float(forces[1])
+    stiffness = float(forces[1] - forces[2] * moments[1] / moments[2])
+    if math.isnan(pose.approach):
+        right = np.array([pose.force - forces[0], pose.moment - moments[0]])
+        approach, tilt = np.linalg.solve(np.array([forces[1:], moments[1:]]), right)
+        return float(approach), float(tilt), stiffness
+    tilt = (pose.moment - moments[0] - moments[1] * pose.approach) / moments[2]
+    return pose.approach, float(tilt), stiffness
 
 
 def _fields(grid: SlenderGrid, loads: Array, bearing: Array, start: Array) -> Array:
