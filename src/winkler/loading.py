@@ -121,7 +121,7 @@ class Tilt:
         [rad], positive where it presses the end at positive x.
     """
 
-    __words__ = words(tilt=(r"\vartheta", "rad", "tilt of the roller"))
+    __words__ = words(tilt=(r"\theta", "rad", "tilt of the roller"))
 
     tilt: Finite
 

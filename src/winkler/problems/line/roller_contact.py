@@ -1,6 +1,6 @@
 r"""A roller of finite length pressed on a half-space, crowned or sharp, straight or tilted: boundary elements.
 
-.. math:: w(x,y) = z(x) + \frac{y^2}{2R} - \vartheta x - d
+.. math:: w(x,y) = z(x) + \frac{y^2}{2R} - \theta x - d
           + \frac1{\pi E^*}\int\frac{p(x',y')}{\sqrt{(x-x')^2+(y-y')^2}}\,\mathrm dA' , \qquad
           F = \int p\,\mathrm dA , \quad M = \int p\,x\,\mathrm dA ,
 

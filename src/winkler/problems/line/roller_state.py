@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from types import MappingProxyType
+
 from winkler.numerics.types import Array
 from winkler.values import value, words
 
@@ -9,13 +11,11 @@ __all__ = ["ROLLER_WORDS", "RollerState"]
 
 ROLLER_WORDS = words(
     depth=("d", "m", "approach of the bodies in the middle of the roller, since its middle would touch"),
-    tilt=(r"\vartheta", "rad", "tilt of the roller"),
-    moment=("M", "N m", "moment of the pressure about the middle of the roller"),
+    tilt=(r"\theta", "rad", "tilt of the roller"),
     stiffness=("k", "N/m", "incremental stiffness dF/dd at the stated tilt or moment"),
     peak_pressure=("p_0", "Pa", "greatest pressure; infinite at sharp ends that bear"),
-    middle_pressure=("p_m", "Pa", "pressure in the middle of the roller"),
-    edge_factor=("", "", "greatest pressure over that in the middle; infinite at sharp ends that bear"),
-    grid_error=("", "", "greatest relative change of the results from half as many elements"),
+)
+ALONG_WORDS = words(
     x=("x", "m", "places along the roller"),
     y=("y", "m", "places across the roller"),
     pressure_along=("p", "Pa", "greatest pressure across each slice of the roller"),
@@ -57,7 +57,7 @@ class RollerState:
         Of each element [Pa].
     """
 
-    __words__ = ROLLER_WORDS
+    __words__ = MappingProxyType({**ROLLER_WORDS, **ALONG_WORDS})
 
     depth: float
     tilt: float
