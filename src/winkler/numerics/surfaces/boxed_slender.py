@@ -26,11 +26,15 @@ MOST_BOXES = 60
 """Boxes tried around a contact; some five are usual."""
 WELL_FILLED = 0.7
 """Part of a box along and across that a contact fills before the grid is refined."""
-FINEST_SHARE = 0.2
-"""Distance from an end of the contact from which on elements grow, over its half-width."""
+FINEST_SHARE, BEND_SHARE = 0.05, 0.3
+"""Distance from which on elements grow, over the half-width, from an end of the contact and from a bend."""
+APART_SHARE = 0.3
+"""And at most over the distance of the next end or bend."""
 FIRST_WIDTHS = 2.0
 """Half-width of the first box over that of an endless cylinder under the mean force per length."""
 SAMPLES = 2001
+OUTER, INNER, FEWEST_ACROSS = 3, 5, 6
+"""Elements, counted from the edge of a slice, through which its edge is found, and how many that takes."""
 
 
 class Generator(NamedTuple):
@@ -65,14 +69,20 @@ class SlenderContact(NamedTuple):
 
     @property
     def half_width(self) -> Array:
-        """Half-width of each slice: where the square of the pressure, straight through two elements, is zero."""
-        squared, step = self.pressed.pressure**2, self.grid.across
+        """Half-width of each slice: where p^2, straight over y^2 through two inner elements, comes to zero.
+
+        Elements at the very edge bear too much; slices of few elements are taken for semi-ellipses of their force.
+        """
+        squared, y = self.pressed.pressure**2, self.grid.places_across**2
         counts = np.count_nonzero(squared, axis=1)
-        slices = np.arange(counts.size)
-        last, inner = squared[slices, counts - 1], squared[slices, np.maximum(counts - 2, 0)]
-        falls = inner > last
-        beyond = np.where(falls, last / np.where(falls, inner - last, 1.0), 0.5)
-        return np.where(counts > 0, (counts - 0.5 + np.minimum(beyond, 1.0)) * step, 0.0)
+        slices, outer, inner = np.arange(counts.size), np.maximum(counts - OUTER, 0), np.maximum(counts - INNER, 0)
+        fall = squared[slices, inner] - squared[slices, outer]
+        straight = (counts >= FEWEST_ACROSS) & (fall > 0.0)
+        slope = np.where(straight, fall, 1.0) / np.where(straight, y[outer] - y[inner], 1.0)
+        edge = np.sqrt(y[outer] + squared[slices, outer] / slope)
+        axis = np.where(self.on_axis > 0.0, self.on_axis, 1.0)
+        ellipse = 2.0 * self.force_per_length / (math.pi * axis)
+        return np.where(counts > 0, np.where(straight, edge, ellipse), 0.0)
 
     @property
     def force_per_length(self) -> Array:
@@ -149,11 +159,12 @@ def _solved(
 ) -> SlenderContact:
     """Return the contact in the box, begun from one on another grid."""
     rows = max(count // ROWS_SHARE, 4)
-    ends = np.array([box.low, box.high, *generator.marks])
-    ends = ends[(ends >= box.low) & (ends <= box.high)]
-    apart = np.diff(np.unique(ends))
-    finest = FINEST_SHARE * min(box.width, float(np.min(apart[apart > 0.0])))
-    grid = SlenderGrid.of(graded(box.low, box.high, ends, finest, count), box.width / rows, rows)
+    bends = [mark for mark in generator.marks if box.low < mark < box.high]
+    marks = np.array([box.low, *bends, box.high])
+    apart = np.concatenate([[np.inf], np.diff(marks), [np.inf]])
+    shares = np.array([FINEST_SHARE, *(BEND_SHARE for _ in bends), FINEST_SHARE])
+    finest = np.minimum(shares * box.width, APART_SHARE * np.minimum(apart[1:], apart[:-1]))
+    grid = SlenderGrid.of(graded(box.low, box.high, marks, finest, count), box.width / rows, rows)
     x, y = grid.middles, grid.places_across
     drop = generator.drop(x)
     gaps = drop[:, None] + y**2 / (2.0 * generator.radius)

@@ -20,14 +20,16 @@ from winkler.numerics.types import Array
 
 __all__ = ["SlenderGrid", "graded"]
 
+SPREAD = 0.3
+"""Elements that are spread evenly over those that are not."""
 HALVINGS = 60
 """Of the interval in which an end of an element is sought."""
 
 
-def graded(low: float, high: float, marks: Array, finest: float, count: int) -> Array:
+def graded(low: float, high: float, marks: Array, finest: Array, count: int) -> Array:
     """Return the ends of elements from `low` to `high` [m], small beside the marks, of smoothly changing sizes.
 
-    Half of the elements are spread evenly, the others with their sizes in proportion to the distance from a mark.
+    Some of the elements are spread evenly, the others with their sizes in proportion to the distance from a mark.
 
     Parameters
     ----------
@@ -35,8 +37,8 @@ def graded(low: float, high: float, marks: Array, finest: float, count: int) -> 
         Ends [m].
     marks : ndarray
         Places [m] beside which elements are small.
-    finest : float
-        Distance [m] from a mark from which on elements grow.
+    finest : ndarray
+        Distances [m] from the marks from which on elements grow.
     count : int
         Of elements.
     """
@@ -45,11 +47,11 @@ def graded(low: float, high: float, marks: Array, finest: float, count: int) -> 
         return np.asarray(np.sum(np.arcsinh((x[:, None] - marks) / finest), axis=1))
 
     first, last = graded_part(np.array([low, high]))
-    numbers = np.linspace(0.0, 2.0, count + 1)
+    numbers = np.linspace(0.0, 1.0 + SPREAD, count + 1)
     below, above = np.full(count + 1, low), np.full(count + 1, high)
     for _ in range(HALVINGS):
         x = 0.5 * (below + above)
-        beyond = (graded_part(x) - first) / (last - first) + (x - low) / (high - low) > numbers
+        beyond = (graded_part(x) - first) / (last - first) + SPREAD * (x - low) / (high - low) > numbers
         below, above = np.where(beyond, below, x), np.where(beyond, x, above)
     ends = 0.5 * (below + above)
     ends[0], ends[-1] = low, high

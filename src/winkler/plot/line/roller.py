@@ -69,7 +69,7 @@ def _map_panel(item: RollerSolution) -> Panel:
     pressure = series("pressure", np.where(state.pressure > 0.0, state.pressure, np.nan))
     bar = PanelAxis.of(pressure, scale_of("Pa", [limit]), low=0.0, high=limit)
     look: dict[str, Any] = {"extend": "neither" if math.isfinite(state.peak_pressure) else "max", "place": "inset"}
-    image = Map(_edges(state.x), _edges(state.y), pressure.content.T, bar, kind="cells", **look)
+    image = Map(state.edges, _edges(state.y), pressure.content.T, bar, kind="cells", **look)
     y = PanelAxis("across $y$", scale_of("m", state.y))
     return Panel((image,), _length_axis(item), y, grid="")
 

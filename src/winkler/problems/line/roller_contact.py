@@ -110,7 +110,7 @@ class RollerContact:
         if isinstance(self.load, Depth):
             x = np.linspace(-0.5, 0.5, SAMPLES) * self.length
             turned = self.alignment.tilt * x if isinstance(self.alignment, Tilt) else 0.0
-            least = float(np.min(self.ends.drop(x, 0.5 * self.length, self.medium.modulus) - turned))
+            least = float(np.min(self.ends.drop(x, 0.5 * self.length, self.medium.modulus) - turned)) + 0.0
             if np.any(loads <= least):
                 raise InvalidInput(
                     f"RollerContact: at the depth {np.min(loads):.6g} m the bodies do not touch; give more than "
@@ -187,6 +187,7 @@ class RollerContact:
             edge_factor=peak / middle if middle > 0.0 else math.inf,
             area=unit**2 * float(np.sum(2.0 * fine.half_width * np.diff(grid.edges))),
             grid_error=max(changes),
+            edges=unit * grid.edges,
             x=unit * grid.middles,
             y=np.concatenate([-y[::-1], y]),
             pressure_along=modulus * fine.on_axis,

@@ -16,6 +16,7 @@ ROLLER_WORDS = words(
     peak_pressure=("p_0", "Pa", "greatest pressure; infinite at sharp ends that bear"),
 )
 ALONG_WORDS = words(
+    edges=("x", "m", "ends of the elements along the roller"),
     x=("x", "m", "places along the roller"),
     y=("y", "m", "places across the roller"),
     pressure_along=("p", "Pa", "greatest pressure across each slice of the roller"),
@@ -47,6 +48,8 @@ class RollerState:
         Of the contact [m^2].
     grid_error : float
         The greatest relative change of force, depth, middle and greatest pressure from a grid of half as many elements.
+    edges : ndarray, (n + 1,)
+        Ends of the elements along the roller [m].
     x, y : ndarray, (n,) and (m,)
         Middles of the elements along and across the roller [m].
     pressure_along : ndarray, (n,)
@@ -69,6 +72,7 @@ class RollerState:
     edge_factor: float
     area: float
     grid_error: float
+    edges: Array
     x: Array
     y: Array
     pressure_along: Array
