@@ -175,6 +175,7 @@ from winkler.profiles.formula import Formula
 from winkler.profiles.measured import Measured
 from winkler.profiles.power import Paraboloid, PowerLaw
 from winkler.profiles.profile import Shape, Sum
+from winkler.profiles.roller_ends import CrownedEnds, LogarithmicEnds, RoundedEnds, SharpEnds
 from winkler.profiles.rough.line_scan import LineScan
 from winkler.profiles.rough.map_spectrum import spectrum_of
 from winkler.profiles.rough.random_rough import random_topography
@@ -182,7 +183,6 @@ from winkler.profiles.rough.random_surface import RandomTopography
 from winkler.profiles.rough.spectrum import PowerSpectrum, SelfAffine
 from winkler.profiles.rough.spikes import Spikes
 from winkler.profiles.rough.topography import Topography
-from winkler.profiles.roller_ends import CrownedEnds, LogarithmicEnds, RoundedEnds, SharpEnds
 from winkler.profiles.rounded import CappedParaboloid, RoundedPunch, TruncatedParaboloid
 from winkler.profiles.socket import BallInSocket
 from winkler.profiles.sphere import Ellipsoid, Hyperboloid, Sphere
@@ -202,7 +202,8 @@ __all__ = [
     "CalibratedArea", "CappedCylinder", "CappedParaboloid", "Circle", "CoatedHalfSpace", "Comparison",
     "ConductanceBounds", "ConductanceBoundsSolution", "Cone", "Constriction", "ConstrictionSolution", "ContactEllipse",
     "ContactLaw", "ContactLawSolution", "ContactReading", "ContactTrace", "Contacts", "Coulomb", "CreepData",
-    "CreepFit", "CreepTest", "Creepage", "CrownedEnds", "CubeCorner", "Current", "CurrentFields", "CurvedBodies", "Cylinder",
+    "CreepFit", "CreepTest", "Creepage", "CrownedEnds", "CubeCorner", "Current", "CurrentFields", "CurvedBodies",
+    "Cylinder",
     "Depth", "DepthGradedHalfSpace", "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData",
     "Elastic", "ElasticPlasticParticle", "ElastomerFriction", "ElastomerFrictionSolution", "ElectricalConductor",
     "ElectricalConductors", "Ellipsoid", "EllipticFoundation", "EllipticIndentation", "EllipticSolution",
@@ -229,10 +230,12 @@ __all__ = [
     "PullOff", "PullOffSolution",
     "Radius", "Ramp", "RandomTopography", "RateDependentWork", "ReducedBed", "Reduction", "ReductionSolution",
     "RelaxationDamper", "RelaxationDamperSolution", "RelaxationData", "RelaxationTest", "RelaxingInProportion",
-    "Rigid", "Rod", "RollerContact", "RollerSolution", "Rolling", "RollingSolution", "RollingStart", "RollingStartSolution", "RoughContact",
+    "Rigid", "Rod", "RollerContact", "RollerSolution",
+    "Rolling", "RollingSolution", "RollingStart", "RollingStartSolution", "RoughContact",
     "RoughContactSolution", "RoughIndentation", "RoughIndentationSolution", "RoughLine", "RoundedCone", "RoundedEnds",
     "RoundedPunch",
-    "SaturatingWork", "Segment", "SegmentKind", "SelfAffine", "Shape", "SharpEnds", "ShearForce", "ShearedFields", "Shift",
+    "SaturatingWork", "Segment", "SegmentKind", "SelfAffine", "Shape", "SharpEnds", "ShearForce", "ShearedFields",
+    "Shift",
     "ShortRange", "SigmoidalGrading", "SimplifiedRolling", "SimplifiedRollingSolution", "SlidingResistance",
     "SlidingResistanceSolution",
     "SlidingSolution", "SlidingWear", "Sphere", "SpheroConical", "Spikes", "SpotCluster", "SpotClusterSolution",

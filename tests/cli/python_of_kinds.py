@@ -227,8 +227,9 @@ ROLLER = wk.LineFoundation(wk.Paraboloid(10e-3), STEEL_BODY)
 STRONG_ROLLER = wk.LineFoundation(wk.Paraboloid(10e-3), wk.HalfSpace(wk.Elastic(210e9, 0.3, strength=700e6)))
 
 
-def crowned_roller(ends=wk.LogarithmicEnds(1e6), alignment=wk.Tilt(0.5e-3)):
+def crowned_roller(ends=None, alignment=None):
     """Return the roller of the examples."""
+    ends, alignment = ends or wk.LogarithmicEnds(1e6), alignment or wk.Tilt(0.5e-3)
     return wk.RollerContact(10e-3, 10e-3, ends, STEEL_BODY, wk.Force(np.linspace(2e3, 12e3, 6)), alignment, 48)
 
 

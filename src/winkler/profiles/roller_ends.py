@@ -139,9 +139,7 @@ class LogarithmicEnds:
 
     design_force_per_length: Positive
     load_factor: Positive = 1.0
-    crowned_share: Annotated[
-        float, Number("give a number above 0 and up to 1", 0.0, 1.0, excluded=(0.0,))
-    ] = 1.0
+    crowned_share: Annotated[float, Number("give a number above 0 and up to 1", 0.0, 1.0, excluded=(0.0,))] = 1.0
     edge_drop: PositiveOrInfinite = math.inf
 
     def drop(self, x: Array, half_length: float, modulus: float) -> Array:

@@ -18,15 +18,13 @@ LOG = wk.LogarithmicEnds(4e3 / 9.6e-3, load_factor=1.5, crowned_share=0.7)
 
 def bearing(ends, load=None, alignment=None, elements=96, medium=PAIR):
     """Return a roller of a bearing under 4 kN."""
-    return wk.RollerContact(
-        4.2e-3, 9.6e-3, ends, medium, load or wk.Force(4e3), alignment or wk.Tilt(0.0), elements
-    )
+    return wk.RollerContact(4.2e-3, 9.6e-3, ends, medium, load or wk.Force(4e3), alignment or wk.Tilt(0.0), elements)
 
 
 @pytest.mark.parametrize(("crown", "load"), [(5.0, 1e-3), (100.0, 2e-4), (2000.0, 2e-5)])
 def test_a_crown_whose_ends_do_not_touch_is_an_ellipse_of_hertz(crown, load):
     ellipse = wk.EllipticIndentation(wk.CurvedBodies(crown, 1.0), SOFT, wk.Force(load)).solve()
-    found = wk.RollerContact(1.0, 4.0, wk.CrownedEnds(crown), SOFT, wk.Force(load), elements=96).solve()
+    found = wk.RollerContact(1.0, 4.0, wk.CrownedEnds(crown), SOFT, wk.Force(load)).solve()
     assert found.depth == pytest.approx(ellipse.depth, rel=3e-4)
     assert found.peak_pressure == pytest.approx(ellipse.peak_pressure, rel=1e-3)
     assert found.area == pytest.approx(ellipse.area, rel=4e-3)
@@ -56,7 +54,7 @@ def test_a_tilted_crown_is_the_same_ellipse_elsewhere():
 
 @pytest.mark.parametrize("ends", [wk.SharpEnds(), wk.RoundedEnds(0.3e-3), wk.LogarithmicEnds(4e3 / 9.6e-3)])
 def test_the_middle_is_that_of_an_endless_line(ends):
-    found = bearing(ends).solve().last
+    found = bearing(ends, elements=160).solve().last
     middle = found.x.size // 2
     load = wk.LineForce(float(found.force_per_length[middle]))
     line = wk.LineIndentation(wk.LineFoundation(wk.Paraboloid(4.2e-3), PAIR), load).solve()
@@ -68,11 +66,14 @@ def test_lundbergs_crown_presses_evenly_and_has_his_approach():
     for half_width in (0.03, 0.003):
         even = np.pi * half_width**2 / 4.0
         found = wk.RollerContact(1.0, 2.0, wk.LogarithmicEnds(even), SOFT, wk.Force(2.0 * even), elements=128).solve()
-        assert found.depth == pytest.approx(even / np.pi * (2.0 * np.log(4.0 / half_width) + 1.0), rel=0.1 * half_width + 5e-4)
+        assert found.depth == pytest.approx(
+            even / np.pi * (2.0 * np.log(4.0 / half_width) + 1.0), rel=0.1 * half_width + 5e-4
+        )
         inside = np.abs(found.last.x) < 0.9
         assert found.last.force_per_length[inside] == pytest.approx(even, rel=0.02)
         assert 1.05 < found.edge_factor < 1.2
-        np.testing.assert_allclose(found.last.force_per_length, found.last.force_per_length[::-1], rtol=1e-6)
+        turned = found.last.force_per_length[::-1]
+        np.testing.assert_allclose(found.last.force_per_length, turned, rtol=1e-6, atol=1e-6 * even)
 
 
 def love(x, y, dx, dy):

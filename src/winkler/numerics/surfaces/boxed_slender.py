@@ -188,11 +188,7 @@ def _fitted(contact: SlenderContact, box: _Box) -> _Box | None:
     """Return the box one element wider than the contact; None if the contact may go on beyond its own box."""
     first, last, most = _touching(contact)
     edges, n = contact.grid.edges, contact.grid.middles.size
-    if (
-        most == contact.grid.rows
-        or (first == 0 and box.low > -1.0)
-        or (last == n - 1 and box.high < 1.0)
-    ):
+    if most == contact.grid.rows or (first == 0 and box.low > -1.0) or (last == n - 1 and box.high < 1.0):
         return None
     low = -1.0 if first == 0 else float(edges[first - 1])
     high = 1.0 if last == n - 1 else float(edges[last + 2])

@@ -53,7 +53,7 @@ def graded(low: float, high: float, marks: Array, finest: Array, count: int) -> 
         x = 0.5 * (below + above)
         beyond = (graded_part(x) - first) / (last - first) + SPREAD * (x - low) / (high - low) > numbers
         below, above = np.where(beyond, below, x), np.where(beyond, x, above)
-    ends = 0.5 * (below + above)
+    ends = np.asarray(0.5 * (below + above))
     ends[0], ends[-1] = low, high
     return ends
 

@@ -91,7 +91,9 @@ def _along_panel(item: RollerSolution) -> Panel:
         Rule(hertz, colour=style.MUTED, dash=style.DASHES[1], name="endless, even"),
     )
     panel = Panel(marks, _length_axis(item), upright, legend="lower center")
-    return panel if math.isfinite(state.peak_pressure) else panel.plus(note("infinite at the sharp end", "upper centre"))
+    return (
+        panel if math.isfinite(state.peak_pressure) else panel.plus(note("infinite at the sharp end", "upper centre"))
+    )
 
 
 def _loads_panel(item: RollerSolution) -> Panel:

@@ -124,8 +124,8 @@ class RollerContact:
             )
         if isinstance(self.alignment, Moment) and abs(self.alignment.moment) >= 0.5 * self.length * np.min(loads):
             raise InvalidInput(
-                f"RollerContact: the moment {self.alignment.moment:.6g} N m needs the force {np.min(loads):.6g} N beyond "
-                f"the end of the roller; give less than {0.5 * self.length * np.min(loads):.6g} N m."
+                f"RollerContact: the moment {self.alignment.moment:.6g} N m needs the force {np.min(loads):.6g} N "
+                f"beyond the end of the roller; give less than {0.5 * self.length * np.min(loads):.6g} N m."
             )
 
     @property
@@ -270,7 +270,9 @@ ndarray
         """How far the result can be trusted: grid, sharp ends, slopes, yield."""
         stated = self.problem
         peak, middle = float(np.max(self.peak_pressure)), float(np.max(self.middle_pressure))
-        width = 2.0 * stated.radius * middle / stated.medium.modulus  # of Hertz, where the last load is not the greatest
+        width = (
+            2.0 * stated.radius * middle / stated.medium.modulus
+        )  # of Hertz, where the last load is not the greatest
         return roller_notes(
             stated.medium,
             stated.radius,

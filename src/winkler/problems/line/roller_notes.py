@@ -56,14 +56,14 @@ def roller_notes(
             Assumption.HALF_SPACE,
             Standing.APPROXIMATE,
             "The roller is a half-space as well, as if it went on beyond its ends: a free end face beside the contact "
-            "would give way and lessen the pressure within about one half-width of the end.",
+            "would give way and lessen the pressure near the end.",
             JOHNSON,
         ),
         Note(
             Assumption.RESOLUTION,
             standing_of(grid_error, FINE, COARSE),
             f"From half as many elements force, depth and pressures change by up to {100.0 * grid_error:.2g} per cent; "
-            "the error that is left is less than half of it where they converge.",
+            "the error that is left is smaller where they converge.",
             "comparison of two grids",
         ),
         steepness_note(half_width / radius),
@@ -74,8 +74,9 @@ def roller_notes(
             Note(
                 Assumption.SHAPE,
                 Standing.ASYMPTOTIC,
-                "A sharp end of the roller bears: the elastic pressure grows there without bound, like that at the edge "
-                "of a punch, so that no greatest pressure and no edge factor exist; a real edge yields or is rounded.",
+                "A sharp end of the roller bears: the elastic pressure grows there without bound, like that at the "
+                "edge of a punch, so that there is no greatest pressure and no edge factor; a real edge yields or is "
+                "rounded.",
                 JOHNSON,
             )
         )
@@ -97,7 +98,9 @@ def _yield_notes(medium: HomogeneousMedium, radius: float, peak: float, middle: 
     share = shares[worst]
     where = f"{share_of(share, parts[worst])}, {found[worst].z:.3g} m below the surface"
     if sharp:
-        text = f"A sharp end yields under the smallest load; in the middle of the roller the von Mises stress is {where}"
+        text = (
+            f"A sharp end yields under the smallest load; in the middle of the roller the von Mises stress is {where}"
+        )
     else:
         text = (
             "Taken as an endless line contact of the same greatest pressure, the most loaded slice has a von Mises "

@@ -30,14 +30,12 @@ STRESSES = Equation(
     r"\tau_{xz} = -z\,\mathrm{Im}\,F' + \mu\,(\mathrm{Im}\,F + z\,\mathrm{Re}\,F')",
 )
 ROLLER_GAP = Equation(
-    "Pressures and gaps of a roller with the drop z(x) of its ends and the tilt θ are never negative, and one of the two "
-    "is zero on every element",
+    "Pressures and gaps of a roller with the drop z(x) of its ends and the tilt θ are never negative, and one of the "
+    "two is zero on every element",
     r"w = z(x)+\frac{y^2}{2R}-\theta x-d+\frac{1}{\pi E^*}\int\frac{p\,\mathrm{d}A}{\sqrt{(x-x_i)^2+(y-y_i)^2}}, "
     r"\quad p \ge 0, \; w \ge 0, \; p\,w = 0",
 )
-ROLLER_SUMS = Equation(
-    "Force and moment are the sums", r"F_N = \int p\,\mathrm{d}A, \quad M = \int p\,x\,\mathrm{d}A"
-)
+ROLLER_SUMS = Equation("Force and moment are the sums", r"F_N = \int p\,\mathrm{d}A, \quad M = \int p\,x\,\mathrm{d}A")
 ROLLER_CROWN = Equation(
     "A logarithmic crown beyond a straight part of the half-length s drops by (after Lundberg, with the parameters of "
     "Fujiwara and Kawase)",
