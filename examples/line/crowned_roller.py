@@ -2,9 +2,9 @@ r"""
 Which crown avoids the edge
 ===========================
 
-A bearing roller of finite length presses hardest at its ends. If they are sharp the elastic pressure grows there without
-bound; if the roller is tilted a little, the end that it leans on is worse still. A crown takes some micrometres off towards
-the ends. Too weak, and the edge bears on; too strong, and the middle bears all.
+A bearing roller of finite length presses hardest at its ends. If they are sharp the elastic pressure grows there
+without bound; if the roller is tilted a little, the end that it leans on is worse still. A crown takes some
+micrometres off towards the ends. Too weak, and the edge bears on; too strong, and the middle bears all.
 
 The crown of Lundberg is the displacement that an even force per length :math:`P` would cause,
 
@@ -22,7 +22,8 @@ from winkler.plot import draw
 # %%
 # One roller, four ends
 # ---------------------
-# A roller of 5 mm radius and 9.6 mm length on an inner ring of 26 mm radius, under 4 kN: the effective radius is 4.2 mm.
+# A roller of 5 mm radius and 9.6 mm length on an inner ring of 26 mm radius, under 4 kN: the effective radius is
+# 4.2 mm.
 
 RADIUS, LENGTH, LOAD = 4.2e-3, 9.6e-3, 4e3
 steel = wk.Elastic(young=208e9, poisson=0.3, strength=1.8e9)
@@ -57,9 +58,8 @@ plt.show()
 
 ellipse = wk.EllipticIndentation(wk.CurvedBodies(0.5, RADIUS), pair, wk.Force(LOAD)).solve()
 print(f"semi-axis along the roller: {ellipse.longitudinal_semi_axis * 1e3:.2f} mm, half of the length 4.8 mm")
-print(
-    f"greatest pressure {rollers['arc, 0.5 m'].peak_pressure / 1e9:.3f} GPa, Hertz {ellipse.peak_pressure / 1e9:.3f} GPa"
-)
+arc = rollers["arc, 0.5 m"]
+print(f"greatest pressure {arc.peak_pressure / 1e9:.3f} GPa, Hertz {ellipse.peak_pressure / 1e9:.3f} GPa")
 
 # %%
 # Tilted

@@ -18,9 +18,8 @@ from winkler.problems.line.roller_state import RollerState
 __all__ = ["roller_sheet"]
 
 FEWEST_LOADS = 2
-CLIPPED = 97.0
-"""Percentile of the pressures along a roller with sharp ends, somewhat above which they are not drawn."""
-SHARP_ROOM = 1.6
+SHARP_ROOM = 1.8
+"""What is drawn of a pressure that is infinite at a sharp end, over the median along the roller."""
 
 
 @without_extent(RollerSolution)
@@ -55,8 +54,7 @@ def _limit(item: RollerSolution) -> float:
     state = item.last
     if math.isfinite(state.peak_pressure):
         return state.peak_pressure
-    loaded = state.pressure_along[state.pressure_along > 0.0]
-    return SHARP_ROOM * float(np.percentile(loaded, CLIPPED) if state.middle_pressure == 0.0 else state.middle_pressure)
+    return SHARP_ROOM * float(np.median(state.pressure_along[state.pressure_along > 0.0]))
 
 
 def _length_axis(item: RollerSolution) -> PanelAxis:
@@ -99,8 +97,8 @@ def _along_panel(item: RollerSolution) -> Panel:
 def _loads_panel(item: RollerSolution) -> Panel:
     state = item.last
     load = series("force_per_length", state.force_per_length)
-    loaded = state.force_per_length[state.force_per_length > 0.0]
     sharp = not math.isfinite(state.peak_pressure)
-    most = float(np.percentile(loaded, CLIPPED) if sharp else np.max(loaded))
-    upright = PanelAxis.of(load, scale_of("N/m", [most]), low=0.0, high=(1.3 if sharp else 1.1) * most)
+    loaded = state.force_per_length[state.force_per_length > 0.0]
+    most = SHARP_ROOM * float(np.median(loaded)) if sharp else float(np.max(loaded))
+    upright = PanelAxis.of(load, scale_of("N/m", [most]), low=0.0, high=1.1 * most)
     return Panel((Line(state.x, load.content, style.BLUE),), _length_axis(item), upright)
