@@ -62,9 +62,11 @@ from winkler.loading import (
     HalfWidth,
     LineForce,
     MeanPressure,
+    Moment,
     Radius,
     ShearForce,
     Shift,
+    Tilt,
     Torque,
 )
 from winkler.materials.at_temperature import AtTemperature
@@ -124,6 +126,7 @@ from winkler.problems.heating.transient import TransientHeating, TransientHeatin
 from winkler.problems.impact.adhesive_impact import AdhesiveImpact, AdhesiveImpactSolution
 from winkler.problems.impact.impact import Impact, ImpactSolution
 from winkler.problems.line.indentation import LineIndentation, LineSolution
+from winkler.problems.line.roller_contact import RollerContact, RollerSolution
 from winkler.problems.line.shakedown import LineShakedown, LineShakedownSolution
 from winkler.problems.line.stress import LineFields
 from winkler.problems.line.yielding import LineYieldOnset, LineYieldOnsetSolution
@@ -172,6 +175,7 @@ from winkler.profiles.formula import Formula
 from winkler.profiles.measured import Measured
 from winkler.profiles.power import Paraboloid, PowerLaw
 from winkler.profiles.profile import Shape, Sum
+from winkler.profiles.roller_ends import CrownedEnds, LogarithmicEnds, RoundedEnds, SharpEnds
 from winkler.profiles.rough.line_scan import LineScan
 from winkler.profiles.rough.map_spectrum import spectrum_of
 from winkler.profiles.rough.random_rough import random_topography
@@ -198,7 +202,8 @@ __all__ = [
     "CalibratedArea", "CappedCylinder", "CappedParaboloid", "Circle", "CoatedHalfSpace", "Comparison",
     "ConductanceBounds", "ConductanceBoundsSolution", "Cone", "Constriction", "ConstrictionSolution", "ContactEllipse",
     "ContactLaw", "ContactLawSolution", "ContactReading", "ContactTrace", "Contacts", "Coulomb", "CreepData",
-    "CreepFit", "CreepTest", "Creepage", "CubeCorner", "Current", "CurrentFields", "CurvedBodies", "Cylinder",
+    "CreepFit", "CreepTest", "Creepage", "CrownedEnds", "CubeCorner", "Current", "CurrentFields", "CurvedBodies",
+    "Cylinder",
     "Depth", "DepthGradedHalfSpace", "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData",
     "Elastic", "ElasticPlasticParticle", "ElastomerFriction", "ElastomerFrictionSolution", "ElectricalConductor",
     "ElectricalConductors", "Ellipsoid", "EllipticFoundation", "EllipticIndentation", "EllipticSolution",
@@ -214,7 +219,8 @@ __all__ = [
     "Layer", "LimitingProfile", "LimitingSolution", "LineFields", "LineForce", "LineFoundation",
     "LineIndentation",
     "LineScan", "LineShakedown", "LineShakedownSolution", "LineSolution", "LineYieldOnset", "LineYieldOnsetSolution",
-    "Maxwell", "MeanPressure", "Measured", "MeasuredBed",
+    "LogarithmicEnds",
+    "Maxwell", "MeanPressure", "Measured", "MeasuredBed", "Moment",
     "NamedElastic", "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor", "NearlyRoundIndentation",
     "NearlyRoundSolution", "NotConverged", "Note",
     "OliverPharr", "OliverPharrSolution", "Oscillate", "OscillatingRolling", "OscillatingRollingSolution",
@@ -224,9 +230,12 @@ __all__ = [
     "PullOff", "PullOffSolution",
     "Radius", "Ramp", "RandomTopography", "RateDependentWork", "ReducedBed", "Reduction", "ReductionSolution",
     "RelaxationDamper", "RelaxationDamperSolution", "RelaxationData", "RelaxationTest", "RelaxingInProportion",
-    "Rigid", "Rod", "Rolling", "RollingSolution", "RollingStart", "RollingStartSolution", "RoughContact",
-    "RoughContactSolution", "RoughIndentation", "RoughIndentationSolution", "RoughLine", "RoundedCone", "RoundedPunch",
-    "SaturatingWork", "Segment", "SegmentKind", "SelfAffine", "Shape", "ShearForce", "ShearedFields", "Shift",
+    "Rigid", "Rod", "RollerContact", "RollerSolution",
+    "Rolling", "RollingSolution", "RollingStart", "RollingStartSolution", "RoughContact",
+    "RoughContactSolution", "RoughIndentation", "RoughIndentationSolution", "RoughLine", "RoundedCone", "RoundedEnds",
+    "RoundedPunch",
+    "SaturatingWork", "Segment", "SegmentKind", "SelfAffine", "Shape", "SharpEnds", "ShearForce", "ShearedFields",
+    "Shift",
     "ShortRange", "SigmoidalGrading", "SimplifiedRolling", "SimplifiedRollingSolution", "SlidingResistance",
     "SlidingResistanceSolution",
     "SlidingSolution", "SlidingWear", "Sphere", "SpheroConical", "Spikes", "SpotCluster", "SpotClusterSolution",
@@ -234,7 +243,7 @@ __all__ = [
     "SubsurfaceFields", "Sum", "SurfaceConduction", "SurfaceConductionSolution", "SurfaceContact",
     "SurfaceContactSolution", "SurfaceFields", "SurfaceFilm",
     "TabulatedGrading", "Tangential", "TangentialSolution", "ThermalConductor", "ThermalConstriction",
-    "ThermalConstrictionSolution", "ThermalInterface", "Topography", "Torque", "Torsion", "TorsionSolution",
+    "ThermalConstrictionSolution", "ThermalInterface", "Tilt", "Topography", "Torque", "Torsion", "TorsionSolution",
     "TransientHeating", "TransientHeatingSolution", "TransverselyIsotropic", "TransverselyIsotropicHalfSpace",
     "TruncatedCone", "TruncatedParaboloid", "TwistedFields",
     "Uncalibrated",

@@ -225,11 +225,24 @@ ROUGHNESS = {
 
 ROLLER = wk.LineFoundation(wk.Paraboloid(10e-3), STEEL_BODY)
 STRONG_ROLLER = wk.LineFoundation(wk.Paraboloid(10e-3), wk.HalfSpace(wk.Elastic(210e9, 0.3, strength=700e6)))
+
+
+def crowned_roller(ends=None, alignment=None):
+    """Return the roller of the examples."""
+    ends, alignment = ends or wk.LogarithmicEnds(1e6), alignment or wk.Tilt(0.5e-3)
+    return wk.RollerContact(10e-3, 10e-3, ends, STEEL_BODY, wk.Force(np.linspace(2e3, 12e3, 6)), alignment, 48)
+
+
 LINES = {
     **dict.fromkeys(
         ("line_indentation", "line_foundation", "line_force"), wk.LineIndentation(ROLLER, wk.LineForce(100e3))
     ),
     "half_width": wk.LineIndentation(ROLLER, wk.HalfWidth(0.1e-3)),
+    **dict.fromkeys(("roller_contact", "logarithmic_ends", "tilt"), crowned_roller()),
+    "sharp_ends": crowned_roller(ends=wk.SharpEnds()),
+    "crowned_ends": crowned_roller(ends=wk.CrownedEnds(0.5)),
+    "rounded_ends": crowned_roller(ends=wk.RoundedEnds(1e-3)),
+    "moment": crowned_roller(alignment=wk.Moment(2.0)),
     "line_yield_onset": wk.LineYieldOnset(STRONG_ROLLER, wk.Coulomb(0.1)),
     "line_shakedown": wk.LineShakedown(STRONG_ROLLER, wk.Coulomb(0.1)),
     "mean_pressure": wk.LineIndentation(ROLLER, wk.MeanPressure(500e6)),

@@ -276,11 +276,11 @@ def maugis_parameter_unit() -> Numbers:
 # bodies that are not round, E* = 1
 
 
-def ellipse(ratio: mp.mpf) -> tuple[mp.mpf, mp.mpf, mp.mpf]:
+def ellipse(ratio: mp.mpf, within: tuple[str, str] = ("0.2", "0.9")) -> tuple[mp.mpf, mp.mpf, mp.mpf]:
     """m, K and E of Hertz's ellipse for B/A."""
     m = mp.findroot(
         lambda m: (mp.ellipe(m) / (1 - m) - mp.ellipk(m)) / (mp.ellipk(m) - mp.ellipe(m)) - ratio,
-        (frac("0.2"), frac("0.9")),
+        (frac(within[0]), frac(within[1])),
         solver="anderson",
     )
     return m, mp.ellipk(m), mp.ellipe(m)
@@ -300,6 +300,24 @@ def line_cylinder() -> Numbers:
     """a = 2 sqrt(P R/(pi E*)), p0 = 2P/(pi a), P/(2a)."""
     a = 2 / mp.sqrt(mp.pi)
     return [a, 2 / (mp.pi * a), 1 / (2 * a)]
+
+
+@of_case
+def roller_crowned_ellipse() -> Numbers:
+    """As elliptic_hertz_one_to_three, A = 1/200, B = 1/2, 2e-4 N: depth, p0, edge factor 1, moment 0, 3F/(2d), area."""
+    force = frac("0.0002")
+    m, k, e = ellipse(mp.mpf(100), ("0.99", "0.9999"))
+    a = mp.cbrt(3 * force * (k - e) / (2 * mp.pi * m * frac("0.005")))
+    b, depth = a * mp.sqrt(1 - m), 3 * force * k / (2 * mp.pi * a)
+    return [depth, 3 * force / (2 * mp.pi * a * b), mp.mpf(1), 3 * force / (2 * depth), mp.pi * a * b]
+
+
+@of_case
+def roller_lundberg() -> Numbers:
+    """Even P = 1: p0 = sqrt(P/(pi R)), d = P/pi (2 ln(2L/a) + 1), a = 2 sqrt(P R/pi); P = pi a^2/(4 R), a = 0.01."""
+    a = frac("0.01")
+    load = mp.pi * a**2 / 4
+    return [load / mp.pi * (2 * mp.log(4 / a) + 1), mp.sqrt(load / mp.pi)]
 
 
 @of_case
