@@ -14,7 +14,7 @@ from winkler.problems.friction.slip_memory import SlipMemory
 from winkler.problems.line.half_width import under_force
 from winkler.problems.line.peak_pressure import rim_load
 from winkler.problems.line.stress import LineContact, LineFields, poisson_of, stresses
-from winkler.problems.line.strips import Strip, slipped, strips_of, traction
+from winkler.problems.line_friction.strips import Strip, slipped, strips_of, traction
 from winkler.values import value, words
 
 __all__ = ["LineTangentialState"]

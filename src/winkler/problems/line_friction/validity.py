@@ -7,13 +7,13 @@ import math
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Coulomb
 from winkler.problems.assumptions.coupling import sticking_note
-from winkler.problems.line.bulk import bulk_note
 from winkler.problems.line.greatest_stress import greatest, von_mises
 from winkler.problems.line.peak_pressure import is_sharp, rim_load
 from winkler.problems.line.stress import LineContact
-from winkler.problems.line.tangential_states import LineTangentialState
 from winkler.problems.line.validity import line_notes
 from winkler.problems.line.yield_statement import line_yield_notes
+from winkler.problems.line_friction.bulk import bulk_note
+from winkler.problems.line_friction.states import LineTangentialState
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.validity import Assumption, Note, Standing
 
@@ -26,8 +26,8 @@ CIAVARELLA = (
 EXACT = Note(
     Assumption.SLIP,
     Standing.EXACT,
-    "On similar half-planes the tractions of partial slip are sums of those of normal contacts; every history of straight "
-    "steps in both forces is followed but for rounding.",
+    "On similar half-planes the tractions of partial slip are sums of those of normal contacts; every history of "
+    "straight steps in both forces is followed but for rounding.",
     CIAVARELLA,
 )
 
@@ -45,7 +45,7 @@ def sheared_line_notes(bed: LineFoundation, law: Coulomb, widest: LineTangential
         Greatest magnitude of the bulk stress [Pa].
     """
     a = widest.half_width
-    notes = [*line_notes(bed, a), sticking_note(bed.medium, law.coefficient)]
+    notes = [*line_notes(bed, a), sticking_note(bed.medium, law.coefficient)]  # type: ignore[arg-type]
     if widest.lean == 0.0 or a == 0.0:
         notes.append(EXACT)
     else:

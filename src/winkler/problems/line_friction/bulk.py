@@ -1,21 +1,19 @@
 r"""A bulk stress beside a line contact that slips in part (Nowell and Hills).
 
-The bulk stress strains the surface of the first body by :math:`\varepsilon = (1-\nu_1^2)\sigma_B/E_1` against that of the
-second.  Where the surfaces stick the traction undoes that: it is :math:`\mu` times the pressure less that of a contact
-under the load :math:`\gamma` whose profile is tilted by :math:`\alpha=\varepsilon/\mu`.  A tilted cylinder is one that
-is shifted, by
+The bulk stress strains the surface of the first body by :math:`\varepsilon = (1-\nu_1^2)\sigma_B/E_1` against that of
+the second.  Where the surfaces stick the traction undoes that: it is :math:`\mu` times the pressure less that of a
+contact under the load :math:`\gamma` whose profile is tilted by :math:`\alpha=\varepsilon/\mu`.  A tilted cylinder is one
+that is shifted, by
 
 .. math:: e = \alpha R = \lambda\,\frac{P-\gamma}{E^*} , \qquad
           \lambda = R\,\frac{\sigma_B}Q\,\frac{E^*(1-\nu_1^2)}{E_1} ,
 
-for similar bodies :math:`e = \sigma_B a/(4\mu p_0)`.  All of that holds while each earlier contact lies within the next:
-beyond it an edge slips against the shear force.  From the first moment on it does not if :math:`|\lambda|\,\mathrm dP
-\le E^*\,\mathrm da`, for similar bodies :math:`|\sigma_B|\le 4|Q|/(\pi a)`.
+for similar bodies :math:`e = \sigma_B a/(4\mu p_0)`.  All of that holds while each earlier contact lies within the
+next: beyond it an edge slips against the shear force.  From the first moment on it does not if
+:math:`|\lambda|\,\mathrm dP\le E^*\,\mathrm da`, for similar bodies :math:`|\sigma_B|\le 4|Q|/(\pi a)`.
 """
 
 from __future__ import annotations
-
-import math
 
 import numpy as np
 
@@ -23,8 +21,8 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.line import LineFoundation
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
-from winkler.problems.line.path import LinePath
-from winkler.problems.line.strips import Strip
+from winkler.problems.line_friction.path import LinePath
+from winkler.problems.line_friction.strips import Strip
 from winkler.profiles.power import Paraboloid
 from winkler.validity import Assumption, Note, Standing
 
@@ -46,8 +44,8 @@ def refuse_bulk(bed: LineFoundation, path: LinePath) -> None:
         return
     if not isinstance(bed.profile, Paraboloid):
         raise InvalidInput(
-            f"LineTangential: the profile is a {type(bed.profile).__name__}; the effect of a bulk stress is known for a "
-            "cylinder: give a Paraboloid, or no bulk stress."
+            f"LineTangential: the profile is a {type(bed.profile).__name__}; the effect of a bulk stress is known "
+            "for a cylinder: give a Paraboloid, or no bulk stress."
         )
     if not isinstance(_strained(bed), Elastic):
         raise InvalidInput(
@@ -77,9 +75,9 @@ def refuse_unless_nested(index: int, strips: tuple[Strip, ...], shear: float, bu
     for inner, outer in zip(strips, strips[1:], strict=False):
         if abs(inner.middle - outer.middle) > outer.half_width - inner.half_width + ROUNDING * a:
             raise OutsideValidity(
-                f"LineTangential: at index {index} of the path the bulk stress of {bulk:.6g} Pa would shift what sticks "
-                f"beyond an edge, which slips back instead; beside a shear force of {shear:.6g} N/m give at most "
-                f"{abs(bulk) * _most(strips[-1], inner, outer):.6g} Pa."
+                f"LineTangential: at index {index} of the path the bulk stress of {bulk:.6g} Pa would shift what "
+                f"sticks beyond an edge, which slips back instead; beside a shear force of {shear:.6g} N/m give at "
+                f"most {abs(bulk) * _most(strips[-1], inner, outer):.6g} Pa."
             )
 
 
@@ -107,11 +105,11 @@ def bulk_note(lean: float, half_width: float, load: float) -> Note:
         )
         return Note(Assumption.SLIP, Standing.EXACT, text, NOWELL_HILLS)
     text = (
-        f"The bulk stress is {share:.3g} of the one at which an edge slips against the shear force while both are small; "
-        "what sticks at the points of the path lies inside of the contact, but keeps a trace of that slip, which is left "
-        "out."
+        f"The bulk stress is {share:.3g} of the one at which an edge slips against the shear force while both are "
+        "small; what sticks at the points of the path lies inside of the contact, but keeps a trace of that slip, "
+        "which is left out."
     )
-    return Note(Assumption.SLIP, Standing.APPROXIMATE if math.isfinite(share) else Standing.OUTSIDE, text, NOWELL_HILLS)
+    return Note(Assumption.SLIP, Standing.APPROXIMATE, text, NOWELL_HILLS)
 
 
 def _strained(bed: LineFoundation) -> object:

@@ -1,8 +1,8 @@
 r"""The strips that add up to the traction of a sheared line contact.
 
 What springs numbered by their load remember is a chain of straight pieces (`winkler.problems.friction.slip_memory`), so
-that the traction is a sum of pressures of earlier, narrower contacts (Ciavarella, Jaeger), and what has slipped the sum of
-the distances that those would leave open beside them:
+that the traction is a sum of pressures of earlier, narrower contacts (Ciavarella, Jaeger), and what has slipped the sum
+of the distances that those would leave open beside them:
 
 .. math:: q(x) = \sum_j B_j\,p(x;\gamma_j) , \qquad s(x) = -\sum_j B_j\,h(x;\gamma_j) .
 

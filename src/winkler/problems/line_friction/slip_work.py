@@ -20,7 +20,7 @@ from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 from winkler.problems.friction.slip_memory import LossPiece, SlipMemory
 from winkler.problems.friction.slip_sums import SlipSums
-from winkler.problems.line.strips import Strip, slipped, traction
+from winkler.problems.line_friction.strips import Strip, slipped, traction
 
 __all__ = ["shift_of_memory", "shift_of_strips", "work_of_strips"]
 
@@ -56,7 +56,7 @@ def work_of_strips(bed: LineFoundation, before: tuple[Strip, ...], after: tuple[
     """Return the friction loss per length of a step under a steady normal force [J/m]."""
 
     def rubbed(x: Array) -> Array:
-        return traction(bed, after, x) * (slipped(bed, after, x) - slipped(bed, before, x))
+        return np.asarray(traction(bed, after, x) * (slipped(bed, after, x) - slipped(bed, before, x)))
 
     return max(_over_contact(rubbed, (*before, *after)), 0.0)
 
@@ -66,7 +66,7 @@ def shift_of_strips(bed: LineFoundation, strips: tuple[Strip, ...]) -> float:
     a = strips[-1].half_width
 
     def weighed(x: Array) -> Array:
-        return slipped(bed, strips, x) / (np.pi * np.sqrt((a - x) * (a + x)))
+        return np.asarray(slipped(bed, strips, x) / (np.pi * np.sqrt((a - x) * (a + x))))
 
     return _over_contact(weighed, strips)
 

@@ -27,13 +27,14 @@ from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.friction.slip_memory import SlipMemory
 from winkler.problems.friction.slip_sums import SlipSums
-from winkler.problems.line.bulk import lean_of, refuse_bulk, refuse_unless_nested
 from winkler.problems.line.half_width import grows, refuse_unless_strips, under_force
-from winkler.problems.line.path import LinePath
-from winkler.problems.line.slip_curve import slip_curve
-from winkler.problems.line.slip_work import shift_of_memory, shift_of_strips, work_of_strips
-from winkler.problems.line.tangential_states import LineTangentialState
-from winkler.problems.line.tangential_validity import sheared_line_notes
+from winkler.problems.line_friction.bulk import lean_of, refuse_bulk, refuse_unless_nested
+from winkler.problems.line_friction.path import LinePath
+from winkler.problems.line_friction.slip_curve import slip_curve
+from winkler.problems.line_friction.slip_work import shift_of_memory, shift_of_strips, work_of_strips
+from winkler.problems.line_friction.states import LineTangentialState
+from winkler.problems.line_friction.strips import Strip
+from winkler.problems.line_friction.validity import sheared_line_notes
 from winkler.problems.one_load import OfPath
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
@@ -60,7 +61,8 @@ class LineTangential:
     Raises
     ------
     InvalidInput
-        If the bodies are not isotropic, or with a bulk stress the profile is no `Paraboloid` or the normal force changes.
+        If the bodies are not isotropic, or beside a bulk stress the profile is no `Paraboloid` or the normal force
+        changes.
 
     References
     ----------
@@ -88,7 +90,13 @@ class LineTangential:
     law: Sliding
     path: LinePath
 
-    references: ClassVar[tuple[str, ...]] = ("johnson_1985", "cattaneo_1938", "jaeger_1995")
+    references: ClassVar[tuple[str, ...]] = (
+        "johnson_1985",
+        "cattaneo_1938",
+        "jaeger_1995",
+        "ciavarella_1998",
+        "nowell_hills_1987",
+    )
     assumptions: ClassVar[frozenset[Assumption]] = SHEARED
 
     def __post_init__(self) -> None:
@@ -125,7 +133,8 @@ class LineTangential:
             )
         sums = SlipSums(slip_curve(bed, most)) if most > 0.0 else None
         lean, ratio = lean_of(bed, self.path), self.path.bulk_per_shear
-        memory, strips, lost = SlipMemory.fresh(), (), 0.0
+        memory, lost = SlipMemory.fresh(), 0.0
+        strips: tuple[Strip, ...] = ()
         for index, (force, shear, width) in enumerate(
             zip(forces.tolist(), shears.tolist(), widths.tolist(), strict=True)
         ):
