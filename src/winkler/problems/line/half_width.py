@@ -77,7 +77,7 @@ def _met(bed: LineFoundation, target: Array, curve: Curve, what: str) -> Array:
     if not pressed.any():
         return half_width
     most = _at_end(curve, end)
-    pinned = target >= most if bed.rim <= bed.reach else np.zeros(target.shape, dtype=bool)
+    pinned = pressed & (target >= most) if bed.rim <= bed.reach else np.zeros(target.shape, dtype=bool)
     if (pressed & ~pinned & (target > most)).any():
         raise OutsideValidity(
             f"The {what} leads beyond the reach of the profile ({end:.6g} m), where nothing is known of it; press with "

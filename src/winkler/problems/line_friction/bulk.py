@@ -2,8 +2,8 @@ r"""A bulk stress beside a line contact that slips in part (Nowell and Hills).
 
 The bulk stress strains the surface of the first body by :math:`\varepsilon = (1-\nu_1^2)\sigma_B/E_1` against that of
 the second.  Where the surfaces stick the traction undoes that: it is :math:`\mu` times the pressure less that of a
-contact under the load :math:`\gamma` whose profile is tilted by :math:`\alpha=\varepsilon/\mu`.  A tilted cylinder is one
-that is shifted, by
+contact under the load :math:`\gamma` whose profile is tilted by :math:`\alpha=\varepsilon/\mu`.  A tilted cylinder
+is one that is shifted, by
 
 .. math:: e = \alpha R = \lambda\,\frac{P-\gamma}{E^*} , \qquad
           \lambda = R\,\frac{\sigma_B}Q\,\frac{E^*(1-\nu_1^2)}{E_1} ,

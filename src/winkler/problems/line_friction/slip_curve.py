@@ -97,8 +97,8 @@ def slip_curve(bed: LineFoundation, load: float) -> SlipCurve:
     NotConverged
         If the profile is too rough.
     """
-    end, top = min(bed.reach, bed.rim), math.log(load)
-    kinks = np.array([b for b, _ in bed.kinks if b < end] + ([end] if math.isfinite(end) else []))
+    top, widest = math.log(load), float(under_force(bed, np.array([load]))[0])
+    kinks = np.array([b for b in (*(b for b, _ in bed.kinks), bed.rim) if b <= widest])
     breaks = bed.load_profile(kinks) if kinks.size else kinks
     breaks = np.log(breaks[(breaks > math.exp(-FOLDS) * load) & (breaks < load)])
     edges = np.union1d(np.linspace(top - FOLDS, top, FOLDS + 1), breaks)

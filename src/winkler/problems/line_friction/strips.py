@@ -105,6 +105,7 @@ def _opened(bed: LineFoundation, strip: Strip, x: Array) -> Array:
     if isinstance(bed.profile, Paraboloid):
         far = np.abs(x)
         root = np.sqrt((far - c) * (far + c))
-        return np.asarray((far * root - c**2 * np.arctanh(root / far)) / (2.0 * bed.profile.curvature_radius))
+        closed = c**2 * np.arcsinh(root / c) if c > 0.0 else 0.0
+        return np.asarray((far * root - closed) / (2.0 * bed.profile.curvature_radius))
     force = bed.medium.modulus * strip.load
     return LineSolution(LineIndentation(bed, LineForce(force)), force, c).separation(x)
