@@ -29,7 +29,7 @@ class HalfPlaneMarch:
         if self.mirrored:
             self.compliance += self._compliance(-self.x)
         self.slips, self.traction, self.ahead, self.step = np.zeros((4, self.h.size))
-        self.most = self._bound(force)
+        self.force, self.most = force, self._bound(force)
         self.lost = 0.0
 
     def _compliance(self, x):
@@ -69,5 +69,5 @@ class HalfPlaneMarch:
         else:
             raise RuntimeError("stick and slip were not found")
         self.lost += sides * float(np.sum(self.h * 0.5 * (most + self.most) * slips * (ahead - self.ahead)))
-        self.step = ahead - self.ahead
+        self.force, self.step = force, ahead - self.ahead
         self.slips, self.most, self.traction, self.ahead = slips, most, traction, ahead
