@@ -32,7 +32,7 @@ GLOSSARY: dict[str, Word] = {
     "bulk_stress": Word(r"\sigma_B", "Pa", "stress along x in the first body, far from the contact"),
     "stick_half_width": Word("c", "m", "half-width of the strip that does not slip"),
     "stick_middle": Word("e", "m", "where the middle of the strip that does not slip is"),
-    "slip_shift": Word("U_s", "m", "how far slip has shifted the second body along x, beyond a contact that sticks"),
+    "slip_shift": Word("U_s", "m", "shift along x beyond that of a strip that sticks under this force"),
     "dissipation_per_length": Word("W_d", "J/m", "energy per length lost since the beginning"),
     "stiffness": Word("k", "N/m", "incremental normal stiffness dF/dd"),
     "energy": Word("U", "J", "elastic energy stored in the contact"),

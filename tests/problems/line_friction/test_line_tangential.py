@@ -195,13 +195,13 @@ def test_points_in_between_change_nothing():
 
 
 def test_bodies_that_are_pressed_and_sheared_in_proportion_stick():
-    """dQ/dP below mu: the traction is the pressure times Q/P, and nothing is lost."""
+    """dQ/dP below mu: the traction is the pressure times Q/P, nothing is lost; narrower strips were moved farther."""
     solution = sheared(wk.Paraboloid(10e-3), wk.LinePath([0.0, 1e5], [0.0, 3e4]))
     state, x = solution.at(-1), np.linspace(-1e-4, 1e-4, 21)
     assert state.stick_half_width == state.half_width
     assert state.traction(x) == pytest.approx(0.3 * state.pressure(x), rel=1e-13)
     assert state.dissipation_per_length == 0.0
-    assert state.slip_shift == pytest.approx(solution.at(0).slip_shift, abs=1.0)
+    assert state.slip_shift == pytest.approx(3e4 / (np.pi * MODULUS), rel=1e-12)
 
 
 def test_the_loop_encloses_the_loss():

@@ -5,7 +5,7 @@ bears its final traction all the time,
 
 .. math:: D = \int_{-a}^a q\,\Delta s\,\mathrm dx , \qquad U_s = \int_{-a}^a\frac{s}{\pi\sqrt{a^2-x^2}}\,\mathrm dx ,
 
-the second by reciprocity with a flat punch: it is the shift of the bodies beyond that of a contact that sticks.
+the second by reciprocity with a flat punch: it is the shift of the bodies beyond that of a strip that sticks.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ NODES = 20
 
 
 def shift_of_memory(sums: SlipSums, memory: SlipMemory, modulus: float) -> float:
-    """Return by how much slip has shifted the second body along x [m], at this force.
+    """Return by how much the second body is shifted along x beyond a strip that sticks under this force [m].
 
     Parameters
     ----------
@@ -62,7 +62,7 @@ def work_of_strips(bed: LineFoundation, before: tuple[Strip, ...], after: tuple[
 
 
 def shift_of_strips(bed: LineFoundation, strips: tuple[Strip, ...]) -> float:
-    """Return by how much slip has shifted the second body along x [m], at this force."""
+    """Return by how much the second body is shifted along x beyond a strip that sticks under this force [m]."""
     a = strips[-1].half_width
 
     def weighed(x: Array) -> Array:

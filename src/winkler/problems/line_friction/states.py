@@ -35,7 +35,8 @@ class LineTangentialState:
     shear_force_per_length, bulk_stress : float
         Q [N/m] along x on the first body; stress along x in it far from the contact [Pa].
     slip_shift : float
-        By how much slip has shifted the second body along x, beyond the shift of a contact that sticks [m].
+        By how much the second body is shifted along x beyond what Q causes where the present strip sticks [m]: by slip,
+        and because the strip was narrower before.
     dissipation_per_length : float
         Energy lost since the beginning, per length [J/m].
     lean : float

@@ -205,7 +205,8 @@ class LineTangentialSolution(OfPath[LineTangentialState]):
     stick_half_width, stick_middle : ndarray
         Half-width and middle of the strip that does not slip [m].
     slip_shift : ndarray
-        By how much slip has shifted the second body along x, beyond the shift of a contact that sticks [m].
+        By how much the second body is shifted along x beyond what Q causes where the present strip sticks [m]: by slip,
+        and because the strip was narrower before.
     dissipation_per_length : ndarray
         Energy lost since the beginning, per length [J/m].
     states : tuple of LineTangentialState
