@@ -56,8 +56,8 @@ draw(peak)
 # %%
 # The stress along the surface
 # ----------------------------
-# Sliding alone would pull the trailing edge by :math:`2\mu p_0`; partial slip pulls it less, but beside what sticks, and
-# the bulk stress adds.
+# Sliding alone would pull the trailing edge by :math:`2\mu p_0`; partial slip pulls it less, and the bulk
+# stress adds.
 
 x = np.linspace(-2.0, 2.0, 801) * a
 figure, axes = plt.subplots(figsize=(6.4, 4.0), layout="constrained")

@@ -47,7 +47,12 @@ class LinePath:
     array([     0.,   5000.,  10000.,      0., -10000.])
     """
 
-    __words__ = words(count=("n", None, "parts into which each step is divided"))
+    __words__ = words(
+        count=("n", None, "parts into which each step is divided"),
+        across=("P", "N/m", "normal force per length at every point"),
+        along=("Q", "N/m", "shear force per length at every point"),
+        bulk_per_shear=("", "1/m", "bulk stress over the shear force per length"),
+    )
 
     force_per_length: NonNegativeQuantity
     shear_force_per_length: FiniteQuantity

@@ -47,6 +47,7 @@ class LineTangentialState:
 
     __words__ = words(
         lean=(r"\lambda", "", "shift of an earlier contact over the load that it lacks, by the bulk stress"),
+        strips=("", None, "earlier contacts whose pressures add up to the traction"),
         sliding=("", None, "whether all of the contact slides"),
     )
 
