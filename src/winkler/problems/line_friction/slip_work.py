@@ -10,22 +10,19 @@ the second by reciprocity with a flat punch: it is the shift of the bodies beyon
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from itertools import pairwise
-
 import numpy as np
 
 from winkler.foundation.line import LineFoundation
-from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 from winkler.problems.friction.slip_memory import LossPiece, SlipMemory
 from winkler.problems.friction.slip_sums import SlipSums
 from winkler.problems.line_friction.strips import Strip, slipped, traction
 
-__all__ = ["shift_of_memory", "shift_of_strips", "work_of_strips"]
+__all__ = ["shift_of_memory", "work_and_shift"]
 
-NODES = 20
-"""Between the edges of two strips, where roots at both ends are mapped away."""
+ANGLES, STEPS = np.polynomial.legendre.leggauss(20)
+PLACES, WEIGHTS = np.sin(0.5 * np.pi * ANGLES), 0.5 * np.pi * STEPS * np.cos(0.5 * np.pi * ANGLES)
+"""Between the edges of two strips, from -1 to 1: roots at both ends are mapped away."""
 
 
 def shift_of_memory(sums: SlipSums, memory: SlipMemory, modulus: float) -> float:
@@ -52,34 +49,28 @@ def shift_of_memory(sums: SlipSums, memory: SlipMemory, modulus: float) -> float
     return sums.lost(pieces) / modulus
 
 
-def work_of_strips(bed: LineFoundation, before: tuple[Strip, ...], after: tuple[Strip, ...]) -> float:
-    """Return the friction loss per length of a step under a steady normal force [J/m]."""
+def work_and_shift(bed: LineFoundation, before: tuple[Strip, ...], after: tuple[Strip, ...]) -> tuple[float, float]:
+    """Return the loss per length of a step under a steady normal force [J/m], and the shift after it as above [m].
 
-    def rubbed(x: Array) -> Array:
-        return np.asarray(traction(bed, after, x) * (slipped(bed, after, x) - slipped(bed, before, x)))
-
-    return max(_over_contact(rubbed, (*before, *after)), 0.0)
-
-
-def shift_of_strips(bed: LineFoundation, strips: tuple[Strip, ...]) -> float:
-    """Return by how much the second body is shifted along x beyond a strip that sticks under this force [m]."""
-    a = strips[-1].half_width
-
-    def weighed(x: Array) -> Array:
-        return np.asarray(slipped(bed, strips, x) / (np.pi * np.sqrt((a - x) * (a + x))))
-
-    return _over_contact(weighed, strips)
+    Parameters
+    ----------
+    bed : LineFoundation
+    before, after : tuple of Strip
+        At both ends of the step; none before the first.
+    """
+    a = after[-1].half_width
+    x, share = _over_contact((*before, *after), a)
+    ahead = slipped(bed, after, x)
+    work = share @ (traction(bed, after, x) * (ahead - slipped(bed, before, x)))
+    shift = share @ (ahead / (np.pi * np.sqrt((a - x) * (a + x))))
+    return max(float(work), 0.0), float(shift)
 
 
-def _over_contact(function: Callable[[Array], Array], strips: tuple[Strip, ...]) -> float:
-    """Return the integral over the widest strip [m], piece by piece between the edges of all."""
-    a = strips[-1].half_width
+def _over_contact(strips: tuple[Strip, ...], a: float) -> tuple[Array, Array]:
+    """Return places and weights [m] for integrals over the contact, piece by piece between the edges of all strips."""
     ends = [strip.middle + side * strip.half_width for strip in strips for side in (-1.0, 1.0)]
     edges = np.unique(np.clip([-a, *ends, a], -a, a))
-    nodes, weights = gauss_legendre(NODES)
-    angle = 0.5 * np.pi * (2.0 * nodes - 1.0)
-    pieces = [(0.5 * (low + high), 0.5 * (high - low)) for low, high in pairwise(edges.tolist())]
-    x = np.concatenate([middle + half * np.sin(angle) for middle, half in pieces])
-    share = np.concatenate([np.pi * half * weights * np.cos(angle) for _, half in pieces])
+    half, middle = 0.5 * np.diff(edges)[:, None], 0.5 * (edges[1:] + edges[:-1])[:, None]
+    x, share = (middle + half * PLACES).ravel(), (half * WEIGHTS).ravel()
     inside = np.abs(x) < a
-    return float(share[inside] @ function(x[inside]))
+    return x[inside], share[inside]

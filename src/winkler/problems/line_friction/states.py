@@ -11,10 +11,9 @@ from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Coulomb
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.friction.slip_memory import SlipMemory
-from winkler.problems.line.half_width import under_force
 from winkler.problems.line.peak_pressure import rim_load
 from winkler.problems.line.stress import LineContact, LineFields, poisson_of, stresses
-from winkler.problems.line_friction.strips import Strip, slipped, strips_of, traction
+from winkler.problems.line_friction.strips import Strip, half_widths, slipped, strips_of, traction
 from winkler.values import value, words
 
 __all__ = ["LineTangentialState"]
@@ -68,7 +67,7 @@ class LineTangentialState:
         gap = self.memory.stick_gap
         if self.sliding or self.half_width == 0.0:
             return 0.0
-        return min(float(under_force(self.bed, np.array([gap]))[0]), self.half_width)
+        return min(float(half_widths(self.bed, np.array([gap]))[0]), self.half_width)
 
     @property
     def stick_middle(self) -> float:

@@ -24,11 +24,18 @@ from winkler.problems.line.indentation import LineIndentation, LineSolution
 from winkler.problems.line.peak_pressure import rim_load
 from winkler.profiles.power import Paraboloid
 
-__all__ = ["Strip", "slipped", "strips_of", "traction"]
+__all__ = ["Strip", "half_widths", "slipped", "strips_of", "traction"]
 
 
 ROUNDING = 1e-13
 """Part of the factors that their sum may miss zero by."""
+
+
+def half_widths(bed: LineFoundation, loads: Array) -> Array:
+    """Return the half-widths [m] under loads per length over E* ``(m,)`` [m]."""
+    if isinstance(bed.profile, Paraboloid):
+        return np.asarray(np.sqrt(4.0 * bed.profile.curvature_radius * loads / np.pi))
+    return under_force(bed, loads)
 
 
 class Strip(NamedTuple):
@@ -70,7 +77,7 @@ def strips_of(bed: LineFoundation, memory: SlipMemory, lean: float) -> tuple[Str
     rest = -float(np.sum(factors))
     if abs(rest) > ROUNDING * float(np.max(np.abs(factors))):  # bodies that met while they were sheared, or slide
         loads, factors = np.append(0.0, loads), np.append(rest, factors)
-    widths = under_force(bed, loads)
+    widths = half_widths(bed, loads)
     modulus = bed.medium.modulus
     return tuple(
         Strip(factor, load, width, rim_load(bed, modulus * load, width), lean * (memory.depth - load))
@@ -83,8 +90,16 @@ def traction(bed: LineFoundation, strips: tuple[Strip, ...], x: Array) -> Array:
     total = np.zeros(x.shape)
     for strip in strips:
         if strip.factor != 0.0 and strip.half_width > 0.0:
-            total += strip.factor * bed.pressure(x - strip.middle, strip.half_width, strip.rim_load)
+            total += strip.factor * _pressure(bed, strip, x - strip.middle)
     return total
+
+
+def _pressure(bed: LineFoundation, strip: Strip, x: Array) -> Array:
+    """Return the pressure of a strip [Pa]."""
+    if isinstance(bed.profile, Paraboloid):
+        share = bed.medium.modulus / (2.0 * bed.profile.curvature_radius)
+        return np.asarray(share * np.sqrt(np.maximum((strip.half_width - x) * (strip.half_width + x), 0.0)))
+    return bed.pressure(x, strip.half_width, strip.rim_load)
 
 
 def slipped(bed: LineFoundation, strips: tuple[Strip, ...], x: Array) -> Array:

@@ -27,13 +27,13 @@ from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.friction.slip_memory import SlipMemory
 from winkler.problems.friction.slip_sums import SlipSums
-from winkler.problems.line.half_width import grows, refuse_unless_strips, under_force
+from winkler.problems.line.half_width import grows, refuse_unless_strips
 from winkler.problems.line_friction.bulk import lean_of, refuse_bulk, refuse_unless_nested
 from winkler.problems.line_friction.path import LinePath
 from winkler.problems.line_friction.slip_curve import slip_curve
-from winkler.problems.line_friction.slip_work import shift_of_memory, shift_of_strips, work_of_strips
+from winkler.problems.line_friction.slip_work import shift_of_memory, work_and_shift
 from winkler.problems.line_friction.states import LineTangentialState
-from winkler.problems.line_friction.strips import Strip
+from winkler.problems.line_friction.strips import Strip, half_widths, strips_of
 from winkler.problems.line_friction.validity import sheared_line_notes
 from winkler.problems.one_load import OfPath
 from winkler.validity import Assumption, Note
@@ -123,7 +123,7 @@ class LineTangential:
         bed, law, mu = self.bed, self.law, self.law.coefficient
         modulus = bed.medium.modulus
         forces, shears = self.path.across, self.path.along
-        widths = under_force(bed, forces / modulus)
+        widths = half_widths(bed, forces / modulus)
         refuse_unless_strips(bed, widths)
         widest, most = float(np.max(widths)), float(np.max(forces)) / modulus
         if not (bed.profile.rising or grows(bed, widest)):
@@ -143,19 +143,15 @@ class LineTangential:
             if index == 0:
                 memory, _ = memory.moved(load, 0.0, mu)
             memory, losses = memory.moved(load, target - _carried(memory), mu)
-            bulk = ratio * shear
-            if sums is not None and width > 0.0:
-                shift = shift_of_memory(sums, memory, modulus)
-            if sums is not None and lean == 0.0:
-                lost += max(sums.lost(losses), 0.0)
-            state = LineTangentialState(bed, law, force, width, shear, bulk, shift, lost, lean, memory)
             if lean != 0.0 and width > 0.0:
-                before, strips = strips, state.strips
-                refuse_unless_nested(index, strips, shear, bulk)
-                lost += work_of_strips(bed, before, strips)
-                shift = shift_of_strips(bed, strips)
-                state = LineTangentialState(bed, law, force, width, shear, bulk, shift, lost, lean, memory)
-            yield state
+                before, strips = strips, strips_of(bed, memory, lean)
+                refuse_unless_nested(index, strips, shear, ratio * shear)
+                work, shift = work_and_shift(bed, before, strips)
+                lost += work
+            elif sums is not None:
+                lost += max(sums.lost(losses), 0.0)
+                shift = shift_of_memory(sums, memory, modulus) if width > 0.0 else 0.0
+            yield LineTangentialState(bed, law, force, width, shear, ratio * shear, shift, lost, lean, memory)
 
     def _refuse_sliding_away(self, index: int, force: float, shear: float) -> None:
         most = self.law.coefficient * force
@@ -171,7 +167,7 @@ class LineTangential:
         gaps = np.array([0.0 if state.sliding else state.memory.stick_gap for state in reached])
         widths = np.array([state.half_width for state in reached])
         distinct, where = np.unique(np.maximum(gaps, 0.0), return_inverse=True)
-        stick = np.minimum(under_force(self.bed, distinct)[where], widths)
+        stick = np.minimum(half_widths(self.bed, distinct)[where], widths)
         return gather(LineTangentialSolution, self, reached, stick_half_width=stick)
 
     def solve(self) -> LineTangentialSolution:
