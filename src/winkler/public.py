@@ -130,6 +130,8 @@ from winkler.problems.line.roller_contact import RollerContact, RollerSolution
 from winkler.problems.line.shakedown import LineShakedown, LineShakedownSolution
 from winkler.problems.line.stress import LineFields
 from winkler.problems.line.yielding import LineYieldOnset, LineYieldOnsetSolution
+from winkler.problems.line_friction.path import LinePath
+from winkler.problems.line_friction.tangential import LineTangential, LineTangentialSolution
 from winkler.problems.normal.design import design_for_pressure, design_profile
 from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
@@ -218,8 +220,8 @@ __all__ = [
     "Kalker", "KelvinVoigt",
     "Layer", "LimitingProfile", "LimitingSolution", "LineFields", "LineForce", "LineFoundation",
     "LineIndentation",
-    "LineScan", "LineShakedown", "LineShakedownSolution", "LineSolution", "LineYieldOnset", "LineYieldOnsetSolution",
-    "LogarithmicEnds",
+    "LinePath", "LineScan", "LineShakedown", "LineShakedownSolution", "LineSolution", "LineTangential",
+    "LineTangentialSolution", "LineYieldOnset", "LineYieldOnsetSolution", "LogarithmicEnds",
     "Maxwell", "MeanPressure", "Measured", "MeasuredBed", "Moment",
     "NamedElastic", "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor", "NearlyRoundIndentation",
     "NearlyRoundSolution", "NotConverged", "Note",

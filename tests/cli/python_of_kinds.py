@@ -245,6 +245,16 @@ LINES = {
     "moment": crowned_roller(alignment=wk.Moment(2.0)),
     "line_yield_onset": wk.LineYieldOnset(STRONG_ROLLER, wk.Coulomb(0.1)),
     "line_shakedown": wk.LineShakedown(STRONG_ROLLER, wk.Coulomb(0.1)),
+    **dict.fromkeys(
+        ("line_tangential", "line_path"),
+        wk.LineTangential(
+            wk.LineFoundation(
+                wk.Paraboloid(10e-3), wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3))
+            ),
+            FRICTION,
+            wk.LinePath(100e3, [0.0, 20e3, -20e3, 20e3], count=20),
+        ),
+    ),
     "mean_pressure": wk.LineIndentation(ROLLER, wk.MeanPressure(500e6)),
 }
 NEWER = {**LINES, **RELAXING, **CONDUCTING, **ROLLING, **HEATING, **WEARING, **ROUGHNESS}

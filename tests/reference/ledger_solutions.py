@@ -342,6 +342,36 @@ def line_shakedown_cylinder() -> Numbers:
     return [mp.pi * p0**2, 2 * p0, p0]
 
 
+def _slipped(bulk: str) -> tuple[Any, Any, Any]:
+    """Return c, e and the loss of the first half cycle: E* = R = P = 1, mu = 0.4, Q = 0.25, p0 = a/2.
+
+    The traction is mu p in the slip zones, and the slip mu times the distance that a cylinder on (e - c, e + c) leaves
+    open, (s sqrt(s^2 - c^2) - c^2 arcosh(s/c))/2 at s from its middle.
+    """
+    mu, a = frac("0.4"), 2 / mp.sqrt(mp.pi)
+    c, e = a * mp.sqrt(1 - frac("0.25") / mu), frac(bulk) / (2 * mu)
+
+    def rubbed(s: Any, middle: Any) -> Any:
+        return mu**2 * mp.sqrt(a**2 - (s + middle) ** 2) / 4 * (s * mp.sqrt(s**2 - c**2) - c**2 * mp.acosh(s / c))
+
+    sides = ((m, a - m) for m in (e, -e))
+    return c, e, sum(mp.quad(lambda s, m=m: rubbed(s, m), [c, (c + end) / 2, end]) for m, end in sides)
+
+
+@of_case
+def line_cattaneo() -> Numbers:
+    """From Q to -Q the slip is twice as great as at first, in the same zones."""
+    c, _, lost = _slipped("0")
+    return [[c, c], [lost, 3 * lost]]
+
+
+@of_case
+def line_bulk_stress() -> Numbers:
+    """e = sigma a/(4 mu p0), the other way at -Q."""
+    c, e, lost = _slipped("0.2")
+    return [[c, c], [lost, 3 * lost], [e, e]]
+
+
 def _oval(bend: str) -> Numbers:
     """F, and the semi-axes, of A x^2 + (1 - A) y^2 at d = 0.01 after Hertz."""
     small = frac(bend)

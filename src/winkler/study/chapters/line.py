@@ -6,7 +6,7 @@ from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedCo
 from winkler.study.chapters.kind import kind
 from winkler.study.chapters.normal import MODULUS, ONSET, STRONG
 
-__all__ = ["LINE"]
+__all__ = ["LINE", "LOAD", "LOAD_PROFILE", "PRESSURE", "ROLLER"]
 
 ROLLER = {"kind": "line_foundation", "profile": {"kind": "paraboloid"}}
 
