@@ -61,6 +61,7 @@ from winkler.loading import (
     Force,
     HalfWidth,
     LineForce,
+    LineShearForce,
     MeanPressure,
     Radius,
     ShearForce,
@@ -127,6 +128,7 @@ from winkler.problems.line.indentation import LineIndentation, LineSolution
 from winkler.problems.line.shakedown import LineShakedown, LineShakedownSolution
 from winkler.problems.line.stress import LineFields
 from winkler.problems.line.yielding import LineYieldOnset, LineYieldOnsetSolution
+from winkler.problems.line_rolling.steady import LineRolling, LineRollingSolution
 from winkler.problems.normal.design import design_for_pressure, design_profile
 from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
@@ -213,7 +215,9 @@ __all__ = [
     "Kalker", "KelvinVoigt",
     "Layer", "LimitingProfile", "LimitingSolution", "LineFields", "LineForce", "LineFoundation",
     "LineIndentation",
-    "LineScan", "LineShakedown", "LineShakedownSolution", "LineSolution", "LineYieldOnset", "LineYieldOnsetSolution",
+    "LineRolling", "LineRollingSolution",
+    "LineScan", "LineShakedown", "LineShakedownSolution", "LineShearForce", "LineSolution",
+    "LineYieldOnset", "LineYieldOnsetSolution",
     "Maxwell", "MeanPressure", "Measured", "MeasuredBed",
     "NamedElastic", "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor", "NearlyRoundIndentation",
     "NearlyRoundSolution", "NotConverged", "Note",
