@@ -37,12 +37,13 @@ from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.line.indentation import LineSolution
 from winkler.problems.line.validity import line_notes
 from winkler.problems.line_rolling.pressed import OneLineLoad, refuse_unless_round, rolling_yield_notes, touching_strip
+from winkler.problems.line_rolling.start_states import ELEMENTS, LineRollingState, rolled_state
 from winkler.problems.line_rolling.steady import LineRolling, LineRollingSolution, refuse_unless_along
 from winkler.problems.rolling.creepage import Creepage
-from winkler.validity import Assumption, Note, Standing
+from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
-__all__ = ["LineRollingStart", "LineRollingStartSolution", "LineRollingState"]
+__all__ = ["LineRollingStart", "LineRollingStartSolution"]
 
 MOST_STEPS = 200_000
 """Steps of a march; more would take hours."""
@@ -182,12 +183,12 @@ class LineRollingStart:
         compliance, earlier = near[np.abs(away[:, None] - away)], near[np.abs(away[:, None] + 1 - away)]
         if total is not None:
             step = strip_step(compliance, np.zeros(x.size), bound, step.slips, total=total)
-        yield _state(0.0, step._replace(shift=0.0), apart, modulus, x)
+        yield rolled_state(0.0, step._replace(shift=0.0), apart, modulus, x)
         after = {int(n) for n in np.unique(np.round(np.linspace(0.0, travel, self.points + 1)))}
         for number in range(1, travel + 1):
             step = strip_step(compliance, earlier @ step.traction, bound, step.slips, shift=shift, total=total)
             if number in after:
-                yield _state(number * apart, step, apart, modulus, x)
+                yield rolled_state(number * apart, step, apart, modulus, x)
 
     def _steps(self, half_width: float) -> int:
         steps = self.distance * self.count / half_width * (1.0 - 1e-12)
@@ -218,41 +219,6 @@ class LineRollingStart:
             As `steps`.
         """
         return self.gathered(self.steps())
-
-
-def _state(distance: float, step: StripStep, apart: float, modulus: float, x: Array) -> LineRollingState:
-    return LineRollingState(
-        distance=distance,
-        longitudinal_creepage=step.shift / apart,
-        shear_force_per_length=modulus * apart * float(np.sum(step.traction)),
-        stick_share=float(np.mean(step.slips == 0)),
-        x=x,
-        traction=modulus * step.traction,
-    )
-
-
-@value
-class LineRollingState:
-    """A contact that has rolled so far.
-
-    Parameters
-    ----------
-    distance, longitudinal_creepage, shear_force_per_length, stick_share : float
-        As in `LineRollingStartSolution`.
-    x : ndarray, (n,)
-        Places of the nodes [m], the leading edge at +a.
-    traction : ndarray, (n,)
-        q on the first body along the direction of rolling [Pa].
-    """
-
-    __words__ = words(stick_share=("c/a", "", "part of the width that sticks"))
-
-    distance: float
-    longitudinal_creepage: float
-    shear_force_per_length: float
-    stick_share: float
-    x: Array
-    traction: Array
 
 
 @value
@@ -301,12 +267,3 @@ class LineRollingStartSolution:
         yielding = rolling_yield_notes(self.contact, sign * mu, float(steady.stick_share))
         strip = line_notes(bed, float(self.contact.half_width))
         return (*strip, sticking_note(bed.medium, mu), ELEMENTS, *yielding)  # type: ignore[arg-type]
-
-
-ELEMENTS = Note(
-    Assumption.SLIP,
-    Standing.APPROXIMATE,
-    "Boundary elements with Coulomb friction: with 80 elements on half of the contact the steady creepage is within "
-    "0.2 % of Carter's, and the error halves with twice as many; yielding is judged by the steady state.",
-    "compared with Carter's closed form; J. J. Kalker, J. Appl. Mech. 37 (1970) 677-688",
-)
