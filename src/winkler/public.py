@@ -128,6 +128,8 @@ from winkler.problems.line.indentation import LineIndentation, LineSolution
 from winkler.problems.line.shakedown import LineShakedown, LineShakedownSolution
 from winkler.problems.line.stress import LineFields
 from winkler.problems.line.yielding import LineYieldOnset, LineYieldOnsetSolution
+from winkler.problems.line_rolling.resistance import LineRollingResistance, LineRollingResistanceSolution
+from winkler.problems.line_rolling.start import LineRollingStart, LineRollingStartSolution
 from winkler.problems.line_rolling.steady import LineRolling, LineRollingSolution
 from winkler.problems.normal.design import design_for_pressure, design_profile
 from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
@@ -215,7 +217,8 @@ __all__ = [
     "Kalker", "KelvinVoigt",
     "Layer", "LimitingProfile", "LimitingSolution", "LineFields", "LineForce", "LineFoundation",
     "LineIndentation",
-    "LineRolling", "LineRollingSolution",
+    "LineRolling", "LineRollingResistance", "LineRollingResistanceSolution", "LineRollingSolution",
+    "LineRollingStart", "LineRollingStartSolution",
     "LineScan", "LineShakedown", "LineShakedownSolution", "LineShearForce", "LineSolution",
     "LineYieldOnset", "LineYieldOnsetSolution",
     "Maxwell", "MeanPressure", "Measured", "MeasuredBed",

@@ -9,6 +9,9 @@ from winkler.study.chapters.normal import MODULUS
 
 __all__ = ["LINE_ROLLING"]
 
+STEEL = {"kind": "elastic", "young": "210 GPa", "poisson": 0.3}
+STEEL_ON_STEEL = {**ROLLER, "medium": {"kind": "half_space", "first": STEEL, "second": STEEL}}
+RELAXING = {**ROLLER, "medium": {"kind": "viscoelastic_half_space"}}
 PRESSED = {"kind": "line_force", "force_per_length": "100 N/mm"}
 CREEPAGES = {"kind": "creepages", "longitudinal": {"from": 0.0, "to": 0.004, "count": 25}}
 
@@ -29,6 +32,34 @@ SLIP = Equation(
     r"s(x) = \frac{\mu}{R}\sqrt{(x-a+c)^2-c^2}, \quad x < a-2c",
 )
 
+PARTICLE = Equation(
+    "A particle of the surface that is now at x was at x + h one element ago, and slips by",
+    r"S = W-u(x)+u_0(x+h), \quad \xi = \frac{W}{h}",
+)
+DISPLACED = Equation(
+    "where tractions displace the surfaces by",
+    r"u(x) = -\frac{2}{\pi E^*}\int_{-a}^a q(s)\,\ln\left|x-s\right|\,\mathrm{d}s",
+)
+FRICTION = Equation(
+    "It sticks where friction allows, and slips elsewhere",
+    r"S = 0, \quad \left|q\right| \le \mu p, \quad q\,S = \mu p\left|S\right|",
+)
+CREEP = Equation(
+    "The bodies creep under a step of pressure by", r"C(t) = C_0+\sum_k C_k\left(1-e^{-t/\lambda_k}\right)"
+)
+TRANSFORM = Equation(
+    "In an elastic body the slope of the surface would follow from the pressure by",
+    r"g(x) = \frac{1}{\pi}\int \frac{p(s)}{x-s}\,\mathrm{d}s",
+)
+SLOPE = Equation(
+    "The particles come from ahead at the speed v, and follow the cylinder in the strip",
+    r"2\left[C_0\,g(x)+\sum_k C_k\int_0^\infty \frac{e^{-s/v\lambda_k}}{v\lambda_k}\,g(x+s)\,"
+    r"\mathrm{d}s\right] = \frac{x}{R}",
+)
+RESISTANCE = Equation(
+    "The pressure ahead of the lowest point resists", r"Q = \int p(x)\,\frac{x}{R}\,\mathrm{d}x, \quad f = \frac{Q}{P}"
+)
+
 LINE_ROLLING = Chapter(
     "line contact",
     kinds={
@@ -43,7 +74,7 @@ LINE_ROLLING = Chapter(
             "winkler.problems.line_rolling.steady:LineRolling",
             "carter_1926",
             "johnson_1985",
-            bed=ROLLER,
+            bed=STEEL_ON_STEEL,
             drive=CREEPAGES,
             load=PRESSED,
             picture=Caption(
@@ -52,6 +83,36 @@ LINE_ROLLING = Chapter(
             curves=(("longitudinal_creepage", "shear_force_per_length"), ("longitudinal_creepage", "stick_share")),
             pictured=PicturedContact.NONE,
             formulas=(MODULUS, HERTZ, STICK, TRACTION, SLIP),
+        ),
+        "line_rolling_start": answer(
+            "winkler.problems.line_rolling.start:LineRollingStart",
+            "kalker_1970",
+            "carter_1926",
+            bed=STEEL_ON_STEEL,
+            drive={"kind": "line_shear_force", "shear_force_per_length": "19.2 N/mm"},
+            load=PRESSED,
+            distance="0.4 mm",
+            picture=Caption(
+                "line_start", "From rest to rolling", "Creepage or force over the distance, and tractions on the way."
+            ),
+            curves=(("distance", "longitudinal_creepage"), ("distance", "stick_share")),
+            pictured=PicturedContact.NONE,
+            formulas=(MODULUS, HERTZ, DISPLACED, PARTICLE, FRICTION),
+        ),
+        "line_rolling_resistance": answer(
+            "winkler.problems.line_rolling.resistance:LineRollingResistance",
+            "hunter_1961",
+            bed=RELAXING,
+            load={"kind": "line_force", "force_per_length": "0.1 N/mm"},
+            speed={"from": "0.1 mm/s", "to": "1 m/s", "count": 25, "spacing": "log"},
+            picture=Caption(
+                "line_resistance",
+                "Rolling resistance",
+                "The coefficient over the speed, and pressures at three speeds.",
+            ),
+            curves=(("speed", "coefficient"), ("speed", "half_width")),
+            pictured=PicturedContact.NONE,
+            formulas=(CREEP, TRANSFORM, SLOPE, RESISTANCE),
         ),
     },
 )
