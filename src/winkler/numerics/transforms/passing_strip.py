@@ -63,12 +63,13 @@ def tails(kappa: float, count: int) -> Array:
     from scipy.linalg import solve_banded
     from scipy.special import kve
 
-    size = count + BEYOND + int(BEYOND_PER_ROOT * np.sqrt(kappa))
+    root = np.sqrt(kappa)
+    size = max(count, int(TERMS_PER_ROOT * root)) + BEYOND + int(BEYOND_PER_ROOT * root)
     bands = np.zeros((3, size))
     bands[0, 1:], bands[1], bands[2, :-1] = -0.5 * kappa, np.arange(1.0, size + 1.0), 0.5 * kappa
     right = np.ones(size)
     right[0] -= 0.5 * kappa * kve(0, kappa)
-    right[-1] += 0.5 * kappa / np.hypot(size + 1.0, np.sqrt(kappa))  # its error dies out on the way back
+    right[-1] += 0.5 * kappa / np.hypot(size + 1.0, root)  # its error dies out on the way back
     return np.asarray(solve_banded((1, 1), bands, right)[:count])
 
 
