@@ -20,7 +20,9 @@ __all__ = ["Passage", "passage"]
 IMMEDIATE = 1e-8
 """Retardation time over the time of passing half of the strip, below which a body creeps at once."""
 FASTEST = 1e-9
-"""Relaxation time over that time which can be resolved."""
+"""Relaxation time over that time, below which it counts as well."""
+MOST_IMMEDIATE = 1e-7
+"""Greatest retardation time over that time that may count as none."""
 MARGIN = 1e-6
 """By which a half-width may miss those of the glassy and the relaxed bodies, as a logarithm."""
 NEWTON_STEPS = 6
@@ -141,17 +143,18 @@ def passage(bed: LineFoundation, load: LineForce | HalfWidth | MeanPressure, spe
 def _strip(creep: CreepSeries, radius: float, half_width: float, speed: float) -> Passage:
     """Return the strip of a half-width."""
     soft = creep.glassy + float(np.sum(creep.compliances))
-    delays = creep.times * (speed / half_width)
-    slow = delays > IMMEDIATE
+    passing = speed / half_width
+    delays = creep.times * passing
+    slow = (delays > IMMEDIATE) & (of_creep(creep).times * passing > FASTEST)  # one after the other they alternate
+    if np.max(delays[~slow], initial=0.0) > MOST_IMMEDIATE:
+        raise OutsideValidity(
+            f"LineRollingResistance: at {speed:.6g} m/s, half of the contact passes in {1.0 / passing:.3g} s; the "
+            "solid relaxes so much faster, and creeps so much more slowly, that the edge is not resolved: give a "
+            "smaller glassy modulus."
+        )
     glassy = creep.glassy + float(np.sum(creep.compliances[~slow]))
     kept = CreepSeries(glassy, 0.0, creep.compliances[slow], creep.times[slow])
-    relaxing = of_creep(kept).times * (speed / half_width)
-    if np.min(relaxing, initial=1.0) < FASTEST:
-        raise OutsideValidity(
-            f"LineRollingResistance: at {speed:.6g} m/s the solid relaxes within {np.min(relaxing):.2g} of the time "
-            f"that it takes to pass half of the contact, less than the {FASTEST:g} that are resolved: its glassy "
-            "modulus is too great; leave out the fastest relaxation times."
-        )
+    relaxing = of_creep(kept).times * passing
     strip = passing_strip(glassy / soft, kept.compliances / soft, delays[slow], relaxing)
     late = float(creep.compliances[~slow] @ creep.times[~slow]) * speed / soft
     level = half_width / (2.0 * radius * soft)
