@@ -373,6 +373,7 @@ GLOSSARY: dict[str, Word] = {
     "friction_loss": Word("W_f", "J", "energy lost to friction since the beginning"),
     "bulk_loss": Word("W_b", "J", "energy lost in the bodies since the beginning"),
     "sticking": Word("", None, "which springs stick"),
+    "leading_edge": Word("x_1", "m", "where the contact begins, ahead of the lowest point of a body that rolls"),
     "trailing_edge": Word("x_2", "m", "where the springs let go behind a body that slides, negative behind the middle"),
     "line_shear_force": Word("F_{x,1}", "N", "resistance of the line of springs, before what waves aslant do not lose"),
     # rolling

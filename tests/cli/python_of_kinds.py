@@ -239,7 +239,7 @@ ROLLING_LINES = {
     "line_rolling": wk.LineRolling(
         STEEL_ON_STEEL, FRICTION, wk.Creepage(longitudinal=np.linspace(0.0, 0.004, 25)), wk.LineForce(100e3)
     ),
-    "line_shear_force": wk.LineRolling(ROLLER, FRICTION, wk.LineShearForce(15e3), wk.LineForce(100e3)),
+    "line_shear_force": wk.LineRolling(STEEL_ON_STEEL, FRICTION, wk.LineShearForce(15e3), wk.LineForce(100e3)),
     "line_rolling_start": wk.LineRollingStart(
         STEEL_ON_STEEL, FRICTION, wk.LineShearForce(19.2e3), wk.LineForce(100e3), distance=0.4e-3
     ),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from typing import NamedTuple
 
@@ -145,7 +146,7 @@ def _strip(creep: CreepSeries, radius: float, half_width: float, speed: float) -
     soft = creep.glassy + float(np.sum(creep.compliances))
     passing = speed / half_width
     delays = creep.times * passing
-    slow = (delays > IMMEDIATE) & (of_creep(creep).times * passing > FASTEST)  # one after the other they alternate
+    slow = (delays > IMMEDIATE) & (_relaxation_times(creep) * passing > FASTEST)  # one after the other they alternate
     if np.max(delays[~slow], initial=0.0) > MOST_IMMEDIATE:
         raise OutsideValidity(
             f"LineRollingResistance: at {speed:.6g} m/s, half of the contact passes in {1.0 / passing:.3g} s; the "
@@ -154,8 +155,14 @@ def _strip(creep: CreepSeries, radius: float, half_width: float, speed: float) -
         )
     glassy = creep.glassy + float(np.sum(creep.compliances[~slow]))
     kept = CreepSeries(glassy, 0.0, creep.compliances[slow], creep.times[slow])
-    relaxing = of_creep(kept).times * passing
+    relaxing = _relaxation_times(kept) * passing
     strip = passing_strip(glassy / soft, kept.compliances / soft, delays[slow], relaxing)
     late = float(creep.compliances[~slow] @ creep.times[~slow]) * speed / soft
     level = half_width / (2.0 * radius * soft)
     return Passage(half_width, half_width * (strip.leading - 1.0), level, strip.waves, radius, late)
+
+
+@functools.lru_cache(maxsize=64)
+def _relaxation_times(creep: CreepSeries) -> Array:
+    """Return the relaxation times [s] of a solid that creeps so."""
+    return of_creep(creep).times

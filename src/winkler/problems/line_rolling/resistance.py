@@ -18,6 +18,7 @@ doi:10.1115/1.3641792
 
 from __future__ import annotations
 
+import dataclasses
 from typing import ClassVar
 
 import numpy as np
@@ -114,7 +115,7 @@ class LineRollingResistance:
         OutsideValidity
             If the load does not press the bodies together.
         """
-        (given,) = vars(self.load).values()
+        given = next(getattr(self.load, item.name) for item in dataclasses.fields(self.load))
         if not float(given) > 0.0:
             raise OutsideValidity(
                 f"LineRollingResistance: the load {float(given):.6g} does not press the bodies together; give a "
@@ -146,7 +147,6 @@ class LineRollingResistanceSolution:
     """
 
     __words__ = words(
-        leading_edge=("x_1", "m", "where the contact begins, ahead of the lowest point"),
         trailing_edge=("x_2", "m", "where the contact ends, negative behind the lowest point"),
         coefficient=("f", "", "resistance over normal force"),
     )
