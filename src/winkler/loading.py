@@ -1,7 +1,7 @@
 """Loads: a prescribed force, depth or radius; along the surface a shift, shear force, angle or torque.
 
-A line contact takes a force per length, a half-width or a mean pressure; a roller may be tilted, or find its tilt under
-a moment.
+A line contact takes a force per length, a half-width or a mean pressure, and along the surface a shear force per
+length; a roller may be tilted, or find its tilt under a moment.
 
 A load's value may be an array; the result then has its shape.  Taken apart by ``match``.  How loads change with time is
 a `winkler.path.Path`.
@@ -19,6 +19,7 @@ __all__ = [
     "HalfWidth",
     "Lateral",
     "LineForce",
+    "LineShearForce",
     "Load",
     "MeanPressure",
     "Moment",
@@ -83,6 +84,19 @@ class LineForce:
     """
 
     force_per_length: FiniteQuantity
+
+
+@value
+class LineShearForce:
+    """A prescribed force per length of a line contact, along the surface and across the line.
+
+    Parameters
+    ----------
+    shear_force_per_length : float or ndarray
+        Q [N/m].
+    """
+
+    shear_force_per_length: FiniteQuantity
 
 
 @value

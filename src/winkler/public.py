@@ -61,6 +61,7 @@ from winkler.loading import (
     Force,
     HalfWidth,
     LineForce,
+    LineShearForce,
     MeanPressure,
     Moment,
     Radius,
@@ -132,6 +133,9 @@ from winkler.problems.line.stress import LineFields
 from winkler.problems.line.yielding import LineYieldOnset, LineYieldOnsetSolution
 from winkler.problems.line_friction.path import LinePath
 from winkler.problems.line_friction.tangential import LineTangential, LineTangentialSolution
+from winkler.problems.line_rolling.resistance import LineRollingResistance, LineRollingResistanceSolution
+from winkler.problems.line_rolling.start import LineRollingStart, LineRollingStartSolution
+from winkler.problems.line_rolling.steady import LineRolling, LineRollingSolution
 from winkler.problems.normal.design import design_for_pressure, design_profile
 from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
@@ -220,8 +224,10 @@ __all__ = [
     "Kalker", "KelvinVoigt",
     "Layer", "LimitingProfile", "LimitingSolution", "LineFields", "LineForce", "LineFoundation",
     "LineIndentation",
-    "LinePath", "LineScan", "LineShakedown", "LineShakedownSolution", "LineSolution", "LineTangential",
-    "LineTangentialSolution", "LineYieldOnset", "LineYieldOnsetSolution", "LogarithmicEnds",
+    "LinePath", "LineRolling", "LineRollingResistance", "LineRollingResistanceSolution", "LineRollingSolution",
+    "LineRollingStart", "LineRollingStartSolution", "LineScan", "LineShakedown", "LineShakedownSolution",
+    "LineShearForce", "LineSolution", "LineTangential", "LineTangentialSolution", "LineYieldOnset",
+    "LineYieldOnsetSolution", "LogarithmicEnds",
     "Maxwell", "MeanPressure", "Measured", "MeasuredBed", "Moment",
     "NamedElastic", "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor", "NearlyRoundIndentation",
     "NearlyRoundSolution", "NotConverged", "Note",

@@ -257,4 +257,19 @@ LINES = {
     ),
     "mean_pressure": wk.LineIndentation(ROLLER, wk.MeanPressure(500e6)),
 }
-NEWER = {**LINES, **RELAXING, **CONDUCTING, **ROLLING, **HEATING, **WEARING, **ROUGHNESS}
+STEEL_ON_STEEL = wk.LineFoundation(wk.Paraboloid(10e-3), wk.HalfSpace.between(*2 * [wk.Elastic(210e9, 0.3)]))
+ROLLING_LINES = {
+    "line_rolling": wk.LineRolling(
+        STEEL_ON_STEEL, FRICTION, wk.Creepage(longitudinal=np.linspace(0.0, 0.004, 25)), wk.LineForce(100e3)
+    ),
+    "line_shear_force": wk.LineRolling(STEEL_ON_STEEL, FRICTION, wk.LineShearForce(15e3), wk.LineForce(100e3)),
+    "line_rolling_start": wk.LineRollingStart(
+        STEEL_ON_STEEL, FRICTION, wk.LineShearForce(19.2e3), wk.LineForce(100e3), distance=0.4e-3
+    ),
+    "line_rolling_resistance": wk.LineRollingResistance(
+        wk.LineFoundation(wk.Paraboloid(10e-3), wk.ViscoelasticHalfSpace(RUBBER)),
+        wk.LineForce(100.0),
+        np.geomspace(1e-4, 1.0, 25),
+    ),
+}
+NEWER = {**LINES, **ROLLING_LINES, **RELAXING, **CONDUCTING, **ROLLING, **HEATING, **WEARING, **ROUGHNESS}

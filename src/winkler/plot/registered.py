@@ -14,6 +14,7 @@ from winkler.plot.heating import heating  # noqa: F401
 from winkler.plot.impact import impact  # noqa: F401
 from winkler.plot.line import contact, roller  # noqa: F401
 from winkler.plot.line import friction as line_friction  # noqa: F401
+from winkler.plot.line import rolling as line_rolling  # noqa: F401
 from winkler.plot.particles import elastic_plastic  # noqa: F401
 from winkler.plot.rolling import rolling  # noqa: F401
 from winkler.plot.rough import lines, roughness  # noqa: F401
