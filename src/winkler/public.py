@@ -129,6 +129,8 @@ from winkler.problems.line.stress import LineFields
 from winkler.problems.line.yielding import LineYieldOnset, LineYieldOnsetSolution
 from winkler.problems.normal.design import design_for_pressure, design_profile
 from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
+from winkler.problems.normal.elliptic_fields import EllipticFields
+from winkler.problems.normal.elliptic_yielding import EllipticYieldOnset, EllipticYieldOnsetSolution
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.near_round import NearlyRoundIndentation, NearlyRoundSolution
 from winkler.problems.normal.yielding import YieldOnset, YieldOnsetSolution
@@ -201,7 +203,8 @@ __all__ = [
     "CreepFit", "CreepTest", "Creepage", "CubeCorner", "Current", "CurrentFields", "CurvedBodies", "Cylinder",
     "Depth", "DepthGradedHalfSpace", "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData",
     "Elastic", "ElasticPlasticParticle", "ElastomerFriction", "ElastomerFrictionSolution", "ElectricalConductor",
-    "ElectricalConductors", "Ellipsoid", "EllipticFoundation", "EllipticIndentation", "EllipticSolution",
+    "ElectricalConductors", "Ellipsoid", "EllipticFields", "EllipticFoundation", "EllipticIndentation",
+    "EllipticSolution", "EllipticYieldOnset", "EllipticYieldOnsetSolution",
     "EqualMaximum", "EqualMean", "Equilibrium", "EquilibriumCurve", "ExponentialGrading",
     "Fit", "FitState", "FixedShare", "FlatPunch", "Follow", "Force", "ForceCurve", "Formula", "Foundation",
     "FractionalZener", "FrettingHeat", "FrettingHeatSolution", "FrettingSolution", "FrettingWear", "FrictionDamping",

@@ -23,7 +23,6 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.checks.outline import refuse_unless_round
-from winkler.errors import OutsideValidity
 from winkler.footprint import EllipticOutline
 from winkler.foundation.bed import PressedSprings, StretchedSprings
 from winkler.foundation.foundation import Foundation
@@ -31,6 +30,8 @@ from winkler.materials.elastic import Elastic
 from winkler.media.families import DepthVaryingMedium
 from winkler.media.halfspace import HalfSpace
 from winkler.media.interior import shear_field
+from winkler.media.interior.half_ellipsoid_peak import greatest_in_half_ellipsoid
+from winkler.media.interior.half_ellipsoid_peak import von_mises as von_mises_below
 from winkler.media.interior.peak import REFINEMENTS, greatest
 from winkler.media.interior.stress import von_mises
 from winkler.media.interior.tensor import von_mises_of_tensor
@@ -112,14 +113,16 @@ def greatest_stress(pressed: PressedSprings, part: StrongPart, friction: float =
 def _under_ellipse(
     pressed: PressedSprings, outline: EllipticOutline, part: StrongPart, friction: float
 ) -> GreatestStress:
-    """Return the greatest stress under Hertz's ellipse, whose springs are those of the disc of equal stiffness."""
-    if friction > 0.0:
-        raise OutsideValidity("The stresses of a traction under an ellipse are not computed.")
+    """Return the greatest stress under Hertz's ellipse, dragged along x; its springs are those of a disc as stiff."""
     radius = np.array([pressed.radius])
     force = float((pressed.bed.stiffness(radius) * pressed.depth - pressed.bed.gap_load(radius))[0])
-    smaller, larger = sorted(float(axis[0]) for axis in outline.semi_axes(radius))
-    largest = greatest_under_ellipse(smaller / larger, part.solid.poisson)
-    return GreatestStress(largest.value * 1.5 * force / (math.pi * smaller * larger), 0.0, largest.depth * smaller, "")
+    a, b = (float(axis[0]) for axis in outline.semi_axes(radius))
+    smaller, pressure = min(a, b), 1.5 * force / (math.pi * a * b)
+    if friction > 0.0:
+        rubbed = greatest_in_half_ellipsoid(von_mises_below, b / a, part.solid.poisson, (friction, 0.0))
+        return GreatestStress(rubbed.value * pressure, rubbed.x * a, rubbed.z * smaller, "")
+    largest = greatest_under_ellipse(smaller / max(a, b), part.solid.poisson)
+    return GreatestStress(largest.value * pressure, 0.0, largest.depth * smaller, "")
 
 
 def sharp_places(pressed: PressedSprings, poisson: float, friction: float) -> Iterator[tuple[float, str]]:

@@ -155,8 +155,6 @@ def _friction_unknown(pressed: PressedSprings, rubbing: SurfaceFriction) -> str:
     medium = pressed.bed.medium
     if not isinstance(medium, HalfSpace):
         return f"the stresses of a traction inside a {type(medium).__name__} are not computed"
-    if isinstance(pressed.bed.footprint, EllipticOutline):
-        return "the stresses of a traction under an ellipse are not computed"
     if math.isinf(rubbing.coefficient):
         return "no coefficient of friction limits the traction"
     return ""
