@@ -68,8 +68,9 @@ def test_sliding_circle_and_line(friction):
     on_edge = found[0].z == 0.0  # where the stress has a cusp, of the square root of rounding
     assert values == pytest.approx(values[0], rel=2e-8 if on_edge else 1e-12)
     turned = math.atan2(found[1].y, found[1].x) % math.pi
-    assert turned == pytest.approx(0.7, abs=1e-5)
-    assert found[3].y / found[3].x == pytest.approx(math.tan(-2.0), rel=1e-4)
+    assert turned == pytest.approx(0.7, abs=2e-4 if on_edge else 1e-5)
+    opposite = math.atan2(found[3].y, found[3].x) % math.pi
+    assert opposite == pytest.approx(math.pi - 2.0, abs=2e-4 if on_edge else 1e-5)
     ball = wk.Tangential(
         wk.Foundation(wk.Paraboloid(1e-3), PAIR),
         wk.Coulomb(friction),
@@ -128,7 +129,7 @@ def test_onset_of_yield():
         around = found.contact.stresses(x[:, None, None], y[:, None], -z, mu, angle).von_mises
         assert np.max(around) < 250e6 * (1.0 + 1e-9)
         assert math.copysign(1.0, found.z) < 0.0
-        there = found.contact.stresses(found.x, found.y, min(found.z, -1e-14), mu, angle)
+        there = found.contact.stresses(found.x, found.y, min(found.z, -1e-20), mu, angle)
         assert float(there.von_mises) == pytest.approx(250e6, rel=1e-5)
     first = onset(bodies, wk.HalfSpace(wk.Elastic(210e9, 0.3, 90e6), weak))
     assert first.z > 0.0

@@ -118,7 +118,6 @@ class EllipticIndentation:
             depth = np.asarray(self.load.depth, dtype=float)
             force = (np.maximum(depth, 0.0) / unit) ** 1.5
         grown = np.cbrt(force)
-
         return EllipticSolution(self, shaped(depth), shaped(force), shaped(a * grown), shaped(b * grown))
 
 
@@ -148,6 +147,8 @@ class EllipticSolution:
     force: Quantity
     longitudinal_semi_axis: Quantity
     lateral_semi_axis: Quantity
+
+    per_load: ClassVar[str] = "depth"
 
     @property
     def equivalent_radius(self) -> float:

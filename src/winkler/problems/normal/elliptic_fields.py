@@ -44,6 +44,8 @@ class EllipticFields:
     __words__ = words(
         x=("x", "m", "place along the surface"),
         y=("y", "m", "place along the surface, across x"),
+        principal_stresses=(r"\sigma_1, \sigma_2, \sigma_3", "Pa", "principal stresses, greatest first"),
+        orthogonal_shear=(r"\tau_0", "Pa", "shear stress in the plane along the surface, whatever its direction"),
     )
 
     x: Array
