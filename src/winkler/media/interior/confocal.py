@@ -22,7 +22,7 @@ import numpy as np
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 
-__all__ = ["Confocal", "Rule", "confocal", "rule"]
+__all__ = ["Confocal", "ShellRule", "confocal", "rule"]
 
 BEYOND = 14
 """Nodes of the rule beyond the largest singularity."""
@@ -55,7 +55,7 @@ class Confocal(NamedTuple):
     omega: Array
 
 
-class Rule(NamedTuple):
+class ShellRule(NamedTuple):
     """Nodes y of an integral over the square root of s - s_1, one row for each place, and their weights."""
 
     squared: Array
@@ -106,7 +106,7 @@ def _through(first: Array, second: Array, z: Array, ratio: float) -> Array:
     return np.asarray(lam)
 
 
-def rule(lower: Array, ground: Array, place: Confocal, ratio: float) -> Rule:
+def rule(lower: Array, ground: Array, place: Confocal, ratio: float) -> ShellRule:
     """Return the nodes of integrals over y from sqrt(lower) to infinity, s = s_1 + y^2.
 
     Parameters
@@ -131,4 +131,4 @@ def rule(lower: Array, ground: Array, place: Confocal, ratio: float) -> Rule:
     inverse, beyond = gauss_legendre(BEYOND)
     outside = end[:, None] / inverse
     y = np.concatenate([inside, outside], axis=1)
-    return Rule(y * y, np.concatenate([steps, beyond * outside / inverse], axis=1))
+    return ShellRule(y * y, np.concatenate([steps, beyond * outside / inverse], axis=1))

@@ -48,7 +48,7 @@ def orthogonal_shear(stress: Tensor) -> Array:
     return np.hypot(stress.xz, stress.yz)
 
 
-class _Grid(NamedTuple):
+class _Lines(NamedTuple):
     """Lines of a grid: distance from the middle over that of the edge, angle, depth over the smaller semi-axis."""
 
     ring: Array
@@ -76,7 +76,7 @@ def greatest_in_half_ellipsoid(
 
     shorter = min(1.0, ratio)
 
-    def values(grid: _Grid) -> Array:
+    def values(grid: _Lines) -> Array:
         ring, angle, depth = np.meshgrid(*grid, indexing="ij")
         x, y = ring * _cosine(angle), ratio * ring * _cosine(angle - 0.5 * math.pi)
         return measure(half_ellipsoid_stresses(x, y, shorter * depth, (1.0, ratio), poisson, traction))
@@ -90,11 +90,11 @@ def greatest_in_half_ellipsoid(
         angles = np.linspace(-0.25 * whole, 0.25 * whole, DIRECTIONS // 2 + 1)
     else:
         angles = np.arange(-1, DIRECTIONS + 1) * whole / DIRECTIONS
-    coarse = _Grid(np.array(RINGS), angles, np.array(DEPTHS))
+    coarse = _Lines(np.array(RINGS), angles, np.array(DEPTHS))
     level = values(coarse)
     peaks = np.argwhere(level >= maximum_filter(level, size=3, mode="nearest"))
     peaks = peaks[np.argsort(-level[tuple(peaks.T)], kind="stable")]
-    tried: list[tuple[float, _Grid]] = []
+    tried: list[tuple[float, _Lines]] = []
     for place in _distinct(peaks, coarse):
         found, grid = level[place], _around(coarse, place)
         for _ in range(FIRST_REFINEMENTS):
@@ -105,7 +105,7 @@ def greatest_in_half_ellipsoid(
         found, grid = _finer(values, grid)
     ring, angle, depth = (float(line[BESIDE]) for line in grid)
     level_angle = round(angle / (0.25 * whole)) * 0.25 * whole
-    if float(values(_Grid(*np.array([[ring], [level_angle], [depth]])))[0, 0, 0]) >= (1.0 - ROUNDING) * found:
+    if float(values(_Lines(*np.array([[ring], [level_angle], [depth]])))[0, 0, 0]) >= (1.0 - ROUNDING) * found:
         angle = level_angle  # along an axis, up to rounding
     across, along = (float(_cosine(np.array(turn))) for turn in (angle, angle - 0.5 * math.pi))
     return StressSpot(float(found), ring * across, ring * along, depth)
@@ -117,7 +117,7 @@ def _cosine(angle: Array) -> Array:
     return np.asarray(np.where(np.abs(found) < 1e-15, 0.0, found))
 
 
-def _distinct(peaks: Array, grid: _Grid) -> list[tuple[int, ...]]:
+def _distinct(peaks: Array, grid: _Lines) -> list[tuple[int, ...]]:
     """Return the highest peaks; of the middle, which all angles share, one for each depth."""
     found: dict[tuple[float, ...], tuple[int, ...]] = {}
     for i, j, k in peaks.tolist():
@@ -125,16 +125,16 @@ def _distinct(peaks: Array, grid: _Grid) -> list[tuple[int, ...]]:
     return list(found.values())[:MOST_PEAKS]
 
 
-def _around(grid: _Grid, place: tuple[int, ...]) -> _Grid:
+def _around(grid: _Lines, place: tuple[int, ...]) -> _Lines:
     """Return a finer grid about one place of a grid, which stays its middle."""
     lines = []
     for line, index in zip(grid, place, strict=True):
         low, best, high = line[max(index - 1, 0)], line[index], line[min(index + 1, line.size - 1)]
         lines.append(np.concatenate([np.linspace(low, best, BESIDE + 1)[:-1], np.linspace(best, high, BESIDE + 1)]))
-    return _Grid(*lines)
+    return _Lines(*lines)
 
 
-def _finer(values: Callable[[_Grid], Array], grid: _Grid) -> tuple[float, _Grid]:
+def _finer(values: Callable[[_Lines], Array], grid: _Lines) -> tuple[float, _Lines]:
     """Return the greatest on a grid and the finer grid about its place."""
     found = values(grid)
     place = tuple(int(index) for index in np.unravel_index(int(np.argmax(found)), found.shape))

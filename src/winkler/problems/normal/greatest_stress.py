@@ -30,8 +30,6 @@ from winkler.materials.elastic import Elastic
 from winkler.media.families import DepthVaryingMedium
 from winkler.media.halfspace import HalfSpace
 from winkler.media.interior import shear_field
-from winkler.media.interior.half_ellipsoid_peak import greatest_in_half_ellipsoid
-from winkler.media.interior.half_ellipsoid_peak import von_mises as von_mises_below
 from winkler.media.interior.peak import REFINEMENTS, greatest
 from winkler.media.interior.stress import von_mises
 from winkler.media.interior.tensor import von_mises_of_tensor
@@ -119,7 +117,9 @@ def _under_ellipse(
     a, b = (float(axis[0]) for axis in outline.semi_axes(radius))
     smaller, pressure = min(a, b), 1.5 * force / (math.pi * a * b)
     if friction > 0.0:
-        rubbed = greatest_in_half_ellipsoid(von_mises_below, b / a, part.solid.poisson, (friction, 0.0))
+        from winkler.media.interior import half_ellipsoid_peak as below  # not loaded for numbers of round contacts
+
+        rubbed = below.greatest_in_half_ellipsoid(below.von_mises, b / a, part.solid.poisson, (friction, 0.0))
         return GreatestStress(rubbed.value * pressure, rubbed.x * a, rubbed.z * smaller, "")
     largest = greatest_under_ellipse(smaller / max(a, b), part.solid.poisson)
     return GreatestStress(largest.value * pressure, 0.0, largest.depth * smaller, "")
