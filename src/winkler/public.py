@@ -167,6 +167,7 @@ from winkler.problems.wear.limiting_profile import LimitingProfile, LimitingSolu
 from winkler.problems.wear.sliding import SlidingSolution, SlidingWear
 from winkler.profiles.area import AreaFunction
 from winkler.profiles.conical import Berkovich, Cone, CubeCorner, RoundedCone, SpheroConical, TruncatedCone, Vickers
+from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.designed import Designed
 from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
 from winkler.profiles.flat import CappedCylinder, Cylinder, FlatPunch
@@ -200,8 +201,8 @@ __all__ = [
     "CalibratedArea", "CappedCylinder", "CappedParaboloid", "Circle", "CoatedHalfSpace", "Comparison",
     "ConductanceBounds", "ConductanceBoundsSolution", "Cone", "Constriction", "ConstrictionSolution", "ContactEllipse",
     "ContactLaw", "ContactLawSolution", "ContactReading", "ContactTrace", "Contacts", "Coulomb", "CreepData",
-    "CreepFit", "CreepTest", "Creepage", "CubeCorner", "Current", "CurrentFields", "CurvedBodies", "Cylinder",
-    "Depth", "DepthGradedHalfSpace", "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData",
+    "CreepFit", "CreepTest", "Creepage", "CubeCorner", "Current", "CurrentFields", "CurvedBodies", "CurvedPair",
+    "Cylinder", "Depth", "DepthGradedHalfSpace", "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData",
     "Elastic", "ElasticPlasticParticle", "ElastomerFriction", "ElastomerFrictionSolution", "ElectricalConductor",
     "ElectricalConductors", "Ellipsoid", "EllipticFields", "EllipticFoundation", "EllipticIndentation",
     "EllipticSolution", "EllipticYieldOnset", "EllipticYieldOnsetSolution",

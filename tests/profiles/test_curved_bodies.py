@@ -44,6 +44,24 @@ def test_raceways():
     assert wk.CurvedBodies.turn((ball, ball), (ring, -groove)) == 0.0
 
 
+def test_pair():
+    """A pair by its radii is the bodies together, in all that problems use."""
+    pair, together = (
+        wk.CurvedPair(6e-3, 6e-3, 20e-3, -6.24e-3, 0.2),
+        wk.CurvedBodies.of((6e-3, 6e-3), (20e-3, -6.24e-3), 0.2),
+    )
+    assert pair.together == together
+    for name in ("longitudinal_curvature_radius", "lateral_curvature_radius", "slenderness", "equivalent_radius"):
+        assert getattr(pair, name) == getattr(together, name)
+    medium = wk.HalfSpace.between(wk.Elastic(210e9, 0.3, 1e9))
+    found, expected = (wk.EllipticIndentation(each, medium, wk.Force(10.0)).solve() for each in (pair, together))
+    assert (found.depth, found.lateral_semi_axis) == (expected.depth, expected.lateral_semi_axis)
+    assert found.problem.bed.bodies == together
+    assert wk.EllipticYieldOnset(pair, medium).solve().force == wk.EllipticYieldOnset(together, medium).solve().force
+    with pytest.raises(wk.InvalidInput, match="do not touch in a point"):
+        wk.CurvedPair(6e-3, 6e-3, 20e-3, -6e-3)
+
+
 @pytest.mark.parametrize("groove", [6e-3, 5.9e-3])
 def test_hollow_as_narrow_as_the_ball(groove):
     with pytest.raises(wk.InvalidInput, match="give a hollow wider than the body in it"):

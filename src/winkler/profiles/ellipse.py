@@ -154,6 +154,11 @@ class CurvedBodies:
         return (larger, ratio * larger) if slenderness <= 1.0 else (ratio * larger, larger)
 
     @property
+    def together(self) -> CurvedBodies:
+        """These radii, as of a `CurvedPair`."""
+        return self
+
+    @property
     def slenderness(self) -> float:
         """b/a [-], the semi-axis across over that along.
 

@@ -30,6 +30,7 @@ from winkler.problems.normal import elliptic_fields as inside
 from winkler.problems.normal.elliptic_fields import EllipticFields
 from winkler.problems.normal.yield_of_pressure import ellipse_yield_notes
 from winkler.problems.one_load import picked, single
+from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.ellipse import CurvedBodies
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
@@ -47,8 +48,8 @@ class EllipticIndentation:
 
     Parameters
     ----------
-    bodies : CurvedBodies
-        R_x and R_y: 1/R_x is the sum of the curvatures of both bodies along x, 1/R_y the same along y.
+    bodies : CurvedBodies or CurvedPair
+        1/R_x is the sum of the curvatures of both bodies along x, 1/R_y the same along y.
     medium : HalfSpace or TransverselyIsotropicHalfSpace
         Both bodies, homogeneous.
     load : Force or Depth
@@ -77,7 +78,7 @@ class EllipticIndentation:
     14.4262
     """
 
-    bodies: CurvedBodies
+    bodies: CurvedBodies | CurvedPair
     medium: Annotated[HomogeneousMedium, Advice("Hertz's ellipse is known on no other")]
     load: Force | Depth
 
@@ -92,7 +93,7 @@ class EllipticIndentation:
     @property
     def bed(self) -> EllipticFoundation:
         """The springs that bear forces like these bodies, for problems that need no more; sheared along x."""
-        return EllipticFoundation(self.bodies, self.medium)  # type: ignore[arg-type]
+        return EllipticFoundation(self.bodies.together, self.medium)  # type: ignore[arg-type]
 
     def solve(self) -> EllipticSolution:
         """Return force, depth and ellipse.
@@ -194,7 +195,7 @@ class EllipticSolution:
     def stresses(
         self, x: ArrayLike, y: ArrayLike, z: ArrayLike, friction: float = 0.0, angle: float = 0.0
     ) -> EllipticFields:
-        """Return the stresses inside one body under one load, without friction or where all of the contact slides.
+        """Return the stresses inside one body under one load, at rest or where all of the contact slides.
 
         Parameters
         ----------
@@ -238,8 +239,7 @@ class EllipticSolution:
         friction, angle : float
             As of `stresses`.
         measure : {'von_mises', 'max_shear', 'orthogonal_shear'}
-            Equivalent stress after von Mises; half the difference of the outermost principal stresses; shear in the
-            plane along the surface.
+            After von Mises; half the difference of the outermost principal stresses; shear in planes along the surface.
         below : bool
             In the first body; otherwise in the second.
 

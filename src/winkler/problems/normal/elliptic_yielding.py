@@ -19,6 +19,7 @@ from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
 from winkler.problems.normal.strong_parts import strong_parts
+from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.ellipse import CurvedBodies
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
@@ -34,8 +35,8 @@ class EllipticYieldOnset:
 
     Parameters
     ----------
-    bodies : CurvedBodies
-        R_x and R_y.
+    bodies : CurvedBodies or CurvedPair
+        R_x and R_y, or the radii of each body.
     medium : HalfSpace
         Both bodies, of which at least one was given a strength.
     friction : Coulomb, optional
@@ -65,10 +66,10 @@ class EllipticYieldOnset:
 
     __words__ = words(
         friction=("", None, "law of friction of a contact that slides everywhere"),
-        angle=(r"\\theta", "rad", "direction in which the surface is dragged, from x towards y"),
+        angle=(r"\theta", "rad", "direction in which the surface is dragged, from x towards y"),
     )
 
-    bodies: CurvedBodies
+    bodies: CurvedBodies | CurvedPair
     medium: HalfSpace
     friction: Overcome = FRICTIONLESS
     angle: float = 0.0
