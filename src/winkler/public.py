@@ -138,6 +138,8 @@ from winkler.problems.line_rolling.start import LineRollingStart, LineRollingSta
 from winkler.problems.line_rolling.steady import LineRolling, LineRollingSolution
 from winkler.problems.normal.design import design_for_pressure, design_profile
 from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
+from winkler.problems.normal.elliptic_fields import EllipticFields
+from winkler.problems.normal.elliptic_yielding import EllipticYieldOnset, EllipticYieldOnsetSolution
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.near_round import NearlyRoundIndentation, NearlyRoundSolution
 from winkler.problems.normal.yielding import YieldOnset, YieldOnsetSolution
@@ -174,6 +176,7 @@ from winkler.problems.wear.limiting_profile import LimitingProfile, LimitingSolu
 from winkler.problems.wear.sliding import SlidingSolution, SlidingWear
 from winkler.profiles.area import AreaFunction
 from winkler.profiles.conical import Berkovich, Cone, CubeCorner, RoundedCone, SpheroConical, TruncatedCone, Vickers
+from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.designed import Designed
 from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
 from winkler.profiles.flat import CappedCylinder, Cylinder, FlatPunch
@@ -209,10 +212,11 @@ __all__ = [
     "ConductanceBounds", "ConductanceBoundsSolution", "Cone", "Constriction", "ConstrictionSolution", "ContactEllipse",
     "ContactLaw", "ContactLawSolution", "ContactReading", "ContactTrace", "Contacts", "Coulomb", "CreepData",
     "CreepFit", "CreepTest", "Creepage", "CrownedEnds", "CubeCorner", "Current", "CurrentFields", "CurvedBodies",
-    "Cylinder",
+    "CurvedPair", "Cylinder",
     "Depth", "DepthGradedHalfSpace", "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData",
     "Elastic", "ElasticPlasticParticle", "ElastomerFriction", "ElastomerFrictionSolution", "ElectricalConductor",
-    "ElectricalConductors", "Ellipsoid", "EllipticFoundation", "EllipticIndentation", "EllipticSolution",
+    "ElectricalConductors", "Ellipsoid", "EllipticFields", "EllipticFoundation", "EllipticIndentation",
+    "EllipticSolution", "EllipticYieldOnset", "EllipticYieldOnsetSolution",
     "EqualMaximum", "EqualMean", "Equilibrium", "EquilibriumCurve", "ExponentialGrading",
     "Fit", "FitState", "FixedShare", "FlatPunch", "Follow", "Force", "ForceCurve", "Formula", "Foundation",
     "FractionalZener", "FrettingHeat", "FrettingHeatSolution", "FrettingSolution", "FrettingWear", "FrictionDamping",

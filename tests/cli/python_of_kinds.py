@@ -216,6 +216,10 @@ ROUGHNESS = {
     "power_spectrum": rough(MEASURED_SPECTRUM),
     "rough_indentation": wk.RoughIndentation(BLASTED, BED, 4e-3, LOADS, realisations=20, count=2048),
     "elliptic_indentation": wk.EllipticIndentation(wk.CurvedBodies(20e-3, 10e-3), STEEL_BODY, wk.Force(100.0)),
+    "curved_pair": wk.EllipticIndentation(wk.CurvedPair(5e-3, 5e-3, 26e-3, -5.2e-3), STEEL_BODY, wk.Force(100.0)),
+    "elliptic_yield_onset": wk.EllipticYieldOnset(
+        wk.CurvedBodies(20e-3, 10e-3), wk.HalfSpace(wk.Elastic(210e9, 0.3, strength=700e6)), wk.Coulomb(0.1)
+    ),
     "nearly_round_indentation": wk.NearlyRoundIndentation(
         tuple(wk.Paraboloid(radius) for radius in (10e-3, 12e-3, 10e-3, 12e-3)), STEEL_BODY, wk.Depth(1e-6)
     ),

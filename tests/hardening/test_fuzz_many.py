@@ -70,6 +70,7 @@ MADE = {
 SOLVED = {
     "pressed": (
         *("indentation", "yield_onset", "elliptic_indentation", "nearly_round_indentation", "limiting_profile"),
+        "elliptic_yield_onset",
         *("relaxation_damper", "friction_damping", "bimodal_damping", "fretting_wear", "sliding_wear"),
         *("line_indentation", "line_yield_onset", "line_shakedown", "line_tangential", "roller_contact"),
     ),

@@ -336,6 +336,37 @@ def line_yield_cylinder() -> Numbers:
 
 
 @of_case
+def elliptic_yield_one_to_three() -> Numbers:
+    """Love's integrals on the axis below Hertz's ellipse, nu = 0.3: the greatest von Mises stress is the strength."""
+    m, k, e = ellipse(mp.mpf(3))
+    ratio, nu = mp.sqrt(1 - m), frac("0.3")
+
+    def mises(z: Any) -> Any:
+        def over(power: int, axis: Any) -> Any:  # s^2 = t, a = 1
+            def shell(s: Any) -> Any:
+                both = mp.sqrt((1 + s * s) * (ratio**2 + s * s))
+                return 2 * (s - z if power == 0 else 1) / (both * (s * s + axis))
+
+            return mp.quad(shell, [z, z + ratio, z + 1, mp.inf])
+
+        along, across, deep = over(1, mp.mpf(1)), over(1, ratio**2), over(1, mp.mpf(0))
+        free = ratio / 2
+        x = free * (-2 * nu * z * deep - (1 - 2 * nu) * over(0, mp.mpf(1)) + z * along)
+        y = free * (-2 * nu * z * deep - (1 - 2 * nu) * over(0, ratio**2) + z * across)
+        down = free * (-z * deep - z * (along + across))
+        return mp.sqrt(((x - y) ** 2 + (y - down) ** 2 + (down - x) ** 2) / 2)
+
+    depth = mp.findroot(
+        lambda z: mises(z + frac("1e-8")) - mises(z - frac("1e-8")), (frac("0.2"), frac("0.4")), tol=1e-36
+    )
+    p0 = frac("0.01") / mises(depth)
+    unit = (3 * (k - e) / (2 * mp.pi * m * frac("0.25"))) ** (mp.mpf(1) / 3)
+    force = (p0 * 2 * mp.pi * unit**2 * ratio / 3) ** 3
+    a = unit * mp.cbrt(force)
+    return [force, p0, a, 3 * force * k / (2 * mp.pi * a), a * depth]
+
+
+@of_case
 def line_shakedown_cylinder() -> Numbers:
     """p0 = 4 k, at half of a half-width below the surface."""
     p0 = 4 * frac("0.01") / mp.sqrt(3)
