@@ -112,6 +112,7 @@ from winkler.problems.conduction.bounds import ConductanceBounds, ConductanceBou
 from winkler.problems.conduction.constriction import Constriction, ConstrictionSolution
 from winkler.problems.conduction.fields import CurrentFields, HeatFields, restore_conduction
 from winkler.problems.conduction.joule_heating import JouleHeating, JouleHeatingSolution
+from winkler.problems.conduction.line_constriction import LineConstriction, LineConstrictionSolution
 from winkler.problems.conduction.spots import SpotCluster, SpotClusterSolution
 from winkler.problems.conduction.thermal_constriction import ThermalConstriction, ThermalConstrictionSolution
 from winkler.problems.friction.bimodal_damping import BimodalDamping, BimodalDampingSolution
@@ -121,7 +122,9 @@ from winkler.problems.friction.spring_march import SpringMarch, SpringTrace
 from winkler.problems.friction.tangential import Tangential, TangentialSolution
 from winkler.problems.friction.torsion import Torsion, TorsionSolution
 from winkler.problems.friction.torsion_fields import TwistedFields
+from winkler.problems.heating.elliptic_heating import EllipticFrictionHeating, EllipticFrictionHeatingSolution
 from winkler.problems.heating.fretting import FrettingHeat, FrettingHeatSolution
+from winkler.problems.heating.line_heating import LineFrictionHeating, LineFrictionHeatingSolution
 from winkler.problems.heating.steady import FrictionHeating, FrictionHeatingSolution
 from winkler.problems.heating.transient import TransientHeating, TransientHeatingSolution
 from winkler.problems.impact.adhesive_impact import AdhesiveImpact, AdhesiveImpactSolution
@@ -215,8 +218,9 @@ __all__ = [
     "CurvedPair", "Cylinder",
     "Depth", "DepthGradedHalfSpace", "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData",
     "Elastic", "ElasticPlasticParticle", "ElastomerFriction", "ElastomerFrictionSolution", "ElectricalConductor",
-    "ElectricalConductors", "Ellipsoid", "EllipticFields", "EllipticFoundation", "EllipticIndentation",
-    "EllipticSolution", "EllipticYieldOnset", "EllipticYieldOnsetSolution",
+    "ElectricalConductors", "Ellipsoid", "EllipticFields", "EllipticFoundation", "EllipticFrictionHeating",
+    "EllipticFrictionHeatingSolution", "EllipticIndentation", "EllipticSolution", "EllipticYieldOnset",
+    "EllipticYieldOnsetSolution",
     "EqualMaximum", "EqualMean", "Equilibrium", "EquilibriumCurve", "ExponentialGrading",
     "Fit", "FitState", "FixedShare", "FlatPunch", "Follow", "Force", "ForceCurve", "Formula", "Foundation",
     "FractionalZener", "FrettingHeat", "FrettingHeatSolution", "FrettingSolution", "FrettingWear", "FrictionDamping",
@@ -226,7 +230,9 @@ __all__ = [
     "Impact", "ImpactSolution", "Indentation", "IndentationSolution", "InvalidInput",
     "JouleHeating", "JouleHeatingSolution",
     "Kalker", "KelvinVoigt",
-    "Layer", "LimitingProfile", "LimitingSolution", "LineFields", "LineForce", "LineFoundation",
+    "Layer", "LimitingProfile", "LimitingSolution", "LineConstriction", "LineConstrictionSolution",
+    "LineFields", "LineForce", "LineFoundation",
+    "LineFrictionHeating", "LineFrictionHeatingSolution",
     "LineIndentation",
     "LinePath", "LineRolling", "LineRollingResistance", "LineRollingResistanceSolution", "LineRollingSolution",
     "LineRollingStart", "LineRollingStartSolution", "LineScan", "LineShakedown", "LineShakedownSolution",

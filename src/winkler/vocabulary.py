@@ -291,6 +291,7 @@ GLOSSARY: dict[str, Word] = {
     # conduction
     "conductors": Word("", None, "what the bodies conduct, and what lies between them"),
     "conductor": Word("", None, "what a body is made of"),
+    "resistance_per_length": Word("R'", "ohm m", "resistance of a line contact, times its length"),
     "resistivity": Word(r"\rho", "ohm m", "electrical resistivity at the temperature of the body"),
     "temperature_coefficient": Word(r"\alpha", "1/K", "relative growth of the resistivity with the temperature"),
     "conductivity": Word(r"\lambda", "W/(m K)", "thermal conductivity"),
@@ -318,6 +319,7 @@ GLOSSARY: dict[str, Word] = {
     "film_voltage": Word("V_f", "V", "voltage over the film"),
     "lorenz_number": Word("L", "V^2/K^2", "thermal conductivity times resistivity over absolute temperature"),
     "heat_rate": Word("Q", "W", "heat per time"),
+    "heat_per_length": Word("Q", "W/m", "heat per time and length of a line contact"),
     "contact_temperature": Word("T_c", "K", "temperature of the contact"),
     "max_temperature": Word("T_{max}", "K", "greatest temperature"),
     "rise": Word(r"\Delta T", "K", "greatest temperature above that of the bodies"),

@@ -259,6 +259,19 @@ LINES = {
             wk.LinePath(100e3, [0.0, 20e3, -20e3, 20e3], count=20),
         ),
     ),
+    "elliptic_friction_heating": wk.EllipticFrictionHeating(
+        wk.CurvedBodies(20e-3, 10e-3),
+        STEEL_BODY,
+        wk.Coulomb(0.1),
+        wk.Force(200.0),
+        WARM_PAIR,
+        first_speed=2.0,
+        first_direction=np.radians(30.0),
+    ),
+    "line_constriction": wk.LineConstriction(ROLLER, PAIR, wk.LineForce(100e3), first_depth=5e-3, second_depth=5e-3),
+    "line_friction_heating": wk.LineFrictionHeating(
+        ROLLER, wk.Coulomb(0.05), wk.LineForce(400e3), WARM_PAIR, first_speed=6.0, second_speed=4.0
+    ),
     "mean_pressure": wk.LineIndentation(ROLLER, wk.MeanPressure(500e6)),
 }
 STEEL_ON_STEEL = wk.LineFoundation(wk.Paraboloid(10e-3), wk.HalfSpace.between(*2 * [wk.Elastic(210e9, 0.3)]))

@@ -87,7 +87,14 @@ SOLVED = {
     "warm and rough": (
         *("constriction", "thermal_constriction", "joule_heating", "spot_cluster", "conductance_bounds"),
         *("friction_heating", "transient_heating", "fretting_heat", "surface_contact", "surface_conduction"),
-        *("reduction", "rough_contact", "rough_indentation"),
+        *(
+            "reduction",
+            "rough_contact",
+            "rough_indentation",
+            "line_constriction",
+            "line_friction_heating",
+            "elliptic_friction_heating",
+        ),
     ),
 }
 """Groups of problems that are solved; each takes about as long as the others."""

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from winkler.plot import beds, restored, sheets  # noqa: F401
 from winkler.plot.conduction import constriction, fields, spots  # noqa: F401
+from winkler.plot.conduction import line as line_conduction  # noqa: F401
 from winkler.plot.dispatch import sheet_of
 from winkler.plot.drawing import draw
 from winkler.plot.fitting import fits as elastic_fits  # noqa: F401
 from winkler.plot.fitting import unloading  # noqa: F401
 from winkler.plot.friction import damping  # noqa: F401
 from winkler.plot.friction import sheets as friction_sheets  # noqa: F401
-from winkler.plot.heating import heating  # noqa: F401
+from winkler.plot.heating import ellipses, heating, strips  # noqa: F401
 from winkler.plot.impact import impact  # noqa: F401
 from winkler.plot.line import contact, roller  # noqa: F401
 from winkler.plot.line import friction as line_friction  # noqa: F401
