@@ -123,6 +123,7 @@ from winkler.problems.heating.steady import FrictionHeating, FrictionHeatingSolu
 from winkler.problems.heating.transient import TransientHeating, TransientHeatingSolution
 from winkler.problems.impact.adhesive_impact import AdhesiveImpact, AdhesiveImpactSolution
 from winkler.problems.impact.impact import Impact, ImpactSolution
+from winkler.problems.line.adhesion import LineAdhesion, LineAdhesionSolution
 from winkler.problems.line.indentation import LineIndentation, LineSolution
 from winkler.problems.line.shakedown import LineShakedown, LineShakedownSolution
 from winkler.problems.line.stress import LineFields
@@ -211,7 +212,8 @@ __all__ = [
     "Impact", "ImpactSolution", "Indentation", "IndentationSolution", "InvalidInput",
     "JouleHeating", "JouleHeatingSolution",
     "Kalker", "KelvinVoigt",
-    "Layer", "LimitingProfile", "LimitingSolution", "LineFields", "LineForce", "LineFoundation",
+    "Layer", "LimitingProfile", "LimitingSolution", "LineAdhesion",
+    "LineAdhesionSolution", "LineFields", "LineForce", "LineFoundation",
     "LineIndentation",
     "LineScan", "LineShakedown", "LineShakedownSolution", "LineSolution", "LineYieldOnset", "LineYieldOnsetSolution",
     "Maxwell", "MeanPressure", "Measured", "MeasuredBed",

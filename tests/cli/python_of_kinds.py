@@ -225,6 +225,7 @@ ROUGHNESS = {
 
 ROLLER = wk.LineFoundation(wk.Paraboloid(10e-3), STEEL_BODY)
 STRONG_ROLLER = wk.LineFoundation(wk.Paraboloid(10e-3), wk.HalfSpace(wk.Elastic(210e9, 0.3, strength=700e6)))
+STICKY_ROLLER = wk.LineFoundation(wk.Paraboloid(10e-3), wk.HalfSpace(wk.Elastic(2e6, 0.5)))
 LINES = {
     **dict.fromkeys(
         ("line_indentation", "line_foundation", "line_force"), wk.LineIndentation(ROLLER, wk.LineForce(100e3))
@@ -232,6 +233,7 @@ LINES = {
     "half_width": wk.LineIndentation(ROLLER, wk.HalfWidth(0.1e-3)),
     "line_yield_onset": wk.LineYieldOnset(STRONG_ROLLER, wk.Coulomb(0.1)),
     "line_shakedown": wk.LineShakedown(STRONG_ROLLER, wk.Coulomb(0.1)),
+    "line_adhesion": wk.LineAdhesion(STICKY_ROLLER, wk.ShortRange(50e-3), wk.LineForce(1.0)),
     "mean_pressure": wk.LineIndentation(ROLLER, wk.MeanPressure(500e6)),
 }
 NEWER = {**LINES, **RELAXING, **CONDUCTING, **ROLLING, **HEATING, **WEARING, **ROUGHNESS}

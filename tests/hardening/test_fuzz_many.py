@@ -75,7 +75,7 @@ SOLVED = {
     ),
     "sticky": (
         *("adhesive_indentation", "pull_off", "equilibrium", "adhesive_shear", "adhesive_cycle", "adhesive_impact"),
-        *("elastic_plastic_particle", "impact", "viscoelastic_adhesion"),
+        *("elastic_plastic_particle", "impact", "viscoelastic_adhesion", "line_adhesion"),
     ),
     "relaxing and rolling": (
         *("viscoelastic_indentation", "creep_test", "relaxation_test", "harmonic_indentation", "sliding_resistance"),

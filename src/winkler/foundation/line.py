@@ -115,7 +115,7 @@ class LineFoundation:
         half_width : float
             a [m].
         rim_load : float
-            Load per length over E* that a rim at a bears beyond w(a) [m]; zero without a rim.
+            Load per length over E* that the edge bears beyond w(a) [m]: at a rim, or negative where adhesion pulls.
 
         Returns
         -------
@@ -159,7 +159,7 @@ class LineFoundation:
             slope = -whole / root
         else:
             whole, slope = potential(_piles(self, half_width), x, z)
-        if rim_load > 0.0:
+        if rim_load != 0.0:
             rim = rim_load / (np.pi * root)
             whole, slope = whole + rim, slope - rim * zeta / root**2
         return self.medium.modulus * whole, self.medium.modulus * slope

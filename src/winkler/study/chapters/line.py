@@ -9,6 +9,10 @@ from winkler.study.chapters.normal import MODULUS, ONSET, STRONG
 __all__ = ["LINE"]
 
 ROLLER = {"kind": "line_foundation", "profile": {"kind": "paraboloid"}}
+STICKY_ROLLER = {
+    **ROLLER,
+    "medium": {"kind": "half_space", "first": {"kind": "elastic", "young": "2 MPa", "poisson": 0.5}},
+}
 
 LOAD_PROFILE = Equation(
     "The two-dimensional profile f(x) becomes the load profile w",
@@ -29,6 +33,14 @@ STRESSES = Equation(
     r"\sigma_z = \mathrm{Im}\,F - z\,\mathrm{Re}\,F' - \mu z\,\mathrm{Im}\,F', \quad "
     r"\tau_{xz} = -z\,\mathrm{Im}\,F' + \mu\,(\mathrm{Im}\,F + z\,\mathrm{Re}\,F')",
 )
+STICKING = Equation(
+    "The edges pull like those of a flat punch: the stress intensity releases the work of adhesion γ",
+    r"P = E^*\,w(a) - \sqrt{2\pi a E^*\gamma}, \quad K_I = \sqrt{2E^*\gamma}",
+)
+STRETCHED = Equation(
+    "and takes from the pressure of the profile", r"p(x) = p_w(x) - \sqrt{\frac{2E^*\gamma a}{\pi(a^2-x^2)}}"
+)
+STABLE = Equation("A state is stable under a dead load where", r"\frac{\mathrm{d}P}{\mathrm{d}a} > 0")
 PLANE_STRAIN = Equation("and along the strip, in plane strain", r"\sigma_y = \nu\,(\sigma_x+\sigma_z)")
 SHAKEDOWN = Equation(
     "Residual stresses cannot take up the shear in planes along the surface, which limits shakedown (after Melan)",
@@ -63,6 +75,17 @@ LINE = Chapter(
             curves=(("force_per_length", "half_width"), ("force_per_length", "peak_pressure")),
             pictured=PicturedContact.NONE,
             formulas=(MODULUS, LOAD_PROFILE, LOAD, PRESSURE),
+        ),
+        "line_adhesion": answer(
+            "winkler.problems.line.adhesion:LineAdhesion",
+            "barquins_1988",
+            "chaudhury_1996",
+            bed=STICKY_ROLLER,
+            load={"kind": "line_force", "force_per_length": "1 N/m"},
+            picture=Caption("line_adhesion", "The contact", "Pressure and shape; of many loads the half-width."),
+            curves=(("force_per_length", "half_width"),),
+            pictured=PicturedContact.NONE,
+            formulas=(MODULUS, LOAD_PROFILE, STICKING, PRESSURE, STRETCHED, STABLE),
         ),
         "line_yield_onset": answer(
             "winkler.problems.line.yielding:LineYieldOnset",
