@@ -212,7 +212,12 @@ class LineAdhesionSolution(OfStrip):
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: range of the attraction, slopes, overlap, other stable states, yield."""
-        return adhesion_notes(self)
+        problem = self.problem
+        widest = int(np.argmax(self.half_width))
+        shape = np.shape(self.half_width)
+        one = self.at(tuple(map(int, np.unravel_index(widest, shape)))) if shape else self
+        forces = np.ravel(self.force_per_length) if isinstance(problem.load, LineForce) else np.zeros(0)
+        return adhesion_notes(problem.bed, problem.law, one._strip("notes"), one.separation, forces)
 
     def _edge_lengths(self) -> Array:
         """Return what the edges bear over E* [m], without rounding where they are free."""

@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable
 
 import numpy as np
 
-from winkler.loading import LineForce
+from winkler.foundation.line import LineFoundation
+from winkler.laws.adhesion import ShortRange
+from winkler.numerics.types import Array
 from winkler.problems.adhesion.widest_contact import stable_counts
 from winkler.problems.assumptions.adhesion_range import range_note
 from winkler.problems.line.equilibria import FIXED_GRIPS, line_states
+from winkler.problems.line.strip import Strip
 from winkler.problems.line.validity import line_notes
 from winkler.problems.line.yield_statement import line_yield_notes
 from winkler.validity import Assumption, Note, Standing
-
-if TYPE_CHECKING:
-    from winkler.problems.line.adhesion import LineAdhesionSolution
 
 __all__ = ["adhesion_notes"]
 
@@ -26,39 +26,45 @@ OVERLAP_TOLERANCE = 1e-9
 WITHOUT_CHOICE = "a law with a range is not offered for line contacts, so that the pull-off is uncertain"
 
 
-def adhesion_notes(solution: LineAdhesionSolution) -> tuple[Note, ...]:
-    """Return the notes; of many loads, those of the widest contact."""
-    problem, bed = solution.problem, solution.problem.bed
-    widest = int(np.argmax(solution.half_width))
-    a = float(np.ravel(solution.half_width)[widest])
+def adhesion_notes(
+    bed: LineFoundation, law: ShortRange, strip: Strip, separation: Callable[[Array], Array], forces: Array
+) -> tuple[Note, ...]:
+    """Return the notes; of many loads, those of the widest contact.
+
+    Parameters
+    ----------
+    bed : LineFoundation
+    law : ShortRange
+    strip : Strip
+        The widest contact.
+    separation
+        Takes places beside it [m], returns the distance of the surfaces [m].
+    forces : ndarray
+        Prescribed forces per length [N/m]; empty if a half-width was prescribed.
+    """
+    a = strip.half_width
     notes = [*line_notes(bed, a, sticking=True)]
     if a == 0.0:
         return tuple(notes)
-    edge_load = float(np.ravel(solution.edge_load)[widest]) / bed.medium.modulus
-    stretch = float(np.sqrt(2.0 * np.pi * a * problem.law.work / bed.medium.modulus))
-    notes.append(range_note(problem.law, stretch, "By attraction without range", WITHOUT_CHOICE))
+    stretch = float(np.sqrt(2.0 * np.pi * a * law.work / bed.medium.modulus))
+    notes.append(range_note(law, stretch, "By attraction without range", WITHOUT_CHOICE))
     if a < bed.rim and not bed.profile.rising:
-        notes.append(_overlap_note(solution, widest, a))
-    if isinstance(problem.load, LineForce):
-        states = line_states(bed, problem.law.work)
-        count = int(np.max(stable_counts(states, FIXED_GRIPS, np.ravel(solution.force_per_length))))
-        if count > 1:
-            text = (
-                f"Up to {count} half-widths are stable under one load; the widest is meant, which is left after "
-                "pressing firmly."
-            )
-            source = "all limits of stability along the states of equilibrium"
-            notes.append(Note(Assumption.EQUILIBRIUM, Standing.EXACT, text, source))
-    return (*notes, *line_yield_notes(bed, a, edge_load))
+        notes.append(_overlap_note(bed, a, separation))
+    count = int(np.max(stable_counts(line_states(bed, law.work), FIXED_GRIPS, forces))) if forces.size else 0
+    if count > 1:
+        text = (
+            f"Up to {count} half-widths are stable under one load; the widest is meant, which is left after pressing "
+            "firmly."
+        )
+        source = "all limits of stability along the states of equilibrium"
+        notes.append(Note(Assumption.EQUILIBRIUM, Standing.EXACT, text, source))
+    return (*notes, *line_yield_notes(bed, a, strip.edge_load))
 
 
-def _overlap_note(solution: LineAdhesionSolution, index: int, half_width: float) -> Note:
-    bed = solution.problem.bed
-    many = np.ndim(solution.half_width) > 0
-    one = solution.at(tuple(map(int, np.unravel_index(index, np.shape(solution.half_width))))) if many else solution
+def _overlap_note(bed: LineFoundation, half_width: float, separation: Callable[[Array], Array]) -> Note:
     end = min(BESIDE * half_width, bed.reach, bed.rim)
     x = half_width + (end - half_width) * (np.arange(SAMPLES) + 0.5) / SAMPLES
-    apart = one.separation(x)
+    apart = separation(x)
     source = "separation of the deformed surfaces"
     overlap = apart < -OVERLAP_TOLERANCE * float(np.max(np.abs(bed.profile.height(x))))
     if overlap.any():
