@@ -125,6 +125,7 @@ from winkler.problems.impact.adhesive_impact import AdhesiveImpact, AdhesiveImpa
 from winkler.problems.impact.impact import Impact, ImpactSolution
 from winkler.problems.line.adhesion import LineAdhesion, LineAdhesionSolution
 from winkler.problems.line.indentation import LineIndentation, LineSolution
+from winkler.problems.line.references import PlateBase, RollerCentre
 from winkler.problems.line.shakedown import LineShakedown, LineShakedownSolution
 from winkler.problems.line.stress import LineFields
 from winkler.problems.line.yielding import LineYieldOnset, LineYieldOnsetSolution
@@ -222,11 +223,13 @@ __all__ = [
     "OliverPharr", "OliverPharrSolution", "Oscillate", "OscillatingRolling", "OscillatingRollingSolution",
     "OutsideValidity",
     "PairWear", "Paraboloid", "ParticleSolution", "Path", "PeakStress", "PlacedCurve", "PlacedStress",
-    "PlaneFoundation", "Plated", "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "Program", "Prony",
+    "PlaneFoundation", "PlateBase",
+    "Plated", "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "Program", "Prony",
     "PullOff", "PullOffSolution",
     "Radius", "Ramp", "RandomTopography", "RateDependentWork", "ReducedBed", "Reduction", "ReductionSolution",
     "RelaxationDamper", "RelaxationDamperSolution", "RelaxationData", "RelaxationTest", "RelaxingInProportion",
-    "Rigid", "Rod", "Rolling", "RollingSolution", "RollingStart", "RollingStartSolution", "RoughContact",
+    "Rigid", "Rod", "RollerCentre",
+    "Rolling", "RollingSolution", "RollingStart", "RollingStartSolution", "RoughContact",
     "RoughContactSolution", "RoughIndentation", "RoughIndentationSolution", "RoughLine", "RoundedCone", "RoundedPunch",
     "SaturatingWork", "Segment", "SegmentKind", "SelfAffine", "Shape", "ShearForce", "ShearedFields", "Shift",
     "ShortRange", "SigmoidalGrading", "SimplifiedRolling", "SimplifiedRollingSolution", "SlidingResistance",

@@ -16,6 +16,7 @@ from winkler.foundation.line import LineFoundation
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.line.approach import approach
+from winkler.problems.line.references import Reference
 from winkler.problems.line.stress import LineContact, LineFields, poisson_of, stresses
 
 __all__ = ["OfStrip", "Strip"]
@@ -121,20 +122,21 @@ class OfStrip:
         fields = stresses(self._contact(below, friction), np.asarray(x, dtype=float), np.abs(depth))
         return fields if below else dataclasses.replace(fields, z=-fields.z)
 
-    def approach(self, first: float | None = None, second: float | None = None) -> float:
+    def approach(self, first: float | Reference | None = None, second: float | Reference | None = None) -> float:
         """Return how far two points on the axis have come together under one load [m], one in each body.
 
         Parameters
         ----------
-        first, second : float
-            Depths of the points below the surfaces [m]; that in a rigid body may be left out.
+        first, second : float, RollerCentre or PlateBase
+            Depths of the points below the surfaces of half-planes [m], or finite bodies; that in a rigid body may be
+            left out.
 
         Raises
         ------
         InvalidInput
             If a reference is not stated: a line contact has no depth of its own; or if there are many loads.
         OutsideValidity
-            If the medium is not a `HalfSpace`.
+            If the medium is not a `HalfSpace`, or the strip is wider than a fifth of a finite body.
         """
         a, edge_load = self._strip("approach")
         return approach(self._bed, a, edge_load, first, second)
