@@ -25,7 +25,7 @@ from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.edge_states import ShortStates
 from winkler.validity import Note
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["FIXED_GRIPS", "LoadSprings", "line_states"]
 
@@ -43,6 +43,12 @@ class LoadSprings:
     ----------
     line : LineFoundation
     """
+
+    __words__ = words(
+        line=("", None, "the line contact that the springs stand for"),
+        certain=("", None, "whether every contact is known to be one strip"),
+        rising=("", None, "whether the load profile is known to rise"),
+    )
 
     line: LineFoundation
 
