@@ -1,6 +1,6 @@
 """Loads: a prescribed force, depth or radius; along the surface a shift, shear force, angle or torque.
 
-A line contact takes a force per length, a half-width or a mean pressure.
+A line contact takes a force per length, a half-width or a mean pressure, a wavy surface a nominal pressure.
 
 A load's value may be an array; the result then has its shape.  Taken apart by ``match``.  How loads change with time is
 a `winkler.path.Path`.
@@ -20,6 +20,7 @@ __all__ = [
     "LineForce",
     "Load",
     "MeanPressure",
+    "NominalPressure",
     "Normal",
     "Radius",
     "ShearForce",
@@ -106,6 +107,19 @@ class MeanPressure:
     """
 
     mean_pressure: NonNegativeQuantity
+
+
+@value
+class NominalPressure:
+    """A prescribed pressure over the whole of a wavy surface, in contact or not.
+
+    Parameters
+    ----------
+    nominal_pressure : float or ndarray
+        P/pitch [Pa], not negative.
+    """
+
+    nominal_pressure: NonNegativeQuantity
 
 
 @value

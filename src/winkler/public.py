@@ -62,6 +62,7 @@ from winkler.loading import (
     HalfWidth,
     LineForce,
     MeanPressure,
+    NominalPressure,
     Radius,
     ShearForce,
     Shift,
@@ -125,6 +126,7 @@ from winkler.problems.impact.adhesive_impact import AdhesiveImpact, AdhesiveImpa
 from winkler.problems.impact.impact import Impact, ImpactSolution
 from winkler.problems.line.adhesion import LineAdhesion, LineAdhesionSolution
 from winkler.problems.line.indentation import LineIndentation, LineSolution
+from winkler.problems.line.periodic import PeriodicIndentation, PeriodicSolution
 from winkler.problems.line.references import PlateBase, RollerCentre
 from winkler.problems.line.shakedown import LineShakedown, LineShakedownSolution
 from winkler.problems.line.stress import LineFields
@@ -219,10 +221,11 @@ __all__ = [
     "LineScan", "LineShakedown", "LineShakedownSolution", "LineSolution", "LineYieldOnset", "LineYieldOnsetSolution",
     "Maxwell", "MeanPressure", "Measured", "MeasuredBed",
     "NamedElastic", "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor", "NearlyRoundIndentation",
-    "NearlyRoundSolution", "NotConverged", "Note",
+    "NearlyRoundSolution", "NominalPressure", "NotConverged", "Note",
     "OliverPharr", "OliverPharrSolution", "Oscillate", "OscillatingRolling", "OscillatingRollingSolution",
     "OutsideValidity",
-    "PairWear", "Paraboloid", "ParticleSolution", "Path", "PeakStress", "PlacedCurve", "PlacedStress",
+    "PairWear", "Paraboloid", "ParticleSolution", "Path", "PeakStress", "PeriodicIndentation",
+    "PeriodicSolution", "PlacedCurve", "PlacedStress",
     "PlaneFoundation", "PlateBase",
     "Plated", "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "Program", "Prony",
     "PullOff", "PullOffSolution",

@@ -26,6 +26,7 @@ from winkler.numerics.fields.half_plane import Pile, potential
 from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, Curve
+from winkler.profiles.flat import CappedCylinder
 from winkler.profiles.line_transform import line_load, line_load_slope
 from winkler.profiles.power import Paraboloid
 from winkler.profiles.profile import Profile
@@ -153,8 +154,9 @@ class LineFoundation:
         """
         zeta = x + 1j * z
         root = np.sqrt(zeta - half_width) * np.sqrt(zeta + half_width)
-        if isinstance(self.profile, Paraboloid):  # McEwen
-            share = half_width / (2.0 * self.profile.curvature_radius)
+        shape = self.profile.cap if isinstance(self.profile, CappedCylinder) else self.profile
+        if isinstance(shape, Paraboloid):  # McEwen
+            share = half_width / (2.0 * shape.curvature_radius)
             whole = share * half_width / (zeta + root)
             slope = -whole / root
         else:

@@ -19,7 +19,7 @@ from winkler.problems.line.approach import approach
 from winkler.problems.line.references import Reference
 from winkler.problems.line.stress import LineContact, LineFields, poisson_of, stresses
 
-__all__ = ["OfStrip", "Strip"]
+__all__ = ["OfStrip", "Stressed", "Strip"]
 
 
 class Strip(NamedTuple):
@@ -37,14 +37,55 @@ class Strip(NamedTuple):
     edge_load: float
 
 
-class OfStrip:
-    """What the solution of one load tells of its strip."""
+class Stressed:
+    """A solution whose stresses below the surface are known."""
 
     problem: Any
+
+    @property
+    def _bed(self) -> Any:
+        """What `winkler.problems.line.stress.LineContact` takes for a bed."""
+        return self.problem.bed
 
     def _strip(self, requested: str) -> Strip:
         """Return the strip of one load; refuse many."""
         raise NotImplementedError
+
+    def stresses(self, x: ArrayLike, z: ArrayLike, friction: float = 0.0) -> LineFields:
+        """Return the stresses below the surface under one load.
+
+        Parameters
+        ----------
+        x : array_like
+            Places along the surface [m].
+        z : array_like
+            Depths [m]: not negative in the first body, negative in the second.  All in one of them.
+        friction : float
+            mu [-] of a contact that slides everywhere: the body is dragged along x by mu p, against it if negative.
+
+        Raises
+        ------
+        InvalidInput
+            If the solution has more than one load, or the depths lie in both bodies.
+        OutsideValidity
+            If there is no contact, or the body is rigid or not isotropic.
+        """
+        depth = np.asarray(z, dtype=float)
+        below = bool(np.all(depth >= 0.0))
+        if not below and np.any(depth >= 0.0):
+            raise InvalidInput(f"{type(self).__name__}: the depths z lie in both bodies; request one after the other.")
+        fields = stresses(self._contact(below, friction), np.asarray(x, dtype=float), np.abs(depth))
+        return fields if below else dataclasses.replace(fields, z=-fields.z)
+
+    def _contact(self, below: bool, friction: float) -> LineContact:
+        a, edge_load = self._strip("stresses")
+        if a == 0.0:
+            raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
+        return LineContact(self._bed, a, edge_load, poisson_of(self._bed, below), friction)
+
+
+class OfStrip(Stressed):
+    """The part of a solution that one strip determines."""
 
     def pressure(self, x: ArrayLike) -> Array:
         """Return the pressure under one load [Pa], zero outside of the contact.
@@ -63,7 +104,7 @@ class OfStrip:
         x = np.asarray(x, dtype=float)
         if a == 0.0:
             return np.zeros(x.shape)
-        return self._bed.pressure(x, a, edge_load)
+        return np.asarray(self._bed.pressure(x, a, edge_load))
 
     def separation(self, x: ArrayLike) -> Array:
         """Return the distance of the deformed surfaces under one load [m], zero inside of the contact.
@@ -96,32 +137,6 @@ class OfStrip:
         pulled = 2.0 / np.pi * edge_load * np.log1p((beside - a + abel.root_difference(beside, a)) / a)
         return np.asarray(abel.integral(opening, edges, away) - pulled)
 
-    def stresses(self, x: ArrayLike, z: ArrayLike, friction: float = 0.0) -> LineFields:
-        """Return the stresses below the surface under one load.
-
-        Parameters
-        ----------
-        x : array_like
-            Places along the surface [m].
-        z : array_like
-            Depths [m]: not negative in the first body, negative in the second.  All in one of them.
-        friction : float
-            mu [-] of a contact that slides everywhere: the body is dragged along x by mu p, against it if negative.
-
-        Raises
-        ------
-        InvalidInput
-            If the solution has more than one load, or the depths lie in both bodies.
-        OutsideValidity
-            If there is no contact, or the body is rigid or not isotropic.
-        """
-        depth = np.asarray(z, dtype=float)
-        below = bool(np.all(depth >= 0.0))
-        if not below and np.any(depth >= 0.0):
-            raise InvalidInput(f"{type(self).__name__}: the depths z lie in both bodies; request one after the other.")
-        fields = stresses(self._contact(below, friction), np.asarray(x, dtype=float), np.abs(depth))
-        return fields if below else dataclasses.replace(fields, z=-fields.z)
-
     def approach(self, first: float | Reference | None = None, second: float | Reference | None = None) -> float:
         """Return how far two points on the axis have come together under one load [m], one in each body.
 
@@ -145,9 +160,3 @@ class OfStrip:
     def _bed(self) -> LineFoundation:
         bed: LineFoundation = self.problem.bed
         return bed
-
-    def _contact(self, below: bool, friction: float) -> LineContact:
-        a, edge_load = self._strip("stresses")
-        if a == 0.0:
-            raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
-        return LineContact(self._bed, a, edge_load, poisson_of(self._bed, below), friction)
