@@ -234,6 +234,10 @@ LINES = {
     "line_yield_onset": wk.LineYieldOnset(STRONG_ROLLER, wk.Coulomb(0.1)),
     "line_shakedown": wk.LineShakedown(STRONG_ROLLER, wk.Coulomb(0.1)),
     "line_adhesion": wk.LineAdhesion(STICKY_ROLLER, wk.ShortRange(50e-3), wk.LineForce(1.0)),
+    **dict.fromkeys(
+        ("periodic_indentation", "nominal_pressure"),
+        wk.PeriodicIndentation(wk.LineFoundation(wk.Wavy(1e-6, 1e-3), STEEL_BODY), 1e-3, wk.NominalPressure(100e6)),
+    ),
     "mean_pressure": wk.LineIndentation(ROLLER, wk.MeanPressure(500e6)),
 }
 NEWER = {**LINES, **RELAXING, **CONDUCTING, **ROLLING, **HEATING, **WEARING, **ROUGHNESS}

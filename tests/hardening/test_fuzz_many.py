@@ -71,7 +71,7 @@ SOLVED = {
     "pressed": (
         *("indentation", "yield_onset", "elliptic_indentation", "nearly_round_indentation", "limiting_profile"),
         *("relaxation_damper", "friction_damping", "bimodal_damping", "fretting_wear", "sliding_wear"),
-        *("line_indentation", "line_yield_onset", "line_shakedown"),
+        *("line_indentation", "line_yield_onset", "line_shakedown", "periodic_indentation"),
     ),
     "sticky": (
         *("adhesive_indentation", "pull_off", "equilibrium", "adhesive_shear", "adhesive_cycle", "adhesive_impact"),

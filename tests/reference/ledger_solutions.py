@@ -316,6 +316,13 @@ def line_adhesion_cylinder() -> Numbers:
 
 
 @of_case
+def wavy_half_plane() -> Numbers:
+    """p/p* = sin^2(pi a/lambda), p0 = 2 sqrt(p p*), p* = pi E* h/lambda."""
+    full, nominal = mp.pi * frac("0.004"), frac("0.003")
+    return [mp.asin(mp.sqrt(nominal / full)) / mp.pi, 2 * mp.sqrt(nominal * full), full]
+
+
+@of_case
 def line_yield_cylinder() -> Numbers:
     """McEwen's axis: von Mises' stress over p0 at its maximum, in plane strain, is the strength over p0."""
 

@@ -31,7 +31,7 @@ from winkler.profiles.flat import CappedCylinder
 from winkler.profiles.power import Paraboloid
 from winkler.profiles.profile import Profile, Shape, Sum
 from winkler.profiles.wavy import Wavy
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["PeriodicBed", "from_line", "to_line", "unrolled"]
 
@@ -122,6 +122,8 @@ class Harmonic(Shape):
     number : int
         n.
     """
+
+    __words__ = words(number=("n", "", "waves between two valleys"))
 
     amplitude: Positive
     pitch: Positive

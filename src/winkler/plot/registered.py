@@ -12,7 +12,7 @@ from winkler.plot.friction import damping  # noqa: F401
 from winkler.plot.friction import sheets as friction_sheets  # noqa: F401
 from winkler.plot.heating import heating  # noqa: F401
 from winkler.plot.impact import impact  # noqa: F401
-from winkler.plot.line import adhesion, contact  # noqa: F401
+from winkler.plot.line import adhesion, contact, periodic  # noqa: F401
 from winkler.plot.particles import elastic_plastic  # noqa: F401
 from winkler.plot.rolling import rolling  # noqa: F401
 from winkler.plot.rough import lines, roughness  # noqa: F401

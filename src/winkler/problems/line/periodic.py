@@ -75,7 +75,6 @@ class PeriodicIndentation:
 
     __words__ = words(
         bed=("", None, "profile and bodies of each strip"),
-        pitch=(r"\lambda", "m", "distance of the crests"),
         load=("", None, "what is prescribed: a nominal pressure, a force per length or a half-width"),
     )
 

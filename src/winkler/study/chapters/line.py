@@ -9,6 +9,10 @@ from winkler.study.chapters.normal import MODULUS, ONSET, STRONG
 __all__ = ["LINE"]
 
 ROLLER = {"kind": "line_foundation", "profile": {"kind": "paraboloid"}}
+WAVES = {
+    "kind": "line_foundation",
+    "profile": {"kind": "wavy", "amplitude": "1 um", "wavelength": "1 mm"},
+}
 STICKY_ROLLER = {
     **ROLLER,
     "medium": {"kind": "half_space", "first": {"kind": "elastic", "young": "2 MPa", "poisson": 0.5}},
@@ -33,6 +37,14 @@ STRESSES = Equation(
     r"\sigma_z = \mathrm{Im}\,F - z\,\mathrm{Re}\,F' - \mu z\,\mathrm{Im}\,F', \quad "
     r"\tau_{xz} = -z\,\mathrm{Im}\,F' + \mu\,(\mathrm{Im}\,F + z\,\mathrm{Re}\,F')",
 )
+SINE = Equation(
+    "Strips at the pitch λ are one strip over u, under f̃(u) = f(x)",
+    r"u = \frac{\lambda}{\pi}\sin\frac{\pi x}{\lambda}, \quad \bar p = \frac{P}{\lambda}",
+)
+PERIODIC_PRESSURE = Equation(
+    "with u(a) in the place of a; its pressure p̃ is that of each strip but for a cosine, up to full contact",
+    r"p(x) = \tilde p(u)\,\cos\frac{\pi x}{\lambda}",
+)
 STICKING = Equation(
     "The edges pull like those of a flat punch: the stress intensity releases the work of adhesion γ",
     r"P = E^*\,w(a) - \sqrt{2\pi a E^*\gamma}, \quad K_I = \sqrt{2E^*\gamma}",
@@ -54,6 +66,9 @@ LINE = Chapter(
             "line_force": kind("winkler.loading:LineForce", problem="line_indentation", force_per_length="100 N/mm"),
             "half_width": kind("winkler.loading:HalfWidth", problem="line_indentation", half_width="0.1 mm"),
             "mean_pressure": kind("winkler.loading:MeanPressure", problem="line_indentation", mean_pressure="500 MPa"),
+            "nominal_pressure": kind(
+                "winkler.loading:NominalPressure", problem="periodic_indentation", nominal_pressure="100 MPa"
+            ),
         },
         "line_bed": {
             "line_foundation": kind(
@@ -86,6 +101,18 @@ LINE = Chapter(
             curves=(("force_per_length", "half_width"),),
             pictured=PicturedContact.NONE,
             formulas=(MODULUS, LOAD_PROFILE, STICKING, PRESSURE, STRETCHED, STABLE),
+        ),
+        "periodic_indentation": answer(
+            "winkler.problems.line.periodic:PeriodicIndentation",
+            "westergaard_1939",
+            "johnson_1985",
+            bed=WAVES,
+            pitch="1 mm",
+            load={"kind": "nominal_pressure", "nominal_pressure": "100 MPa"},
+            picture=Caption("waves", "The contact", "Pressure and shape; of many loads contact and pressures."),
+            curves=(("nominal_pressure", "contact_share"), ("nominal_pressure", "peak_pressure")),
+            pictured=PicturedContact.NONE,
+            formulas=(MODULUS, SINE, LOAD_PROFILE, LOAD, PERIODIC_PRESSURE),
         ),
         "line_yield_onset": answer(
             "winkler.problems.line.yielding:LineYieldOnset",
