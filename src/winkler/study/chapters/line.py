@@ -38,12 +38,12 @@ STRESSES = Equation(
     r"\tau_{xz} = -z\,\mathrm{Im}\,F' + \mu\,(\mathrm{Im}\,F + z\,\mathrm{Re}\,F')",
 )
 SINE = Equation(
-    "Strips at the pitch λ are one strip over u, under f̃(u) = f(x)",
+    "Strips at the pitch λ are one strip over u, under the profile f(x(u))",
     r"u = \frac{\lambda}{\pi}\sin\frac{\pi x}{\lambda}, \quad \bar p = \frac{P}{\lambda}",
 )
 PERIODIC_PRESSURE = Equation(
-    "with u(a) in the place of a; its pressure p̃ is that of each strip but for a cosine, up to full contact",
-    r"p(x) = \tilde p(u)\,\cos\frac{\pi x}{\lambda}",
+    "with u(a) in the place of a; its pressure p₁(u) is that of each strip but for a cosine, up to full contact",
+    r"p(x) = p_1(u)\,\cos\frac{\pi x}{\lambda}",
 )
 STICKING = Equation(
     "The edges pull like those of a flat punch: the stress intensity releases the work of adhesion γ",
