@@ -64,6 +64,7 @@ from winkler.loading import (
     LineShearForce,
     MeanPressure,
     Moment,
+    NominalPressure,
     Radius,
     ShearForce,
     Shift,
@@ -129,7 +130,10 @@ from winkler.problems.heating.steady import FrictionHeating, FrictionHeatingSolu
 from winkler.problems.heating.transient import TransientHeating, TransientHeatingSolution
 from winkler.problems.impact.adhesive_impact import AdhesiveImpact, AdhesiveImpactSolution
 from winkler.problems.impact.impact import Impact, ImpactSolution
+from winkler.problems.line.adhesion import LineAdhesion, LineAdhesionSolution
 from winkler.problems.line.indentation import LineIndentation, LineSolution
+from winkler.problems.line.periodic import PeriodicIndentation, PeriodicSolution
+from winkler.problems.line.references import PlateBase, RollerCentre
 from winkler.problems.line.roller_contact import RollerContact, RollerSolution
 from winkler.problems.line.shakedown import LineShakedown, LineShakedownSolution
 from winkler.problems.line.stress import LineFields
@@ -230,9 +234,9 @@ __all__ = [
     "Impact", "ImpactSolution", "Indentation", "IndentationSolution", "InvalidInput",
     "JouleHeating", "JouleHeatingSolution",
     "Kalker", "KelvinVoigt",
-    "Layer", "LimitingProfile", "LimitingSolution", "LineConstriction", "LineConstrictionSolution",
-    "LineFields", "LineForce", "LineFoundation",
-    "LineFrictionHeating", "LineFrictionHeatingSolution",
+    "Layer", "LimitingProfile", "LimitingSolution", "LineAdhesion", "LineAdhesionSolution", "LineConstriction",
+    "LineConstrictionSolution", "LineFields", "LineForce", "LineFoundation", "LineFrictionHeating",
+    "LineFrictionHeatingSolution",
     "LineIndentation",
     "LinePath", "LineRolling", "LineRollingResistance", "LineRollingResistanceSolution", "LineRollingSolution",
     "LineRollingStart", "LineRollingStartSolution", "LineScan", "LineShakedown", "LineShakedownSolution",
@@ -240,18 +244,19 @@ __all__ = [
     "LineYieldOnsetSolution", "LogarithmicEnds",
     "Maxwell", "MeanPressure", "Measured", "MeasuredBed", "Moment",
     "NamedElastic", "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor", "NearlyRoundIndentation",
-    "NearlyRoundSolution", "NotConverged", "Note",
+    "NearlyRoundSolution", "NominalPressure", "NotConverged", "Note",
     "OliverPharr", "OliverPharrSolution", "Oscillate", "OscillatingRolling", "OscillatingRollingSolution",
     "OutsideValidity",
-    "PairWear", "Paraboloid", "ParticleSolution", "Path", "PeakStress", "PlacedCurve", "PlacedStress",
-    "PlaneFoundation", "Plated", "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "Program", "Prony",
+    "PairWear", "Paraboloid", "ParticleSolution", "Path", "PeakStress", "PeriodicIndentation",
+    "PeriodicSolution", "PlacedCurve", "PlacedStress",
+    "PlaneFoundation", "PlateBase",
+    "Plated", "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "Program", "Prony",
     "PullOff", "PullOffSolution",
     "Radius", "Ramp", "RandomTopography", "RateDependentWork", "ReducedBed", "Reduction", "ReductionSolution",
     "RelaxationDamper", "RelaxationDamperSolution", "RelaxationData", "RelaxationTest", "RelaxingInProportion",
-    "Rigid", "Rod", "RollerContact", "RollerSolution",
-    "Rolling", "RollingSolution", "RollingStart", "RollingStartSolution", "RoughContact",
-    "RoughContactSolution", "RoughIndentation", "RoughIndentationSolution", "RoughLine", "RoundedCone", "RoundedEnds",
-    "RoundedPunch",
+    "Rigid", "Rod", "RollerCentre", "RollerContact", "RollerSolution", "Rolling", "RollingSolution", "RollingStart",
+    "RollingStartSolution", "RoughContact", "RoughContactSolution", "RoughIndentation", "RoughIndentationSolution",
+    "RoughLine", "RoundedCone", "RoundedEnds", "RoundedPunch",
     "SaturatingWork", "Segment", "SegmentKind", "SelfAffine", "Shape", "SharpEnds", "ShearForce", "ShearedFields",
     "Shift",
     "ShortRange", "SigmoidalGrading", "SimplifiedRolling", "SimplifiedRollingSolution", "SlidingResistance",

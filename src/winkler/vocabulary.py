@@ -41,6 +41,8 @@ GLOSSARY: dict[str, Word] = {
     "gap_slope": Word("g'", "", "slope of the equivalent plane profile"),
     "pressure": Word("p", "Pa", "contact pressure, compression positive"),
     "mean_pressure": Word("p_m", "Pa", "force over contact area"),
+    "pitch": Word(r"\lambda", "m", "distance of the crests"),
+    "nominal_pressure": Word(r"\bar p", "Pa", "force over the whole surface, in contact or not"),
     "displacement": Word("u_z", "m", "normal displacement of the surface, sum over both bodies"),
     "separation": Word("h", "m", "distance of the deformed surfaces"),
     "normal_stiffness": Word("c_N", "Pa", "normal stiffness of the springs per length"),

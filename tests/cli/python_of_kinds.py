@@ -237,6 +237,7 @@ def crowned_roller(ends=None, alignment=None):
     return wk.RollerContact(10e-3, 10e-3, ends, STEEL_BODY, wk.Force(np.linspace(2e3, 12e3, 6)), alignment, 48)
 
 
+STICKY_ROLLER = wk.LineFoundation(wk.Paraboloid(10e-3), wk.HalfSpace(wk.Elastic(2e6, 0.5)))
 LINES = {
     **dict.fromkeys(
         ("line_indentation", "line_foundation", "line_force"), wk.LineIndentation(ROLLER, wk.LineForce(100e3))
@@ -271,6 +272,11 @@ LINES = {
     "line_constriction": wk.LineConstriction(ROLLER, PAIR, wk.LineForce(100e3), first_depth=5e-3, second_depth=5e-3),
     "line_friction_heating": wk.LineFrictionHeating(
         ROLLER, wk.Coulomb(0.05), wk.LineForce(400e3), WARM_PAIR, first_speed=6.0, second_speed=4.0
+    ),
+    "line_adhesion": wk.LineAdhesion(STICKY_ROLLER, wk.ShortRange(50e-3), wk.LineForce(1.0)),
+    **dict.fromkeys(
+        ("periodic_indentation", "nominal_pressure"),
+        wk.PeriodicIndentation(wk.LineFoundation(wk.Wavy(1e-6, 1e-3), STEEL_BODY), 1e-3, wk.NominalPressure(100e6)),
     ),
     "mean_pressure": wk.LineIndentation(ROLLER, wk.MeanPressure(500e6)),
 }

@@ -72,11 +72,18 @@ SOLVED = {
         *("indentation", "yield_onset", "elliptic_indentation", "nearly_round_indentation", "limiting_profile"),
         "elliptic_yield_onset",
         *("relaxation_damper", "friction_damping", "bimodal_damping", "fretting_wear", "sliding_wear"),
-        *("line_indentation", "line_yield_onset", "line_shakedown", "line_tangential", "roller_contact"),
+        *(
+            "line_indentation",
+            "line_yield_onset",
+            "line_shakedown",
+            "line_tangential",
+            "roller_contact",
+            "periodic_indentation",
+        ),
     ),
     "sticky": (
         *("adhesive_indentation", "pull_off", "equilibrium", "adhesive_shear", "adhesive_cycle", "adhesive_impact"),
-        *("elastic_plastic_particle", "impact", "viscoelastic_adhesion"),
+        *("elastic_plastic_particle", "impact", "viscoelastic_adhesion", "line_adhesion"),
     ),
     "relaxing and rolling": (
         *("viscoelastic_indentation", "creep_test", "relaxation_test", "harmonic_indentation", "sliding_resistance"),

@@ -320,6 +320,25 @@ def roller_lundberg() -> Numbers:
     return [load / mp.pi * (2 * mp.log(4 / a) + 1), mp.sqrt(load / mp.pi)]
 
 
+def line_adhesion_cylinder() -> Numbers:
+    """P = pi E* a^2/(4R) - sqrt(2 pi a E* gamma): its zero, and its least value; E* = 1e6, R = gamma = 1."""
+    e = mp.mpf(10) ** 6
+
+    def force(a: Any) -> Any:
+        return mp.pi * e * a * a / 4 - mp.sqrt(2 * mp.pi * a * e)
+
+    rest = mp.findroot(force, frac("0.0215"))
+    least = mp.findroot(lambda a: mp.pi * e * a / 2 - mp.sqrt(mp.pi * e / (2 * a)), frac("0.0086"))
+    return [rest, least, force(least)]
+
+
+@of_case
+def wavy_half_plane() -> Numbers:
+    """p/p* = sin^2(pi a/lambda), p0 = 2 sqrt(p p*), p* = pi E* h/lambda."""
+    full, nominal = mp.pi * frac("0.004"), frac("0.003")
+    return [mp.asin(mp.sqrt(nominal / full)) / mp.pi, 2 * mp.sqrt(nominal * full), full]
+
+
 @of_case
 def line_yield_cylinder() -> Numbers:
     """McEwen's axis: von Mises' stress over p0 at its maximum, in plane strain, is the strength over p0."""

@@ -28,6 +28,7 @@ from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, Curve
 from winkler.profiles.area import AreaFunction
+from winkler.profiles.flat import CappedCylinder
 from winkler.profiles.line_transform import line_load, line_load_slope
 from winkler.profiles.power import Paraboloid
 from winkler.profiles.profile import Profile
@@ -130,7 +131,7 @@ class LineFoundation:
         half_width : float
             a [m].
         rim_load : float
-            Load per length over E* that a rim at a bears beyond w(a) [m]; zero without a rim.
+            Load per length over E* that the edge bears beyond w(a) [m]: at a rim, or negative where adhesion pulls.
 
         Returns
         -------
@@ -168,13 +169,14 @@ class LineFoundation:
         """
         zeta = x + 1j * z
         root = np.sqrt(zeta - half_width) * np.sqrt(zeta + half_width)
-        if isinstance(self.profile, Paraboloid):  # McEwen
-            share = half_width / (2.0 * self.profile.curvature_radius)
+        shape = self.profile.cap if isinstance(self.profile, CappedCylinder) else self.profile
+        if isinstance(shape, Paraboloid):  # McEwen
+            share = half_width / (2.0 * shape.curvature_radius)
             whole = share * half_width / (zeta + root)
             slope = -whole / root
         else:
             whole, slope = potential(_piles(self, half_width), x, z)
-        if rim_load > 0.0:
+        if rim_load != 0.0:
             rim = rim_load / (np.pi * root)
             whole, slope = whole + rim, slope - rim * zeta / root**2
         return self.medium.modulus * whole, self.medium.modulus * slope
