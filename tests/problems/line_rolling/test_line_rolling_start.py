@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import tomllib
 
 import numpy as np
 import pytest
@@ -120,6 +121,37 @@ def test_the_course_is_like_that_of_a_ball(shared_data):
     assert ball[2] < 0.65
     assert abs(line[-1] - 1.0) < 0.01
     assert abs(ball[-1] - 1.0) < 0.02
+
+
+def unlike(mu, count=100, reverse=False):
+    aluminium, steel = wk.Elastic(2.0 * 1.31 * 23e9, 0.31), wk.Elastic(2.0 * 1.28 * 82e9, 0.28)
+    pair = (steel, aluminium) if reverse else (aluminium, steel)
+    bed = wk.LineFoundation(wk.Paraboloid(25e-3), wk.HalfSpace.between(*pair))
+    load = wk.LineForce(16201.9)
+    return wk.LineRollingStart(
+        bed, wk.Coulomb(mu), wk.LineShearForce(0.0), load, distance=0.8e-3, count=count, points=4
+    )
+
+
+def test_dissimilar_rollers_creep_freely_as_in_contact(shared_data):
+    """Case 4 of bentall_line, 200 elements: 4.294e-4, and from the leading edge slip 32, stick 117, 35, 8, 8."""
+    found = unlike(0.05).solve()
+    assert found.longitudinal_creepage[-1] == pytest.approx(4.294e-4, rel=4e-3)
+    assert unlike(0.05, reverse=True).solve().longitudinal_creepage[-1] == pytest.approx(-4.294e-4, rel=4e-3)
+    table = tomllib.loads((shared_data / "reference" / "contact" / "bentall_line.toml").read_text(encoding="utf-8"))
+    stated = next(case for case in table["case"] if case["case"] == 4)["runs_from_leading_edge"]
+    bound = 0.05 * found.contact.pressure(found.states[-1].x)
+    sticks = np.abs(found.states[-1].traction) < 0.995 * bound
+    zones = [(key, len(list(group))) for key, group in itertools.groupby(sticks[::-1])]
+    assert [("stick" if key else "slip") for key, _ in zones] == [name for name, _ in stated]
+    assert all(abs(ours - theirs) <= 3 for (_, ours), (_, theirs) in zip(zones, stated, strict=True))
+    assert any("Bentall" in note.source for note in found.validity)
+    assert not any("Bentall" in note.source for note in begun(distance=0.1, points=1).validity)
+
+
+def test_with_hardly_any_friction_they_creep_as_bentall_and_johnson():
+    """All slips: forwards where the pressure is low, backwards over the middle that bears half of the force."""
+    assert unlike(1e-3).solve().longitudinal_creepage[-1] == pytest.approx(5.259156e-4, rel=2e-3)
 
 
 @pytest.mark.parametrize("ratio", [0.0, 1e-6, -0.64, 0.9999])

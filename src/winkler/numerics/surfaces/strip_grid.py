@@ -19,7 +19,9 @@ from winkler.numerics.types import Array
 
 __all__ = ["StripStep", "strip_compliance", "strip_step"]
 
-MOST_ITERATIONS = 200
+MOST_ITERATIONS = 2000
+ALL_AT_ONCE = 30
+"""Iterations in which all nodes change that are wrong."""
 
 
 def strip_compliance(count: int, spacing: float, reference: float) -> Array:
@@ -88,10 +90,11 @@ def strip_step(
     NotConverged
         If the zones of stick and slip are not found.
     """
-    for _ in range(MOST_ITERATIONS):
+    slip = np.zeros(bound.size)
+    for iteration in range(MOST_ITERATIONS):
         sticks = slips == 0
         if total is not None and not sticks.any():
-            sticks[-1] = True  # friction bears more than the sum: the leading node is the last that slips
+            sticks[-1 - int(np.argmin(np.abs(slip[::-1])))] = True  # some node must: friction bears more than the sum
         traction = np.where(sticks, 0.0, slips * bound)
         inner = compliance[np.ix_(sticks, sticks)]
         wanted = before[sticks] - compliance[np.ix_(sticks, ~sticks)] @ traction[~sticks]
@@ -104,10 +107,13 @@ def strip_step(
             traction[sticks], shift = found[:-1], float(found[-1])
         slip = shift + before - compliance @ traction
         over = np.where(np.abs(traction) > bound, np.sign(traction), 0.0)
-        found_slips = np.where(sticks, over, np.where(slips * slip < 0.0, 0.0, slips))
-        if np.array_equal(found_slips, slips):
-            return StripStep(traction, slips, shift)
-        slips = found_slips
+        better = np.where(sticks, over, np.where(slips * slip < 0.0, 0.0, slips))
+        wrong = np.flatnonzero(better != np.where(sticks, 0.0, slips))
+        if wrong.size == 0:
+            return StripStep(traction, np.where(sticks, 0.0, slips), shift)
+        changed = wrong if iteration < ALL_AT_ONCE else wrong[-1:]  # one at a time, the last, does not run in circles
+        slips = np.where(sticks, 0.0, slips)
+        slips[changed] = better[changed]
     raise NotConverged(
         f"The zones of stick and slip of a rolling strip were not found in {MOST_ITERATIONS} iterations; give another "
         "count of elements, or a force farther from the one at which all slides."

@@ -15,6 +15,7 @@ from winkler.plot.panel import Line, Panel, PanelAxis, Rule, Sheet, points, titl
 from winkler.plot.series import scale_of, series, series_of, with_unit
 from winkler.problems.line_rolling.resistance import LineRollingResistanceSolution
 from winkler.problems.line_rolling.start import LineRollingStartSolution
+from winkler.problems.line_rolling.start_states import DRAGGED
 from winkler.problems.line_rolling.steady import LineRollingSolution, sliding_creepage
 from winkler.problems.rolling.creepage import Creepage
 
@@ -102,11 +103,10 @@ def line_rolling_start_sheet(item: LineRollingStartSolution, *, extent: float | 
     name = "longitudinal_creepage" if held else "shear_force_per_length"
     first = 1 if held and item.distance.size > 1 else 0  # at rest there is no creepage
     found, distance = series_of(item, name), series_of(item, "distance")
-    course = (
-        Line(distance.content[first:], found.content[first:], style.BLUE),
-        Rule(float(getattr(item.steady, name)), width=0.9, dash=style.DOTTED),
-    )
-    courses = Panel(course, PanelAxis.of(distance), PanelAxis.of(found, margin=0.1))
+    course: list[Any] = [Line(distance.content[first:], found.content[first:], style.BLUE)]
+    if DRAGGED not in item.validity:
+        course.append(Rule(float(getattr(item.steady, name)), width=0.9, dash=style.DOTTED))
+    courses = Panel(tuple(course), PanelAxis.of(distance), PanelAxis.of(found, margin=0.1))
     end = checked_extent(extent) or BESIDE * float(item.contact.half_width)
     panels = titled((courses, _states_panel(item, end)), "until it is steady", "traction, rolling to the right")
     return Sheet(panels, height=3.1)

@@ -3,7 +3,10 @@ r"""A cylinder that begins to roll: its tractions over the distance rolled, unti
 On a grid that moves with the contact by one spacing per step, boundary elements of both half-planes are exact for
 tractions that are linear between nodes (Kalker's approach): a particle now at x was at x + h a step before, and slips
 
-.. math:: S = W - u(x) + u_0(x+h) , \qquad \xi = \frac Wh .
+.. math:: S = W - u(x) + u_0(x+h) - \frac{2\beta}{E^*}\int_x^{x+h} p\,\mathrm ds , \qquad \xi = \frac Wh .
+
+The last term is what the pressure drags dissimilar surfaces along each other, with Dundurs' constant beta (Bentall and
+Johnson); that tractions change the pressure of such bodies is left out.
 
 Under a force per length that is held, the contact begins as it sticks and slips at rest (Cattaneo), and the creepage
 follows.  A prescribed creepage determines the force only against points at a stated distance d, because the surfaces
@@ -12,13 +15,13 @@ of half-planes move without bound under a growing force per length.
 References
 ----------
 J. J. Kalker, Transient phenomena in two elastic cylinders rolling over each other with dry friction, J. Appl. Mech. 37
-(1970) 677-688
+(1970) 677-688; R. H. Bentall, K. L. Johnson, Int. J. Mech. Sci. 9 (1967) 389-404
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import Annotated, ClassVar
 
 import numpy as np
@@ -32,12 +35,12 @@ from winkler.loading import LineShearForce
 from winkler.numerics.surfaces.strip_grid import StripStep, strip_compliance, strip_step
 from winkler.numerics.types import Array
 from winkler.problems.answer import gather
-from winkler.problems.assumptions.coupling import sticking_note
+from winkler.problems.assumptions.coupling import mismatch, sliding_note
 from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.line.indentation import LineSolution
 from winkler.problems.line.validity import line_notes
 from winkler.problems.line_rolling.pressed import OneLineLoad, refuse_unless_round, rolling_yield_notes, touching_strip
-from winkler.problems.line_rolling.start_states import ELEMENTS, LineRollingState, rolled_state
+from winkler.problems.line_rolling.start_states import DRAGGED, ELEMENTS, LineRollingState, rolled_state
 from winkler.problems.line_rolling.steady import LineRolling, LineRollingSolution, refuse_unless_along
 from winkler.problems.rolling.creepage import Creepage
 from winkler.validity import Assumption, Note
@@ -125,7 +128,7 @@ class LineRollingStart:
     points: Annotated[int, Whole(1, 100_000)] = 100
     count: Annotated[int, Whole(5, 500)] = 80
 
-    references: ClassVar[tuple[str, ...]] = ("kalker_1970", "carter_1926")
+    references: ClassVar[tuple[str, ...]] = ("kalker_1970", "carter_1926", "bentall_johnson_1967")
     assumptions: ClassVar[frozenset[Assumption]] = SHEARED
 
     def __post_init__(self) -> None:
@@ -140,7 +143,7 @@ class LineRollingStart:
 
     @property
     def steady(self) -> LineRollingSolution:
-        """Rolling for ever (Carter)."""
+        """Rolling for ever, of similar bodies (Carter)."""
         return LineRolling(self.bed, self.friction, self.drive, self.load).solve()
 
     @property
@@ -181,12 +184,14 @@ class LineRollingStart:
         near = apart * strip_compliance(x.size, 1.0, reference / apart)
         away = np.arange(x.size)
         compliance, earlier = near[np.abs(away[:, None] - away)], near[np.abs(away[:, None] + 1 - away)]
-        if total is not None:
-            step = strip_step(compliance, np.zeros(x.size), bound, step.slips, total=total)
+        drag = _drag(self.bed, a)
+        if total is not None or np.any(drag(x)):
+            step = strip_step(compliance, -drag(x), bound, step.slips, total=total or 0.0)
+        passed = drag(x + apart) - drag(x)
         yield rolled_state(0.0, step._replace(shift=0.0), apart, modulus, x)
         after = {int(n) for n in np.unique(np.round(np.linspace(0.0, travel, self.points + 1)))}
         for number in range(1, travel + 1):
-            step = strip_step(compliance, earlier @ step.traction, bound, step.slips, shift=shift, total=total)
+            step = strip_step(compliance, earlier @ step.traction + passed, bound, step.slips, shift=shift, total=total)
             if number in after:
                 yield rolled_state(number * apart, step, apart, modulus, x)
 
@@ -219,6 +224,18 @@ class LineRollingStart:
             As `steps`.
         """
         return self.gathered(self.steps())
+
+
+def _drag(bed: LineFoundation, half_width: float) -> Callable[[Array], Array]:
+    """Return the function of x that is how far the pressure drags the first surface over the second [m]."""
+    beta = mismatch(bed.medium)  # type: ignore[arg-type]
+    level = 0.0 if math.isnan(beta) else -beta * half_width**2 / (2.0 * bed.size)  # 2 beta p0 a / E* times 1/2
+
+    def drag(x: Array) -> Array:
+        t = np.clip(x / half_width, -1.0, 1.0)
+        return np.asarray(level * (t * np.sqrt(1.0 - t * t) + np.arcsin(t)))
+
+    return drag
 
 
 @value
@@ -255,7 +272,7 @@ class LineRollingStartSolution:
 
     @property
     def steady(self) -> LineRollingSolution:
-        """Rolling for ever, which it tends to."""
+        """Rolling for ever, which it tends to if the bodies are similar."""
         return self.problem.steady
 
     @property
@@ -266,4 +283,5 @@ class LineRollingStartSolution:
         sign = 1.0 if float(steady.shear_force_per_length) >= 0.0 else -1.0
         yielding = rolling_yield_notes(self.contact, sign * mu, float(steady.stick_share))
         strip = line_notes(bed, float(self.contact.half_width))
-        return (*strip, sticking_note(bed.medium, mu), ELEMENTS, *yielding)  # type: ignore[arg-type]
+        dragged = (DRAGGED,) if np.any(_drag(bed, 1.0)(np.ones(1))) else ()
+        return (*strip, sliding_note(bed.medium, mu), ELEMENTS, *dragged, *yielding)  # type: ignore[arg-type]

@@ -9,7 +9,7 @@ from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
-__all__ = ["ELEMENTS", "LineRollingState", "rolled_state"]
+__all__ = ["DRAGGED", "ELEMENTS", "LineRollingState", "rolled_state"]
 
 ELEMENTS = Note(
     Assumption.SLIP,
@@ -17,6 +17,15 @@ ELEMENTS = Note(
     "Boundary elements with Coulomb friction: with 80 elements on half of the contact the steady creepage is within "
     "0.2 % of Carter's, and the error halves with twice as many; yielding is judged by the steady state.",
     "compared with Carter's closed form; J. J. Kalker, J. Appl. Mech. 37 (1970) 677-688",
+)
+
+
+DRAGGED = Note(
+    Assumption.SLIP,
+    Standing.APPROXIMATE,
+    "The pressure drags the dissimilar surfaces along each other, which is counted; at rest as if all of the load had "
+    "come in one step. They do not come to Carter's state, which `steady` states for similar bodies.",
+    "R. H. Bentall, K. L. Johnson, Int. J. Mech. Sci. 9 (1967) 389-404; compared with CONTACT",
 )
 
 

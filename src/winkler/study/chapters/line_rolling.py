@@ -34,10 +34,10 @@ SLIP = Equation(
 
 PARTICLE = Equation(
     "A particle of the surface that is now at x was at x + h one element ago, and slips by",
-    r"S = W-u(x)+u_0(x+h), \quad \xi = \frac{W}{h}",
+    r"S = W-u(x)+u_0(x+h)-\frac{2\beta}{E^*}\int_x^{x+h}p\,\mathrm{d}x', \quad \xi = \frac{W}{h}",
 )
 DISPLACED = Equation(
-    "where tractions displace the surfaces by",
+    "with Dundurs' constant β of dissimilar bodies, where tractions displace the surfaces by",
     r"u(x) = -\frac{2}{\pi E^*}\int_{-a}^a q(s)\,\ln\left|x-s\right|\,\mathrm{d}s",
 )
 FRICTION = Equation(
@@ -88,6 +88,7 @@ LINE_ROLLING = Chapter(
             "winkler.problems.line_rolling.start:LineRollingStart",
             "kalker_1970",
             "carter_1926",
+            "bentall_johnson_1967",
             bed=STEEL_ON_STEEL,
             drive={"kind": "line_shear_force", "shear_force_per_length": "19.2 N/mm"},
             load=PRESSED,
