@@ -152,7 +152,8 @@ def _by_quadrature(profile: Any, a: Array) -> Array:
         return np.asarray(profile.slope(r) + r * profile.curvature(r))
 
     whole = abel.gap_slope(_raised_slope(profile), curvature, jumps, a)
-    return _over(whole - line_load(profile, a), a, float(profile.slope(np.zeros(1))[0]))
+    load = _over(abel.gap(_raised_slope(profile), _edges(profile), a), a, 0.0)
+    return _over(whole - load, a, float(profile.slope(np.zeros(1))[0]))
 
 
 @functools.lru_cache(maxsize=64)
