@@ -211,6 +211,24 @@ def test_the_loop_encloses_the_loss():
     assert area == pytest.approx(lost, rel=1e-5)
 
 
+@pytest.mark.parametrize(("profile", "bulk"), [("cylinder", 0.0), ("cylinder", 60e6), ("rounded punch", 0.0)])
+def test_the_loss_by_place_adds_up_to_the_loss(profile, bulk):
+    """Between the edges of all earlier contacts, where it is smooth."""
+    shape = wk.Paraboloid(10e-3) if profile == "cylinder" else PROFILES[profile][0]
+    solution = sheared(shape, wk.LinePath(1e5, [0.0, 2e4, -1e4, 3e4, 1e4], bulk_stress=bulk))
+    a = solution.half_width[0]
+    edges = {s.middle + side * s.half_width for state in solution.states for s in state.strips for side in (-1.0, 1.0)}
+    marks = sorted({-a, a, *(edge for edge in edges if abs(edge) < a), *((0.1e-3, -0.1e-3) if a > 0.1e-3 else ())})
+    total = 0.0
+    for low, high in zip(marks, marks[1:], strict=False):
+        places, weights = over(low, high, 40)
+        total += weights @ solution.friction_work(places)
+    assert total == pytest.approx(solution.dissipation_per_length[-1], rel=1e-9)
+    assert solution.friction_work([0.0, 2.0 * a]) == pytest.approx([0.0, 0.0], abs=1e-12)
+    with pytest.raises(wk.OutsideValidity, match="the normal force changes"):
+        sheared(shape, wk.LinePath([1e5, 2e5], [0.0, 1e4])).friction_work(0.0)
+
+
 def test_a_flat_punch_sticks_until_it_slides():
     solution = sheared(wk.FlatPunch(1e-3), wk.LinePath(1e5, [0.0, 3.9e4, -4e4]))
     assert solution.stick_half_width[:2] == pytest.approx([1e-3, 1e-3])
