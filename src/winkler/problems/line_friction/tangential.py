@@ -140,18 +140,19 @@ class LineTangential:
         ):
             self._refuse_sliding_away(index, force, shear)
             load, target, shift = force / modulus, shear / modulus, 0.0
+            bulk = ratio * shear if ratio else 0.0
             if index == 0:
                 memory, _ = memory.moved(load, 0.0, mu)
             memory, losses = memory.moved(load, target - _carried(memory), mu)
             if lean != 0.0 and width > 0.0:
                 before, strips = strips, strips_of(bed, memory, lean)
-                refuse_unless_nested(index, strips, shear, ratio * shear)
+                refuse_unless_nested(index, strips, shear, bulk)
                 work, shift = work_and_shift(bed, before, strips)
                 lost += work
             elif sums is not None:
                 lost += max(sums.lost(losses), 0.0)
                 shift = shift_of_memory(sums, memory, modulus) if width > 0.0 else 0.0
-            yield LineTangentialState(bed, law, force, width, shear, ratio * shear, shift, lost, lean, memory)
+            yield LineTangentialState(bed, law, force, width, shear, bulk, shift, lost, lean, memory)
 
     def _refuse_sliding_away(self, index: int, force: float, shear: float) -> None:
         most = self.law.coefficient * force
