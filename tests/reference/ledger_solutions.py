@@ -276,11 +276,11 @@ def maugis_parameter_unit() -> Numbers:
 # bodies that are not round, E* = 1
 
 
-def ellipse(ratio: mp.mpf) -> tuple[mp.mpf, mp.mpf, mp.mpf]:
+def ellipse(ratio: mp.mpf, within: tuple[str, str] = ("0.2", "0.9")) -> tuple[mp.mpf, mp.mpf, mp.mpf]:
     """m, K and E of Hertz's ellipse for B/A."""
     m = mp.findroot(
         lambda m: (mp.ellipe(m) / (1 - m) - mp.ellipk(m)) / (mp.ellipk(m) - mp.ellipe(m)) - ratio,
-        (frac("0.2"), frac("0.9")),
+        (frac(within[0]), frac(within[1])),
         solver="anderson",
     )
     return m, mp.ellipk(m), mp.ellipe(m)
@@ -303,6 +303,24 @@ def line_cylinder() -> Numbers:
 
 
 @of_case
+def roller_crowned_ellipse() -> Numbers:
+    """As elliptic_hertz_one_to_three, A = 1/200, B = 1/2, 2e-4 N: depth, p0, edge factor 1, moment 0, 3F/(2d), area."""
+    force = frac("0.0002")
+    m, k, e = ellipse(mp.mpf(100), ("0.99", "0.9999"))
+    a = mp.cbrt(3 * force * (k - e) / (2 * mp.pi * m * frac("0.005")))
+    b, depth = a * mp.sqrt(1 - m), 3 * force * k / (2 * mp.pi * a)
+    return [depth, 3 * force / (2 * mp.pi * a * b), mp.mpf(1), 3 * force / (2 * depth), mp.pi * a * b]
+
+
+@of_case
+def roller_lundberg() -> Numbers:
+    """Even P = 1: p0 = sqrt(P/(pi R)), d = P/pi (2 ln(2L/a) + 1), a = 2 sqrt(P R/pi); P = pi a^2/(4 R), a = 0.01."""
+    a = frac("0.01")
+    load = mp.pi * a**2 / 4
+    return [load / mp.pi * (2 * mp.log(4 / a) + 1), mp.sqrt(load / mp.pi)]
+
+
+@of_case
 def line_yield_cylinder() -> Numbers:
     """McEwen's axis: von Mises' stress over p0 at its maximum, in plane strain, is the strength over p0."""
 
@@ -315,6 +333,37 @@ def line_yield_cylinder() -> Numbers:
     depth = mp.findroot(lambda d: mp.diff(mises, d), frac("0.7"))
     p0 = frac("0.01") / mises(depth)
     return [mp.pi * p0**2, 2 * p0, 2 * p0 * depth]
+
+
+@of_case
+def elliptic_yield_one_to_three() -> Numbers:
+    """Love's integrals on the axis below Hertz's ellipse, nu = 0.3: the greatest von Mises stress is the strength."""
+    m, k, e = ellipse(mp.mpf(3))
+    ratio, nu = mp.sqrt(1 - m), frac("0.3")
+
+    def mises(z: Any) -> Any:
+        def over(power: int, axis: Any) -> Any:  # s^2 = t, a = 1
+            def shell(s: Any) -> Any:
+                both = mp.sqrt((1 + s * s) * (ratio**2 + s * s))
+                return 2 * (s - z if power == 0 else 1) / (both * (s * s + axis))
+
+            return mp.quad(shell, [z, z + ratio, z + 1, mp.inf])
+
+        along, across, deep = over(1, mp.mpf(1)), over(1, ratio**2), over(1, mp.mpf(0))
+        free = ratio / 2
+        x = free * (-2 * nu * z * deep - (1 - 2 * nu) * over(0, mp.mpf(1)) + z * along)
+        y = free * (-2 * nu * z * deep - (1 - 2 * nu) * over(0, ratio**2) + z * across)
+        down = free * (-z * deep - z * (along + across))
+        return mp.sqrt(((x - y) ** 2 + (y - down) ** 2 + (down - x) ** 2) / 2)
+
+    depth = mp.findroot(
+        lambda z: mises(z + frac("1e-8")) - mises(z - frac("1e-8")), (frac("0.2"), frac("0.4")), tol=1e-36
+    )
+    p0 = frac("0.01") / mises(depth)
+    unit = (3 * (k - e) / (2 * mp.pi * m * frac("0.25"))) ** (mp.mpf(1) / 3)
+    force = (p0 * 2 * mp.pi * unit**2 * ratio / 3) ** 3
+    a = unit * mp.cbrt(force)
+    return [force, p0, a, 3 * force * k / (2 * mp.pi * a), a * depth]
 
 
 @of_case

@@ -21,11 +21,13 @@ from typing import Annotated
 import numpy as np
 
 from winkler.checks.number_checks import Advice
+from winkler.errors import InvalidInput
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.fields.half_plane import Pile, potential
 from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, Curve
+from winkler.profiles.area import AreaFunction
 from winkler.profiles.line_transform import line_load, line_load_slope
 from winkler.profiles.power import Paraboloid
 from winkler.profiles.profile import Profile
@@ -45,10 +47,16 @@ class LineFoundation:
     Parameters
     ----------
     profile : Profile
-        The gap f(|x|) between the undeformed bodies: `Paraboloid` is a parabolic cylinder, `Cone` a wedge,
-        `FlatPunch` a flat one of half-width `radius`, `RoundedPunch` a flat one with rounded edges.
+        The gap f between the undeformed bodies, at the distance of x from the middle: `Paraboloid` is a parabolic
+        cylinder, `Cone` a wedge, `FlatPunch` a flat one of half-width `radius`, `RoundedPunch` a flat one with rounded
+        edges.
     medium : HalfSpace or TransverselyIsotropicHalfSpace
         Both bodies, homogeneous, in plane strain.
+
+    Raises
+    ------
+    InvalidInput
+        If the profile is an `AreaFunction`, which belongs to a tip of revolution.
 
     References
     ----------
@@ -57,6 +65,13 @@ class LineFoundation:
 
     profile: Profile
     medium: Annotated[HomogeneousMedium, Advice("the half-plane of a line contact is known on no other")]
+
+    def __post_init__(self) -> None:
+        if isinstance(self.profile, AreaFunction):
+            raise InvalidInput(
+                "LineFoundation: an AreaFunction states the round cross-sections of a tip; give the profile of a cross-"
+                "section along the strip, such as Paraboloid, RoundedPunch or Measured."
+            )
 
     @property
     def reach(self) -> float:

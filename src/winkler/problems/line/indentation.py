@@ -24,9 +24,8 @@ from winkler.problems.line.approach import approach
 from winkler.problems.line.greatest_stress import Placed, greatest, von_mises
 from winkler.problems.line.half_width import refuse_unless_strips, under_force, under_mean_pressure, widest_allowed
 from winkler.problems.line.peak_pressure import peak_pressure, rim_load
+from winkler.problems.line.statement import line_contact_notes
 from winkler.problems.line.stress import LineContact, LineFields, poisson_of, stresses
-from winkler.problems.line.validity import line_notes
-from winkler.problems.line.yield_statement import line_yield_notes
 from winkler.problems.one_load import single
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
@@ -293,7 +292,4 @@ class LineSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: assumptions, slopes, size of the body, yield."""
-        widest = int(np.argmax(self.force_per_length))
-        bed, a = self.problem.bed, float(np.ravel(self.half_width)[widest])
-        on_rim = rim_load(bed, float(np.ravel(self.force_per_length)[widest]), a)
-        return (*line_notes(bed, a), *line_yield_notes(bed, a, on_rim))
+        return line_contact_notes(self.problem.bed, self.force_per_length, self.half_width)

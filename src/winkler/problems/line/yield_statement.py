@@ -25,8 +25,10 @@ AWAY = 0.1
 DIRECTIONS = 33
 
 
-def line_yield_notes(bed: LineFoundation, half_width: float, rim_load: float) -> tuple[Note, ...]:
-    """Return whether the body that comes nearest to its strength stays elastic without friction.
+def line_yield_notes(
+    bed: LineFoundation, half_width: float, rim_load: float, friction: float = 0.0
+) -> tuple[Note, ...]:
+    """Return whether the body that comes nearest to its strength stays elastic.
 
     Parameters
     ----------
@@ -35,6 +37,8 @@ def line_yield_notes(bed: LineFoundation, half_width: float, rim_load: float) ->
         a [m].
     rim_load : float
         Load per length over E* that a rim bears [m].
+    friction : float
+        Traction over pressure [-] of a contact that slides everywhere.
 
     Returns
     -------
@@ -44,7 +48,7 @@ def line_yield_notes(bed: LineFoundation, half_width: float, rim_load: float) ->
     parts = strong_parts(bed.medium)
     if half_width == 0.0 or not parts:
         return ()
-    found = [(_stress(bed, half_width, rim_load, part), part) for part in parts]
+    found = [(_stress(bed, half_width, rim_load, part, friction), part) for part in parts]
     place, part = max(found, key=lambda one: one[0].value / one[1].solid.strength)
     share = place.value / part.solid.strength
     if is_sharp(bed, half_width, rim_load):
@@ -71,8 +75,8 @@ def line_yield_notes(bed: LineFoundation, half_width: float, rim_load: float) ->
     return (Note(Assumption.ELASTIC, Standing.EXACT if share < 1.0 else Standing.OUTSIDE, text, MISES),)
 
 
-def _stress(bed: LineFoundation, half_width: float, rim_load: float, part: StrongPart) -> Placed:
-    contact = LineContact(bed, half_width, rim_load, part.solid.poisson, 0.0)
+def _stress(bed: LineFoundation, half_width: float, rim_load: float, part: StrongPart, friction: float) -> Placed:
+    contact = LineContact(bed, half_width, rim_load, part.solid.poisson, friction)
     if is_sharp(bed, half_width, rim_load):
         return _beside_sharp(contact)
     contacts = [contact]

@@ -29,6 +29,19 @@ STRESSES = Equation(
     r"\sigma_z = \mathrm{Im}\,F - z\,\mathrm{Re}\,F' - \mu z\,\mathrm{Im}\,F', \quad "
     r"\tau_{xz} = -z\,\mathrm{Im}\,F' + \mu\,(\mathrm{Im}\,F + z\,\mathrm{Re}\,F')",
 )
+ROLLER_GAP = Equation(
+    "Pressures and gaps of a roller with the drop z(x) of its ends and the tilt θ are never negative, and one of the "
+    "two is zero on every element",
+    r"w = z(x)+\frac{y^2}{2R}-\theta x-d+\frac{1}{\pi E^*}\int\frac{p\,\mathrm{d}A}{\sqrt{(x-x_i)^2+(y-y_i)^2}}, "
+    r"\quad p \ge 0, \; w \ge 0, \; p\,w = 0",
+)
+ROLLER_SUMS = Equation("Force and moment are the sums", r"F_N = \int p\,\mathrm{d}A, \quad M = \int p\,x\,\mathrm{d}A")
+ROLLER_CROWN = Equation(
+    "A logarithmic crown beyond a straight part of the half-length s drops by (after Lundberg, with the parameters of "
+    "Fujiwara and Kawase)",
+    r"z = K_1A\ln\frac{1}{1-\left(1-e^{-z_m/(K_1A)}\right)\left(\frac{|x|-s}{L/2-s}\right)^2}, \quad "
+    r"A = \frac{P}{\pi E^*}",
+)
 PLANE_STRAIN = Equation("and along the strip, in plane strain", r"\sigma_y = \nu\,(\sigma_x+\sigma_z)")
 SHAKEDOWN = Equation(
     "Residual stresses cannot take up the shear in planes along the surface, which limits shakedown (after Melan)",
@@ -42,6 +55,26 @@ LINE = Chapter(
             "line_force": kind("winkler.loading:LineForce", problem="line_indentation", force_per_length="100 N/mm"),
             "half_width": kind("winkler.loading:HalfWidth", problem="line_indentation", half_width="0.1 mm"),
             "mean_pressure": kind("winkler.loading:MeanPressure", problem="line_indentation", mean_pressure="500 MPa"),
+        },
+        "roller_ends": {
+            "sharp_ends": kind("winkler.profiles.roller_ends:SharpEnds", problem="roller_contact"),
+            "crowned_ends": kind(
+                "winkler.profiles.roller_ends:CrownedEnds", problem="roller_contact", crown_radius="0.5 m"
+            ),
+            "rounded_ends": kind(
+                "winkler.profiles.roller_ends:RoundedEnds", problem="roller_contact", edge_radius="1 mm"
+            ),
+            "logarithmic_ends": kind(
+                "winkler.profiles.roller_ends:LogarithmicEnds",
+                "lundberg_1939",
+                "fujiwara_kawase_2007",
+                problem="roller_contact",
+                design_force_per_length="1 kN/mm",
+            ),
+        },
+        "alignment": {
+            "tilt": kind("winkler.loading:Tilt", problem="roller_contact", tilt="0.5 mrad"),
+            "moment": kind("winkler.loading:Moment", problem="roller_contact", moment="2 N m"),
         },
         "line_bed": {
             "line_foundation": kind(
@@ -63,6 +96,24 @@ LINE = Chapter(
             curves=(("force_per_length", "half_width"), ("force_per_length", "peak_pressure")),
             pictured=PicturedContact.NONE,
             formulas=(MODULUS, LOAD_PROFILE, LOAD, PRESSURE),
+        ),
+        "roller_contact": answer(
+            "winkler.problems.line.roller_contact:RollerContact",
+            radius="10 mm",
+            length="10 mm",
+            ends={"kind": "logarithmic_ends"},
+            load={"kind": "force", "force": {"from": "2 kN", "to": "12 kN", "count": 6}},
+            alignment={"kind": "tilt"},
+            elements=48,
+            picture=Caption(
+                "roller",
+                "Pressure along the roller",
+                "Pressure on the contact and along the roller, and force per length; of many loads also depth and "
+                "pressures.",
+            ),
+            curves=(("force", "depth"), ("force", "peak_pressure"), ("force", "edge_factor"), ("force", "moment")),
+            pictured=PicturedContact.NONE,
+            formulas=(MODULUS, ROLLER_GAP, ROLLER_SUMS, ROLLER_CROWN),
         ),
         "line_yield_onset": answer(
             "winkler.problems.line.yielding:LineYieldOnset",
