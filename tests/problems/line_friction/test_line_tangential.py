@@ -187,7 +187,7 @@ def test_a_bulk_stress_is_that_of_boundary_elements(bulk):
 
 
 def test_beyond_the_limit_of_a_bulk_stress_little_is_left_out():
-    """At 1.13 times the bulk stress at which an edge slips back at first, the slip afterwards is off by a thousandth."""
+    """At 1.13 times the bulk stress at which an edge slips back at first, slip is off by a thousandth afterwards."""
     loss, slip, borne = marched(([1.0] * 3, [0.0, 0.25, -0.25]), 300, 10, 0.32)
     assert np.max(np.abs(loss)) < 1e-3
     assert 1e-4 < np.max(np.abs(slip)) < 1e-3
