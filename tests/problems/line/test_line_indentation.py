@@ -282,3 +282,15 @@ def test_a_steel_wheel_presses_as_in_the_boundary_elements_of_contact(shared_dat
     inner = rows[np.abs(rows["x_m"]) < 0.9e-3]
     assert inner.size > 40
     np.testing.assert_allclose(inner["pressure_Pa"], contact.pressure(inner["x_m"]), atol=0.005 * contact.peak_pressure)
+
+
+def test_a_designed_parabola_is_a_cylinder():
+    """Two panels of a slope that rises from 0 to 0.1 over 2 mm: R = 20 mm."""
+    designed = wk.Designed(np.array([0.0, 1e-3, 2e-3]), np.array([[0.025, 0.025], [0.075, 0.025]]), tolerance=1e-10)
+    medium = wk.HalfSpace(wk.Elastic(210e9, 0.3))
+    found, cylinder = (
+        wk.LineIndentation(wk.LineFoundation(profile, medium), wk.LineForce(1e6)).solve()
+        for profile in (designed, wk.Paraboloid(20e-3))
+    )
+    assert found.half_width == pytest.approx(cylinder.half_width, rel=1e-9)
+    assert found.pressure(1e-4) == pytest.approx(float(cylinder.pressure(1e-4)), rel=1e-9)

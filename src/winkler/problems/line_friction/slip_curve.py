@@ -23,17 +23,21 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.errors import NotConverged
 from winkler.foundation.line import LineFoundation
 from winkler.numerics.integrals.quadrature import gauss_legendre
-from winkler.numerics.panels.chebyshev import fit_nodes, panels_from
-from winkler.numerics.types import Array
+from winkler.numerics.panels.chebyshev import Panels, fit_nodes, panels_from
+from winkler.numerics.types import Array, Curve
 from winkler.problems.line.half_width import under_force
-from winkler.problems.normal.force_curve import resolved_panels
 
 __all__ = ["SlipCurve", "slip_curve"]
 
-FOLDS = 40
+FOLDS = 24
 """Loads are resolved down to exp(-FOLDS) of the greatest; below that the half-width follows a power."""
+TOLERANCES = (1e-14, 1e-12, 1e-10)
+"""Errors of d ln(a)/d ln(gamma) that are tried at the greatest load; at smaller ones more is allowed in proportion."""
+MOST_PANELS = 512
+NARROWEST = 1e-9
 NODES = 10
 
 
@@ -112,7 +116,7 @@ def slip_curve(bed: LineFoundation, load: float) -> SlipCurve:
         return np.where(np.isfinite(share) & (a < bed.rim), share, 0.0)
 
     scale = 2.0 * bed.medium.modulus / math.pi
-    share = resolved_panels(lengthening, edges, 1.0)
+    share = _resolved(lengthening, edges)
     nodes = fit_nodes(share.edges)
     values = scale * share(nodes)
     power, low = float(scale * share(share.edges[:1])[0]), math.exp(share.edges[0])
@@ -123,3 +127,20 @@ def slip_curve(bed: LineFoundation, load: float) -> SlipCurve:
     parts[0][:, 0] -= parts[0][-1].sum()
     rows = [np.stack(list(row), axis=1) for row in zip(*parts, strict=True)]
     return SlipCurve(share.edges.tolist(), rows, np.arange(rows[0].shape[0], dtype=float), power)
+
+
+def _resolved(curve: Curve, edges: Array) -> Panels:
+    """Return a curve over the logarithm of the load on panels, the finer the greater the load."""
+    for tolerance in TOLERANCES:
+        cuts = edges
+        while cuts.size <= MOST_PANELS:
+            panels = panels_from(cuts, curve(fit_nodes(cuts)))
+            tail = np.abs(panels.coefficients[:, -3:]).sum(axis=1)
+            rough = (tail > tolerance * np.exp(cuts[-1] - cuts[1:])) & (np.diff(cuts) > NARROWEST)
+            if not rough.any():
+                return panels
+            cuts = np.union1d(cuts, 0.5 * (cuts[1:] + cuts[:-1])[rough])
+    raise NotConverged(
+        f"LineTangential: the half-width over the load needs more than {MOST_PANELS} panels to be resolved to "
+        f"{TOLERANCES[-1]:.0e}; the profile is too rough: smooth it, or give fewer points."
+    )

@@ -22,7 +22,7 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Sliding
 from winkler.media.halfspace import HalfSpace
-from winkler.numerics.types import Array
+from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.friction.slip_memory import SlipMemory
@@ -140,18 +140,19 @@ class LineTangential:
         ):
             self._refuse_sliding_away(index, force, shear)
             load, target, shift = force / modulus, shear / modulus, 0.0
+            bulk = ratio * shear if ratio else 0.0
             if index == 0:
                 memory, _ = memory.moved(load, 0.0, mu)
             memory, losses = memory.moved(load, target - _carried(memory), mu)
             if lean != 0.0 and width > 0.0:
                 before, strips = strips, strips_of(bed, memory, lean)
-                refuse_unless_nested(index, strips, shear, ratio * shear)
+                refuse_unless_nested(index, strips, shear, bulk)
                 work, shift = work_and_shift(bed, before, strips)
                 lost += work
             elif sums is not None:
                 lost += max(sums.lost(losses), 0.0)
                 shift = shift_of_memory(sums, memory, modulus) if width > 0.0 else 0.0
-            yield LineTangentialState(bed, law, force, width, shear, ratio * shear, shift, lost, lean, memory)
+            yield LineTangentialState(bed, law, force, width, shear, bulk, shift, lost, lean, memory)
 
     def _refuse_sliding_away(self, index: int, force: float, shear: float) -> None:
         most = self.law.coefficient * force
@@ -219,6 +220,37 @@ class LineTangentialSolution(OfPath[LineTangentialState]):
     slip_shift: Array
     dissipation_per_length: Array
     states: tuple[LineTangentialState, ...]
+
+    def friction_work(self, x: ArrayLike) -> Array:
+        """Return what friction has lost along the path at places of the surface, per area [J/m^2].
+
+        Over the coefficient of friction it is pressure times slip, which Archard's law of wear takes.
+
+        Parameters
+        ----------
+        x : array_like
+            Places on the surface [m]; nothing is lost outside of the contact.
+
+        Raises
+        ------
+        OutsideValidity
+            If the normal force changes along the path: what slips under a pressure that changes is not summed by place.
+        """
+        if np.ptp(self.force_per_length) > 0.0:
+            raise OutsideValidity(
+                "LineTangentialSolution: the normal force changes along the path, and the loss is known by place under "
+                "a steady one only; give one force per length, or use dissipation_per_length."
+            )
+        x = np.asarray(x, dtype=float)
+        inside = np.abs(x) < self.half_width[0]
+        before, total = np.zeros((2, int(np.sum(inside))))
+        for state in self.states if total.size else ():
+            ahead = state.slip(x[inside])
+            total += state.traction(x[inside]) * (ahead - before)
+            before = ahead
+        spread = np.zeros(x.shape)
+        spread[inside] = total
+        return spread
 
     @property
     def validity(self) -> tuple[Note, ...]:
