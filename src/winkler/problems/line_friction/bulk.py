@@ -22,7 +22,7 @@ from winkler.foundation.line import LineFoundation
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.problems.line_friction.path import LinePath
-from winkler.problems.line_friction.strips import Strip
+from winkler.problems.line_friction.strips import EarlierStrip
 from winkler.profiles.power import Paraboloid
 from winkler.validity import Assumption, Note, Standing
 
@@ -69,7 +69,7 @@ def lean_of(bed: LineFoundation, path: LinePath) -> float:
     return bed.profile.curvature_radius * path.bulk_per_shear * strain
 
 
-def refuse_unless_nested(index: int, strips: tuple[Strip, ...], shear: float, bulk: float) -> None:
+def refuse_unless_nested(index: int, strips: tuple[EarlierStrip, ...], shear: float, bulk: float) -> None:
     """Refuse earlier contacts that reach beyond the next one: an edge of them slips against the shear force."""
     a = strips[-1].half_width
     for inner, outer in zip(strips, strips[1:], strict=False):
@@ -81,7 +81,7 @@ def refuse_unless_nested(index: int, strips: tuple[Strip, ...], shear: float, bu
             )
 
 
-def _most(contact: Strip, inner: Strip, outer: Strip) -> float:
+def _most(contact: EarlierStrip, inner: EarlierStrip, outer: EarlierStrip) -> float:
     """Return by which factor a bulk stress must be smaller for no edge ever to slip back."""
     lean = abs((inner.middle - outer.middle) / (outer.load - inner.load))
     return 0.5 * contact.half_width / (lean * contact.load)

@@ -16,7 +16,7 @@ from winkler.foundation.line import LineFoundation
 from winkler.numerics.types import Array
 from winkler.problems.friction.slip_memory import LossPiece, SlipMemory
 from winkler.problems.friction.slip_sums import SlipSums
-from winkler.problems.line_friction.strips import Strip, slipped, traction
+from winkler.problems.line_friction.strips import EarlierStrip, slipped, traction
 
 __all__ = ["shift_of_memory", "work_and_shift"]
 
@@ -49,13 +49,15 @@ def shift_of_memory(sums: SlipSums, memory: SlipMemory, modulus: float) -> float
     return sums.lost(pieces) / modulus
 
 
-def work_and_shift(bed: LineFoundation, before: tuple[Strip, ...], after: tuple[Strip, ...]) -> tuple[float, float]:
+def work_and_shift(
+    bed: LineFoundation, before: tuple[EarlierStrip, ...], after: tuple[EarlierStrip, ...]
+) -> tuple[float, float]:
     """Return the loss per length of a step under a steady normal force [J/m], and the shift after it as above [m].
 
     Parameters
     ----------
     bed : LineFoundation
-    before, after : tuple of Strip
+    before, after : tuple of EarlierStrip
         At both ends of the step; none before the first.
     """
     a = after[-1].half_width
@@ -66,7 +68,7 @@ def work_and_shift(bed: LineFoundation, before: tuple[Strip, ...], after: tuple[
     return max(float(work), 0.0), float(shift)
 
 
-def _over_contact(strips: tuple[Strip, ...], a: float) -> tuple[Array, Array]:
+def _over_contact(strips: tuple[EarlierStrip, ...], a: float) -> tuple[Array, Array]:
     """Return places and weights [m] for integrals over the contact, piece by piece between the edges of all strips."""
     ends = [strip.middle + side * strip.half_width for strip in strips for side in (-1.0, 1.0)]
     edges = np.unique(np.clip([-a, *ends, a], -a, a))

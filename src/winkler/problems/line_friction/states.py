@@ -13,7 +13,7 @@ from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.friction.slip_memory import SlipMemory
 from winkler.problems.line.peak_pressure import rim_load
 from winkler.problems.line.stress import LineContact, LineFields, poisson_of, stresses
-from winkler.problems.line_friction.strips import Strip, half_widths, slipped, strips_of, traction
+from winkler.problems.line_friction.strips import EarlierStrip, half_widths, slipped, strips_of, traction
 from winkler.values import value, words
 
 __all__ = ["LineTangentialState"]
@@ -80,7 +80,7 @@ class LineTangentialState:
         return self.half_width > 0.0 and self.memory.stick_gap == 0.0
 
     @property
-    def strips(self) -> tuple[Strip, ...]:
+    def strips(self) -> tuple[EarlierStrip, ...]:
         """The earlier contacts whose pressures add up to the traction."""
         return strips_of(self.bed, self.memory, self.lean) if self.half_width > 0.0 else ()
 

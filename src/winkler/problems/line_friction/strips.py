@@ -24,7 +24,7 @@ from winkler.problems.line.indentation import LineIndentation, LineSolution
 from winkler.problems.line.peak_pressure import rim_load
 from winkler.profiles.power import Paraboloid
 
-__all__ = ["Strip", "half_widths", "slipped", "strips_of", "traction"]
+__all__ = ["EarlierStrip", "half_widths", "slipped", "strips_of", "traction"]
 
 
 ROUNDING = 1e-13
@@ -38,7 +38,7 @@ def half_widths(bed: LineFoundation, loads: Array) -> Array:
     return under_force(bed, loads)
 
 
-class Strip(NamedTuple):
+class EarlierStrip(NamedTuple):
     """An earlier contact, and how much of its pressure acts along the surface.
 
     Parameters
@@ -60,7 +60,7 @@ class Strip(NamedTuple):
     middle: float
 
 
-def strips_of(bed: LineFoundation, memory: SlipMemory, lean: float) -> tuple[Strip, ...]:
+def strips_of(bed: LineFoundation, memory: SlipMemory, lean: float) -> tuple[EarlierStrip, ...]:
     """Return the strips, from the narrowest, which may be a line of first touch, to the contact itself.
 
     Parameters
@@ -80,12 +80,12 @@ def strips_of(bed: LineFoundation, memory: SlipMemory, lean: float) -> tuple[Str
     widths = half_widths(bed, loads)
     modulus = bed.medium.modulus
     return tuple(
-        Strip(factor, load, width, rim_load(bed, modulus * load, width), lean * (memory.depth - load))
+        EarlierStrip(factor, load, width, rim_load(bed, modulus * load, width), lean * (memory.depth - load))
         for factor, load, width in zip(factors.tolist(), loads.tolist(), widths.tolist(), strict=True)
     )
 
 
-def traction(bed: LineFoundation, strips: tuple[Strip, ...], x: Array) -> Array:
+def traction(bed: LineFoundation, strips: tuple[EarlierStrip, ...], x: Array) -> Array:
     """Return q [Pa] at places [m], along x on the first body."""
     total = np.zeros(x.shape)
     for strip in strips:
@@ -94,7 +94,7 @@ def traction(bed: LineFoundation, strips: tuple[Strip, ...], x: Array) -> Array:
     return total
 
 
-def _pressure(bed: LineFoundation, strip: Strip, x: Array) -> Array:
+def _pressure(bed: LineFoundation, strip: EarlierStrip, x: Array) -> Array:
     """Return the pressure of a strip [Pa]."""
     if isinstance(bed.profile, Paraboloid):
         share = bed.medium.modulus / (2.0 * bed.profile.curvature_radius)
@@ -102,7 +102,7 @@ def _pressure(bed: LineFoundation, strip: Strip, x: Array) -> Array:
     return bed.pressure(x, strip.half_width, strip.rim_load)
 
 
-def slipped(bed: LineFoundation, strips: tuple[Strip, ...], x: Array) -> Array:
+def slipped(bed: LineFoundation, strips: tuple[EarlierStrip, ...], x: Array) -> Array:
     """Return how far the second body is ahead of the first [m] at places inside the contact, against its middle."""
     total = np.zeros(x.shape)
     for strip in strips[:-1]:  # beside the last one is no contact
@@ -112,7 +112,7 @@ def slipped(bed: LineFoundation, strips: tuple[Strip, ...], x: Array) -> Array:
     return total
 
 
-def _opened(bed: LineFoundation, strip: Strip, x: Array) -> Array:
+def _opened(bed: LineFoundation, strip: EarlierStrip, x: Array) -> Array:
     """Return the distance of the surfaces beside a strip [m]."""
     c = strip.half_width
     if c >= bed.rim:

@@ -33,7 +33,7 @@ from winkler.problems.line_friction.path import LinePath
 from winkler.problems.line_friction.slip_curve import slip_curve
 from winkler.problems.line_friction.slip_work import shift_of_memory, work_and_shift
 from winkler.problems.line_friction.states import LineTangentialState
-from winkler.problems.line_friction.strips import Strip, half_widths, strips_of
+from winkler.problems.line_friction.strips import EarlierStrip, half_widths, strips_of
 from winkler.problems.line_friction.validity import sheared_line_notes
 from winkler.problems.one_load import OfPath
 from winkler.validity import Assumption, Note
@@ -134,7 +134,7 @@ class LineTangential:
         sums = SlipSums(slip_curve(bed, most)) if most > 0.0 else None
         lean, ratio = lean_of(bed, self.path), self.path.bulk_per_shear
         memory, lost = SlipMemory.fresh(), 0.0
-        strips: tuple[Strip, ...] = ()
+        strips: tuple[EarlierStrip, ...] = ()
         for index, (force, shear, width) in enumerate(
             zip(forces.tolist(), shears.tolist(), widths.tolist(), strict=True)
         ):
