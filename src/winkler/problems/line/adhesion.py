@@ -1,4 +1,4 @@
-r"""A line contact that sticks: attraction without range, at the edges of the strip (JKR for lines).
+r"""A line contact that sticks: attraction without range, at the edges of the strip (JKR for lines), or with one.
 
 .. math:: P(a) = E^* w(a) - \sqrt{2\pi a E^*\gamma} , \qquad p(x) = p_w(x) - \sqrt{\frac{2E^*\gamma a}{\pi(a^2-x^2)}} ,
 
@@ -54,7 +54,8 @@ class LineAdhesion:
     References
     ----------
     M. Barquins, J. Adhesion 26 (1988) 1-12, doi:10.1080/00218468808071271;
-    M. K. Chaudhury, T. Weaver, C. Y. Hui, E. J. Kramer, J. Appl. Phys. 80 (1996) 30-37, doi:10.1063/1.362819
+    M. K. Chaudhury, T. Weaver, C. Y. Hui, E. J. Kramer, J. Appl. Phys. 80 (1996) 30-37, doi:10.1063/1.362819;
+    J. M. Baney, C.-Y. Hui, J. Adhes. Sci. Technol. 11 (1997) 393-406, doi:10.1163/156856197X00778
 
     Examples
     --------
@@ -80,7 +81,7 @@ class LineAdhesion:
     law: LineLaw
     load: LineForce | HalfWidth
 
-    references: ClassVar[tuple[str, ...]] = ("barquins_1988", "chaudhury_1996")
+    references: ClassVar[tuple[str, ...]] = ("barquins_1988", "chaudhury_1996", "baney_hui_1997")
     assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE
 
     def solve(self) -> LineAdhesionSolution:
