@@ -333,6 +333,20 @@ def line_adhesion_cylinder() -> Numbers:
 
 
 @of_case
+def line_maugis_cylinder() -> Numbers:
+    """The surfaces are gamma/sigma_0 apart at c = m a; P = pi E* a^2/(4R) - 2 sigma_0 a sqrt(m^2 - 1)."""
+    a, s, g = frac("0.1"), frac("0.01"), frac("0.0001")
+
+    def apart(m: Any) -> Any:
+        root = mp.sqrt(m * m - 1)
+        pulled = 4 * s * a / mp.pi * (root * mp.acosh(m) - m * mp.log(m))
+        return a * a / 2 * (m * root - mp.acosh(m)) + pulled - g / s
+
+    m = mp.findroot(apart, frac("1.9"))
+    return [m * a, mp.pi * a * a / 4 - 2 * s * a * mp.sqrt(m * m - 1)]
+
+
+@of_case
 def wavy_half_plane() -> Numbers:
     """p/p* = sin^2(pi a/lambda), p0 = 2 sqrt(p p*), p* = pi E* h/lambda."""
     full, nominal = mp.pi * frac("0.004"), frac("0.003")

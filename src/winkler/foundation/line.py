@@ -121,6 +121,10 @@ class LineFoundation:
         """w'(a) [-]."""
         return line_load_slope(self.profile, half_width)
 
+    def beside(self, half_width: float) -> tuple[Array, Array]:
+        """Return half-widths [m] of flat punches beside the strip, and their loads over E* [m]: none."""
+        return np.zeros(0), np.zeros(0)
+
     def pressure(self, x: Array, half_width: float, rim_load: float) -> Array:
         """Return the pressure of a contact.
 

@@ -156,3 +156,84 @@ def test_yield_at_the_edge_is_stated():
     (note,) = (one for one in contact.validity if one.assumption is wk.Assumption.ELASTIC)
     assert note.standing is wk.Standing.OUTSIDE
     assert "infinite at the edge, which adhesion pulls" in str(note)
+
+
+# ------------------------------------------------------------------------------------------------ with a range
+
+
+def reaching(profile, strength, load, work=WORK):
+    return wk.LineAdhesion(wk.LineFoundation(profile, RUBBER), wk.Dugdale(work, strength), load).solve()
+
+
+@pytest.mark.parametrize("strength", [1e3, 1e4, 1e6])
+def test_a_constant_attraction_is_that_of_baney_and_hui(strength):
+    """P and the opening of a cylinder over m = c/a at 30 digits, for a half-width that was found."""
+    found = reaching(CYLINDER, strength, wk.LineForce(np.array([0.0, 5.0])))
+    for index in (0, 1):
+        one = found.at(index)
+        with mp.workdps(30):
+            e, r, s = mp.mpf(10) ** 6 / mp.mpf("0.75"), mp.mpf("0.005"), mp.mpf(strength)
+            a = mp.mpf(one.half_width)
+
+            def apart(m, a=a, e=e, r=r, s=s):
+                root = mp.sqrt(m * m - 1)
+                profile = a * a / (2 * r) * (m * root - mp.acosh(m))
+                return profile + 4 * s * a / (mp.pi * e) * (root * mp.acosh(m) - m * mp.log(m)) - mp.mpf("0.05") / s
+
+            m = mp.findroot(apart, mp.mpf(one.outer_half_width / one.half_width))
+            force = mp.pi * e * a * a / (4 * r) - 2 * s * a * mp.sqrt(m * m - 1)
+        assert one.outer_half_width == pytest.approx(float(m * a), rel=1e-12)
+        assert one.force_per_length == pytest.approx(float(force), rel=1e-10, abs=1e-10)
+
+
+def test_attraction_of_a_short_range_is_that_without():
+    short, strong = stuck(CYLINDER, wk.LineForce(1.0)), reaching(CYLINDER, 1e7, wk.LineForce(1.0))
+    assert strong.half_width == pytest.approx(short.half_width, rel=1e-5)
+    assert strong.pull_off_force_per_length == pytest.approx(short.pull_off_force_per_length, rel=1e-7)
+    assert strong.stress_intensity == 0.0
+    weak = reaching(CYLINDER, 10.0, wk.LineForce(1.0))
+    # that deforms nothing and reaches to x^2/(2R) = gamma/sigma_0: it pulls with 2 sigma_0 x
+    assert weak.pull_off_half_width == 0.0
+    assert weak.pull_off_force_per_length == pytest.approx(-20.0 * np.sqrt(2.0 * RADIUS * WORK / 10.0), rel=1e-3)
+
+
+def test_the_surfaces_end_to_attract_each_other_at_their_range():
+    for profile, strength in ((CYLINDER, 1e4), (wk.PowerLaw(1e4, 3.0), 1e5)):
+        contact = reaching(profile, strength, wk.LineForce(2.0))
+        a, c = contact.half_width, contact.outer_half_width
+        assert contact.separation(c) == pytest.approx(WORK / strength, rel=1e-9)
+        inner, outer = contact.pressure(a * np.array([0.999999999, 1.000000001]))
+        assert inner == pytest.approx(outer, rel=1e-3)
+        np.testing.assert_allclose(contact.pressure(np.array([0.3 * a + 0.7 * c, 1.01 * c])), [-strength, 0.0])
+        angle = np.pi * (np.arange(4000) + 0.5) / 4000
+        inside = np.sum(contact.pressure(a * np.cos(angle)) * np.sin(angle)) * a * np.pi / 4000
+        assert inside - 2.0 * strength * (c - a) == pytest.approx(2.0, rel=1e-5)
+        assert contact.approach(1.0) == pytest.approx(stuck(profile, wk.LineForce(2.0)).approach(1.0), rel=0.2)
+
+
+def test_the_stresses_below_an_attraction_are_its_forces_along_lines_summed():
+    contact = reaching(CYLINDER, 1e4, wk.LineForce(2.0))
+    a, c = contact.half_width, contact.outer_half_width
+    node, weight = np.polynomial.legendre.leggauss(60)
+    angle = 0.25 * np.pi * (node + 1.0)  # from 0 to pi/2; a root at the edge inside
+    s = np.concatenate([a * np.cos(angle), a + 0.5 * (c - a) * (node + 1.0)])
+    load = contact.pressure(s) * np.concatenate([0.25 * np.pi * a * np.sin(angle) * weight, 0.5 * (c - a) * weight])
+    x, z = np.array([0.0, 0.7, 1.3]) * a, 0.5 * a
+    down, shear = np.zeros(3), np.zeros(3)
+    for side in (-1.0, 1.0):
+        r2 = (x[:, None] - side * s) ** 2 + z * z
+        down -= 2.0 / np.pi * np.sum(load * z**3 / r2**2, axis=1)
+        shear -= 2.0 / np.pi * np.sum(load * (x[:, None] - side * s) * z * z / r2**2, axis=1)
+    found = contact.stresses(x, z)
+    np.testing.assert_allclose(found.zz_stress, down, rtol=1e-8)
+    np.testing.assert_allclose(found.xz_stress, shear, rtol=1e-8, atol=1e-6)
+    np.testing.assert_allclose(contact.stresses(x, 0.0).zz_stress, -contact.pressure(x), rtol=1e-12)
+
+
+def test_an_attraction_beside_rims_is_refused():
+    with pytest.raises(wk.OutsideValidity, match="without rims and kinks"):
+        reaching(wk.FlatPunch(1e-3), 1e4, wk.LineForce(1.0))
+    with pytest.raises(wk.OutsideValidity, match="below the pull-off"):
+        reaching(CYLINDER, 1e4, wk.LineForce(-10.0))
+    with pytest.raises(wk.OutsideValidity, match="beyond the end of the profile"):
+        reaching(wk.Sphere(RADIUS), 1.0, wk.LineForce(1.0))

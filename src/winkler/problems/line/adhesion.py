@@ -1,4 +1,4 @@
-r"""A line contact that sticks: attraction without range, at the edges of the strip (JKR for lines).
+r"""A line contact that sticks: attraction without range, at the edges of the strip (JKR for lines), or with one.
 
 .. math:: P(a) = E^* w(a) - \sqrt{2\pi a E^*\gamma} , \qquad p(x) = p_w(x) - \sqrt{\frac{2E^*\gamma a}{\pi(a^2-x^2)}} ,
 
@@ -17,7 +17,7 @@ import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.foundation.line import LineFoundation
-from winkler.laws.adhesion import ShortRange
+from winkler.laws.adhesion import Dugdale
 from winkler.loading import HalfWidth, LineForce
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.adhesion.branches_beyond import branches_beyond
@@ -26,9 +26,12 @@ from winkler.problems.adhesion.stability import Branch
 from winkler.problems.adhesion.widest_contact import widest
 from winkler.problems.assumptions.declared import ADHESIVE
 from winkler.problems.line.adhesion_notes import adhesion_notes
-from winkler.problems.line.equilibria import FIXED_GRIPS, line_states
+from winkler.problems.line.cohesive import CohesiveLineStates
+from winkler.problems.line.equilibria import FIXED_GRIPS, LineLaw, line_states
 from winkler.problems.line.strip import OfStrip, Strip
+from winkler.problems.line.zoned_bed import ZonedBed
 from winkler.problems.one_load import one_of, single
+from winkler.profiles.profile import Sum
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -43,7 +46,7 @@ class LineAdhesion:
     ----------
     bed : LineFoundation
         Profile and bodies.
-    law : ShortRange
+    law : ShortRange or Dugdale
         How the surfaces attract each other; with hysteresis, the work of opening counts.
     load : LineForce or HalfWidth
         A force per length is a dead load; the value may be an array, the results then have its shape.
@@ -51,7 +54,8 @@ class LineAdhesion:
     References
     ----------
     M. Barquins, J. Adhesion 26 (1988) 1-12, doi:10.1080/00218468808071271;
-    M. K. Chaudhury, T. Weaver, C. Y. Hui, E. J. Kramer, J. Appl. Phys. 80 (1996) 30-37, doi:10.1063/1.362819
+    M. K. Chaudhury, T. Weaver, C. Y. Hui, E. J. Kramer, J. Appl. Phys. 80 (1996) 30-37, doi:10.1063/1.362819;
+    J. M. Baney, C.-Y. Hui, J. Adhes. Sci. Technol. 11 (1997) 393-406, doi:10.1163/156856197X00778
 
     Examples
     --------
@@ -74,10 +78,10 @@ class LineAdhesion:
     )
 
     bed: LineFoundation
-    law: ShortRange
+    law: LineLaw
     load: LineForce | HalfWidth
 
-    references: ClassVar[tuple[str, ...]] = ("barquins_1988", "chaudhury_1996")
+    references: ClassVar[tuple[str, ...]] = ("barquins_1988", "chaudhury_1996", "baney_hui_1997")
     assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE
 
     def solve(self) -> LineAdhesionSolution:
@@ -91,12 +95,12 @@ class LineAdhesion:
             If a load lies below the pull-off (the message names it) or leads beyond the reach of the profile, or the
             profile is too sharp or too wavy to be held.
         """
-        states = line_states(self.bed, self.law.work)
+        states = line_states(self.bed, self.law)
         given = self.load.half_width if isinstance(self.load, HalfWidth) else self.load.force_per_length
         flat = np.atleast_1d(np.asarray(given, dtype=float)).ravel()
         stable = np.ones(flat.shape, dtype=bool)
         if isinstance(self.load, HalfWidth):
-            force, half_width, stable = *_at_half_width(self.bed, self.law.work, flat), _is_stable(self, flat)
+            force, half_width, stable = *_at_half_width(self.bed, self.law, flat), _is_stable(self, flat)
         else:
             force = flat
             half_width = widest(states, FIXED_GRIPS, flat, "force per length", "N/m", "half-width")
@@ -105,7 +109,7 @@ class LineAdhesion:
         return LineAdhesionSolution(self, shaped(force, shape), shaped(half_width, shape), held)
 
 
-def _at_half_width(bed: LineFoundation, work: float, half_width: Array) -> tuple[Array, Array]:
+def _at_half_width(bed: LineFoundation, law: LineLaw, half_width: Array) -> tuple[Array, Array]:
     """Return P [N/m] and a [m] of the equilibria at given half-widths."""
     end = min(bed.reach, bed.rim)
     beyond = half_width > end
@@ -114,11 +118,11 @@ def _at_half_width(bed: LineFoundation, work: float, half_width: Array) -> tuple
         raise OutsideValidity(
             f"half-width {half_width[beyond][0]:.6g} m is beyond {wall} ({end:.6g} m); give a smaller one."
         )
-    return line_states(bed, work).depth(half_width), half_width.copy()
+    return line_states(bed, law).depth(half_width), half_width.copy()
 
 
 def _is_stable(problem: LineAdhesion, half_width: Array) -> Array:
-    states, rim = line_states(problem.bed, problem.law.work), problem.bed.rim
+    states, rim = line_states(problem.bed, problem.law), problem.bed.rim
     stable = half_width == rim
     inner = (half_width > 0.0) & (half_width < rim)
     if inner.any():
@@ -144,6 +148,7 @@ class LineAdhesionSolution(OfStrip):
 
     __words__ = words(
         edge_load=("Q", "N/m", "load per length that the edges bear beside the profile, negative where they pull"),
+        outer_half_width=("c", "m", "where the attraction beside the strip ends"),
         pull_off_force_per_length=("P_c", "N/m", "least force per length that the contact bears"),
         pull_off_half_width=("a_c", "m", "half-width at which the contact comes apart"),
     )
@@ -168,7 +173,12 @@ class LineAdhesionSolution(OfStrip):
 
     @property
     def stress_intensity(self) -> Quantity:
-        """K_I [Pa m^(1/2)] of the tension at the edges: sqrt(2 E* gamma) where they are free, less at a rim."""
+        """K_I [Pa m^(1/2)] of the tension at the edges: sqrt(2 E* gamma) where they are free, less at a rim.
+
+        Zero under a law with a range.
+        """
+        if isinstance(self.problem.law, Dugdale):
+            return shaped(np.zeros(np.shape(self.half_width)))
         a = np.ravel(self.half_width)
         pull = np.maximum(-self.problem.bed.medium.modulus * self._edge_lengths(), 0.0)
         return shaped(pull / np.sqrt(np.pi * np.where(a > 0.0, a, np.inf)), np.shape(self.half_width))
@@ -176,19 +186,27 @@ class LineAdhesionSolution(OfStrip):
     @property
     def energy_release_rate(self) -> Quantity:
         """G = K_I^2 / (2 E*) [J/m^2]: the work of adhesion where the edges are free."""
+        if isinstance(self.problem.law, Dugdale):
+            return shaped(np.full(np.shape(self.half_width), self.problem.law.work))
         return shaped(np.asarray(self.stress_intensity) ** 2 / (2.0 * self.problem.bed.medium.modulus))
+
+    @property
+    def outer_half_width(self) -> Quantity:
+        """Where the attraction ends [m]: at the edges themselves if it has no range."""
+        if not isinstance(self.problem.law, Dugdale):
+            return self.half_width
+        zone = CohesiveLineStates(self.problem.bed, self.problem.law).zone(np.ravel(self.half_width))
+        return shaped(zone.outer, np.shape(self.half_width))
 
     @property
     def pull_off_force_per_length(self) -> float:
         """The least force per length [N/m] under which a contact is stable."""
-        return float(
-            line_states(self.problem.bed, self.problem.law.work).depth(np.array([self.pull_off_half_width]))[0]
-        )
+        return float(line_states(self.problem.bed, self.problem.law).depth(np.array([self.pull_off_half_width]))[0])
 
     @property
     def pull_off_half_width(self) -> float:
         """The half-width [m] at which it comes apart under a dead load."""
-        states = line_states(self.problem.bed, self.problem.law.work)
+        states = line_states(self.problem.bed, self.problem.law)
         branches: tuple[Branch, ...] = branches_beyond(states, FIXED_GRIPS, 0.0)
         starts = np.array([branch.start for branch in branches])
         return float(starts[np.argmin(states.depth(starts))])
@@ -218,11 +236,14 @@ class LineAdhesionSolution(OfStrip):
         shape = np.shape(self.half_width)
         one = self.at(tuple(map(int, np.unravel_index(widest, shape)))) if shape else self
         forces = np.ravel(self.force_per_length) if isinstance(problem.load, LineForce) else np.zeros(0)
-        return adhesion_notes(problem.bed, problem.law, one._strip("notes"), one.separation, forces)
+        return adhesion_notes(one._bed, problem.bed, problem.law, one._strip("notes"), one.separation, forces)
 
     def _edge_lengths(self) -> Array:
         """Return what the edges bear over E* [m], without rounding where they are free."""
         bed, a = self.problem.bed, np.ravel(self.half_width).astype(float)
+        if isinstance(self.problem.law, Dugdale):
+            zone = CohesiveLineStates(bed, self.problem.law).zone(a)
+            return np.asarray(-2.0 * self.problem.law.strength * zone.span / bed.medium.modulus)
         free = -np.sqrt(2.0 * np.pi * a * self.problem.law.work / bed.medium.modulus)
         if not np.isfinite(bed.rim):
             return free
@@ -231,4 +252,14 @@ class LineAdhesionSolution(OfStrip):
 
     def _strip(self, requested: str) -> Strip:
         single(self.force_per_length, requested)
-        return Strip(float(self.half_width), float(self._edge_lengths()[0]))
+        ranged = isinstance(self.problem.law, Dugdale)
+        return Strip(float(self.half_width), 0.0 if ranged else float(self._edge_lengths()[0]))
+
+    @property
+    def _bed(self) -> LineFoundation:
+        bed, law = self.problem.bed, self.problem.law
+        if not isinstance(law, Dugdale):
+            return bed
+        a, outer = float(self.half_width), float(np.asarray(self.outer_half_width))
+        # a sum of one profile, so that no closed form of the profile alone is taken for that of the bed
+        return ZonedBed(Sum((bed.profile,)), bed.medium, law.strength, a, outer)

@@ -77,7 +77,8 @@ def approach(
 
 
 def _finite(bed: LineFoundation, half_width: float, rim_load: float, body: Elastic, place: Reference) -> float:
-    force = bed.medium.modulus * (float(bed.load_profile(np.array([half_width]))[0]) + rim_load)
+    borne = float(bed.load_profile(np.array([half_width]))[0]) + rim_load + float(np.sum(bed.beside(half_width)[1]))
+    force = bed.medium.modulus * borne
     return force * (1.0 - body.poisson**2) / (np.pi * body.young) * place.added(body.poisson)
 
 
@@ -93,5 +94,8 @@ def _compression(bed: LineFoundation, half_width: float, rim_load: float, body: 
 
     whole = float(abel.integral(lengthening, edges, end)) + rim_load * np.arcsinh(depth / half_width)
     last = float(abel.integral(pressing, edges, end)) + rim_load * depth / np.hypot(half_width, depth)
+    widths, loads = bed.beside(half_width)
+    whole += float(loads @ np.arcsinh(depth / widths))
+    last += float(loads @ (depth / np.hypot(widths, depth)))
     factor = bed.medium.modulus * (1.0 - body.poisson**2) / (np.pi * body.young)
     return float(factor * (2.0 * whole - last / (1.0 - body.poisson)))

@@ -18,6 +18,7 @@ from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.line.approach import approach
 from winkler.problems.line.references import Reference
 from winkler.problems.line.stress import LineContact, LineFields, poisson_of, stresses
+from winkler.problems.line.zoned_bed import ZonedBed
 
 __all__ = ["OfStrip", "Stressed", "Strip"]
 
@@ -126,7 +127,7 @@ class OfStrip(Stressed):
         away = np.abs(np.asarray(x, dtype=float))
         if a >= bed.rim:
             raise OutsideValidity("The contact is pinned at the rim, beyond which the body has no surface.")
-        if a == 0.0:
+        if a == 0.0 and not isinstance(bed, ZonedBed):
             return np.asarray(bed.profile.height(away))
         edges = [a, *(b for b, _ in bed.kinks if b > a)]
 
@@ -134,6 +135,9 @@ class OfStrip(Stressed):
             return np.where(x > a, bed.opening(np.maximum(x, np.nextafter(a, np.inf)), a), 0.0)
 
         beside = np.maximum(away, a)
+        if isinstance(bed, ZonedBed):
+            lifted = bed.pulled_apart(np.ravel(np.maximum(away, a))).reshape(away.shape)
+            return np.asarray(abel.integral(opening, edges, away) + np.where(away > a, lifted, 0.0))
         pulled = 2.0 / np.pi * edge_load * np.log1p((beside - a + abel.root_difference(beside, a)) / a)
         return np.asarray(abel.integral(opening, edges, away) - pulled)
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
-from winkler.study.chapters.kind import kind
+from winkler.study.chapters.kind import is_a, kind
 from winkler.study.chapters.normal import MODULUS, ONSET, STRONG
 
 __all__ = ["LINE", "LOAD", "LOAD_PROFILE", "PRESSURE", "ROLLER"]
@@ -65,12 +67,26 @@ STICKING = Equation(
 STRETCHED = Equation(
     "and takes from the pressure of the profile", r"p(x) = p_w(x) - \sqrt{\frac{2E^*\gamma a}{\pi(a^2-x^2)}}"
 )
+RANGED = Equation(
+    "Beside the contact, up to c, the surfaces attract each other with the stress of the law",
+    r"P = E^*\,w(a) - 2\sigma_0\sqrt{c^2-a^2}",
+)
+RANGE_END = Equation(
+    "which ends where they stand apart as far as the attraction reaches", r"h(c) = \frac{\gamma}{\sigma_0}"
+)
 STABLE = Equation("A state is stable under a dead load where", r"\frac{\mathrm{d}P}{\mathrm{d}a} > 0")
 PLANE_STRAIN = Equation("and along the strip, in plane strain", r"\sigma_y = \nu\,(\sigma_x+\sigma_z)")
 SHAKEDOWN = Equation(
     "Residual stresses cannot take up the shear in planes along the surface, which limits shakedown (after Melan)",
     r"\max\left|\tau_{xz}\right| = \frac{\sigma_Y}{\sqrt{3}}",
 )
+
+
+def line_adhesion_formulas(problem: Any) -> tuple[Equation, ...]:
+    """Return the formulas of a strip that sticks under the law of a problem."""
+    law = (RANGED, RANGE_END) if is_a(problem.law, "winkler.laws.adhesion:Dugdale") else (STICKING, STRETCHED)
+    return (MODULUS, LOAD_PROFILE, *law, PRESSURE, STABLE)
+
 
 LINE = Chapter(
     "line contact",
@@ -146,12 +162,13 @@ LINE = Chapter(
             "winkler.problems.line.adhesion:LineAdhesion",
             "barquins_1988",
             "chaudhury_1996",
+            "baney_hui_1997",
             bed=STICKY_ROLLER,
             load={"kind": "line_force", "force_per_length": "1 N/m"},
             picture=Caption("line_adhesion", "The contact", "Pressure and shape; of many loads the half-width."),
             curves=(("force_per_length", "half_width"),),
             pictured=PicturedContact.NONE,
-            formulas=(MODULUS, LOAD_PROFILE, STICKING, PRESSURE, STRETCHED, STABLE),
+            formulas=line_adhesion_formulas,
         ),
         "periodic_indentation": answer(
             "winkler.problems.line.periodic:PeriodicIndentation",
