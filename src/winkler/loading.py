@@ -1,7 +1,7 @@
 """Loads: a prescribed force, depth or radius; along the surface a shift, shear force, angle or torque.
 
-A line contact takes a force per length, a half-width or a mean pressure; a roller may be tilted, or find its tilt under
-a moment.
+A line contact takes a force per length, a half-width or a mean pressure, a wavy surface a nominal pressure, and along
+the surface a shear force per length; a roller may be tilted, or find its tilt under a moment.
 
 A load's value may be an array; the result then has its shape.  Taken apart by ``match``.  How loads change with time is
 a `winkler.path.Path`.
@@ -19,9 +19,11 @@ __all__ = [
     "HalfWidth",
     "Lateral",
     "LineForce",
+    "LineShearForce",
     "Load",
     "MeanPressure",
     "Moment",
+    "NominalPressure",
     "Normal",
     "Radius",
     "ShearForce",
@@ -86,6 +88,19 @@ class LineForce:
 
 
 @value
+class LineShearForce:
+    """A prescribed force per length of a line contact, along the surface and across the line.
+
+    Parameters
+    ----------
+    shear_force_per_length : float or ndarray
+        Q [N/m].
+    """
+
+    shear_force_per_length: FiniteQuantity
+
+
+@value
 class HalfWidth:
     """A prescribed half-width of a line contact.
 
@@ -137,6 +152,19 @@ class Moment:
     """
 
     moment: Finite
+
+
+@value
+class NominalPressure:
+    """A prescribed pressure over the whole of a wavy surface, in contact or not.
+
+    Parameters
+    ----------
+    nominal_pressure : float or ndarray
+        P/pitch [Pa], not negative.
+    """
+
+    nominal_pressure: NonNegativeQuantity
 
 
 @value

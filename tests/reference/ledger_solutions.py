@@ -320,6 +320,25 @@ def roller_lundberg() -> Numbers:
     return [load / mp.pi * (2 * mp.log(4 / a) + 1), mp.sqrt(load / mp.pi)]
 
 
+def line_adhesion_cylinder() -> Numbers:
+    """P = pi E* a^2/(4R) - sqrt(2 pi a E* gamma): its zero, and its least value; E* = 1e6, R = gamma = 1."""
+    e = mp.mpf(10) ** 6
+
+    def force(a: Any) -> Any:
+        return mp.pi * e * a * a / 4 - mp.sqrt(2 * mp.pi * a * e)
+
+    rest = mp.findroot(force, frac("0.0215"))
+    least = mp.findroot(lambda a: mp.pi * e * a / 2 - mp.sqrt(mp.pi * e / (2 * a)), frac("0.0086"))
+    return [rest, least, force(least)]
+
+
+@of_case
+def wavy_half_plane() -> Numbers:
+    """p/p* = sin^2(pi a/lambda), p0 = 2 sqrt(p p*), p* = pi E* h/lambda."""
+    full, nominal = mp.pi * frac("0.004"), frac("0.003")
+    return [mp.asin(mp.sqrt(nominal / full)) / mp.pi, 2 * mp.sqrt(nominal * full), full]
+
+
 @of_case
 def line_yield_cylinder() -> Numbers:
     """McEwen's axis: von Mises' stress over p0 at its maximum, in plane strain, is the strength over p0."""
@@ -336,10 +355,71 @@ def line_yield_cylinder() -> Numbers:
 
 
 @of_case
+def elliptic_yield_one_to_three() -> Numbers:
+    """Love's integrals on the axis below Hertz's ellipse, nu = 0.3: the greatest von Mises stress is the strength."""
+    m, k, e = ellipse(mp.mpf(3))
+    ratio, nu = mp.sqrt(1 - m), frac("0.3")
+
+    def mises(z: Any) -> Any:
+        def over(power: int, axis: Any) -> Any:  # s^2 = t, a = 1
+            def shell(s: Any) -> Any:
+                both = mp.sqrt((1 + s * s) * (ratio**2 + s * s))
+                return 2 * (s - z if power == 0 else 1) / (both * (s * s + axis))
+
+            return mp.quad(shell, [z, z + ratio, z + 1, mp.inf])
+
+        along, across, deep = over(1, mp.mpf(1)), over(1, ratio**2), over(1, mp.mpf(0))
+        free = ratio / 2
+        x = free * (-2 * nu * z * deep - (1 - 2 * nu) * over(0, mp.mpf(1)) + z * along)
+        y = free * (-2 * nu * z * deep - (1 - 2 * nu) * over(0, ratio**2) + z * across)
+        down = free * (-z * deep - z * (along + across))
+        return mp.sqrt(((x - y) ** 2 + (y - down) ** 2 + (down - x) ** 2) / 2)
+
+    depth = mp.findroot(
+        lambda z: mises(z + frac("1e-8")) - mises(z - frac("1e-8")), (frac("0.2"), frac("0.4")), tol=1e-36
+    )
+    p0 = frac("0.01") / mises(depth)
+    unit = (3 * (k - e) / (2 * mp.pi * m * frac("0.25"))) ** (mp.mpf(1) / 3)
+    force = (p0 * 2 * mp.pi * unit**2 * ratio / 3) ** 3
+    a = unit * mp.cbrt(force)
+    return [force, p0, a, 3 * force * k / (2 * mp.pi * a), a * depth]
+
+
+@of_case
 def line_shakedown_cylinder() -> Numbers:
     """p0 = 4 k, at half of a half-width below the surface."""
     p0 = 4 * frac("0.01") / mp.sqrt(3)
     return [mp.pi * p0**2, 2 * p0, p0]
+
+
+def _slipped(bulk: str) -> tuple[Any, Any, Any]:
+    """Return c, e and the loss of the first half cycle: E* = R = P = 1, mu = 0.4, Q = 0.25, p0 = a/2.
+
+    The traction is mu p in the slip zones, and the slip mu times the distance that a cylinder on (e - c, e + c) leaves
+    open, (s sqrt(s^2 - c^2) - c^2 arcosh(s/c))/2 at s from its middle.
+    """
+    mu, a = frac("0.4"), 2 / mp.sqrt(mp.pi)
+    c, e = a * mp.sqrt(1 - frac("0.25") / mu), frac(bulk) / (2 * mu)
+
+    def rubbed(s: Any, middle: Any) -> Any:
+        return mu**2 * mp.sqrt(a**2 - (s + middle) ** 2) / 4 * (s * mp.sqrt(s**2 - c**2) - c**2 * mp.acosh(s / c))
+
+    sides = ((m, a - m) for m in (e, -e))
+    return c, e, sum(mp.quad(lambda s, m=m: rubbed(s, m), [c, (c + end) / 2, end]) for m, end in sides)
+
+
+@of_case
+def line_cattaneo() -> Numbers:
+    """From Q to -Q the slip is twice as great as at first, in the same zones."""
+    c, _, lost = _slipped("0")
+    return [[c, c], [lost, 3 * lost]]
+
+
+@of_case
+def line_bulk_stress() -> Numbers:
+    """e = sigma a/(4 mu p0), the other way at -Q."""
+    c, e, lost = _slipped("0.2")
+    return [[c, c], [lost, 3 * lost], [e, e]]
 
 
 def _oval(bend: str) -> Numbers:

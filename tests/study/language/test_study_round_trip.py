@@ -57,6 +57,7 @@ ELSEWHERE = {
     wk.ContactTrace,
     wk.Contacts,
     wk.CurrentFields,
+    wk.EllipticFields,
     wk.HeatFields,
     wk.NamedMaterial,
     wk.LineFields,

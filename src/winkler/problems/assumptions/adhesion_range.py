@@ -24,7 +24,7 @@ them that at which each is wrong by some 15 per cent."""
 GREENWOOD = "K. L. Johnson, J. A. Greenwood, J. Colloid Interface Sci. 192 (1997) 326-333, doi:10.1006/jcis.1997.4984"
 
 
-def range_note(law: AdhesionLaw, stretch: float, where: str) -> Note:
+def range_note(law: AdhesionLaw, stretch: float, where: str, instead: str | None = None) -> Note:
     """Return whether attraction may be without range (JKR), or so far that it deforms nothing (DMT).
 
     Parameters
@@ -35,6 +35,8 @@ def range_note(law: AdhesionLaw, stretch: float, where: str) -> Note:
         By how much attraction without range would stretch the springs at the edge [m].
     where : str
         What the sentence begins with, up to "the edge".
+    instead : str, optional
+        What is advised where the law is not right; Dugdale's law of that strength unless given.
     """
     tabor = stretch / (PULL_OFF_STRETCH * MOLECULAR_RANGE)
     fact = (
@@ -48,6 +50,6 @@ def range_note(law: AdhesionLaw, stretch: float, where: str) -> Note:
         good, bad = tabor <= LONG_RANGE_TABOR, tabor > MIDDLE_TABOR
         right, wrong = "attraction from afar (DMT) is right", "the attraction deforms the edge, which DMT denies"
     standing = Standing.ASYMPTOTIC if good else Standing.OUTSIDE if bad else Standing.APPROXIMATE
-    closest = f"take Dugdale(work, strength) with strength = {law.work / MOLECULAR_RANGE:.3g} Pa"
+    closest = instead or f"take Dugdale(work, strength) with strength = {law.work / MOLECULAR_RANGE:.3g} Pa"
     verdict = right if good else f"{wrong if bad else 'between JKR and DMT'}; {closest}"
     return Note(Assumption.ADHESION, standing, f"{fact}: {verdict}.", GREENWOOD)

@@ -30,7 +30,7 @@ from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.overlap import rises
 from winkler.problems.normal.solve_contact import at_depth, at_end, flat_radius
 
-__all__ = ["NormalCurve", "deepest", "normal_curve", "rough_depth"]
+__all__ = ["NormalCurve", "deepest", "normal_curve", "resolved_panels", "rough_depth"]
 
 DEPTH_MARGIN = 1e-3
 """How far beyond the greatest depth the curve is computed, for the trial steps of the march."""
@@ -138,7 +138,7 @@ def normal_curve(bed: Bed, depth: float) -> NormalCurve:
         return np.asarray(bed.stiffness(_radii(bed, depths.ravel(), widest).reshape(depths.shape)))
 
     greatest = float(stiffness(np.array([last]))[0])
-    first = _panels(stiffness, edges, greatest)
+    first = resolved_panels(stiffness, edges, greatest)
     second = first.integral
     third = second.integral
     count = third.coefficients.shape[1]
@@ -172,14 +172,29 @@ def _radii(bed: Bed, depths: Array, widest: float) -> Array:
     return radii
 
 
-def _panels(stiffness: Curve, edges: Array, greatest: float) -> Panels:
-    """Return the stiffness on panels, to rounding or as well as its own errors allow."""
+def resolved_panels(curve: Curve, edges: Array, greatest: float) -> Panels:
+    """Return a curve on panels, to rounding or as well as its own errors allow.
+
+    Parameters
+    ----------
+    curve
+        Smooth between the edges.
+    edges : ndarray
+        Ascending.
+    greatest : float
+        Size of its values.
+
+    Raises
+    ------
+    NotConverged
+        If it is too rough.
+    """
     for tolerance, most in PANEL_TOLERANCES:
         try:
-            return fit_panels(stiffness, edges, tolerance * greatest, most)
+            return fit_panels(curve, edges, tolerance * greatest, most)
         except NotConverged:
             continue
-    return fit_panels(stiffness, edges, LAST_TOLERANCE * greatest)
+    return fit_panels(curve, edges, LAST_TOLERANCE * greatest)
 
 
 def _limit(bed: Bed) -> float:

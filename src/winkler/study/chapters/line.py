@@ -6,9 +6,17 @@ from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedCo
 from winkler.study.chapters.kind import kind
 from winkler.study.chapters.normal import MODULUS, ONSET, STRONG
 
-__all__ = ["LINE"]
+__all__ = ["LINE", "LOAD", "LOAD_PROFILE", "PRESSURE", "ROLLER"]
 
 ROLLER = {"kind": "line_foundation", "profile": {"kind": "paraboloid"}}
+WAVES = {
+    "kind": "line_foundation",
+    "profile": {"kind": "wavy", "amplitude": "1 um", "wavelength": "1 mm"},
+}
+STICKY_ROLLER = {
+    **ROLLER,
+    "medium": {"kind": "half_space", "first": {"kind": "elastic", "young": "2 MPa", "poisson": 0.5}},
+}
 
 LOAD_PROFILE = Equation(
     "The two-dimensional profile f(x) becomes the load profile w",
@@ -42,6 +50,22 @@ ROLLER_CROWN = Equation(
     r"z = K_1A\ln\frac{1}{1-\left(1-e^{-z_m/(K_1A)}\right)\left(\frac{|x|-s}{L/2-s}\right)^2}, \quad "
     r"A = \frac{P}{\pi E^*}",
 )
+SINE = Equation(
+    "Strips at the pitch λ are one strip over u, under the profile f(x(u))",
+    r"u = \frac{\lambda}{\pi}\sin\frac{\pi x}{\lambda}, \quad \bar p = \frac{P}{\lambda}",
+)
+PERIODIC_PRESSURE = Equation(
+    "with u(a) in the place of a; its pressure p₁(u) is that of each strip but for a cosine, up to full contact",
+    r"p(x) = p_1(u)\,\cos\frac{\pi x}{\lambda}",
+)
+STICKING = Equation(
+    "The edges pull like those of a flat punch: the stress intensity releases the work of adhesion γ",
+    r"P = E^*\,w(a) - \sqrt{2\pi a E^*\gamma}, \quad K_I = \sqrt{2E^*\gamma}",
+)
+STRETCHED = Equation(
+    "and takes from the pressure of the profile", r"p(x) = p_w(x) - \sqrt{\frac{2E^*\gamma a}{\pi(a^2-x^2)}}"
+)
+STABLE = Equation("A state is stable under a dead load where", r"\frac{\mathrm{d}P}{\mathrm{d}a} > 0")
 PLANE_STRAIN = Equation("and along the strip, in plane strain", r"\sigma_y = \nu\,(\sigma_x+\sigma_z)")
 SHAKEDOWN = Equation(
     "Residual stresses cannot take up the shear in planes along the surface, which limits shakedown (after Melan)",
@@ -55,6 +79,9 @@ LINE = Chapter(
             "line_force": kind("winkler.loading:LineForce", problem="line_indentation", force_per_length="100 N/mm"),
             "half_width": kind("winkler.loading:HalfWidth", problem="line_indentation", half_width="0.1 mm"),
             "mean_pressure": kind("winkler.loading:MeanPressure", problem="line_indentation", mean_pressure="500 MPa"),
+            "nominal_pressure": kind(
+                "winkler.loading:NominalPressure", problem="periodic_indentation", nominal_pressure="100 MPa"
+            ),
         },
         "roller_ends": {
             "sharp_ends": kind("winkler.profiles.roller_ends:SharpEnds", problem="roller_contact"),
@@ -114,6 +141,29 @@ LINE = Chapter(
             curves=(("force", "depth"), ("force", "peak_pressure"), ("force", "edge_factor"), ("force", "moment")),
             pictured=PicturedContact.NONE,
             formulas=(MODULUS, ROLLER_GAP, ROLLER_SUMS, ROLLER_CROWN),
+        ),
+        "line_adhesion": answer(
+            "winkler.problems.line.adhesion:LineAdhesion",
+            "barquins_1988",
+            "chaudhury_1996",
+            bed=STICKY_ROLLER,
+            load={"kind": "line_force", "force_per_length": "1 N/m"},
+            picture=Caption("line_adhesion", "The contact", "Pressure and shape; of many loads the half-width."),
+            curves=(("force_per_length", "half_width"),),
+            pictured=PicturedContact.NONE,
+            formulas=(MODULUS, LOAD_PROFILE, STICKING, PRESSURE, STRETCHED, STABLE),
+        ),
+        "periodic_indentation": answer(
+            "winkler.problems.line.periodic:PeriodicIndentation",
+            "westergaard_1939",
+            "johnson_1985",
+            bed=WAVES,
+            pitch="1 mm",
+            load={"kind": "nominal_pressure", "nominal_pressure": "100 MPa"},
+            picture=Caption("waves", "The contact", "Pressure and shape; of many loads contact and pressures."),
+            curves=(("nominal_pressure", "contact_share"), ("nominal_pressure", "peak_pressure")),
+            pictured=PicturedContact.NONE,
+            formulas=(MODULUS, SINE, LOAD_PROFILE, LOAD, PERIODIC_PRESSURE),
         ),
         "line_yield_onset": answer(
             "winkler.problems.line.yielding:LineYieldOnset",
