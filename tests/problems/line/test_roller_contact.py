@@ -232,7 +232,7 @@ def test_the_estimate_of_yield_is_that_of_a_line():
         ({"alignment": wk.Moment(20.0)}, "give less than 19.2 N m"),
         ({"ends": wk.CrownedEnds(1.0, 10e-3)}, "takes the whole roller"),
         ({"ends": wk.RoundedEnds(5e-3)}, "leave nothing of a roller"),
-        ({"elements": 10}, "32"),
+        ({"elements": 10}, "from 16 to 320"),
     ],
 )
 def test_what_is_no_roller_is_refused(change, sentence):

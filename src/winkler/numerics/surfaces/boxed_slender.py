@@ -14,6 +14,7 @@ import numpy as np
 from winkler.errors import NotConverged
 from winkler.numerics.surfaces.pressed_slender import Pose, PressedSlender, press_slender
 from winkler.numerics.surfaces.slender_grid import SlenderGrid, graded
+from winkler.numerics.surfaces.slender_start import first_overlap
 from winkler.numerics.types import Array
 
 __all__ = ["Generator", "SlenderContact", "pressed_levels"]
@@ -30,9 +31,9 @@ FINEST_SHARE, BEND_SHARE = 0.05, 0.3
 """Distance from which on elements grow, over the half-width, from an end of the contact and from a bend."""
 APART_SHARE = 0.3
 """And at most over the distance of the next end or bend."""
-FIRST_WIDTHS = 2.0
-"""Half-width of the first box over that of an endless cylinder under the mean force per length."""
-SAMPLES = 2001
+FIRST_WIDTHS, FIRST_MARGIN = 0.5, 0.2
+"""First half-widths over those of the overlap, and how much wider and longer the first box is."""
+SAMPLES, LEAST_OVERLAP = 2001, 1e-15
 OUTER, INNER, FEWEST_ACROSS = 3, 5, 6
 """Elements, counted from the edge of a slice, through which its edge is found, and how many that takes."""
 
@@ -113,10 +114,10 @@ def pressed_levels(generator: Generator, pose: Pose, elements: int) -> tuple[Sle
     NotConverged
         If the contact is not found.
     """
-    box, depth = _first_box(generator, pose)
+    box, widths = _first_box(generator, pose)
     found = None
     for _ in range(MOST_BOXES):
-        contact = _solved(generator, pose, box, ROUGH_ELEMENTS, found, depth)
+        contact = _solved(generator, pose, box, ROUGH_ELEMENTS, found, widths)
         fitting = _fitted(contact, box)
         if fitting is None:
             box, found = _wider(contact, box), contact
@@ -130,7 +131,7 @@ def pressed_levels(generator: Generator, pose: Pose, elements: int) -> tuple[Sle
     levels = []
     for count in (elements // 2, elements):
         for _ in range(MOST_BOXES):
-            found = _solved(generator, pose, box, count, found, depth)
+            found = _solved(generator, pose, box, count, found, widths)
             fitting = _fitted(found, box)
             if fitting is not None:
                 break
@@ -142,20 +143,23 @@ def pressed_levels(generator: Generator, pose: Pose, elements: int) -> tuple[Sle
     return levels[0], levels[1]
 
 
-def _first_box(generator: Generator, pose: Pose) -> tuple[_Box, float]:
-    """Return a first box, and a depth over which elements bear to begin with."""
-    if not math.isnan(pose.force):
-        mean = 0.5 * pose.force
-        width = math.sqrt(4.0 * mean * generator.radius / math.pi)
-        return _Box(-1.0, 1.0, FIRST_WIDTHS * width), mean / math.pi * (2.0 * math.log1p(4.0 / width) + 1.0)
+def _first_box(generator: Generator, pose: Pose) -> tuple[_Box, Array]:
+    """Return a first box, and half-widths over `SAMPLES` places, of slices that bear each for itself."""
     x = np.linspace(-1.0, 1.0, SAMPLES)
-    tilt = 0.0 if math.isnan(pose.tilt) else pose.tilt
-    depth = float(np.max(pose.approach + tilt * x - generator.drop(x)))
-    return _Box(-1.0, 1.0, math.sqrt(2.0 * generator.radius * max(depth, pose.approach))), depth
+    overlap = first_overlap(x, generator.drop(x), pose)
+    bearing = np.flatnonzero(overlap > 0.0)
+    if not bearing.size:  # a contact between two samples
+        bearing = np.array([int(np.argmax(overlap))])
+        overlap = overlap - 2.0 * float(np.max(overlap)) + LEAST_OVERLAP
+    low, high = x[max(bearing[0] - 1, 0)], x[min(bearing[-1] + 1, SAMPLES - 1)]
+    reach = FIRST_MARGIN * (high - low)
+    widths = FIRST_WIDTHS * np.sqrt(2.0 * generator.radius * np.maximum(overlap, 0.0))
+    box = _Box(max(low - reach, -1.0), min(high + reach, 1.0), (1.0 + FIRST_MARGIN) * float(np.max(widths)))
+    return box, widths
 
 
 def _solved(
-    generator: Generator, pose: Pose, box: _Box, count: int, before: SlenderContact | None, depth: float
+    generator: Generator, pose: Pose, box: _Box, count: int, before: SlenderContact | None, widths: Array
 ) -> SlenderContact:
     """Return the contact in the box, begun from one on another grid."""
     rows = max(count // ROWS_SHARE, 4)
@@ -166,15 +170,13 @@ def _solved(
     finest = np.minimum(shares * box.width, APART_SHARE * np.minimum(apart[1:], apart[:-1]))
     grid = SlenderGrid.of(graded(box.low, box.high, marks, finest, count), box.width / rows, rows)
     x, y = grid.middles, grid.places_across
-    drop = generator.drop(x)
-    gaps = drop[:, None] + y**2 / (2.0 * generator.radius)
+    gaps = generator.drop(x)[:, None] + y**2 / (2.0 * generator.radius)
     if before is None:
-        level = drop - (0.0 if math.isnan(pose.tilt) else pose.tilt) * x
-        start = gaps - drop[:, None] + level[:, None] - np.min(level) < 0.3 * depth
+        width = np.interp(x, np.linspace(-1.0, 1.0, SAMPLES), widths)
     else:
-        start = y < np.interp(x, before.grid.middles, before.half_width)[:, None]
-    start[np.argmin(drop - (0.0 if math.isnan(pose.tilt) else pose.tilt) * x), 0] = True
-    return SlenderContact(grid, press_slender(grid, gaps, pose, start))
+        width = np.interp(x, before.grid.middles, before.half_width)
+    width[int(np.argmax(width))] = max(float(np.max(width)), 2.0 * float(y[0]))
+    return SlenderContact(grid, press_slender(grid, gaps, pose, y < width[:, None]))
 
 
 def _touching(contact: SlenderContact) -> tuple[int, int, int]:

@@ -24,10 +24,10 @@ __all__ = ["Pose", "PressedSlender", "press_slender"]
 
 MOST_SETS, MOST_STEPS = 60, 200
 """Sets of elements tried, and steps of conjugate gradients for each of them; some ten and twenty are usual."""
-RESIDUAL = 1e-8
-"""Residual of a linear system over its right side."""
-NEGLIGIBLE = 1e-7
-"""Tension over the greatest pressure, and overlap over the approach, at which a set counts as the contact."""
+RESIDUALS = (1e-5, 1e-12)
+"""Residual of a linear system over its right side: while the set of elements changes much, and of the result."""
+NEGLIGIBLE = (1e-3, 1e-7)
+"""Tension over the greatest pressure, and overlap over the depth, at which a set counts as the contact."""
 
 
 class Pose(NamedTuple):
@@ -85,18 +85,24 @@ def press_slender(grid: SlenderGrid, gaps: Array, pose: Pose, start: Array) -> P
     free = math.isnan(pose.tilt)
     turned = np.zeros(gaps.shape) if free else pose.tilt * x
     loads = np.stack([areas * (turned - gaps), np.broadcast_to(areas, gaps.shape), areas * x + 0.0 * gaps][: 2 + free])
-    bearing, fields = start, np.zeros(loads.shape)
+    bearing, fields, stage = start, np.zeros(loads.shape), 0
     for _ in range(MOST_SETS):
-        fields = _fields(grid, loads, bearing, fields)
+        fields = _fields(grid, loads, bearing, fields, RESIDUALS[stage])
         sums = 2.0 * np.sum(fields * areas, axis=(1, 2)), 2.0 * np.sum(fields * areas * x, axis=(1, 2))
-        approach, tilt, stiffness = _posed(sums, pose)
+        try:
+            approach, tilt, stiffness = _posed(sums, pose)
+        except np.linalg.LinAlgError:  # a single slice has no tilt
+            break
         weights = np.array([1.0, approach, tilt][: 2 + free])
         pressure = np.tensordot(weights, fields, axes=1)
         depth = approach + tilt * x - gaps
         overlap = depth - grid.displaced(pressure[None])[0] / areas
-        pulls = bearing & (pressure < -NEGLIGIBLE * np.max(pressure))
-        meets = ~bearing & (overlap > NEGLIGIBLE * np.max(depth))
+        pulls = bearing & (pressure < -NEGLIGIBLE[stage] * np.max(pressure))
+        meets = ~bearing & (overlap > NEGLIGIBLE[stage] * np.max(depth))
         if not (np.any(pulls) or np.any(meets)):
+            if stage == 0:
+                stage = 1
+                continue
             force, moment = (float(one @ weights) for one in sums)
             return PressedSlender(np.maximum(pressure, 0.0), approach, tilt, force, moment, stiffness)
         bearing = np.cumprod((bearing & ~pulls) | meets, axis=1).astype(bool)
@@ -121,7 +127,7 @@ def _posed(sums: tuple[Array, Array], pose: Pose) -> tuple[float, float, float]:
     return pose.approach, float(tilt), stiffness
 
 
-def _fields(grid: SlenderGrid, loads: Array, bearing: Array, start: Array) -> Array:
+def _fields(grid: SlenderGrid, loads: Array, bearing: Array, start: Array, residual: float) -> Array:
     """Return the pressures under each load on the elements that bear, by conjugate gradients."""
     right = np.where(bearing, loads, 0.0)
     fields = np.where(bearing, start, 0.0)
@@ -131,7 +137,7 @@ def _fields(grid: SlenderGrid, loads: Array, bearing: Array, start: Array) -> Ar
         return np.asarray(np.einsum("cij,cij->c", one, other))[:, None, None]
 
     pressed = grid.roughly_pressing(right, bearing)
-    enough = RESIDUAL**2 * dot(right, pressed)
+    enough = residual**2 * dot(right, pressed)
     along = np.zeros(loads.shape)
     before = np.ones((loads.shape[0], 1, 1))
     for _ in range(MOST_STEPS):

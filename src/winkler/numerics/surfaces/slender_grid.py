@@ -7,7 +7,7 @@ Where E* is one, the force on an element times the displacement of another is
 
 with Love's displacement u_ij at the middle of element i under a unit pressure on element j: symmetric, and of second
 order like either of the two.  Pressures are even across the contact.  Across, the product is a convolution, made by
-fast Fourier transforms; along, one small matrix for every wave number.
+fast cosine transforms; along, one small matrix for every wave number.
 """
 
 from __future__ import annotations
@@ -70,7 +70,7 @@ class SlenderGrid(NamedTuple):
     rows
         How many elements there are across on either side of the middle.
     waves
-        Transform of S across, (2 rows + 1, n, n) [m^3].
+        Transform of S across, (2 rows, n, n) [m^3].
     factors
         Inverse of the lower factor of S within each slice, (n, rows, rows).
     """
@@ -98,7 +98,7 @@ class SlenderGrid(NamedTuple):
         weighted = love * (across / np.pi * lengths[:, None])
         mutual = 0.5 * (weighted + weighted.transpose(0, 2, 1))
         wrapped = np.concatenate([mutual, np.zeros((1, *mutual.shape[1:])), mutual[:0:-1]])
-        waves = np.ascontiguousarray(np.fft.rfft(wrapped, axis=0).real)
+        waves = np.ascontiguousarray(np.fft.rfft(wrapped, axis=0).real[:-1])
         within, row = np.diagonal(mutual, axis1=1, axis2=2).T, np.arange(rows)
         block = within[:, np.abs(row[:, None] - row)] + within[:, row[:, None] + row + 1]
         return cls(edges, across, rows, waves, np.linalg.inv(np.linalg.cholesky(block)))
@@ -122,13 +122,9 @@ class SlenderGrid(NamedTuple):
         """Return S p [m^3], of several fields (fields, n, rows) of pressures over E* on the positive side."""
         import scipy.fft
 
-        both = np.concatenate([pressures[..., ::-1], pressures], axis=-1)
-        waves = scipy.fft.rfft(both, 4 * self.rows, axis=-1).transpose(2, 1, 0)
-        parts = np.concatenate([waves.real, waves.imag], axis=2)
-        moved = self.waves @ parts
-        fields = pressures.shape[0]
-        back = (moved[..., :fields] + 1j * moved[..., fields:]).transpose(2, 1, 0)
-        return np.asarray(scipy.fft.irfft(back, 4 * self.rows, axis=-1)[..., self.rows : 2 * self.rows])
+        waves = scipy.fft.dct(pressures, 2, 2 * self.rows, axis=-1).transpose(2, 1, 0)
+        moved = scipy.fft.idct((self.waves @ waves).transpose(2, 1, 0), 2, axis=-1)
+        return np.asarray(moved[..., : self.rows])
 
     def roughly_pressing(self, work: Array, bearing: Array) -> Array:
         """Return pressures that bear S p within each slice alone: the preconditioner.
@@ -140,5 +136,6 @@ class SlenderGrid(NamedTuple):
         bearing : ndarray of bool
             Elements in contact, (n, rows), in each slice those up to some distance from the middle.
         """
-        lower = np.where(bearing, np.einsum("nij,cnj->cni", self.factors, work), 0.0)
-        return np.asarray(np.where(bearing, np.einsum("nji,cnj->cni", self.factors, lower), 0.0))
+        within = bearing[:, :, None]
+        lower = np.where(within, self.factors @ work.transpose(1, 2, 0), 0.0)
+        return np.asarray(np.where(within, self.factors.transpose(0, 2, 1) @ lower, 0.0).transpose(2, 0, 1))

@@ -97,7 +97,7 @@ class RollerContact:
     medium: Annotated[HomogeneousMedium, Advice("the boundary elements apply to no other")]
     load: Force | Depth
     alignment: Tilt | Moment = STRAIGHT
-    elements: Annotated[int, Whole(32, 320, "elements")] = 160
+    elements: Annotated[int, Whole(16, 320, "elements")] = 160
 
     references: ClassVar[tuple[str, ...]] = (
         "hartnett_1979", "johns_gohar_1981", "lundberg_1939", "fujiwara_kawase_2007", "johnson_1985",
