@@ -73,7 +73,8 @@ def line_load(profile: Profile, a: Array) -> Array:
             return _of_wave(h, 2.0 * np.pi / length, a)[0]
         case Measured() | Designed():
             return _tables(profile)[0](a)
-    return _integrated(profile, a)
+    raised = _raised(profile)
+    return _load_by_quadrature(profile, a) if raised is None else _over(raised.gap(a), a, 0.0)
 
 
 def line_load_slope(profile: Profile, a: Array) -> Array:
@@ -133,13 +134,6 @@ def _raised_slope(profile: Profile) -> Curve:
     return slope
 
 
-def _integrated(profile: Profile, a: Array) -> Array:
-    """Return w of a profile without tables."""
-    raised = _raised(profile)
-    whole = abel.gap(_raised_slope(profile), _edges(profile), a) if raised is None else raised.gap(a)
-    return _over(whole, a, 0.0)
-
-
 def _edges(profile: Profile) -> tuple[float, ...]:
     return tuple(b for b, _ in profile.kinks)
 
@@ -147,6 +141,10 @@ def _edges(profile: Profile) -> tuple[float, ...]:
 def _over(content: Array, a: Array, at_zero: float) -> Array:
     """Return content / a, and what it becomes where a vanishes."""
     return np.where(a > 0.0, content / np.where(a > 0.0, a, 1.0), at_zero)
+
+
+def _load_by_quadrature(profile: Any, a: Array) -> Array:
+    return _over(abel.gap(_raised_slope(profile), _edges(profile), a), a, 0.0)
 
 
 def _by_quadrature(profile: Any, a: Array) -> Array:
@@ -157,7 +155,7 @@ def _by_quadrature(profile: Any, a: Array) -> Array:
         return np.asarray(profile.slope(r) + r * profile.curvature(r))
 
     whole = abel.gap_slope(_raised_slope(profile), curvature, jumps, a)
-    return _over(whole - _integrated(profile, a), a, float(profile.slope(np.zeros(1))[0]))
+    return _over(whole - _load_by_quadrature(profile, a), a, float(profile.slope(np.zeros(1))[0]))
 
 
 @functools.lru_cache(maxsize=64)

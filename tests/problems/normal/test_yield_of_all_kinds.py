@@ -33,14 +33,15 @@ def strengthened(item, strength):
 WITHOUT = {
     "elastic_plastic_particle": "its strength is its law",
     "elastomer_friction": "a relaxing body under a rigid one: no solid has a strength",
+    "elliptic_yield_onset": "the onset is its answer",
     "line_shakedown": "the limit after yield is its answer",
     "line_yield_onset": "the onset is its answer",
     "spot_cluster": "no elastic bodies",
     "yield_onset": "the onset is its answer",
 }
 UNKNOWN = {
-    "conductance_bounds", "creep_test", "harmonic_indentation", "nearly_round_indentation", "reduction",
-    "relaxation_test", "sliding_resistance", "viscoelastic_adhesion", "viscoelastic_impact",
+    "conductance_bounds", "creep_test", "harmonic_indentation", "line_rolling_resistance", "nearly_round_indentation",
+    "reduction", "relaxation_test", "sliding_resistance", "viscoelastic_adhesion", "viscoelastic_impact",
     "viscoelastic_indentation", "viscoelastic_tangential",
 }  # fmt: skip
 """Whose stresses are not computed: they state it, whatever the strength is."""

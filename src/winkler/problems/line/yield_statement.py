@@ -36,7 +36,7 @@ def line_yield_notes(
     half_width : float
         a [m].
     rim_load : float
-        Load per length over E* that a rim bears [m].
+        Load per length over E* that a rim bears [m], or negative where adhesion pulls.
     friction : float
         Traction over pressure [-] of a contact that slides everywhere.
 
@@ -52,8 +52,9 @@ def line_yield_notes(
     place, part = max(found, key=lambda one: one[0].value / one[1].solid.strength)
     share = place.value / part.solid.strength
     if is_sharp(bed, half_width, rim_load):
+        where = "at the edge, which adhesion pulls" if rim_load < 0.0 else "at a sharp tip, kink or rim"
         sharp = (
-            "The elastic stress is infinite at a sharp tip, kink or rim, which yields under the smallest load; "
+            f"The elastic stress is infinite {where}, which yields under the smallest load; "
             f"{AWAY:g} half-widths away from there the greatest von Mises stress is {share_of(share, part)}"
         )
         beyond = "" if share < 1.0 else ": the result is not elastic"
