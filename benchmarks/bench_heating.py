@@ -64,3 +64,30 @@ def bench_beginning(benchmark, below, steel_on_steel):
     found = benchmark.pedantic(problem.solve, rounds=5, warmup_rounds=1)
     assert np.all(np.diff(found.flash_temperature) > 0.0)
     below(0.3, "a ball that warms up, at 100 times")
+
+
+def bench_line_speeds(benchmark, below, steel_on_steel):
+    """Flash and mean temperatures of two discs in line contact, at fifty speeds."""
+    bed = wk.LineFoundation(wk.Paraboloid(10e-3), steel_on_steel)
+    speeds = np.geomspace(0.1, 10.0, 50)
+    problem = wk.LineFrictionHeating(bed, wk.Coulomb(0.1), wk.LineForce(100e3), PAIR, 2.0 * speeds, speeds)
+    found = benchmark.pedantic(problem.solve, rounds=5, warmup_rounds=1)
+    assert np.all(np.diff(found.flash_temperature) > 0.0)
+    below(3.0, "flash temperatures of two discs at 50 speeds")
+
+
+def bench_ellipse_speeds(benchmark, below, steel_on_steel):
+    """The same of an ellipse that slides askew."""
+    speeds = np.geomspace(0.1, 10.0, 50)
+    problem = wk.EllipticFrictionHeating(
+        wk.CurvedBodies(40e-3, 5e-3),
+        steel_on_steel,
+        wk.Coulomb(0.1),
+        wk.Force(20.0),
+        PAIR,
+        first_speed=speeds,
+        first_direction=0.5,
+    )
+    found = benchmark.pedantic(problem.solve, rounds=5, warmup_rounds=1)
+    assert np.all(np.diff(found.flash_temperature) > 0.0)
+    below(3.0, "flash temperatures of an ellipse at 50 speeds")

@@ -34,7 +34,7 @@ from winkler.problems.heating.line_sharing import fast_strip_temperature, shared
 from winkler.problems.heating.one_result import contact_at, one_problem, one_result
 from winkler.problems.heating.validity import moving_notes
 from winkler.problems.line.indentation import LineIndentation, LineSolution
-from winkler.problems.line.statement import line_contact_notes
+from winkler.problems.line.yield_statement import line_contact_notes
 from winkler.problems.one_load import single
 from winkler.validity import Assumption, Note
 from winkler.values import value, words

@@ -21,8 +21,8 @@ from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.line.greatest_stress import Placed, greatest, von_mises
 from winkler.problems.line.half_width import refuse_unless_strips, under_force, under_mean_pressure, widest_allowed
 from winkler.problems.line.peak_pressure import peak_pressure, rim_load
-from winkler.problems.line.statement import line_contact_notes
 from winkler.problems.line.strip import OfStrip, Strip
+from winkler.problems.line.yield_statement import line_contact_notes
 from winkler.problems.one_load import one_of, single
 from winkler.validity import Assumption, Note
 from winkler.values import value, words

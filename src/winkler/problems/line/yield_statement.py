@@ -1,4 +1,4 @@
-"""Does a line contact stay elastic?  What is stated where a body of it has a strength."""
+"""What is stated of a line contact: its assumptions, and whether it stays elastic where a body has a strength."""
 
 from __future__ import annotations
 
@@ -7,22 +7,43 @@ import math
 import numpy as np
 
 from winkler.foundation.line import LineFoundation
+from winkler.numerics.types import Quantity
 from winkler.problems.line.greatest_stress import Placed, greatest, von_mises
-from winkler.problems.line.peak_pressure import is_sharp
+from winkler.problems.line.peak_pressure import is_sharp, rim_load
 from winkler.problems.line.stress import LineContact, stresses
+from winkler.problems.line.validity import line_notes
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.problems.normal.unknown_yield import MISES
 from winkler.problems.normal.yield_statement import share_of
 from winkler.profiles.power import Paraboloid
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["line_yield_notes"]
+__all__ = ["line_contact_notes", "line_yield_notes"]
 
 WIDTH_SHARES = (0.25, 0.5, 0.75, 1.0)
 """Parts of the half-width that are examined where the profile may fall."""
 AWAY = 0.1
 """Distance from a sharp place at which its infinite stress is judged, over the half-width."""
 DIRECTIONS = 33
+
+
+def line_contact_notes(
+    bed: LineFoundation, force: Quantity, half_width: Quantity, friction: float = 0.0
+) -> tuple[Note, ...]:
+    """Return how far line contacts can be trusted.
+
+    Parameters
+    ----------
+    bed : LineFoundation
+    force, half_width : float or ndarray
+        P [N/m] and a [m].
+    friction : float
+        Traction over pressure [-] of a contact that slides everywhere.
+    """
+    widest = int(np.argmax(force))
+    a = float(np.ravel(half_width)[widest])
+    on_rim = rim_load(bed, float(np.ravel(force)[widest]), a)
+    return (*line_notes(bed, a), *line_yield_notes(bed, a, on_rim, friction))
 
 
 def line_yield_notes(
