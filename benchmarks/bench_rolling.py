@@ -48,3 +48,24 @@ def bench_rocking(benchmark, below):
     problem = wk.OscillatingRolling(WHEEL, MU, 1e-3, 20e3, LOAD)
     assert benchmark(problem.solve).ratchets
     below(0.03, "thirty cycles of rocking, 400 springs")
+
+
+ROLLER = wk.LineFoundation(wk.Paraboloid(0.5), PAIR)
+RUBBER = wk.Prony(1e6, np.full(7, 1e6), np.geomspace(1e-5, 10.0, 7))
+
+
+def bench_start_of_a_rolling_line(benchmark, below):
+    """A hundred states over two widths of the strip, 160 elements: 300 ms."""
+    load, pull = wk.LineForce(180e3), wk.LineShearForce(35e3)
+    problem = wk.LineRollingStart(ROLLER, MU, pull, load, distance=4e-3)
+    solution = benchmark(problem.solve)
+    assert abs(solution.longitudinal_creepage[-1] / solution.steady.longitudinal_creepage - 1.0) < 5e-3
+    below(0.3, "start of rolling of a line, 160 elements")
+
+
+def bench_resistance_of_a_relaxing_track(benchmark, below):
+    """A roller under a force at 50 speeds over seven decades, seven relaxation times: 2 s."""
+    bed = wk.LineFoundation(wk.Paraboloid(50e-3), wk.ViscoelasticHalfSpace(RUBBER))
+    problem = wk.LineRollingResistance(bed, wk.LineForce(300.0), np.geomspace(1e-4, 1e3, 50))
+    assert np.all(benchmark(problem.solve).coefficient > 0.0)
+    below(2.0, "rolling resistance at 50 speeds, 7 relaxation times")

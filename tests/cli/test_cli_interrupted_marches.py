@@ -20,6 +20,7 @@ SEVEN = {
     "elastic_plastic_particle": 2,
     "rolling_start": 7,
     "oscillating_rolling": 7,
+    "line_rolling_start": 7,
     "reduction": 12,
 }
 """Kind -> after how many states it is interrupted."""

@@ -13,6 +13,8 @@ from winkler.study.chapters.heating import HEATING
 from winkler.study.chapters.impact import IMPACT
 from winkler.study.chapters.kind import Kind, path_of
 from winkler.study.chapters.line import LINE
+from winkler.study.chapters.line_friction import LINE_FRICTION
+from winkler.study.chapters.line_rolling import LINE_ROLLING
 from winkler.study.chapters.normal import NORMAL, normal_formulas
 from winkler.study.chapters.particles import PARTICLES
 from winkler.study.chapters.rolling import ROLLING
@@ -26,6 +28,7 @@ __all__ = ["CHAPTERS", "answer_of", "answers", "formulas_of"]
 CHAPTERS: tuple[Chapter, ...] = (
     NORMAL,
     LINE,
+    LINE_FRICTION,
     ADHESION,
     FRICTION,
     IMPACT,
@@ -35,6 +38,7 @@ CHAPTERS: tuple[Chapter, ...] = (
     CONDUCTION,
     HEATING,
     ROLLING,
+    LINE_ROLLING,
     WEAR,
     ROUGH,
 )

@@ -2,7 +2,7 @@
 
 ::
 
-    python docs/ellipse_figure.py
+    python docs/figures/draw_ellipse.py
 
 writes docs/figures/ellipse.png, and prints the table of the page.
 """
@@ -97,7 +97,7 @@ def main() -> None:
         for axes in (sizes, stresses, depths):
             axes.set(xlabel="ratio of the radii $R_x/R_y$ [-]", xlim=(1.0, 1e3))
             axes.legend(frameon=False)
-        figure.savefig(HERE / "figures" / "ellipse.png", dpi=100)
+        figure.savefig(HERE / "ellipse.png", dpi=100)
 
 
 if __name__ == "__main__":

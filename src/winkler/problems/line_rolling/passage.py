@@ -1,0 +1,168 @@
+"""The strip of a cylinder that passes over bodies which creep, at one speed under one load."""
+
+from __future__ import annotations
+
+import functools
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.errors import OutsideValidity
+from winkler.foundation.line import LineFoundation
+from winkler.loading import HalfWidth, LineForce, MeanPressure
+from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
+from winkler.numerics.springs.exponential_sums import CreepSeries, of_creep
+from winkler.numerics.transforms.passing_strip import passing_strip
+from winkler.numerics.types import Array
+
+__all__ = ["Passage", "passage"]
+
+IMMEDIATE = 1e-8
+"""Retardation time over the time of passing half of the strip, below which a body creeps at once."""
+FASTEST = 1e-9
+"""Relaxation time over that time, below which it counts as well."""
+MOST_IMMEDIATE = 1e-7
+"""Greatest retardation time over that time that may count as none."""
+MARGIN = 1e-6
+"""By which a half-width may miss those of the glassy and the relaxed bodies, as a logarithm."""
+NEWTON_STEPS = 6
+MOST_SAMPLES = 4096
+
+
+class Passage(NamedTuple):
+    """The strip at one speed.
+
+    Parameters
+    ----------
+    half_width
+        Half of the width from edge to edge [m].
+    middle
+        Middle of the strip, from the lowest point of the cylinder [m].
+    level
+        E* ell / (2 R) [Pa] of the relaxed bodies.
+    waves
+        g_1, g_2, ... of `winkler.numerics.transforms.passing_strip`.
+    curvature_radius
+        R [m].
+    delayed
+        Moment over force of creep that is as good as immediate [m].
+    """
+
+    half_width: float
+    middle: float
+    level: float
+    waves: Array
+    curvature_radius: float
+    delayed: float
+
+    @property
+    def leading_edge(self) -> float:
+        """Where the contact begins [m]."""
+        return self.middle + self.half_width
+
+    @property
+    def trailing_edge(self) -> float:
+        """Where it ends [m]."""
+        return self.middle - self.half_width
+
+    @property
+    def force_per_length(self) -> float:
+        """P [N/m]."""
+        return 0.5 * math.pi * self.level * self.half_width * float(self.waves[0])
+
+    @property
+    def shear_force_per_length(self) -> float:
+        """Q [N/m] that resists."""
+        skew = 0.25 * math.pi * self.level * self.half_width**2 * float(self.waves[1])
+        return (self.force_per_length * (self.middle + self.delayed) + skew) / self.curvature_radius
+
+    @property
+    def peak_pressure(self) -> float:
+        """The greatest pressure [Pa]."""
+        n = np.arange(1.0, self.waves.size + 1.0)
+        angles = np.linspace(0.0, math.pi, min(4 * self.waves.size, MOST_SAMPLES))[1:-1]
+        angle = float(angles[np.argmax(self._pressure(np.cos(angles)))])
+        for _ in range(NEWTON_STEPS):
+            slope, bend = self.waves * n @ np.cos(n * angle), -self.waves * n * n @ np.sin(n * angle)
+            angle -= float(slope / bend)
+        return self.level * float(self.waves @ np.sin(n * angle))
+
+    def pressure(self, x: Array) -> Array:
+        """Return p [Pa] at places from the lowest point of the cylinder [m]."""
+        t = (x - self.middle) / self.half_width
+        inside = np.abs(t) < 1.0
+        return np.where(inside, self.level * self._pressure(np.where(inside, t, 1.0)), 0.0)
+
+    def _pressure(self, t: Array) -> Array:
+        """Return sqrt(1 - t^2) times the sum of g_n U_{n-1}(t), by Clenshaw's recurrence."""
+        later, latest = np.zeros(t.shape), np.zeros(t.shape)
+        for wave in self.waves[::-1]:
+            later, latest = wave + 2.0 * t * later - latest, later
+        return np.sqrt((1.0 - t) * (1.0 + t)) * later
+
+
+def passage(bed: LineFoundation, load: LineForce | HalfWidth | MeanPressure, speed: float) -> Passage:
+    """Return the strip under a positive load at a speed [m/s].
+
+    Parameters
+    ----------
+    bed : LineFoundation
+        A Paraboloid on a ViscoelasticHalfSpace with finite moduli at all times.
+    load : LineForce, HalfWidth or MeanPressure
+    speed : float
+
+    Raises
+    ------
+    OutsideValidity
+        If the solid relaxes so fast that the contact cannot be resolved.
+    """
+    assert isinstance(bed.medium, ViscoelasticHalfSpace)
+    radius, creep = float(bed.size), bed.medium.creep
+    if isinstance(load, HalfWidth):
+        return _strip(creep, radius, float(load.half_width), speed)
+    from scipy.optimize import brentq
+
+    soft, stiff = creep.glassy + float(np.sum(creep.compliances)), creep.glassy
+    mean = isinstance(load, MeanPressure)
+    wanted = float(load.mean_pressure if isinstance(load, MeanPressure) else load.force_per_length)
+    if mean:  # P / (2 ell) = pi ell / (8 R C) of an elastic body
+        ends = (8.0 * radius * wanted * compliance / math.pi for compliance in (stiff, soft))
+    else:
+        ends = (math.sqrt(4.0 * radius * wanted * compliance / math.pi) for compliance in (stiff, soft))
+
+    def missing(logarithm: float) -> float:
+        strip = _strip(creep, radius, math.exp(logarithm), speed)
+        carried = strip.force_per_length / (2.0 * strip.half_width if mean else 1.0)
+        return math.log(carried / wanted)
+
+    low, high = (math.log(end) for end in ends)
+    found = brentq(missing, low - MARGIN, high + MARGIN, xtol=1e-15, rtol=8.9e-16)
+    return _strip(creep, radius, math.exp(found), speed)
+
+
+def _strip(creep: CreepSeries, radius: float, half_width: float, speed: float) -> Passage:
+    """Return the strip of a half-width."""
+    soft = creep.glassy + float(np.sum(creep.compliances))
+    passing = speed / half_width
+    delays = creep.times * passing
+    slow = (delays > IMMEDIATE) & (_relaxation_times(creep) * passing > FASTEST)  # one after the other they alternate
+    if np.max(delays[~slow], initial=0.0) > MOST_IMMEDIATE:
+        raise OutsideValidity(
+            f"LineRollingResistance: at {speed:.6g} m/s, half of the contact passes in {1.0 / passing:.3g} s; the "
+            "solid relaxes so much faster, and creeps so much more slowly, that the edge is not resolved: give a "
+            "smaller glassy modulus."
+        )
+    glassy = creep.glassy + float(np.sum(creep.compliances[~slow]))
+    kept = CreepSeries(glassy, 0.0, creep.compliances[slow], creep.times[slow])
+    relaxing = _relaxation_times(kept) * passing
+    strip = passing_strip(glassy / soft, kept.compliances / soft, delays[slow], relaxing)
+    late = float(creep.compliances[~slow] @ creep.times[~slow]) * speed / soft
+    level = half_width / (2.0 * radius * soft)
+    return Passage(half_width, half_width * (strip.leading - 1.0), level, strip.waves, radius, late)
+
+
+@functools.lru_cache(maxsize=64)
+def _relaxation_times(creep: CreepSeries) -> Array:
+    """Return the relaxation times [s] of a solid that creeps so."""
+    return of_creep(creep).times

@@ -1,0 +1,149 @@
+"""The cylinder that rolls: its bed, its normal load, its contact, and how it yields under pressure and traction."""
+
+from __future__ import annotations
+
+import functools
+from typing import Annotated, TypeAlias
+
+import numpy as np
+
+from winkler.checks.field_checks import Condition
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.line import LineFoundation
+from winkler.loading import HalfWidth, LineForce, MeanPressure
+from winkler.materials.elastic import Elastic
+from winkler.media.halfspace import HalfSpace
+from winkler.numerics.types import Array
+from winkler.problems.line.greatest_stress import greatest
+from winkler.problems.line.indentation import LineIndentation, LineSolution
+from winkler.problems.line.stress import LineContact, LineFields, stresses
+from winkler.problems.normal.strong_parts import strong_parts
+from winkler.problems.normal.unknown_yield import MISES
+from winkler.problems.normal.yield_statement import share_of
+from winkler.profiles.power import Paraboloid
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value
+
+__all__ = ["OneLineLoad", "refuse_unless_round", "rolling_stresses", "rolling_yield_notes", "touching_strip"]
+
+
+def _one(load: object) -> bool:
+    return all(np.ndim(getattr(load, name)) == 0 for name in getattr(load, "__dataclass_fields__", ()))
+
+
+OneLineLoad: TypeAlias = Annotated[
+    LineForce | HalfWidth | MeanPressure,
+    Condition(_one, "give LineForce, HalfWidth or MeanPressure with one number, and sweep over several"),
+]
+
+
+def refuse_unless_round(owner: str, bed: LineFoundation) -> None:
+    """Refuse profiles that do not stay as they are while they roll.
+
+    Raises
+    ------
+    InvalidInput
+    """
+    if not isinstance(bed.profile, Paraboloid):
+        raise InvalidInput(
+            f"{owner}: the profile is a {type(bed.profile).__name__}; give Paraboloid(curvature_radius): only a round "
+            "body keeps its profile while it rolls."
+        )
+
+
+def touching_strip(owner: str, bed: LineFoundation, load: LineForce | HalfWidth | MeanPressure) -> LineSolution:
+    """Return the contact under its normal load.
+
+    Raises
+    ------
+    OutsideValidity
+        If the bodies do not touch.
+    """
+    contact = LineIndentation(bed, load).solve()
+    if float(contact.half_width) == 0.0:
+        raise OutsideValidity(f"{owner}: the bodies do not touch under this load; press them together.")
+    return contact
+
+
+def rolling_stresses(contact: LineContact, stick_half_width: float, x: Array, z: Array) -> LineFields:
+    """Return the stresses below a pressed strip with Carter's traction.
+
+    Parameters
+    ----------
+    contact : LineContact
+        Its friction is mu where the body is dragged along +x, -mu against it.
+    stick_half_width : float
+        c [m]: the zone of stick reaches from the leading edge a back to a - 2 c.
+    x, z : ndarray
+        In the axes of the body [m], z not negative.
+
+    The traction is that of sliding less that of the same cylinder in a strip of half-width c about a - c.
+    """
+    whole = stresses(contact, x, z)
+    if stick_half_width == 0.0:
+        return whole
+    shifted = np.asarray(x, dtype=float) - (contact.half_width - stick_half_width)
+    inner = contact._replace(half_width=stick_half_width)
+    pressed, dragged = stresses(inner._replace(friction=0.0), shifted, z), stresses(inner, shifted, z)
+    names = ("xx_stress", "yy_stress", "zz_stress", "xz_stress")
+    parts = (getattr(whole, name) - (getattr(dragged, name) - getattr(pressed, name)) for name in names)
+    return LineFields(whole.x, whole.z, *parts)
+
+
+@value
+class RollingMises:
+    """Von Mises' stress below a rolling cylinder, from the fields of one that slides.
+
+    Parameters
+    ----------
+    stick_share, poisson, friction : float
+        c/a, nu and mu [-], mu negative where the body is dragged against x.
+    """
+
+    stick_share: float
+    poisson: float
+    friction: float
+
+    def __call__(self, fields: LineFields) -> Array:
+        """Return it [Pa] for E* a / R = 1 Pa at the places of `fields` over a."""
+        contact = LineContact(_unit_bed(), 1.0, 0.0, self.poisson, self.friction)
+        return rolling_stresses(contact, self.stick_share, fields.x, fields.z).von_mises
+
+
+@functools.cache
+def _unit_bed() -> LineFoundation:
+    return LineFoundation(Paraboloid(1.0), HalfSpace(Elastic(1.0, 0.0)))
+
+
+def rolling_yield_notes(contact: LineSolution, friction: float, stick_share: float) -> tuple[Note, ...]:
+    """Return whether the body that comes nearest to its strength stays elastic.
+
+    Parameters
+    ----------
+    contact : LineSolution
+        Of one load.
+    friction : float
+        mu [-], negative where the traction drags the first body along -x.
+    stick_share : float
+        c/a [-].
+    """
+    bed, a = contact.problem.bed, float(contact.half_width)
+    found = []
+    for part in strong_parts(bed.medium):
+        mu = friction if part.first else -friction
+        measure = RollingMises(stick_share, part.solid.poisson, mu)
+        place = greatest(LineContact(bed, a, 0.0, part.solid.poisson, mu), measure)
+        found.append((place.value / part.solid.strength, place, part))
+    if not found:
+        return ()
+    share, place, part = max(found, key=lambda one: one[0])
+    depth = place.z if part.first else -place.z
+    where = f"{share_of(share, part)}, at x = {place.x:.3g} m, z = {depth:.3g} m"
+    if share < 1.0:
+        text, standing = f"the contact stays elastic: its greatest stress is {where}", Standing.EXACT
+    else:
+        text, standing = (
+            f"yielding has begun: the greatest elastic stress is {where}; the result is not elastic",
+            (Standing.OUTSIDE),
+        )
+    return (Note(Assumption.ELASTIC, standing, f"By von Mises' criterion {text}.", MISES),)

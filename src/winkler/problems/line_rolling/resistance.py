@@ -1,0 +1,242 @@
+r"""A cylinder that rolls or slides without friction on bodies that relax: its strip of contact, and what resists it.
+
+In front the bodies are stiffer than behind, where they have not yet come back: the strip reaches farther ahead of the
+lowest point than behind it, and the moment of the pressure about it resists,
+
+.. math:: 2\Bigl[C_0\,g(x) + \sum_k C_k\int_0^\infty \frac{e^{-s/v\lambda_k}}{v\lambda_k}\,g(x+s)\,\mathrm ds\Bigr]
+          = \frac xR , \qquad g(x) = \frac1\pi\int\frac{p(s)}{x-s}\,\mathrm ds ,
+
+.. math:: P = \int p\,\mathrm dx , \qquad Q = \int p\,\frac xR\,\mathrm dx ,
+
+with the creep :math:`C(t)=C_0+\sum C_k(1-e^{-t/\lambda_k})` of 1/E* (`winkler.numerics.transforms.passing_strip`).
+
+References
+----------
+S. C. Hunter, The rolling contact of a rigid cylinder with a viscoelastic half space, J. Appl. Mech. 28 (1961) 611-617,
+doi:10.1115/1.3641792
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.checks.number_checks import PositiveQuantity
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.line import LineFoundation
+from winkler.loading import HalfWidth
+from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
+from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
+from winkler.problems.assumptions.declared import RELAXING
+from winkler.problems.assumptions.times import times_notes
+from winkler.problems.line_rolling.passage import passage
+from winkler.problems.line_rolling.pressed import OneLineLoad, refuse_unless_round
+from winkler.problems.normal.unknown_yield import relaxing_yield
+from winkler.problems.normal.validity import large_body_note, steepness_note
+from winkler.problems.one_load import single
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value, words
+
+__all__ = ["LineRollingResistance", "LineRollingResistanceSolution"]
+
+
+@value
+class LineRollingResistance:
+    """A cylinder that rolls freely, or slides without friction, on viscoelastic bodies at a steady speed.
+
+    Parameters
+    ----------
+    bed : LineFoundation
+        A Paraboloid on a ViscoelasticHalfSpace that is a solid: neither flows for ever nor resists a step without
+        bound.
+    load : LineForce, HalfWidth or MeanPressure
+        The steady load, one positive number; a half-width is half of the width from edge to edge.
+    speed : float or ndarray
+        v [m/s] with which the bodies pass the contact, positive; the results have its shape.
+
+    Raises
+    ------
+    InvalidInput
+        If the profile is not round, the medium does not relax, flows or has a dashpot alongside, or a number is out of
+        range.
+
+    References
+    ----------
+    S. C. Hunter, J. Appl. Mech. 28 (1961) 611-617, doi:10.1115/1.3641792
+
+    Examples
+    --------
+    A solid that relaxes to a tenth: its resistance is greatest where it passes the strip in about its relaxation time.
+
+    >>> from winkler.materials.spring_and_dashpot import StandardSolid
+    >>> from winkler.profiles.power import Paraboloid
+    >>> solid = StandardSolid(relaxed_shear=1e6, shear=9e6, relaxation_time=1e-3)
+    >>> bed = LineFoundation(Paraboloid(0.1), ViscoelasticHalfSpace(solid))
+    >>> rolling = LineRollingResistance(bed, HalfWidth(1e-3), np.array([0.01, 0.1, 1.0, 10.0])).solve()
+    >>> (1e3 * rolling.coefficient).round(4)
+    array([0.8527, 5.7531, 9.9704, 2.2299])
+    """
+
+    __words__ = words(
+        bed=("", None, "profile and bodies of the line contact"),
+        load=("", None, "the normal load: a force per length, a half-width or a mean pressure"),
+        speed=("v", "m/s", "speed with which the bodies pass the contact"),
+    )
+
+    bed: LineFoundation
+    load: OneLineLoad
+    speed: PositiveQuantity
+
+    references: ClassVar[tuple[str, ...]] = ("hunter_1961",)
+    assumptions: ClassVar[frozenset[Assumption]] = RELAXING
+
+    def __post_init__(self) -> None:
+        refuse_unless_round("LineRollingResistance", self.bed)
+        medium = self.bed.medium
+        if not isinstance(medium, ViscoelasticHalfSpace):
+            raise InvalidInput(
+                f"LineRollingResistance: the bed stands on a {type(medium).__name__}; give LineFoundation(Paraboloid(R)"
+                ", ViscoelasticHalfSpace(solid)): an elastic body does not resist rolling."
+            )
+        if medium.creep.fluidity > 0.0 or medium.creep.glassy == 0.0:
+            which = "flows for ever" if medium.creep.fluidity > 0.0 else "resists a step of strain without bound"
+            raise InvalidInput(
+                f"LineRollingResistance: the solid {which}; give one with a relaxed and a glassy modulus, such as "
+                "StandardSolid or Prony."
+            )
+
+    def solve(self) -> LineRollingResistanceSolution:
+        """Return the strip and the resistance at every speed.
+
+        Raises
+        ------
+        OutsideValidity
+            If the load does not press the bodies together.
+        """
+        given = next(getattr(self.load, item.name) for item in dataclasses.fields(self.load))
+        if not float(given) > 0.0:
+            raise OutsideValidity(
+                f"LineRollingResistance: the load {float(given):.6g} does not press the bodies together; give a "
+                "positive one."
+            )
+        speeds = np.ravel(np.asarray(self.speed, dtype=float)).tolist()
+        rows = [passage(self.bed, self.load, speed) for speed in speeds]
+        names = ("force_per_length", "half_width", "leading_edge", "trailing_edge", "shear_force_per_length")
+        columns = {name: shaped(np.array([getattr(row, name) for row in rows]), np.shape(self.speed)) for name in names}
+        return LineRollingResistanceSolution(self, self.speed, **columns)
+
+
+@value
+class LineRollingResistanceSolution:
+    """The solution of a `LineRollingResistance`; every quantity has the shape of the speed.
+
+    Parameters
+    ----------
+    problem : LineRollingResistance
+        The problem that was solved.
+    speed : float or ndarray
+        v [m/s].
+    force_per_length, half_width : float or ndarray
+        P [N/m], and half of the width from edge to edge [m].
+    leading_edge, trailing_edge : float or ndarray
+        Where the contact begins and ends [m], from the lowest point of the cylinder; the latter negative.
+    shear_force_per_length : float or ndarray
+        Q [N/m] that resists the motion.
+    """
+
+    __words__ = words(
+        trailing_edge=("x_2", "m", "where the contact ends, negative behind the lowest point"),
+        coefficient=("f", "", "resistance over normal force"),
+    )
+
+    problem: LineRollingResistance
+    speed: Quantity
+    force_per_length: Quantity
+    half_width: Quantity
+    leading_edge: Quantity
+    trailing_edge: Quantity
+    shear_force_per_length: Quantity
+
+    per_load: ClassVar[str] = "half_width"
+
+    @property
+    def coefficient(self) -> Quantity:
+        """Q / P [-], the coefficient of rolling resistance."""
+        return shaped(np.asarray(self.shear_force_per_length) / np.asarray(self.force_per_length))
+
+    @property
+    def mean_pressure(self) -> Quantity:
+        """P over the width [Pa]."""
+        return shaped(0.5 * np.asarray(self.force_per_length) / np.asarray(self.half_width))
+
+    @property
+    def peak_pressure(self) -> Quantity:
+        """The greatest pressure [Pa]."""
+        pairs = zip(np.ravel(self.half_width), np.ravel(self.speed), strict=True)
+        peaks = [
+            passage(self.problem.bed, HalfWidth(float(width)), float(speed)).peak_pressure for width, speed in pairs
+        ]
+        return shaped(np.array(peaks), np.shape(self.half_width))
+
+    def pressure(self, x: ArrayLike) -> Array:
+        """Return the pressure at one speed [Pa], zero outside of the contact.
+
+        Parameters
+        ----------
+        x : array_like
+            Places on the surface [m], from the lowest point of the cylinder, which moves towards +x.
+
+        Raises
+        ------
+        InvalidInput
+            If the solution has more than one speed.
+        """
+        width = single(self.half_width, "pressure")
+        return passage(self.problem.bed, HalfWidth(width), float(self.speed)).pressure(np.asarray(x, dtype=float))
+
+    def at(self, index: int | tuple[int, ...]) -> LineRollingResistanceSolution:
+        """Return the solution at one speed of an array.
+
+        Parameters
+        ----------
+        index : int or tuple of int
+            Which one.
+
+        Raises
+        ------
+        InvalidInput
+            If there is no such speed.
+        """
+        try:
+            speed = float(np.asarray(self.speed)[index])
+        except (IndexError, TypeError):
+            raise InvalidInput(
+                f"solution.at: there is no speed {index!r} in a solution of shape {np.shape(self.speed)}."
+            ) from None
+        return LineRollingResistance(self.problem.bed, self.problem.load, speed).solve()
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        bed = self.problem.bed
+        times = 2.0 * np.ravel(self.half_width) / np.ravel(self.speed)
+        widest = max(float(np.max(np.abs(edge))) for edge in (self.leading_edge, self.trailing_edge))
+        return (
+            *bed.notes,
+            HUNTER,
+            steepness_note(widest / bed.size),
+            large_body_note(widest / bed.size),
+            *times_notes(bed, float(np.min(times)), float(np.max(times))),  # type: ignore[arg-type]
+            *relaxing_yield(bed.medium),
+        )
+
+
+HUNTER = Note(
+    Assumption.RESPONSE,
+    Standing.EXACT,
+    "Linear viscoelastic half-planes in plane strain with Poisson's ratios that do not change in time, at a steady "
+    "speed, without friction and inertia; both bodies pass the contact with this speed.",
+    "S. C. Hunter, J. Appl. Mech. 28 (1961) 611-617, doi:10.1115/1.3641792",
+)

@@ -1,0 +1,287 @@
+r"""A cylinder that begins to roll: its tractions over the distance rolled, until they are Carter's.
+
+On a grid that moves with the contact by one spacing per step, boundary elements of both half-planes are exact for
+tractions that are linear between nodes (Kalker's approach): a particle now at x was at x + h a step before, and slips
+
+.. math:: S = W - u(x) + u_0(x+h) - \frac{2\beta}{E^*}\int_x^{x+h} p\,\mathrm ds , \qquad \xi = \frac Wh .
+
+The last term is what the pressure drags dissimilar surfaces along each other, with Dundurs' constant beta (Bentall and
+Johnson); that tractions change the pressure of such bodies is left out.
+
+Under a force per length that is held, the contact begins as it sticks and slips at rest (Cattaneo), and the creepage
+follows.  A prescribed creepage determines the force only against points at a stated distance d, because the surfaces
+of half-planes move without bound under a growing force per length.
+
+References
+----------
+J. J. Kalker, Transient phenomena in two elastic cylinders rolling over each other with dry friction, J. Appl. Mech. 37
+(1970) 677-688; R. H. Bentall, K. L. Johnson, Int. J. Mech. Sci. 9 (1967) 389-404
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Iterator
+from typing import Annotated, ClassVar
+
+import numpy as np
+
+from winkler.checks.field_checks import Condition
+from winkler.checks.number_checks import Advice, Positive, PositiveOrInfinite, Whole
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.line import LineFoundation
+from winkler.laws.friction import Sliding
+from winkler.loading import LineShearForce
+from winkler.numerics.surfaces.strip_grid import StripStep, strip_compliance, strip_step
+from winkler.numerics.types import Array
+from winkler.problems.answer import gather
+from winkler.problems.assumptions.coupling import mismatch, sliding_note
+from winkler.problems.assumptions.declared import SHEARED
+from winkler.problems.line.indentation import LineSolution
+from winkler.problems.line.validity import line_notes
+from winkler.problems.line_rolling.pressed import OneLineLoad, refuse_unless_round, rolling_yield_notes, touching_strip
+from winkler.problems.line_rolling.start_states import DRAGGED, ELEMENTS, LineRollingState, rolled_state
+from winkler.problems.line_rolling.steady import LineRolling, LineRollingSolution, refuse_unless_along
+from winkler.problems.rolling.creepage import Creepage
+from winkler.validity import Assumption, Note
+from winkler.values import value, words
+
+__all__ = ["LineRollingStart", "LineRollingStartSolution"]
+
+MOST_STEPS = 200_000
+"""Steps of a march; more would take hours."""
+NEAREST_REFERENCE = 2.0
+"""Least distance to the reference, in half-widths."""
+ONE_DRIVE = Condition(
+    lambda drive: np.ndim(getattr(drive, "shear_force_per_length", 0.0)) == 0 and getattr(drive, "shape", ()) == (),
+    "give LineShearForce(Q) or Creepage(longitudinal=xi) with one number, and sweep over several",
+)
+
+
+@value
+class LineRollingStart:
+    """A cylinder at rest that begins to roll, under a force per length that is held or with a prescribed creepage.
+
+    Parameters
+    ----------
+    bed : LineFoundation
+        Its profile a Paraboloid, the relative radius of both bodies.
+    friction : Coulomb
+        Its coefficient positive and finite.
+    drive : LineShearForce or Creepage
+        The force per length that the contact bears at rest and while it rolls, less than friction bears; or the
+        longitudinal creepage with which it rolls, from rest without a force.  One number.
+    load : LineForce, HalfWidth or MeanPressure
+        The steady normal load, one number.
+    distance : float
+        How far it rolls [m], positive; rounded up to a whole element.
+    reference : float, optional
+        With a prescribed creepage: distance d [m] on the surface, against which the bodies are shifted; at least two
+        half-widths.
+    points : int, optional
+        How many states are returned along the travel.
+    count : int, optional
+        Elements on half of the contact; the error falls in proportion to one over it.
+
+    Raises
+    ------
+    InvalidInput
+        If the profile is not round, a number is out of range, or a creepage has no reference.
+    OutsideValidity
+        If a creepage is lateral or a spin.
+
+    References
+    ----------
+    J. J. Kalker, J. Appl. Mech. 37 (1970) 677-688
+
+    Examples
+    --------
+    Pulled with 64 % of what friction bears: the creepage passes its steady value before it comes back to it.
+
+    >>> from winkler.laws.friction import Coulomb
+    >>> from winkler.loading import HalfWidth
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> bed = LineFoundation(Paraboloid(10.0), HalfSpace(Elastic(1.0, 0.5)))
+    >>> pull = LineShearForce(0.64 * 0.3 * math.pi / 40.0 / 0.75)
+    >>> begun = LineRollingStart(bed, Coulomb(0.3), pull, HalfWidth(1.0), distance=4.0, points=4).solve()
+    >>> (begun.longitudinal_creepage / begun.steady.longitudinal_creepage).round(2)
+    array([0.  , 1.18, 0.99, 1.  , 1.  ])
+    """
+
+    __words__ = words(
+        bed=("", None, "profile and bodies of the line contact"),
+        drive=("", None, "what is prescribed along the direction of rolling: a force per length or a creepage"),
+        load=("", None, "the normal load: a force per length, a half-width or a mean pressure"),
+        distance=("X", "m", "how far the contact rolls"),
+        reference=("d", "m", "distance on the surface against which a prescribed creepage shifts the bodies"),
+        count=("n", "", "elements on half of the contact"),
+    )
+
+    bed: LineFoundation
+    friction: Sliding
+    drive: Annotated[LineShearForce | Creepage, ONE_DRIVE]
+    load: OneLineLoad
+    distance: Annotated[Positive, Advice("how far it rolls")]
+    reference: PositiveOrInfinite = math.inf
+    points: Annotated[int, Whole(1, 100_000)] = 100
+    count: Annotated[int, Whole(5, 500)] = 80
+
+    references: ClassVar[tuple[str, ...]] = ("kalker_1970", "carter_1926", "bentall_johnson_1967")
+    assumptions: ClassVar[frozenset[Assumption]] = SHEARED
+
+    def __post_init__(self) -> None:
+        refuse_unless_round("LineRollingStart", self.bed)
+        refuse_unless_along("LineRollingStart", self.drive)
+        if isinstance(self.drive, Creepage) and not math.isfinite(self.reference):
+            raise InvalidInput(
+                "LineRollingStart: a creepage is prescribed, and the surface of a half-plane moves without bound under "
+                "a force per length: give the distance `reference` in m against which it is counted, or prescribe "
+                "LineShearForce(Q)."
+            )
+
+    @property
+    def steady(self) -> LineRollingSolution:
+        """Rolling for ever, of similar bodies (Carter)."""
+        return LineRolling(self.bed, self.friction, self.drive, self.load).solve()
+
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields, at most: that at rest, and one after every part of the travel."""
+        return self.points + 1
+
+    def steps(self) -> Iterator[LineRollingState]:
+        """Yield the contact at rest, and then after every part of the travel.
+
+        Raises
+        ------
+        OutsideValidity
+            If the bodies do not touch, friction does not bear the force, or the travel is too long to be followed.
+        NotConverged
+            If the zones of stick and slip are not found.
+        """
+        contact, drive = touching_strip("LineRollingStart", self.bed, self.load), self.drive
+        a, modulus = float(contact.half_width), self.bed.medium.modulus
+        apart, travel, reference = a / self.count, self._steps(a), self.reference
+        x = apart * np.arange(1 - self.count, self.count)
+        most = self.friction.coefficient * float(contact.force_per_length)
+        bound = np.sqrt(1.0 - (x / a) ** 2)
+        bound *= most / (modulus * apart * float(np.sum(bound)))
+        step = StripStep(np.zeros(x.size), np.zeros(x.size), 0.0)
+        total: float | None = None
+        shift = 0.0
+        if isinstance(drive, LineShearForce):
+            force = float(drive.shear_force_per_length)
+            if abs(force) >= most:
+                raise OutsideValidity(
+                    f"LineRollingStart: a shear force of {force:.6g} N/m was given, and friction bears less than "
+                    f"{most:.6g} N/m at rest: give less."
+                )
+            total, reference = force / (modulus * apart), a  # which falls out, as the sum stays
+        else:
+            shift = float(drive.longitudinal) * apart
+        near = apart * strip_compliance(x.size, 1.0, reference / apart)
+        away = np.arange(x.size)
+        compliance, earlier = near[np.abs(away[:, None] - away)], near[np.abs(away[:, None] + 1 - away)]
+        drag = _drag(self.bed, a)
+        if total is not None or np.any(drag(x)):
+            step = strip_step(compliance, -drag(x), bound, step.slips, total=total or 0.0)
+        passed = drag(x + apart) - drag(x)
+        yield rolled_state(0.0, step._replace(shift=0.0), apart, modulus, x)
+        after = {int(n) for n in np.unique(np.round(np.linspace(0.0, travel, self.points + 1)))}
+        for number in range(1, travel + 1):
+            step = strip_step(compliance, earlier @ step.traction + passed, bound, step.slips, shift=shift, total=total)
+            if number in after:
+                yield rolled_state(number * apart, step, apart, modulus, x)
+
+    def _steps(self, half_width: float) -> int:
+        steps = self.distance * self.count / half_width * (1.0 - 1e-12)
+        if not steps <= MOST_STEPS:
+            raise OutsideValidity(
+                f"LineRollingStart: a travel of {self.distance:.6g} m is so long beside the half-width of "
+                f"{half_width:.6g} m that it takes more than {MOST_STEPS} steps; after a few widths it is steady: give "
+                "a shorter one, or use LineRolling."
+            )
+        if math.isfinite(self.reference) and self.reference < NEAREST_REFERENCE * half_width:
+            raise OutsideValidity(
+                f"LineRollingStart: the reference at {self.reference:.6g} m is nearer than {NEAREST_REFERENCE:g} "
+                f"half-widths of {half_width:.6g} m; give a longer distance."
+            )
+        return max(math.ceil(steps), 1)
+
+    def gathered(self, states: Iterable[LineRollingState]) -> LineRollingStartSolution:
+        """Return the solution made of these states, of the whole path or of its beginning."""
+        contact = touching_strip("LineRollingStart", self.bed, self.load)
+        return gather(LineRollingStartSolution, self, states, contact=contact)
+
+    def solve(self) -> LineRollingStartSolution:
+        """Return creepage and force over the whole distance.
+
+        Raises
+        ------
+        OutsideValidity, NotConverged
+            As `steps`.
+        """
+        return self.gathered(self.steps())
+
+
+def _drag(bed: LineFoundation, half_width: float) -> Callable[[Array], Array]:
+    """Return the function of x that is how far the pressure drags the first surface over the second [m]."""
+    beta = mismatch(bed.medium)  # type: ignore[arg-type]
+    level = 0.0 if math.isnan(beta) else -beta * half_width**2 / (2.0 * bed.size)  # 2 beta p0 a / E* times 1/2
+
+    def drag(x: Array) -> Array:
+        t = np.clip(x / half_width, -1.0, 1.0)
+        return np.asarray(level * (t * np.sqrt(1.0 - t * t) + np.arcsin(t)))
+
+    return drag
+
+
+@value
+class LineRollingStartSolution:
+    """The solution of a `LineRollingStart`, from rest on.
+
+    Parameters
+    ----------
+    problem : LineRollingStart
+        The problem that was solved.
+    contact : LineSolution
+        The contact under its normal load.
+    distance : ndarray, (steps,)
+        Rolled since rest [m].
+    longitudinal_creepage : ndarray, (steps,)
+        xi [-] over the last element rolled; zero at rest.
+    shear_force_per_length : ndarray, (steps,)
+        Q [N/m], with which the second body drags the first along the direction of rolling.
+    stick_share : ndarray, (steps,)
+        Part of the width that sticks [-].
+    states : tuple
+        The states themselves.
+    """
+
+    __words__ = words(stick_share=("c/a", "", "part of the width that sticks"))
+
+    problem: LineRollingStart
+    contact: LineSolution
+    distance: Array
+    longitudinal_creepage: Array
+    shear_force_per_length: Array
+    stick_share: Array
+    states: tuple[LineRollingState, ...]
+
+    @property
+    def steady(self) -> LineRollingSolution:
+        """Rolling for ever, which it tends to if the bodies are similar."""
+        return self.problem.steady
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        bed, mu = self.problem.bed, self.problem.friction.coefficient
+        steady = self.steady
+        sign = 1.0 if float(steady.shear_force_per_length) >= 0.0 else -1.0
+        yielding = rolling_yield_notes(self.contact, sign * mu, float(steady.stick_share))
+        strip = line_notes(bed, float(self.contact.half_width))
+        dragged = (DRAGGED,) if np.any(_drag(bed, 1.0)(np.ones(1))) else ()
+        return (*strip, sliding_note(bed.medium, mu), ELEMENTS, *dragged, *yielding)  # type: ignore[arg-type]

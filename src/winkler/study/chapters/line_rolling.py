@@ -1,0 +1,119 @@
+"""Rolling line contacts: their loads, problems, and formulas."""
+
+from __future__ import annotations
+
+from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
+from winkler.study.chapters.kind import kind
+from winkler.study.chapters.line import ROLLER
+from winkler.study.chapters.normal import MODULUS
+
+__all__ = ["LINE_ROLLING"]
+
+STEEL = {"kind": "elastic", "young": "210 GPa", "poisson": 0.3}
+STEEL_ON_STEEL = {**ROLLER, "medium": {"kind": "half_space", "first": STEEL, "second": STEEL}}
+RELAXING = {**ROLLER, "medium": {"kind": "viscoelastic_half_space"}}
+PRESSED = {"kind": "line_force", "force_per_length": "100 N/mm"}
+CREEPAGES = {"kind": "creepages", "longitudinal": {"from": 0.0, "to": 0.004, "count": 25}}
+
+HERTZ = Equation(
+    "A cylinder is pressed to the half-width and pressure of Hertz",
+    r"a = \sqrt{\frac{4PR}{\pi E^*}}, \quad p = p_0\,\sqrt{1-\frac{x^2}{a^2}}, \quad p_0 = \frac{2P}{\pi a}",
+)
+STICK = Equation(
+    "It sticks from the leading edge a back to a − 2c, which the force per length determines, or the creepage",
+    r"\frac{Q}{\mu P} = 1-\frac{c^2}{a^2}, \quad \xi = \frac{\mu\,(a-c)}{R}",
+)
+TRACTION = Equation(
+    "The traction is that of sliding, less the second term in the zone of stick",
+    r"q(x) = \mu p_0\,\left[\sqrt{1-\frac{x^2}{a^2}}-\frac{c}{a}\sqrt{1-\frac{(x-a+c)^2}{c^2}}\right]",
+)
+SLIP = Equation(
+    "and behind it the surfaces slip, by parts of the speed of rolling",
+    r"s(x) = \frac{\mu}{R}\sqrt{(x-a+c)^2-c^2}, \quad x < a-2c",
+)
+
+PARTICLE = Equation(
+    "A particle of the surface that is now at x was at x + h one element ago, and slips by",
+    r"S = W-u(x)+u_0(x+h)-\frac{2\beta}{E^*}\int_x^{x+h}p\,\mathrm{d}x', \quad \xi = \frac{W}{h}",
+)
+DISPLACED = Equation(
+    "with Dundurs' constant β of dissimilar bodies, where tractions displace the surfaces by",
+    r"u(x) = -\frac{2}{\pi E^*}\int_{-a}^a q(s)\,\ln\left|x-s\right|\,\mathrm{d}s",
+)
+FRICTION = Equation(
+    "It sticks where friction allows, and slips elsewhere",
+    r"S = 0, \quad \left|q\right| \le \mu p, \quad q\,S = \mu p\left|S\right|",
+)
+CREEP = Equation(
+    "The bodies creep under a step of pressure by", r"C(t) = C_0+\sum_k C_k\left(1-e^{-t/\lambda_k}\right)"
+)
+TRANSFORM = Equation(
+    "In an elastic body the slope of the surface would follow from the pressure by",
+    r"g(x) = \frac{1}{\pi}\int \frac{p(s)}{x-s}\,\mathrm{d}s",
+)
+SLOPE = Equation(
+    "The particles come from ahead at the speed v, and follow the cylinder in the strip",
+    r"2\left[C_0\,g(x)+\sum_k C_k\int_0^\infty \frac{e^{-s/v\lambda_k}}{v\lambda_k}\,g(x+s)\,"
+    r"\mathrm{d}s\right] = \frac{x}{R}",
+)
+RESISTANCE = Equation(
+    "The pressure ahead of the lowest point resists", r"Q = \int p(x)\,\frac{x}{R}\,\mathrm{d}x, \quad f = \frac{Q}{P}"
+)
+
+LINE_ROLLING = Chapter(
+    "line contact",
+    kinds={
+        "line_lateral": {
+            "line_shear_force": kind(
+                "winkler.loading:LineShearForce", problem="line_rolling", shear_force_per_length="15 N/mm"
+            ),
+        },
+    },
+    answers={
+        "line_rolling": answer(
+            "winkler.problems.line_rolling.steady:LineRolling",
+            "carter_1926",
+            "johnson_1985",
+            bed=STEEL_ON_STEEL,
+            drive=CREEPAGES,
+            load=PRESSED,
+            picture=Caption(
+                "line_creep", "Rolling", "The force over the creepage, and the traction at the greatest of these."
+            ),
+            curves=(("longitudinal_creepage", "shear_force_per_length"), ("longitudinal_creepage", "stick_share")),
+            pictured=PicturedContact.NONE,
+            formulas=(MODULUS, HERTZ, STICK, TRACTION, SLIP),
+        ),
+        "line_rolling_start": answer(
+            "winkler.problems.line_rolling.start:LineRollingStart",
+            "kalker_1970",
+            "carter_1926",
+            "bentall_johnson_1967",
+            bed=STEEL_ON_STEEL,
+            drive={"kind": "line_shear_force", "shear_force_per_length": "19.2 N/mm"},
+            load=PRESSED,
+            distance="0.4 mm",
+            picture=Caption(
+                "line_start", "From rest to rolling", "Creepage or force over the distance, and tractions on the way."
+            ),
+            curves=(("distance", "longitudinal_creepage"), ("distance", "stick_share")),
+            pictured=PicturedContact.NONE,
+            formulas=(MODULUS, HERTZ, DISPLACED, PARTICLE, FRICTION),
+        ),
+        "line_rolling_resistance": answer(
+            "winkler.problems.line_rolling.resistance:LineRollingResistance",
+            "hunter_1961",
+            bed=RELAXING,
+            load={"kind": "line_force", "force_per_length": "0.1 N/mm"},
+            speed={"from": "0.1 mm/s", "to": "1 m/s", "count": 25, "spacing": "log"},
+            picture=Caption(
+                "line_resistance",
+                "Rolling resistance",
+                "The coefficient over the speed, and pressures at three speeds.",
+            ),
+            curves=(("speed", "coefficient"), ("speed", "half_width")),
+            pictured=PicturedContact.NONE,
+            formulas=(CREEP, TRANSFORM, SLOPE, RESISTANCE),
+        ),
+    },
+)
