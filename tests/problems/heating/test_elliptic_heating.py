@@ -204,5 +204,6 @@ def test_what_is_refused():
         slid(load=wk.Force(-1.0))
     with pytest.raises(wk.OutsideValidity, match="Peclet number"):
         slid(first=1e9)
-    with pytest.raises(wk.InvalidInput, match="first_direction"):
-        slid(first_direction=math.nan)
+    for direction in (math.nan, 7.0):
+        with pytest.raises(wk.InvalidInput, match="first_direction"):
+            slid(first_direction=direction)

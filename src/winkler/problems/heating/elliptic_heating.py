@@ -12,7 +12,7 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice, Finite, FiniteQuantity
+from winkler.checks.number_checks import Advice, FiniteQuantity
 from winkler.errors import InvalidInput
 from winkler.laws.friction import Overcome
 from winkler.laws.heat import EqualMaximum, HeatPartition
@@ -24,7 +24,7 @@ from winkler.path import load_number
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import HEATED
 from winkler.problems.heating.elliptic_sharing import estimated_ellipse, shared_ellipse_temperatures
-from winkler.problems.heating.heated_ellipse import HeatedEllipse, half_length
+from winkler.problems.heating.heated_ellipse import HeatedEllipse, Turn, half_length
 from winkler.problems.heating.input_checks import RubbingBodies, peclet_numbers
 from winkler.problems.heating.one_result import one_problem, one_result
 from winkler.problems.heating.validity import heating_notes
@@ -58,8 +58,8 @@ class EllipticFrictionHeating(RubbingBodies):
         Speeds [m/s] at which the surface of either body moves past the contact; the second one rests unless given.
         Arrays broadcast with each other and with the load.
     first_direction, second_direction : float, optional
-        Angles of the velocities to x [rad]; 0, along x, unless given.  The bodies slide with the difference of the
-        velocities.
+        Angles of the velocities to x [rad], at most one turn; 0, along x, unless given.  The bodies slide with the
+        difference of the velocities.
     partition : EqualMaximum, EqualMean or FixedShare, optional
         How the bodies share the heat; Blok's rule, EqualMaximum(), unless given.
 
@@ -107,8 +107,8 @@ class EllipticFrictionHeating(RubbingBodies):
     conductors: HeatConductors
     first_speed: FiniteQuantity
     second_speed: FiniteQuantity = 0.0
-    first_direction: Finite = 0.0
-    second_direction: Finite = 0.0
+    first_direction: Turn = 0.0
+    second_direction: Turn = 0.0
     partition: HeatPartition = EqualMaximum()
 
     references: ClassVar[tuple[str, ...]] = ("jaeger_1942", "blok_1963", "johnson_1985")

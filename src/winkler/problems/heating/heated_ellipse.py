@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import math
+from typing import Annotated, TypeAlias
 
 import numpy as np
 
+from winkler.checks.number_checks import Number
 from winkler.materials.conductor import ThermalConductor
 from winkler.numerics.fields.elliptic_source import EllipticSource, PeakPlace
 from winkler.numerics.types import Array, ArrayLike
 from winkler.values import value, words
 
-__all__ = ["HeatedEllipse"]
+__all__ = ["HeatedEllipse", "Turn", "half_length"]
+
+Turn: TypeAlias = Annotated[float, Number("give an angle of at most one turn{unit}", -2.0 * math.pi, 2.0 * math.pi)]
 
 
 @value
