@@ -25,6 +25,7 @@ GROUPS = {
         "bench_fit",
         "bench_friction",
         "bench_impact",
+        "bench_line_friction",
     ),
     "times-histories": (
         "bench_conduction",

@@ -1,6 +1,7 @@
 """Loads: a prescribed force, depth or radius; along the surface a shift, shear force, angle or torque.
 
-A line contact takes a force per length, a half-width or a mean pressure; along the surface a shear force per length.
+A line contact takes a force per length, a half-width or a mean pressure, a wavy surface a nominal pressure, and along
+the surface a shear force per length; a roller may be tilted, or find its tilt under a moment.
 
 A load's value may be an array; the result then has its shape.  Taken apart by ``match``.  How loads change with time is
 a `winkler.path.Path`.
@@ -8,7 +9,7 @@ a `winkler.path.Path`.
 
 from __future__ import annotations
 
-from winkler.checks.number_checks import FiniteQuantity, NonNegativeQuantity
+from winkler.checks.number_checks import Finite, FiniteQuantity, NonNegativeQuantity
 from winkler.values import value, words
 
 __all__ = [
@@ -21,10 +22,13 @@ __all__ = [
     "LineShearForce",
     "Load",
     "MeanPressure",
+    "Moment",
+    "NominalPressure",
     "Normal",
     "Radius",
     "ShearForce",
     "Shift",
+    "Tilt",
     "Torque",
 ]
 
@@ -120,6 +124,47 @@ class MeanPressure:
     """
 
     mean_pressure: NonNegativeQuantity
+
+
+@value
+class Tilt:
+    """A prescribed tilt of a roller on its raceway.
+
+    Parameters
+    ----------
+    tilt : float
+        [rad], positive where it presses the end at positive x.
+    """
+
+    __words__ = words(tilt=(r"\theta", "rad", "tilt of the roller"))
+
+    tilt: Finite
+
+
+@value
+class Moment:
+    """A prescribed moment of the pressure on a roller about its middle; the roller tilts until it is reached.
+
+    Parameters
+    ----------
+    moment : float
+        [N m], positive where the end at positive x bears more; zero of a roller that aligns itself.
+    """
+
+    moment: Finite
+
+
+@value
+class NominalPressure:
+    """A prescribed pressure over the whole of a wavy surface, in contact or not.
+
+    Parameters
+    ----------
+    nominal_pressure : float or ndarray
+        P/pitch [Pa], not negative.
+    """
+
+    nominal_pressure: NonNegativeQuantity
 
 
 @value

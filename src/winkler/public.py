@@ -63,9 +63,12 @@ from winkler.loading import (
     LineForce,
     LineShearForce,
     MeanPressure,
+    Moment,
+    NominalPressure,
     Radius,
     ShearForce,
     Shift,
+    Tilt,
     Torque,
 )
 from winkler.materials.at_temperature import AtTemperature
@@ -110,6 +113,7 @@ from winkler.problems.conduction.bounds import ConductanceBounds, ConductanceBou
 from winkler.problems.conduction.constriction import Constriction, ConstrictionSolution
 from winkler.problems.conduction.fields import CurrentFields, HeatFields, restore_conduction
 from winkler.problems.conduction.joule_heating import JouleHeating, JouleHeatingSolution
+from winkler.problems.conduction.line_constriction import LineConstriction, LineConstrictionSolution
 from winkler.problems.conduction.spots import SpotCluster, SpotClusterSolution
 from winkler.problems.conduction.thermal_constriction import ThermalConstriction, ThermalConstrictionSolution
 from winkler.problems.friction.bimodal_damping import BimodalDamping, BimodalDampingSolution
@@ -119,20 +123,30 @@ from winkler.problems.friction.spring_march import SpringMarch, SpringTrace
 from winkler.problems.friction.tangential import Tangential, TangentialSolution
 from winkler.problems.friction.torsion import Torsion, TorsionSolution
 from winkler.problems.friction.torsion_fields import TwistedFields
+from winkler.problems.heating.elliptic_heating import EllipticFrictionHeating, EllipticFrictionHeatingSolution
 from winkler.problems.heating.fretting import FrettingHeat, FrettingHeatSolution
+from winkler.problems.heating.line_heating import LineFrictionHeating, LineFrictionHeatingSolution
 from winkler.problems.heating.steady import FrictionHeating, FrictionHeatingSolution
 from winkler.problems.heating.transient import TransientHeating, TransientHeatingSolution
 from winkler.problems.impact.adhesive_impact import AdhesiveImpact, AdhesiveImpactSolution
 from winkler.problems.impact.impact import Impact, ImpactSolution
+from winkler.problems.line.adhesion import LineAdhesion, LineAdhesionSolution
 from winkler.problems.line.indentation import LineIndentation, LineSolution
+from winkler.problems.line.periodic import PeriodicIndentation, PeriodicSolution
+from winkler.problems.line.references import PlateBase, RollerCentre
+from winkler.problems.line.roller_contact import RollerContact, RollerSolution
 from winkler.problems.line.shakedown import LineShakedown, LineShakedownSolution
 from winkler.problems.line.stress import LineFields
 from winkler.problems.line.yielding import LineYieldOnset, LineYieldOnsetSolution
+from winkler.problems.line_friction.path import LinePath
+from winkler.problems.line_friction.tangential import LineTangential, LineTangentialSolution
 from winkler.problems.line_rolling.resistance import LineRollingResistance, LineRollingResistanceSolution
 from winkler.problems.line_rolling.start import LineRollingStart, LineRollingStartSolution
 from winkler.problems.line_rolling.steady import LineRolling, LineRollingSolution
 from winkler.problems.normal.design import design_for_pressure, design_profile
 from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
+from winkler.problems.normal.elliptic_fields import EllipticFields
+from winkler.problems.normal.elliptic_yielding import EllipticYieldOnset, EllipticYieldOnsetSolution
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.near_round import NearlyRoundIndentation, NearlyRoundSolution
 from winkler.problems.normal.yielding import YieldOnset, YieldOnsetSolution
@@ -169,6 +183,7 @@ from winkler.problems.wear.limiting_profile import LimitingProfile, LimitingSolu
 from winkler.problems.wear.sliding import SlidingSolution, SlidingWear
 from winkler.profiles.area import AreaFunction
 from winkler.profiles.conical import Berkovich, Cone, CubeCorner, RoundedCone, SpheroConical, TruncatedCone, Vickers
+from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.designed import Designed
 from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
 from winkler.profiles.flat import CappedCylinder, Cylinder, FlatPunch
@@ -176,6 +191,7 @@ from winkler.profiles.formula import Formula
 from winkler.profiles.measured import Measured
 from winkler.profiles.power import Paraboloid, PowerLaw
 from winkler.profiles.profile import Shape, Sum
+from winkler.profiles.roller_ends import CrownedEnds, LogarithmicEnds, RoundedEnds, SharpEnds
 from winkler.profiles.rough.line_scan import LineScan
 from winkler.profiles.rough.map_spectrum import spectrum_of
 from winkler.profiles.rough.random_rough import random_topography
@@ -202,10 +218,13 @@ __all__ = [
     "CalibratedArea", "CappedCylinder", "CappedParaboloid", "Circle", "CoatedHalfSpace", "Comparison",
     "ConductanceBounds", "ConductanceBoundsSolution", "Cone", "Constriction", "ConstrictionSolution", "ContactEllipse",
     "ContactLaw", "ContactLawSolution", "ContactReading", "ContactTrace", "Contacts", "Coulomb", "CreepData",
-    "CreepFit", "CreepTest", "Creepage", "CubeCorner", "Current", "CurrentFields", "CurvedBodies", "Cylinder",
+    "CreepFit", "CreepTest", "Creepage", "CrownedEnds", "CubeCorner", "Current", "CurrentFields", "CurvedBodies",
+    "CurvedPair", "Cylinder",
     "Depth", "DepthGradedHalfSpace", "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData",
     "Elastic", "ElasticPlasticParticle", "ElastomerFriction", "ElastomerFrictionSolution", "ElectricalConductor",
-    "ElectricalConductors", "Ellipsoid", "EllipticFoundation", "EllipticIndentation", "EllipticSolution",
+    "ElectricalConductors", "Ellipsoid", "EllipticFields", "EllipticFoundation", "EllipticFrictionHeating",
+    "EllipticFrictionHeatingSolution", "EllipticIndentation", "EllipticSolution", "EllipticYieldOnset",
+    "EllipticYieldOnsetSolution",
     "EqualMaximum", "EqualMean", "Equilibrium", "EquilibriumCurve", "ExponentialGrading",
     "Fit", "FitState", "FixedShare", "FlatPunch", "Follow", "Force", "ForceCurve", "Formula", "Foundation",
     "FractionalZener", "FrettingHeat", "FrettingHeatSolution", "FrettingSolution", "FrettingWear", "FrictionDamping",
@@ -215,25 +234,31 @@ __all__ = [
     "Impact", "ImpactSolution", "Indentation", "IndentationSolution", "InvalidInput",
     "JouleHeating", "JouleHeatingSolution",
     "Kalker", "KelvinVoigt",
-    "Layer", "LimitingProfile", "LimitingSolution", "LineFields", "LineForce", "LineFoundation",
+    "Layer", "LimitingProfile", "LimitingSolution", "LineAdhesion", "LineAdhesionSolution", "LineConstriction",
+    "LineConstrictionSolution", "LineFields", "LineForce", "LineFoundation", "LineFrictionHeating",
+    "LineFrictionHeatingSolution",
     "LineIndentation",
-    "LineRolling", "LineRollingResistance", "LineRollingResistanceSolution", "LineRollingSolution",
-    "LineRollingStart", "LineRollingStartSolution",
-    "LineScan", "LineShakedown", "LineShakedownSolution", "LineShearForce", "LineSolution",
-    "LineYieldOnset", "LineYieldOnsetSolution",
-    "Maxwell", "MeanPressure", "Measured", "MeasuredBed",
+    "LinePath", "LineRolling", "LineRollingResistance", "LineRollingResistanceSolution", "LineRollingSolution",
+    "LineRollingStart", "LineRollingStartSolution", "LineScan", "LineShakedown", "LineShakedownSolution",
+    "LineShearForce", "LineSolution", "LineTangential", "LineTangentialSolution", "LineYieldOnset",
+    "LineYieldOnsetSolution", "LogarithmicEnds",
+    "Maxwell", "MeanPressure", "Measured", "MeasuredBed", "Moment",
     "NamedElastic", "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor", "NearlyRoundIndentation",
-    "NearlyRoundSolution", "NotConverged", "Note",
+    "NearlyRoundSolution", "NominalPressure", "NotConverged", "Note",
     "OliverPharr", "OliverPharrSolution", "Oscillate", "OscillatingRolling", "OscillatingRollingSolution",
     "OutsideValidity",
-    "PairWear", "Paraboloid", "ParticleSolution", "Path", "PeakStress", "PlacedCurve", "PlacedStress",
-    "PlaneFoundation", "Plated", "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "Program", "Prony",
+    "PairWear", "Paraboloid", "ParticleSolution", "Path", "PeakStress", "PeriodicIndentation",
+    "PeriodicSolution", "PlacedCurve", "PlacedStress",
+    "PlaneFoundation", "PlateBase",
+    "Plated", "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "Program", "Prony",
     "PullOff", "PullOffSolution",
     "Radius", "Ramp", "RandomTopography", "RateDependentWork", "ReducedBed", "Reduction", "ReductionSolution",
     "RelaxationDamper", "RelaxationDamperSolution", "RelaxationData", "RelaxationTest", "RelaxingInProportion",
-    "Rigid", "Rod", "Rolling", "RollingSolution", "RollingStart", "RollingStartSolution", "RoughContact",
-    "RoughContactSolution", "RoughIndentation", "RoughIndentationSolution", "RoughLine", "RoundedCone", "RoundedPunch",
-    "SaturatingWork", "Segment", "SegmentKind", "SelfAffine", "Shape", "ShearForce", "ShearedFields", "Shift",
+    "Rigid", "Rod", "RollerCentre", "RollerContact", "RollerSolution", "Rolling", "RollingSolution", "RollingStart",
+    "RollingStartSolution", "RoughContact", "RoughContactSolution", "RoughIndentation", "RoughIndentationSolution",
+    "RoughLine", "RoundedCone", "RoundedEnds", "RoundedPunch",
+    "SaturatingWork", "Segment", "SegmentKind", "SelfAffine", "Shape", "SharpEnds", "ShearForce", "ShearedFields",
+    "Shift",
     "ShortRange", "SigmoidalGrading", "SimplifiedRolling", "SimplifiedRollingSolution", "SlidingResistance",
     "SlidingResistanceSolution",
     "SlidingSolution", "SlidingWear", "Sphere", "SpheroConical", "Spikes", "SpotCluster", "SpotClusterSolution",
@@ -241,7 +266,7 @@ __all__ = [
     "SubsurfaceFields", "Sum", "SurfaceConduction", "SurfaceConductionSolution", "SurfaceContact",
     "SurfaceContactSolution", "SurfaceFields", "SurfaceFilm",
     "TabulatedGrading", "Tangential", "TangentialSolution", "ThermalConductor", "ThermalConstriction",
-    "ThermalConstrictionSolution", "ThermalInterface", "Topography", "Torque", "Torsion", "TorsionSolution",
+    "ThermalConstrictionSolution", "ThermalInterface", "Tilt", "Topography", "Torque", "Torsion", "TorsionSolution",
     "TransientHeating", "TransientHeatingSolution", "TransverselyIsotropic", "TransverselyIsotropicHalfSpace",
     "TruncatedCone", "TruncatedParaboloid", "TwistedFields",
     "Uncalibrated",

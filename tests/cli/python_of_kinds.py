@@ -216,6 +216,10 @@ ROUGHNESS = {
     "power_spectrum": rough(MEASURED_SPECTRUM),
     "rough_indentation": wk.RoughIndentation(BLASTED, BED, 4e-3, LOADS, realisations=20, count=2048),
     "elliptic_indentation": wk.EllipticIndentation(wk.CurvedBodies(20e-3, 10e-3), STEEL_BODY, wk.Force(100.0)),
+    "curved_pair": wk.EllipticIndentation(wk.CurvedPair(5e-3, 5e-3, 26e-3, -5.2e-3), STEEL_BODY, wk.Force(100.0)),
+    "elliptic_yield_onset": wk.EllipticYieldOnset(
+        wk.CurvedBodies(20e-3, 10e-3), wk.HalfSpace(wk.Elastic(210e9, 0.3, strength=700e6)), wk.Coulomb(0.1)
+    ),
     "nearly_round_indentation": wk.NearlyRoundIndentation(
         tuple(wk.Paraboloid(radius) for radius in (10e-3, 12e-3, 10e-3, 12e-3)), STEEL_BODY, wk.Depth(1e-6)
     ),
@@ -225,13 +229,55 @@ ROUGHNESS = {
 
 ROLLER = wk.LineFoundation(wk.Paraboloid(10e-3), STEEL_BODY)
 STRONG_ROLLER = wk.LineFoundation(wk.Paraboloid(10e-3), wk.HalfSpace(wk.Elastic(210e9, 0.3, strength=700e6)))
+
+
+def crowned_roller(ends=None, alignment=None):
+    """Return the roller of the examples."""
+    ends, alignment = ends or wk.LogarithmicEnds(1e6), alignment or wk.Tilt(0.5e-3)
+    return wk.RollerContact(10e-3, 10e-3, ends, STEEL_BODY, wk.Force(np.linspace(2e3, 12e3, 6)), alignment, 48)
+
+
+STICKY_ROLLER = wk.LineFoundation(wk.Paraboloid(10e-3), wk.HalfSpace(wk.Elastic(2e6, 0.5)))
 LINES = {
     **dict.fromkeys(
         ("line_indentation", "line_foundation", "line_force"), wk.LineIndentation(ROLLER, wk.LineForce(100e3))
     ),
     "half_width": wk.LineIndentation(ROLLER, wk.HalfWidth(0.1e-3)),
+    **dict.fromkeys(("roller_contact", "logarithmic_ends", "tilt"), crowned_roller()),
+    "sharp_ends": crowned_roller(ends=wk.SharpEnds()),
+    "crowned_ends": crowned_roller(ends=wk.CrownedEnds(0.5)),
+    "rounded_ends": crowned_roller(ends=wk.RoundedEnds(1e-3)),
+    "moment": crowned_roller(alignment=wk.Moment(2.0)),
     "line_yield_onset": wk.LineYieldOnset(STRONG_ROLLER, wk.Coulomb(0.1)),
     "line_shakedown": wk.LineShakedown(STRONG_ROLLER, wk.Coulomb(0.1)),
+    **dict.fromkeys(
+        ("line_tangential", "line_path"),
+        wk.LineTangential(
+            wk.LineFoundation(
+                wk.Paraboloid(10e-3), wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3))
+            ),
+            FRICTION,
+            wk.LinePath(100e3, [0.0, 20e3, -20e3, 20e3], count=20),
+        ),
+    ),
+    "elliptic_friction_heating": wk.EllipticFrictionHeating(
+        wk.CurvedBodies(20e-3, 10e-3),
+        STEEL_BODY,
+        wk.Coulomb(0.1),
+        wk.Force(200.0),
+        WARM_PAIR,
+        first_speed=2.0,
+        first_direction=np.radians(30.0),
+    ),
+    "line_constriction": wk.LineConstriction(ROLLER, PAIR, wk.LineForce(100e3), first_depth=5e-3, second_depth=5e-3),
+    "line_friction_heating": wk.LineFrictionHeating(
+        ROLLER, wk.Coulomb(0.05), wk.LineForce(400e3), WARM_PAIR, first_speed=6.0, second_speed=4.0
+    ),
+    "line_adhesion": wk.LineAdhesion(STICKY_ROLLER, wk.ShortRange(50e-3), wk.LineForce(1.0)),
+    **dict.fromkeys(
+        ("periodic_indentation", "nominal_pressure"),
+        wk.PeriodicIndentation(wk.LineFoundation(wk.Wavy(1e-6, 1e-3), STEEL_BODY), 1e-3, wk.NominalPressure(100e6)),
+    ),
     "mean_pressure": wk.LineIndentation(ROLLER, wk.MeanPressure(500e6)),
 }
 STEEL_ON_STEEL = wk.LineFoundation(wk.Paraboloid(10e-3), wk.HalfSpace.between(*2 * [wk.Elastic(210e9, 0.3)]))

@@ -135,6 +135,7 @@ def goes_together(problem: str, profile: str) -> bool:
         "adhesive_shear": {"flat_punch"},  # pressed at its rim
         "yield_onset": sharp,
         **dict.fromkeys(("line_yield_onset", "line_shakedown"), sharp),
+        "line_indentation": {"area_function"},  # of a tip of revolution
         **dict.fromkeys(
             ("line_rolling", "line_rolling_start", "line_rolling_resistance"),
             set(CATALOGUE["profile"]) - {"paraboloid"},

@@ -189,7 +189,10 @@ def computed(tmp_path_factory):
             (folder / "study.toml").write_text(text + LIGHT, encoding="utf-8")
             with contextlib.redirect_stdout(io.StringIO()) as out:
                 assert main(["run", str(folder / "study.toml"), "--json", "--output", str(folder / "answer")]) == 0
-            message = {column["name"]: column["values"] for column in json.loads(out.getvalue())["answers"]}
+            message = {
+                column["name"]: [math.inf if number == "infinite" else number for number in column["values"]]
+                for column in json.loads(out.getvalue())["answers"]
+            }
             with (folder / "answer" / "results.csv").open(encoding="utf-8") as file:
                 rows = list(csv.DictReader(file))
             table = {name.split(" ")[0]: [float(row[name]) for row in rows] for name in rows[0]}

@@ -199,8 +199,9 @@ def test_yield_begins_under_the_ellipse_not_under_the_ball():
     assert f"yielding began at {onset.force:.4g} N" in note.statement
     below = wk.Tangential(BEARING.bed, wk.Coulomb(0.3), wk.Path([0.0, 1.0], wk.Force(500.0), wk.Shift([0.0, 1e-7])))
     note = next(note for note in below.solve().validity if note.assumption is wk.Assumption.ELASTIC)
-    assert note.standing is wk.Standing.APPROXIMATE
-    assert "the stresses of a traction under an ellipse are not computed" in note.statement
+    assert note.standing is wk.Standing.EXACT
+    assert "would if all of it slid with the coefficient 0.3" in note.statement
+    assert "Sackfield" in note.source
     a = np.geomspace(1e-6, 1e-3, 12)
     spots = MeasuredPlaneProfile(wk.MeasuredBed(a, 2.0 * PAIR.modulus * a, a**2 / 1e-2))
     with pytest.raises(wk.OutsideValidity, match="the stress below the surface needs a round contact"):

@@ -70,12 +70,20 @@ MADE = {
 SOLVED = {
     "pressed": (
         *("indentation", "yield_onset", "elliptic_indentation", "nearly_round_indentation", "limiting_profile"),
+        "elliptic_yield_onset",
         *("relaxation_damper", "friction_damping", "bimodal_damping", "fretting_wear", "sliding_wear"),
-        *("line_indentation", "line_yield_onset", "line_shakedown"),
+        *(
+            "line_indentation",
+            "line_yield_onset",
+            "line_shakedown",
+            "line_tangential",
+            "roller_contact",
+            "periodic_indentation",
+        ),
     ),
     "sticky": (
         *("adhesive_indentation", "pull_off", "equilibrium", "adhesive_shear", "adhesive_cycle", "adhesive_impact"),
-        *("elastic_plastic_particle", "impact", "viscoelastic_adhesion"),
+        *("elastic_plastic_particle", "impact", "viscoelastic_adhesion", "line_adhesion"),
     ),
     "relaxing and rolling": (
         *("viscoelastic_indentation", "creep_test", "relaxation_test", "harmonic_indentation", "sliding_resistance"),
@@ -86,7 +94,14 @@ SOLVED = {
     "warm and rough": (
         *("constriction", "thermal_constriction", "joule_heating", "spot_cluster", "conductance_bounds"),
         *("friction_heating", "transient_heating", "fretting_heat", "surface_contact", "surface_conduction"),
-        *("reduction", "rough_contact", "rough_indentation"),
+        *(
+            "reduction",
+            "rough_contact",
+            "rough_indentation",
+            "line_constriction",
+            "line_friction_heating",
+            "elliptic_friction_heating",
+        ),
     ),
 }
 """Groups of problems that are solved; each takes about as long as the others."""

@@ -276,11 +276,11 @@ def maugis_parameter_unit() -> Numbers:
 # bodies that are not round, E* = 1
 
 
-def ellipse(ratio: mp.mpf) -> tuple[mp.mpf, mp.mpf, mp.mpf]:
+def ellipse(ratio: mp.mpf, within: tuple[str, str] = ("0.2", "0.9")) -> tuple[mp.mpf, mp.mpf, mp.mpf]:
     """m, K and E of Hertz's ellipse for B/A."""
     m = mp.findroot(
         lambda m: (mp.ellipe(m) / (1 - m) - mp.ellipk(m)) / (mp.ellipk(m) - mp.ellipe(m)) - ratio,
-        (frac("0.2"), frac("0.9")),
+        (frac(within[0]), frac(within[1])),
         solver="anderson",
     )
     return m, mp.ellipk(m), mp.ellipe(m)
@@ -303,6 +303,57 @@ def line_cylinder() -> Numbers:
 
 
 @of_case
+def roller_crowned_ellipse() -> Numbers:
+    """As elliptic_hertz_one_to_three, A = 1/200, B = 1/2, 2e-4 N: depth, p0, edge factor 1, moment 0, 3F/(2d), area."""
+    force = frac("0.0002")
+    m, k, e = ellipse(mp.mpf(100), ("0.99", "0.9999"))
+    a = mp.cbrt(3 * force * (k - e) / (2 * mp.pi * m * frac("0.005")))
+    b, depth = a * mp.sqrt(1 - m), 3 * force * k / (2 * mp.pi * a)
+    return [depth, 3 * force / (2 * mp.pi * a * b), mp.mpf(1), 3 * force / (2 * depth), mp.pi * a * b]
+
+
+@of_case
+def roller_lundberg() -> Numbers:
+    """Even P = 1: p0 = sqrt(P/(pi R)), d = P/pi (2 ln(2L/a) + 1), a = 2 sqrt(P R/pi); P = pi a^2/(4 R), a = 0.01."""
+    a = frac("0.01")
+    load = mp.pi * a**2 / 4
+    return [load / mp.pi * (2 * mp.log(4 / a) + 1), mp.sqrt(load / mp.pi)]
+
+
+def line_adhesion_cylinder() -> Numbers:
+    """P = pi E* a^2/(4R) - sqrt(2 pi a E* gamma): its zero, and its least value; E* = 1e6, R = gamma = 1."""
+    e = mp.mpf(10) ** 6
+
+    def force(a: Any) -> Any:
+        return mp.pi * e * a * a / 4 - mp.sqrt(2 * mp.pi * a * e)
+
+    rest = mp.findroot(force, frac("0.0215"))
+    least = mp.findroot(lambda a: mp.pi * e * a / 2 - mp.sqrt(mp.pi * e / (2 * a)), frac("0.0086"))
+    return [rest, least, force(least)]
+
+
+@of_case
+def line_maugis_cylinder() -> Numbers:
+    """The surfaces are gamma/sigma_0 apart at c = m a; P = pi E* a^2/(4R) - 2 sigma_0 a sqrt(m^2 - 1)."""
+    a, s, g = frac("0.1"), frac("0.01"), frac("0.0001")
+
+    def apart(m: Any) -> Any:
+        root = mp.sqrt(m * m - 1)
+        pulled = 4 * s * a / mp.pi * (root * mp.acosh(m) - m * mp.log(m))
+        return a * a / 2 * (m * root - mp.acosh(m)) + pulled - g / s
+
+    m = mp.findroot(apart, frac("1.9"))
+    return [m * a, mp.pi * a * a / 4 - 2 * s * a * mp.sqrt(m * m - 1)]
+
+
+@of_case
+def wavy_half_plane() -> Numbers:
+    """p/p* = sin^2(pi a/lambda), p0 = 2 sqrt(p p*), p* = pi E* h/lambda."""
+    full, nominal = mp.pi * frac("0.004"), frac("0.003")
+    return [mp.asin(mp.sqrt(nominal / full)) / mp.pi, 2 * mp.sqrt(nominal * full), full]
+
+
+@of_case
 def line_yield_cylinder() -> Numbers:
     """McEwen's axis: von Mises' stress over p0 at its maximum, in plane strain, is the strength over p0."""
 
@@ -318,10 +369,71 @@ def line_yield_cylinder() -> Numbers:
 
 
 @of_case
+def elliptic_yield_one_to_three() -> Numbers:
+    """Love's integrals on the axis below Hertz's ellipse, nu = 0.3: the greatest von Mises stress is the strength."""
+    m, k, e = ellipse(mp.mpf(3))
+    ratio, nu = mp.sqrt(1 - m), frac("0.3")
+
+    def mises(z: Any) -> Any:
+        def over(power: int, axis: Any) -> Any:  # s^2 = t, a = 1
+            def shell(s: Any) -> Any:
+                both = mp.sqrt((1 + s * s) * (ratio**2 + s * s))
+                return 2 * (s - z if power == 0 else 1) / (both * (s * s + axis))
+
+            return mp.quad(shell, [z, z + ratio, z + 1, mp.inf])
+
+        along, across, deep = over(1, mp.mpf(1)), over(1, ratio**2), over(1, mp.mpf(0))
+        free = ratio / 2
+        x = free * (-2 * nu * z * deep - (1 - 2 * nu) * over(0, mp.mpf(1)) + z * along)
+        y = free * (-2 * nu * z * deep - (1 - 2 * nu) * over(0, ratio**2) + z * across)
+        down = free * (-z * deep - z * (along + across))
+        return mp.sqrt(((x - y) ** 2 + (y - down) ** 2 + (down - x) ** 2) / 2)
+
+    depth = mp.findroot(
+        lambda z: mises(z + frac("1e-8")) - mises(z - frac("1e-8")), (frac("0.2"), frac("0.4")), tol=1e-36
+    )
+    p0 = frac("0.01") / mises(depth)
+    unit = (3 * (k - e) / (2 * mp.pi * m * frac("0.25"))) ** (mp.mpf(1) / 3)
+    force = (p0 * 2 * mp.pi * unit**2 * ratio / 3) ** 3
+    a = unit * mp.cbrt(force)
+    return [force, p0, a, 3 * force * k / (2 * mp.pi * a), a * depth]
+
+
+@of_case
 def line_shakedown_cylinder() -> Numbers:
     """p0 = 4 k, at half of a half-width below the surface."""
     p0 = 4 * frac("0.01") / mp.sqrt(3)
     return [mp.pi * p0**2, 2 * p0, p0]
+
+
+def _slipped(bulk: str) -> tuple[Any, Any, Any]:
+    """Return c, e and the loss of the first half cycle: E* = R = P = 1, mu = 0.4, Q = 0.25, p0 = a/2.
+
+    The traction is mu p in the slip zones, and the slip mu times the distance that a cylinder on (e - c, e + c) leaves
+    open, (s sqrt(s^2 - c^2) - c^2 arcosh(s/c))/2 at s from its middle.
+    """
+    mu, a = frac("0.4"), 2 / mp.sqrt(mp.pi)
+    c, e = a * mp.sqrt(1 - frac("0.25") / mu), frac(bulk) / (2 * mu)
+
+    def rubbed(s: Any, middle: Any) -> Any:
+        return mu**2 * mp.sqrt(a**2 - (s + middle) ** 2) / 4 * (s * mp.sqrt(s**2 - c**2) - c**2 * mp.acosh(s / c))
+
+    sides = ((m, a - m) for m in (e, -e))
+    return c, e, sum(mp.quad(lambda s, m=m: rubbed(s, m), [c, (c + end) / 2, end]) for m, end in sides)
+
+
+@of_case
+def line_cattaneo() -> Numbers:
+    """From Q to -Q the slip is twice as great as at first, in the same zones."""
+    c, _, lost = _slipped("0")
+    return [[c, c], [lost, 3 * lost]]
+
+
+@of_case
+def line_bulk_stress() -> Numbers:
+    """e = sigma a/(4 mu p0), the other way at -Q."""
+    c, e, lost = _slipped("0.2")
+    return [[c, c], [lost, 3 * lost], [e, e]]
 
 
 def _oval(bend: str) -> Numbers:

@@ -21,11 +21,14 @@ from typing import Annotated
 import numpy as np
 
 from winkler.checks.number_checks import Advice
+from winkler.errors import InvalidInput
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.fields.half_plane import Pile, potential
 from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, Curve
+from winkler.profiles.area import AreaFunction
+from winkler.profiles.flat import CappedCylinder
 from winkler.profiles.line_transform import line_load, line_load_slope
 from winkler.profiles.power import Paraboloid
 from winkler.profiles.profile import Profile
@@ -45,10 +48,16 @@ class LineFoundation:
     Parameters
     ----------
     profile : Profile
-        The gap f(|x|) between the undeformed bodies: `Paraboloid` is a parabolic cylinder, `Cone` a wedge,
-        `FlatPunch` a flat one of half-width `radius`, `RoundedPunch` a flat one with rounded edges.
+        The gap f between the undeformed bodies, at the distance of x from the middle: `Paraboloid` is a parabolic
+        cylinder, `Cone` a wedge, `FlatPunch` a flat one of half-width `radius`, `RoundedPunch` a flat one with rounded
+        edges.
     medium : HalfSpace or TransverselyIsotropicHalfSpace
         Both bodies, homogeneous, in plane strain.
+
+    Raises
+    ------
+    InvalidInput
+        If the profile is an `AreaFunction`, which belongs to a tip of revolution.
 
     References
     ----------
@@ -57,6 +66,13 @@ class LineFoundation:
 
     profile: Profile
     medium: Annotated[HomogeneousMedium, Advice("the half-plane of a line contact is known on no other")]
+
+    def __post_init__(self) -> None:
+        if isinstance(self.profile, AreaFunction):
+            raise InvalidInput(
+                "LineFoundation: an AreaFunction states the round cross-sections of a tip; give the profile of a cross-"
+                "section along the strip, such as Paraboloid, RoundedPunch or Measured."
+            )
 
     @property
     def reach(self) -> float:
@@ -105,6 +121,10 @@ class LineFoundation:
         """w'(a) [-]."""
         return line_load_slope(self.profile, half_width)
 
+    def beside(self, half_width: float) -> tuple[Array, Array]:
+        """Return half-widths [m] of flat punches beside the strip, and their loads over E* [m]: none."""
+        return np.zeros(0), np.zeros(0)
+
     def pressure(self, x: Array, half_width: float, rim_load: float) -> Array:
         """Return the pressure of a contact.
 
@@ -115,7 +135,7 @@ class LineFoundation:
         half_width : float
             a [m].
         rim_load : float
-            Load per length over E* that a rim at a bears beyond w(a) [m]; zero without a rim.
+            Load per length over E* that the edge bears beyond w(a) [m]: at a rim, or negative where adhesion pulls.
 
         Returns
         -------
@@ -153,13 +173,14 @@ class LineFoundation:
         """
         zeta = x + 1j * z
         root = np.sqrt(zeta - half_width) * np.sqrt(zeta + half_width)
-        if isinstance(self.profile, Paraboloid):  # McEwen
-            share = half_width / (2.0 * self.profile.curvature_radius)
+        shape = self.profile.cap if isinstance(self.profile, CappedCylinder) else self.profile
+        if isinstance(shape, Paraboloid):  # McEwen
+            share = half_width / (2.0 * shape.curvature_radius)
             whole = share * half_width / (zeta + root)
             slope = -whole / root
         else:
             whole, slope = potential(_piles(self, half_width), x, z)
-        if rim_load > 0.0:
+        if rim_load != 0.0:
             rim = rim_load / (np.pi * root)
             whole, slope = whole + rim, slope - rim * zeta / root**2
         return self.medium.modulus * whole, self.medium.modulus * slope

@@ -4,19 +4,22 @@ from __future__ import annotations
 
 from winkler.plot import beds, restored, sheets  # noqa: F401
 from winkler.plot.conduction import constriction, fields, spots  # noqa: F401
+from winkler.plot.conduction import line as line_conduction  # noqa: F401
 from winkler.plot.dispatch import sheet_of
 from winkler.plot.drawing import draw
 from winkler.plot.fitting import fits as elastic_fits  # noqa: F401
 from winkler.plot.fitting import unloading  # noqa: F401
 from winkler.plot.friction import damping  # noqa: F401
 from winkler.plot.friction import sheets as friction_sheets  # noqa: F401
-from winkler.plot.heating import heating  # noqa: F401
+from winkler.plot.heating import ellipses, heating, strips  # noqa: F401
 from winkler.plot.impact import impact  # noqa: F401
-from winkler.plot.line import contact  # noqa: F401
+from winkler.plot.line import adhesion as line_adhesion  # noqa: F401
+from winkler.plot.line import contact, periodic, roller  # noqa: F401
+from winkler.plot.line import friction as line_friction  # noqa: F401
 from winkler.plot.line import rolling as line_rolling  # noqa: F401
 from winkler.plot.particles import elastic_plastic  # noqa: F401
 from winkler.plot.rolling import rolling  # noqa: F401
-from winkler.plot.rough import lines, roughness  # noqa: F401
+from winkler.plot.rough import ellipse, lines, roughness  # noqa: F401
 from winkler.plot.rough import surfaces as rough_surfaces  # noqa: F401
 from winkler.plot.viscoelastic import contacts, fits, material_tests, solids  # noqa: F401
 from winkler.plot.viscoelastic import surfaces as viscoelastic_surfaces  # noqa: F401

@@ -10,7 +10,7 @@ from winkler.errors import InvalidInput
 from winkler.loading import Depth, Force, Load, Radius
 from winkler.numerics.types import Quantity
 
-__all__ = ["OfPath", "picked", "single"]
+__all__ = ["OfPath", "one_of", "picked", "single"]
 
 State = TypeVar("State")
 
@@ -60,12 +60,7 @@ def picked(
     InvalidInput
         If there is no such load.
     """
-    try:
-        d, f, a = (float(np.asarray(result)[index]) for result in (depth, force, radius))
-    except (IndexError, TypeError):
-        raise InvalidInput(
-            f"solution.at: there is no load {index!r} in a solution of shape {np.shape(depth)}."
-        ) from None
+    d, f, a = one_of(index, depth, force, radius)
     match load:
         case Depth():
             return Depth(d), d, f, a
@@ -73,6 +68,29 @@ def picked(
             return Force(f), d, f, a
         case _:
             return Radius(a), d, f, a
+
+
+def one_of(index: int | tuple[int, ...], *results: Quantity) -> tuple[float, ...]:
+    """Return one number of each of several results of one shape.
+
+    Parameters
+    ----------
+    index : int or tuple of int
+        Which one.
+    *results : float or ndarray
+        Of one shape.
+
+    Raises
+    ------
+    InvalidInput
+        If there is no such load.
+    """
+    try:
+        return tuple(float(np.asarray(result)[index]) for result in results)
+    except (IndexError, TypeError):
+        raise InvalidInput(
+            f"solution.at: there is no load {index!r} in a solution of shape {np.shape(results[0])}."
+        ) from None
 
 
 def single(depth: Quantity, requested: str) -> float:

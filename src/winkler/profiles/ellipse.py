@@ -23,6 +23,8 @@ __all__ = ["ContactEllipse", "CurvedBodies"]
 
 LEAST_AXES_RATIO = 1e-8
 """Smallest ratio of the semi-axes that is searched for; far beyond Kalker's table."""
+ROUNDING = 1e-14
+"""Curvature over the greatest one of the bodies that is rounding."""
 
 
 @value
@@ -82,6 +84,52 @@ class CurvedBodies:
     longitudinal_curvature_radius: Positive
     lateral_curvature_radius: Positive
 
+    @classmethod
+    def of(cls, first: tuple[float, float], second: tuple[float, float], angle: float = 0.0) -> CurvedBodies:
+        """Return the radii of two bodies together, from the principal radii of each.
+
+        Parameters
+        ----------
+        first, second : tuple of float
+            R_x and R_y of the first body in its own axes, and of the second one in its [m]; negative where the surface
+            is hollow, as a raceway, infinite where it is straight.
+        angle : float
+            By which the axes of the second body are turned against those of the first [rad].
+
+        Returns
+        -------
+        CurvedBodies
+            In the principal directions of the distance of both; x is the one next to x of the first body, `turn` away.
+
+        Raises
+        ------
+        InvalidInput
+            If a radius is zero, or the bodies do not touch in a point: a hollow as narrow as the body in it.
+
+        Examples
+        --------
+        A ball in the groove of an inner ring, and crossed cylinders:
+
+        >>> ring = CurvedBodies.of(first=(5e-3, 5e-3), second=(26e-3, -5.2e-3))
+        >>> round(ring.longitudinal_curvature_radius * 1e3, 3), round(ring.lateral_curvature_radius * 1e3, 1)
+        (4.194, 130.0)
+        >>> CurvedBodies.of((math.inf, 1e-2), (math.inf, 2e-2), angle=0.5 * math.pi)
+        CurvedBodies(longitudinal_curvature_radius=0.02, lateral_curvature_radius=0.01)
+        """
+        whole, difference, _ = _curvatures(first, second, angle)
+        bends = 0.5 * (whole + difference), 0.5 * (whole - difference)
+        if not min(bends) > ROUNDING * max(abs(1.0 / radius) for radius in (*first, *second)):
+            raise InvalidInput(
+                f"CurvedBodies.of: bodies of the radii {first} m and {second} m do not touch in a point, because a "
+                "hollow is as narrow as the body in it, or both are straight; give a hollow wider than the body in it."
+            )
+        return cls(1.0 / bends[0], 1.0 / bends[1])
+
+    @staticmethod
+    def turn(first: tuple[float, float], second: tuple[float, float], angle: float = 0.0) -> float:
+        """Return the angle [rad] from x of the first body to x of both together, at most 45 degrees; as of `of`."""
+        return _curvatures(first, second, angle)[2]
+
     def semi_axes(self, modulus: float, force: float) -> tuple[float, float]:
         """Return a and b [m].
 
@@ -104,6 +152,11 @@ class CurvedBodies:
         ratio = min(slenderness, 1.0 / slenderness)
         larger = (force * float(elliprd(0.0, ratio**2, 1.0)) / (math.pi * modulus * curvature)) ** (1.0 / 3.0)
         return (larger, ratio * larger) if slenderness <= 1.0 else (ratio * larger, larger)
+
+    @property
+    def together(self) -> CurvedBodies:
+        """These radii, as of a `CurvedPair`."""
+        return self
 
     @property
     def slenderness(self) -> float:
@@ -132,6 +185,28 @@ class CurvedBodies:
         smaller, larger = sorted((a, b))
         depth = 1.5 * float(elliprf(0.0, (smaller / larger) ** 2, 1.0)) / (math.pi * larger)
         return 9.0 / (16.0 * depth**3)
+
+
+def _curvatures(first: tuple[float, float], second: tuple[float, float], angle: float) -> tuple[float, float, float]:
+    """Return sum and difference (along less across) of the principal curvatures of the distance, and their angle."""
+    for radii in (first, second):
+        if len(radii) != 2 or any(math.isnan(radius) or radius == 0.0 for radius in radii):
+            raise InvalidInput(
+                f"CurvedBodies: the radii {radii!r} are not two numbers other than zero; give R_x and R_y [m], "
+                "negative where hollow, math.inf where straight."
+            )
+    if not math.isfinite(angle):
+        raise InvalidInput(f"CurvedBodies: the angle is {angle!r}; give one in radians.")
+    (own_x, own_y), (other_x, other_y) = ((1.0 / radius for radius in radii) for radii in (first, second))
+    own, other = own_x - own_y, other_x - other_y
+    quarters = angle / (0.5 * math.pi)
+    along = (-1.0) ** round(quarters) if quarters == round(quarters) else math.cos(2.0 * angle)
+    across = 0.0 if abs(along) == 1.0 else math.sin(2.0 * angle)
+    real, imaginary = own + other * along, other * across
+    difference = math.hypot(real, imaginary)
+    sign = -1.0 if real < 0.0 else 1.0
+    turned = 0.5 * math.atan2(sign * imaginary, sign * real) if difference > 0.0 else 0.0
+    return own_x + own_y + other_x + other_y, sign * difference, turned
 
 
 @functools.lru_cache(maxsize=256)

@@ -74,8 +74,7 @@ def line_load(profile: Profile, a: Array) -> Array:
         case Measured() | Designed():
             return _tables(profile)[0](a)
     raised = _raised(profile)
-    whole = abel.gap(_raised_slope(profile), _edges(profile), a) if raised is None else raised.gap(a)
-    return _over(whole, a, 0.0)
+    return _load_by_quadrature(profile, a) if raised is None else _over(raised.gap(a), a, 0.0)
 
 
 def line_load_slope(profile: Profile, a: Array) -> Array:
@@ -144,6 +143,10 @@ def _over(content: Array, a: Array, at_zero: float) -> Array:
     return np.where(a > 0.0, content / np.where(a > 0.0, a, 1.0), at_zero)
 
 
+def _load_by_quadrature(profile: Any, a: Array) -> Array:
+    return _over(abel.gap(_raised_slope(profile), _edges(profile), a), a, 0.0)
+
+
 def _by_quadrature(profile: Any, a: Array) -> Array:
     """Return w' as (1/a) times the integral of r (r f')' / sqrt(a^2 - r^2), the kinks by themselves."""
     jumps = [(b, b * jump) for b, jump in profile.kinks]
@@ -152,7 +155,7 @@ def _by_quadrature(profile: Any, a: Array) -> Array:
         return np.asarray(profile.slope(r) + r * profile.curvature(r))
 
     whole = abel.gap_slope(_raised_slope(profile), curvature, jumps, a)
-    return _over(whole - line_load(profile, a), a, float(profile.slope(np.zeros(1))[0]))
+    return _over(whole - _load_by_quadrature(profile, a), a, float(profile.slope(np.zeros(1))[0]))
 
 
 @functools.lru_cache(maxsize=64)

@@ -228,6 +228,30 @@ def test_what_has_no_answer_is_refused_in_one_sentence(profile, load, sentence):
     assert "\n" not in str(refused.value)
 
 
+def test_a_designed_profile_is_read_in_its_own_panels():
+    parabola = wk.Designed(np.array([0.0, 0.5e-3, 1e-3]), np.array([[0.025, 0.025], [0.075, 0.025]]), tolerance=1e-10)
+    contact = pressed(parabola, wk.HalfWidth(0.7e-3))
+    assert contact.force_per_length == pytest.approx(np.pi / 4.0 * MODULUS * 0.7e-3**2 / 10e-3, rel=1e-12)
+    assert contact.pressure(0.2e-3) == pytest.approx(MODULUS * np.sqrt(0.7**2 - 0.2**2) * 1e-3 / 20e-3, rel=1e-11)
+
+
+def test_the_sections_of_a_round_tip_are_no_profile_of_a_strip():
+    with pytest.raises(wk.InvalidInput, match="round cross-sections of a tip"):
+        wk.LineFoundation(wk.AreaFunction([24.5, 1e-7]), wk.HalfSpace(STEEL))
+
+
+@pytest.mark.slow
+def test_a_conforming_groove_yields_before_its_upright_end():
+    strong = wk.HalfSpace(wk.Elastic(210e9, 0.3, strength=0.7e9), wk.Elastic(210e9, 0.3))
+    groove = wk.LineFoundation(wk.BallInSocket(10e-3, 10.1e-3), strong)
+    onset = wk.LineYieldOnset(groove).solve()
+    assert 5e-3 < onset.half_width < 9e-3
+    again = wk.LineIndentation(groove, wk.HalfWidth(onset.half_width)).solve()
+    assert again.greatest_stress().value == pytest.approx(0.7e9, rel=1e-9)
+    with pytest.raises(wk.OutsideValidity, match="the strength is not reached"):
+        wk.LineYieldOnset(wk.LineFoundation(groove.profile, wk.HalfSpace(wk.Elastic(2e9, 0.3, strength=1e13)))).solve()
+
+
 def test_a_wave_too_high_for_one_strip_is_refused_inside_and_beside():
     high = wk.Paraboloid(RADIUS) + wk.Wavy(20e-6, 1e-3)
     with pytest.raises(wk.OutsideValidity, match="in several strips"):
@@ -258,3 +282,15 @@ def test_a_steel_wheel_presses_as_in_the_boundary_elements_of_contact(shared_dat
     inner = rows[np.abs(rows["x_m"]) < 0.9e-3]
     assert inner.size > 40
     np.testing.assert_allclose(inner["pressure_Pa"], contact.pressure(inner["x_m"]), atol=0.005 * contact.peak_pressure)
+
+
+def test_a_designed_parabola_is_a_cylinder():
+    """Two panels of a slope that rises from 0 to 0.1 over 2 mm: R = 20 mm."""
+    designed = wk.Designed(np.array([0.0, 1e-3, 2e-3]), np.array([[0.025, 0.025], [0.075, 0.025]]), tolerance=1e-10)
+    medium = wk.HalfSpace(wk.Elastic(210e9, 0.3))
+    found, cylinder = (
+        wk.LineIndentation(wk.LineFoundation(profile, medium), wk.LineForce(1e6)).solve()
+        for profile in (designed, wk.Paraboloid(20e-3))
+    )
+    assert found.half_width == pytest.approx(cylinder.half_width, rel=1e-9)
+    assert found.pressure(1e-4) == pytest.approx(float(cylinder.pressure(1e-4)), rel=1e-9)

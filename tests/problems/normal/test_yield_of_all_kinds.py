@@ -33,6 +33,7 @@ def strengthened(item, strength):
 WITHOUT = {
     "elastic_plastic_particle": "its strength is its law",
     "elastomer_friction": "a relaxing body under a rigid one: no solid has a strength",
+    "elliptic_yield_onset": "the onset is its answer",
     "line_shakedown": "the limit after yield is its answer",
     "line_yield_onset": "the onset is its answer",
     "spot_cluster": "no elastic bodies",

@@ -57,8 +57,11 @@ ELSEWHERE = {
     wk.ContactTrace,
     wk.Contacts,
     wk.CurrentFields,
+    wk.EllipticFields,
     wk.HeatFields,
     wk.NamedMaterial,
+    wk.PlateBase,
+    wk.RollerCentre,
     wk.LineFields,
     wk.LineScan,
     wk.RoughLine,
@@ -66,7 +69,8 @@ ELSEWHERE = {
     wk.SpringMarch,
     wk.TwistedFields,
 }
-"""Thousands of contacts or springs at once, arrays that no study file holds; and restored fields, which are answers."""
+"""Thousands of contacts or springs at once, arrays that no study file holds; restored fields, which are answers; and
+references, which a method takes."""
 
 
 def test_the_catalogue_knows_every_public_value_that_a_study_could_name():

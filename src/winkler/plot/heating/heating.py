@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent
+from winkler.plot.heating.over_loads import curves_sheet, refuse_cold
 from winkler.plot.panel import (
     Area,
     Arrow,
@@ -21,13 +21,12 @@ from winkler.plot.panel import (
     PanelAxis,
     Rule,
     Sheet,
-    among,
     note,
     plane,
     points,
     titled,
 )
-from winkler.plot.series import common_scale, middle_scale, scale_of, series, with_unit
+from winkler.plot.series import common_scale, middle_scale, series, with_unit
 from winkler.problems.heating.fretting import FrettingHeatSolution
 from winkler.problems.heating.heated_body import HeatedBody
 from winkler.problems.heating.steady import FrictionHeatingSolution
@@ -59,12 +58,9 @@ def heating_sheet(item: FrictionHeatingSolution) -> Sheet:
 
     For many loads or speeds: flash temperature and heat partition over the varied quantity.
     """
-    if not np.any(np.asarray(item.flash_temperature) > 0.0):
-        raise OutsideValidity(
-            "draw: no heat is released, so there is nothing to show; give a load and a sliding speed."
-        )
+    refuse_cold(item.flash_temperature)
     if np.ndim(item.heat_rate) != 0:
-        return _curves_sheet(item)
+        return curves_sheet(item, item.stationary_temperature, "both at rest")
     heat_text = (
         f"   heat {with_unit(float(item.heat_rate), 'W')}   first body takes {with_unit(float(item.first_share), '')}"
     )
@@ -151,48 +147,10 @@ def _speeds_panel(item: FrictionHeatingSolution) -> Panel:
     return Panel(tuple(marks), across, upright, legend="upper right", columns=2)
 
 
-def _curves_sheet(item: FrictionHeatingSolution) -> Sheet:
-    """Return flash temperature and heat partition over the varied quantity: Peclet number or heat rate."""
-    pe = np.maximum(np.asarray(item.first_peclet), np.asarray(item.second_peclet))
-    is_heated = np.ravel(np.asarray(item.heat_rate)) > 0.0
-    along = series("heat_rate", np.ravel(np.asarray(item.heat_rate)))
-    if np.ptp(pe) > 0.0:
-        along = series("peclet", np.ravel(pe))
-    heated = dataclasses.replace(along, content=along.content[is_heated])
-    order = np.argsort(heated.content, kind="stable")
-    logarithmic = bool(np.min(heated.content) > 0.0 and np.max(heated.content) > 20.0 * np.min(heated.content))
-    label = PanelAxis.of(heated).label.replace("peclet", "Peclet number")
-    across = PanelAxis(label, middle_scale(heated.word.unit, heated.content), margin=0.03, log=logarithmic)
-    panels = []
-    for names in (("first_max_temperature", "second_max_temperature", "stationary_temperature"), ("first_share",)):
-        many = [
-            series(name, np.ravel(np.asarray(getattr(item, name)))[is_heated], FrictionHeatingSolution)
-            for name in names
-        ]
-        scale = scale_of(many[0].word.unit, *(one.content for one in many))
-        looks = zip((style.RED, style.BLUE, style.GREEN), ("first", "second", "both at rest"), strict=False)
-        lines = [
-            among(place, heated.content[order], one.content[order], name, colour=colour, size=3.0)
-            for place, (one, (colour, name)) in enumerate(zip(many, looks, strict=False))
-        ]
-        share = names == ("first_share",)
-        upright = PanelAxis.of(many[0], scale, low=0.0, high=1.0)
-        if not share:
-            upright = PanelAxis(
-                "greatest rise of temperature", scale, low=None if logarithmic else 0.0, log=logarithmic
-            )
-        panels.append(Panel(tuple(lines), across, upright, legend="" if share else "upper left"))
-    titles = ("temperature of the bodies", "part of the heat for the first body")
-    return Sheet(titled(panels, *titles), width=4.6, height=3.3)
-
-
 @without_extent(TransientHeatingSolution)
 def transient_heating_sheet(item: TransientHeatingSolution) -> Sheet:
     """Return the temperature of the contact over time, and along the surface of the first body at some times."""
-    if item.stationary_temperature == 0.0:
-        raise OutsideValidity(
-            "draw: no heat is released, so there is nothing to show; give a load and a sliding speed."
-        )
+    refuse_cold(item.stationary_temperature)
     low, high = float(np.min(item.time)), float(np.max(item.time))
     if high <= 10.0 * low:
         low, high = low / 30.0, high * 30.0

@@ -14,11 +14,12 @@ from winkler.plot.normal.stresses import stress_map
 from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, titled
 from winkler.plot.rough.roughness import models_panel
 from winkler.plot.series import Series, places, scale_of, series, with_unit
+from winkler.problems.line.adhesion import LineAdhesionSolution
 from winkler.problems.line.indentation import LineIndentation, LineSolution
 from winkler.problems.line.shakedown import LineShakedownSolution
 from winkler.problems.line.yielding import LineYieldOnsetSolution
 
-__all__ = ["line_sheet", "line_yield_sheet"]
+__all__ = ["across", "flat", "line_sheet", "line_yield_sheet", "mirrored", "surface_panel"]
 
 ACROSS, DOWN = 81, 49
 """Places of a map of stresses."""
@@ -35,13 +36,13 @@ def line_sheet(item: LineSolution, *, extent: float | None = None) -> Sheet:
         a = float(item.half_width)
         end = checked_extent(extent) or HALF_WIDTHS_DRAWN * a or 1.0
         title = f"{with_unit(float(item.force_per_length), 'N/m')} on a half-width of {with_unit(a, 'm')}"
-        panels = titled((_pressure_panel(item, end), _surface_panel(item, end)), "pressure", "distance of the surfaces")
+        panels = titled((_pressure_panel(item, end), surface_panel(item, end)), "pressure", "distance of the surfaces")
         return Sheet(panels, height=3.1, title=title)
-    force = _flat(item, "force_per_length")
-    pressures = [(_flat(item, "mean_pressure"), "mean")]
+    force = flat(item, "force_per_length")
+    pressures = [(flat(item, "mean_pressure"), "mean")]
     if np.isfinite(item.peak_pressure).all():
-        pressures.insert(0, (_flat(item, "peak_pressure"), "greatest"))
-    widths = models_panel(force, [(_flat(item, "half_width"), "")])
+        pressures.insert(0, (flat(item, "peak_pressure"), "greatest"))
+    widths = models_panel(force, [(flat(item, "half_width"), "")])
     return Sheet(titled((widths, models_panel(force, pressures, label="pressure")), "half-width", "pressure"))
 
 
@@ -64,15 +65,18 @@ def line_yield_sheet(item: LineYieldOnsetSolution | LineShakedownSolution, *, ex
     return Sheet((panel.plus(place),), width=5.4, height=3.3, title=title)
 
 
-def _flat(item: Any, name: str) -> Series:
+def flat(item: Any, name: str) -> Series:
+    """Return a result of all loads in one row."""
     return series(name, np.ravel(np.asarray(getattr(item, name), dtype=float)), type(item))
 
 
-def _mirrored(x: np.ndarray, content: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def mirrored(x: np.ndarray, content: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return places and contents on both sides of the middle."""
     return np.concatenate([-x[::-1], x]), np.concatenate([content[::-1], content])
 
 
-def _across(end: float) -> PanelAxis:
+def across(end: float) -> PanelAxis:
+    """Return the axis across the strip."""
     return PanelAxis("$x$", scale_of("m", [end]), low=-end, high=end)
 
 
@@ -86,17 +90,18 @@ def _pressure_panel(item: LineSolution, end: float) -> Panel:
     infinite = not np.isfinite(item.peak_pressure)
     most = float(np.nanpercentile(finite, CLIPPED) if infinite else np.nanmax(finite))
     upright = PanelAxis.of(drawn, scale_of("Pa", [most]), low=0.0, high=1.1 * most if most > 0.0 else None)
-    return Panel((Line(*_mirrored(x, finite), style.RED),), _across(end), upright)
+    return Panel((Line(*mirrored(x, finite), style.RED),), across(end), upright)
 
 
-def _surface_panel(item: LineSolution, end: float) -> Panel:
+def surface_panel(item: LineSolution | LineAdhesionSolution, end: float) -> Panel:
+    """Return the surfaces before and after they are pressed, as the distance between them."""
     bed, a = item.problem.bed, float(item.half_width)
     end = min(end, bed.reach, bed.rim)
     x = places(end, (a,) if 0.0 < a < end else (), count=121)
     before = series("separation", np.asarray(bed.profile.height(x), dtype=float))
-    marks = [Line(*_mirrored(x, before.content), style.MUTED, dash=style.DASHES[1], name="before")]
+    marks = [Line(*mirrored(x, before.content), style.MUTED, dash=style.DASHES[1], name="before")]
     if a < bed.rim:
-        marks.append(Line(*_mirrored(x, item.separation(x)), style.BLUE, name="pressed"))
+        marks.append(Line(*mirrored(x, item.separation(x)), style.BLUE, name="pressed"))
     most = float(np.max(before.content))
     upright = PanelAxis.of(before, scale_of("m", [most or 1.0]), low=0.0, high=1.05 * most if most > 0.0 else None)
-    return Panel(tuple(marks), _across(end), upright, legend="upper center")
+    return Panel(tuple(marks), across(end), upright, legend="upper center")

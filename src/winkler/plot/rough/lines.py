@@ -1,8 +1,7 @@
-"""Sheets of rough line ensembles, nearly circular and elliptic contacts, and friction of rubber."""
+"""Sheets of rough line ensembles, nearly circular contacts, and friction of rubber."""
 
 from __future__ import annotations
 
-import dataclasses
 import math
 from typing import Any
 
@@ -12,18 +11,15 @@ from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, plane, points, titled
-from winkler.plot.rough.roughness import Bounds, framed, image_of, models_panel, spectrum_panel
+from winkler.plot.rough.roughness import Bounds, models_panel, spectrum_panel
 from winkler.plot.series import row_of, scale_of, series, with_unit
-from winkler.problems.normal.elliptic import EllipticSolution
 from winkler.problems.normal.near_round import NearlyRoundSolution
 from winkler.problems.rough.elastomer_friction import ElastomerFrictionSolution
 from winkler.problems.rough.line_contact import RoughContactSolution
 from winkler.problems.rough.line_indentation import RoughIndentationSolution
-from winkler.profiles.rough.topography import Topography
 
-__all__ = ["contour_sheet", "elastomer_sheet", "ellipse_sheet", "lines_sheet"]
+__all__ = ["contour_sheet", "elastomer_sheet", "lines_sheet"]
 
-PIXELS_ACROSS = 201
 MOST_CONTOURS = 6
 """Most contours drawn."""
 CONTOUR_DIRECTIONS = 256
@@ -100,30 +96,6 @@ def _places(radii: Array, *, closed: bool = False) -> tuple[Array, Array]:
     turns = np.linspace(0.0, 2.0 * math.pi, radii.size + 1)
     x, y = np.append(radii, radii[0]) * np.array([np.cos(turns), np.sin(turns)])
     return (x, y) if closed else (x[:-1], y[:-1])
-
-
-@without_extent(EllipticSolution)
-def ellipse_sheet(item: EllipticSolution) -> Sheet:
-    """Return the pressure over the ellipse; for many loads force and semi-axes over the depth."""
-    if np.ndim(item.depth) == 0:
-        title = f"{with_unit(float(item.force), 'N')} at a depth of {with_unit(float(item.depth), 'm')}"
-        return Sheet((_ellipse_panel(item),), width=4.8, height=3.4, title=title)
-    depth = row_of(item, "depth")
-    semi_axes = [(row_of(item, f"{name}_semi_axis"), f"${a}$") for name, a in (("longitudinal", "a"), ("lateral", "b"))]
-    panels = models_panel(depth, [(row_of(item, "force"), "")]), models_panel(depth, semi_axes, label="semi-axes")
-    return Sheet(titled(panels, "force over depth", "semi-axes over depth"), height=3.2)
-
-
-def _ellipse_panel(item: EllipticSolution) -> Panel:
-    half_width = 1.2 * max(float(item.longitudinal_semi_axis), float(item.lateral_semi_axis))
-    step = 2.0 * half_width / PIXELS_ACROSS
-    x = (np.arange(PIXELS_ACROSS) + 0.5) * step - half_width
-    pressure = item.pressure(x[:, None], x[None, :])
-    drawn = series("pressure", np.where(pressure > 0.0, pressure, np.nan))
-    square = Topography(np.zeros((PIXELS_ACROSS, PIXELS_ACROSS)), np.array([2.0 * half_width, 2.0 * half_width]))
-    ends = np.array([-half_width, half_width])
-    image = dataclasses.replace(image_of(square, drawn, style.SHADES), x=ends, y=ends)
-    return framed(image, scale_of("m", square.lengths)).plus(title="pressure over the ellipse")
 
 
 @without_extent(ElastomerFrictionSolution)

@@ -43,7 +43,9 @@ def stable_counts(states: EdgeStates, machine_stiffness: float, level: Array) ->
     return np.asarray(np.sum(held, axis=0))
 
 
-def widest(states: EdgeStates, machine_stiffness: float, level: Array, quantity: str, unit: str) -> Array:
+def widest(
+    states: EdgeStates, machine_stiffness: float, level: Array, quantity: str, unit: str, size: str = "radius"
+) -> Array:
     """Return the radii of the widest stable contacts at levels `(m,)`; those held by a rim have its radius.
 
     Parameters
@@ -53,7 +55,7 @@ def widest(states: EdgeStates, machine_stiffness: float, level: Array, quantity:
         0 of a dead load, inf for fixed grips.
     level : ndarray, (m,)
         F [N] of a dead load, d [m] of fixed grips.
-    quantity, unit
+    quantity, unit, size
         Words for messages.
 
     Raises
@@ -68,7 +70,7 @@ def widest(states: EdgeStates, machine_stiffness: float, level: Array, quantity:
     if below.any():
         raise OutsideValidity(
             f"{quantity} {level[below][0]:.6g} {unit}{indices_of(below)} is below the pull-off: no contact holds "
-            f"beyond {least:.9g} {unit} (radius {stable[int(np.argmin(starts))].start:.6g} m); give {least:.9g} {unit} "
+            f"beyond {least:.9g} {unit} ({size} {stable[int(np.argmin(starts))].start:.6g} m); give {least:.9g} {unit} "
             "or more."
         )
     beyond = level > np.max(stops)

@@ -13,8 +13,6 @@ by itself (`winkler.numerics.fields.moving_source`).  The two bodies share the h
 
 from __future__ import annotations
 
-import dataclasses
-import math
 from collections.abc import Callable
 from typing import ClassVar
 
@@ -31,9 +29,10 @@ from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import load_number
 from winkler.problems.assumptions.declared import HEATED
 from winkler.problems.heating.estimates import fast, stationary, tian_kennedy
-from winkler.problems.heating.heat_source import HeatSource, loads_over
+from winkler.problems.heating.heat_source import HeatSource
 from winkler.problems.heating.heated_body import HeatedBody
 from winkler.problems.heating.input_checks import RubbingBodies, peclet_numbers
+from winkler.problems.heating.one_result import contact_at, one_problem, one_result
 from winkler.problems.heating.sharing import estimated, shared_temperatures
 from winkler.problems.heating.validity import heating_notes, sliding_contact_notes
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
@@ -259,27 +258,10 @@ class FrictionHeatingSolution:
             If there is none.
         """
         shape = np.shape(self.heat_rate)
-        try:
-            which = int(np.arange(math.prod(shape)).reshape(shape)[index])
-        except (IndexError, TypeError):
-            raise InvalidInput(f"solution.at: there is no result {index!r} in a solution of shape {shape}.") from None
-        place = tuple(int(each) for each in np.unravel_index(which, shape))
-
-        def one(quantity: Quantity) -> float:
-            return float(np.broadcast_to(quantity, shape)[place])
-
-        contact, loads = self.contact, np.shape(self.contact.radius)
-        if loads:
-            chosen = np.unravel_index(int(loads_over(contact, shape)[place]), loads)
-            contact = contact.at(tuple(int(each) for each in chosen))
-        problem = dataclasses.replace(
-            self.problem,
-            load=contact.problem.load,
-            first_speed=one(self.problem.first_speed),
-            second_speed=one(self.problem.second_speed),
-        )
-        words = [field.name for field in dataclasses.fields(self)][2:]
-        return FrictionHeatingSolution(problem, contact, **{word: one(getattr(self, word)) for word in words})
+        place, columns = one_result(self, index)
+        contact = contact_at(self.contact, np.shape(self.contact.radius), shape, place)
+        problem = one_problem(self.problem, contact.problem.load, shape, place)
+        return FrictionHeatingSolution(problem, contact, **columns)
 
     @property
     def validity(self) -> tuple[Note, ...]:

@@ -14,7 +14,7 @@ from winkler.problems.normal.indentation import IndentationSolution
 from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["STEADY_SOURCE", "heating_notes", "sliding_contact_notes"]
+__all__ = ["STEADY_SOURCE", "heating_notes", "moving_notes", "sliding_contact_notes"]
 
 JAEGER = "J. C. Jaeger, Proc. R. Soc. New South Wales 76 (1942) 203-224"
 BLOK = "H. Blok, The flash temperature concept, Wear 6 (1963) 483-494"
@@ -58,6 +58,22 @@ def heating_notes(
     return STEADY_SOURCE, _speed(peclets, overestimate), _sharing(peclets, greatest, means, partition), hottest
 
 
+def moving_notes(
+    peclets: tuple[Array, Array], greatest: tuple[Array, Array], means: tuple[Array, Array], partition: HeatPartition
+) -> tuple[Note, ...]:
+    """Return how far temperatures of a line contact can be trusted; parameters as of `heating_notes`."""
+    motion = Note(
+        Assumption.CONDUCTION,
+        Standing.EXACT,
+        f"Motion is taken into account at all speeds (Pe up to {float(np.max(peclets)):.3g}); heat flows across the "
+        "strip and into the depth, not along it. A slow body comes to this temperature late: the heat must spread over "
+        "a few times kappa / V.",
+        JAEGER,
+    )
+    hottest = temperature_note(float(np.max(greatest)))
+    return STEADY_SOURCE, motion, _sharing(None, greatest, means, partition), hottest
+
+
 def _speed(peclets: tuple[Array, Array], overestimate: Array) -> Note:
     fastest, excess = float(np.max(peclets)), float(np.max(overestimate))
     if fastest <= SLOW_PECLET:
@@ -79,7 +95,7 @@ def _speed(peclets: tuple[Array, Array], overestimate: Array) -> Note:
 
 
 def _sharing(
-    peclets: tuple[Array, Array],
+    peclets: tuple[Array, Array] | None,
     greatest: tuple[Array, Array],
     means: tuple[Array, Array],
     partition: HeatPartition,
@@ -91,7 +107,7 @@ def _sharing(
             f"The share of the first body was given, {partition.first_share:g}.",
             "the problem",
         )
-    if max(float(np.max(each)) for each in peclets) <= SLOW_PECLET:
+    if peclets is not None and max(float(np.max(each)) for each in peclets) <= SLOW_PECLET:
         return Note(
             Assumption.CONDUCTION,
             Standing.ASYMPTOTIC,

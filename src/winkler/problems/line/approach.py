@@ -24,12 +24,20 @@ from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array
+from winkler.problems.line.references import PlateBase, Reference, RollerCentre
 
 __all__ = ["approach"]
 
+WIDEST = 0.2
+"""Greatest half-width over the size of a finite body: the error is of the order of its square."""
+
 
 def approach(
-    bed: LineFoundation, half_width: float, rim_load: float, first: float | None, second: float | None
+    bed: LineFoundation,
+    half_width: float,
+    rim_load: float,
+    first: float | Reference | None,
+    second: float | Reference | None,
 ) -> float:
     """Return how far two points have come together [m], one in each body.
 
@@ -38,23 +46,40 @@ def approach(
     bed : LineFoundation
     half_width, rim_load : float
         As of `LineFoundation.pressure`.
-    first, second : float or None
-        Depths [m] of the points in the elastic bodies; of a rigid one it does not matter.
+    first, second : float, RollerCentre, PlateBase or None
+        Depths [m] of the points in the elastic bodies, or finite bodies; of a rigid one it does not matter.
     """
     medium = bed.medium
     if not isinstance(medium, HalfSpace):
         raise OutsideValidity("The approach of a line contact is known on isotropic bodies only: give a HalfSpace.")
     total = 0.0
-    for body, depth, name in ((medium.first, first, "first"), (medium.second, second, "second")):
+    for body, place, name in ((medium.first, first, "first"), (medium.second, second, "second")):
         if not isinstance(body, Elastic):
             continue
+        finite = place if isinstance(place, RollerCentre | PlateBase) else None
+        depth = place.depth if isinstance(place, RollerCentre | PlateBase) else place
         if depth is None or not 0.0 < depth < np.inf:
             raise InvalidInput(
                 "A line contact has no depth of its own, because the surface of a half-plane sinks without bound: give "
-                f"the depth below the {name} body's surface, positive and finite, against which it is counted."
+                f"the depth below the {name} body's surface, positive and finite, against which it is counted, "
+                "RollerCentre(radius) or PlateBase(thickness)."
             )
-        total += _compression(bed, half_width, rim_load, body, depth) if half_width > 0.0 else 0.0
+        if finite is not None and half_width > WIDEST * depth:
+            raise OutsideValidity(
+                f"The half-width {half_width:.6g} m is more than {WIDEST:g} of the {name} body's radius or thickness "
+                f"{depth:.6g} m, which must be large against it; press less, or give a depth."
+            )
+        if half_width > 0.0:
+            total += _compression(bed, half_width, rim_load, body, depth)
+        if half_width > 0.0 and finite is not None:
+            total += _finite(bed, half_width, rim_load, body, finite)
     return total
+
+
+def _finite(bed: LineFoundation, half_width: float, rim_load: float, body: Elastic, place: Reference) -> float:
+    borne = float(bed.load_profile(np.array([half_width]))[0]) + rim_load + float(np.sum(bed.beside(half_width)[1]))
+    force = bed.medium.modulus * borne
+    return force * (1.0 - body.poisson**2) / (np.pi * body.young) * place.added(body.poisson)
 
 
 def _compression(bed: LineFoundation, half_width: float, rim_load: float, body: Elastic, depth: float) -> float:
@@ -69,5 +94,8 @@ def _compression(bed: LineFoundation, half_width: float, rim_load: float, body: 
 
     whole = float(abel.integral(lengthening, edges, end)) + rim_load * np.arcsinh(depth / half_width)
     last = float(abel.integral(pressing, edges, end)) + rim_load * depth / np.hypot(half_width, depth)
+    widths, loads = bed.beside(half_width)
+    whole += float(loads @ np.arcsinh(depth / widths))
+    last += float(loads @ (depth / np.hypot(widths, depth)))
     factor = bed.medium.modulus * (1.0 - body.poisson**2) / (np.pi * body.young)
     return float(factor * (2.0 * whole - last / (1.0 - body.poisson)))

@@ -21,6 +21,8 @@ __all__ = ["first_at_strength", "refuse_without_strength"]
 
 MOST_STEPS = 60
 FACTOR = 4.0
+NEAREST_END = 1e-3
+"""How near to the end of the profile the strength is sought, over its reach."""
 
 
 def refuse_without_strength(bed: LineFoundation, name: str) -> None:
@@ -88,12 +90,12 @@ def _half_width(contact: LineContact, measure: Measure, strength: float, name: s
     for _ in range(MOST_STEPS):
         if peak(high).value >= strength:
             break
-        if flat + high >= end:
+        if flat + high >= (1.0 - NEAREST_END) * end:
             raise OutsideValidity(
                 f"{name}: within the reach of the profile ({end:.6g} m) the strength is not reached; give a lower "
                 "strength or a profile that is known farther."
             )
-        high = min(FACTOR * high, end - flat)
+        high = min(FACTOR * high, 0.5 * (high + end - flat))  # at the end itself the profile may be upright
 
     def excess(logarithm: float) -> float:
         return math.log(peak(math.exp(logarithm)).value / strength)

@@ -16,7 +16,7 @@ from winkler.foundation.line import LineFoundation
 from winkler.numerics.equations.roots import bracketed, invert, rough_root
 from winkler.numerics.types import Array
 
-__all__ = ["refuse_unless_strips", "under_force", "under_mean_pressure", "widest_allowed"]
+__all__ = ["grows", "refuse_unless_strips", "under_force", "under_mean_pressure", "widest_allowed"]
 
 SAMPLES = 513
 PRESSURE_SAMPLES = 129
@@ -77,7 +77,7 @@ def _met(bed: LineFoundation, target: Array, curve: Curve, what: str) -> Array:
     if not pressed.any():
         return half_width
     most = _at_end(curve, end)
-    pinned = target >= most if bed.rim <= bed.reach else np.zeros(target.shape, dtype=bool)
+    pinned = pressed & (target >= most) if bed.rim <= bed.reach else np.zeros(target.shape, dtype=bool)
     if (pressed & ~pinned & (target > most)).any():
         raise OutsideValidity(
             f"The {what} leads beyond the reach of the profile ({end:.6g} m), where nothing is known of it; press with "
@@ -163,14 +163,14 @@ def refuse_unless_strips(bed: LineFoundation, half_width: Array) -> None:
         a [m].
     """
     touching = np.unique(half_width[half_width > 0.0])
-    if bed.profile.rising or touching.size == 0 or _grows(bed, WIDTHS_BESIDE * touching[-1]):
+    if bed.profile.rising or touching.size == 0 or grows(bed, WIDTHS_BESIDE * touching[-1]):
         return
     for one in touching:
         _refuse_unless_strip(bed, float(one))
 
 
-def _grows(bed: LineFoundation, end: float) -> bool:
-    """Return whether w never falls up to a place: then no contact pulls or overlaps."""
+def grows(bed: LineFoundation, end: float) -> bool:
+    """Return whether w never falls up to a place [m]: then no contact pulls or overlaps."""
     growth = bed.load_profile_slope(np.linspace(0.0, min(bed.reach, bed.rim, end), SAMPLES)[1:-1])
     return bool(np.min(growth) >= -ROUNDING * np.max(np.abs(growth)))
 

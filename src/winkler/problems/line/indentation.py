@@ -9,25 +9,21 @@ reference.
 
 from __future__ import annotations
 
-import dataclasses
 from typing import ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.errors import OutsideValidity
 from winkler.foundation.line import LineFoundation
 from winkler.loading import HalfWidth, LineForce, MeanPressure
-from winkler.numerics.transforms import abel
-from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
+from winkler.numerics.types import Quantity, shaped
 from winkler.problems.assumptions.declared import PRESSED
-from winkler.problems.line.approach import approach
 from winkler.problems.line.greatest_stress import Placed, greatest, von_mises
 from winkler.problems.line.half_width import refuse_unless_strips, under_force, under_mean_pressure, widest_allowed
 from winkler.problems.line.peak_pressure import peak_pressure, rim_load
-from winkler.problems.line.stress import LineContact, LineFields, poisson_of, stresses
-from winkler.problems.line.validity import line_notes
-from winkler.problems.line.yield_statement import line_yield_notes
-from winkler.problems.one_load import single
+from winkler.problems.line.statement import line_contact_notes
+from winkler.problems.line.strip import OfStrip, Strip
+from winkler.problems.one_load import one_of, single
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -112,7 +108,7 @@ def _given(load: LineForce | HalfWidth | MeanPressure) -> Quantity:
 
 
 @value
-class LineSolution:
+class LineSolution(OfStrip):
     """The solution of a `LineIndentation`; every quantity has the shape of the load.
 
     Parameters
@@ -144,81 +140,9 @@ class LineSolution:
         peaks = [peak_pressure(self.problem.bed, float(p), float(a)) for p, a in pairs]
         return shaped(np.array(peaks), np.shape(self.half_width))
 
-    def _single(self, requested: str) -> tuple[float, float]:
-        return single(self.force_per_length, requested), float(self.half_width)
-
-    def pressure(self, x: ArrayLike) -> Array:
-        """Return the pressure under one load [Pa], zero outside of the contact.
-
-        Parameters
-        ----------
-        x : array_like
-            Places on the surface [m], on either side of the middle.
-
-        Raises
-        ------
-        InvalidInput
-            If the solution has more than one load.
-        """
-        force, a = self._single("pressure")
-        x = np.asarray(x, dtype=float)
-        if a == 0.0:
-            return np.zeros(x.shape)
-        return self.problem.bed.pressure(x, a, rim_load(self.problem.bed, force, a))
-
-    def separation(self, x: ArrayLike) -> Array:
-        """Return the distance of the deformed surfaces under one load [m], zero inside of the contact.
-
-        Parameters
-        ----------
-        x : array_like
-            Places on the surface [m], on either side of the middle.
-
-        Raises
-        ------
-        InvalidInput
-            If the solution has more than one load.
-        OutsideValidity
-            If the contact is pinned at a rim, beyond which the body has no surface.
-        """
-        _, a = self._single("separation")
-        bed = self.problem.bed
-        if a >= bed.rim:
-            raise OutsideValidity("The contact is pinned at the rim, beyond which the body has no surface.")
-        if a == 0.0:
-            return np.asarray(bed.profile.height(np.abs(np.asarray(x, dtype=float))))
-        edges = [a, *(b for b, _ in bed.kinks if b > a)]
-
-        def opening(x: Array) -> Array:
-            return np.where(x > a, bed.opening(np.maximum(x, np.nextafter(a, np.inf)), a), 0.0)
-
-        return abel.integral(opening, edges, np.abs(np.asarray(x, dtype=float)))
-
-    def stresses(self, x: ArrayLike, z: ArrayLike, friction: float = 0.0) -> LineFields:
-        """Return the stresses below the surface under one load.
-
-        Parameters
-        ----------
-        x : array_like
-            Places along the surface [m].
-        z : array_like
-            Depths [m]: not negative in the first body, negative in the second.  All in one of them.
-        friction : float
-            mu [-] of a contact that slides everywhere: the body is dragged along x by mu p, against it if negative.
-
-        Raises
-        ------
-        InvalidInput
-            If the solution has more than one load, or the depths lie in both bodies.
-        OutsideValidity
-            If there is no contact, or the body is rigid or not isotropic.
-        """
-        depth = np.asarray(z, dtype=float)
-        below = bool(np.all(depth >= 0.0))
-        if not below and np.any(depth >= 0.0):
-            raise InvalidInput("LineSolution: the depths z lie in both bodies; request one after the other.")
-        fields = stresses(self._contact(below, friction), np.asarray(x, dtype=float), np.abs(depth))
-        return fields if below else dataclasses.replace(fields, z=-fields.z)
+    def _strip(self, requested: str) -> Strip:
+        force, a = single(self.force_per_length, requested), float(self.half_width)
+        return Strip(a, rim_load(self.problem.bed, force, a))
 
     def greatest_stress(self, friction: float = 0.0, *, below: bool = True) -> Placed:
         """Return the greatest von Mises stress [Pa] under one load, and its place x, z [m] in the axes of the body.
@@ -242,32 +166,6 @@ class LineSolution:
             )
         return greatest(contact, von_mises)
 
-    def _contact(self, below: bool, friction: float) -> LineContact:
-        force, a = self._single("stresses")
-        if a == 0.0:
-            raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
-        return LineContact(
-            self.problem.bed, a, rim_load(self.problem.bed, force, a), poisson_of(self.problem.bed, below), friction
-        )
-
-    def approach(self, first: float | None = None, second: float | None = None) -> float:
-        """Return how far two points on the axis have come together under one load [m], one in each body.
-
-        Parameters
-        ----------
-        first, second : float
-            Depths of the points below the surfaces [m]; that in a rigid body may be left out.
-
-        Raises
-        ------
-        InvalidInput
-            If a reference is not stated: a line contact has no depth of its own; or if there are many loads.
-        OutsideValidity
-            If the medium is not a `HalfSpace`.
-        """
-        force, a = self._single("approach")
-        return approach(self.problem.bed, a, rim_load(self.problem.bed, force, a), first, second)
-
     def at(self, index: int | tuple[int, ...]) -> LineSolution:
         """Return the solution of one load of an array.
 
@@ -281,19 +179,11 @@ class LineSolution:
         InvalidInput
             If there is no such load.
         """
-        try:
-            force, a = (float(np.asarray(part)[index]) for part in (self.force_per_length, self.half_width))
-        except (IndexError, TypeError):
-            raise InvalidInput(
-                f"solution.at: there is no load {index!r} in a solution of shape {np.shape(self.half_width)}."
-            ) from None
+        force, a = one_of(index, self.force_per_length, self.half_width)
         given = type(self.problem.load)(float(np.asarray(_given(self.problem.load))[index]))
         return LineSolution(LineIndentation(self.problem.bed, given), force, a)
 
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: assumptions, slopes, size of the body, yield."""
-        widest = int(np.argmax(self.force_per_length))
-        bed, a = self.problem.bed, float(np.ravel(self.half_width)[widest])
-        on_rim = rim_load(bed, float(np.ravel(self.force_per_length)[widest]), a)
-        return (*line_notes(bed, a), *line_yield_notes(bed, a, on_rim))
+        return line_contact_notes(self.problem.bed, self.force_per_length, self.half_width)

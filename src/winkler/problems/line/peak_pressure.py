@@ -29,7 +29,7 @@ def rim_load(bed: LineFoundation, force: float, half_width: float) -> float:
 
 
 def is_sharp(bed: LineFoundation, half_width: float, rim_load: float) -> bool:
-    """Return whether the pressure is infinite at a sharp tip, a kink or a rim.
+    """Return whether the pressure is infinite at a sharp tip, a kink or a rim, or the tension at an edge.
 
     Parameters
     ----------
@@ -37,10 +37,10 @@ def is_sharp(bed: LineFoundation, half_width: float, rim_load: float) -> bool:
     half_width : float
         a [m].
     rim_load : float
-        Load per length over E* that a rim bears [m].
+        Load per length over E* that a rim bears [m], or negative where adhesion pulls.
     """
     kinked = any(strength > 0.0 and place < half_width for place, strength in bed.kinks)
-    return rim_load > 0.0 or kinked or float(bed.slope(np.zeros(1))[0]) != 0.0
+    return rim_load != 0.0 or kinked or float(bed.slope(np.zeros(1))[0]) != 0.0
 
 
 def peak_pressure(bed: LineFoundation, force: float, half_width: float) -> float:

@@ -74,6 +74,8 @@ class LineContact(NamedTuple):
         Of the body.
     friction
         Traction on the body along x over the pressure [-].
+    pressed
+        Part of the pressure that acts [-]; zero for the traction alone.
     """
 
     bed: LineFoundation
@@ -81,6 +83,7 @@ class LineContact(NamedTuple):
     rim_load: float
     poisson: float
     friction: float
+    pressed: float = 1.0
 
 
 def poisson_of(bed: LineFoundation, below: bool) -> float:
@@ -107,9 +110,9 @@ def stresses(contact: LineContact, x: Array, z: Array) -> LineFields:
     side = np.where(x.ravel() < 0.0, -1.0, 1.0)  # F(-conj(zeta)) = -conj(F(zeta))
     u, v = side * whole.real, whole.imag
     du, dv = deep * slope.real, side * deep * slope.imag
-    mu = contact.friction
-    along = v + du - mu * (2.0 * u - dv)
-    across = v - du - mu * dv
-    shear = -dv + mu * (v + du)
+    mu, pressed = contact.friction, contact.pressed
+    along = pressed * (v + du) - mu * (2.0 * u - dv)
+    across = pressed * (v - du) - mu * dv
+    shear = -pressed * dv + mu * (v + du)
     parts = (along, contact.poisson * (along + across), across, shear)
     return LineFields(x, z, *(part.reshape(x.shape) for part in parts))

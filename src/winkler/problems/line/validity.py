@@ -15,7 +15,7 @@ __all__ = ["line_notes"]
 JAEGER = "J. Jaeger, Arch. Appl. Mech. 65 (1995) 478-487, doi:10.1007/BF00835661"
 
 
-def line_notes(bed: LineFoundation, half_width: float) -> tuple[Note, ...]:
+def line_notes(bed: LineFoundation, half_width: float, *, sticking: bool = False) -> tuple[Note, ...]:
     """Return the notes of the widest of several line contacts.
 
     Parameters
@@ -23,6 +23,8 @@ def line_notes(bed: LineFoundation, half_width: float) -> tuple[Note, ...]:
     bed : LineFoundation
     half_width : float
         a [m].
+    sticking : bool
+        Whether the edges may pull: then that the contact is one strip is examined elsewhere.
     """
     response = Note(
         Assumption.RESPONSE,
@@ -42,7 +44,7 @@ def line_notes(bed: LineFoundation, half_width: float) -> tuple[Note, ...]:
     if half_width >= bed.rim:
         text = "The contact is pinned at the rim; the pressure is infinite there: a real edge yields or is rounded."
         notes.append(Note(Assumption.SHAPE, Standing.EXACT, text, "flat punch of Sadowsky"))
-    if not bed.profile.rising:
+    if not bed.profile.rising and not sticking:
         notes.append(
             Note(
                 Assumption.SINGLE_CONTACT,

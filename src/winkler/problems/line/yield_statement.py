@@ -25,8 +25,10 @@ AWAY = 0.1
 DIRECTIONS = 33
 
 
-def line_yield_notes(bed: LineFoundation, half_width: float, rim_load: float) -> tuple[Note, ...]:
-    """Return whether the body that comes nearest to its strength stays elastic without friction.
+def line_yield_notes(
+    bed: LineFoundation, half_width: float, rim_load: float, friction: float = 0.0
+) -> tuple[Note, ...]:
+    """Return whether the body that comes nearest to its strength stays elastic.
 
     Parameters
     ----------
@@ -34,7 +36,9 @@ def line_yield_notes(bed: LineFoundation, half_width: float, rim_load: float) ->
     half_width : float
         a [m].
     rim_load : float
-        Load per length over E* that a rim bears [m].
+        Load per length over E* that a rim bears [m], or negative where adhesion pulls.
+    friction : float
+        Traction over pressure [-] of a contact that slides everywhere.
 
     Returns
     -------
@@ -44,12 +48,13 @@ def line_yield_notes(bed: LineFoundation, half_width: float, rim_load: float) ->
     parts = strong_parts(bed.medium)
     if half_width == 0.0 or not parts:
         return ()
-    found = [(_stress(bed, half_width, rim_load, part), part) for part in parts]
+    found = [(_stress(bed, half_width, rim_load, part, friction), part) for part in parts]
     place, part = max(found, key=lambda one: one[0].value / one[1].solid.strength)
     share = place.value / part.solid.strength
     if is_sharp(bed, half_width, rim_load):
+        where = "at the edge, which adhesion pulls" if rim_load < 0.0 else "at a sharp tip, kink or rim"
         sharp = (
-            "The elastic stress is infinite at a sharp tip, kink or rim, which yields under the smallest load; "
+            f"The elastic stress is infinite {where}, which yields under the smallest load; "
             f"{AWAY:g} half-widths away from there the greatest von Mises stress is {share_of(share, part)}"
         )
         beyond = "" if share < 1.0 else ": the result is not elastic"
@@ -71,8 +76,8 @@ def line_yield_notes(bed: LineFoundation, half_width: float, rim_load: float) ->
     return (Note(Assumption.ELASTIC, Standing.EXACT if share < 1.0 else Standing.OUTSIDE, text, MISES),)
 
 
-def _stress(bed: LineFoundation, half_width: float, rim_load: float, part: StrongPart) -> Placed:
-    contact = LineContact(bed, half_width, rim_load, part.solid.poisson, 0.0)
+def _stress(bed: LineFoundation, half_width: float, rim_load: float, part: StrongPart, friction: float) -> Placed:
+    contact = LineContact(bed, half_width, rim_load, part.solid.poisson, friction)
     if is_sharp(bed, half_width, rim_load):
         return _beside_sharp(contact)
     contacts = [contact]

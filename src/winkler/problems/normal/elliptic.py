@@ -12,6 +12,7 @@ than force, depth and stiffness runs on its springs, `winkler.foundation.ellipti
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from typing import Annotated, ClassVar
 
@@ -22,9 +23,14 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.elliptic import EllipticFoundation
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.interior.peak import StressSpot
 from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
 from winkler.problems.assumptions.declared import PRESSED
+from winkler.problems.normal import elliptic_fields as inside
+from winkler.problems.normal.elliptic_fields import EllipticFields
 from winkler.problems.normal.yield_of_pressure import ellipse_yield_notes
+from winkler.problems.one_load import picked, single
+from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.ellipse import CurvedBodies
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
@@ -42,8 +48,8 @@ class EllipticIndentation:
 
     Parameters
     ----------
-    bodies : CurvedBodies
-        R_x and R_y: 1/R_x is the sum of the curvatures of both bodies along x, 1/R_y the same along y.
+    bodies : CurvedBodies or CurvedPair
+        1/R_x is the sum of the curvatures of both bodies along x, 1/R_y the same along y.
     medium : HalfSpace or TransverselyIsotropicHalfSpace
         Both bodies, homogeneous.
     load : Force or Depth
@@ -72,7 +78,7 @@ class EllipticIndentation:
     14.4262
     """
 
-    bodies: CurvedBodies
+    bodies: CurvedBodies | CurvedPair
     medium: Annotated[HomogeneousMedium, Advice("Hertz's ellipse is known on no other")]
     load: Force | Depth
 
@@ -87,7 +93,7 @@ class EllipticIndentation:
     @property
     def bed(self) -> EllipticFoundation:
         """The springs that bear forces like these bodies, for problems that need no more; sheared along x."""
-        return EllipticFoundation(self.bodies, self.medium)  # type: ignore[arg-type]
+        return EllipticFoundation(self.bodies.together, self.medium)  # type: ignore[arg-type]
 
     def solve(self) -> EllipticSolution:
         """Return force, depth and ellipse.
@@ -113,7 +119,6 @@ class EllipticIndentation:
             depth = np.asarray(self.load.depth, dtype=float)
             force = (np.maximum(depth, 0.0) / unit) ** 1.5
         grown = np.cbrt(force)
-
         return EllipticSolution(self, shaped(depth), shaped(force), shaped(a * grown), shaped(b * grown))
 
 
@@ -143,6 +148,8 @@ class EllipticSolution:
     force: Quantity
     longitudinal_semi_axis: Quantity
     lateral_semi_axis: Quantity
+
+    per_load: ClassVar[str] = "depth"
 
     @property
     def equivalent_radius(self) -> float:
@@ -179,14 +186,94 @@ class EllipticSolution:
         InvalidInput
             If the solution has more than one load.
         """
-        if np.ndim(self.depth) != 0:
-            raise InvalidInput(
-                f"EllipticSolution: it holds {np.size(self.depth)} loads; solve one of them for its pressure."
-            )
+        single(self.depth, "pressure")
         if self.force == 0.0:
             return np.zeros(np.broadcast_shapes(np.shape(x), np.shape(y)))
         squared = (np.asarray(x) / self.longitudinal_semi_axis) ** 2 + (np.asarray(y) / self.lateral_semi_axis) ** 2
         return np.asarray(self.peak_pressure * np.sqrt(np.maximum(1.0 - squared, 0.0)))
+
+    def stresses(
+        self, x: ArrayLike, y: ArrayLike, z: ArrayLike, friction: float = 0.0, angle: float = 0.0
+    ) -> EllipticFields:
+        """Return the stresses inside one body under one load, at rest or where all of the contact slides.
+
+        Parameters
+        ----------
+        x, y : array_like
+            Places along the surface [m].
+        z : array_like
+            Depths [m]: not negative in the first body, negative in the second.  All in one of them.
+        friction : float
+            mu [-] of a contact that slides everywhere: the body is dragged by mu p.
+        angle : float
+            Direction in which it is dragged, from x towards y [rad].
+
+        Raises
+        ------
+        InvalidInput
+            If the solution has more than one load, or the depths lie in both bodies.
+        OutsideValidity
+            If there is no contact, or the body is rigid or not isotropic.
+
+        References
+        ----------
+        A. Sackfield, D. A. Hills, J. Strain Anal. 18 (1983) 107-110, doi:10.1243/03093247V182107
+        """
+        semi_axes, peak = self._pressed("stresses")
+        depth = np.asarray(z, dtype=float)
+        below = bool(np.all(depth >= 0.0))
+        if not below and np.any(depth >= 0.0):
+            raise InvalidInput("EllipticSolution: the depths z lie in both bodies; request one after the other.")
+        places = np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(y, dtype=float), np.abs(depth))
+        poisson = inside.poisson_below(self.problem.medium, below)
+        fields = inside.below_ellipse((*places,), semi_axes, peak, poisson, inside.traction_of(friction, angle))  # type: ignore[arg-type]
+        return fields if below else dataclasses.replace(fields, z=-fields.z)
+
+    def greatest_stress(
+        self, friction: float = 0.0, angle: float = 0.0, *, measure: str = "von_mises", below: bool = True
+    ) -> StressSpot:
+        """Return the greatest stress of a kind [Pa] under one load, and its place x, y, z [m] in the axes of the body.
+
+        Parameters
+        ----------
+        friction, angle : float
+            As of `stresses`.
+        measure : {'von_mises', 'max_shear', 'orthogonal_shear'}
+            After von Mises; half the difference of the outermost principal stresses; shear in planes along the surface.
+        below : bool
+            In the first body; otherwise in the second.
+
+        Raises
+        ------
+        InvalidInput, OutsideValidity
+            As of `stresses`; also for another measure.
+        """
+        semi_axes, peak = self._pressed("stresses")
+        poisson = inside.poisson_below(self.problem.medium, below)
+        return inside.greatest_below_ellipse(measure, semi_axes, peak, poisson, inside.traction_of(friction, angle))
+
+    def _pressed(self, requested: str) -> tuple[tuple[float, float], float]:
+        single(self.depth, requested)
+        if self.force == 0.0:
+            raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
+        return (float(self.longitudinal_semi_axis), float(self.lateral_semi_axis)), float(self.peak_pressure)
+
+    def at(self, index: int | tuple[int, ...]) -> EllipticSolution:
+        """Return the solution of one load of an array.
+
+        Parameters
+        ----------
+        index : int or tuple of int
+            Which one.
+
+        Raises
+        ------
+        InvalidInput
+            If there is no such load.
+        """
+        _, depth, force, _ = picked(self.problem.load, index, self.depth, self.force, self.depth)
+        load = Force(force) if isinstance(self.problem.load, Force) else Depth(depth)
+        return dataclasses.replace(self.problem, load=load).solve()
 
     @property
     def validity(self) -> tuple[Note, ...]:

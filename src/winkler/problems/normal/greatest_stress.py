@@ -23,7 +23,6 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.checks.outline import refuse_unless_round
-from winkler.errors import OutsideValidity
 from winkler.footprint import EllipticOutline
 from winkler.foundation.bed import PressedSprings, StretchedSprings
 from winkler.foundation.foundation import Foundation
@@ -112,14 +111,18 @@ def greatest_stress(pressed: PressedSprings, part: StrongPart, friction: float =
 def _under_ellipse(
     pressed: PressedSprings, outline: EllipticOutline, part: StrongPart, friction: float
 ) -> GreatestStress:
-    """Return the greatest stress under Hertz's ellipse, whose springs are those of the disc of equal stiffness."""
-    if friction > 0.0:
-        raise OutsideValidity("The stresses of a traction under an ellipse are not computed.")
+    """Return the greatest stress under Hertz's ellipse, dragged along x; its springs are those of a disc as stiff."""
     radius = np.array([pressed.radius])
     force = float((pressed.bed.stiffness(radius) * pressed.depth - pressed.bed.gap_load(radius))[0])
-    smaller, larger = sorted(float(axis[0]) for axis in outline.semi_axes(radius))
-    largest = greatest_under_ellipse(smaller / larger, part.solid.poisson)
-    return GreatestStress(largest.value * 1.5 * force / (math.pi * smaller * larger), 0.0, largest.depth * smaller, "")
+    a, b = (float(axis[0]) for axis in outline.semi_axes(radius))
+    smaller, pressure = min(a, b), 1.5 * force / (math.pi * a * b)
+    if friction > 0.0:
+        from winkler.media.interior import half_ellipsoid_peak as below  # not loaded for numbers of round contacts
+
+        rubbed = below.greatest_in_half_ellipsoid(below.von_mises, b / a, part.solid.poisson, (friction, 0.0))
+        return GreatestStress(rubbed.value * pressure, rubbed.x * a, rubbed.z * smaller, "")
+    largest = greatest_under_ellipse(smaller / max(a, b), part.solid.poisson)
+    return GreatestStress(largest.value * pressure, 0.0, largest.depth * smaller, "")
 
 
 def sharp_places(pressed: PressedSprings, poisson: float, friction: float) -> Iterator[tuple[float, str]]:

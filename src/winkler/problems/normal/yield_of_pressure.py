@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from winkler.numerics.types import Quantity
+from winkler.problems.normal.elliptic_fields import greatest_below_ellipse
 from winkler.problems.normal.elliptic_stress import greatest_under_ellipse
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.problems.normal.unknown_yield import MISES, unknown_yield
@@ -35,7 +36,7 @@ def ellipse_yield_notes(
     force : float or ndarray
         [N].
     friction : float
-        Greatest traction over pressure [-].
+        Greatest traction over pressure [-], in directions that are not known.
     """
     parts = strong_parts(medium)
     most = float(np.max(force))
@@ -56,8 +57,16 @@ def ellipse_yield_notes(
         )
         return (Note(Assumption.ELASTIC, Standing.OUTSIDE, statement, THOMAS),)
     if friction > 0.0:
-        why = "the stresses of a traction under an ellipse are not computed"
-        return unknown_yield(medium, why, f"Without friction the greatest von Mises stress is {where}.")
+        a, b = (float(np.max(axis)) for axis in semi_axes)
+        slid = max(
+            greatest_below_ellipse("von_mises", (a, b), pressure, part.solid.poisson, direction).value
+            for direction in ((friction, 0.0), (0.0, friction))
+        )
+        added = (
+            f"Without friction the greatest von Mises stress is {where}; if all of it slid along x or along y with the "
+            f"coefficient {friction:.3g} it would be {share_of(slid / part.solid.strength, part)}."
+        )
+        return unknown_yield(medium, "the tractions of rolling differ in direction from place to place", added)
     statement = (
         f"By von Mises' criterion yielding begins at {onset:.4g} N; the contact stays elastic: its greatest stress is "
         f"{where}."

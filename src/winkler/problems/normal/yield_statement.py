@@ -32,6 +32,7 @@ from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["FRICTIONLESS", "SurfaceFriction", "share_of", "slid_depth", "yield_notes", "yield_notes_of_bed"]
 
+SACKFIELD = "A. Sackfield, D. A. Hills, J. Strain Anal. 18 (1983) 107-110, doi:10.1243/03093247V182107"
 HAMILTON = "G. M. Hamilton, Proc. Inst. Mech. Eng. C 197 (1983) 53, doi:10.1243/PIME_PROC_1983_197_076_02"
 RADIUS_SHARES = (0.25, 0.5, 0.75, 1.0)
 """Parts of the contact radius that are examined where the profile may fall."""
@@ -155,8 +156,6 @@ def _friction_unknown(pressed: PressedSprings, rubbing: SurfaceFriction) -> str:
     medium = pressed.bed.medium
     if not isinstance(medium, HalfSpace):
         return f"the stresses of a traction inside a {type(medium).__name__} are not computed"
-    if isinstance(pressed.bed.footprint, EllipticOutline):
-        return "the stresses of a traction under an ellipse are not computed"
     if math.isinf(rubbing.coefficient):
         return "no coefficient of friction limits the traction"
     return ""
@@ -190,6 +189,7 @@ def _frictionless(
 def _rubbed(pressed: PressedSprings, part: StrongPart, rubbing: SurfaceFriction, plain: float, lower: str) -> _Verdict:
     """Return what is known of a contact with friction that without it would stay elastic."""
     mu = rubbing.coefficient
+    source = SACKFIELD if isinstance(pressed.bed.footprint, EllipticOutline) else HAMILTON
     kinetic = mu if math.isnan(rubbing.kinetic) else rubbing.kinetic
     most = greatest_stress(pressed, part, mu)
     bound = most.value / part.solid.strength
@@ -199,7 +199,7 @@ def _rubbed(pressed: PressedSprings, part: StrongPart, rubbing: SurfaceFriction,
             "By von Mises' criterion the contact stays elastic, and would if all of it slid with the coefficient "
             f"{mu:.3g}: the greatest stress would then be {share_of(bound, part)}, {where}."
         )
-        return _Verdict(Standing.EXACT, bound, statement, HAMILTON)
+        return _Verdict(Standing.EXACT, bound, statement, source)
     slid = most
     if 0.0 < rubbing.slid < pressed.depth:
         radius = float(at_depth(pressed.bed, np.array([rubbing.slid]))[1][0])
@@ -215,12 +215,12 @@ def _rubbed(pressed: PressedSprings, part: StrongPart, rubbing: SurfaceFriction,
             f"greatest elastic stress is {share_of(share, part)}, at x = {slid.x:.3g} m, z = "
             f"{_signed(part, slid.z):.3g} m; the result is not elastic."
         )
-        return _Verdict(Standing.OUTSIDE, share, statement, HAMILTON)
+        return _Verdict(Standing.OUTSIDE, share, statement, source)
     statement = (
         f"The onset of yield is not known because it depends on how much of the contact slides: {lower}, if all of it "
         f"slid with the coefficient {mu:.3g} it would be {bound:.3g}, {where}."
     )
-    return _Verdict(Standing.APPROXIMATE, bound, statement, HAMILTON)
+    return _Verdict(Standing.APPROXIMATE, bound, statement, source)
 
 
 def _at_sharp(part: StrongPart, largest: GreatestStress, share: float, friction: str) -> _Verdict:

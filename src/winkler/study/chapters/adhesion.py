@@ -85,8 +85,19 @@ ADHESION = Chapter(
     "adhesion",
     kinds={
         "law": {
-            "short_range": kind("winkler.laws.adhesion:ShortRange", "johnson_kendall_roberts_1971", work="50 mJ/m^2"),
-            "dugdale": kind("winkler.laws.adhesion:Dugdale", "maugis_1992", work="50 mJ/m^2", strength="1 MPa"),
+            "short_range": kind(
+                "winkler.laws.adhesion:ShortRange",
+                "johnson_kendall_roberts_1971",
+                problem="adhesive_indentation",
+                work="50 mJ/m^2",
+            ),
+            "dugdale": kind(
+                "winkler.laws.adhesion:Dugdale",
+                "maugis_1992",
+                problem="adhesive_indentation",
+                work="50 mJ/m^2",
+                strength="1 MPa",
+            ),
             "derjaguin_muller_toporov": kind(
                 "winkler.laws.adhesion:DerjaguinMullerToporov", "derjaguin_1975", work="50 mJ/m^2"
             ),

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from winkler.study.chapters.answer import Caption, Chapter, Equation, answer, followed_by
+from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
 from winkler.study.chapters.kind import is_a, kind
+from winkler.study.chapters.line import LOAD, LOAD_PROFILE, ROLLER
 from winkler.study.chapters.normal import HOMOGENEOUS, normal_formulas
 
 __all__ = ["CONDUCTION"]
@@ -69,6 +70,11 @@ TANGENTS = Equation(
     r"\max_{D<d_0}\frac{F-F_s(D)}{d_0+s-D} \le k \le \min_{D>d_0+s}\frac{F_s(D)-F}{D-d_0-s}",
 )
 PROPORTION = Equation("Conductance and stiffness are in proportion", r"\frac{1}{R} = \frac{2k}{E^*(\rho_1+\rho_2)}")
+STRIP = Equation(
+    "Current converges on the strip from points at the depths d₁ and d₂, and passes the film σ",
+    r"R' = \frac{\rho_1}{\pi}\,\ln\left(\frac{d_1}{a}+\sqrt{1+\frac{d_1^2}{a^2}}\right) + "
+    r"\frac{\rho_2}{\pi}\,\ln\left(\frac{d_2}{a}+\sqrt{1+\frac{d_2^2}{a^2}}\right) + \frac{\sigma}{2a}",
+)
 
 
 def electric_formulas(problem: Any, *more: Equation) -> tuple[Equation, ...]:
@@ -148,6 +154,20 @@ CONDUCTION = Chapter(
                 "Over the force, and its parts: the constriction, a film, the length of rods.",
             ),
             formulas=electric_formulas,
+        ),
+        "line_constriction": answer(
+            "winkler.problems.conduction.line_constriction:LineConstriction",
+            bed=ROLLER,
+            first_depth="5 mm",
+            second_depth="5 mm",
+            picture=Caption(
+                "contact_resistance",
+                "The contact resistance",
+                "Times the length of the contact and over the force per length, with its parts.",
+            ),
+            curves=(("force_per_length", "resistance_per_length"),),
+            pictured=PicturedContact.NONE,
+            formulas=(LOAD_PROFILE, LOAD, STRIP),
         ),
         "thermal_constriction": answer(
             "winkler.problems.conduction.thermal_constriction:ThermalConstriction",

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from winkler.study.chapters.answer import Caption, Chapter, Equation, answer, followed_by
+from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
 from winkler.study.chapters.friction import tangential_formulas
 from winkler.study.chapters.kind import kind
-from winkler.study.chapters.normal import normal_formulas
+from winkler.study.chapters.line import LOAD, LOAD_PROFILE, PRESSURE, ROLLER
+from winkler.study.chapters.normal import ELLIPSE, MODULUS, normal_formulas
 
 __all__ = ["HEATING"]
 
@@ -51,6 +52,26 @@ COMMON_SURFACE = Equation(
     r"T(r) = \frac{1}{\pi(\lambda_1+\lambda_2)}\int_0^r \frac{q_1(x)}{\sqrt{r^2-x^2}}\,\mathrm{d}x, \quad "
     r"q_1(x) = 2\int_x^a \frac{q(r)\,r}{\sqrt{r^2-x^2}}\,\mathrm{d}r",
 )
+BAND = Equation(
+    "Under an endless band each body warms up by the sum of line sources (Jaeger), with Bessel's function K₀",
+    r"T(x) = \frac{1}{\pi\lambda}\int_{-a}^a \mu\,p(s)\,v\,\mathrm{e}^{z}\,K_0(|z|)\,\mathrm{d}s, \quad "
+    r"z = \frac{V}{2\kappa}\,(x-s)",
+)
+BAND_FLUX = Equation("Friction turns into heat where the bodies press", r"q(x) = \mu\,p(x)\,v, \quad Q = \mu\,P\,v")
+ELLIPTIC_FLUX = Equation(
+    "Friction turns into heat where the bodies press; in the direction θ the flux of Hertz' ellipse has the line load",
+    r"Q = \mu\,F_N\,v, \quad q_1(s) = \frac{3Q}{4h}\left(1-\frac{s^2}{h^2}\right), \quad "
+    r"h = \sqrt{a^2\cos^2\theta+b^2\sin^2\theta}",
+)
+ELLIPTIC_MOVING = Equation(
+    "On a body that moves at the speed V and the angle ψ to x temperature is the sum over all directions",
+    r"T(x,y) = \frac{3Q}{4\pi\lambda}\int_{\psi-\pi/2}^{\psi+\pi/2} \frac{1}{h^3}\int_s^h "
+    r"t\,E\left(\frac{b}{2}(t-s)\right)\,\mathrm{d}t\,\mathrm{d}\theta",
+)
+ELLIPTIC_KERNEL = Equation(
+    "with the rate and the kernel",
+    r"b = \frac{V}{\kappa}\,\cos(\theta-\psi), \quad s = x\,\cos\theta+y\,\sin\theta, \quad E(z) = e^{-z}\,I_0(z)",
+)
 
 
 def fretting_formulas(problem: Any) -> tuple[Equation, ...]:
@@ -81,6 +102,41 @@ HEATING = Chapter(
                 "temperature over the speed; or, of many loads and speeds at once, over what was varied.",
             ),
             formulas=followed_by(normal_formulas, FLUX, AT_REST, MOVING, MOVING_KERNEL, SHARE),
+        ),
+        "line_friction_heating": answer(
+            "winkler.problems.heating.line_heating:LineFrictionHeating",
+            "johnson_1985",
+            bed=ROLLER,
+            law={"kind": "coulomb", "coefficient": 0.05},
+            load={"kind": "line_force", "force_per_length": "400 N/mm"},
+            conductors=STEELS,
+            first_speed="6 m/s",
+            second_speed="4 m/s",
+            picture=Caption(
+                "heating",
+                "Temperatures of the bodies",
+                "Both surfaces across the strip, and the flash temperature over the speed; of many loads or speeds, "
+                "temperatures and shares over what was varied.",
+            ),
+            pictured=PicturedContact.NONE,
+            formulas=(MODULUS, LOAD_PROFILE, LOAD, PRESSURE, BAND_FLUX, BAND, SHARE),
+        ),
+        "elliptic_friction_heating": answer(
+            "winkler.problems.heating.elliptic_heating:EllipticFrictionHeating",
+            "johnson_1985",
+            law={"kind": "coulomb", "coefficient": 0.1},
+            load={"kind": "force", "force": "200 N"},
+            conductors=STEELS,
+            first_speed="2 m/s",
+            first_direction="30 deg",
+            picture=Caption(
+                "heating",
+                "Temperatures of the bodies",
+                "The surface of the body with the higher Peclet number, both surfaces along its motion, and the flash "
+                "temperature over the speed; of many loads or speeds, temperatures and shares over what was varied.",
+            ),
+            pictured=PicturedContact.NONE,
+            formulas=(ELLIPSE, ELLIPTIC_FLUX, ELLIPTIC_MOVING, ELLIPTIC_KERNEL, SHARE),
         ),
         "transient_heating": answer(
             "winkler.problems.heating.transient:TransientHeating",

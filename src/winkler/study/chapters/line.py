@@ -2,13 +2,23 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
-from winkler.study.chapters.kind import kind
+from winkler.study.chapters.kind import is_a, kind
 from winkler.study.chapters.normal import MODULUS, ONSET, STRONG
 
-__all__ = ["LINE"]
+__all__ = ["LINE", "LOAD", "LOAD_PROFILE", "PRESSURE", "ROLLER"]
 
 ROLLER = {"kind": "line_foundation", "profile": {"kind": "paraboloid"}}
+WAVES = {
+    "kind": "line_foundation",
+    "profile": {"kind": "wavy", "amplitude": "1 um", "wavelength": "1 mm"},
+}
+STICKY_ROLLER = {
+    **ROLLER,
+    "medium": {"kind": "half_space", "first": {"kind": "elastic", "young": "2 MPa", "poisson": 0.5}},
+}
 
 LOAD_PROFILE = Equation(
     "The two-dimensional profile f(x) becomes the load profile w",
@@ -29,11 +39,54 @@ STRESSES = Equation(
     r"\sigma_z = \mathrm{Im}\,F - z\,\mathrm{Re}\,F' - \mu z\,\mathrm{Im}\,F', \quad "
     r"\tau_{xz} = -z\,\mathrm{Im}\,F' + \mu\,(\mathrm{Im}\,F + z\,\mathrm{Re}\,F')",
 )
+ROLLER_GAP = Equation(
+    "Pressures and gaps of a roller with the drop z(x) of its ends and the tilt θ are never negative, and one of the "
+    "two is zero on every element",
+    r"w = z(x)+\frac{y^2}{2R}-\theta x-d+\frac{1}{\pi E^*}\int\frac{p\,\mathrm{d}A}{\sqrt{(x-x_i)^2+(y-y_i)^2}}, "
+    r"\quad p \ge 0, \; w \ge 0, \; p\,w = 0",
+)
+ROLLER_SUMS = Equation("Force and moment are the sums", r"F_N = \int p\,\mathrm{d}A, \quad M = \int p\,x\,\mathrm{d}A")
+ROLLER_CROWN = Equation(
+    "A logarithmic crown beyond a straight part of the half-length s drops by (after Lundberg, with the parameters of "
+    "Fujiwara and Kawase)",
+    r"z = K_1A\ln\frac{1}{1-\left(1-e^{-z_m/(K_1A)}\right)\left(\frac{|x|-s}{L/2-s}\right)^2}, \quad "
+    r"A = \frac{P}{\pi E^*}",
+)
+SINE = Equation(
+    "Strips at the pitch λ are one strip over u, under the profile f(x(u))",
+    r"u = \frac{\lambda}{\pi}\sin\frac{\pi x}{\lambda}, \quad \bar p = \frac{P}{\lambda}",
+)
+PERIODIC_PRESSURE = Equation(
+    "with u(a) in the place of a; its pressure p₁(u) is that of each strip but for a cosine, up to full contact",
+    r"p(x) = p_1(u)\,\cos\frac{\pi x}{\lambda}",
+)
+STICKING = Equation(
+    "The edges pull like those of a flat punch: the stress intensity releases the work of adhesion γ",
+    r"P = E^*\,w(a) - \sqrt{2\pi a E^*\gamma}, \quad K_I = \sqrt{2E^*\gamma}",
+)
+STRETCHED = Equation(
+    "and takes from the pressure of the profile", r"p(x) = p_w(x) - \sqrt{\frac{2E^*\gamma a}{\pi(a^2-x^2)}}"
+)
+RANGED = Equation(
+    "Beside the contact, up to c, the surfaces attract each other with the stress of the law",
+    r"P = E^*\,w(a) - 2\sigma_0\sqrt{c^2-a^2}",
+)
+RANGE_END = Equation(
+    "which ends where they stand apart as far as the attraction reaches", r"h(c) = \frac{\gamma}{\sigma_0}"
+)
+STABLE = Equation("A state is stable under a dead load where", r"\frac{\mathrm{d}P}{\mathrm{d}a} > 0")
 PLANE_STRAIN = Equation("and along the strip, in plane strain", r"\sigma_y = \nu\,(\sigma_x+\sigma_z)")
 SHAKEDOWN = Equation(
     "Residual stresses cannot take up the shear in planes along the surface, which limits shakedown (after Melan)",
     r"\max\left|\tau_{xz}\right| = \frac{\sigma_Y}{\sqrt{3}}",
 )
+
+
+def line_adhesion_formulas(problem: Any) -> tuple[Equation, ...]:
+    """Return the formulas of a strip that sticks under the law of a problem."""
+    law = (RANGED, RANGE_END) if is_a(problem.law, "winkler.laws.adhesion:Dugdale") else (STICKING, STRETCHED)
+    return (MODULUS, LOAD_PROFILE, *law, PRESSURE, STABLE)
+
 
 LINE = Chapter(
     "line contact",
@@ -42,6 +95,29 @@ LINE = Chapter(
             "line_force": kind("winkler.loading:LineForce", problem="line_indentation", force_per_length="100 N/mm"),
             "half_width": kind("winkler.loading:HalfWidth", problem="line_indentation", half_width="0.1 mm"),
             "mean_pressure": kind("winkler.loading:MeanPressure", problem="line_indentation", mean_pressure="500 MPa"),
+            "nominal_pressure": kind(
+                "winkler.loading:NominalPressure", problem="periodic_indentation", nominal_pressure="100 MPa"
+            ),
+        },
+        "roller_ends": {
+            "sharp_ends": kind("winkler.profiles.roller_ends:SharpEnds", problem="roller_contact"),
+            "crowned_ends": kind(
+                "winkler.profiles.roller_ends:CrownedEnds", problem="roller_contact", crown_radius="0.5 m"
+            ),
+            "rounded_ends": kind(
+                "winkler.profiles.roller_ends:RoundedEnds", problem="roller_contact", edge_radius="1 mm"
+            ),
+            "logarithmic_ends": kind(
+                "winkler.profiles.roller_ends:LogarithmicEnds",
+                "lundberg_1939",
+                "fujiwara_kawase_2007",
+                problem="roller_contact",
+                design_force_per_length="1 kN/mm",
+            ),
+        },
+        "alignment": {
+            "tilt": kind("winkler.loading:Tilt", problem="roller_contact", tilt="0.5 mrad"),
+            "moment": kind("winkler.loading:Moment", problem="roller_contact", moment="2 N m"),
         },
         "line_bed": {
             "line_foundation": kind(
@@ -63,6 +139,48 @@ LINE = Chapter(
             curves=(("force_per_length", "half_width"), ("force_per_length", "peak_pressure")),
             pictured=PicturedContact.NONE,
             formulas=(MODULUS, LOAD_PROFILE, LOAD, PRESSURE),
+        ),
+        "roller_contact": answer(
+            "winkler.problems.line.roller_contact:RollerContact",
+            radius="10 mm",
+            length="10 mm",
+            ends={"kind": "logarithmic_ends"},
+            load={"kind": "force", "force": {"from": "2 kN", "to": "12 kN", "count": 6}},
+            alignment={"kind": "tilt"},
+            elements=48,
+            picture=Caption(
+                "roller",
+                "Pressure along the roller",
+                "Pressure on the contact and along the roller, and force per length; of many loads also depth and "
+                "pressures.",
+            ),
+            curves=(("force", "depth"), ("force", "peak_pressure"), ("force", "edge_factor"), ("force", "moment")),
+            pictured=PicturedContact.NONE,
+            formulas=(MODULUS, ROLLER_GAP, ROLLER_SUMS, ROLLER_CROWN),
+        ),
+        "line_adhesion": answer(
+            "winkler.problems.line.adhesion:LineAdhesion",
+            "barquins_1988",
+            "chaudhury_1996",
+            "baney_hui_1997",
+            bed=STICKY_ROLLER,
+            load={"kind": "line_force", "force_per_length": "1 N/m"},
+            picture=Caption("line_adhesion", "The contact", "Pressure and shape; of many loads the half-width."),
+            curves=(("force_per_length", "half_width"),),
+            pictured=PicturedContact.NONE,
+            formulas=line_adhesion_formulas,
+        ),
+        "periodic_indentation": answer(
+            "winkler.problems.line.periodic:PeriodicIndentation",
+            "westergaard_1939",
+            "johnson_1985",
+            bed=WAVES,
+            pitch="1 mm",
+            load={"kind": "nominal_pressure", "nominal_pressure": "100 MPa"},
+            picture=Caption("waves", "The contact", "Pressure and shape; of many loads contact and pressures."),
+            curves=(("nominal_pressure", "contact_share"), ("nominal_pressure", "peak_pressure")),
+            pictured=PicturedContact.NONE,
+            formulas=(MODULUS, SINE, LOAD_PROFILE, LOAD, PERIODIC_PRESSURE),
         ),
         "line_yield_onset": answer(
             "winkler.problems.line.yielding:LineYieldOnset",

@@ -138,6 +138,16 @@ BALL = Equation(
     "Force and depth are those of a ball of the radius",
     r"R_{eq} = \frac{9F_N^2}{16E^{*2}d^3}",
 )
+POTENTIALS = Equation(
+    "Its potential, and this integrated along z once (H) and twice (K), give the stresses",
+    r"\Phi = \frac{\pi abp_0}{2}\int_\lambda^\infty \frac{1-\frac{x^2}{a^2+s}-\frac{y^2}{b^2+s}-\frac{z^2}{s}}"
+    r"{\sqrt{(a^2+s)(b^2+s)s}}\,\mathrm{d}s, \quad "
+    r"2\pi\sigma_x = 2\nu\Phi_z - (1-2\nu)H_{xx} - z\Phi_{xx}",
+)
+TRACTION = Equation(
+    "A contact that slides adds those of the traction μ p, here along x (after Sackfield and Hills)",
+    r"2\pi\sigma_x = \mu\,[2(1+\nu)\Phi_x + 2\nu K_{xxx} - zH_{xxx}]",
+)
 BETTI = Equation(
     "Every direction has its own g, and the force is the mean",
     r"F_N = 2E^*\frac{\langle aI\rangle}{\langle a\rangle}, \quad I = \int_0^a(d-g)\,\mathrm{d}x",
@@ -229,10 +239,27 @@ NORMAL = Chapter(
         ),
         "elliptic_indentation": answer(
             "winkler.problems.normal.elliptic:EllipticIndentation",
-            picture=Caption("ellipse", "The contact", "Pressure over the ellipse; of many loads force and semi-axes."),
+            picture=Caption(
+                "ellipse",
+                "The contact",
+                "Pressure over the ellipse, stress below both axes; of many loads force and semi-axes.",
+            ),
             curves=(("depth", "force"), ("depth", "longitudinal_semi_axis"), ("depth", "lateral_semi_axis")),
             pictured=PicturedContact.NONE,
-            formulas=(ELLIPSE, BALL),
+            formulas=(ELLIPSE, BALL, POTENTIALS),
+        ),
+        "elliptic_yield_onset": answer(
+            "winkler.problems.normal.elliptic_yielding:EllipticYieldOnset",
+            "johnson_1985",
+            medium={"kind": "half_space", **STRONG},
+            friction={"kind": "coulomb", "coefficient": 0.1},
+            picture=Caption(
+                "ellipse_yield",
+                "Onset of yield",
+                "The von Mises stress below both axes when yielding begins.",
+            ),
+            pictured=PicturedContact.NONE,
+            formulas=(ELLIPSE, POTENTIALS, TRACTION, ONSET),
         ),
         "nearly_round_indentation": answer(
             "winkler.problems.normal.near_round:NearlyRoundIndentation",

@@ -83,6 +83,15 @@ ROLLING = Chapter(
                 longitudinal_curvature_radius="20 mm",
                 lateral_curvature_radius="10 mm",
             ),
+            "curved_pair": kind(
+                "winkler.profiles.curved_pair:CurvedPair",
+                "johnson_1985",
+                problem="elliptic_indentation",
+                first_longitudinal_radius="5 mm",
+                first_lateral_radius="5 mm",
+                second_longitudinal_radius="26 mm",
+                second_lateral_radius="-5.2 mm",
+            ),
             "contact_ellipse": kind(
                 "winkler.profiles.ellipse:ContactEllipse",
                 problem="simplified_rolling",

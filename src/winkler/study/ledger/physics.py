@@ -19,7 +19,9 @@ __all__ = ["CHAPTERS", "FITS", "physics_of"]
 
 NORMAL, FIELDS, COATINGS, GRADED, FITS = "normal contact", "fields", "coatings", "graded bodies", "fits"
 OTHER_CONTACTS = "other contacts"
-NON_ROUND_CONTACTS = dict.fromkeys(("elliptic_indentation", "nearly_round_indentation"), "measured and rough surfaces")
+NON_ROUND_CONTACTS = dict.fromkeys(
+    ("elliptic_indentation", "elliptic_yield_onset", "nearly_round_indentation"), "measured and rough surfaces"
+)
 """Normal contacts that are listed with the surfaces of any shape."""
 PHYSICS = {kind: chapter.physics for chapter in contents.CHAPTERS for kind in chapter.answers} | NON_ROUND_CONTACTS
 """Kind of problem -> its physics."""

@@ -1,0 +1,207 @@
+"""A slender contact of unknown size: solved on a rough grid until the grid fits around it, then on finer ones.
+
+Lengths are in units of half of the length of the body, which ends at -1 and 1; forces over E*.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.errors import NotConverged
+from winkler.numerics.surfaces.pressed_slender import Pose, PressedSlender, press_slender
+from winkler.numerics.surfaces.slender_grid import SlenderGrid, graded
+from winkler.numerics.surfaces.slender_start import first_overlap
+from winkler.numerics.types import Array
+
+__all__ = ["Generator", "SlenderContact", "pressed_levels"]
+
+ROUGH_ELEMENTS = 32
+"""Along the contact while its size is sought."""
+ROWS_SHARE = 8
+"""Elements along the contact for each one across half of it."""
+MOST_BOXES = 60
+"""Boxes tried around a contact; some five are usual."""
+WELL_FILLED = 0.7
+"""Part of a box along and across that a contact fills before the grid is refined."""
+FINEST_SHARE, BEND_SHARE = 0.05, 0.3
+"""Distance from which on elements grow, over the half-width, from an end of the contact and from a bend."""
+APART_SHARE = 0.3
+"""And at most over the distance of the next end or bend."""
+FIRST_WIDTHS, FIRST_MARGIN = 0.5, 0.2
+"""First half-widths over those of the overlap, and how much wider and longer the first box is."""
+SAMPLES, LEAST_OVERLAP = 2001, 1e-15
+OUTER, INNER, FEWEST_ACROSS = 3, 5, 6
+"""Elements, counted from the edge of a slice, through which its edge is found, and how many that takes."""
+
+
+class Generator(NamedTuple):
+    """The generator of a slender body: how far it falls back along its length, and its radius across.
+
+    Parameters
+    ----------
+    drop
+        Takes places between -1 and 1, returns by how much the radius is smaller there; not negative, zero somewhere.
+    radius
+        Of curvature across.
+    marks
+        Places beside which the pressure may change quickly.
+    """
+
+    drop: Callable[[Array], Array]
+    radius: float
+    marks: tuple[float, ...]
+
+
+class SlenderContact(NamedTuple):
+    """A contact on its grid."""
+
+    grid: SlenderGrid
+    pressed: PressedSlender
+
+    @property
+    def on_axis(self) -> Array:
+        """Pressure in the middle of each slice, by the parabola through the elements beside it."""
+        pressure = self.pressed.pressure
+        return np.maximum((9.0 * pressure[:, 0] - pressure[:, 1]) / 8.0, 0.0)
+
+    @property
+    def half_width(self) -> Array:
+        """Half-width of each slice: where p^2, straight over y^2 through two inner elements, comes to zero.
+
+        Elements at the very edge bear too much; slices of few elements are taken for semi-ellipses of their force.
+        """
+        squared, y = self.pressed.pressure**2, self.grid.places_across**2
+        counts = np.count_nonzero(squared, axis=1)
+        slices, outer, inner = np.arange(counts.size), np.maximum(counts - OUTER, 0), np.maximum(counts - INNER, 0)
+        fall = squared[slices, inner] - squared[slices, outer]
+        straight = (counts >= FEWEST_ACROSS) & (fall > 0.0)
+        slope = np.where(straight, fall, 1.0) / np.where(straight, y[outer] - y[inner], 1.0)
+        edge = np.sqrt(y[outer] + squared[slices, outer] / slope)
+        axis = np.where(self.on_axis > 0.0, self.on_axis, 1.0)
+        ellipse = 2.0 * self.force_per_length / (math.pi * axis)
+        return np.where(counts > 0, np.where(straight, edge, ellipse), 0.0)
+
+    @property
+    def force_per_length(self) -> Array:
+        """Force per length of each slice, over E*."""
+        return np.asarray(2.0 * self.grid.across * np.sum(self.pressed.pressure, axis=1))
+
+
+class _Box(NamedTuple):
+    low: float
+    high: float
+    width: float
+
+
+def pressed_levels(generator: Generator, pose: Pose, elements: int) -> tuple[SlenderContact, SlenderContact]:
+    """Return the contact on a grid of half as many elements, and on that of `elements` along it.
+
+    Parameters
+    ----------
+    generator
+        The body.
+    pose
+        What is stated.
+    elements
+        Along the contact.
+
+    Raises
+    ------
+    NotConverged
+        If the contact is not found.
+    """
+    box, widths = _first_box(generator, pose)
+    found = None
+    for _ in range(MOST_BOXES):
+        contact = _solved(generator, pose, box, ROUGH_ELEMENTS, found, widths)
+        fitting = _fitted(contact, box)
+        if fitting is None:
+            box, found = _wider(contact, box), contact
+            continue
+        filled = (fitting.high - fitting.low) / (box.high - box.low), fitting.width / box.width
+        box, found = fitting, contact
+        if min(filled) >= WELL_FILLED:
+            break
+    else:
+        raise NotConverged(f"no grid fits around the contact after {MOST_BOXES} of them; tilt or press it less.")
+    levels = []
+    for count in (elements // 2, elements):
+        for _ in range(MOST_BOXES):
+            found = _solved(generator, pose, box, count, found, widths)
+            fitting = _fitted(found, box)
+            if fitting is not None:
+                break
+            box = _wider(found, box)
+        else:
+            raise NotConverged(f"no grid fits around the contact after {MOST_BOXES} of them; tilt or press it less.")
+        levels.append(found)
+        box = fitting
+    return levels[0], levels[1]
+
+
+def _first_box(generator: Generator, pose: Pose) -> tuple[_Box, Array]:
+    """Return a first box, and half-widths over `SAMPLES` places, of slices that bear each for itself."""
+    x = np.linspace(-1.0, 1.0, SAMPLES)
+    overlap = first_overlap(x, generator.drop(x), pose)
+    bearing = np.flatnonzero(overlap > 0.0)
+    if not bearing.size:  # a contact between two samples
+        bearing = np.array([int(np.argmax(overlap))])
+        overlap = overlap - 2.0 * float(np.max(overlap)) + LEAST_OVERLAP
+    low, high = x[max(bearing[0] - 1, 0)], x[min(bearing[-1] + 1, SAMPLES - 1)]
+    reach = FIRST_MARGIN * (high - low)
+    widths = FIRST_WIDTHS * np.sqrt(2.0 * generator.radius * np.maximum(overlap, 0.0))
+    box = _Box(max(low - reach, -1.0), min(high + reach, 1.0), (1.0 + FIRST_MARGIN) * float(np.max(widths)))
+    return box, widths
+
+
+def _solved(
+    generator: Generator, pose: Pose, box: _Box, count: int, before: SlenderContact | None, widths: Array
+) -> SlenderContact:
+    """Return the contact in the box, begun from one on another grid."""
+    rows = max(count // ROWS_SHARE, 4)
+    bends = [mark for mark in generator.marks if box.low < mark < box.high]
+    marks = np.array([box.low, *bends, box.high])
+    apart = np.concatenate([[np.inf], np.diff(marks), [np.inf]])
+    shares = np.array([FINEST_SHARE, *(BEND_SHARE for _ in bends), FINEST_SHARE])
+    finest = np.minimum(shares * box.width, APART_SHARE * np.minimum(apart[1:], apart[:-1]))
+    grid = SlenderGrid.of(graded(box.low, box.high, marks, finest, count), box.width / rows, rows)
+    x, y = grid.middles, grid.places_across
+    gaps = generator.drop(x)[:, None] + y**2 / (2.0 * generator.radius)
+    if before is None:
+        width = np.interp(x, np.linspace(-1.0, 1.0, SAMPLES), widths)
+    else:
+        width = np.interp(x, before.grid.middles, before.half_width)
+    width[int(np.argmax(width))] = max(float(np.max(width)), 2.0 * float(y[0]))
+    return SlenderContact(grid, press_slender(grid, gaps, pose, y < width[:, None]))
+
+
+def _touching(contact: SlenderContact) -> tuple[int, int, int]:
+    """Return the first and the last slice that bears, and the greatest number of elements across."""
+    counts = np.count_nonzero(contact.pressed.pressure, axis=1)
+    bearing = np.flatnonzero(counts)
+    return int(bearing[0]), int(bearing[-1]), int(np.max(counts))
+
+
+def _fitted(contact: SlenderContact, box: _Box) -> _Box | None:
+    """Return the box one element wider than the contact; None if the contact may go on beyond its own box."""
+    first, last, most = _touching(contact)
+    edges, n = contact.grid.edges, contact.grid.middles.size
+    if most == contact.grid.rows or (first == 0 and box.low > -1.0) or (last == n - 1 and box.high < 1.0):
+        return None
+    low = -1.0 if first == 0 else float(edges[first - 1])
+    high = 1.0 if last == n - 1 else float(edges[last + 2])
+    return _Box(low, high, (most + 0.75) * contact.grid.across)
+
+
+def _wider(contact: SlenderContact, box: _Box) -> _Box:
+    first, last, most = _touching(contact)
+    reach = 0.25 * (box.high - box.low)
+    return _Box(
+        max(box.low - reach, -1.0) if first == 0 else box.low,
+        min(box.high + reach, 1.0) if last == contact.grid.middles.size - 1 else box.high,
+        1.5 * box.width if most == contact.grid.rows else box.width,
+    )

@@ -1,0 +1,74 @@
+"""Sheets of the frictional heat of line contacts: both surfaces along the motion, and flash temperature over speed."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+import numpy as np
+
+from winkler.plot import style
+from winkler.plot.dispatch import without_extent
+from winkler.plot.heating.over_loads import curves_sheet, refuse_cold
+from winkler.plot.panel import Band, Line, Panel, PanelAxis, Sheet, points, titled
+from winkler.plot.series import common_scale, middle_scale, series, with_unit
+from winkler.problems.heating.line_heating import LineFrictionHeatingSolution
+
+__all__ = ["line_heating_sheet"]
+
+HALF_WIDTHS = 4.0
+PLACES = 161
+SPEEDS, DECADES_BEYOND = 21, 1.5
+
+
+@without_extent(LineFrictionHeatingSolution)
+def line_heating_sheet(item: LineFrictionHeatingSolution) -> Sheet:
+    """Return the temperature of both surfaces across the strip, and the flash temperature over the speed.
+
+    For many loads or speeds: flash temperature and heat partition over the varied quantity.
+    """
+    refuse_cold(item.flash_temperature)
+    if np.ndim(item.heat_per_length) != 0:
+        return curves_sheet(item, item.fast_temperature, "both fast")
+    panels = titled(
+        (_across_panel(item), _speeds_panel(item)), "across the strip, contact shaded", "flash temperature over speed"
+    )
+    flash, heat = with_unit(float(item.flash_temperature), "K"), with_unit(float(item.heat_per_length), "W/m")
+    share = with_unit(float(item.first_share), "")
+    title = f"$T_\\mathrm{{flash}}$ = {flash}   heat {heat}   first body takes {share}"
+    return Sheet(panels, width=4.6, height=3.2, title=title)
+
+
+def _across_panel(item: LineFrictionHeatingSolution) -> Panel:
+    a = float(item.contact.half_width)
+    x = np.linspace(-HALF_WIDTHS, HALF_WIDTHS, PLACES) * a
+    marks: list[Any] = []
+    for body, name, colour, dash in (
+        (item.first, "first", style.RED, style.DASHES[0]),
+        (item.second, "second", style.BLUE, style.DASHES[1]),
+    ):
+        if body.heat_per_length > 0.0:
+            label = f"{name}: Pe = {with_unit(body.peclet, '', 3)}"
+            marks.append(Line(x, body.temperature(x), colour, dash=dash, name=label))
+    rises = [series("temperature", line.y) for line in marks]
+    marks.append(Band(-a, a, style.MUTED, 0.12))
+    high = 1.42 * max(float(np.max(rise.content)) for rise in rises)
+    across = PanelAxis("$x$ along the motion", series("x", x).scale)
+    upright = PanelAxis("rise of temperature $T$", common_scale(*rises), low=0.0, high=high)
+    return Panel(tuple(marks), across, upright, legend="upper left")
+
+
+def _speeds_panel(item: LineFrictionHeatingSolution) -> Panel:
+    problem, sliding = item.problem, abs(float(item.problem.first_speed) - float(item.problem.second_speed))
+    factors = np.geomspace(10.0**-DECADES_BEYOND, 10.0**DECADES_BEYOND, SPEEDS)
+    speeds = (np.asarray(problem.first_speed), np.asarray(problem.second_speed))
+    curve = dataclasses.replace(problem, first_speed=factors * speeds[0], second_speed=factors * speeds[1]).solve()
+    speed, flash = factors * sliding, series("flash_temperature", curve.flash_temperature)
+    marks: list[Any] = [Line(speed, flash.content, name="flash temperature")]
+    fast = np.asarray(curve.fast_temperature)
+    if np.all(np.isfinite(fast)):
+        marks.append(Line(speed, fast, style.ORANGE, width=1.2, dash=style.DASHES[3], name="fast"))
+    marks.append(points(sliding, float(item.flash_temperature), name="requested", order=5.0))
+    across = PanelAxis("speed of sliding $v$", middle_scale("m/s", speed), log=True)
+    scale = middle_scale("K", flash.content)
+    return Panel(tuple(marks), across, PanelAxis("flash temperature", scale, log=True), legend="upper left")

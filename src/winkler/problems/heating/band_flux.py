@@ -1,0 +1,56 @@
+"""The heat of friction under a line contact as a source: the shape of its pressure, 1 W per length in all."""
+
+from __future__ import annotations
+
+import functools
+import math
+
+import numpy as np
+
+from winkler.foundation.line import LineFoundation
+from winkler.numerics.fields.band_source import BandSource
+from winkler.numerics.panels.chebyshev import fit_panels
+from winkler.numerics.types import Array
+from winkler.problems.line.indentation import LineSolution
+from winkler.problems.line.peak_pressure import is_sharp, rim_load
+from winkler.profiles.power import Paraboloid
+
+__all__ = ["band_sources"]
+
+TABLE_TOLERANCE = 1e-13
+"""Error of a tabulated flux over its mean."""
+
+
+@functools.lru_cache(maxsize=64)
+def band_source(bed: LineFoundation, force: float, half_width: float) -> BandSource:
+    """Return the source of a line contact.
+
+    Parameters
+    ----------
+    bed : LineFoundation
+    force : float
+        P [N/m], positive.
+    half_width : float
+        a [m].
+    """
+    if isinstance(bed.profile, Paraboloid):
+        return BandSource(half_width, (), lambda angle: 2.0 / math.pi * np.cos(angle) ** 2)
+    on_rim = rim_load(bed, force, half_width) * bed.medium.modulus / (math.pi * force)
+    kinks = tuple(math.asin(b / half_width) for b, _ in bed.kinks if 0.0 < b < half_width)
+
+    def flux(angle: Array) -> Array:
+        # the pressure vanishes at the edge, where rounding must not carry the place beyond it
+        x = np.minimum(half_width * np.sin(angle), np.nextafter(half_width, 0.0))
+        smooth = bed.pressure(np.maximum(x, 1e-14 * half_width), half_width, 0.0)
+        return np.asarray(on_rim + half_width * np.cos(angle) * smooth / force)
+
+    if is_sharp(bed, half_width, 0.0):
+        return BandSource(half_width, (0.0, *kinks), flux)
+    table = fit_panels(flux, np.array([0.0, *kinks, 0.5 * math.pi]), TABLE_TOLERANCE)
+    return BandSource(half_width, kinks, table)
+
+
+def band_sources(contact: LineSolution) -> list[BandSource | None]:
+    """Return the source of each load; None where there is no contact."""
+    pairs = zip(np.ravel(contact.force_per_length), np.ravel(contact.half_width), strict=True)
+    return [band_source(contact.problem.bed, float(p), float(a)) if p > 0.0 and a > 0.0 else None for p, a in pairs]

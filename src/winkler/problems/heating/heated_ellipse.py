@@ -1,0 +1,89 @@
+"""One of two bodies that rub in an elliptic contact, with the temperature of its surface."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.materials.conductor import ThermalConductor
+from winkler.numerics.fields.elliptic_source import EllipticSource, PeakPlace
+from winkler.numerics.types import Array, ArrayLike
+from winkler.values import value, words
+
+__all__ = ["HeatedEllipse"]
+
+
+@value
+class HeatedEllipse:
+    """A body under a steady elliptic source of heat that its surface moves past.
+
+    Parameters
+    ----------
+    conductor : ThermalConductor
+        What it is made of.
+    speed : float
+        Velocity of its surface past the contact [m/s].
+    direction : float
+        Angle of the velocity to x [rad].
+    heat_rate : float
+        What flows into it [W].
+    longitudinal_semi_axis, lateral_semi_axis : float
+        a along x and b along y [m]; zero without contact.
+    """
+
+    __words__ = words(
+        direction=(r"\psi", "rad", "angle of the velocity to x"),
+        half_length=("l", "m", "half the length of the contact along the motion"),
+        longitudinal_semi_axis=("a", "m", "semi-axis of the contact along x"),
+        lateral_semi_axis=("b", "m", "semi-axis of the contact along y"),
+    )
+
+    conductor: ThermalConductor
+    speed: float
+    direction: float
+    heat_rate: float
+    longitudinal_semi_axis: float
+    lateral_semi_axis: float
+
+    @property
+    def half_length(self) -> float:
+        """Half the length of the contact along the motion [m], through its middle."""
+        a, b = self.longitudinal_semi_axis, self.lateral_semi_axis
+        return float(half_length(a, b, self.direction)) if a > 0.0 else 0.0
+
+    @property
+    def peclet(self) -> float:
+        """Pe = V l / (2 kappa) with the half length l [-]."""
+        return 0.5 * abs(self.speed) * self.half_length / self.conductor.diffusivity
+
+    @property
+    def _source(self) -> EllipticSource:
+        return EllipticSource(self.longitudinal_semi_axis, self.lateral_semi_axis)
+
+    def temperature(self, x: ArrayLike, y: ArrayLike = 0.0) -> Array:
+        """Return the temperature of the surface above that far away [K].
+
+        Parameters
+        ----------
+        x, y : array_like
+            Places [m], broadcast against each other; the wake lies where the velocity points.
+        """
+        along, across = np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(y, dtype=float))
+        if self.longitudinal_semi_axis == 0.0 or self.heat_rate == 0.0:
+            return np.zeros(along.shape)
+        found = self._source.surface(self.speed / self.conductor.diffusivity, self.direction, along, across)
+        return np.asarray(found * (self.heat_rate / self.conductor.conductivity))
+
+    @property
+    def warmest(self) -> PeakPlace:
+        """The greatest temperature: `height` [K] and its place [m]."""
+        if self.longitudinal_semi_axis == 0.0 or self.heat_rate == 0.0:
+            return PeakPlace(0.0, 0.0, 0.0)
+        peak = self._source.peak(self.speed / self.conductor.diffusivity, self.direction)
+        return PeakPlace(peak.height * self.heat_rate / self.conductor.conductivity, peak.x, peak.y)
+
+
+def half_length(along: Array | float, across: Array | float, direction: float) -> Array:
+    """Return half the length of an ellipse through its middle [m], in a direction [rad] from its first semi-axis."""
+    return np.asarray(along * across / np.hypot(across * math.cos(direction), along * math.sin(direction)))

@@ -1,0 +1,264 @@
+r"""Flash temperature of a line contact: the band of heat under a roller, a gear tooth, a cam.
+
+The flux is :math:`\mu\,p(x)\,v` with the pressure of the line contact and the speed of sliding
+:math:`v=|V_1-V_2|`; the surfaces move past the contact at V1 and V2.  The body that moves at V warms up by
+
+.. math:: T(x) = \frac{1}{\pi\lambda}\int_{-a}^a q(s)\,\mathrm e^{z} K_0(|z|)\,\mathrm ds , \qquad
+          z = \frac{V}{2\kappa}(x-s) ,
+
+(`winkler.numerics.fields.band_source`), and the bodies share the heat.  A body that rests against an endless band has
+no steady temperature: it becomes warmer and warmer with the logarithm of time.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.checks.number_checks import FiniteQuantity
+from winkler.errors import InvalidInput
+from winkler.foundation.line import LineFoundation
+from winkler.laws.friction import Overcome
+from winkler.laws.heat import EqualMaximum, FixedShare, HeatPartition
+from winkler.loading import HalfWidth, LineForce, MeanPressure
+from winkler.media.conduction.conductors import HeatConductors
+from winkler.numerics.types import Array, Quantity, shaped
+from winkler.problems.assumptions.coupling import sliding_note
+from winkler.problems.assumptions.declared import HEATED
+from winkler.problems.heating.heated_strip import HeatedStrip
+from winkler.problems.heating.input_checks import RubbingBodies, peclet_numbers
+from winkler.problems.heating.line_sharing import fast_strip_temperature, shared_strip_temperatures
+from winkler.problems.heating.one_result import contact_at, one_problem, one_result
+from winkler.problems.heating.validity import moving_notes
+from winkler.problems.line.indentation import LineIndentation, LineSolution
+from winkler.problems.line.statement import line_contact_notes
+from winkler.problems.one_load import single
+from winkler.validity import Assumption, Note
+from winkler.values import value, words
+
+__all__ = ["LineFrictionHeating", "LineFrictionHeatingSolution"]
+
+
+@value
+class LineFrictionHeating(RubbingBodies):
+    """Two bodies in line contact that slide on each other, or roll and slide, and warm up.
+
+    Parameters
+    ----------
+    bed : LineFoundation
+        Profile and bodies.
+    law : Coulomb
+        Friction, with a finite coefficient.
+    load : LineForce, HalfWidth or MeanPressure
+        The load per length, which may be an array.
+    conductors : HeatConductors
+        How the bodies conduct heat: two thick bodies of ThermalConductor, a perfect touch between them.
+    first_speed, second_speed : float or ndarray
+        Velocities [m/s] along x at which the surface of either body moves past the contact, not zero: they slide with
+        the difference.  Zero is allowed for a body that takes no heat, FixedShare(1.0) or FixedShare(0.0).  Arrays
+        broadcast with each other and with the load.
+    partition : EqualMaximum, EqualMean or FixedShare, optional
+        How the bodies share the heat; Blok's rule, EqualMaximum(), unless given.
+
+    Raises
+    ------
+    InvalidInput
+        If a body that takes heat rests against the contact, a conductor is none, a speed is not finite, or speeds and
+        load do not broadcast.
+
+    References
+    ----------
+    J. C. Jaeger, Proc. R. Soc. New South Wales 76 (1942) 203-224; H. Blok, Wear 6 (1963) 483-494,
+    doi:10.1016/0043-1648(63)90283-7
+
+    Examples
+    --------
+    Two steel discs that roll at 6 m/s and 4 m/s:
+
+    >>> from winkler.laws.friction import Coulomb
+    >>> from winkler.materials.conductor import ThermalConductor
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> elastic, steel = Elastic(210e9, 0.3), ThermalConductor(45.0, 12e-6)
+    >>> bed = LineFoundation(Paraboloid(10e-3), HalfSpace.between(elastic, elastic))
+    >>> pair = HeatConductors(steel, steel)
+    >>> discs = LineFrictionHeating(bed, Coulomb(0.05), LineForce(400e3), pair, first_speed=6.0, second_speed=4.0)
+    >>> discs = discs.solve()
+    >>> round(discs.first_peclet, 1), round(discs.first_share, 4), round(discs.flash_temperature, 2)
+    (52.5, 0.5505, 37.52)
+    """
+
+    __words__ = words(
+        bed=("", None, "profile and bodies of the line contact"),
+        load=("", None, "what is prescribed: a force per length, a half-width or a mean pressure"),
+    )
+
+    bed: LineFoundation
+    law: Overcome
+    load: LineForce | HalfWidth | MeanPressure
+    conductors: HeatConductors
+    first_speed: FiniteQuantity
+    second_speed: FiniteQuantity
+    partition: HeatPartition = EqualMaximum()
+
+    references: ClassVar[tuple[str, ...]] = ("jaeger_1942", "blok_1963", "johnson_1985")
+    assumptions: ClassVar[frozenset[Assumption]] = HEATED
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        given = dataclasses.astuple(self.load)[0]
+        shapes = [np.shape(each) for each in (given, self.first_speed, self.second_speed)]
+        try:
+            np.broadcast_shapes(*shapes)
+        except ValueError:
+            raise InvalidInput(
+                f"LineFrictionHeating: load, first_speed and second_speed have the shapes {shapes[0]}, {shapes[1]} and "
+                f"{shapes[2]}, which do not broadcast; give arrays of one shape, or single numbers."
+            ) from None
+        alone = self.partition.first_share if isinstance(self.partition, FixedShare) else math.nan
+        for word, speed, share in (("first", self.first_speed, 0.0), ("second", self.second_speed, 1.0)):
+            if alone != share and np.any(np.asarray(speed) == 0.0):
+                raise InvalidInput(
+                    f"LineFrictionHeating: {word}_speed is zero, but a body that rests against an endless band of heat "
+                    f"has no steady temperature; give a speed, or FixedShare({share}) if it takes no heat."
+                )
+
+    @property
+    def _speeds(self) -> tuple[Array, Array]:
+        return np.asarray(self.first_speed, dtype=float), np.asarray(self.second_speed, dtype=float)
+
+    def solve(self) -> LineFrictionHeatingSolution:
+        """Return how warm the bodies get.
+
+        Returns
+        -------
+        LineFrictionHeatingSolution
+
+        Raises
+        ------
+        OutsideValidity
+            If the load is refused by `LineIndentation`, or a Peclet number is above 1e8 or below 1e-8.
+        """
+        contact = LineIndentation(self.bed, self.load).solve()
+        shape = np.broadcast_shapes(np.shape(contact.half_width), *map(np.shape, self._speeds))
+        rates = [np.broadcast_to(each, shape) for each in self._speeds]
+        peclets = peclet_numbers("LineFrictionHeating", contact.half_width, rates, self._bodies)
+        table = shared_strip_temperatures(contact, self._bodies, self.partition, rates)
+        heat = self.law.coefficient * np.broadcast_to(contact.force_per_length, shape) * np.abs(rates[0] - rates[1])
+        columns = [heat, table[0], *peclets, *(table[1:] * heat)]
+        return LineFrictionHeatingSolution(self, contact, *(shaped(each) for each in columns))
+
+
+@value
+class LineFrictionHeatingSolution:
+    """The solution of a `LineFrictionHeating`; each quantity has the common shape of load and speeds.
+
+    Temperatures are rises above that of the bodies far away.
+
+    Parameters
+    ----------
+    problem : LineFrictionHeating
+        The problem that was solved.
+    contact : LineSolution
+        The contact, of the shape of the load.
+    heat_per_length : float or ndarray
+        Q = mu P v, the heat of friction per time and length [W/m].
+    first_share : float or ndarray
+        Part of it that goes into the first body [-].
+    first_peclet, second_peclet : float or ndarray
+        Pe = V a / (2 kappa) of either body [-].
+    first_max_temperature, second_max_temperature : float or ndarray
+        Greatest temperature of either surface [K].
+    first_mean_temperature, second_mean_temperature : float or ndarray
+        Mean temperature of either surface over the strip [K].
+    """
+
+    __words__ = words(
+        first=("1", None, "the first body with its temperature"),
+        second=("2", None, "the second body with its temperature"),
+    )
+
+    problem: LineFrictionHeating
+    contact: LineSolution
+    heat_per_length: Quantity
+    first_share: Quantity
+    first_peclet: Quantity
+    second_peclet: Quantity
+    first_max_temperature: Quantity
+    second_max_temperature: Quantity
+    first_mean_temperature: Quantity
+    second_mean_temperature: Quantity
+
+    per_load: ClassVar[str] = "heat_per_length"
+
+    @property
+    def half_width(self) -> Quantity:
+        """Half-width of the strip a [m]."""
+        return shaped(np.broadcast_to(self.contact.half_width, np.shape(self.heat_per_length)))
+
+    @property
+    def flash_temperature(self) -> Quantity:
+        """The greatest temperature of the contact, that of the warmer body [K]."""
+        return shaped(np.maximum(self.first_max_temperature, self.second_max_temperature))
+
+    @property
+    def fast_temperature(self) -> Quantity:
+        """What the flash temperature tends to when both surfaces move fast [K]: Blok's formula under Hertz' pressure.
+
+        Infinite at a rim, and for a body at rest.
+        """
+        speeds = [np.broadcast_to(each, np.shape(self.heat_per_length)) for each in self.problem._speeds]
+        found = fast_strip_temperature(self.contact, self.problem._bodies, self.problem.partition, speeds)
+        return shaped(np.where(found > 0.0, found * self.heat_per_length, 0.0))
+
+    @property
+    def first(self) -> HeatedStrip:
+        """The first body with the temperature along its surface; of one load and speed, not of an array."""
+        return self._body(0)
+
+    @property
+    def second(self) -> HeatedStrip:
+        """The second body with the temperature along its surface; of one load and speed, not of an array."""
+        return self._body(1)
+
+    def _body(self, which: int) -> HeatedStrip:
+        heat = single(self.heat_per_length, "temperature")
+        share = (self.first_share, 1.0 - self.first_share)[which]
+        speed = self.problem._speeds[which]
+        return HeatedStrip(self.problem._bodies[which], float(speed), float(share) * heat, self.contact)
+
+    def at(self, index: int | tuple[int, ...]) -> LineFrictionHeatingSolution:
+        """Return the solution of one load and speed of an array.
+
+        Parameters
+        ----------
+        index : int or tuple of int
+            Which one.
+
+        Raises
+        ------
+        InvalidInput
+            If there is none.
+        """
+        shape = np.shape(self.heat_per_length)
+        place, columns = one_result(self, index)
+        contact = contact_at(self.contact, np.shape(self.contact.half_width), shape, place)
+        problem = one_problem(self.problem, contact.problem.load, shape, place)
+        return LineFrictionHeatingSolution(problem, contact, **columns)
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        peclets = (np.asarray(self.first_peclet), np.asarray(self.second_peclet))
+        greatest = (np.asarray(self.first_max_temperature), np.asarray(self.second_max_temperature))
+        means = (np.asarray(self.first_mean_temperature), np.asarray(self.second_mean_temperature))
+        bed, contact, friction = self.problem.bed, self.contact, self.problem.law.coefficient
+        return (
+            *line_contact_notes(bed, contact.force_per_length, contact.half_width, friction),
+            sliding_note(bed.medium, friction),  # type: ignore[arg-type]
+            *moving_notes(peclets, greatest, means, self.problem.partition),
+        )

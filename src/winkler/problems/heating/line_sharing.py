@@ -1,0 +1,104 @@
+"""How two bodies in line contact share the heat of friction, load by load and speed by speed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from winkler.errors import OutsideValidity
+from winkler.laws.heat import HeatPartition
+from winkler.materials.conductor import ThermalConductor
+from winkler.numerics.fields.band_source import FAST, BandSource
+from winkler.numerics.types import Array
+from winkler.problems.heating.band_flux import band_sources
+from winkler.problems.heating.estimates import first_share, shared
+from winkler.problems.line.indentation import LineSolution
+from winkler.problems.line.peak_pressure import rim_load
+
+__all__ = ["fast_strip_temperature", "shared_strip_temperatures"]
+
+SLOWEST = 1e-8
+"""V a / kappa below which a band hardly moves."""
+Bodies = tuple[ThermalConductor, ThermalConductor]
+
+
+def shared_strip_temperatures(
+    contact: LineSolution, bodies: Bodies, partition: HeatPartition, speeds: Sequence[Array]
+) -> Array:
+    """Return the share of the first body [-], and greatest and mean temperatures of both for 1 W per length [K m/W].
+
+    Parameters
+    ----------
+    contact : LineSolution
+    bodies : tuple of ThermalConductor
+    partition : EqualMaximum, EqualMean or FixedShare
+    speeds : sequence of ndarray
+        Those of both bodies [m/s], of one shape to which the loads of the contact broadcast; zero only for a body that
+        takes no heat.
+
+    Returns
+    -------
+    ndarray, (5, ...)
+        Share; greatest of the first, of the second; mean of the first, of the second.
+    """
+    shape = speeds[0].shape
+    sources, which, table = band_sources(contact), _loads_over(contact, shape), np.zeros((5, *shape))
+    for place in np.ndindex(shape):
+        pair = [float(speed[place]) for speed in speeds]
+        table[(slice(None), *place)] = _shares(sources[which[place]], bodies, partition, pair)
+    return table
+
+
+def _shares(
+    source: BandSource | None, bodies: Bodies, partition: HeatPartition, speeds: Sequence[float]
+) -> tuple[float, ...]:
+    if source is None:
+        return bodies[0].conductivity / (bodies[0].conductivity + bodies[1].conductivity), 0.0, 0.0, 0.0, 0.0
+    peaks, means = [], []
+    for speed, body in zip(speeds, bodies, strict=True):
+        wave = speed / body.diffusivity
+        if 0.0 < abs(wave) * source.half_width < SLOWEST:
+            raise OutsideValidity(
+                f"LineFrictionHeating: a Peclet number V a / (2 kappa) is {0.5 * abs(wave) * source.half_width:.3g}; a "
+                "band of heat that hardly moves warms a body up without bound: give a higher speed."
+            )
+        peaks.append(source.peak(wave).height / body.conductivity if wave else 0.0)
+        means.append(source.mean(wave) / body.conductivity if wave else 0.0)
+    share = first_share(partition, peaks, means)
+    return share, share * peaks[0], (1.0 - share) * peaks[1], share * means[0], (1.0 - share) * means[1]
+
+
+def fast_strip_temperature(
+    contact: LineSolution, bodies: Bodies, partition: HeatPartition, speeds: Sequence[Array]
+) -> Array:
+    """Return what the greatest temperature for 1 W per length tends to at high speed [K m/W]; parameters as above.
+
+    Infinite at a rim, and on a body that rests; zero without contact.
+    """
+    shape = speeds[0].shape
+    heights = np.array([_fast(contact, j, source) for j, source in enumerate(band_sources(contact))])
+    height = heights[_loads_over(contact, shape)]
+    known = (height > 0.0) & np.isfinite(height)
+    alone = []
+    for speed, body in zip(speeds, bodies, strict=True):
+        root = body.conductivity * np.sqrt(np.abs(speed) / body.diffusivity)
+        with np.errstate(divide="ignore"):
+            alone.append(np.where(known, height, 1.0) / root)
+    with np.errstate(divide="ignore"):
+        return np.where(known, shared(alone[0], alone[1], partition), height)
+
+
+def _fast(contact: LineSolution, which: int, source: BandSource | None) -> float:
+    """Return the greatest lambda T of 1 W per length times the root of V / kappa [W/m^(3/2)]; infinite at a rim."""
+    if source is None:
+        return 0.0
+    force, half_width = (float(np.ravel(each)[which]) for each in (contact.force_per_length, contact.half_width))
+    pinned = rim_load(contact.problem.bed, force, half_width) > 0.0
+    return math.inf if pinned else source.peak(FAST).height
+
+
+def _loads_over(contact: LineSolution, shape: tuple[int, ...]) -> Array:
+    loads = np.shape(contact.half_width)
+    return np.broadcast_to(np.arange(math.prod(loads)).reshape(loads), shape)

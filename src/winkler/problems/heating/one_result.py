@@ -1,0 +1,71 @@
+"""One load and speed out of an array of them, in any problem of steady frictional heat."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from typing import Any, TypeVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.numerics.types import Quantity
+
+__all__ = ["contact_at", "one_problem", "one_result"]
+
+Place = tuple[int, ...]
+Problem = TypeVar("Problem", bound=Any)
+
+
+def one_result(solution: Any, index: int | Place) -> tuple[Place, dict[str, float]]:
+    """Return the place of a result in the arrays of a solution, and its numbers by their names.
+
+    Parameters
+    ----------
+    solution
+        Its first two fields are the problem and the contact; the others are of one shape.
+    index : int or tuple of int
+        Which result.
+
+    Raises
+    ------
+    InvalidInput
+        If there is none.
+    """
+    shape = np.shape(getattr(solution, solution.per_load))
+    try:
+        which = int(np.arange(math.prod(shape)).reshape(shape)[index])
+    except (IndexError, TypeError):
+        raise InvalidInput(f"solution.at: there is no result {index!r} in a solution of shape {shape}.") from None
+    place = tuple(int(each) for each in np.unravel_index(which, shape))
+    names = [field.name for field in dataclasses.fields(solution)][2:]
+    return place, {name: _one(getattr(solution, name), shape, place) for name in names}
+
+
+def contact_at(contact: Any, loads: Place, shape: Place, place: Place) -> Any:
+    """Return the contact of one result.
+
+    Parameters
+    ----------
+    contact
+        Of all loads.
+    loads, shape : tuple of int
+        Shape of the loads, and that of the results.
+    place : tuple of int
+        Which result.
+    """
+    if not loads:
+        return contact
+    which = np.broadcast_to(np.arange(math.prod(loads)).reshape(loads), shape)[place]
+    return contact.at(tuple(int(each) for each in np.unravel_index(int(which), loads)))
+
+
+def one_problem(problem: Problem, load: Any, shape: Place, place: Place) -> Problem:
+    """Return the problem with one load, and with the speeds of one result."""
+    first, second = (_one(each, shape, place) for each in (problem.first_speed, problem.second_speed))
+    changed: Problem = dataclasses.replace(problem, load=load, first_speed=first, second_speed=second)
+    return changed
+
+
+def _one(quantity: Quantity, shape: Place, place: Place) -> float:
+    return float(np.broadcast_to(quantity, shape)[place])

@@ -1,0 +1,265 @@
+r"""A line contact that sticks: attraction without range, at the edges of the strip (JKR for lines), or with one.
+
+.. math:: P(a) = E^* w(a) - \sqrt{2\pi a E^*\gamma} , \qquad p(x) = p_w(x) - \sqrt{\frac{2E^*\gamma a}{\pi(a^2-x^2)}} ,
+
+the pressure of the profile less that of a flat punch that is pulled.  For a cylinder :math:`E^* w = \pi E^* a^2/(4R)`,
+and under a dead load the strip comes apart at
+
+.. math:: a_c = \Big(\frac{2R^2\gamma}{\pi E^*}\Big)^{1/3} , \qquad
+          P_c = -\tfrac34\,\big(4\pi E^*\gamma^2R\big)^{1/3} .
+"""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import OutsideValidity
+from winkler.foundation.line import LineFoundation
+from winkler.laws.adhesion import Dugdale
+from winkler.loading import HalfWidth, LineForce
+from winkler.numerics.types import Array, Quantity, shaped
+from winkler.problems.adhesion.branches_beyond import branches_beyond
+from winkler.problems.adhesion.edge_states import margin
+from winkler.problems.adhesion.stability import Branch
+from winkler.problems.adhesion.widest_contact import widest
+from winkler.problems.assumptions.declared import ADHESIVE
+from winkler.problems.line.adhesion_notes import adhesion_notes
+from winkler.problems.line.cohesive import CohesiveLineStates
+from winkler.problems.line.equilibria import FIXED_GRIPS, LineLaw, line_states
+from winkler.problems.line.strip import OfStrip, Strip
+from winkler.problems.line.zoned_bed import ZonedBed
+from winkler.problems.one_load import one_of, single
+from winkler.profiles.profile import Sum
+from winkler.validity import Assumption, Note
+from winkler.values import value, words
+
+__all__ = ["LineAdhesion", "LineAdhesionSolution"]
+
+
+@value
+class LineAdhesion:
+    """A cylinder, a wedge or another two-dimensional body that sticks to a half-plane, in plane strain.
+
+    Parameters
+    ----------
+    bed : LineFoundation
+        Profile and bodies.
+    law : ShortRange or Dugdale
+        How the surfaces attract each other; with hysteresis, the work of opening counts.
+    load : LineForce or HalfWidth
+        A force per length is a dead load; the value may be an array, the results then have its shape.
+
+    References
+    ----------
+    M. Barquins, J. Adhesion 26 (1988) 1-12, doi:10.1080/00218468808071271;
+    M. K. Chaudhury, T. Weaver, C. Y. Hui, E. J. Kramer, J. Appl. Phys. 80 (1996) 30-37, doi:10.1063/1.362819;
+    J. M. Baney, C.-Y. Hui, J. Adhes. Sci. Technol. 11 (1997) 393-406, doi:10.1163/156856197X00778
+
+    Examples
+    --------
+    A rubber roller of 5 mm radius that touches a plate under no load.
+
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> bed = LineFoundation(Paraboloid(5e-3), HalfSpace.between(Elastic(1e6, 0.5)))
+    >>> contact = LineAdhesion(bed, ShortRange(0.05), LineForce(0.0)).solve()
+    >>> round(contact.half_width * 1e6, 3)  # (32 R^2 gamma / (pi E*))^(1/3) in micrometres
+    212.157
+    >>> round(contact.pull_off_force_per_length, 4)  # N/m
+    -4.454
+    """
+
+    __words__ = words(
+        bed=("", None, "profile and bodies of the line contact"),
+        load=("", None, "what is prescribed: a force per length or a half-width"),
+    )
+
+    bed: LineFoundation
+    law: LineLaw
+    load: LineForce | HalfWidth
+
+    references: ClassVar[tuple[str, ...]] = ("barquins_1988", "chaudhury_1996", "baney_hui_1997")
+    assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE
+
+    def solve(self) -> LineAdhesionSolution:
+        """Return force per length, half-width, and whether the state is stable under a dead load.
+
+        Where several half-widths are stable, the widest is meant: the one that is left after pressing firmly.
+
+        Raises
+        ------
+        OutsideValidity
+            If a load lies below the pull-off (the message names it) or leads beyond the reach of the profile, or the
+            profile is too sharp or too wavy to be held.
+        """
+        states = line_states(self.bed, self.law)
+        given = self.load.half_width if isinstance(self.load, HalfWidth) else self.load.force_per_length
+        flat = np.atleast_1d(np.asarray(given, dtype=float)).ravel()
+        stable = np.ones(flat.shape, dtype=bool)
+        if isinstance(self.load, HalfWidth):
+            force, half_width, stable = *_at_half_width(self.bed, self.law, flat), _is_stable(self, flat)
+        else:
+            force = flat
+            half_width = widest(states, FIXED_GRIPS, flat, "force per length", "N/m", "half-width")
+        shape = np.shape(given)
+        held = stable.reshape(shape) if shape else bool(stable[0])
+        return LineAdhesionSolution(self, shaped(force, shape), shaped(half_width, shape), held)
+
+
+def _at_half_width(bed: LineFoundation, law: LineLaw, half_width: Array) -> tuple[Array, Array]:
+    """Return P [N/m] and a [m] of the equilibria at given half-widths."""
+    end = min(bed.reach, bed.rim)
+    beyond = half_width > end
+    if beyond.any():
+        wall = "the rim of the body" if bed.rim <= bed.reach else "the reach of the profile"
+        raise OutsideValidity(
+            f"half-width {half_width[beyond][0]:.6g} m is beyond {wall} ({end:.6g} m); give a smaller one."
+        )
+    return line_states(bed, law).depth(half_width), half_width.copy()
+
+
+def _is_stable(problem: LineAdhesion, half_width: Array) -> Array:
+    states, rim = line_states(problem.bed, problem.law), problem.bed.rim
+    stable = half_width == rim
+    inner = (half_width > 0.0) & (half_width < rim)
+    if inner.any():
+        stable[inner] = margin(states, FIXED_GRIPS, half_width[inner]) >= 0.0
+    return np.asarray(stable)
+
+
+@value
+class LineAdhesionSolution(OfStrip):
+    """The solution of a `LineAdhesion`; force, half-width and what follows from them have the shape of the load.
+
+    Parameters
+    ----------
+    problem : LineAdhesion
+        The problem that was solved.
+    force_per_length : float or ndarray
+        P [N/m], compression positive.
+    half_width : float or ndarray
+        a [m].
+    stable : bool or ndarray
+        Whether the state stays under a dead load.
+    """
+
+    __words__ = words(
+        edge_load=("Q", "N/m", "load per length that the edges bear beside the profile, negative where they pull"),
+        outer_half_width=("c", "m", "where the attraction beside the strip ends"),
+        pull_off_force_per_length=("P_c", "N/m", "least force per length that the contact bears"),
+        pull_off_half_width=("a_c", "m", "half-width at which the contact comes apart"),
+    )
+
+    problem: LineAdhesion
+    force_per_length: Quantity
+    half_width: Quantity
+    stable: bool | Array
+
+    per_load: ClassVar[str] = "half_width"
+
+    @property
+    def mean_pressure(self) -> Quantity:
+        """P / (2 a) [Pa], negative where the contact is pulled; zero without contact."""
+        width = 2.0 * np.asarray(self.half_width)
+        return shaped(np.asarray(self.force_per_length) / np.where(width > 0.0, width, 1.0))
+
+    @property
+    def edge_load(self) -> Quantity:
+        """P - E* w(a) [N/m]: what the edges bear beside the profile, negative where they pull."""
+        return shaped(self.problem.bed.medium.modulus * self._edge_lengths(), np.shape(self.half_width))
+
+    @property
+    def stress_intensity(self) -> Quantity:
+        """K_I [Pa m^(1/2)] of the tension at the edges: sqrt(2 E* gamma) where they are free, less at a rim.
+
+        Zero under a law with a range.
+        """
+        if isinstance(self.problem.law, Dugdale):
+            return shaped(np.zeros(np.shape(self.half_width)))
+        a = np.ravel(self.half_width)
+        pull = np.maximum(-self.problem.bed.medium.modulus * self._edge_lengths(), 0.0)
+        return shaped(pull / np.sqrt(np.pi * np.where(a > 0.0, a, np.inf)), np.shape(self.half_width))
+
+    @property
+    def energy_release_rate(self) -> Quantity:
+        """G = K_I^2 / (2 E*) [J/m^2]: the work of adhesion where the edges are free."""
+        if isinstance(self.problem.law, Dugdale):
+            return shaped(np.full(np.shape(self.half_width), self.problem.law.work))
+        return shaped(np.asarray(self.stress_intensity) ** 2 / (2.0 * self.problem.bed.medium.modulus))
+
+    @property
+    def outer_half_width(self) -> Quantity:
+        """Where the attraction ends [m]: at the edges themselves if it has no range."""
+        if not isinstance(self.problem.law, Dugdale):
+            return self.half_width
+        zone = CohesiveLineStates(self.problem.bed, self.problem.law).zone(np.ravel(self.half_width))
+        return shaped(zone.outer, np.shape(self.half_width))
+
+    @property
+    def pull_off_force_per_length(self) -> float:
+        """The least force per length [N/m] under which a contact is stable."""
+        return float(line_states(self.problem.bed, self.problem.law).depth(np.array([self.pull_off_half_width]))[0])
+
+    @property
+    def pull_off_half_width(self) -> float:
+        """The half-width [m] at which it comes apart under a dead load."""
+        states = line_states(self.problem.bed, self.problem.law)
+        branches: tuple[Branch, ...] = branches_beyond(states, FIXED_GRIPS, 0.0)
+        starts = np.array([branch.start for branch in branches])
+        return float(starts[np.argmin(states.depth(starts))])
+
+    def at(self, index: int | tuple[int, ...]) -> LineAdhesionSolution:
+        """Return the solution of one load of an array.
+
+        Parameters
+        ----------
+        index : int or tuple of int
+            Which one.
+
+        Raises
+        ------
+        InvalidInput
+            If there is no such load.
+        """
+        force, a, stable = one_of(index, self.force_per_length, self.half_width, self.stable)
+        load = HalfWidth(a) if isinstance(self.problem.load, HalfWidth) else LineForce(force)
+        return LineAdhesionSolution(LineAdhesion(self.problem.bed, self.problem.law, load), force, a, bool(stable))
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted: range of the attraction, slopes, overlap, other stable states, yield."""
+        problem = self.problem
+        widest = int(np.argmax(self.half_width))
+        shape = np.shape(self.half_width)
+        one = self.at(tuple(map(int, np.unravel_index(widest, shape)))) if shape else self
+        forces = np.ravel(self.force_per_length) if isinstance(problem.load, LineForce) else np.zeros(0)
+        return adhesion_notes(one._bed, problem.bed, problem.law, one._strip("notes"), one.separation, forces)
+
+    def _edge_lengths(self) -> Array:
+        """Return what the edges bear over E* [m], without rounding where they are free."""
+        bed, a = self.problem.bed, np.ravel(self.half_width).astype(float)
+        if isinstance(self.problem.law, Dugdale):
+            zone = CohesiveLineStates(bed, self.problem.law).zone(a)
+            return np.asarray(-2.0 * self.problem.law.strength * zone.span / bed.medium.modulus)
+        free = -np.sqrt(2.0 * np.pi * a * self.problem.law.work / bed.medium.modulus)
+        if not np.isfinite(bed.rim):
+            return free
+        held = np.ravel(self.force_per_length) / bed.medium.modulus - bed.load_profile(a)
+        return np.where(a >= bed.rim, held, free)
+
+    def _strip(self, requested: str) -> Strip:
+        single(self.force_per_length, requested)
+        ranged = isinstance(self.problem.law, Dugdale)
+        return Strip(float(self.half_width), 0.0 if ranged else float(self._edge_lengths()[0]))
+
+    @property
+    def _bed(self) -> LineFoundation:
+        bed, law = self.problem.bed, self.problem.law
+        if not isinstance(law, Dugdale):
+            return bed
+        a, outer = float(self.half_width), float(np.asarray(self.outer_half_width))
+        # a sum of one profile, so that no closed form of the profile alone is taken for that of the bed
+        return ZonedBed(Sum((bed.profile,)), bed.medium, law.strength, a, outer)

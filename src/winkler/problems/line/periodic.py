@@ -1,0 +1,281 @@
+r"""Wavy half-planes: strips of contact side by side at one pitch, up to full contact.
+
+For a wave :math:`h\,(1-\cos 2\pi x/\lambda)` under the nominal pressure :math:`\bar p = P/\lambda` (Westergaard 1939)
+
+.. math:: \bar p = p^*\sin^2\frac{\pi a}\lambda , \qquad p^* = \frac{\pi E^*h}\lambda , \qquad
+          p(x) = \frac{2\bar p\cos(\pi x/\lambda)}{\sin^2(\pi a/\lambda)}
+                 \sqrt{\sin^2\frac{\pi a}\lambda-\sin^2\frac{\pi x}\lambda} ,
+
+and beyond :math:`p^*` all is in contact, :math:`p = \bar p + p^*\cos(2\pi x/\lambda)`.  Other profiles that repeat are
+solved by the same change of variable (`winkler.foundation.periodic`).
+"""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.checks.number_checks import Positive
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.line import LineFoundation
+from winkler.foundation.periodic import PeriodicBed, from_line, to_line, unrolled
+from winkler.loading import HalfWidth, LineForce, NominalPressure
+from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
+from winkler.problems.assumptions.declared import PRESSED
+from winkler.problems.line.half_width import refuse_unless_strips, under_force
+from winkler.problems.line.indentation import LineIndentation, LineSolution
+from winkler.problems.line.peak_pressure import rim_load
+from winkler.problems.line.periodic_notes import periodic_notes, periodic_peak
+from winkler.problems.line.strip import Stressed, Strip
+from winkler.problems.one_load import one_of, single
+from winkler.validity import Assumption, Note
+from winkler.values import value, words
+
+__all__ = ["PeriodicIndentation", "PeriodicSolution"]
+
+
+@value
+class PeriodicIndentation:
+    """A wavy body, or one of many equal ridges, pressed on a half-plane, in plane strain.
+
+    Parameters
+    ----------
+    bed : LineFoundation
+        The profile from a crest, x = 0, to the valley at half of the pitch, and the bodies.
+    pitch : float
+        Distance of the crests [m], positive.
+    load : NominalPressure, LineForce or HalfWidth
+        What is prescribed: the pressure over the whole surface, or of each strip the force per length or half-width;
+        its value may be an array, the results then have its shape.
+
+    Raises
+    ------
+    InvalidInput
+        If the profile is not known up to half of the pitch, or has a rim.
+
+    References
+    ----------
+    H. M. Westergaard, J. Appl. Mech. 6 (1939) A49-A53;
+    K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 13.2, doi:10.1017/CBO9781139171731
+
+    Examples
+    --------
+    Waves of 1 um amplitude and 1 mm length, pressed until half of the surface touches.
+
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.wavy import Wavy
+    >>> steel = Elastic(210e9, 0.3)
+    >>> bed = LineFoundation(Wavy(1e-6, 1e-3), HalfSpace.between(steel, steel))
+    >>> half = PeriodicIndentation(bed, 1e-3, HalfWidth(0.25e-3)).solve()
+    >>> round(half.nominal_pressure / half.closure_pressure, 12)
+    0.5
+    """
+
+    __words__ = words(
+        bed=("", None, "profile and bodies of each strip"),
+        load=("", None, "what is prescribed: a nominal pressure, a force per length or a half-width"),
+    )
+
+    bed: LineFoundation
+    pitch: Positive
+    load: NominalPressure | LineForce | HalfWidth
+
+    references: ClassVar[tuple[str, ...]] = ("westergaard_1939", "johnson_1985")
+    assumptions: ClassVar[frozenset[Assumption]] = PRESSED
+
+    def __post_init__(self) -> None:
+        if min(self.bed.reach, self.bed.rim) < 0.5 * self.pitch:
+            raise InvalidInput(
+                f"PeriodicIndentation: the profile ends at {min(self.bed.reach, self.bed.rim):.6g} m, before the "
+                f"valley at half of the pitch ({0.5 * self.pitch:.6g} m); give a smaller pitch, or a profile that is "
+                "known up to the valley."
+            )
+
+    @property
+    def _line(self) -> LineFoundation:
+        """The bed of a single strip over u."""
+        return LineFoundation(unrolled(self.bed.profile, self.pitch), self.bed.medium)
+
+    def solve(self) -> PeriodicSolution:
+        """Return nominal pressure and half-width.
+
+        Raises
+        ------
+        OutsideValidity
+            If the load is tensile, or a half-width is beyond half of the pitch, or the bodies touch in more strips than
+            crests.
+        """
+        line, modulus = self._line, self.bed.medium.modulus
+        given = _given(self.load)
+        flat = np.atleast_1d(np.asarray(given, dtype=float)).ravel()
+        if np.any(flat < 0.0):
+            raise OutsideValidity(
+                f"PeriodicIndentation: the load {float(np.min(flat)):.6g} is tensile; without adhesion bodies can only "
+                "be pressed together: give zero or more."
+            )
+        closes = np.isfinite(line.rim)
+        most = np.inf if closes else float(line.load_profile(np.array([line.reach]))[0])
+        if isinstance(self.load, HalfWidth):
+            if np.any(flat > 0.5 * self.pitch):
+                raise OutsideValidity(
+                    f"half-width {float(np.max(flat)):.6g} m is more than half of the pitch ({0.5 * self.pitch:.6g} m),"
+                    " at which all is in contact; give a smaller one, or a nominal pressure."
+                )
+            half_width, mapped = flat.copy(), np.minimum(to_line(flat, self.pitch), line.reach)
+            force = modulus * line.load_profile(mapped)
+        else:
+            force = flat * (self.pitch if isinstance(self.load, NominalPressure) else 1.0)
+            if np.any(force > modulus * most):
+                raise OutsideValidity(
+                    f"A nominal pressure of {float(np.max(force)) / self.pitch:.6g} Pa would press the valleys all but "
+                    "flat, which are sharp and never close; give at most "
+                    f"{modulus * most / self.pitch:.6g} Pa, or a profile with rounded valleys."
+                )
+            mapped = under_force(line, force / modulus)
+            half_width = from_line(mapped, self.pitch)
+        refuse_unless_strips(line, mapped[mapped < line.rim])
+        shape = np.shape(given)
+        return PeriodicSolution(self, shaped(force, shape), shaped(half_width, shape))
+
+
+def _given(load: NominalPressure | LineForce | HalfWidth) -> Quantity:
+    match load:
+        case NominalPressure(given) | LineForce(given) | HalfWidth(given):
+            return given
+
+
+@value
+class PeriodicSolution(Stressed):
+    """The solution of a `PeriodicIndentation`; every quantity has the shape of the load.
+
+    Parameters
+    ----------
+    problem : PeriodicIndentation
+        The problem that was solved.
+    force_per_length : float or ndarray
+        P [N/m] of each strip, compression positive.
+    half_width : float or ndarray
+        a [m] of each strip; half of the pitch where all is in contact.
+    """
+
+    __words__ = words(
+        contact_share=("2a/\\lambda", "", "share of the surface that is in contact"),
+        closure_pressure=("p^*", "Pa", "nominal pressure at which all is in contact"),
+    )
+
+    problem: PeriodicIndentation
+    force_per_length: Quantity
+    half_width: Quantity
+
+    per_load: ClassVar[str] = "half_width"
+
+    @property
+    def nominal_pressure(self) -> Quantity:
+        """P / pitch [Pa]."""
+        return shaped(np.asarray(self.force_per_length) / self.problem.pitch)
+
+    @property
+    def contact_share(self) -> Quantity:
+        """2 a / pitch [-]."""
+        return shaped(2.0 * np.asarray(self.half_width) / self.problem.pitch)
+
+    @property
+    def mean_pressure(self) -> Quantity:
+        """P / (2 a) [Pa], that of the strips; zero without contact."""
+        width = 2.0 * np.asarray(self.half_width)
+        return shaped(np.asarray(self.force_per_length) / np.where(width > 0.0, width, 1.0))
+
+    @property
+    def peak_pressure(self) -> Quantity:
+        """The greatest pressure [Pa]; infinite at a sharp crest or kink, zero without contact."""
+        strips = [self._strip_of(float(p), float(a)) for p, a in self._pairs()]
+        return shaped(np.array([periodic_peak(self._bed, strip) for strip in strips]), np.shape(self.half_width))
+
+    @property
+    def closure_pressure(self) -> float:
+        """Nominal pressure [Pa] at which all is in contact; infinite if the valleys are sharp."""
+        bed = self._bed.line
+        if not np.isfinite(bed.rim):
+            return np.inf
+        return bed.medium.modulus * float(bed.load_profile(np.array([bed.rim]))[0]) / self.problem.pitch
+
+    def pressure(self, x: ArrayLike) -> Array:
+        """Return the pressure under one load [Pa], zero outside of the strips.
+
+        Parameters
+        ----------
+        x : array_like
+            Places on the surface [m]; the middle of one strip is x = 0.
+
+        Raises
+        ------
+        InvalidInput
+            If the solution has more than one load.
+        """
+        a, extra = self._strip("pressure")
+        x = np.asarray(x, dtype=float)
+        return self._bed.pressure(x, a, extra) if a > 0.0 else np.zeros(x.shape)
+
+    def separation(self, x: ArrayLike) -> Array:
+        """Return the distance of the deformed surfaces under one load [m], zero inside of the strips.
+
+        Parameters
+        ----------
+        x : array_like
+            Places on the surface [m].
+
+        Raises
+        ------
+        InvalidInput
+            If the solution has more than one load.
+        """
+        a, _ = self._strip("separation")
+        pitch, line = self.problem.pitch, self._bed.line
+        x = np.asarray(x, dtype=float)
+        if 2.0 * a >= pitch:
+            return np.zeros(x.shape)
+        force, u = float(self.force_per_length), float(to_line(np.array(a), pitch))
+        one = LineSolution(LineIndentation(line, LineForce(force)), force, u)
+        return one.separation(to_line(np.abs(x - pitch * np.round(x / pitch)), pitch))
+
+    def at(self, index: int | tuple[int, ...]) -> PeriodicSolution:
+        """Return the solution of one load of an array.
+
+        Parameters
+        ----------
+        index : int or tuple of int
+            Which one.
+
+        Raises
+        ------
+        InvalidInput
+            If there is no such load.
+        """
+        force, a = one_of(index, self.force_per_length, self.half_width)
+        load = type(self.problem.load)(float(np.asarray(_given(self.problem.load))[index]))
+        return PeriodicSolution(PeriodicIndentation(self.problem.bed, self.problem.pitch, load), force, a)
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted: assumptions, slopes, whether each crest has one strip, yield."""
+        pairs = self._pairs()
+        widest = max(pairs, key=lambda pair: pair[0])
+        return periodic_notes(self._bed, self.problem.bed, self._strip_of(*widest))
+
+    def _pairs(self) -> list[tuple[float, float]]:
+        forces, widths = np.ravel(self.force_per_length), np.ravel(self.half_width)
+        return [(float(p), float(a)) for p, a in zip(forces, widths, strict=True)]
+
+    @property
+    def _bed(self) -> PeriodicBed:
+        return PeriodicBed(self.problem._line, self.problem.pitch)
+
+    def _strip_of(self, force: float, half_width: float) -> Strip:
+        line = self._bed.line
+        closed = 2.0 * half_width >= self.problem.pitch
+        return Strip(half_width, rim_load(line, force, line.rim) if closed else 0.0)
+
+    def _strip(self, requested: str) -> Strip:
+        return self._strip_of(single(self.force_per_length, requested), float(self.half_width))

@@ -1,0 +1,97 @@
+"""The greatest pressure of periodic strips, and what is stated about them."""
+
+from __future__ import annotations
+
+from typing import cast
+
+import numpy as np
+
+from winkler.foundation.line import LineFoundation
+from winkler.foundation.periodic import PeriodicBed
+from winkler.problems.line.greatest_stress import greatest, von_mises
+from winkler.problems.line.peak_pressure import is_sharp
+from winkler.problems.line.stress import LineContact
+from winkler.problems.line.strip import Strip
+from winkler.problems.normal.strong_parts import strong_parts
+from winkler.problems.normal.unknown_yield import MISES
+from winkler.problems.normal.validity import steepness_note
+from winkler.problems.normal.yield_statement import share_of
+from winkler.validity import Assumption, Note, Standing
+
+__all__ = ["periodic_notes", "periodic_peak"]
+
+WESTERGAARD = "H. M. Westergaard, J. Appl. Mech. 6 (1939) A49-A53"
+PRESSURE_SAMPLES, REFINEMENTS = 65, 9
+
+
+def periodic_peak(bed: PeriodicBed, strip: Strip) -> float:
+    """Return the greatest pressure [Pa]; infinite at a sharp crest or kink, zero without contact."""
+    a, extra = strip
+    if a == 0.0:
+        return 0.0
+    if is_sharp(bed.line, bed.line.rim, 0.0):
+        return np.inf
+    low, high = 0.0, a
+    for _ in range(REFINEMENTS):
+        places = np.linspace(low, high, PRESSURE_SAMPLES)
+        levels = bed.pressure(places, a, extra)
+        best = int(np.argmax(levels))
+        low, high = places[max(best - 1, 0)], places[min(best + 1, PRESSURE_SAMPLES - 1)]
+        if best == 0:
+            break
+    return float(levels[best])
+
+
+def periodic_notes(bed: PeriodicBed, one: LineFoundation, strip: Strip) -> tuple[Note, ...]:
+    """Return the notes of the widest of several contacts.
+
+    Parameters
+    ----------
+    bed : PeriodicBed
+    one : LineFoundation
+        The bed of one crest, as it was given.
+    strip : Strip
+        The widest contact.
+    """
+    a, extra = strip
+    response = Note(
+        Assumption.RESPONSE,
+        Standing.EXACT,
+        "Homogeneous, linear elastic half-planes in plane strain, pressed without friction in equal strips without "
+        "end; far below, a patch of them many pitches wide is pressed evenly.",
+        WESTERGAARD,
+    )
+    if a == 0.0:
+        apart = "The bodies do not touch under this load."
+        return (*one.notes, response, Note(Assumption.EQUILIBRIUM, Standing.EXACT, apart, "the load is zero"))
+    inside = np.linspace(0.0, a, 66)[1:-1]
+    notes = [*one.notes, response, steepness_note(float(np.max(np.abs(one.slope(inside)))))]
+    if extra > 0.0:
+        text = "All is in contact; more load presses evenly."
+        notes.append(Note(Assumption.EQUILIBRIUM, Standing.EXACT, text, WESTERGAARD))
+    if not bed.profile.rising:
+        text = "That each crest has one strip was checked: no tension inside, no overlap outside."
+        source = "a-posteriori check of pressure and separation, at sampled places"
+        notes.append(Note(Assumption.SINGLE_CONTACT, Standing.EXACT, text, source))
+    return (*notes, *_yield_notes(bed, strip))
+
+
+def _yield_notes(bed: PeriodicBed, strip: Strip) -> tuple[Note, ...]:
+    parts = strong_parts(bed.medium)
+    if not parts:
+        return ()
+    if is_sharp(bed.line, bed.line.rim, 0.0):
+        text = "The elastic stress is infinite at a sharp crest or kink, which yields under the smallest load."
+        return (Note(Assumption.ELASTIC, Standing.APPROXIMATE, text, MISES),)
+    found = []
+    for part in parts:
+        contact = LineContact(cast(LineFoundation, bed), *strip, part.solid.poisson, 0.0)
+        place = greatest(contact, von_mises)
+        found.append((place.value / part.solid.strength, place, part))
+    share, place, part = max(found, key=lambda one: one[0])
+    depth = place.z if part.first else -place.z
+    where = f"{share_of(share, part)}, at x = {place.x:.3g} m, z = {depth:.3g} m"
+    stays = "By von Mises' criterion the contact stays elastic: its greatest stress is"
+    has = "By von Mises' criterion yielding has begun: the greatest elastic stress is"
+    text = f"{stays} {where}." if share < 1.0 else f"{has} {where}; the result is not elastic."
+    return (Note(Assumption.ELASTIC, Standing.EXACT if share < 1.0 else Standing.OUTSIDE, text, MISES),)

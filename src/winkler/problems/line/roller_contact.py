@@ -1,0 +1,282 @@
+r"""A roller of finite length pressed on a half-space, crowned or sharp, straight or tilted: boundary elements.
+
+.. math:: w(x,y) = z(x) + \frac{y^2}{2R} - \theta x - d
+          + \frac1{\pi E^*}\int\frac{p(x',y')}{\sqrt{(x-x')^2+(y-y')^2}}\,\mathrm dA' , \qquad
+          F = \int p\,\mathrm dA , \quad M = \int p\,x\,\mathrm dA ,
+
+with p >= 0, w >= 0 and p w = 0.  Unlike an endless line contact, it has an approach d of its own.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Iterable, Iterator
+from typing import Annotated, ClassVar
+
+import numpy as np
+
+from winkler.checks.number_checks import Advice, Positive, Whole
+from winkler.errors import InvalidInput, NotConverged
+from winkler.loading import Depth, Force, Moment, Tilt
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.numerics.surfaces.boxed_slender import Generator, SlenderContact, pressed_levels
+from winkler.numerics.surfaces.pressed_slender import Pose
+from winkler.numerics.types import Array, Quantity, shaped
+from winkler.path import numbers_of
+from winkler.problems.assumptions.declared import MAPPED
+from winkler.problems.line.roller_notes import roller_notes
+from winkler.problems.line.roller_state import ROLLER_WORDS, RollerState
+from winkler.profiles.roller_ends import RollerEnds
+from winkler.validity import Assumption, Note
+from winkler.values import value, words
+
+__all__ = ["RollerContact", "RollerSolution"]
+
+STRAIGHT = Tilt(0.0)
+SAMPLES = 2001
+
+
+@value
+class RollerContact:
+    """A cylindrical roller of finite length pressed on a half-space, without friction.
+
+    Parameters
+    ----------
+    radius : float
+        R [m] across: 1/R is the sum of the curvatures of roller and raceway.
+    length : float
+        Of the roller [m]; the raceway is longer.
+    ends : SharpEnds, CrownedEnds, RoundedEnds or LogarithmicEnds
+        How the roller ends.
+    medium : HalfSpace or TransverselyIsotropicHalfSpace
+        Both bodies, homogeneous.
+    load : Force or Depth
+        What is prescribed; an array is taken load after load.  A depth is the approach of the bodies in the middle.
+    alignment : Tilt or Moment, optional
+        The tilt, none unless given, or the moment under which the roller finds its tilt.
+    elements : int, optional
+        Along the contact, an even number.
+
+    Raises
+    ------
+    InvalidInput
+        If the ends do not fit on the roller, a force is not positive, a depth does not make the bodies touch, a moment
+        would need pulling, or elements are out of range.
+
+    References
+    ----------
+    M. J. Hartnett, J. Lubr. Technol. 101 (1979) 105-109, doi:10.1115/1.3453270; P. M. Johns, R. Gohar, Tribol. Int. 14
+    (1981) 131-136, doi:10.1016/0301-679X(81)90057-2
+
+    Examples
+    --------
+    A steel roller of 10 mm radius and length with a logarithmic crown made for 1 kN/mm, which presses evenly.
+
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.roller_ends import LogarithmicEnds
+    >>> steel = Elastic(210e9, 0.3)
+    >>> pair = HalfSpace.between(steel, steel)
+    >>> roller = RollerContact(10e-3, 10e-3, LogarithmicEnds(1e6), pair, Force(10e3), elements=64).solve()
+    >>> round(roller.middle_pressure / 1e9, 2), round(roller.depth * 1e6, 1)  # GPa, micrometres
+    (1.93, 25.5)
+    """
+
+    __words__ = words(
+        radius=("R", "m", "radius of the roller across, 1/R the sum of the curvatures of both bodies"),
+        length=("L", "m", "length of the roller"),
+        ends=("", None, "how the roller ends"),
+        alignment=("", None, "the tilt of the roller, or the moment under which it finds it"),
+        elements=("", "", "elements along the contact"),
+    )
+
+    radius: Positive
+    length: Positive
+    ends: RollerEnds
+    medium: Annotated[HomogeneousMedium, Advice("the boundary elements apply to no other")]
+    load: Force | Depth
+    alignment: Tilt | Moment = STRAIGHT
+    elements: Annotated[int, Whole(16, 320, "elements")] = 160
+
+    references: ClassVar[tuple[str, ...]] = (
+        "hartnett_1979", "johns_gohar_1981", "lundberg_1939", "fujiwara_kawase_2007", "johnson_1985",
+    )  # fmt: skip
+    assumptions: ClassVar[frozenset[Assumption]] = MAPPED | {Assumption.SHAPE, Assumption.HALF_SPACE}
+
+    def __post_init__(self) -> None:
+        self.ends.refuse(0.5 * self.length)
+        loads = self._loads
+        if isinstance(self.load, Depth):
+            x = np.linspace(-0.5, 0.5, SAMPLES) * self.length
+            turned = self.alignment.tilt * x if isinstance(self.alignment, Tilt) else 0.0
+            least = float(np.min(self.ends.drop(x, 0.5 * self.length, self.medium.modulus) - turned)) + 0.0
+            if np.any(loads <= least):
+                raise InvalidInput(
+                    f"RollerContact: at the depth {np.min(loads):.6g} m the bodies do not touch; give more than "
+                    f"{least:.6g} m."
+                )
+            return
+        if np.any(loads <= 0.0):
+            raise InvalidInput(
+                f"RollerContact: a force of {np.min(loads):.6g} N does not press; without adhesion give positive "
+                "forces."
+            )
+        if isinstance(self.alignment, Moment) and abs(self.alignment.moment) >= 0.5 * self.length * np.min(loads):
+            raise InvalidInput(
+                f"RollerContact: the moment {self.alignment.moment:.6g} N m needs the force {np.min(loads):.6g} N "
+                f"beyond the end of the roller; give less than {0.5 * self.length * np.min(loads):.6g} N m."
+            )
+
+    @property
+    def _loads(self) -> Array:
+        return numbers_of(self.load).ravel()
+
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one for every load."""
+        return int(self._loads.size)
+
+    def steps(self) -> Iterator[RollerState]:
+        """Yield the contact under every load.
+
+        Raises
+        ------
+        NotConverged
+            If a contact is not found.
+        """
+        unit, modulus = 0.5 * self.length, self.medium.modulus
+        generator = Generator(
+            lambda x: self.ends.drop(unit * x, unit, modulus) / unit,
+            self.radius / unit,
+            tuple(mark / unit for mark in self.ends.marks(unit)),
+        )
+        for load in self._loads.tolist():
+            by_force = isinstance(self.load, Force)
+            pose = Pose(
+                force=load / (modulus * unit**2) if by_force else math.nan,
+                approach=math.nan if by_force else load / unit,
+                moment=self.alignment.moment / (modulus * unit**3) if isinstance(self.alignment, Moment) else math.nan,
+                tilt=self.alignment.tilt if isinstance(self.alignment, Tilt) else math.nan,
+            )
+            try:
+                coarse, fine = pressed_levels(generator, pose, self.elements)
+            except NotConverged as error:
+                raise NotConverged(f"RollerContact: under the load {load:.6g}, {error}") from None
+            yield self._state(coarse, fine)
+
+    def _state(self, coarse: SlenderContact, fine: SlenderContact) -> RollerState:
+        """Return a contact with its units."""
+        unit, modulus = 0.5 * self.length, self.medium.modulus
+        grid, pressed = fine.grid, fine.pressed
+        results = [self._pressures(level) for level in (coarse, fine)]
+        peak, middle = results[1]
+        pairs = [(coarse.pressed.force, pressed.force), *zip(*results, strict=True)]
+        changes = [abs(one / other - 1.0) for one, other in pairs if math.isfinite(other) and other > 0.0]
+        overlap = float(np.max(pressed.approach + pressed.tilt * grid.middles - self._drop(grid.middles)))
+        changes.append(abs(coarse.pressed.approach - pressed.approach) / overlap)
+        y = unit * grid.places_across
+        return RollerState(
+            depth=unit * pressed.approach,
+            tilt=pressed.tilt,
+            force=modulus * unit**2 * pressed.force,
+            moment=modulus * unit**3 * pressed.moment,
+            stiffness=modulus * unit * pressed.stiffness,
+            peak_pressure=modulus * peak,
+            middle_pressure=modulus * middle,
+            edge_factor=peak / middle if middle > 0.0 else math.inf,
+            area=unit**2 * float(np.sum(2.0 * fine.half_width * np.diff(grid.edges))),
+            grid_error=max(changes),
+            edges=unit * grid.edges,
+            x=unit * grid.middles,
+            y=np.concatenate([-y[::-1], y]),
+            pressure_along=modulus * fine.on_axis,
+            force_per_length=modulus * unit * fine.force_per_length,
+            half_width=unit * fine.half_width,
+            pressure=modulus * np.concatenate([pressed.pressure[:, ::-1], pressed.pressure], axis=1),
+        )
+
+    def _drop(self, x: Array) -> Array:
+        unit = 0.5 * self.length
+        return self.ends.drop(unit * x, unit, self.medium.modulus) / unit
+
+    def _pressures(self, contact: SlenderContact) -> tuple[float, float]:
+        """Return the greatest pressure and that in the middle, over E*."""
+        on_axis, grid = contact.on_axis, contact.grid
+        middle = float(np.interp(0.0, grid.middles, on_axis, left=0.0, right=0.0))
+        ends = ((0, grid.edges[0]), (-1, grid.edges[-1]))
+        drops = self._drop(np.array([-1.0, 1.0]))
+        sharp = any(
+            abs(place) == 1.0 and contact.pressed.pressure[slice_, 0] > 0.0 and math.isfinite(drop)
+            for (slice_, place), drop in zip(ends, drops, strict=True)
+        )
+        return (math.inf if sharp else float(np.max(on_axis))), middle
+
+    def gathered(self, states: Iterable[RollerState]) -> RollerSolution:
+        """Return the solution made of these states, of all loads or of the first ones."""
+        reached, shape = list(states), numbers_of(self.load).shape
+        whole = len(reached) == math.prod(shape)
+
+        def column(name: str) -> Quantity:
+            numbers = np.array([getattr(state, name) for state in reached])
+            return shaped(numbers, shape) if whole else numbers
+
+        columns = {field.name: column(field.name) for field in dataclasses.fields(RollerSolution)[1:-1]}
+        return RollerSolution(problem=self, **columns, last=reached[-1])
+
+    def solve(self) -> RollerSolution:
+        """Return the solution of all loads.
+
+        Raises
+        ------
+        NotConverged
+            If a contact is not found.
+        """
+        return self.gathered(self.steps())
+
+
+@value
+class RollerSolution:
+    """The solution of a `RollerContact`; quantities have the shape of the load.
+
+    Parameters
+    ----------
+    problem : RollerContact
+        The problem that was solved.
+    depth, tilt, force, moment, stiffness, peak_pressure, middle_pressure, edge_factor, area, grid_error : float or \
+ndarray
+        As in `RollerState`.
+    last : RollerState
+        The contact under the last load, with its pressures.
+    """
+
+    __words__ = ROLLER_WORDS
+
+    problem: RollerContact
+    depth: Quantity
+    tilt: Quantity
+    force: Quantity
+    moment: Quantity
+    stiffness: Quantity
+    peak_pressure: Quantity
+    middle_pressure: Quantity
+    edge_factor: Quantity
+    area: Quantity
+    grid_error: Quantity
+    last: RollerState
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted: grid, sharp ends, slopes, yield."""
+        stated = self.problem
+        peak, middle = float(np.max(self.peak_pressure)), float(np.max(self.middle_pressure))
+        width = (
+            2.0 * stated.radius * middle / stated.medium.modulus
+        )  # of Hertz, where the last load is not the greatest
+        return roller_notes(
+            stated.medium,
+            stated.radius,
+            (peak, middle),
+            max(width, float(np.max(self.last.half_width))),
+            float(np.max(self.grid_error)),
+        )

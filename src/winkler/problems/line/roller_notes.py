@@ -1,0 +1,111 @@
+"""Validity of the contact of a roller of finite length: grid, sharp ends, half-space, slopes, yield."""
+
+from __future__ import annotations
+
+import math
+
+from winkler.foundation.line import LineFoundation
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.problems.line.greatest_stress import greatest, von_mises
+from winkler.problems.line.stress import LineContact
+from winkler.problems.normal.strong_parts import strong_parts
+from winkler.problems.normal.unknown_yield import MISES
+from winkler.problems.normal.validity import large_body_note, steepness_note
+from winkler.problems.normal.yield_statement import share_of
+from winkler.profiles.power import Paraboloid
+from winkler.validity import Assumption, Note, Standing, standing_of
+
+__all__ = ["roller_notes"]
+
+HARTNETT = "M. J. Hartnett, J. Lubr. Technol. 101 (1979) 105-109, doi:10.1115/1.3453270"
+JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 5.4, doi:10.1017/CBO9781139171731"
+FINE, COARSE = 0.02, 0.1
+"""Change from half as many elements up to which results count as fine, and as coarse."""
+
+
+def roller_notes(
+    medium: HomogeneousMedium,
+    radius: float,
+    pressures: tuple[float, float],
+    half_width: float,
+    grid_error: float,
+) -> tuple[Note, ...]:
+    """Return what was assumed of a roller, and what the grid leaves.
+
+    Parameters
+    ----------
+    medium
+        Both bodies.
+    radius
+        Of the roller across [m].
+    pressures
+        The greatest one, infinite at sharp ends, and that in the middle [Pa].
+    half_width
+        The greatest one [m].
+    grid_error
+        Relative change from half as many elements.
+    """
+    notes = [
+        Note(
+            Assumption.RESPONSE,
+            Standing.EXACT,
+            "Frictionless contact of homogeneous, linear elastic half-spaces, every element pressing on all others.",
+            HARTNETT,
+        ),
+        Note(
+            Assumption.HALF_SPACE,
+            Standing.APPROXIMATE,
+            "The roller is a half-space as well, as if it went on beyond its ends: a free end face beside the contact "
+            "would give way and lessen the pressure near the end.",
+            JOHNSON,
+        ),
+        Note(
+            Assumption.RESOLUTION,
+            standing_of(grid_error, FINE, COARSE),
+            f"From half as many elements force, depth and pressures change by up to {100.0 * grid_error:.2g} per cent; "
+            "the error that is left is smaller where they converge.",
+            "comparison of two grids",
+        ),
+        steepness_note(half_width / radius),
+        large_body_note(half_width / radius),
+    ]
+    if math.isinf(pressures[0]):
+        notes.append(
+            Note(
+                Assumption.SHAPE,
+                Standing.ASYMPTOTIC,
+                "A sharp end of the roller bears: the elastic pressure grows there without bound, like that at the "
+                "edge of a punch, so that there is no greatest pressure and no edge factor; a real edge yields or is "
+                "rounded.",
+                JOHNSON,
+            )
+        )
+    return (*notes, *_yield_notes(medium, radius, *pressures))
+
+
+def _yield_notes(medium: HomogeneousMedium, radius: float, peak: float, middle: float) -> tuple[Note, ...]:
+    """Return whether the most loaded slice stays elastic, taken as an endless line contact of the same pressure."""
+    parts = strong_parts(medium)
+    sharp = math.isinf(peak)
+    pressure = middle if sharp else peak
+    if not parts or pressure == 0.0:
+        return ()
+    bed = LineFoundation(Paraboloid(radius), medium)
+    half_width = 2.0 * radius * pressure / medium.modulus
+    found = [greatest(LineContact(bed, half_width, 0.0, part.solid.poisson, 0.0), von_mises) for part in parts]
+    shares = [place.value / part.solid.strength for place, part in zip(found, parts, strict=True)]
+    worst = max(range(len(parts)), key=shares.__getitem__)
+    share = shares[worst]
+    where = f"{share_of(share, parts[worst])}, {found[worst].z:.3g} m below the surface"
+    if sharp:
+        text = (
+            f"A sharp end yields under the smallest load; in the middle of the roller the von Mises stress is {where}"
+        )
+    else:
+        text = (
+            "Taken as an endless line contact of the same greatest pressure, the most loaded slice has a von Mises "
+            f"stress of {where}, which is an estimate"
+        )
+    beyond = "" if share < 1.0 else ": the result is not elastic"
+    standing = Standing.APPROXIMATE if share < 1.0 else Standing.OUTSIDE
+    return (Note(Assumption.ELASTIC, standing, f"{text}{beyond}.", MISES),)

@@ -1,0 +1,166 @@
+"""One strip of contact: pressure, distance of the surfaces, stresses and approach, from its half-width and edge load.
+
+The edge bears a load per length beside that of the profile where a rim pins it (a push) or adhesion holds it (a pull):
+that of a flat punch of the half-width a.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.line import LineFoundation
+from winkler.numerics.transforms import abel
+from winkler.numerics.types import Array, ArrayLike
+from winkler.problems.line.approach import approach
+from winkler.problems.line.references import Reference
+from winkler.problems.line.stress import LineContact, LineFields, poisson_of, stresses
+from winkler.problems.line.zoned_bed import ZonedBed
+
+__all__ = ["OfStrip", "Stressed", "Strip"]
+
+
+class Strip(NamedTuple):
+    """A contact from -a to a.
+
+    Parameters
+    ----------
+    half_width
+        a [m].
+    edge_load
+        Load per length over E* that the edge bears beyond w(a) [m]; negative where it pulls.
+    """
+
+    half_width: float
+    edge_load: float
+
+
+class Stressed:
+    """A solution whose stresses below the surface are known."""
+
+    problem: Any
+
+    @property
+    def _bed(self) -> Any:
+        """What `winkler.problems.line.stress.LineContact` takes for a bed."""
+        return self.problem.bed
+
+    def _strip(self, requested: str) -> Strip:
+        """Return the strip of one load; refuse many."""
+        raise NotImplementedError
+
+    def stresses(self, x: ArrayLike, z: ArrayLike, friction: float = 0.0) -> LineFields:
+        """Return the stresses below the surface under one load.
+
+        Parameters
+        ----------
+        x : array_like
+            Places along the surface [m].
+        z : array_like
+            Depths [m]: not negative in the first body, negative in the second.  All in one of them.
+        friction : float
+            mu [-] of a contact that slides everywhere: the body is dragged along x by mu p, against it if negative.
+
+        Raises
+        ------
+        InvalidInput
+            If the solution has more than one load, or the depths lie in both bodies.
+        OutsideValidity
+            If there is no contact, or the body is rigid or not isotropic.
+        """
+        depth = np.asarray(z, dtype=float)
+        below = bool(np.all(depth >= 0.0))
+        if not below and np.any(depth >= 0.0):
+            raise InvalidInput(f"{type(self).__name__}: the depths z lie in both bodies; request one after the other.")
+        fields = stresses(self._contact(below, friction), np.asarray(x, dtype=float), np.abs(depth))
+        return fields if below else dataclasses.replace(fields, z=-fields.z)
+
+    def _contact(self, below: bool, friction: float) -> LineContact:
+        a, edge_load = self._strip("stresses")
+        if a == 0.0:
+            raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
+        return LineContact(self._bed, a, edge_load, poisson_of(self._bed, below), friction)
+
+
+class OfStrip(Stressed):
+    """The part of a solution that one strip determines."""
+
+    def pressure(self, x: ArrayLike) -> Array:
+        """Return the pressure under one load [Pa], zero outside of the contact.
+
+        Parameters
+        ----------
+        x : array_like
+            Places on the surface [m], on either side of the middle.
+
+        Raises
+        ------
+        InvalidInput
+            If the solution has more than one load.
+        """
+        a, edge_load = self._strip("pressure")
+        x = np.asarray(x, dtype=float)
+        if a == 0.0:
+            return np.zeros(x.shape)
+        return np.asarray(self._bed.pressure(x, a, edge_load))
+
+    def separation(self, x: ArrayLike) -> Array:
+        """Return the distance of the deformed surfaces under one load [m], zero inside of the contact.
+
+        Parameters
+        ----------
+        x : array_like
+            Places on the surface [m], on either side of the middle.
+
+        Raises
+        ------
+        InvalidInput
+            If the solution has more than one load.
+        OutsideValidity
+            If the contact is pinned at a rim, beyond which the body has no surface.
+        """
+        a, edge_load = self._strip("separation")
+        bed = self._bed
+        away = np.abs(np.asarray(x, dtype=float))
+        if a >= bed.rim:
+            raise OutsideValidity("The contact is pinned at the rim, beyond which the body has no surface.")
+        if a == 0.0 and not isinstance(bed, ZonedBed):
+            return np.asarray(bed.profile.height(away))
+        edges = [a, *(b for b, _ in bed.kinks if b > a)]
+
+        def opening(x: Array) -> Array:
+            return np.where(x > a, bed.opening(np.maximum(x, np.nextafter(a, np.inf)), a), 0.0)
+
+        beside = np.maximum(away, a)
+        if isinstance(bed, ZonedBed):
+            lifted = bed.pulled_apart(np.ravel(np.maximum(away, a))).reshape(away.shape)
+            return np.asarray(abel.integral(opening, edges, away) + np.where(away > a, lifted, 0.0))
+        pulled = 2.0 / np.pi * edge_load * np.log1p((beside - a + abel.root_difference(beside, a)) / a)
+        return np.asarray(abel.integral(opening, edges, away) - pulled)
+
+    def approach(self, first: float | Reference | None = None, second: float | Reference | None = None) -> float:
+        """Return how far two points on the axis have come together under one load [m], one in each body.
+
+        Parameters
+        ----------
+        first, second : float, RollerCentre or PlateBase
+            Depths of the points below the surfaces of half-planes [m], or finite bodies; that in a rigid body may be
+            left out.
+
+        Raises
+        ------
+        InvalidInput
+            If a reference is not stated: a line contact has no depth of its own; or if there are many loads.
+        OutsideValidity
+            If the medium is not a `HalfSpace`, or the strip is wider than a fifth of a finite body.
+        """
+        a, edge_load = self._strip("approach")
+        return approach(self._bed, a, edge_load, first, second)
+
+    @property
+    def _bed(self) -> LineFoundation:
+        bed: LineFoundation = self.problem.bed
+        return bed

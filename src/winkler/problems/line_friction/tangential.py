@@ -1,0 +1,260 @@
+r"""A line contact that is pressed and sheared: stick, partial slip and sliding, with memory of what was.
+
+On similar bodies the traction of a contact that slips in part is that of a normal contact less that of an earlier,
+narrower one (Cattaneo; for all profiles Ciavarella and Jaeger),
+
+.. math:: q(x) = \mu\,[p(x;P) - p(x;\gamma)] , \qquad Q = \mu\,(P-\gamma) ,
+
+and every history of straight steps in P and Q is a sum of such terms.  The memory is that of bodies of revolution
+(`winkler.problems.friction.slip_memory`), with the load per length of a narrower contact in the place of the gap, and Q
+in the place of the shift.  A bulk stress in one body, in phase with Q, tilts the profile of each term; the strips of a
+cylinder are shifted by it (Nowell and Hills).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.line import LineFoundation
+from winkler.laws.friction import Sliding
+from winkler.media.halfspace import HalfSpace
+from winkler.numerics.types import Array, ArrayLike
+from winkler.problems.answer import gather
+from winkler.problems.assumptions.declared import SHEARED
+from winkler.problems.friction.slip_memory import SlipMemory
+from winkler.problems.friction.slip_sums import SlipSums
+from winkler.problems.line.half_width import grows, refuse_unless_strips
+from winkler.problems.line_friction.bulk import lean_of, refuse_bulk, refuse_unless_nested
+from winkler.problems.line_friction.path import LinePath
+from winkler.problems.line_friction.slip_curve import slip_curve
+from winkler.problems.line_friction.slip_work import shift_of_memory, work_and_shift
+from winkler.problems.line_friction.states import LineTangentialState
+from winkler.problems.line_friction.strips import EarlierStrip, half_widths, strips_of
+from winkler.problems.line_friction.validity import sheared_line_notes
+from winkler.problems.one_load import OfPath
+from winkler.validity import Assumption, Note
+from winkler.values import value, words
+
+__all__ = ["LineTangential", "LineTangentialSolution"]
+
+SLIDING_TOLERANCE = 1e-12
+"""A shear force beyond what friction bears by no more than this part of it is that of sliding."""
+
+
+@value
+class LineTangential:
+    """A cylinder, a wedge or another two-dimensional body pressed and sheared on a half-plane, with friction.
+
+    Parameters
+    ----------
+    bed : LineFoundation
+        Profile and bodies, on a `HalfSpace`.
+    law : Coulomb
+        Friction.
+    path : LinePath
+        Normal and shear force per length, and a bulk stress in phase with the latter.
+
+    Raises
+    ------
+    InvalidInput
+        If the bodies are not isotropic, or beside a bulk stress the profile is no `Paraboloid` or the normal force
+        changes.
+
+    References
+    ----------
+    M. Ciavarella, Int. J. Solids Struct. 35 (1998) 2349-2362, doi:10.1016/S0020-7683(97)00154-6;
+    J. Jaeger, Arch. Appl. Mech. 65 (1995) 478-487, doi:10.1007/BF00835661;
+    D. Nowell, D. A. Hills, Int. J. Mech. Sci. 29 (1987) 355-365, doi:10.1016/0020-7403(87)90117-2
+
+    Examples
+    --------
+    A cylinder under 60 % of the shear force at which it slides: c/a is the root of the rest.
+
+    >>> from winkler.laws.friction import Coulomb
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.profiles.power import Paraboloid
+    >>> steel = Elastic(210e9, 0.3)
+    >>> bed = LineFoundation(Paraboloid(10e-3), HalfSpace.between(steel, steel))
+    >>> pushed = LineTangential(bed, Coulomb(0.5), LinePath(100e3, [0.0, 30e3])).solve()
+    >>> round(float(pushed.stick_half_width[-1] / pushed.half_width[-1]), 12)  # sqrt(0.4)
+    0.632455532034
+    """
+
+    __words__ = words(bed=("", None, "profile and bodies of the line contact"))
+
+    bed: LineFoundation
+    law: Sliding
+    path: LinePath
+
+    references: ClassVar[tuple[str, ...]] = (
+        "johnson_1985",
+        "cattaneo_1938",
+        "jaeger_1995",
+        "ciavarella_1998",
+        "nowell_hills_1987",
+    )
+    assumptions: ClassVar[frozenset[Assumption]] = SHEARED
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.bed.medium, HalfSpace):
+            raise InvalidInput(
+                f"LineTangential: the medium is a {type(self.bed.medium).__name__}; slip of line contacts is known on "
+                "homogeneous, isotropic bodies only: give a HalfSpace."
+            )
+        refuse_bulk(self.bed, self.path)
+
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one for every point of the path."""
+        return self.path.across.size
+
+    def steps(self) -> Iterator[LineTangentialState]:
+        """Yield the contact at every point of the path.
+
+        Raises
+        ------
+        OutsideValidity
+            If friction does not bear the shear force, or the bulk stress makes an edge slip back.
+        """
+        bed, law, mu = self.bed, self.law, self.law.coefficient
+        modulus = bed.medium.modulus
+        forces, shears = self.path.across, self.path.along
+        widths = half_widths(bed, forces / modulus)
+        refuse_unless_strips(bed, widths)
+        widest, most = float(np.max(widths)), float(np.max(forces)) / modulus
+        if not (bed.profile.rising or grows(bed, widest)):
+            raise OutsideValidity(
+                f"LineTangential: up to the half-width of {widest:.6g} m the profile lets the load fall again, so that "
+                "the contact grows in jumps, of which slip keeps no memory; give a smoother profile or a smaller load."
+            )
+        sums = SlipSums(slip_curve(bed, most)) if most > 0.0 else None
+        lean, ratio = lean_of(bed, self.path), self.path.bulk_per_shear
+        memory, lost = SlipMemory.fresh(), 0.0
+        strips: tuple[EarlierStrip, ...] = ()
+        for index, (force, shear, width) in enumerate(
+            zip(forces.tolist(), shears.tolist(), widths.tolist(), strict=True)
+        ):
+            self._refuse_sliding_away(index, force, shear)
+            load, target, shift = force / modulus, shear / modulus, 0.0
+            bulk = ratio * shear if ratio else 0.0
+            if index == 0:
+                memory, _ = memory.moved(load, 0.0, mu)
+            memory, losses = memory.moved(load, target - _carried(memory), mu)
+            if lean != 0.0 and width > 0.0:
+                before, strips = strips, strips_of(bed, memory, lean)
+                refuse_unless_nested(index, strips, shear, bulk)
+                work, shift = work_and_shift(bed, before, strips)
+                lost += work
+            elif sums is not None:
+                lost += max(sums.lost(losses), 0.0)
+                shift = shift_of_memory(sums, memory, modulus) if width > 0.0 else 0.0
+            yield LineTangentialState(bed, law, force, width, shear, bulk, shift, lost, lean, memory)
+
+    def _refuse_sliding_away(self, index: int, force: float, shear: float) -> None:
+        most = self.law.coefficient * force
+        if abs(shear) > most * (1.0 + SLIDING_TOLERANCE):
+            raise OutsideValidity(
+                f"LineTangential: at index {index} of the path a shear force of {shear:.6g} N/m is prescribed where "
+                f"friction bears {most:.6g} N/m at most, and the bodies would slide away; give a smaller one."
+            )
+
+    def gathered(self, states: Iterable[LineTangentialState]) -> LineTangentialSolution:
+        """Return the solution made of these states, of the whole path or of its beginning."""
+        reached = tuple(states)
+        gaps = np.array([0.0 if state.sliding else state.memory.stick_gap for state in reached])
+        widths = np.array([state.half_width for state in reached])
+        distinct, where = np.unique(np.maximum(gaps, 0.0), return_inverse=True)
+        stick = np.minimum(half_widths(self.bed, distinct)[where], widths)
+        return gather(LineTangentialSolution, self, reached, stick_half_width=stick)
+
+    def solve(self) -> LineTangentialSolution:
+        """Return the contact along the whole path.
+
+        Raises
+        ------
+        OutsideValidity
+            As `steps`.
+        """
+        return self.gathered(self.steps())
+
+
+def _carried(memory: SlipMemory) -> float:
+    """Return the shear force per length over E* [m]."""
+    return float(memory.left[0]) if memory.left.size else 0.0
+
+
+@value
+class LineTangentialSolution(OfPath[LineTangentialState]):
+    """The solution of a `LineTangential` problem, point by point; all arrays ``(points,)``.
+
+    Parameters
+    ----------
+    problem : LineTangential
+        The problem that was solved.
+    force_per_length, half_width : ndarray
+        P [N/m], a [m].
+    shear_force_per_length, bulk_stress : ndarray
+        Q [N/m] along x on the first body; stress along x in it far from the contact [Pa].
+    stick_half_width, stick_middle : ndarray
+        Half-width and middle of the strip that does not slip [m].
+    slip_shift : ndarray
+        By how much the second body is shifted along x beyond what Q causes where the present strip sticks [m]: by slip,
+        and because the strip was narrower before.
+    dissipation_per_length : ndarray
+        Energy lost since the beginning, per length [J/m].
+    states : tuple of LineTangentialState
+        The states themselves, which have traction, slip and stresses.
+    """
+
+    problem: LineTangential
+    force_per_length: Array
+    half_width: Array
+    shear_force_per_length: Array
+    bulk_stress: Array
+    stick_half_width: Array
+    stick_middle: Array
+    slip_shift: Array
+    dissipation_per_length: Array
+    states: tuple[LineTangentialState, ...]
+
+    def friction_work(self, x: ArrayLike) -> Array:
+        """Return what friction has lost along the path at places of the surface, per area [J/m^2].
+
+        Over the coefficient of friction it is pressure times slip, which Archard's law of wear takes.
+
+        Parameters
+        ----------
+        x : array_like
+            Places on the surface [m]; nothing is lost outside of the contact.
+
+        Raises
+        ------
+        OutsideValidity
+            If the normal force changes along the path: what slips under a pressure that changes is not summed by place.
+        """
+        if np.ptp(self.force_per_length) > 0.0:
+            raise OutsideValidity(
+                "LineTangentialSolution: the normal force changes along the path, and the loss is known by place under "
+                "a steady one only; give one force per length, or use dissipation_per_length."
+            )
+        x = np.asarray(x, dtype=float)
+        inside = np.abs(x) < self.half_width[0]
+        before, total = np.zeros((2, int(np.sum(inside))))
+        for state in self.states if total.size else ():
+            ahead = state.slip(x[inside])
+            total += state.traction(x[inside]) * (ahead - before)
+            before = ahead
+        spread = np.zeros(x.shape)
+        spread[inside] = total
+        return spread
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        widest = self.states[int(np.argmax(self.force_per_length))]
+        greatest = float(np.max(np.abs(self.bulk_stress)))
+        return sheared_line_notes(self.problem.bed, self.problem.law, widest, greatest)

@@ -1,0 +1,88 @@
+"""Validity notes of a sheared line contact: coupling, slip, bulk stress, yield."""
+
+from __future__ import annotations
+
+import math
+
+from winkler.foundation.line import LineFoundation
+from winkler.laws.friction import Coulomb
+from winkler.problems.assumptions.coupling import sticking_note
+from winkler.problems.line.greatest_stress import greatest, von_mises
+from winkler.problems.line.peak_pressure import is_sharp, rim_load
+from winkler.problems.line.stress import LineContact
+from winkler.problems.line.validity import line_notes
+from winkler.problems.line.yield_statement import line_yield_notes
+from winkler.problems.line_friction.bulk import bulk_note
+from winkler.problems.line_friction.states import LineTangentialState
+from winkler.problems.normal.strong_parts import strong_parts
+from winkler.validity import Assumption, Note, Standing
+
+__all__ = ["sheared_line_notes"]
+
+CIAVARELLA = (
+    "M. Ciavarella, Int. J. Solids Struct. 35 (1998) 2349-2362, doi:10.1016/S0020-7683(97)00154-6; J. Jaeger, Arch. "
+    "Appl. Mech. 65 (1995) 478-487, doi:10.1007/BF00835661"
+)
+EXACT = Note(
+    Assumption.SLIP,
+    Standing.EXACT,
+    "On similar half-planes the tractions of partial slip are sums of those of normal contacts; every history of "
+    "straight steps in both forces is followed but for rounding.",
+    CIAVARELLA,
+)
+
+
+def sheared_line_notes(bed: LineFoundation, law: Coulomb, widest: LineTangentialState, bulk: float) -> tuple[Note, ...]:
+    """Return how far a sheared line contact can be trusted.
+
+    Parameters
+    ----------
+    bed : LineFoundation
+    law : Coulomb
+    widest : LineTangentialState
+        Of the path.
+    bulk : float
+        Greatest magnitude of the bulk stress [Pa].
+    """
+    a = widest.half_width
+    notes = [*line_notes(bed, a), sticking_note(bed.medium, law.coefficient)]  # type: ignore[arg-type]
+    if widest.lean == 0.0 or a == 0.0:
+        notes.append(EXACT)
+    else:
+        notes.append(bulk_note(widest.lean, a, widest.force_per_length / bed.medium.modulus))
+    return (*notes, *_yield_notes(bed, law, widest, bulk))
+
+
+def _yield_notes(bed: LineFoundation, law: Coulomb, widest: LineTangentialState, bulk: float) -> tuple[Note, ...]:
+    """Return whether the bodies stay elastic: without friction they are stressed least, where all slides most.
+
+    The mean of a contact and of its mirror image, sheared in the opposite direction, is the contact without friction,
+    whose greatest von Mises stress is therefore not above theirs.
+    """
+    a, on_rim = widest.half_width, rim_load(bed, widest.force_per_length, widest.half_width)
+    notes = line_yield_notes(bed, a, on_rim)
+    if not notes or notes[0].standing is not Standing.EXACT or is_sharp(bed, a, on_rim):
+        return notes
+    shares = [
+        _slid_stress(bed, widest, law.coefficient, part.solid.poisson, bulk if part.first else 0.0)
+        / part.solid.strength
+        for part in strong_parts(bed.medium)
+    ]
+    most = max(shares)
+    if most < 1.0:
+        text = f"By von Mises' criterion the contact stays elastic: were all of it to slide, {most:.3g} of the strength"
+        return (Note(Assumption.ELASTIC, Standing.EXACT, f"{text} would be reached.", notes[0].source),)
+    text = (
+        "By von Mises' criterion the contact stays elastic without friction, and would yield if all of it slid "
+        f"({most:.3g} of the strength); request the stresses of the states in between."
+    )
+    return (Note(Assumption.ELASTIC, Standing.APPROXIMATE, text, notes[0].source),)
+
+
+def _slid_stress(
+    bed: LineFoundation, widest: LineTangentialState, friction: float, poisson: float, bulk: float
+) -> float:
+    """Return a bound of the von Mises stress [Pa]: that of sliding, and that of the bulk stress beside it."""
+    a = widest.half_width
+    contact = LineContact(bed, a, rim_load(bed, widest.force_per_length, a), poisson, friction)
+    return greatest(contact, von_mises).value + abs(bulk) * math.sqrt(1.0 - poisson + poisson**2)

@@ -1,0 +1,153 @@
+"""Stresses inside the bodies under Hertz's ellipse: what is requested, in which body, and the greatest of each kind."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from types import MappingProxyType
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.materials.elastic import Elastic
+from winkler.media.halfspace import HalfSpace
+from winkler.media.interior import half_ellipsoid_peak as peak
+from winkler.media.interior.half_ellipsoid import half_ellipsoid_stresses
+from winkler.media.interior.peak import StressSpot
+from winkler.media.interior.tensor import principal_of_tensor, von_mises_of_tensor
+from winkler.numerics.types import Array
+from winkler.values import value, words
+
+__all__ = ["EllipticFields", "below_ellipse", "greatest_below_ellipse", "poisson_below", "traction_of"]
+
+MEASURES: Mapping[str, peak.Measure] = MappingProxyType(
+    {
+        "von_mises": peak.von_mises,
+        "max_shear": peak.max_shear,
+        "orthogonal_shear": peak.orthogonal_shear,
+    }
+)
+
+
+@value
+class EllipticFields:
+    """Stresses inside one body under an elliptic contact, in its own axes: x and y along the surface, z into the body.
+
+    Parameters
+    ----------
+    x, y, z : ndarray
+        Where [m]; z as requested: positive in the first body, negative in the second.
+    xx_stress, yy_stress, zz_stress, xy_stress, xz_stress, yz_stress : ndarray
+        [Pa], tension positive.
+    """
+
+    __words__ = words(
+        x=("x", "m", "place along the surface"),
+        y=("y", "m", "place along the surface, across x"),
+        principal_stresses=(r"\sigma_1, \sigma_2, \sigma_3", "Pa", "principal stresses, greatest first"),
+        orthogonal_shear=(r"\tau_0", "Pa", "shear stress in the plane along the surface, whatever its direction"),
+    )
+
+    x: Array
+    y: Array
+    z: Array
+    xx_stress: Array
+    yy_stress: Array
+    zz_stress: Array
+    xy_stress: Array
+    xz_stress: Array
+    yz_stress: Array
+
+    @property
+    def _tensor(self) -> tuple[Array, ...]:
+        return self.xx_stress, self.yy_stress, self.zz_stress, self.xy_stress, self.xz_stress, self.yz_stress
+
+    @property
+    def von_mises(self) -> Array:
+        """Equivalent stress after von Mises [Pa]."""
+        return von_mises_of_tensor(*self._tensor)
+
+    @property
+    def principal_stresses(self) -> Array:
+        """Principal stresses [Pa], greatest first, along a new last axis of length 3."""
+        return principal_of_tensor(*self._tensor)
+
+    @property
+    def max_shear(self) -> Array:
+        """Greatest shear stress [Pa], half the difference of the outermost principal stresses."""
+        principal = self.principal_stresses
+        return np.asarray(0.5 * (principal[..., 0] - principal[..., 2]))
+
+    @property
+    def orthogonal_shear(self) -> Array:
+        """Shear stress in the plane along the surface [Pa], whatever its direction."""
+        return np.hypot(self.xz_stress, self.yz_stress)
+
+
+def traction_of(friction: float, angle: float) -> tuple[float, float]:
+    """Return the tractions along x and y over the pressure, of friction in a direction given by its angle to x."""
+    if not (math.isfinite(friction) and math.isfinite(angle)):
+        raise InvalidInput(
+            f"EllipticSolution: friction {friction!r} at the angle {angle!r}; give a finite coefficient and angle in "
+            "radians."
+        )
+    quarters = angle / (0.5 * math.pi)
+    if quarters == round(quarters):  # along an axis, without rounding
+        turns = round(quarters) % 4
+        along, across = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[turns]
+    else:
+        along, across = math.cos(angle), math.sin(angle)
+    return friction * along + 0.0, friction * across + 0.0
+
+
+def poisson_below(medium: object, below: bool) -> float:
+    """Return Poisson's ratio of the first body (`below`) or the second; refuse one without stresses."""
+    body = getattr(medium, "first" if below else "second", None) if isinstance(medium, HalfSpace) else None
+    if not isinstance(body, Elastic):
+        raise OutsideValidity(
+            f"The {'first body (z >= 0)' if below else 'second body (z < 0)'} is rigid or not isotropic; the stresses "
+            "below an ellipse are known in the isotropic bodies of a HalfSpace: request the other one."
+        )
+    return body.poisson
+
+
+def below_ellipse(
+    places: tuple[Array, Array, Array],
+    semi_axes: tuple[float, float],
+    pressure: float,
+    poisson: float,
+    traction: tuple[float, float],
+) -> EllipticFields:
+    """Return the stresses at places x, y, z [m] of one shape, z >= 0, under this greatest pressure [Pa]."""
+    stress = half_ellipsoid_stresses(*places, semi_axes, poisson, traction)
+    return EllipticFields(*places, *(pressure * part for part in stress))
+
+
+def greatest_below_ellipse(
+    measure: str, semi_axes: tuple[float, float], pressure: float, poisson: float, traction: tuple[float, float]
+) -> StressSpot:
+    """Return the greatest stress of a kind [Pa] and its place [m], z >= 0.
+
+    Parameters
+    ----------
+    measure : {'von_mises', 'max_shear', 'orthogonal_shear'}
+    semi_axes : tuple of float
+        a along x and b along y [m].
+    pressure : float
+        The greatest one [Pa].
+    poisson : float
+    traction : tuple of float
+        As of `traction_of`.
+
+    Raises
+    ------
+    InvalidInput
+        If there is no such measure.
+    """
+    if measure not in MEASURES:
+        raise InvalidInput(f"EllipticSolution: there is no stress {measure!r}; give one of {', '.join(MEASURES)}.")
+    a, b = semi_axes
+    mirror = 1.0 if traction >= (0.0, 0.0) else -1.0  # the opposite traction has its place mirrored in the axis
+    rubbed = (mirror * traction[0] + 0.0, mirror * traction[1] + 0.0)
+    spot = peak.greatest_in_half_ellipsoid(MEASURES[measure], b / a, poisson, rubbed)
+    return StressSpot(pressure * spot.value, mirror * spot.x * a + 0.0, mirror * spot.y * b + 0.0, spot.z * min(a, b))

@@ -1,0 +1,169 @@
+r"""Onset of yield below Hertz's ellipse, at rest or sliding in any direction.
+
+All stresses grow with :math:`p_0\propto F^{1/3}`: with the greatest von Mises stress :math:`k\,p_0` of each body, its
+strength Y and the ellipse a, b of the force one, yielding begins at
+
+.. math:: F = \Big(\frac{2\pi ab\,Y}{3k}\Big)^3 .
+"""
+
+from __future__ import annotations
+
+import math
+from typing import ClassVar
+
+from winkler.errors import InvalidInput
+from winkler.laws.friction import Coulomb, Overcome
+from winkler.loading import Force
+from winkler.media.halfspace import HalfSpace
+from winkler.problems.assumptions.coupling import sliding_note
+from winkler.problems.assumptions.declared import PRESSED
+from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
+from winkler.problems.normal.strong_parts import strong_parts
+from winkler.profiles.curved_pair import CurvedPair
+from winkler.profiles.ellipse import CurvedBodies
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value, words
+
+__all__ = ["EllipticYieldOnset", "EllipticYieldOnsetSolution"]
+
+FRICTIONLESS = Coulomb(0.0)
+
+
+@value
+class EllipticYieldOnset:
+    """Under which force do bodies of two curvatures begin to yield, at rest or while they slide?
+
+    Parameters
+    ----------
+    bodies : CurvedBodies or CurvedPair
+        R_x and R_y, or the radii of each body.
+    medium : HalfSpace
+        Both bodies, of which at least one was given a strength.
+    friction : Coulomb, optional
+        The contact slides everywhere, and drags each body by mu p; none unless given.
+    angle : float, optional
+        Direction in which it is dragged, from x towards y [rad]; along x unless given.
+
+    Raises
+    ------
+    InvalidInput
+        If no body has a strength, or the medium is not isotropic.
+
+    References
+    ----------
+    A. Sackfield, D. A. Hills, J. Strain Anal. 18 (1983) 107-110, doi:10.1243/03093247V182107
+
+    Examples
+    --------
+    A bearing ball in its groove: the force, and how deep it begins to yield.
+
+    >>> from winkler.materials.elastic import Elastic
+    >>> steel = Elastic(208e9, 0.3, strength=1.2e9)
+    >>> onset = EllipticYieldOnset(CurvedBodies(3.77e-3, 124e-3), HalfSpace.between(steel, steel)).solve()
+    >>> round(onset.force, 1), round(onset.z * 1e6, 2)  # N, micrometres
+    (766.1, 97.79)
+    """
+
+    __words__ = words(
+        friction=("", None, "law of friction of a contact that slides everywhere"),
+        angle=(r"\theta", "rad", "direction in which the surface is dragged, from x towards y"),
+    )
+
+    bodies: CurvedBodies | CurvedPair
+    medium: HalfSpace
+    friction: Overcome = FRICTIONLESS
+    angle: float = 0.0
+
+    references: ClassVar[tuple[str, ...]] = ("johnson_1985",)
+    assumptions: ClassVar[frozenset[Assumption]] = PRESSED | {Assumption.UNCOUPLED}
+
+    def __post_init__(self) -> None:
+        if not math.isfinite(self.angle):
+            raise InvalidInput(f"EllipticYieldOnset: the angle is {self.angle!r}; give one in radians.")
+        if min(self.medium.strengths) == math.inf:
+            raise InvalidInput(
+                "EllipticYieldOnset: no body has a strength; give Elastic(young, poisson, strength=...)."
+            )
+
+    def solve(self) -> EllipticYieldOnsetSolution:
+        """Return the force, and where yielding begins.
+
+        Raises
+        ------
+        InvalidInput
+            If the curvatures are so different that the contact is a line.
+        """
+        unit = self._pressed(1.0)
+        found = []
+        for part in strong_parts(self.medium):
+            place = unit.greatest_stress(self.friction.coefficient, self.angle, below=part.first)
+            found.append(((part.solid.strength / place.value) ** 3, place, part.first))
+        force, place, first = min(found, key=lambda onset: onset[0])
+        pressed, grown = self._pressed(force), force ** (1.0 / 3.0)
+        return EllipticYieldOnsetSolution(
+            self, force, pressed, grown * place.x, grown * place.y, grown * (place.z if first else -place.z)
+        )
+
+    def _pressed(self, force: float) -> EllipticSolution:
+        return EllipticIndentation(self.bodies, self.medium, Force(force)).solve()
+
+
+@value
+class EllipticYieldOnsetSolution:
+    """The solution of `EllipticYieldOnset`.
+
+    Parameters
+    ----------
+    problem : EllipticYieldOnset
+        The problem that was solved.
+    force : float
+        [N] when yielding begins.
+    contact : EllipticSolution
+        The contact under this force.
+    x, y, z : float
+        Where it begins [m], in the axes of the body; below zero (also -0.0) in the second one.
+    """
+
+    __words__ = words(
+        contact=("", None, "the contact when yielding begins"),
+        x=("x", "m", "place along the surface"),
+    )
+
+    problem: EllipticYieldOnset
+    force: float
+    contact: EllipticSolution
+    x: float
+    y: float
+    z: float
+
+    @property
+    def depth(self) -> float:
+        """d [m] when yielding begins."""
+        return float(self.contact.depth)
+
+    @property
+    def peak_pressure(self) -> float:
+        """p_0 [Pa] when yielding begins."""
+        return float(self.contact.peak_pressure)
+
+    @property
+    def longitudinal_semi_axis(self) -> float:
+        """Semi-axis a [m] along x when yielding begins."""
+        return float(self.contact.longitudinal_semi_axis)
+
+    @property
+    def lateral_semi_axis(self) -> float:
+        """Semi-axis b [m] along y when yielding begins."""
+        return float(self.contact.lateral_semi_axis)
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """What is assumed."""
+        criterion = Note(
+            Assumption.ELASTIC,
+            Standing.EXACT,
+            "Yielding begins where the von Mises stress of the elastic field first reaches the strength.",
+            "R. von Mises, Nachr. Ges. Wiss. Goettingen (1913) 582",
+        )
+        others = (note for note in self.contact.validity if note.assumption is not Assumption.ELASTIC)
+        return (*others, sliding_note(self.problem.medium, self.problem.friction.coefficient), criterion)

@@ -1,0 +1,89 @@
+"""Two bodies by their own principal radii, hollow ones negative, with axes that may be turned against each other."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from winkler.checks.number_checks import Finite, Number
+from winkler.profiles.ellipse import CurvedBodies
+from winkler.values import value, words
+
+__all__ = ["CurvedPair"]
+
+Radius = Annotated[float, Number("give a number other than zero{unit}, negative where hollow, or infinite")]
+
+
+@value
+class CurvedPair:
+    """Two bodies with two curvatures each, which touch on an ellipse.
+
+    Parameters
+    ----------
+    first_longitudinal_radius, first_lateral_radius : float
+        Principal radii of the first body along its x and y [m]; negative where it is hollow, infinite where straight.
+    second_longitudinal_radius, second_lateral_radius : float
+        The same of the second body.
+    angle : float, optional
+        By which the axes of the second body are turned against those of the first [rad].
+
+    Raises
+    ------
+    InvalidInput
+        If a radius is zero, or the bodies do not touch in a point: a hollow as narrow as the body in it.
+
+    Examples
+    --------
+    A ball of 5 mm in the groove of a ring:
+
+    >>> pair = CurvedPair(5e-3, 5e-3, 26e-3, -5.2e-3)
+    >>> round(pair.longitudinal_curvature_radius * 1e3, 3), round(pair.lateral_curvature_radius * 1e3, 1)
+    (4.194, 130.0)
+    """
+
+    __words__ = words(
+        first_longitudinal_radius=("R_{1x}", "m", "radius of the first body along x, negative where hollow"),
+        first_lateral_radius=("R_{1y}", "m", "radius of the first body along y, negative where hollow"),
+        second_longitudinal_radius=("R_{2x}", "m", "radius of the second body along its x, negative where hollow"),
+        second_lateral_radius=("R_{2y}", "m", "radius of the second body along its y, negative where hollow"),
+        angle=(r"\phi", "rad", "angle between the axes of both bodies"),
+    )
+
+    first_longitudinal_radius: Radius
+    first_lateral_radius: Radius
+    second_longitudinal_radius: Radius
+    second_lateral_radius: Radius
+    angle: Finite = 0.0
+
+    def __post_init__(self) -> None:
+        _ = self.together
+
+    @property
+    def together(self) -> CurvedBodies:
+        """The radii of both bodies together, in the principal directions of their distance."""
+        first = (self.first_longitudinal_radius, self.first_lateral_radius)
+        second = (self.second_longitudinal_radius, self.second_lateral_radius)
+        return CurvedBodies.of(first, second, self.angle)
+
+    @property
+    def longitudinal_curvature_radius(self) -> float:
+        """R_x [m] of both together, along the principal direction next to x of the first body."""
+        return self.together.longitudinal_curvature_radius
+
+    @property
+    def lateral_curvature_radius(self) -> float:
+        """R_y [m] of both together, across."""
+        return self.together.lateral_curvature_radius
+
+    @property
+    def slenderness(self) -> float:
+        """b/a [-], the semi-axis across over that along."""
+        return self.together.slenderness
+
+    @property
+    def equivalent_radius(self) -> float:
+        """R_eq [m] of the ball whose force grows with depth as that of the bodies."""
+        return self.together.equivalent_radius
+
+    def semi_axes(self, modulus: float, force: float) -> tuple[float, float]:
+        """Return a and b [m] under a modulus [Pa] and a force [N]."""
+        return self.together.semi_axes(modulus, force)

@@ -1,0 +1,70 @@
+"""Friction of line contacts: paths, problems, and their formulas."""
+
+from __future__ import annotations
+
+from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
+from winkler.study.chapters.kind import kind
+from winkler.study.chapters.line import LOAD, LOAD_PROFILE, PRESSURE, ROLLER
+from winkler.study.chapters.normal import MODULUS
+
+__all__ = ["LINE_FRICTION"]
+
+TO_AND_FRO = ["0 N/mm", "20 N/mm", "-20 N/mm", "20 N/mm"]
+
+SLIPPING = Equation(
+    "What slips bears μ times the pressure; what sticks bears less by the pressure of a narrower contact",
+    r"q(x) = \mu\left[p(x;P) - p(x;\gamma)\right], \quad Q = \mu\,(P-\gamma)",
+)
+HISTORY = Equation(
+    "Along a path the traction is a sum of such pressures, one for each turning point that is not forgotten",
+    r"q(x) = \sum_j B_j\,p(x;\gamma_j)",
+)
+AHEAD = Equation(
+    "and the surfaces have slipped by the sum of the distances that those contacts would leave open beside them",
+    r"s(x) = -\sum_j B_j\,h(x;\gamma_j)",
+)
+SHIFTED = Equation(
+    "A bulk stress in phase with Q shifts those of a cylinder",
+    r"e_j = R\,\frac{1-\nu_1^2}{E_1}\,\frac{\sigma_B}{Q}\,(P-\gamma_j)",
+)
+LOST = Equation(
+    "Friction loses per length", r"W_d = \frac{2}{\pi E^*}\int\!\!\int t\,\mathrm{d}(Q-t)\,\mathrm{d}\ln a(\gamma)"
+)
+
+LINE_FRICTION = Chapter(
+    "line contact",
+    kinds={
+        "line_path": {
+            "line_path": kind(
+                "winkler.problems.line_friction.path:LinePath",
+                problem="line_tangential",
+                force_per_length="100 N/mm",
+                shear_force_per_length=TO_AND_FRO,
+                count=20,
+            ),
+        },
+    },
+    answers={
+        "line_tangential": answer(
+            "winkler.problems.line_friction.tangential:LineTangential",
+            "johnson_1985",
+            "cattaneo_1938",
+            "jaeger_1995",
+            "ciavarella_1998",
+            "nowell_hills_1987",
+            bed={**ROLLER, "medium": {"kind": "half_space", "second": {"kind": "elastic"}}},
+            picture=Caption(
+                "line_tangential",
+                "The contact along its path",
+                "The loop of the shear force, and how the last contact sticks and slips.",
+            ),
+            curves=(
+                ("slip_shift", "shear_force_per_length"),
+                ("shear_force_per_length", "stick_half_width"),
+                ("shear_force_per_length", "dissipation_per_length"),
+            ),
+            pictured=PicturedContact.NONE,
+            formulas=(MODULUS, LOAD_PROFILE, LOAD, PRESSURE, SLIPPING, HISTORY, AHEAD, SHIFTED, LOST),
+        ),
+    },
+)

@@ -1,0 +1,240 @@
+"""Rollers of finite length against Hertz's ellipse, Lundberg, endless lines, height maps and direct superposition."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+import winkler as wk
+from winkler.validity import Assumption, Standing
+
+STEEL = wk.Elastic(208e9, 0.3)
+PAIR = wk.HalfSpace.between(STEEL, STEEL)
+SOFT = wk.HalfSpace(wk.Elastic(1.0, 0.0))
+LOG = wk.LogarithmicEnds(4e3 / 9.6e-3, load_factor=1.5, crowned_share=0.7)
+
+
+def bearing(ends, load=None, alignment=None, elements=96, medium=PAIR):
+    """Return a roller of a bearing under 4 kN."""
+    return wk.RollerContact(4.2e-3, 9.6e-3, ends, medium, load or wk.Force(4e3), alignment or wk.Tilt(0.0), elements)
+
+
+@pytest.mark.parametrize(("crown", "load"), [(5.0, 1e-3), (100.0, 2e-4), (2000.0, 2e-5)])
+def test_a_crown_whose_ends_do_not_touch_is_an_ellipse_of_hertz(crown, load):
+    ellipse = wk.EllipticIndentation(wk.CurvedBodies(crown, 1.0), SOFT, wk.Force(load)).solve()
+    found = wk.RollerContact(1.0, 4.0, wk.CrownedEnds(crown), SOFT, wk.Force(load)).solve()
+    assert found.depth == pytest.approx(ellipse.depth, rel=3e-4)
+    assert found.peak_pressure == pytest.approx(ellipse.peak_pressure, rel=1e-3)
+    assert found.area == pytest.approx(ellipse.area, rel=4e-3)
+    assert found.stiffness == pytest.approx(ellipse.stiffness, rel=4e-3)
+    assert found.edge_factor == pytest.approx(1.0, rel=1e-3)
+    inside = np.abs(found.last.x) < 0.8 * ellipse.longitudinal_semi_axis
+    expected = ellipse.pressure(found.last.x[inside], 0.0)
+    assert found.last.pressure_along[inside] == pytest.approx(expected, rel=3e-3)
+
+
+def test_an_approach_gives_the_force_of_hertz():
+    ellipse = wk.EllipticIndentation(wk.CurvedBodies(100.0, 1.0), SOFT, wk.Depth(1e-3)).solve()
+    found = wk.RollerContact(1.0, 4.0, wk.CrownedEnds(100.0), SOFT, wk.Depth(1e-3), elements=96).solve()
+    assert found.depth == 1e-3
+    assert found.force == pytest.approx(ellipse.force, rel=4e-4)
+
+
+def test_a_tilted_crown_is_the_same_ellipse_elsewhere():
+    """x^2/(2 R_c) - theta x has its lowest point at theta R_c, theta^2 R_c/2 deeper."""
+    tilt, crown = 2e-3, 100.0
+    straight = wk.RollerContact(1.0, 4.0, wk.CrownedEnds(crown), SOFT, wk.Force(2e-4), elements=96).solve()
+    tilted = wk.RollerContact(1.0, 4.0, wk.CrownedEnds(crown), SOFT, wk.Force(2e-4), wk.Tilt(tilt), 96).solve()
+    assert tilted.moment / tilted.force == pytest.approx(tilt * crown, rel=1e-3)
+    assert tilted.depth == pytest.approx(straight.depth - 0.5 * tilt**2 * crown, rel=2e-4)
+    assert tilted.peak_pressure == pytest.approx(straight.peak_pressure, rel=1e-3)
+
+
+@pytest.mark.parametrize("ends", [wk.SharpEnds(), wk.RoundedEnds(0.3e-3), wk.LogarithmicEnds(4e3 / 9.6e-3)])
+def test_the_middle_is_that_of_an_endless_line(ends):
+    found = bearing(ends, elements=160).solve().last
+    middle = found.x.size // 2
+    load = wk.LineForce(float(found.force_per_length[middle]))
+    line = wk.LineIndentation(wk.LineFoundation(wk.Paraboloid(4.2e-3), PAIR), load).solve()
+    assert found.middle_pressure == pytest.approx(line.peak_pressure, rel=5e-3)
+    assert found.half_width[middle] == pytest.approx(line.half_width, rel=5e-3)
+
+
+def test_lundbergs_crown_presses_evenly_and_has_his_approach():
+    for half_width in (0.03, 0.003):
+        even = np.pi * half_width**2 / 4.0
+        found = wk.RollerContact(1.0, 2.0, wk.LogarithmicEnds(even), SOFT, wk.Force(2.0 * even), elements=128).solve()
+        assert found.depth == pytest.approx(
+            even / np.pi * (2.0 * np.log(4.0 / half_width) + 1.0), rel=0.1 * half_width + 5e-4
+        )
+        inside = np.abs(found.last.x) < 0.9
+        assert found.last.force_per_length[inside] == pytest.approx(even, rel=0.02)
+        assert 1.05 < found.edge_factor < 1.2
+        turned = found.last.force_per_length[::-1]
+        np.testing.assert_allclose(found.last.force_per_length, turned, rtol=1e-6, atol=1e-6 * even)
+
+
+def love(x, y, dx, dy):
+    """Return pi E* times the displacement at (x, y) from the middle of a rectangle under unit pressure."""
+
+    def corner(x, y):
+        return x * np.arcsinh(y / np.abs(x)) + y * np.arcsinh(x / np.abs(y))
+
+    signs = [(1, 1), (-1, -1), (1, -1), (-1, 1)]
+    return sum(s * t * corner(x + 0.5 * s * dx, y + 0.5 * t * dy) for s, t in signs)
+
+
+@pytest.mark.parametrize(
+    ("ends", "alignment"),
+    [(wk.RoundedEnds(0.5e-3), wk.Tilt(1e-3)), (LOG, wk.Moment(3.0)), (wk.SharpEnds(), wk.Tilt(0.5e-3))],
+)
+def test_superposed_pressures_close_the_gap_and_bear_the_load(ends, alignment):
+    problem = bearing(ends, alignment=alignment)
+    found = problem.solve()
+    state, half = found.last, 0.5 * problem.length
+    loaded = state.force_per_length > 0.0
+    step = state.y[1] - state.y[0]
+    middles = state.x
+    lengths = np.diff(state.edges)
+    force = np.sum(state.pressure * lengths[:, None]) * step
+    moment = np.sum(state.pressure * (lengths * middles)[:, None]) * step
+    assert force == pytest.approx(4e3, rel=1e-6)
+    assert moment == pytest.approx(found.moment, rel=1e-5)
+    where = np.flatnonzero(loaded)[4:-4:7]
+    for x in middles[where]:
+        y = 0.21 * step
+        moved = np.sum(state.pressure * love(x - middles[:, None], y - state.y, lengths[:, None], step))
+        drop = float(ends.drop(np.array([x]), half, PAIR.modulus)[0])
+        closed = found.depth + found.tilt * x - drop - y**2 / (2.0 * problem.radius)
+        assert moved / (np.pi * PAIR.modulus) == pytest.approx(closed, abs=3e-3 * found.depth)
+
+
+def test_a_height_map_of_a_short_roller_bears_the_same():
+    """The other solver of the package: square pixels, another method, another grid."""
+    n, length, tilt, radius, edge = 192, 2.0, 2e-2, 1.0, 0.4
+    x = (np.arange(n) + 0.5) / n * length - 0.5 * length
+    y = (np.arange(n // 2) + 0.5) / n * length - 0.25 * length
+    ends = wk.RoundedEnds(edge)
+    drop = ends.drop(x, 0.5 * length, 1.0) - tilt * x
+    heights = -(drop[:, None] + y**2 / (2.0 * radius))
+    depth = 0.06
+    top = float(np.max(heights))
+    surface = wk.SurfaceContact(wk.Topography(heights, [length, 0.5 * length]), SOFT, wk.Depth(depth + top)).solve()
+    roller = wk.RollerContact(radius, length, ends, SOFT, wk.Depth(depth), wk.Tilt(tilt), 96).solve()
+    assert roller.force == pytest.approx(surface.force, rel=2e-3)
+    assert roller.stiffness == pytest.approx(surface.stiffness, rel=1e-2)
+    assert roller.area == pytest.approx(surface.area, rel=2e-2)
+    sums = np.sum(surface.last.pressure * x[:, None]) * (length / n) ** 2
+    assert roller.moment == pytest.approx(sums, rel=5e-3)
+    assert roller.peak_pressure == pytest.approx(np.max(surface.last.pressure), rel=2e-2)
+
+
+SHAPES = [
+    (wk.RoundedEnds(0.5e-3), wk.Tilt(0.0)),
+    (wk.RoundedEnds(0.5e-3), wk.Tilt(1e-3)),
+    (LOG, wk.Tilt(1e-3)),
+    (wk.LogarithmicEnds(4e3 / 9.6e-3), wk.Moment(1.0)),
+    (wk.CrownedEnds(0.5, 4e-3), wk.Tilt(2e-3)),
+]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("ends", "alignment"), SHAPES)
+def test_the_usual_grid_is_within_one_per_cent_of_a_refined_one(ends, alignment):
+    usual = bearing(ends, alignment=alignment, elements=160).solve()
+    refined = bearing(ends, alignment=alignment, elements=320).solve()
+    for name in ("depth", "peak_pressure", "middle_pressure", "edge_factor", "stiffness", "area"):
+        assert getattr(usual, name) == pytest.approx(getattr(refined, name), rel=0.01), name
+    assert usual.tilt == pytest.approx(refined.tilt, rel=0.01)
+    assert usual.moment == pytest.approx(refined.moment, rel=0.01, abs=1e-6)
+
+
+@pytest.mark.parametrize(("ends", "alignment"), SHAPES[1:3])
+def test_the_stated_error_of_the_grid_holds(ends, alignment):
+    rough, fine = (bearing(ends, alignment=alignment, elements=count).solve() for count in (64, 192))
+    for name in ("depth", "peak_pressure", "middle_pressure"):
+        assert getattr(rough, name) == pytest.approx(getattr(fine, name), rel=max(rough.grid_error, 2e-3)), name
+
+
+def test_tilt_and_moment_and_force_and_depth_are_the_same_from_either_side():
+    tilted = bearing(LOG, alignment=wk.Tilt(0.8e-3)).solve()
+    turned = bearing(LOG, alignment=wk.Moment(tilted.moment)).solve()
+    assert turned.tilt == pytest.approx(0.8e-3, rel=1e-3)
+    assert turned.depth == pytest.approx(tilted.depth, rel=1e-4)
+    pressed = bearing(LOG, wk.Depth(tilted.depth), wk.Tilt(0.8e-3)).solve()
+    assert pressed.force == pytest.approx(4e3, rel=1e-3)
+    both = bearing(LOG, wk.Depth(tilted.depth), wk.Moment(tilted.moment)).solve()
+    assert (both.tilt, both.force) == (pytest.approx(0.8e-3, rel=2e-3), pytest.approx(4e3, rel=1e-3))
+    mirrored = bearing(LOG, alignment=wk.Tilt(-0.8e-3)).solve()
+    assert mirrored.moment == pytest.approx(-tilted.moment, rel=1e-4)
+    free = bearing(LOG, alignment=wk.Moment(0.0)).solve()
+    assert abs(free.tilt) < 1e-8
+
+
+def test_the_stiffness_is_the_slope_of_force_over_depth():
+    for alignment in (wk.Tilt(1e-3), wk.Moment(3.0)):
+        low, high = (bearing(LOG, wk.Force(force), alignment).solve() for force in (3.9e3, 4.1e3))
+        middle = bearing(LOG, wk.Force(4e3), alignment).solve()
+        assert middle.stiffness == pytest.approx(200.0 / (high.depth - low.depth), rel=0.01)
+
+
+def test_tiny_and_huge_rollers_are_similar():
+    one = wk.RollerContact(1.0, 2.0, wk.RoundedEnds(0.2), SOFT, wk.Depth(1e-3), elements=48).solve()
+    for scale in (1e-9, 1e6):
+        ends, depth = wk.RoundedEnds(0.2 * scale), wk.Depth(1e-3 * scale)
+        other = wk.RollerContact(scale, 2.0 * scale, ends, SOFT, depth, elements=48).solve()
+        assert other.force == pytest.approx(one.force * scale**2, rel=1e-9)
+        assert other.edge_factor == pytest.approx(one.edge_factor, rel=1e-9)
+
+
+def test_sharp_ends_have_no_greatest_pressure():
+    found = bearing(wk.SharpEnds()).solve()
+    assert found.peak_pressure == found.edge_factor == np.inf
+    assert found.grid_error < 2e-3
+    notes = [note for note in found.validity if note.assumption is Assumption.SHAPE]
+    assert len(notes) == 1
+    assert "without bound" in notes[0].statement
+    assert not [note for note in bearing(LOG).solve().validity if note.assumption is Assumption.SHAPE]
+    weak, strong = (bearing(wk.CrownedEnds(radius)).solve().edge_factor for radius in (2.0, 0.5))
+    assert weak == np.inf
+    assert strong == pytest.approx(1.0, rel=1e-3)
+
+
+def test_many_loads_are_taken_one_by_one():
+    forces = np.array([1e3, 4e3])
+    problem = bearing(LOG, wk.Force(forces), wk.Tilt(1e-3), 48)
+    found = problem.solve()
+    single = bearing(LOG, wk.Force(1e3), wk.Tilt(1e-3), 48).solve()
+    assert found.depth[0] == single.depth
+    np.testing.assert_allclose(found.force, forces, rtol=1e-9)
+    assert problem.total == 2
+    assert found.last.pressure.shape == (48, found.last.y.size)
+
+
+def test_the_estimate_of_yield_is_that_of_a_line():
+    strong = wk.HalfSpace.between(wk.Elastic(208e9, 0.3, strength=1.8e9), STEEL)
+    found = bearing(LOG, medium=strong, elements=48).solve()
+    (note,) = [note for note in found.validity if note.assumption is Assumption.ELASTIC]
+    assert note.standing is Standing.APPROXIMATE
+    share = 0.5575 * found.peak_pressure / 1.8e9
+    assert f"{share:.3f}" in note.statement
+    pressed = dataclasses.replace(found.problem, load=wk.Force(40e3)).solve()
+    assert [note.standing for note in pressed.validity if note.assumption is Assumption.ELASTIC] == [Standing.OUTSIDE]
+
+
+@pytest.mark.parametrize(
+    ("change", "sentence"),
+    [
+        ({"load": wk.Force(-1.0)}, "give positive forces"),
+        ({"load": wk.Depth(-1e-3)}, "do not touch; give more than 0"),
+        ({"alignment": wk.Moment(20.0)}, "give less than 19.2 N m"),
+        ({"ends": wk.CrownedEnds(1.0, 10e-3)}, "takes the whole roller"),
+        ({"ends": wk.RoundedEnds(5e-3)}, "leave nothing of a roller"),
+        ({"elements": 10}, "from 16 to 320"),
+    ],
+)
+def test_what_is_no_roller_is_refused(change, sentence):
+    with pytest.raises(wk.InvalidInput, match=sentence):
+        dataclasses.replace(bearing(LOG), **change)

@@ -1,0 +1,76 @@
+"""Radii of two bodies together: the Hessian of their distance, hollow bodies, pairs that touch in no point."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import winkler as wk
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.3, 0.5 * math.pi, 1.2, 2.5, -0.7])
+@pytest.mark.parametrize(
+    "radii", [((0.01, 0.02), (0.03, -0.05)), ((math.inf, 0.01), (math.inf, 0.03)), ((1.0, 1.0), (2.0, 3.0))]
+)
+def test_principal_curvatures_of_the_distance(radii, angle):
+    """The eigenvalues of the sum of both curvature tensors, and the direction of the first one."""
+    turned = np.array([[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]])
+    first, second = (np.diag([1.0 / radius for radius in pair]) for pair in radii)
+    tensor = first + turned @ second @ turned.T
+    if np.min(np.linalg.eigvalsh(tensor)) < 1e-12:
+        with pytest.raises(wk.InvalidInput, match="do not touch in a point"):
+            wk.CurvedBodies.of(*radii, angle)
+        return
+    found, turn = wk.CurvedBodies.of(*radii, angle), wk.CurvedBodies.turn(*radii, angle)
+    assert abs(turn) <= 0.25 * math.pi
+    for direction, radius in (
+        (turn, found.longitudinal_curvature_radius),
+        (turn + 0.5 * math.pi, found.lateral_curvature_radius),
+    ):
+        along = np.array([math.cos(direction), math.sin(direction)])
+        assert tensor @ along == pytest.approx(along / radius, rel=1e-10, abs=1e-10 * np.max(tensor))
+
+
+def test_raceways():
+    """Harris: a ball in a groove of 0.52 times its diameter; the sum of curvatures is that of the four radii."""
+    ball, groove, ring = 6e-3, 0.52 * 12e-3, 20e-3
+    inner = wk.CurvedBodies.of((ball, ball), (ring, -groove))
+    outer = wk.CurvedBodies.of((ball, ball), (-(ring + 2.0 * ball), -groove))
+    assert 1.0 / inner.longitudinal_curvature_radius == pytest.approx(1.0 / ball + 1.0 / ring)
+    assert 1.0 / outer.longitudinal_curvature_radius == pytest.approx(1.0 / ball - 1.0 / (ring + 2.0 * ball))
+    assert inner.lateral_curvature_radius == pytest.approx(1.0 / (1.0 / ball - 1.0 / groove))
+    assert wk.CurvedBodies.turn((ball, ball), (ring, -groove)) == 0.0
+
+
+def test_pair():
+    """A pair by its radii is the bodies together, in all that problems use."""
+    pair, together = (
+        wk.CurvedPair(6e-3, 6e-3, 20e-3, -6.24e-3, 0.2),
+        wk.CurvedBodies.of((6e-3, 6e-3), (20e-3, -6.24e-3), 0.2),
+    )
+    assert pair.together == together
+    for name in ("longitudinal_curvature_radius", "lateral_curvature_radius", "slenderness", "equivalent_radius"):
+        assert getattr(pair, name) == getattr(together, name)
+    medium = wk.HalfSpace.between(wk.Elastic(210e9, 0.3, 1e9))
+    found, expected = (wk.EllipticIndentation(each, medium, wk.Force(10.0)).solve() for each in (pair, together))
+    assert (found.depth, found.lateral_semi_axis) == (expected.depth, expected.lateral_semi_axis)
+    assert found.problem.bed.bodies == together
+    assert wk.EllipticYieldOnset(pair, medium).solve().force == wk.EllipticYieldOnset(together, medium).solve().force
+    with pytest.raises(wk.InvalidInput, match="do not touch in a point"):
+        wk.CurvedPair(6e-3, 6e-3, 20e-3, -6e-3)
+
+
+@pytest.mark.parametrize("groove", [6e-3, 5.9e-3])
+def test_hollow_as_narrow_as_the_ball(groove):
+    with pytest.raises(wk.InvalidInput, match="give a hollow wider than the body in it"):
+        wk.CurvedBodies.of((6e-3, 6e-3), (20e-3, -groove))
+
+
+def test_bad_radii():
+    for radii in ((0.0, 1.0), (math.nan, 1.0), (1.0,)):
+        with pytest.raises(wk.InvalidInput, match="two numbers other than zero"):
+            wk.CurvedBodies.of(radii, (1.0, 1.0))
+    with pytest.raises(wk.InvalidInput, match="in radians"):
+        wk.CurvedBodies.of((1.0, 1.0), (1.0, 1.0), math.inf)
