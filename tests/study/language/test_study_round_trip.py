@@ -59,6 +59,8 @@ ELSEWHERE = {
     wk.CurrentFields,
     wk.HeatFields,
     wk.NamedMaterial,
+    wk.PlateBase,
+    wk.RollerCentre,
     wk.LineFields,
     wk.LineScan,
     wk.RoughLine,
