@@ -19,9 +19,9 @@ def line_rolling_carter() -> list:
 
 @ROLLING_LINES.of_case
 def line_rolling_start_carter() -> list:
-    """At rest a (1 - Q/(mu P))^(1/2) sticks; in the end xi = mu (a - c)/R with the same c."""
+    """In the end xi = mu (a - c)/R, c/a = (1 - Q/(mu P))^(1/2)."""
     share = mp.sqrt(1 - frac("0.64"))
-    return [share, frac("0.3") * frac("0.1") * (1 - share), share]
+    return [frac("0.3") * frac("0.1") * (1 - share), share]
 
 
 @ROLLING_LINES.of_case

@@ -7,6 +7,7 @@ import pytest
 
 import winkler as wk
 from winkler.media.interior.half_ellipsoid import half_ellipsoid_stresses
+from winkler.media.interior.half_ellipsoid_displacement import half_ellipsoid_displacements
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(100)
 
@@ -87,6 +88,23 @@ def test_point_forces_add_up(semi_axes, traction):
     found = np.array(half_ellipsoid_stresses(*np.array(places).T, semi_axes, poisson, traction)).T
     expected = [point_forces(place, semi_axes, poisson, traction) for place in places]
     assert found == pytest.approx(np.array(expected), abs=1e-9)
+
+
+@pytest.mark.parametrize("semi_axes", [(1.0, 1.0), (1.0, 0.999), (2.0, 1.0), (1.0, 4.0)])
+def test_displacements_of_point_forces_add_up(semi_axes):
+    (a, b), f, mu = semi_axes, 0.4, (0.3, -0.4)
+    for place in [(0.3 * a, 0.4 * b, 0.5), (-0.7 * a, -0.9 * b, 0.6), (1.3 * a, 0.1 * b, 0.7)]:
+        x, y, share = around(place, a, b)
+        z, r = place[2], np.sqrt(x * x + y * y + place[2] ** 2)
+        straight, mixed, down = f / (r + z), 1.0 / r**3 - f / (r * (r + z) ** 2), z / r**3 + f / (r * (r + z))
+        parts = (  # Johnson (3.18) and (3.75)
+            x * (z / r**3 - f / (r * (r + z))) + mu[0] * (1.0 / r + straight + x * x * mixed) + mu[1] * x * y * mixed,
+            y * (z / r**3 - f / (r * (r + z))) + mu[1] * (1.0 / r + straight + y * y * mixed) + mu[0] * x * y * mixed,
+            z * z / r**3 + (1.0 + f) / r + (mu[0] * x + mu[1] * y) * down,
+        )
+        expected = [float(np.sum(part * share)) / (2.0 * np.pi) for part in parts]
+        found = half_ellipsoid_displacements(*np.array(place)[:, None], semi_axes, 0.3, mu)
+        assert np.array(found)[:, 0] == pytest.approx(expected, abs=1e-10)
 
 
 @pytest.mark.parametrize("place", [(0.4, 0.02, 0.02), (0.4, -0.05, 0.03), (0.0, 0.0, 0.05)])

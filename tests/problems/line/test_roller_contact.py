@@ -52,6 +52,23 @@ def test_a_tilted_crown_is_the_same_ellipse_elsewhere():
     assert tilted.peak_pressure == pytest.approx(straight.peak_pressure, rel=1e-3)
 
 
+@pytest.mark.parametrize(("young", "force"), [(489e9, 100.0), (2e15, 5e3), (210e9, 1e-2)])
+def test_a_small_contact_far_from_the_middle_is_found(young, force):
+    """Under a moment the lowest point of the crown moves until the force acts at M/F: exact for an ellipse."""
+    crown, radius, length = 0.5, 10e-3, 22e-3
+    medium = wk.HalfSpace(wk.Elastic(young, 0.3))
+    ellipse = wk.EllipticIndentation(wk.CurvedBodies(crown, radius), medium, wk.Force(force)).solve()
+    place = 8.8e-3
+    roller = wk.RollerContact(
+        radius, length, wk.CrownedEnds(crown), medium, wk.Force(force), wk.Moment(force * place), 64
+    ).solve()
+    assert roller.tilt == pytest.approx(place / crown, rel=1e-6)
+    assert roller.peak_pressure == pytest.approx(ellipse.peak_pressure, rel=3e-3)
+    assert roller.depth + 0.5 * place**2 / crown == pytest.approx(ellipse.depth, rel=2e-3)
+    assert roller.middle_pressure == 0.0
+    assert roller.edge_factor == np.inf
+
+
 @pytest.mark.parametrize("ends", [wk.SharpEnds(), wk.RoundedEnds(0.3e-3), wk.LogarithmicEnds(4e3 / 9.6e-3)])
 def test_the_middle_is_that_of_an_endless_line(ends):
     found = bearing(ends, elements=160).solve().last

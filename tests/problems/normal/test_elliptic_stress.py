@@ -85,6 +85,18 @@ def test_sliding_circle_and_line(friction):
     assert place.value / long.peak_pressure == pytest.approx(expected.value / roller.peak_pressure, rel=1e-5)
 
 
+@pytest.mark.parametrize("along", [1e-3, 3e-3, 1.0])
+def test_the_surfaces_meet(along):
+    """Within the ellipse both surfaces sink by the depth less their distance before, x^2/2R_x + y^2/2R_y."""
+    medium = wk.HalfSpace(wk.Elastic(210e9, 0.3), wk.Elastic(70e9, 0.1))
+    contact = pressed(along, 1e-3, medium=medium)
+    x = contact.longitudinal_semi_axis * np.array([0.0, 0.5, 0.9, 0.3, -1.0])
+    y = contact.lateral_semi_axis * np.array([0.0, 0.7, 0.0, 0.9, 0.0])
+    sunk = contact.stresses(x, y, 0.0 * x).z_displacement
+    sunk = sunk + contact.stresses(x, y, np.full(x.shape, -1e-25)).z_displacement
+    assert sunk == pytest.approx(contact.depth - 0.5 * x * x / along - 0.5 * y * y / 1e-3, rel=1e-9)
+
+
 def test_second_body_and_refusals():
     medium = wk.HalfSpace(wk.Elastic(210e9, 0.3), wk.Elastic(70e9, 0.1))
     contact = pressed(2e-3, 1e-3, medium=medium)

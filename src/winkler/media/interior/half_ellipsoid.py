@@ -46,7 +46,7 @@ import numpy as np
 from winkler.media.interior.confocal import Confocal, confocal, rule
 from winkler.numerics.types import Array
 
-__all__ = ["Tensor", "half_ellipsoid_stresses"]
+__all__ = ["PLACES_AT_ONCE", "Tensor", "half_ellipsoid_stresses", "third_moments"]
 
 PLACES_AT_ONCE = 512
 
@@ -161,7 +161,7 @@ def _stresses(places: Array, b: float, poisson: float, traction: tuple[float, fl
     )
     if not rubbed:
         return out
-    k = _third_moments(at, b)
+    k = third_moments(at, b)
     edge = 2.0 * root * at.lam * inverse
     zh_xxx = c * (x**3 * (edge / alpha**3 - outer.along) - 3.0 * x * z * outer.j20)
     zh_xxy = c * y * (x**2 * (edge / (alpha**2 * beta) - outer.across) - z * outer.j11)
@@ -212,7 +212,7 @@ def _integrals(at: Confocal, z: Array, b: float, rubbed: bool) -> _Integrals:
     return _Integrals(j10, j20, j11, along, across)
 
 
-def _third_moments(at: Confocal, b: float) -> tuple[Array, Array]:
+def third_moments(at: Confocal, b: float) -> tuple[Array, Array]:
     """Return the integrals of s / (alpha^2 Delta) and s / (alpha beta Delta)."""
     rest = rule(at.lam, np.full(at.lam.shape, b * b), at, b)
     over_alpha, over_beta = 1.0 / (1.0 + rest.squared), 1.0 / (b * b + rest.squared)

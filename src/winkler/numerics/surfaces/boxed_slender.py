@@ -33,7 +33,8 @@ APART_SHARE = 0.3
 """And at most over the distance of the next end or bend."""
 FIRST_WIDTHS, FIRST_MARGIN = 0.5, 0.2
 """First half-widths over those of the overlap, and how much wider and longer the first box is."""
-SAMPLES, LEAST_OVERLAP = 2001, 1e-15
+SAMPLES, FEWEST_SAMPLES, MOST_ZOOMS = 1001, 20, 12
+"""Places at which a contact is looked for; fewest of them that bear, or the search goes on between fewer places."""
 OUTER, INNER, FEWEST_ACROSS = 3, 5, 6
 """Elements, counted from the edge of a slice, through which its edge is found, and how many that takes."""
 
@@ -143,23 +144,27 @@ def pressed_levels(generator: Generator, pose: Pose, elements: int) -> tuple[Sle
     return levels[0], levels[1]
 
 
-def _first_box(generator: Generator, pose: Pose) -> tuple[_Box, Array]:
-    """Return a first box, and half-widths over `SAMPLES` places, of slices that bear each for itself."""
+def _first_box(generator: Generator, pose: Pose) -> tuple[_Box, tuple[Array, Array]]:
+    """Return a first box, and half-widths over places, of slices that bear each for itself."""
     x = np.linspace(-1.0, 1.0, SAMPLES)
-    overlap = first_overlap(x, generator.drop(x), pose)
-    bearing = np.flatnonzero(overlap > 0.0)
-    if not bearing.size:  # a contact between two samples
-        bearing = np.array([int(np.argmax(overlap))])
-        overlap = overlap - 2.0 * float(np.max(overlap)) + LEAST_OVERLAP
+    for _ in range(MOST_ZOOMS):
+        overlap = first_overlap(x, generator.drop(x), pose)
+        bearing = np.flatnonzero(overlap > 0.0)
+        if bearing.size >= FEWEST_SAMPLES:
+            break
+        low, high = (bearing[0], bearing[-1]) if bearing.size else (int(np.argmax(overlap)),) * 2
+        x = np.linspace(x[max(low - FEWEST_SAMPLES, 0)], x[min(high + FEWEST_SAMPLES, SAMPLES - 1)], SAMPLES)
+    else:
+        raise NotConverged("the contact is too short to be found; press harder, or check the numbers and their units.")
     low, high = x[max(bearing[0] - 1, 0)], x[min(bearing[-1] + 1, SAMPLES - 1)]
     reach = FIRST_MARGIN * (high - low)
     widths = FIRST_WIDTHS * np.sqrt(2.0 * generator.radius * np.maximum(overlap, 0.0))
     box = _Box(max(low - reach, -1.0), min(high + reach, 1.0), (1.0 + FIRST_MARGIN) * float(np.max(widths)))
-    return box, widths
+    return box, (x, widths)
 
 
 def _solved(
-    generator: Generator, pose: Pose, box: _Box, count: int, before: SlenderContact | None, widths: Array
+    generator: Generator, pose: Pose, box: _Box, count: int, before: SlenderContact | None, widths: tuple[Array, Array]
 ) -> SlenderContact:
     """Return the contact in the box, begun from one on another grid."""
     rows = max(count // ROWS_SHARE, 4)
@@ -171,10 +176,7 @@ def _solved(
     grid = SlenderGrid.of(graded(box.low, box.high, marks, finest, count), box.width / rows, rows)
     x, y = grid.middles, grid.places_across
     gaps = generator.drop(x)[:, None] + y**2 / (2.0 * generator.radius)
-    if before is None:
-        width = np.interp(x, np.linspace(-1.0, 1.0, SAMPLES), widths)
-    else:
-        width = np.interp(x, before.grid.middles, before.half_width)
+    width = np.interp(x, *widths) if before is None else np.interp(x, before.grid.middles, before.half_width)
     width[int(np.argmax(width))] = max(float(np.max(width)), 2.0 * float(y[0]))
     return SlenderContact(grid, press_slender(grid, gaps, pose, y < width[:, None]))
 

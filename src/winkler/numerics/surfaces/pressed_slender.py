@@ -81,7 +81,8 @@ def press_slender(grid: SlenderGrid, gaps: Array, pose: Pose, start: Array) -> P
     NotConverged
         If no set of elements is found.
     """
-    areas, x = grid.areas[:, None], grid.middles[:, None]
+    areas, middle = grid.areas[:, None], 0.5 * float(grid.edges[0] + grid.edges[-1])
+    x = grid.middles[:, None] - middle  # a short contact far from the middle of the body is as good as any
     free = math.isnan(pose.tilt)
     turned = np.zeros(gaps.shape) if free else pose.tilt * x
     loads = np.stack([areas * (turned - gaps), np.broadcast_to(areas, gaps.shape), areas * x + 0.0 * gaps][: 2 + free])
@@ -90,11 +91,13 @@ def press_slender(grid: SlenderGrid, gaps: Array, pose: Pose, start: Array) -> P
         fields = _fields(grid, loads, bearing, fields, RESIDUALS[stage])
         sums = 2.0 * np.sum(fields * areas, axis=(1, 2)), 2.0 * np.sum(fields * areas * x, axis=(1, 2))
         try:
-            approach, tilt, stiffness = _posed(sums, pose)
+            approach, tilt, stiffness = _posed(sums, pose, middle)
         except np.linalg.LinAlgError:  # a single slice has no tilt
             break
         weights = np.array([1.0, approach, tilt][: 2 + free])
         pressure = np.tensordot(weights, fields, axes=1)
+        if not np.max(pressure) > 0.0:  # numbers too far from each other
+            break
         depth = approach + tilt * x - gaps
         overlap = depth - grid.displaced(pressure[None])[0] / areas
         pulls = bearing & (pressure < -NEGLIGIBLE[stage] * np.max(pressure))
@@ -104,6 +107,7 @@ def press_slender(grid: SlenderGrid, gaps: Array, pose: Pose, start: Array) -> P
                 stage = 1
                 continue
             force, moment = (float(one @ weights) for one in sums)
+            approach, moment = approach - tilt * middle, moment + force * middle
             return PressedSlender(np.maximum(pressure, 0.0), approach, tilt, force, moment, stiffness)
         bearing = np.cumprod((bearing & ~pulls) | meets, axis=1).astype(bool)
     raise NotConverged(
@@ -112,19 +116,27 @@ def press_slender(grid: SlenderGrid, gaps: Array, pose: Pose, start: Array) -> P
     )
 
 
-def _posed(sums: tuple[Array, Array], pose: Pose) -> tuple[float, float, float]:
-    """Return approach and tilt under which force and moment are as stated, and the stiffness."""
+def _posed(sums: tuple[Array, Array], pose: Pose, middle: float) -> tuple[float, float, float]:
+    """Return approach and tilt under which force and moment are as stated, and the stiffness.
+
+    The sums and the approach that is returned are those about the middle of the grid, what is stated about zero.
+    """
     forces, moments = sums
     if not math.isnan(pose.tilt):
-        approach = (pose.force - forces[0]) / forces[1] if math.isnan(pose.approach) else pose.approach
+        approach = pose.approach + pose.tilt * middle
+        if math.isnan(approach):
+            approach = (pose.force - forces[0]) / forces[1]
         return float(approach), pose.tilt, float(forces[1])
-    stiffness = float(forces[1] - forces[2] * moments[1] / moments[2])
+    about_zero = moments + middle * forces
+    places = np.array([1.0, -middle])
+    rise = np.linalg.solve(np.array([places, about_zero[1:]]), np.array([1.0, 0.0]))
     if math.isnan(pose.approach):
-        right = np.array([pose.force - forces[0], pose.moment - moments[0]])
-        approach, tilt = np.linalg.solve(np.array([forces[1:], moments[1:]]), right)
-        return float(approach), float(tilt), stiffness
-    tilt = (pose.moment - moments[0] - moments[1] * pose.approach) / moments[2]
-    return pose.approach, float(tilt), stiffness
+        rows = np.array([forces[1:], moments[1:]])
+        right = np.array([pose.force - forces[0], pose.moment - middle * pose.force - moments[0]])
+    else:
+        rows, right = np.array([places, about_zero[1:]]), np.array([pose.approach, pose.moment - about_zero[0]])
+    approach, tilt = np.linalg.solve(rows, right)
+    return float(approach), float(tilt), float(forces[1:] @ rise)
 
 
 def _fields(grid: SlenderGrid, loads: Array, bearing: Array, start: Array, residual: float) -> Array:

@@ -21,9 +21,9 @@ from winkler.numerics.types import Array
 __all__ = ["first_overlap"]
 
 USUAL = 10.0
-MOST_STEPS, MOST_HALVINGS = 60, 40
-CLOSE = 1e-6
-"""Step over the approach at which the guess is good enough."""
+MOST_STEPS, MOST_HALVINGS = 100, 40
+CLOSE = 1e-3
+"""Change of the overlap over the greatest one at which the guess is good enough."""
 
 
 def first_overlap(x: Array, drop: Array, pose: Pose) -> Array:
@@ -32,7 +32,7 @@ def first_overlap(x: Array, drop: Array, pose: Pose) -> Array:
     Parameters
     ----------
     x
-        Places from -1 to 1, evenly.
+        Places, evenly.
     drop
         Drop of the generator there, infinite where there is none.
     pose
@@ -41,11 +41,12 @@ def first_overlap(x: Array, drop: Array, pose: Pose) -> Array:
     finite = np.where(np.isfinite(drop), drop, 0.0)
     weights = np.where(np.isfinite(drop), math.pi / USUAL * (x[1] - x[0]), 0.0)
     free = np.array([math.isnan(pose.approach), math.isnan(pose.tilt)])
-    loads = np.nan_to_num(np.array([pose.force, pose.moment]))
+    middle = 0.5 * float(x[0] + x[-1]) if np.all(free) else 0.0
+    loads = np.nan_to_num(np.array([pose.force, pose.moment - middle * pose.force]))
     start = np.nan_to_num(np.array([pose.approach, pose.tilt]))
     if free[0]:
         start[0] = loads[0] / float(np.sum(weights)) + float(np.max(finite - start[1] * x))
-    basis = np.stack([np.ones(x.size), x])
+    basis = np.stack([np.ones(x.size), x - middle])
 
     def energy(at: Array) -> float:
         return 0.5 * float(np.sum(weights * np.maximum(at @ basis - finite, 0.0) ** 2)) - float(loads[free] @ at[free])
@@ -62,6 +63,6 @@ def first_overlap(x: Array, drop: Array, pose: Pose) -> Array:
                 break
             step *= 0.5
         start, level = start + step, energy(start + step)
-        if np.max(np.abs(step)) <= CLOSE * max(float(np.max(overlap)), abs(float(start[0]))):
+        if np.max(np.abs(step @ basis)) <= CLOSE * float(np.max(overlap)):
             break
     return np.where(np.isfinite(drop), start @ basis - finite, -np.inf)

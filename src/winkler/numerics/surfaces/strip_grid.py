@@ -1,4 +1,4 @@
-r"""Boundary elements of a strip on half-planes, and its friction over one step: what sticks, what slips and which way.
+r"""Boundary elements of a strip on half-planes, and its friction over one step: what sticks, and what slips where to.
 
 Tractions are linear between evenly spaced nodes and zero at both ends.  The surfaces move along each other by
 

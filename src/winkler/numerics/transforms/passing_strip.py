@@ -69,7 +69,7 @@ def tails(kappa: float, count: int) -> Array:
     bands[0, 1:], bands[1], bands[2, :-1] = -0.5 * kappa, np.arange(1.0, size + 1.0), 0.5 * kappa
     right = np.ones(size)
     right[0] -= 0.5 * kappa * kve(0, kappa)
-    right[-1] += 0.5 * kappa / np.hypot(size + 1.0, root)  # its error dies out on the way back
+    right[-1] += 0.5 * kappa / np.hypot(size + 1.0, root)  # its error dies out towards the first ones
     return np.asarray(solve_banded((1, 1), bands, right)[:count])
 
 

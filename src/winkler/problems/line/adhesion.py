@@ -17,6 +17,7 @@ import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.foundation.line import LineFoundation
+from winkler.foundation.zoned_line import ZonedBed
 from winkler.laws.adhesion import Dugdale
 from winkler.loading import HalfWidth, LineForce
 from winkler.numerics.types import Array, Quantity, shaped
@@ -29,7 +30,6 @@ from winkler.problems.line.adhesion_notes import adhesion_notes
 from winkler.problems.line.cohesive import CohesiveLineStates
 from winkler.problems.line.equilibria import FIXED_GRIPS, LineLaw, line_states
 from winkler.problems.line.strip import OfStrip, Strip
-from winkler.problems.line.zoned_bed import ZonedBed
 from winkler.problems.one_load import one_of, single
 from winkler.profiles.profile import Sum
 from winkler.validity import Assumption, Note
@@ -61,6 +61,7 @@ class LineAdhesion:
     --------
     A rubber roller of 5 mm radius that touches a plate under no load.
 
+    >>> from winkler.laws.adhesion import ShortRange
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.power import Paraboloid

@@ -13,12 +13,12 @@ import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.line import LineFoundation
+from winkler.foundation.zoned_line import ZonedBed
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.line.approach import approach
 from winkler.problems.line.references import Reference
 from winkler.problems.line.stress import LineContact, LineFields, poisson_of, stresses
-from winkler.problems.line.zoned_bed import ZonedBed
 
 __all__ = ["OfStrip", "Stressed", "Strip"]
 

@@ -15,7 +15,7 @@ ELEMENTS = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
     "Boundary elements with Coulomb friction: with 80 elements on half of the contact the steady creepage is within "
-    "0.2 % of Carter's, and the error halves with twice as many; yielding is judged by the steady state.",
+    "0.2 % of Carter's, and the error halves with twice as many; yielding is that of the steady state.",
     "compared with Carter's closed form; J. J. Kalker, J. Appl. Mech. 37 (1970) 677-688",
 )
 

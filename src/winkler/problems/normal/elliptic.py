@@ -195,7 +195,7 @@ class EllipticSolution:
     def stresses(
         self, x: ArrayLike, y: ArrayLike, z: ArrayLike, friction: float = 0.0, angle: float = 0.0
     ) -> EllipticFields:
-        """Return the stresses inside one body under one load, at rest or where all of the contact slides.
+        """Return stresses and displacements inside one body under one load, at rest or where all of the contact slides.
 
         Parameters
         ----------
@@ -225,8 +225,8 @@ class EllipticSolution:
         if not below and np.any(depth >= 0.0):
             raise InvalidInput("EllipticSolution: the depths z lie in both bodies; request one after the other.")
         places = np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(y, dtype=float), np.abs(depth))
-        poisson = inside.poisson_below(self.problem.medium, below)
-        fields = inside.below_ellipse((*places,), semi_axes, peak, poisson, inside.traction_of(friction, angle))  # type: ignore[arg-type]
+        solid = inside.solid_below(self.problem.medium, below)
+        fields = inside.below_ellipse((*places,), semi_axes, peak, solid, inside.traction_of(friction, angle))  # type: ignore[arg-type]
         return fields if below else dataclasses.replace(fields, z=-fields.z)
 
     def greatest_stress(
@@ -249,7 +249,7 @@ class EllipticSolution:
             As of `stresses`; also for another measure.
         """
         semi_axes, peak = self._pressed("stresses")
-        poisson = inside.poisson_below(self.problem.medium, below)
+        poisson = inside.solid_below(self.problem.medium, below).poisson
         return inside.greatest_below_ellipse(measure, semi_axes, peak, poisson, inside.traction_of(friction, angle))
 
     def _pressed(self, requested: str) -> tuple[tuple[float, float], float]:

@@ -1,4 +1,4 @@
-"""Stresses inside the bodies under Hertz's ellipse: what is requested, in which body, and the greatest of each kind."""
+"""Stresses and displacements below Hertz's ellipse: what is requested, in which body, the greatest of each kind."""
 
 from __future__ import annotations
 
@@ -13,12 +13,13 @@ from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.media.interior import half_ellipsoid_peak as peak
 from winkler.media.interior.half_ellipsoid import half_ellipsoid_stresses
+from winkler.media.interior.half_ellipsoid_displacement import half_ellipsoid_displacements
 from winkler.media.interior.peak import StressSpot
 from winkler.media.interior.tensor import principal_of_tensor, von_mises_of_tensor
 from winkler.numerics.types import Array
 from winkler.values import value, words
 
-__all__ = ["EllipticFields", "below_ellipse", "greatest_below_ellipse", "poisson_below", "traction_of"]
+__all__ = ["EllipticFields", "below_ellipse", "greatest_below_ellipse", "solid_below", "traction_of"]
 
 MEASURES: Mapping[str, peak.Measure] = MappingProxyType(
     {
@@ -31,7 +32,7 @@ MEASURES: Mapping[str, peak.Measure] = MappingProxyType(
 
 @value
 class EllipticFields:
-    """Stresses inside one body under an elliptic contact, in its own axes: x and y along the surface, z into the body.
+    """Stresses and displacements inside one body under an elliptic contact, in its own axes: z into the body.
 
     Parameters
     ----------
@@ -39,6 +40,8 @@ class EllipticFields:
         Where [m]; z as requested: positive in the first body, negative in the second.
     xx_stress, yy_stress, zz_stress, xy_stress, xz_stress, yz_stress : ndarray
         [Pa], tension positive.
+    x_displacement, y_displacement, z_displacement : ndarray
+        Against places far away [m].
     """
 
     __words__ = words(
@@ -57,6 +60,9 @@ class EllipticFields:
     xy_stress: Array
     xz_stress: Array
     yz_stress: Array
+    x_displacement: Array
+    y_displacement: Array
+    z_displacement: Array
 
     @property
     def _tensor(self) -> tuple[Array, ...]:
@@ -100,27 +106,29 @@ def traction_of(friction: float, angle: float) -> tuple[float, float]:
     return friction * along + 0.0, friction * across + 0.0
 
 
-def poisson_below(medium: object, below: bool) -> float:
-    """Return Poisson's ratio of the first body (`below`) or the second; refuse one without stresses."""
+def solid_below(medium: object, below: bool) -> Elastic:
+    """Return the first body (`below`) or the second; refuse one without stresses."""
     body = getattr(medium, "first" if below else "second", None) if isinstance(medium, HalfSpace) else None
     if not isinstance(body, Elastic):
         raise OutsideValidity(
             f"The {'first body (z >= 0)' if below else 'second body (z < 0)'} is rigid or not isotropic; the stresses "
             "below an ellipse are known in the isotropic bodies of a HalfSpace: request the other one."
         )
-    return body.poisson
+    return body
 
 
 def below_ellipse(
     places: tuple[Array, Array, Array],
     semi_axes: tuple[float, float],
     pressure: float,
-    poisson: float,
+    solid: Elastic,
     traction: tuple[float, float],
 ) -> EllipticFields:
-    """Return the stresses at places x, y, z [m] of one shape, z >= 0, under this greatest pressure [Pa]."""
-    stress = half_ellipsoid_stresses(*places, semi_axes, poisson, traction)
-    return EllipticFields(*places, *(pressure * part for part in stress))
+    """Return stresses and displacements at places x, y, z >= 0 [m] of one shape, under this greatest pressure [Pa]."""
+    stress = half_ellipsoid_stresses(*places, semi_axes, solid.poisson, traction)
+    moved = half_ellipsoid_displacements(*places, semi_axes, solid.poisson, traction)
+    strain = 0.5 * pressure / solid.shear
+    return EllipticFields(*places, *(pressure * part for part in stress), *(strain * part for part in moved))
 
 
 def greatest_below_ellipse(

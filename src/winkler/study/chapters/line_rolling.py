@@ -94,7 +94,9 @@ LINE_ROLLING = Chapter(
             load=PRESSED,
             distance="0.4 mm",
             picture=Caption(
-                "line_start", "From rest to rolling", "Creepage or force over the distance, and tractions on the way."
+                "line_start",
+                "From rest to rolling",
+                "Creepage or force over the distance, and tractions at some places.",
             ),
             curves=(("distance", "longitudinal_creepage"), ("distance", "stick_share")),
             pictured=PicturedContact.NONE,
