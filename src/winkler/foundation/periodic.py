@@ -33,7 +33,7 @@ from winkler.profiles.profile import Profile, Shape, Sum
 from winkler.profiles.wavy import Wavy
 from winkler.values import value, words
 
-__all__ = ["PeriodicBed", "from_line", "to_line", "unrolled"]
+__all__ = ["PeriodicBed", "from_line", "in_closed_form", "to_line", "unrolled"]
 
 DEEP = 4.0
 """Depth over the pitch from which the stresses are even, to about 1e-11."""
@@ -156,6 +156,16 @@ def unrolled(profile: Profile, pitch: float) -> Profile:
     """Return a periodic profile over u, with its rim at u = pitch/pi, or without one if the valleys are sharp."""
     part = _part(profile, pitch)
     return part if math.isfinite(part.reach) else CappedCylinder(pitch / math.pi, part)
+
+
+def in_closed_form(profile: Profile) -> bool:
+    """Return whether all of an unrolled profile is waves that fit into the pitch."""
+    match profile:
+        case CappedCylinder(cap=cap):
+            return in_closed_form(cap)
+        case Sum(parts=parts):
+            return all(map(in_closed_form, parts))
+    return not isinstance(profile, Unrolled)
 
 
 def _part(profile: Profile, pitch: float) -> Profile:

@@ -142,6 +142,16 @@ def test_notes_state_closure_yield_and_checks():
     assert notes[wk.Assumption.ELASTIC].standing is wk.Standing.OUTSIDE
 
 
+def test_yield_below_ridges_is_stated_from_a_grid():
+    """Narrow strips are Hertz' cylinders: von Mises 0.5575 p0 (nu = 0.3), 0.704 a deep; the grid is coarser."""
+    strong = wk.HalfSpace.between(wk.Elastic(210e9, 0.3, strength=1e9), STEEL)
+    ridges = pressed(wk.Paraboloid(10e-3), wk.HalfWidth(5e-6), strong)
+    (note,) = (one for one in ridges.validity if one.assumption is wk.Assumption.ELASTIC)
+    assert note.standing is wk.Standing.APPROXIMATE
+    share = float(note.statement.split("stress is ")[1].split(" of")[0])
+    assert share == pytest.approx(0.5575 * float(ridges.peak_pressure) / 1e9, rel=1e-2)
+
+
 def test_refusals_are_one_sentence():
     with pytest.raises(wk.InvalidInput, match="before the valley at half of the pitch"):
         pressed(wk.Sphere(0.4e-3), wk.NominalPressure(1e6))

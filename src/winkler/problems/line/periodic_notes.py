@@ -7,10 +7,10 @@ from typing import cast
 import numpy as np
 
 from winkler.foundation.line import LineFoundation
-from winkler.foundation.periodic import PeriodicBed
-from winkler.problems.line.greatest_stress import greatest, von_mises
+from winkler.foundation.periodic import PeriodicBed, in_closed_form
+from winkler.problems.line.greatest_stress import Placed, greatest, von_mises
 from winkler.problems.line.peak_pressure import is_sharp
-from winkler.problems.line.stress import LineContact
+from winkler.problems.line.stress import LineContact, stresses
 from winkler.problems.line.strip import Strip
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.problems.normal.unknown_yield import MISES
@@ -22,6 +22,8 @@ __all__ = ["periodic_notes", "periodic_peak"]
 
 WESTERGAARD = "H. M. Westergaard, J. Appl. Mech. 6 (1939) A49-A53"
 PRESSURE_SAMPLES, REFINEMENTS = 65, 9
+WIDEST, SHALLOWEST, DEEPEST, PLACES = 1.5, 0.02, 2.5, 24
+"""Grid of stresses below profiles that have no closed form, in half-widths."""
 
 
 def periodic_peak(bed: PeriodicBed, strip: Strip) -> float:
@@ -83,10 +85,11 @@ def _yield_notes(bed: PeriodicBed, strip: Strip) -> tuple[Note, ...]:
     if is_sharp(bed.line, bed.line.rim, 0.0):
         text = "The elastic stress is infinite at a sharp crest or kink, which yields under the smallest load."
         return (Note(Assumption.ELASTIC, Standing.APPROXIMATE, text, MISES),)
+    closed = in_closed_form(bed.profile)
     found = []
     for part in parts:
         contact = LineContact(cast(LineFoundation, bed), *strip, part.solid.poisson, 0.0)
-        place = greatest(contact, von_mises)
+        place = greatest(contact, von_mises) if closed else _on_grid(contact)
         found.append((place.value / part.solid.strength, place, part))
     share, place, part = max(found, key=lambda one: one[0])
     depth = place.z if part.first else -place.z
@@ -94,4 +97,14 @@ def _yield_notes(bed: PeriodicBed, strip: Strip) -> tuple[Note, ...]:
     stays = "By von Mises' criterion the contact stays elastic: its greatest stress is"
     has = "By von Mises' criterion yielding has begun: the greatest elastic stress is"
     text = f"{stays} {where}." if share < 1.0 else f"{has} {where}; the result is not elastic."
-    return (Note(Assumption.ELASTIC, Standing.EXACT if share < 1.0 else Standing.OUTSIDE, text, MISES),)
+    elastic = Standing.EXACT if closed else Standing.APPROXIMATE
+    return (Note(Assumption.ELASTIC, elastic if share < 1.0 else Standing.OUTSIDE, text, MISES),)
+
+
+def _on_grid(contact: LineContact) -> Placed:
+    """Return the greatest von Mises stress on a grid below the strip, where a finer search would take too long."""
+    a = contact.half_width
+    x, z = a * np.linspace(0.0, WIDEST, PLACES), a * np.geomspace(SHALLOWEST, DEEPEST, PLACES)
+    level = von_mises(stresses(contact, x[:, None], z[None, :]))
+    i, j = np.unravel_index(int(np.argmax(level)), level.shape)
+    return Placed(float(level[i, j]), float(x[i]), float(z[j]))
