@@ -149,9 +149,6 @@ class LineAdhesionSolution(OfStrip):
 
     __words__ = words(
         edge_load=("Q", "N/m", "load per length that the edges bear beside the profile, negative where they pull"),
-        outer_half_width=("c", "m", "where the attraction beside the strip ends"),
-        pull_off_force_per_length=("P_c", "N/m", "least force per length that the contact bears"),
-        pull_off_half_width=("a_c", "m", "half-width at which the contact comes apart"),
     )
 
     problem: LineAdhesion

@@ -162,7 +162,6 @@ class PeriodicSolution(Stressed):
 
     __words__ = words(
         contact_share=("2a/\\lambda", "", "share of the surface that is in contact"),
-        closure_pressure=("p^*", "Pa", "nominal pressure at which all is in contact"),
     )
 
     problem: PeriodicIndentation
