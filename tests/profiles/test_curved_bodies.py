@@ -62,6 +62,38 @@ def test_pair():
         wk.CurvedPair(6e-3, 6e-3, 20e-3, -6e-3)
 
 
+def test_slopes_of_each_body():
+    """A ball in a groove hardly wider than itself touches on much of its radius; the radii together hide that."""
+    medium = wk.HalfSpace.between(wk.Elastic(210e9, 0.3))
+
+    def note(bodies):
+        notes = wk.EllipticIndentation(bodies, medium, wk.Force(500.0)).solve().validity
+        return next(each for each in notes if each.assumption is wk.Assumption.SMALL_SLOPES)
+
+    straight, turned = wk.CurvedPair(5e-3, 5e-3, 26e-3, -5.2e-3), wk.CurvedPair(26e-3, -5.2e-3, 5e-3, 5e-3, 0.4)
+    for pair in (straight, turned):
+        assert pair.steepest_slope(1e-4, 1e-3) == pytest.approx(0.2, rel=1e-12)
+        assert note(pair).standing is wk.Standing.APPROXIMATE
+    assert note(straight.together).standing is wk.Standing.ASYMPTOTIC
+    across = wk.CurvedPair(math.inf, 1e-2, math.inf, 2e-2, 0.3)
+    x, y = (np.array([math.cos(across.turn - t), math.sin(across.turn - t)]) for t in (0.0, -0.5 * math.pi))
+    rim = np.linspace(0.0, 2.0 * math.pi, 4001)
+    places = 3e-4 * np.cos(rim) * x[:, None] + 1e-4 * np.sin(rim) * y[:, None]
+    own, normal = np.diag([0.0, 1e2]), np.array([-math.sin(0.3), math.cos(0.3)])
+    other = 5e1 * np.outer(normal, normal)
+    steepest = max(np.max(np.linalg.norm(tensor @ places, axis=0)) for tensor in (own, other, own + other))
+    assert across.steepest_slope(3e-4, 1e-4) == pytest.approx(steepest, rel=1e-6)
+    assert steepest == pytest.approx(across.together.steepest_slope(3e-4, 1e-4), rel=1e-6)
+    assert across.turn == wk.CurvedBodies.turn((math.inf, 1e-2), (math.inf, 2e-2), 0.3)
+
+
+def test_slopes_beyond_the_theory():
+    medium = wk.HalfSpace.between(wk.Elastic(1e6, 0.3))
+    notes = wk.EllipticIndentation(wk.CurvedBodies(1e-3, 2e-3), medium, wk.Depth(2e-3)).solve().validity
+    standing = next(each.standing for each in notes if each.assumption is wk.Assumption.SMALL_SLOPES)
+    assert standing is wk.Standing.OUTSIDE
+
+
 @pytest.mark.parametrize("groove", [6e-3, 5.9e-3])
 def test_hollow_as_narrow_as_the_ball(groove):
     with pytest.raises(wk.InvalidInput, match="give a hollow wider than the body in it"):

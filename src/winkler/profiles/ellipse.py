@@ -153,6 +153,10 @@ class CurvedBodies:
         larger = (force * float(elliprd(0.0, ratio**2, 1.0)) / (math.pi * modulus * curvature)) ** (1.0 / 3.0)
         return (larger, ratio * larger) if slenderness <= 1.0 else (ratio * larger, larger)
 
+    def steepest_slope(self, longitudinal: float, lateral: float) -> float:
+        """Return the steepest slope [-] of the distance of both bodies within an ellipse of these semi-axes [m]."""
+        return max(longitudinal / self.longitudinal_curvature_radius, lateral / self.lateral_curvature_radius)
+
     @property
     def together(self) -> CurvedBodies:
         """These radii, as of a `CurvedPair`."""

@@ -1,4 +1,4 @@
-"""Wheels on rails against the boundary elements of CONTACT: ellipses by their radii, and profiles by their curvature."""
+"""Wheels on rails against the boundary elements of CONTACT: ellipses by their radii, profiles by their curvature."""
 
 from __future__ import annotations
 
