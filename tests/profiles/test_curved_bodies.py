@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+import mpmath
 import numpy as np
 import pytest
 
@@ -100,9 +101,26 @@ def test_hollow_as_narrow_as_the_ball(groove):
         wk.CurvedBodies.of((6e-3, 6e-3), (20e-3, -groove))
 
 
+@pytest.mark.parametrize("angle", [1e-2, 1e-4, 1e-6])
+def test_cylinders_that_cross_at_a_small_angle(angle):
+    """The curvatures add up to k1 + k2 and multiply to k1 k2 sin^2: the smaller one keeps its digits."""
+    bodies = wk.CurvedBodies.of((math.inf, 0.01), (math.inf, 0.02), angle)
+    with mpmath.workdps(40):
+        whole, product = 150, 5000 * mpmath.sin(mpmath.mpf(angle)) ** 2
+        smaller = 2 * product / (whole + mpmath.sqrt(whole**2 - 4 * product))
+        assert bodies.longitudinal_curvature_radius == pytest.approx(float(1 / smaller), rel=1e-14)
+        assert bodies.lateral_curvature_radius == pytest.approx(float(1 / (whole - smaller)), rel=1e-14)
+
+
+def test_parallel_cylinders_touch_along_a_line():
+    with pytest.raises(wk.InvalidInput, match="touch along a line to LineFoundation"):
+        wk.CurvedPair(math.inf, 0.01, math.inf, 0.02)
+
+
 def test_bad_radii():
-    for radii in ((0.0, 1.0), (math.nan, 1.0), (1.0,)):
+    for radii in ((0.0, 1.0), (math.nan, 1.0), (1.0,), "ab", 1.0, (None, 1.0), ("1", "2")):
         with pytest.raises(wk.InvalidInput, match="two numbers other than zero"):
             wk.CurvedBodies.of(radii, (1.0, 1.0))
-    with pytest.raises(wk.InvalidInput, match="in radians"):
-        wk.CurvedBodies.of((1.0, 1.0), (1.0, 1.0), math.inf)
+    for angle in (math.inf, "a", None):
+        with pytest.raises(wk.InvalidInput, match="in radians"):
+            wk.CurvedBodies.of((1.0, 1.0), (1.0, 1.0), angle)
