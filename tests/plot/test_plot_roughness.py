@@ -143,6 +143,22 @@ def test_an_ellipse_and_rubber():
     assert titles(draw(BLASTED)) == ["power spectrum"]
 
 
+def test_an_ellipse_without_a_load():
+    with pytest.raises(wk.OutsideValidity, match="do not touch"):
+        draw(wk.EllipticIndentation(wk.CurvedBodies(8e-3, 3e-3), STEEL, wk.Force(0.0)).solve())
+
+
+def test_a_needle_fills_its_picture():
+    """Axes of 70 : 1 have scales of their own: coloured is the share of an ellipse in a box 1.2 times as wide."""
+    needle = wk.EllipticIndentation(wk.CurvedBodies(1.0, 1e-3), STEEL, wk.Force(100.0)).solve()
+    assert needle.longitudinal_semi_axis > 50.0 * needle.lateral_semi_axis
+    axes = draw(needle).axes[0]
+    shown = np.isfinite(np.ma.filled(axes.images[0].get_array().astype(float), np.nan))
+    assert np.mean(shown) == pytest.approx(0.25 * np.pi / 1.2**2, rel=1e-2)
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("$x$ [mm]", "$y$ [µm]")
+    assert axes.get_aspect() == "auto"
+
+
 def test_a_pit_does_not_take_all_colours():
     """Colours end where all but a few pixels do; the bar says by an arrow that some lie beyond."""
     heights = np.array(STAMP.heights)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+import mpmath
 import numpy as np
 import pytest
 
@@ -62,15 +63,64 @@ def test_pair():
         wk.CurvedPair(6e-3, 6e-3, 20e-3, -6e-3)
 
 
+def test_slopes_of_each_body():
+    """A ball in a groove hardly wider than itself touches on much of its radius; the radii together hide that."""
+    medium = wk.HalfSpace.between(wk.Elastic(210e9, 0.3))
+
+    def note(bodies):
+        notes = wk.EllipticIndentation(bodies, medium, wk.Force(500.0)).solve().validity
+        return next(each for each in notes if each.assumption is wk.Assumption.SMALL_SLOPES)
+
+    straight, turned = wk.CurvedPair(5e-3, 5e-3, 26e-3, -5.2e-3), wk.CurvedPair(26e-3, -5.2e-3, 5e-3, 5e-3, 0.4)
+    for pair in (straight, turned):
+        assert pair.steepest_slope(1e-4, 1e-3) == pytest.approx(0.2, rel=1e-12)
+        assert note(pair).standing is wk.Standing.APPROXIMATE
+    assert note(straight.together).standing is wk.Standing.ASYMPTOTIC
+    across = wk.CurvedPair(math.inf, 1e-2, math.inf, 2e-2, 0.3)
+    x, y = (np.array([math.cos(across.turn - t), math.sin(across.turn - t)]) for t in (0.0, -0.5 * math.pi))
+    rim = np.linspace(0.0, 2.0 * math.pi, 4001)
+    places = 3e-4 * np.cos(rim) * x[:, None] + 1e-4 * np.sin(rim) * y[:, None]
+    own, normal = np.diag([0.0, 1e2]), np.array([-math.sin(0.3), math.cos(0.3)])
+    other = 5e1 * np.outer(normal, normal)
+    steepest = max(np.max(np.linalg.norm(tensor @ places, axis=0)) for tensor in (own, other, own + other))
+    assert across.steepest_slope(3e-4, 1e-4) == pytest.approx(steepest, rel=1e-6)
+    assert steepest == pytest.approx(across.together.steepest_slope(3e-4, 1e-4), rel=1e-6)
+    assert across.turn == wk.CurvedBodies.turn((math.inf, 1e-2), (math.inf, 2e-2), 0.3)
+
+
+def test_slopes_beyond_the_theory():
+    medium = wk.HalfSpace.between(wk.Elastic(1e6, 0.3))
+    notes = wk.EllipticIndentation(wk.CurvedBodies(1e-3, 2e-3), medium, wk.Depth(2e-3)).solve().validity
+    standing = next(each.standing for each in notes if each.assumption is wk.Assumption.SMALL_SLOPES)
+    assert standing is wk.Standing.OUTSIDE
+
+
 @pytest.mark.parametrize("groove", [6e-3, 5.9e-3])
 def test_hollow_as_narrow_as_the_ball(groove):
     with pytest.raises(wk.InvalidInput, match="give a hollow wider than the body in it"):
         wk.CurvedBodies.of((6e-3, 6e-3), (20e-3, -groove))
 
 
+@pytest.mark.parametrize("angle", [1e-2, 1e-4, 1e-6])
+def test_cylinders_that_cross_at_a_small_angle(angle):
+    """The curvatures add up to k1 + k2 and multiply to k1 k2 sin^2: the smaller one keeps its digits."""
+    bodies = wk.CurvedBodies.of((math.inf, 0.01), (math.inf, 0.02), angle)
+    with mpmath.workdps(40):
+        whole, product = 150, 5000 * mpmath.sin(mpmath.mpf(angle)) ** 2
+        smaller = 2 * product / (whole + mpmath.sqrt(whole**2 - 4 * product))
+        assert bodies.longitudinal_curvature_radius == pytest.approx(float(1 / smaller), rel=1e-14)
+        assert bodies.lateral_curvature_radius == pytest.approx(float(1 / (whole - smaller)), rel=1e-14)
+
+
+def test_parallel_cylinders_touch_along_a_line():
+    with pytest.raises(wk.InvalidInput, match="touch along a line to LineFoundation"):
+        wk.CurvedPair(math.inf, 0.01, math.inf, 0.02)
+
+
 def test_bad_radii():
-    for radii in ((0.0, 1.0), (math.nan, 1.0), (1.0,)):
+    for radii in ((0.0, 1.0), (math.nan, 1.0), (1.0,), "ab", 1.0, (None, 1.0), ("1", "2")):
         with pytest.raises(wk.InvalidInput, match="two numbers other than zero"):
             wk.CurvedBodies.of(radii, (1.0, 1.0))
-    with pytest.raises(wk.InvalidInput, match="in radians"):
-        wk.CurvedBodies.of((1.0, 1.0), (1.0, 1.0), math.inf)
+    for angle in (math.inf, "a", None):
+        with pytest.raises(wk.InvalidInput, match="in radians"):
+            wk.CurvedBodies.of((1.0, 1.0), (1.0, 1.0), angle)

@@ -43,7 +43,7 @@ HOMOGENEOUS_MEDIUM = Condition(
 class EllipticFoundation(UnderProfile):
     """The springs that stand for bodies of two curvatures, in problems that need force, depth and stiffness.
 
-    Problems that need a disc (adhesion, wear, heating, rolling, torsion, yield, the fields) refuse it.
+    Problems that need a disc (adhesion, wear, heating, rolling, torsion, the fields) refuse it.
 
     Parameters
     ----------

@@ -188,7 +188,9 @@ def _map(axes: Axes, mark: marks.Map, across: float, upright: float) -> None:
     elif mark.kind == "pixels":
         colour_map: Any = colours or ListedColormap(list(mark.colours))
         ends = (x[0], x[-1], y[0], y[-1])
-        drawn = axes.imshow(z.T, origin="lower", extent=ends, cmap=colour_map, norm=norm, interpolation="nearest")
+        drawn = axes.imshow(
+            z.T, origin="lower", extent=ends, cmap=colour_map, norm=norm, interpolation="nearest", aspect="auto"
+        )
     elif mark.kind == "discs":
         discs = [Circle((x[i], y[i]), radius) for i, radius in enumerate(mark.z / across)]
         drawn = PatchCollection(discs, cmap=colours, edgecolor=style.INK, linewidth=0.6)

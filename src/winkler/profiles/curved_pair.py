@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated
+
+import numpy as np
 
 from winkler.checks.number_checks import Finite, Number
 from winkler.profiles.ellipse import CurvedBodies
@@ -31,6 +34,9 @@ class CurvedPair:
     InvalidInput
         If a radius is zero, or the bodies do not touch in a point: a hollow as narrow as the body in it.
 
+    The x and y of a contact, and with them the angles of friction and motion, are those of both bodies together: `turn`
+    away from those of the first.
+
     Examples
     --------
     A ball of 5 mm in the groove of a ring:
@@ -46,6 +52,7 @@ class CurvedPair:
         second_longitudinal_radius=("R_{2x}", "m", "radius of the second body along its x, negative where hollow"),
         second_lateral_radius=("R_{2y}", "m", "radius of the second body along its y, negative where hollow"),
         angle=(r"\phi", "rad", "angle between the axes of both bodies"),
+        turn=(r"\theta_0", "rad", "angle from x of the first body to x of both together"),
     )
 
     first_longitudinal_radius: Radius
@@ -58,11 +65,19 @@ class CurvedPair:
         _ = self.together
 
     @property
+    def _radii(self) -> tuple[tuple[float, float], tuple[float, float]]:
+        first = (self.first_longitudinal_radius, self.first_lateral_radius)
+        return first, (self.second_longitudinal_radius, self.second_lateral_radius)
+
+    @property
     def together(self) -> CurvedBodies:
         """The radii of both bodies together, in the principal directions of their distance."""
-        first = (self.first_longitudinal_radius, self.first_lateral_radius)
-        second = (self.second_longitudinal_radius, self.second_lateral_radius)
-        return CurvedBodies.of(first, second, self.angle)
+        return CurvedBodies.of(*self._radii, self.angle)
+
+    @property
+    def turn(self) -> float:
+        """Angle [rad] from x of the first body to x of both together, at most 45 degrees."""
+        return CurvedBodies.turn(*self._radii, self.angle)
 
     @property
     def longitudinal_curvature_radius(self) -> float:
@@ -87,3 +102,13 @@ class CurvedPair:
     def semi_axes(self, modulus: float, force: float) -> tuple[float, float]:
         """Return a and b [m] under a modulus [Pa] and a force [N]."""
         return self.together.semi_axes(modulus, force)
+
+    def steepest_slope(self, longitudinal: float, lateral: float) -> float:
+        """Return the steepest slope [-] of a body, or of the distance, within an ellipse of these semi-axes [m]."""
+        axes = np.array([longitudinal, lateral])
+        slopes = [self.together.steepest_slope(longitudinal, lateral)]
+        for radii, direction in zip(self._radii, (-self.turn, self.angle - self.turn), strict=True):
+            along, across = math.cos(direction), math.sin(direction)
+            frame = np.array([[along, -across], [across, along]])
+            slopes.append(float(np.linalg.norm((frame / np.array(radii)) @ frame.T * axes, 2)))
+        return max(slopes)

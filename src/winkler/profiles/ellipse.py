@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import functools
 import math
+import numbers
 
 import numpy as np
 
@@ -116,12 +117,12 @@ class CurvedBodies:
         >>> CurvedBodies.of((math.inf, 1e-2), (math.inf, 2e-2), angle=0.5 * math.pi)
         CurvedBodies(longitudinal_curvature_radius=0.02, lateral_curvature_radius=0.01)
         """
-        whole, difference, _ = _curvatures(first, second, angle)
-        bends = 0.5 * (whole + difference), 0.5 * (whole - difference)
+        bends = _curvatures(first, second, angle)[:2]
         if not min(bends) > ROUNDING * max(abs(1.0 / radius) for radius in (*first, *second)):
             raise InvalidInput(
                 f"CurvedBodies.of: bodies of the radii {first} m and {second} m do not touch in a point, because a "
-                "hollow is as narrow as the body in it, or both are straight; give a hollow wider than the body in it."
+                "hollow is as narrow as the body in it, or both are straight; give a hollow wider than the body in it, "
+                "and cylinders that touch along a line to LineFoundation."
             )
         return cls(1.0 / bends[0], 1.0 / bends[1])
 
@@ -152,6 +153,10 @@ class CurvedBodies:
         ratio = min(slenderness, 1.0 / slenderness)
         larger = (force * float(elliprd(0.0, ratio**2, 1.0)) / (math.pi * modulus * curvature)) ** (1.0 / 3.0)
         return (larger, ratio * larger) if slenderness <= 1.0 else (ratio * larger, larger)
+
+    def steepest_slope(self, longitudinal: float, lateral: float) -> float:
+        """Return the steepest slope [-] of the distance of both bodies within an ellipse of these semi-axes [m]."""
+        return max(longitudinal / self.longitudinal_curvature_radius, lateral / self.lateral_curvature_radius)
 
     @property
     def together(self) -> CurvedBodies:
@@ -188,25 +193,40 @@ class CurvedBodies:
 
 
 def _curvatures(first: tuple[float, float], second: tuple[float, float], angle: float) -> tuple[float, float, float]:
-    """Return sum and difference (along less across) of the principal curvatures of the distance, and their angle."""
+    """Return the principal curvatures of the distance, along and across, and the angle of their axes.
+
+    The smaller one is the determinant of the curvatures over the larger one: it does not cancel where cylinders cross
+    at a small angle.
+    """
     for radii in (first, second):
-        if len(radii) != 2 or any(math.isnan(radius) or radius == 0.0 for radius in radii):
+        if not _are_radii(radii):
             raise InvalidInput(
                 f"CurvedBodies: the radii {radii!r} are not two numbers other than zero; give R_x and R_y [m], "
                 "negative where hollow, math.inf where straight."
             )
-    if not math.isfinite(angle):
+    if not (isinstance(angle, numbers.Real) and math.isfinite(angle)):
         raise InvalidInput(f"CurvedBodies: the angle is {angle!r}; give one in radians.")
     (own_x, own_y), (other_x, other_y) = ((1.0 / radius for radius in radii) for radii in (first, second))
     own, other = own_x - own_y, other_x - other_y
     quarters = angle / (0.5 * math.pi)
-    along = (-1.0) ** round(quarters) if quarters == round(quarters) else math.cos(2.0 * angle)
-    across = 0.0 if abs(along) == 1.0 else math.sin(2.0 * angle)
+    on_axis = quarters == round(quarters)
+    sine = float(round(quarters) % 2) if on_axis else math.sin(angle) ** 2
+    along = 1.0 - 2.0 * sine if on_axis else math.cos(2.0 * angle)
+    across = 0.0 if on_axis else math.sin(2.0 * angle)
     real, imaginary = own + other * along, other * across
     difference = math.hypot(real, imaginary)
     sign = -1.0 if real < 0.0 else 1.0
     turned = 0.5 * math.atan2(sign * imaginary, sign * real) if difference > 0.0 else 0.0
-    return own_x + own_y + other_x + other_y, sign * difference, turned
+    mixed = (own_x * other_y + own_y * other_x) * (1.0 - sine) + (own_x * other_x + own_y * other_y) * sine
+    larger = 0.5 * (own_x + own_y + other_x + other_y + difference)
+    smaller = (own_x * own_y + other_x * other_y + mixed) / larger if larger > 0.0 else larger
+    return (larger, smaller, turned) if sign > 0.0 else (smaller, larger, turned)
+
+
+def _are_radii(radii: object) -> bool:
+    if not isinstance(radii, (tuple, list, np.ndarray)) or len(radii) != 2:
+        return False
+    return all(isinstance(radius, numbers.Real) and not math.isnan(radius) and radius != 0.0 for radius in radii)
 
 
 @functools.lru_cache(maxsize=256)

@@ -207,3 +207,12 @@ def test_what_is_refused():
     for direction in (math.nan, 7.0):
         with pytest.raises(wk.InvalidInput, match="first_direction"):
             slid(first_direction=direction)
+
+
+def test_radii_of_each_body():
+    """Bodies by their own radii warm up as those of both together."""
+    pair = wk.CurvedPair(5e-3, 5e-3, 26e-3, -5.2e-3, 0.3)
+    found, expected = (slid(bodies=each, first_direction=0.4) for each in (pair, pair.together))
+    assert found.flash_temperature == expected.flash_temperature > 0.0
+    assert found.fast_temperature == expected.fast_temperature
+    assert found.at(()).problem.bodies == pair

@@ -155,3 +155,11 @@ def test_yield_counts_the_friction():
         (note,) = [note for note in notes if note.assumption is wk.Assumption.ELASTIC]
         assert note.standing is standing
         assert f"{onset:.4g} N/m" in note.statement
+
+
+def test_undefined_places_stay_undefined():
+    rubbed = slid()
+    found = rubbed.first.temperature([0.0, np.nan, 1e9])
+    assert found[0] == rubbed.first.temperature(0.0) > 0.0
+    assert np.isnan(found[1])
+    assert found[2] < 1e-3 * found[0]

@@ -6,11 +6,12 @@ import dataclasses
 
 import numpy as np
 
+from winkler.errors import OutsideValidity
 from winkler.materials.elastic import Elastic
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent
 from winkler.plot.normal.stresses import stress_map
-from winkler.plot.panel import Line, Panel, Sheet, titled
+from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, titled
 from winkler.plot.rough.roughness import framed, image_of, models_panel
 from winkler.plot.series import row_of, scale_of, series, with_unit
 from winkler.problems.normal.elliptic import EllipticSolution
@@ -26,6 +27,8 @@ SEMI_AXES_DRAWN, DEPTH_DRAWN = 1.6, 1.6
 """Half the width of a map of stresses, and its depth, in semi-axes; the depth in those of the plane or less."""
 SLENDER = 5.0
 """Ratio of the semi-axes beyond which the map below the larger one is stretched in depth."""
+NEEDLE = 20.0
+"""Ratio of the semi-axes beyond which the map of the pressure has a scale of its own for either axis."""
 TOP = 1e-6
 """Depth of the first row of a map, in semi-axes."""
 
@@ -34,9 +37,10 @@ TOP = 1e-6
 def ellipse_sheet(item: EllipticSolution) -> Sheet:
     """Return the pressure over the ellipse and stresses below its axes; of many loads force and semi-axes."""
     if np.ndim(item.depth) == 0:
+        if item.force == 0.0:
+            raise OutsideValidity("draw: the bodies do not touch, so there is nothing to show; press harder.")
         title = f"{with_unit(float(item.force), 'N')} at a depth of {with_unit(float(item.depth), 'm')}"
-        stress = _stress_panels(item) if item.force > 0.0 else ()
-        return Sheet((_ellipse_panel(item), *stress), width=4.8, height=3.4, title=title)
+        return Sheet((_ellipse_panel(item), *_stress_panels(item)), width=4.8, height=3.4, title=title)
     depth = row_of(item, "depth")
     semi_axes = [(row_of(item, f"{name}_semi_axis"), f"${a}$") for name, a in (("longitudinal", "a"), ("lateral", "b"))]
     panels = models_panel(depth, [(row_of(item, "force"), "")]), models_panel(depth, semi_axes, label="semi-axes")
@@ -44,15 +48,20 @@ def ellipse_sheet(item: EllipticSolution) -> Sheet:
 
 
 def _ellipse_panel(item: EllipticSolution) -> Panel:
-    half_width = 1.2 * max(float(item.longitudinal_semi_axis), float(item.lateral_semi_axis))
-    step = 2.0 * half_width / PIXELS_ACROSS
-    x = (np.arange(PIXELS_ACROSS) + 0.5) * step - half_width
-    pressure = item.pressure(x[:, None], x[None, :])
+    semi_axes = np.array([float(item.longitudinal_semi_axis), float(item.lateral_semi_axis)])
+    stretched = np.max(semi_axes) > NEEDLE * np.min(semi_axes)
+    half = 1.2 * (semi_axes if stretched else np.full(2, np.max(semi_axes)))
+    places = (2.0 * np.arange(PIXELS_ACROSS) + 1.0) / PIXELS_ACROSS - 1.0
+    pressure = item.pressure(half[0] * places[:, None], half[1] * places[None, :])
     drawn = series("pressure", np.where(pressure > 0.0, pressure, np.nan))
-    square = Topography(np.zeros((PIXELS_ACROSS, PIXELS_ACROSS)), np.array([2.0 * half_width, 2.0 * half_width]))
-    ends = np.array([-half_width, half_width])
-    image = dataclasses.replace(image_of(square, drawn, style.SHADES), x=ends, y=ends)
-    return framed(image, scale_of("m", square.lengths)).plus(title="pressure over the ellipse")
+    box = Topography(np.zeros((PIXELS_ACROSS, PIXELS_ACROSS)), 2.0 * half)
+    ends = np.array([-1.0, 1.0])
+    image = dataclasses.replace(image_of(box, drawn, style.SHADES), x=half[0] * ends, y=half[1] * ends)
+    panel = framed(image, scale_of("m", box.lengths)).plus(title="pressure over the ellipse")
+    if not stretched:
+        return panel
+    x, y = (PanelAxis(f"${name}$", scale_of("m", np.array([length]))) for name, length in zip("xy", half, strict=True))
+    return panel.plus(across=x, upright=y, title="pressure over the ellipse, scales differ", equal=False)
 
 
 @without_extent(EllipticYieldOnsetSolution)

@@ -31,6 +31,7 @@ from winkler.problems.heating.validity import heating_notes
 from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
 from winkler.problems.normal.yield_of_pressure import ellipse_yield_notes
 from winkler.problems.one_load import single
+from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.ellipse import CurvedBodies
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
@@ -44,8 +45,8 @@ class EllipticFrictionHeating(RubbingBodies):
 
     Parameters
     ----------
-    bodies : CurvedBodies
-        R_x and R_y.
+    bodies : CurvedBodies or CurvedPair
+        R_x and R_y, or the radii of each body; x is that of both together.
     medium : HalfSpace or TransverselyIsotropicHalfSpace
         Both bodies, homogeneous.
     law : Coulomb
@@ -100,7 +101,7 @@ class EllipticFrictionHeating(RubbingBodies):
         second_direction=(r"\psi_2", "rad", "angle of the second body's velocity to x"),
     )
 
-    bodies: CurvedBodies
+    bodies: CurvedBodies | CurvedPair
     medium: Annotated[HomogeneousMedium, Advice("Hertz's ellipse is known on no other")]
     law: Overcome
     load: Force | Depth

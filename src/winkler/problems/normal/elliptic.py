@@ -28,6 +28,7 @@ from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal import elliptic_fields as inside
 from winkler.problems.normal.elliptic_fields import EllipticFields
+from winkler.problems.normal.validity import steepness_note
 from winkler.problems.normal.yield_of_pressure import ellipse_yield_notes
 from winkler.problems.one_load import picked, single
 from winkler.profiles.curved_pair import CurvedPair
@@ -38,8 +39,6 @@ from winkler.values import value, words
 __all__ = ["EllipticIndentation", "EllipticSolution"]
 
 HERTZ = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 4.2, doi:10.1017/CBO9781139171731"
-SMALL_SLOPE = 0.1
-"""Contact over curvature radius up to which a body may be taken for a half-space, and its slopes for small."""
 
 
 @value
@@ -204,9 +203,10 @@ class EllipticSolution:
         z : array_like
             Depths [m]: not negative in the first body, negative in the second.  All in one of them.
         friction : float
-            mu [-] of a contact that slides everywhere: the body is dragged by mu p.
+            mu [-] of a contact that slides everywhere: the body requested is dragged by mu p.
         angle : float
-            Direction in which it is dragged, from x towards y [rad].
+            Direction in which it is dragged, from x towards y [rad]; the other body is dragged the opposite way, by
+            this angle and pi.
 
         Raises
         ------
@@ -278,22 +278,11 @@ class EllipticSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: assumptions, slopes, onset of yield."""
-        bodies = self.problem.bodies
-        slope = max(
-            float(np.max(self.longitudinal_semi_axis)) / bodies.longitudinal_curvature_radius,
-            float(np.max(self.lateral_semi_axis)) / bodies.lateral_curvature_radius,
-        )
-        small = slope <= SMALL_SLOPE
-        verdict = "small, as the theory assumes" if small else "not small: deviations of the order of the slope"
+        axes = float(np.max(self.longitudinal_semi_axis)), float(np.max(self.lateral_semi_axis))
         return (
             *self.problem.medium.notes,
             Note(Assumption.RESPONSE, Standing.EXACT, "Hertz's ellipse is exact for bodies of two curvatures.", HERTZ),
-            Note(
-                Assumption.SMALL_SLOPES,
-                Standing.ASYMPTOTIC if small else Standing.APPROXIMATE,
-                f"The steepest slope within the contact is {slope:.3g}: {verdict}.",
-                HERTZ,
-            ),
+            steepness_note(self.problem.bodies.steepest_slope(*axes)),
             *ellipse_yield_notes(
                 self.problem.medium, (self.longitudinal_semi_axis, self.lateral_semi_axis), self.force
             ),

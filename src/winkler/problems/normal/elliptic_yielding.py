@@ -42,7 +42,8 @@ class EllipticYieldOnset:
     friction : Coulomb, optional
         The contact slides everywhere, and drags each body by mu p; none unless given.
     angle : float, optional
-        Direction in which it is dragged, from x towards y [rad]; along x unless given.
+        Direction in which each is dragged, from x towards y in its own axes [rad]; along x unless given.  Those of the
+        second body point the opposite way of those of the first along the surface.
 
     Raises
     ------
