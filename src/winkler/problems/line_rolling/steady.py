@@ -39,6 +39,7 @@ from winkler.problems.line_rolling.pressed import (
     touching_strip,
 )
 from winkler.problems.rolling.creepage import Creepage
+from winkler.problems.which_body import in_first_body
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
@@ -233,7 +234,8 @@ class LineRollingSolution:
             Places along the surface [m], the leading edge at +a.
         z : array_like
             Depths [m]: not negative in the first body, which is dragged along x by a positive force; negative in the
-            second, dragged against it.  All in one of them; stresses are in the body's own axes, z into it.
+            second, of which -0.0 is the surface, dragged against it.  All in one of them; stresses are in the body's
+            own axes, z into it.
 
         Raises
         ------
@@ -244,9 +246,7 @@ class LineRollingSolution:
         """
         a, c, mu = self._one("stresses")
         depth = np.asarray(z, dtype=float)
-        below = bool(np.all(depth >= 0.0))
-        if not below and np.any(depth >= 0.0):
-            raise InvalidInput("LineRollingSolution: the depths z lie in both bodies; request one after the other.")
+        below = in_first_body(depth, "LineRollingSolution")
         poisson = poisson_of(self.problem.bed, below)
         contact = LineContact(self.problem.bed, a, 0.0, poisson, mu if below else -mu)
         fields = rolling_stresses(contact, c, np.asarray(x, dtype=float), np.abs(depth))
