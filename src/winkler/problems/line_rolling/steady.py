@@ -45,6 +45,9 @@ from winkler.values import value, words
 
 __all__ = ["CARTER", "LineRolling", "LineRollingSolution", "refuse_unless_along", "sliding_creepage"]
 
+SLIDING_TOLERANCE = 1e-12
+"""A force beyond what friction bears by no more than this part of it is that of sliding."""
+
 CARTER = Note(
     Assumption.SLIP,
     Standing.EXACT,
@@ -127,12 +130,12 @@ class LineRolling:
         limit = sliding_creepage(contact, self.friction.coefficient)
         if isinstance(self.drive, LineShearForce):
             force = np.asarray(self.drive.shear_force_per_length, dtype=float)
-            if np.any(np.abs(force) > most):
+            if np.any(np.abs(force) > most * (1.0 + SLIDING_TOLERANCE)):
                 raise OutsideValidity(
                     f"LineRolling: friction bears {most:.6g} N/m, less than the {np.max(np.abs(force)):.6g} N/m given: "
                     "the bodies slide; give less, or prescribe a creepage."
                 )
-            ratio = np.abs(force) / most
+            ratio = np.minimum(np.abs(force) / most, 1.0)
             share = np.sqrt(1.0 - ratio)
             creepage = np.sign(force) * limit * ratio / (1.0 + share)
         else:
