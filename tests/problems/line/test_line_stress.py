@@ -196,7 +196,8 @@ def test_the_surface_of_the_second_body_is_at_minus_zero():
     pair = wk.HalfSpace.between(wk.Elastic(70e9, 0.1), wk.Elastic(210e9, 0.3, strength=700e6))
     bed, mu = wk.LineFoundation(wk.Paraboloid(10e-3), pair), 0.5
     onset = wk.LineYieldOnset(bed, wk.Coulomb(mu)).solve()
-    assert onset.z == 0.0 and np.signbit(onset.z)
+    assert onset.z == 0.0
+    assert np.signbit(onset.z)
     contact = wk.LineIndentation(bed, wk.LineForce(onset.force_per_length)).solve()
     at_onset = contact.stresses(onset.x, onset.z, mu)
     assert float(at_onset.von_mises) == pytest.approx(700e6, rel=1e-12)
