@@ -286,6 +286,14 @@ def test_the_approach_is_the_compression_of_the_axis(name):
     assert contact.approach(first=depth) == pytest.approx(-float(np.sum(weights * strain)), rel=1e-10)
 
 
+def test_its_size_is_that_of_a_half_width():
+    statements = [note.statement for note in pressed(wk.Paraboloid(10e-3), 1e-4).validity]
+    assert (
+        "The half-width of the contact is 0.01 of the body's radius: the body may be taken for a half-space."
+        in statements
+    )
+
+
 def test_a_line_contact_has_no_depth_without_a_reference():
     contact = pressed(wk.Paraboloid(10e-3), 1e-4)
     with pytest.raises(wk.InvalidInput, match="no depth of its own"):

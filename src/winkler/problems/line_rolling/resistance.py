@@ -228,7 +228,7 @@ class LineRollingResistanceSolution:
             *bed.notes,
             HUNTER,
             steepness_note(widest / bed.size),
-            large_body_note(widest / bed.size),
+            large_body_note(widest / bed.size, strip=True),
             *times_notes(bed, float(np.min(times)), float(np.max(times))),  # type: ignore[arg-type]
             *relaxing_yield(bed.medium),
         )
