@@ -135,6 +135,12 @@ REFUSED = [
     ("0.3 mm", "", "'0.3 mm' is a length, not a plain number; give a plain number such as '0.3'."),
     ("0.3 rad", "", "'0.3 rad' is an angle, not a plain number; give a plain number such as '0.3'."),
     ("0.3", "rad", "'0.3' has no unit; give an angle such as '30 deg'."),
+    (
+        "100 N",
+        "N/m",
+        "'100 N' is a force, not a force per length or energy per area; give a force per length or energy per area "
+        "such as '1 kN/m'.",
+    ),
     ("10 kg", "m", "'10 kg' is a mass, not a length; give a length such as '10 mm'."),
     ("10 N", "Pa", "'10 N' is a force, not a pressure or modulus; give a pressure or modulus such as '210 GPa'."),
     ("5 mm²", "m", "'5 mm²' is an area, not a length; give a length such as '10 mm'."),

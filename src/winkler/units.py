@@ -48,6 +48,8 @@ KIND_NAMES = (
     ("W/(m K)", "a thermal conductivity", "45 W/(m K)"),
 )
 """Unit, what it measures, and how such a quantity is written."""
+WRITTEN = {"N/m": "1 kN/m"}
+"""How quantities of a unit are written that shares its dimension with another one above."""
 
 WITH_COMMA = re.compile(r"([+-]?)([\d.,]*,[\d.,]*)(.*)", re.ASCII | re.DOTALL)
 THOUSANDS = re.compile(r"[1-9]\d{0,2}(,\d{3})+(\.\d*)?", re.ASCII)
@@ -166,6 +168,7 @@ def quantity(text: str | float, unit: str, *, what: str) -> float:
     (0.01, 293.15)
     """
     name, example = _kind(unit)
+    example = WRITTEN.get(unit, example)
     if not isinstance(text, str):
         if isinstance(text, bool) or not isinstance(text, int | float) or not math.isfinite(text):
             raise InvalidInput(f"{what}: {text!r} is not a quantity; give {name} such as '{example}'.")

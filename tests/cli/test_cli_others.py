@@ -218,6 +218,14 @@ def test_what_is_commented_out_is_valid_too(load):
     assert len(outcome.solved) == 9
 
 
+def test_optional_stresses_in_a_template_are_usual_ones():
+    """A strength or a bulk stress of 210 GPa, the modulus of steel, would be none."""
+    study = parse_study(re.sub(r"^# (bulk_stress|strength)", r"\1", template("line_tangential"), flags=re.MULTILINE))
+    assert study.problem.path.bulk_stress == 100e6
+    assert study.problem.bed.medium.first.strength == 700e6
+    assert run(study).failed == ()
+
+
 def test_new_does_not_replace_a_file_without_consent(here, capsys):
     (here / "indentation.toml").write_text("mine")
     assert main(["new"]) == 2

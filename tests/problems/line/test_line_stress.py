@@ -191,6 +191,27 @@ def test_what_cannot_yield_or_yields_at_once_is_refused(profile, medium, sentenc
         wk.LineYieldOnset(wk.LineFoundation(profile, medium)).solve()
 
 
+def test_the_surface_of_the_second_body_is_at_minus_zero():
+    """On the surface the stresses along x of a sliding cylinder are -p0 (root + 2 mu x/a); those along y have nu."""
+    pair = wk.HalfSpace.between(wk.Elastic(70e9, 0.1), wk.Elastic(210e9, 0.3, strength=700e6))
+    bed, mu = wk.LineFoundation(wk.Paraboloid(10e-3), pair), 0.5
+    onset = wk.LineYieldOnset(bed, wk.Coulomb(mu)).solve()
+    assert onset.z == 0.0
+    assert np.signbit(onset.z)
+    contact = wk.LineIndentation(bed, wk.LineForce(onset.force_per_length)).solve()
+    at_onset = contact.stresses(onset.x, onset.z, mu)
+    assert float(at_onset.von_mises) == pytest.approx(700e6, rel=1e-12)
+    x = contact.half_width * np.array([-0.5, 0.25])
+    second, first = contact.stresses(x, [-0.0, -0.0], mu), contact.stresses(x, 0.0, mu)
+    t = np.array([-0.5, 0.25])
+    across = -np.sqrt(1.0 - t**2)
+    for fields, poisson in ((second, 0.3), (first, 0.1)):
+        expected = contact.peak_pressure * poisson * (2.0 * across - 2.0 * mu * t)
+        assert fields.yy_stress == pytest.approx(expected, rel=1e-12)
+    deep = contact.stresses(0.0, [0.0, -1e-4], mu)  # the surface is that of the body of the other depths
+    assert deep.yy_stress[0] == pytest.approx(0.3 * (deep.xx_stress[0] + deep.zz_stress[0]), rel=1e-12)
+
+
 def test_stresses_of_no_contact_both_bodies_and_rigid_ones_are_refused():
     contact = pressed(wk.Paraboloid(10e-3), 1e-4, wk.HalfSpace(STEEL))
     with pytest.raises(wk.OutsideValidity, match="rigid or not isotropic"):
@@ -263,6 +284,14 @@ def test_the_approach_is_the_compression_of_the_axis(name):
     fields = contact.stresses(np.zeros(nodes.size), nodes)
     strain = (0.91 * fields.zz_stress - 0.39 * fields.xx_stress) / 210e9
     assert contact.approach(first=depth) == pytest.approx(-float(np.sum(weights * strain)), rel=1e-10)
+
+
+def test_its_size_is_that_of_a_half_width():
+    statements = [note.statement for note in pressed(wk.Paraboloid(10e-3), 1e-4).validity]
+    assert (
+        "The half-width of the contact is 0.01 of the body's radius: the body may be taken for a half-space."
+        in statements
+    )
 
 
 def test_a_line_contact_has_no_depth_without_a_reference():

@@ -219,6 +219,18 @@ def test_the_loop_encloses_the_loss():
     assert area == pytest.approx(lost, rel=1e-5)
 
 
+def test_shear_force_and_bulk_stress_do_the_work_that_is_lost():
+    """Over a cycle the loss is the work of Q on the shift less that of the moment of q on the strain."""
+    solution = sheared(wk.Paraboloid(10e-3), wk.LinePath(1e5, [0.0, 3e4, -3e4, 3e4], bulk_stress=1.5e8, count=200))
+    x, weight = over(-solution.half_width[0], solution.half_width[0], 400)
+    moment = np.array([weight @ (x * state.traction(x)) for state in solution.states[200::10]])
+    strain = solution.bulk_stress[200::10] * (1.0 - 0.3**2) / 210e9
+    area = np.trapezoid(solution.shear_force_per_length[200:], solution.slip_shift[200:])
+    lost = solution.dissipation_per_length[-1] - solution.dissipation_per_length[200]
+    assert area < 0.85 * lost
+    assert area - np.trapezoid(moment, strain) == pytest.approx(lost, rel=2e-3)
+
+
 @pytest.mark.parametrize(("profile", "bulk"), [("cylinder", 0.0), ("cylinder", 60e6), ("rounded punch", 0.0)])
 def test_the_loss_by_place_adds_up_to_the_loss(profile, bulk):
     """Between the edges of all earlier contacts, where it is smooth."""

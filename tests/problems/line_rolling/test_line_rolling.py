@@ -183,6 +183,12 @@ def test_what_has_no_answer_is_refused(drive, bed, load, error, sentence):
         wk.LineRolling(bed, MU, drive, load).solve()
 
 
+def test_a_force_of_sliding_may_be_rounded_up():
+    slides = wk.LineRolling(BED, MU, wk.LineShearForce(-MOST * (1.0 + 1e-14)), LOAD).solve()
+    assert slides.stick_share == 0.0
+    assert slides.longitudinal_creepage == pytest.approx(-float(mp.mpf(0.3) * half_width() / mp.mpf(10e-3)), rel=1e-12)
+
+
 def test_one_drive_at_a_time_has_tractions():
     many = pulled(np.array([0.1, 0.2]))
     with pytest.raises(wk.InvalidInput, match="solve for one of them"):

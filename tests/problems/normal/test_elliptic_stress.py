@@ -100,12 +100,19 @@ def test_the_surfaces_meet(along):
 def test_second_body_and_refusals():
     medium = wk.HalfSpace(wk.Elastic(210e9, 0.3), wk.Elastic(70e9, 0.1))
     contact = pressed(2e-3, 1e-3, medium=medium)
-    a, z = contact.longitudinal_semi_axis, -0.3 * contact.lateral_semi_axis
+    a, b = contact.longitudinal_semi_axis, contact.lateral_semi_axis
+    z = -0.3 * b
     below = contact.stresses(0.5 * a, [0.0, 0.2 * a], z, 0.2, 1.0)
     alone = pressed(2e-3, 1e-3, medium=wk.HalfSpace(wk.Elastic(70e9, 0.1), wk.Elastic(210e9, 0.3)))
     assert below.z == pytest.approx(z)
     assert below.von_mises == pytest.approx(alone.stresses(0.5 * a, [0.0, 0.2 * a], -z, 0.2, 1.0).von_mises)
     assert below.von_mises != pytest.approx(contact.stresses(0.5 * a, [0.0, 0.2 * a], -z, 0.2, 1.0).von_mises)
+    on_second, on_first = contact.stresses(0.0, 0.0, -0.0), contact.stresses(0.0, 0.0, 0.0)
+    for fields, nu in ((on_second, 0.1), (on_first, 0.3)):  # Johnson (3.69), (3.70) at the middle
+        expected = -contact.peak_pressure * np.array(
+            [2 * nu + (1 - 2 * nu) * share for share in (b / (a + b), a / (a + b))]
+        )
+        assert [float(fields.xx_stress), float(fields.yy_stress)] == pytest.approx(expected, rel=1e-10)
     with pytest.raises(wk.InvalidInput, match="lie in both bodies"):
         contact.stresses(0.0, 0.0, [-1e-5, 1e-5])
     with pytest.raises(wk.InvalidInput, match="give one of von_mises, max_shear, orthogonal_shear"):

@@ -49,18 +49,20 @@ def line_sheet(item: LineSolution, *, extent: float | None = None) -> Sheet:
 @sheet_of.register(LineYieldOnsetSolution)
 @sheet_of.register(LineShakedownSolution)
 def line_yield_sheet(item: LineYieldOnsetSolution | LineShakedownSolution, *, extent: float | None = None) -> Sheet:
-    """Return the von Mises stress below the contact at the onset of yield, or of one passage at the shakedown limit."""
+    """Return what is limited below the contact: the von Mises stress at the onset of yield, the shear at shakedown."""
     a = item.half_width
     end = checked_extent(extent) or HALF_WIDTHS_DRAWN * a
-    sign = 1.0 if item.z >= 0.0 else -1.0
+    sign = float(np.copysign(1.0, item.z))  # -0.0 is the surface of the second body
     x = np.linspace(-end, end, ACROSS)
     z = sign * end * np.linspace(0.0, 1.0, DOWN) ** 1.6
     contact = LineIndentation(item.problem.bed, HalfWidth(a)).solve()
     found = contact.stresses(x[:, None], z[None, :] + sign * 1e-6 * a, item.problem.friction.coefficient)
     across, down = np.broadcast_arrays(x[:, None], z[None, :])
     place = Line(np.array([item.x]), np.array([item.z]), "white", width=0.0, marker="+", size=9.0)
-    panel = stress_map(series("x", across), series("z", down), series("von_mises", found.von_mises), "$x$")
-    limit = "onset of yield" if isinstance(item, LineYieldOnsetSolution) else "shakedown limit"
+    onset = isinstance(item, LineYieldOnsetSolution)
+    limited = series("von_mises", found.von_mises) if onset else series("xz_stress", np.abs(found.xz_stress))
+    panel = stress_map(series("x", across), series("z", down), limited, "$x$")
+    limit = "onset of yield" if onset else "shakedown limit"
     title = f"{limit}: {with_unit(item.force_per_length, 'N/m')} on a half-width of {with_unit(a, 'm')}"
     return Sheet((panel.plus(place),), width=5.4, height=3.3, title=title)
 

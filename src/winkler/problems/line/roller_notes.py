@@ -67,7 +67,7 @@ def roller_notes(
             "comparison of two grids",
         ),
         steepness_note(half_width / radius),
-        large_body_note(half_width / radius),
+        large_body_note(half_width / radius, strip=True),
     ]
     if math.isinf(pressures[0]):
         notes.append(

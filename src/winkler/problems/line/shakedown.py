@@ -91,7 +91,8 @@ class LineShakedownSolution:
     force_per_length, half_width : float
         [N/m], [m] of the limit.
     x, z : float
-        Where the shear reaches its limit [m], in the axes of the body, which is dragged along x; z < 0 in the second.
+        Where the shear reaches its limit [m], in the axes of the body, which is dragged along x; below zero (also
+        -0.0) in the second.
     """
 
     __words__ = words(x=("x", "m", "place along the surface"))

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.errors import OutsideValidity
 from winkler.foundation.line import LineFoundation
 from winkler.foundation.zoned_line import ZonedBed
 from winkler.numerics.transforms import abel
@@ -19,6 +19,7 @@ from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.line.approach import approach
 from winkler.problems.line.references import Reference
 from winkler.problems.line.stress import LineContact, LineFields, poisson_of, stresses
+from winkler.problems.which_body import in_first_body
 
 __all__ = ["OfStrip", "Stressed", "Strip"]
 
@@ -60,7 +61,8 @@ class Stressed:
         x : array_like
             Places along the surface [m].
         z : array_like
-            Depths [m]: not negative in the first body, negative in the second.  All in one of them.
+            Depths [m]: not negative in the first body, negative in the second, of which -0.0 is the surface.
+            All in one of them.
         friction : float
             mu [-] of a contact that slides everywhere: the body is dragged along x by mu p, against it if negative.
 
@@ -72,9 +74,7 @@ class Stressed:
             If there is no contact, or the body is rigid or not isotropic.
         """
         depth = np.asarray(z, dtype=float)
-        below = bool(np.all(depth >= 0.0))
-        if not below and np.any(depth >= 0.0):
-            raise InvalidInput(f"{type(self).__name__}: the depths z lie in both bodies; request one after the other.")
+        below = in_first_body(depth, type(self).__name__)
         fields = stresses(self._contact(below, friction), np.asarray(x, dtype=float), np.abs(depth))
         return fields if below else dataclasses.replace(fields, z=-fields.z)
 

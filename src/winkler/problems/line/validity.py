@@ -40,7 +40,7 @@ def line_notes(bed: LineFoundation, half_width: float, *, sticking: bool = False
     inside = half_width * (share[:-1] if half_width >= bed.rim else share)
     notes = [*bed.notes, response, steepness_note(float(np.max(np.abs(bed.slope(inside)))))]
     if math.isfinite(bed.size):
-        notes.append(large_body_note(half_width / bed.size))
+        notes.append(large_body_note(half_width / bed.size, strip=True))
     if half_width >= bed.rim:
         text = "The contact is pinned at the rim; the pressure is infinite there: a real edge yields or is rounded."
         notes.append(Note(Assumption.SHAPE, Standing.EXACT, text, "flat punch of Sadowsky"))

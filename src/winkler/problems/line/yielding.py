@@ -82,7 +82,8 @@ class LineYieldOnsetSolution:
     force_per_length, half_width : float
         [N/m], [m] when yielding begins.
     x, z : float
-        Where it begins [m], in the axes of the body, which is dragged along x; z < 0 in the second one.
+        Where it begins [m], in the axes of the body, which is dragged along x; below zero (also -0.0) in the second
+        one.
     """
 
     __words__ = words(x=("x", "m", "place along the surface"))

@@ -6,7 +6,7 @@ import dataclasses
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.errors import OutsideValidity
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Coulomb
 from winkler.numerics.types import Array, ArrayLike
@@ -14,6 +14,7 @@ from winkler.problems.friction.slip_memory import SlipMemory
 from winkler.problems.line.peak_pressure import rim_load
 from winkler.problems.line.stress import LineContact, LineFields, poisson_of, stresses
 from winkler.problems.line_friction.strips import EarlierStrip, half_widths, slipped, strips_of, traction
+from winkler.problems.which_body import in_first_body
 from winkler.values import value, words
 
 __all__ = ["LineTangentialState"]
@@ -126,7 +127,8 @@ class LineTangentialState:
         x : array_like
             Places along the surface [m].
         z : array_like
-            Depths [m]: not negative in the first body, negative in the second.  All in one of them.
+            Depths [m]: not negative in the first body, negative in the second, of which -0.0 is the surface.
+            All in one of them.
 
         Raises
         ------
@@ -136,9 +138,7 @@ class LineTangentialState:
             If there is no contact, or the body is rigid.
         """
         along, depth = np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(z, dtype=float))
-        below = bool(np.all(depth >= 0.0))
-        if not below and np.any(depth >= 0.0):
-            raise InvalidInput("LineTangentialState: the depths z lie in both bodies; request one after the other.")
+        below = in_first_body(depth, "LineTangentialState")
         if self.half_width == 0.0:
             raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
         poisson, deep = poisson_of(self.bed, below), np.abs(depth)

@@ -141,7 +141,8 @@ class LineRollingResistanceSolution:
     force_per_length, half_width : float or ndarray
         P [N/m], and half of the width from edge to edge [m].
     leading_edge, trailing_edge : float or ndarray
-        Where the contact begins and ends [m], from the lowest point of the cylinder; the latter negative.
+        Where the contact begins and ends [m], from the lowest point of the cylinder; the latter is negative unless the
+        solid relaxes by some orders of magnitude and creeps all the way before that point, as a fluid does.
     shear_force_per_length : float or ndarray
         Q [N/m] that resists the motion.
     """
@@ -227,7 +228,7 @@ class LineRollingResistanceSolution:
             *bed.notes,
             HUNTER,
             steepness_note(widest / bed.size),
-            large_body_note(widest / bed.size),
+            large_body_note(widest / bed.size, strip=True),
             *times_notes(bed, float(np.min(times)), float(np.max(times))),  # type: ignore[arg-type]
             *relaxing_yield(bed.medium),
         )

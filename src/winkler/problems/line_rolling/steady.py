@@ -39,10 +39,14 @@ from winkler.problems.line_rolling.pressed import (
     touching_strip,
 )
 from winkler.problems.rolling.creepage import Creepage
+from winkler.problems.which_body import in_first_body
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
 __all__ = ["CARTER", "LineRolling", "LineRollingSolution", "refuse_unless_along", "sliding_creepage"]
+
+SLIDING_TOLERANCE = 1e-12
+"""A force beyond what friction bears by no more than this part of it is that of sliding."""
 
 CARTER = Note(
     Assumption.SLIP,
@@ -126,12 +130,12 @@ class LineRolling:
         limit = sliding_creepage(contact, self.friction.coefficient)
         if isinstance(self.drive, LineShearForce):
             force = np.asarray(self.drive.shear_force_per_length, dtype=float)
-            if np.any(np.abs(force) > most):
+            if np.any(np.abs(force) > most * (1.0 + SLIDING_TOLERANCE)):
                 raise OutsideValidity(
                     f"LineRolling: friction bears {most:.6g} N/m, less than the {np.max(np.abs(force)):.6g} N/m given: "
                     "the bodies slide; give less, or prescribe a creepage."
                 )
-            ratio = np.abs(force) / most
+            ratio = np.minimum(np.abs(force) / most, 1.0)
             share = np.sqrt(1.0 - ratio)
             creepage = np.sign(force) * limit * ratio / (1.0 + share)
         else:
@@ -233,7 +237,8 @@ class LineRollingSolution:
             Places along the surface [m], the leading edge at +a.
         z : array_like
             Depths [m]: not negative in the first body, which is dragged along x by a positive force; negative in the
-            second, dragged against it.  All in one of them; stresses are in the body's own axes, z into it.
+            second, of which -0.0 is the surface, dragged against it.  All in one of them; stresses are in the body's
+            own axes, z into it.
 
         Raises
         ------
@@ -244,9 +249,7 @@ class LineRollingSolution:
         """
         a, c, mu = self._one("stresses")
         depth = np.asarray(z, dtype=float)
-        below = bool(np.all(depth >= 0.0))
-        if not below and np.any(depth >= 0.0):
-            raise InvalidInput("LineRollingSolution: the depths z lie in both bodies; request one after the other.")
+        below = in_first_body(depth, "LineRollingSolution")
         poisson = poisson_of(self.problem.bed, below)
         contact = LineContact(self.problem.bed, a, 0.0, poisson, mu if below else -mu)
         fields = rolling_stresses(contact, c, np.asarray(x, dtype=float), np.abs(depth))

@@ -19,7 +19,7 @@ from typing import Annotated, ClassVar
 import numpy as np
 
 from winkler.checks.number_checks import Advice
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.errors import OutsideValidity
 from winkler.foundation.elliptic import EllipticFoundation
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
@@ -31,6 +31,7 @@ from winkler.problems.normal.elliptic_fields import EllipticFields
 from winkler.problems.normal.validity import steepness_note
 from winkler.problems.normal.yield_of_pressure import ellipse_yield_notes
 from winkler.problems.one_load import picked, single
+from winkler.problems.which_body import in_first_body
 from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.ellipse import CurvedBodies
 from winkler.validity import Assumption, Note, Standing
@@ -201,7 +202,8 @@ class EllipticSolution:
         x, y : array_like
             Places along the surface [m].
         z : array_like
-            Depths [m]: not negative in the first body, negative in the second.  All in one of them.
+            Depths [m]: not negative in the first body, negative in the second, of which -0.0 is the surface.
+            All in one of them.
         friction : float
             mu [-] of a contact that slides everywhere: the body requested is dragged by mu p.
         angle : float
@@ -221,9 +223,7 @@ class EllipticSolution:
         """
         semi_axes, peak = self._pressed("stresses")
         depth = np.asarray(z, dtype=float)
-        below = bool(np.all(depth >= 0.0))
-        if not below and np.any(depth >= 0.0):
-            raise InvalidInput("EllipticSolution: the depths z lie in both bodies; request one after the other.")
+        below = in_first_body(depth, "EllipticSolution")
         places = np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(y, dtype=float), np.abs(depth))
         solid = inside.solid_below(self.problem.medium, below)
         fields = inside.below_ellipse((*places,), semi_axes, peak, solid, inside.traction_of(friction, angle))  # type: ignore[arg-type]

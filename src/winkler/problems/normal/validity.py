@@ -118,14 +118,13 @@ def steepness_note(slope: float) -> Note:
     )
 
 
-def large_body_note(ratio: float) -> Note:
-    """Return what the contact radius over that of the body [-] means for the theory."""
+def large_body_note(ratio: float, *, strip: bool = False) -> Note:
+    """Return what the contact radius, or the half-width of a strip, over the radius of the body [-] means."""
     if ratio <= 0.1:
         standing, verdict = Standing.ASYMPTOTIC, "the body may be taken for a half-space"
     elif ratio <= 0.5:
         standing, verdict = Standing.APPROXIMATE, "the body is hardly a half-space any more"
     else:
         standing, verdict = Standing.OUTSIDE, "the body is no half-space"
-    return Note(
-        Assumption.HALF_SPACE, standing, f"The contact radius is {ratio:.3g} of the body's radius: {verdict}.", JOHNSON
-    )
+    size = "half-width of the contact" if strip else "contact radius"
+    return Note(Assumption.HALF_SPACE, standing, f"The {size} is {ratio:.3g} of the body's radius: {verdict}.", JOHNSON)

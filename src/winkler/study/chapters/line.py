@@ -196,7 +196,7 @@ LINE = Chapter(
             "johnson_1985",
             bed={**ROLLER, "medium": {"kind": "half_space", **STRONG}},
             friction={"kind": "coulomb", "coefficient": 0.1},
-            picture=Caption("line_shakedown", "Shakedown limit", "The von Mises stress of one passage at the limit."),
+            picture=Caption("line_shakedown", "Shakedown limit", "The shear in planes along the surface at the limit."),
             pictured=PicturedContact.NONE,
             formulas=(MODULUS, LOAD_PROFILE, LOAD, POTENTIAL, STRESSES, SHAKEDOWN),
         ),

@@ -58,6 +58,8 @@ SAMPLE_QUANTITIES = {
     "J/m^2": "50 mJ/m^2",
 }
 """Sample quantity of each unit, for hints and examples."""
+SAMPLES_BY_NAME = {"strength": "700 MPa", "bulk_stress": "100 MPa"}
+"""Those of fields for which that of the unit is no usual one."""
 
 RANGE_KEYS = ("from", "to", "count", "spacing")
 
@@ -99,9 +101,9 @@ def read_at(where: str, raw: Any, unit: str | None, read: Callable[[Any, str | N
         raise InvalidInput(sentence_of(refusal).replace(WHERE, where)) from None
 
 
-def sample(unit: str) -> str:
-    """Return a sample quantity of `unit`."""
-    return SAMPLE_QUANTITIES.get(unit, f"1 {unit}" if unit else "0.3")
+def sample(unit: str, name: str = "") -> str:
+    """Return a sample quantity of `unit`, for a field of this name."""
+    return SAMPLES_BY_NAME.get(name) or SAMPLE_QUANTITIES.get(unit, f"1 {unit}" if unit else "0.3")
 
 
 def unit_of(owner: type, field: str) -> str | None:

@@ -82,7 +82,7 @@ def _section(place: str, table: dict[str, Any]) -> list[str]:
         elif content is not None:
             lines.append(_line(f"{key.name} = {inline(content)}", _comment(key)))
         elif key.word.unit is not None and not key.required and key.name in hints(kinds()[name].cls):
-            such = "10" if key.takes == "whole number" else sample(key.word.unit)
+            such = "10" if key.takes == "whole number" else sample(key.word.unit, key.name)
             text = f"# {key.name} = {inline(such) if key.word.unit else such}"
             lines.append(_line(text, f"{_comment(key)} (optional)"))
     return lines + below
