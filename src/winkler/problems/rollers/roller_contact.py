@@ -25,8 +25,8 @@ from winkler.numerics.surfaces.pressed_slender import Pose
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
-from winkler.problems.line.roller_notes import roller_notes
-from winkler.problems.line.roller_state import ROLLER_WORDS, RollerState
+from winkler.problems.rollers.roller_notes import roller_notes
+from winkler.problems.rollers.roller_state import ROLLER_WORDS, RollerState
 from winkler.profiles.roller_ends import RollerEnds
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
