@@ -134,7 +134,6 @@ from winkler.problems.line.adhesion import LineAdhesion, LineAdhesionSolution
 from winkler.problems.line.indentation import LineIndentation, LineSolution
 from winkler.problems.line.periodic import PeriodicIndentation, PeriodicSolution
 from winkler.problems.line.references import PlateBase, RollerCentre
-from winkler.problems.line.roller_contact import RollerContact, RollerSolution
 from winkler.problems.line.shakedown import LineShakedown, LineShakedownSolution
 from winkler.problems.line.stress import LineFields
 from winkler.problems.line.yielding import LineYieldOnset, LineYieldOnsetSolution
@@ -155,6 +154,7 @@ from winkler.problems.particles.contacts import Contacts
 from winkler.problems.particles.elastic_plastic import ElasticPlasticParticle, ParticleSolution
 from winkler.problems.particles.impacts import BallImpacts, BallImpactsSolution
 from winkler.problems.particles.trace import ContactTrace
+from winkler.problems.rollers.roller_contact import RollerContact, RollerSolution
 from winkler.problems.rolling.calibration import Kalker, Uncalibrated
 from winkler.problems.rolling.creepage import Creepage
 from winkler.problems.rolling.kalker import creep_coefficients

@@ -33,7 +33,7 @@ from winkler.profiles.profile import Profile, Shape, Sum
 from winkler.profiles.wavy import Wavy
 from winkler.values import value, words
 
-__all__ = ["PeriodicBed", "from_line", "in_closed_form", "to_line", "unrolled"]
+__all__ = ["PeriodicBed", "as_high", "from_line", "in_closed_form", "to_line", "unrolled"]
 
 DEEP = 4.0
 """Depth over the pitch from which the stresses are even, to about 1e-11."""
@@ -42,6 +42,8 @@ WALL = 1e-6
 """Part of the rim that is left out before a sharp valley."""
 ROUNDING = 1e-9
 """Slope of a valley, over the steepest one, that counts as none."""
+CREST_SAMPLES, ZOOMS, LEVEL = 257, 5, 1e-12
+"""Places at which other crests are sought, refinements beside the highest, height over the greatest that is none."""
 
 
 def to_line(x: Array, pitch: float) -> Array:
@@ -53,6 +55,24 @@ def from_line(u: Array, pitch: float) -> Array:
     """Return x [m] at u <= pitch/pi."""
     inner = pitch / math.pi * np.arcsin(np.minimum(math.pi * u / pitch, 1.0))
     return np.asarray(np.where(u >= pitch / math.pi, 0.5 * pitch, inner))
+
+
+def as_high(profile: Profile, pitch: float) -> float | None:
+    """Return a place [m] beside x = 0, up to the valley, that is as high as the crest or higher; None without one."""
+    x = 0.5 * pitch * np.linspace(0.0, 1.0, CREST_SAMPLES)
+    height = profile.height(x)
+    most = float(np.max(height))
+    rivals = 1 + np.flatnonzero((height[1:] <= height[:-1]) & (height[1:] <= np.append(height[2:], np.inf)))
+    if rivals.size == 0 or most == 0.0:
+        return None
+    best = rivals[np.argmin(height[rivals])]
+    if height[best - 1] == 0.0:  # a flat crest goes on
+        return None
+    for _ in range(ZOOMS):
+        x = np.linspace(x[best - 1], x[min(best + 1, x.size - 1)], CREST_SAMPLES)
+        height = profile.height(x)
+        best = max(int(np.argmin(height)), 1)
+    return float(x[best]) if height[best] <= LEVEL * most else None
 
 
 @value

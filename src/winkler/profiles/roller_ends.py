@@ -5,7 +5,7 @@ r"""Ends of rollers: by how much the radius of a cylindrical roller is smaller a
           \left(\frac{|x|-s}{\ell-s}\right)^2} , \qquad A = \frac P{\pi E^*} ,
 
 beyond a straight part from -s to s of a roller from -l to l; the drop of Lundberg, K_1 = 1, s = 0 and an unbounded z_m,
-is the displacement under an even force P per length.
+is the displacement under an even force P per length, farther from the ends than some half-widths of the contact.
 """
 
 from __future__ import annotations
@@ -116,7 +116,8 @@ class LogarithmicEnds:
     Parameters
     ----------
     design_force_per_length : float
-        P [N/m] that presses evenly all along the roller: its force over its length.
+        P [N/m] of the load for which the crown is made, its force over the length: with K_1 = 1 it presses evenly, but
+        for a rise beside the ends.
     load_factor : float, optional
         K_1 [-]: the drop over that of Lundberg; greater for a roller that may be tilted.
     crowned_share : float, optional
@@ -131,7 +132,7 @@ class LogarithmicEnds:
     """
 
     __words__ = words(
-        design_force_per_length=("P", "N/m", "force per length that the crown makes even"),
+        design_force_per_length=("P", "N/m", "force per length for which the crown is made"),
         load_factor=("K_1", "", "drop of the crown over that of Lundberg"),
         crowned_share=("K_2", "", "crowned part of the length of the roller"),
         edge_drop=("z_m", "m", "drop of the crown at the ends of the roller"),

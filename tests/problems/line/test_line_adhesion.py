@@ -191,6 +191,10 @@ def test_attraction_of_a_short_range_is_that_without():
     assert strong.half_width == pytest.approx(short.half_width, rel=1e-5)
     assert strong.pull_off_force_per_length == pytest.approx(short.pull_off_force_per_length, rel=1e-7)
     assert strong.stress_intensity == 0.0
+    for strength in (1e10, 1e14, 1e25):
+        narrow = reaching(CYLINDER, strength, wk.LineForce(1.0))
+        assert narrow.half_width == pytest.approx(short.half_width, rel=1e-10)
+        assert narrow.pull_off_force_per_length == pytest.approx(short.pull_off_force_per_length, rel=1e-12)
     weak = reaching(CYLINDER, 10.0, wk.LineForce(1.0))
     # that deforms nothing and reaches to x^2/(2R) = gamma/sigma_0: it pulls with 2 sigma_0 x
     assert weak.pull_off_half_width == 0.0

@@ -152,6 +152,29 @@ def test_yield_below_ridges_is_stated_from_a_grid():
     assert share == pytest.approx(0.5575 * float(ridges.peak_pressure) / 1e9, rel=1e-2)
 
 
+def test_waves_that_close_beside_their_valleys_close_without_tension():
+    """Equal p* of both: p = nominal + p* (cos + cos 2), least at cos = -1/4, so that all closes at 9/8 of p*."""
+    both = WAVE + wk.Wavy(0.5 * AMPLITUDE, 0.5 * PITCH)
+    for load in (wk.NominalPressure(1.2 * CLOSURE), wk.HalfWidth(0.5 * PITCH)):
+        closed = pressed(both, load)
+        assert closed.closure_pressure == pytest.approx(1.125 * CLOSURE, rel=1e-10)
+        phase = np.linspace(0.0, np.pi, 41)
+        exact = closed.nominal_pressure + CLOSURE * (np.cos(phase) + np.cos(2.0 * phase))
+        np.testing.assert_allclose(closed.pressure(PITCH * phase / (2.0 * np.pi)), exact, atol=1e-9 * CLOSURE)
+    for share in (0.6, 1.1):
+        with pytest.raises(wk.OutsideValidity, match="more strips than crests|several strips"):
+            pressed(both, wk.NominalPressure(share * CLOSURE))
+
+
+def test_crests_that_touch_as_soon_are_not_passed_over():
+    with pytest.raises(wk.InvalidInput, match="as high at 0.0005 m as at the crest"):
+        pressed(wk.Wavy(AMPLITUDE, 0.5 * PITCH), wk.NominalPressure(1.0))
+    with pytest.raises(wk.InvalidInput, match="as high at 0.000333333 m as at the crest"):
+        pressed(wk.Wavy(AMPLITUDE, PITCH / 3.0), wk.NominalPressure(1.0))
+    with pytest.raises(wk.OutsideValidity, match="several strips"):  # not full contact with a closure below zero
+        pressed(WAVE + wk.Wavy(AMPLITUDE, 0.1 * PITCH), wk.NominalPressure(0.3 * CLOSURE))
+
+
 def test_refusals_are_one_sentence():
     with pytest.raises(wk.InvalidInput, match="before the valley at half of the pitch"):
         pressed(wk.Sphere(0.4e-3), wk.NominalPressure(1e6))

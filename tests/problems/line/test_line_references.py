@@ -117,5 +117,8 @@ def test_a_strip_that_is_wide_against_the_body_is_refused():
         pressed(0.3).approach(wk.RollerCentre(RADIUS))
     with pytest.raises(wk.InvalidInput, match=r"RollerCentre\(radius\) or PlateBase"):
         pressed(0.1).approach()
+    for place in ("1 mm", np.array([0.1, 0.2]), np.nan):
+        with pytest.raises(wk.InvalidInput, match="no depth of its own"):
+            pressed(0.1).approach(place)
     with pytest.raises(wk.InvalidInput, match="thickness"):
         wk.PlateBase(-1.0)

@@ -12,8 +12,8 @@ from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Line, Map, Panel, PanelAxis, Rule, Sheet, note, titled
 from winkler.plot.rough.roughness import models_panel
 from winkler.plot.series import row_of, scale_of, series, with_unit
-from winkler.problems.line.roller_contact import RollerSolution
-from winkler.problems.line.roller_state import RollerState
+from winkler.problems.rollers.roller_contact import RollerSolution
+from winkler.problems.rollers.roller_state import RollerState
 
 __all__ = ["roller_sheet"]
 

@@ -16,6 +16,8 @@ K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 5.6, doi:10.1017/CBO97811
 
 from __future__ import annotations
 
+from numbers import Real
+
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
@@ -58,7 +60,7 @@ def approach(
             continue
         finite = place if isinstance(place, RollerCentre | PlateBase) else None
         depth = place.depth if isinstance(place, RollerCentre | PlateBase) else place
-        if depth is None or not 0.0 < depth < np.inf:
+        if not isinstance(depth, Real) or not 0.0 < depth < np.inf:
             raise InvalidInput(
                 "A line contact has no depth of its own, because the surface of a half-plane sinks without bound: give "
                 f"the depth below the {name} body's surface, positive and finite, against which it is counted, "

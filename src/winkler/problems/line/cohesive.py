@@ -47,11 +47,11 @@ STEP_TOLERANCE, WORST_STEP = 1e-13, 1e-8
 
 
 class LineZone(NamedTuple):
-    """Where the attraction ends, c [m]; c'(a) [-]; l = sqrt(c^2 - a^2) [m]."""
+    """Where the attraction ends, c [m]; l = sqrt(c^2 - a^2) [m], and l'(a) [-]."""
 
     outer: Array
-    outer_slope: Array
     span: Array
+    span_slope: Array
 
 
 @value
@@ -109,8 +109,8 @@ class CohesiveLineStates:
     def slopes(self, radius: Array) -> tuple[Array, Array]:
         """P'(a) [Pa], twice."""
         zone = self.zone(radius)
-        grown = (zone.outer * zone.outer_slope - radius) / zone.span
-        slope = self.line.medium.modulus * self.line.load_profile_slope(radius) - 2.0 * self.law.strength * grown
+        pull = 2.0 * self.law.strength * zone.span_slope
+        slope = self.line.medium.modulus * self.line.load_profile_slope(radius) - pull
         return np.asarray(slope), np.asarray(slope)
 
     def scale(self, radius: Array) -> Array:
@@ -146,15 +146,19 @@ def _arcosh(a: Array, span: Array) -> Array:
         return np.asarray(np.arcsinh(np.divide(span, a, out=np.full(a.shape, np.inf), where=a > 0.0)))
 
 
-def _pulled(a: Array, span: Array) -> tuple[Array, Array, Array]:
-    """Return l arcosh(c/a) - c ln(c/a) [m] and its derivatives by c and a [-]; l > 0."""
+def _pulled(a: Array, span: Array) -> tuple[Array, Array]:
+    """Return l arcosh(c/a) - c ln(c/a) [m] and its derivative by c [-]; l > 0."""
     c = np.hypot(a, span)
-    ratio = 0.5 * np.log1p(np.divide(span, a, out=np.zeros(a.shape), where=a > 0.0) ** 2)
+    ratio = _log_ratio(a, span)
     rest = np.log1p(span / c)  # ln((l + c)/c)
     whole = span * rest - a * a / (span + c) * ratio
     by_c = c / span * rest + a * a / (span * (span + c)) * ratio
-    by_a = -a / span * (ratio + rest)
-    return whole, by_c, by_a
+    return whole, by_c
+
+
+def _log_ratio(a: Array, span: Array) -> Array:
+    """Return ln(c/a), zero at a = 0."""
+    return np.asarray(0.5 * np.log1p(np.divide(span, a, out=np.zeros(a.shape), where=a > 0.0) ** 2))
 
 
 @functools.lru_cache(maxsize=64)
@@ -171,7 +175,7 @@ def _zone(states: CohesiveLineStates, shape: tuple[int, ...], content: bytes) ->
         span = np.minimum(span, np.sqrt(np.maximum((reach - a) * (reach + a), (0.1 * law.range) ** 2)))
     for _ in range(ITERATIONS):
         apart, opening = gap_at(line, a, span)
-        whole, by_c, _ = _pulled(a, span)
+        whole, by_c = _pulled(a, span)
         c = np.hypot(a, span)
         step = (apart + factor * whole - law.range) / ((opening + factor * by_c) * span / c)
         new = np.maximum(span - step, 0.1 * span)
@@ -182,10 +186,13 @@ def _zone(states: CohesiveLineStates, shape: tuple[int, ...], content: bytes) ->
     if moved > WORST_STEP:
         raise NotConverged("Dugdale: the end of the attraction beside the strip is not found; use ShortRange(work).")
     apart, opening = gap_at(line, a, span)
-    _, by_c, by_a = _pulled(a, span)
+    _, by_c = _pulled(a, span)
+    c = np.hypot(a, span)
     growth = 2.0 / math.pi * line.load_profile_slope(a) * np.where(a > 0.0, _arcosh(a, span), 0.0)
-    outer_slope = (growth - factor * by_a) / (opening + factor * by_c)
-    return LineZone(np.hypot(a, span).reshape(shape), outer_slope.reshape(shape), span.reshape(shape))
+    # l l' = c c' - a, put together so that nothing cancels where the attraction ends close to the strip
+    whole_slope = c * growth - a * opening + factor * a * _log_ratio(a, span)
+    span_slope = whole_slope / ((opening + factor * by_c) * span)
+    return LineZone(c.reshape(shape), span.reshape(shape), span_slope.reshape(shape))
 
 
 @functools.lru_cache(maxsize=64)

@@ -16,7 +16,7 @@ from winkler.foundation.line import LineFoundation
 from winkler.numerics.equations.roots import bracketed, invert, rough_root
 from winkler.numerics.types import Array
 
-__all__ = ["grows", "refuse_unless_strips", "under_force", "under_mean_pressure", "widest_allowed"]
+__all__ = ["borne_at_most", "grows", "refuse_unless_strips", "under_force", "under_mean_pressure", "widest_allowed"]
 
 SAMPLES = 513
 PRESSURE_SAMPLES = 129
@@ -56,6 +56,11 @@ def under_force(bed: LineFoundation, load: Array) -> Array:
     return _met(bed, load, lambda a: (bed.load_profile(a), bed.load_profile_slope(a)), "force per length")
 
 
+def borne_at_most(bed: LineFoundation) -> float:
+    """Return the greatest load per length over E* that the profile bears up to its reach or rim [m]."""
+    return _most(bed, bed.load_profile, min(bed.reach, bed.rim))
+
+
 def under_mean_pressure(bed: LineFoundation, mean: Array) -> Array:
     """Return the half-widths [m] at which the mean pressure over E* is given ``(m,)``."""
     if float(bed.slope(np.zeros(1))[0]) != 0.0:
@@ -76,7 +81,7 @@ def _met(bed: LineFoundation, target: Array, curve: Curve, what: str) -> Array:
     pressed = target > 0.0
     if not pressed.any():
         return half_width
-    most = _at_end(curve, end)
+    most = _most(bed, lambda a: curve(a)[0], end)
     pinned = pressed & (target >= most) if bed.rim <= bed.reach else np.zeros(target.shape, dtype=bool)
     if (pressed & ~pinned & (target > most)).any():
         raise OutsideValidity(
@@ -95,16 +100,20 @@ def _met(bed: LineFoundation, target: Array, curve: Curve, what: str) -> Array:
     return half_width
 
 
-def _at_end(curve: Curve, end: float) -> float:
+def _most(bed: LineFoundation, level: Level, end: float) -> float:
     """Return what the profile bears at most; infinite if it has no end, or is vertical there."""
     if not np.isfinite(end):
         return np.inf
     try:
         with np.errstate(all="ignore"):
-            most = float(curve(np.array([end]))[0][0])
+            last = float(level(np.array([end]))[0])
     except NotConverged:  # vertical there
         return np.inf
-    return most if np.isfinite(most) else np.inf
+    if not np.isfinite(last):
+        return np.inf
+    if bed.profile.rising:
+        return last
+    return max(last, float(np.max(level(np.linspace(bed.flat, end, SAMPLES)[1:-1]))))
 
 
 def _interpolated(bed: LineFoundation, level: Level, target: Array) -> Array:
@@ -153,7 +162,7 @@ def _first(bed: LineFoundation, level: Level, target: Array) -> Array:
     return bracketed(lambda a, index: level(a) - target[index], low, high)
 
 
-def refuse_unless_strips(bed: LineFoundation, half_width: Array) -> None:
+def refuse_unless_strips(bed: LineFoundation, half_width: Array, beside: float = WIDTHS_BESIDE) -> None:
     """Refuse contacts that pull inside or overlap outside.
 
     Parameters
@@ -161,12 +170,14 @@ def refuse_unless_strips(bed: LineFoundation, half_width: Array) -> None:
     bed : LineFoundation
     half_width : ndarray, (m,)
         a [m].
+    beside : float, optional
+        How many half-widths beside the contact are examined for overlap.
     """
     touching = np.unique(half_width[half_width > 0.0])
-    if bed.profile.rising or touching.size == 0 or grows(bed, WIDTHS_BESIDE * touching[-1]):
+    if bed.profile.rising or touching.size == 0 or grows(bed, beside * touching[-1]):
         return
     for one in touching:
-        _refuse_unless_strip(bed, float(one))
+        _refuse_unless_strip(bed, float(one), beside)
 
 
 def grows(bed: LineFoundation, end: float) -> bool:
@@ -175,7 +186,7 @@ def grows(bed: LineFoundation, end: float) -> bool:
     return bool(np.min(growth) >= -ROUNDING * np.max(np.abs(growth)))
 
 
-def _refuse_unless_strip(bed: LineFoundation, half_width: float) -> None:
+def _refuse_unless_strip(bed: LineFoundation, half_width: float, beside: float) -> None:
     inside = half_width * np.linspace(0.0, 1.0, PRESSURE_SAMPLES)[1:-1]
     pressure = bed.pressure(inside, half_width, 0.0)
     if np.min(pressure) < -ROUNDING * np.max(np.abs(pressure)):
@@ -183,7 +194,7 @@ def _refuse_unless_strip(bed: LineFoundation, half_width: float) -> None:
             f"A strip of the half-width {half_width:.6g} m would pull at {inside[np.argmin(pressure)]:.6g} m: the "
             "contact has parted into several; press harder, or give a smoother profile."
         )
-    outside = np.linspace(half_width, min(bed.reach, bed.rim, WIDTHS_BESIDE * half_width), SAMPLES)[1:-1]
+    outside = np.linspace(half_width, min(bed.reach, bed.rim, beside * half_width), SAMPLES)[1:-1]
     opened = np.cumsum(bed.opening(outside, half_width)) if half_width < outside[0] else np.zeros(1)
     if np.min(opened) < -ROUNDING * np.max(np.abs(opened)):
         raise OutsideValidity(

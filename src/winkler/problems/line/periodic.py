@@ -19,14 +19,14 @@ import numpy as np
 from winkler.checks.number_checks import Positive
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.line import LineFoundation
-from winkler.foundation.periodic import PeriodicBed, from_line, to_line, unrolled
+from winkler.foundation.periodic import PeriodicBed, as_high, from_line, to_line, unrolled
 from winkler.loading import HalfWidth, LineForce, NominalPressure
 from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
 from winkler.problems.assumptions.declared import PRESSED
-from winkler.problems.line.half_width import refuse_unless_strips, under_force
+from winkler.problems.line.half_width import borne_at_most, refuse_unless_strips, under_force
 from winkler.problems.line.indentation import LineIndentation, LineSolution
 from winkler.problems.line.peak_pressure import rim_load
-from winkler.problems.line.periodic_notes import periodic_notes, periodic_peak
+from winkler.problems.line.periodic_notes import closing_load, periodic_notes, periodic_peak
 from winkler.problems.line.strip import Stressed, Strip
 from winkler.problems.one_load import one_of, single
 from winkler.validity import Assumption, Note
@@ -52,7 +52,7 @@ class PeriodicIndentation:
     Raises
     ------
     InvalidInput
-        If the profile is not known up to half of the pitch, or has a rim.
+        If the profile is not known up to half of the pitch, has a rim, or is as high elsewhere as at x = 0.
 
     References
     ----------
@@ -92,6 +92,12 @@ class PeriodicIndentation:
                 f"valley at half of the pitch ({0.5 * self.pitch:.6g} m); give a smaller pitch, or a profile that is "
                 "known up to the valley."
             )
+        rival = as_high(self.bed.profile, self.pitch)
+        if rival is not None:
+            raise InvalidInput(
+                f"PeriodicIndentation: the profile is as high at {rival:.6g} m as at the crest, x = 0; give the pitch "
+                "of the crests that touch first, with the highest of them at x = 0."
+            )
 
     @property
     def _line(self) -> LineFoundation:
@@ -115,8 +121,8 @@ class PeriodicIndentation:
                 f"PeriodicIndentation: the load {float(np.min(flat)):.6g} is tensile; without adhesion bodies can only "
                 "be pressed together: give zero or more."
             )
-        closes = np.isfinite(line.rim)
-        most = np.inf if closes else float(line.load_profile(np.array([line.reach]))[0])
+        closing = closing_load(PeriodicBed(line, self.pitch))
+        most = np.inf if np.isfinite(line.rim) else borne_at_most(line)
         if isinstance(self.load, HalfWidth):
             if np.any(flat > 0.5 * self.pitch):
                 raise OutsideValidity(
@@ -125,6 +131,7 @@ class PeriodicIndentation:
                 )
             half_width, mapped = flat.copy(), np.minimum(to_line(flat, self.pitch), line.reach)
             force = modulus * line.load_profile(mapped)
+            force = np.where(mapped >= line.rim, modulus * closing, force)
         else:
             force = flat * (self.pitch if isinstance(self.load, NominalPressure) else 1.0)
             if np.any(force > modulus * most):
@@ -133,9 +140,16 @@ class PeriodicIndentation:
                     "flat, which are sharp and never close; give at most "
                     f"{modulus * most / self.pitch:.6g} Pa, or a profile with rounded valleys."
                 )
-            mapped = under_force(line, force / modulus)
+            closed = force >= modulus * closing
+            mapped = np.where(closed, line.rim, under_force(line, np.where(closed, 0.0, force / modulus)))
+            if np.any(parted := ~closed & (mapped >= line.rim)):
+                raise OutsideValidity(
+                    f"Under a nominal pressure of {float(np.max(force[parted])) / self.pitch:.6g} Pa the bodies touch "
+                    f"in more strips than crests; give at least {modulus * closing / self.pitch:.6g} Pa, at which all "
+                    "is in contact, or a smoother profile."
+                )
             half_width = from_line(mapped, self.pitch)
-        refuse_unless_strips(line, mapped[mapped < line.rim])
+        refuse_unless_strips(line, mapped[mapped < line.rim], np.inf)
         shape = np.shape(given)
         return PeriodicSolution(self, shaped(force, shape), shaped(half_width, shape))
 
@@ -195,10 +209,7 @@ class PeriodicSolution(Stressed):
     @property
     def closure_pressure(self) -> float:
         """Nominal pressure [Pa] at which all is in contact; infinite if the valleys are sharp."""
-        bed = self._bed.line
-        if not np.isfinite(bed.rim):
-            return np.inf
-        return bed.medium.modulus * float(bed.load_profile(np.array([bed.rim]))[0]) / self.problem.pitch
+        return self._bed.medium.modulus * closing_load(self._bed) / self.problem.pitch
 
     def pressure(self, x: ArrayLike) -> Array:
         """Return the pressure under one load [Pa], zero outside of the strips.

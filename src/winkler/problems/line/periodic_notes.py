@@ -1,7 +1,8 @@
-"""The greatest pressure of periodic strips, and what is stated about them."""
+"""The load that closes periodic strips, their greatest pressure, and what is stated about them."""
 
 from __future__ import annotations
 
+import functools
 from typing import cast
 
 import numpy as np
@@ -18,12 +19,32 @@ from winkler.problems.normal.validity import steepness_note
 from winkler.problems.normal.yield_statement import share_of
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["periodic_notes", "periodic_peak"]
+__all__ = ["closing_load", "periodic_notes", "periodic_peak"]
 
 WESTERGAARD = "H. M. Westergaard, J. Appl. Mech. 6 (1939) A49-A53"
 PRESSURE_SAMPLES, REFINEMENTS = 65, 9
+ROUNDING = 1e-9
+"""Tension over the greatest pressure that counts as none."""
 WIDEST, SHALLOWEST, DEEPEST, PLACES = 1.5, 0.02, 2.5, 24
 """Grid of stresses below profiles that have no closed form, in half-widths."""
+
+
+@functools.lru_cache(maxsize=16)
+def closing_load(bed: PeriodicBed) -> float:
+    """Return the load per strip over E* [m] from which on all is in contact, without tension; infinite if never."""
+    line = bed.line
+    if not np.isfinite(line.rim):
+        return np.inf
+    low, high, tension = 0.0, 0.5 * bed.pitch, 0.0
+    for _ in range(REFINEMENTS):
+        places = np.linspace(low, high, PRESSURE_SAMPLES)[:-1]
+        levels = bed.pressure(places, 0.5 * bed.pitch, 0.0)
+        best = int(np.argmin(levels))
+        if levels[best] >= -ROUNDING * float(np.max(np.abs(levels))):
+            break
+        tension = -float(levels[best])
+        low, high = places[max(best - 1, 0)], places[min(best + 1, places.size - 1)]
+    return float(line.load_profile(np.array([line.rim]))[0]) + bed.pitch * tension / bed.medium.modulus
 
 
 def periodic_peak(bed: PeriodicBed, strip: Strip) -> float:

@@ -141,7 +141,7 @@ LINE = Chapter(
             formulas=(MODULUS, LOAD_PROFILE, LOAD, PRESSURE),
         ),
         "roller_contact": answer(
-            "winkler.problems.line.roller_contact:RollerContact",
+            "winkler.problems.rollers.roller_contact:RollerContact",
             radius="10 mm",
             length="10 mm",
             ends={"kind": "logarithmic_ends"},

@@ -25,8 +25,8 @@ from winkler.numerics.surfaces.pressed_slender import Pose
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
-from winkler.problems.line.roller_notes import roller_notes
-from winkler.problems.line.roller_state import ROLLER_WORDS, RollerState
+from winkler.problems.rollers.roller_notes import roller_notes
+from winkler.problems.rollers.roller_state import ROLLER_WORDS, RollerState
 from winkler.profiles.roller_ends import RollerEnds
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
@@ -71,7 +71,7 @@ class RollerContact:
 
     Examples
     --------
-    A steel roller of 10 mm radius and length with a logarithmic crown made for 1 kN/mm, which presses evenly.
+    A steel roller of 10 mm radius and length with a logarithmic crown made for its load of 1 kN/mm.
 
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
@@ -268,15 +268,17 @@ ndarray
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: grid, sharp ends, slopes, yield."""
-        stated = self.problem
+        stated, last = self.problem, self.last
         peak, middle = float(np.max(self.peak_pressure)), float(np.max(self.middle_pressure))
-        width = (
-            2.0 * stated.radius * middle / stated.medium.modulus
-        )  # of Hertz, where the last load is not the greatest
+        growth = math.sqrt(max(1.0, float(np.max(self.force)) / last.force))  # where the last load is not the greatest
+        bears = last.force_per_length > 0.0
+        rise = np.diff(stated.ends.drop(last.edges, 0.5 * stated.length, stated.medium.modulus))
+        along = np.abs(rise / np.diff(last.edges))[bears]
         return roller_notes(
             stated.medium,
             stated.radius,
             (peak, middle),
-            max(width, float(np.max(self.last.half_width))),
+            growth * float(np.max(last.half_width)),
+            max(float(np.max(along[np.isfinite(along)], initial=0.0)), float(np.max(np.abs(self.tilt)))),
             float(np.max(self.grid_error)),
         )

@@ -219,6 +219,38 @@ def test_sharp_ends_have_no_greatest_pressure():
     assert strong == pytest.approx(1.0, rel=1e-3)
 
 
+def slopes_of(roller):
+    (note,) = (one for one in roller.validity if one.assumption is Assumption.SMALL_SLOPES)
+    return note
+
+
+def test_slopes_along_the_roller_and_its_tilt_are_stated():
+    """A narrow crown is a ball of a smaller radius: the slope at the end of its ellipse is c / R_c."""
+    ball = wk.RollerContact(1.0, 1.0, wk.CrownedEnds(1e-2), SOFT, wk.Force(2e-6)).solve()
+    ellipse = wk.EllipticIndentation(wk.CurvedBodies(1.0, 1e-2), SOFT, wk.Force(2e-6)).solve()
+    steepest = min(ellipse.longitudinal_semi_axis, ellipse.lateral_semi_axis) / 1e-2
+    assert float(slopes_of(ball).statement.split(" is ")[1].split(":")[0]) == pytest.approx(steepest, rel=0.03)
+    tilted = bearing(wk.LogarithmicEnds(4e5), alignment=wk.Tilt(-2.0))
+    assert slopes_of(tilted.solve()).standing is Standing.OUTSIDE
+
+
+def test_the_width_of_the_greatest_load_is_that_of_the_contact():
+    falling = bearing(wk.CrownedEnds(0.05), wk.Force(np.array([4e3, 1e3]))).solve().validity
+    (stated,) = (one for one in falling if "the body's radius" in one.statement)
+    width = float(np.max(bearing(wk.CrownedEnds(0.05)).solve().last.half_width)) / 4.2e-3
+    share = float(stated.statement.split(" is ")[1].split(" of")[0])
+    assert width <= share <= 1.4 * width
+
+
+def test_a_grid_that_only_just_reaches_the_end_says_so():
+    ends = wk.LogarithmicEnds(1e6, crowned_share=0.4, edge_drop=20e-6)
+    pair = wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3))
+    roller = wk.RollerContact(10e-3, 10e-3, ends, pair, wk.Force(10e3), wk.Tilt(1e-3), 64).solve()
+    (note,) = (one for one in roller.validity if one.assumption is Assumption.RESOLUTION)
+    assert note.standing is Standing.OUTSIDE
+    assert "take more elements" in note.statement
+
+
 def test_many_loads_are_taken_one_by_one():
     forces = np.array([1e3, 4e3])
     problem = bearing(LOG, wk.Force(forces), wk.Tilt(1e-3), 48)

@@ -28,6 +28,7 @@ def roller_notes(
     radius: float,
     pressures: tuple[float, float],
     half_width: float,
+    slope: float,
     grid_error: float,
 ) -> tuple[Note, ...]:
     """Return what was assumed of a roller, and what the grid leaves.
@@ -42,9 +43,18 @@ def roller_notes(
         The greatest one, infinite at sharp ends, and that in the middle [Pa].
     half_width
         The greatest one [m].
+    slope
+        The greatest one along the roller, of its ends or its tilt [-].
     grid_error
         Relative change from half as many elements.
     """
+    changes = (
+        f"From half as many elements force, depth and pressures change by up to {100.0 * grid_error:.2g} per cent; the "
+        "error that is left is smaller where they converge."
+        if math.isfinite(grid_error)
+        else "On half as many elements the very end of the roller bears and on these it does not, so that the greatest "
+        "pressure is not resolved: take more elements."
+    )
     notes = [
         Note(
             Assumption.RESPONSE,
@@ -62,11 +72,10 @@ def roller_notes(
         Note(
             Assumption.RESOLUTION,
             standing_of(grid_error, FINE, COARSE),
-            f"From half as many elements force, depth and pressures change by up to {100.0 * grid_error:.2g} per cent; "
-            "the error that is left is smaller where they converge.",
+            changes,
             "comparison of two grids",
         ),
-        steepness_note(half_width / radius),
+        steepness_note(max(half_width / radius, slope)),
         large_body_note(half_width / radius, strip=True),
     ]
     if math.isinf(pressures[0]):

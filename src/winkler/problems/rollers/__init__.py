@@ -1,0 +1,1 @@
+"""Rollers of finite length: the pressure along them, crowned, cut off or tilted."""
