@@ -410,7 +410,7 @@ GLOSSARY: dict[str, Word] = {
     "longitudinal_semi_axis": Word("a", "m", "semi-axis of the contact along the direction of rolling"),
     "lateral_semi_axis": Word("b", "m", "semi-axis of the contact across the direction of rolling"),
     "longitudinal_curvature_radius": Word("R_x", "m", "relative radius of curvature along x, the direction of rolling"),
-    "lateral_curvature_radius": Word("R_y", "m", "relative radius of curvature along y, across the direction of rolling"),
+    "lateral_curvature_radius": Word("R_y", "m", "relative radius of curvature along y, across the rolling"),
     "distance": Word("X", "m", "how far the contact has rolled"),
     "points": Word("n", "", "number of states computed along the path"),
     "steady": Word("", None, "the steady state that the contact tends to"),
