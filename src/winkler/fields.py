@@ -13,7 +13,7 @@ import numpy as np
 
 from winkler.checks.float_range import guarded_result
 from winkler.checks.outline import refuse_unless_round
-from winkler.checks.physical_size import LARGEST_NUMBER
+from winkler.checks.place_checks import common_places, finite_places
 from winkler.errors import InvalidInput
 from winkler.foundation.bed import PressedSprings
 from winkler.foundation.sheared import ShearedSprings
@@ -144,7 +144,7 @@ def restore(
     OutsideValidity
         If the field below the surface is not known for this medium, or the body there is rigid.
     """
-    radii = _checked("r", r)
+    radii = finite_places("restore", "r", r)
     if np.any(radii < 0.0):
         raise InvalidInput(f"restore: r = {np.min(radii):.6g} m is negative; distances from the axis are positive.")
     if is_dragged(solution) or isinstance(solution, TorsionState):
@@ -158,7 +158,7 @@ def restore(
         refuse_unless_round(solution.sheared.pressed, "restore", FIELD_ADVICE)
         return sheared_surface(solution.sheared, radii)
     pressed = springs_of(solution)
-    return _surface(pressed, radii) if z is None else below_surface(pressed, radii, _checked("z", z))
+    return _surface(pressed, radii) if z is None else below_surface(pressed, radii, finite_places("restore", "z", z))
 
 
 @guarded_result
@@ -194,7 +194,7 @@ def restore_body(solution: Restorable | Dragged | TorsionState, x: ArrayLike, y:
     ----------
     K. L. Johnson, Contact Mechanics, Cambridge 1985, sections 3.6 and 7.2, doi:10.1017/CBO9781139171731
     """
-    places = (_checked("x", x, "restore_body"), _checked("y", y, "restore_body"), _checked("z", z, "restore_body"))
+    places = common_places("restore_body", x=x, y=y, z=z)
     if isinstance(solution, TorsionState):
         return body_of_twisted(solution, *places)
     springs = solution.sheared if is_dragged(solution) else springs_of(solution)
@@ -229,7 +229,7 @@ def restore_shift(solution: Dragged, x: ArrayLike, y: ArrayLike) -> Array:
     OutsideValidity
         If the medium is not a homogeneous isotropic half-space.
     """
-    places = np.broadcast_arrays(_checked("x", x, "restore_shift"), _checked("y", y, "restore_shift"))
+    places = common_places("restore_shift", x=x, y=y)
     refuse_unless_round(solution.sheared.pressed, "restore_shift", FIELD_ADVICE)
     return shift_of_surface(solution.sheared, *places)
 
@@ -242,18 +242,6 @@ def springs_of(solution: Restorable | Dragged | TorsionState) -> PressedSprings:
             "path: solution.at(0)."
         )
     return solution.pressed
-
-
-def _checked(word: str, content: ArrayLike, asker: str = "restore") -> Array:
-    try:
-        numbers = np.asarray(content, dtype=float)
-    except (TypeError, ValueError, OverflowError):
-        raise InvalidInput(f"{asker}: {word} is {content!r:.60}; give a number or an array in m.") from None
-    if not np.all(np.abs(numbers) < LARGEST_NUMBER):
-        raise InvalidInput(
-            f"{asker}: {word} holds values that are not finite, or beyond {LARGEST_NUMBER:g}; give places in m."
-        )
-    return numbers
 
 
 def _surface(pressed: PressedSprings, r: Array) -> SurfaceFields:

@@ -55,14 +55,14 @@ class ContactEllipse:
 
 @value
 class CurvedBodies:
-    """Two bodies whose distance has the same principal directions as the rolling.
+    """Two bodies of two curvatures each, by the relative radii of curvature along x and y.
 
     Parameters
     ----------
     longitudinal_curvature_radius : float
-        R_x [m], 1/R_x = sum of the curvatures of both bodies along the direction of rolling.
+        R_x [m], 1/R_x = sum of the curvatures of both bodies along x, the direction of rolling if they roll.
     lateral_curvature_radius : float
-        R_y [m], the same across it.
+        R_y [m], the same along y.  The distance of the bodies has no term in xy.
 
     Raises
     ------

@@ -216,3 +216,12 @@ def test_radii_of_each_body():
     assert found.flash_temperature == expected.flash_temperature > 0.0
     assert found.fast_temperature == expected.fast_temperature
     assert found.at(()).problem.bodies == pair
+
+
+def test_places_are_finite_numbers():
+    body = slid().first
+    for place in (np.nan, [0.0, np.inf], "left"):
+        with pytest.raises(wk.InvalidInput, match="HeatedEllipse: x"):
+            body.temperature(place)
+    with pytest.raises(wk.InvalidInput, match=r"do not broadcast \(x \(2,\), y \(3,\)\)"):
+        body.temperature([0.0, 1e-5], [0.0, 1e-5, 2e-5])

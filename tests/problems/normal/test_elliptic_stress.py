@@ -117,8 +117,18 @@ def test_second_body_and_refusals():
         contact.stresses(0.0, 0.0, [-1e-5, 1e-5])
     with pytest.raises(wk.InvalidInput, match="give one of von_mises, max_shear, orthogonal_shear"):
         contact.greatest_stress(measure="tresca")
-    with pytest.raises(wk.InvalidInput, match="finite coefficient"):
-        contact.stresses(0.0, 0.0, 1e-5, math.nan)
+    for friction in (math.nan, "0.1", [0.1, 0.2]):
+        with pytest.raises(wk.InvalidInput, match="finite coefficient"):
+            contact.stresses(0.0, 0.0, 1e-5, friction)
+    with pytest.raises(wk.InvalidInput, match="give one of"):
+        contact.greatest_stress(measure=["von_mises"])
+    for places in ((math.nan, 0.0, 0.0), (0.0, math.inf, 0.0), (0.0, 0.0, [1e-5, math.nan]), ("a", 0.0, 0.0)):
+        with pytest.raises(wk.InvalidInput, match="EllipticSolution: [xyz] (is|holds)"):
+            contact.stresses(*places)
+    with pytest.raises(wk.InvalidInput, match="do not broadcast"):
+        contact.stresses([0.0, 1.0], [0.0, 1.0, 2.0], 0.0)
+    with pytest.raises(wk.InvalidInput, match="EllipticSolution: x holds"):
+        contact.pressure(math.nan, 0.0)
     with pytest.raises(wk.OutsideValidity, match="do not touch"):
         pressed(2e-3, 1e-3, 0.0).stresses(0.0, 0.0, 1e-5)
     with pytest.raises(wk.OutsideValidity, match="rigid or not isotropic"):

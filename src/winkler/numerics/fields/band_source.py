@@ -87,11 +87,11 @@ class BandSource:
             V / kappa [1/m], not zero; negative if the body moves against x; `FAST` for the limit, where the result is
             counted times the root of wave [W/m^(3/2)].
         x : ndarray
-            Places [m]; undefined ones stay undefined.
+            Places [m].
         """
         forth = math.copysign(1.0, wave)
         places = forth * np.ravel(np.asarray(x, dtype=float))
-        found = np.array([math.nan if math.isnan(place) else self._at(abs(wave), float(place)) for place in places])
+        found = np.array([self._at(abs(wave), float(place)) for place in places])
         return found.reshape(np.shape(x))
 
     def peak(self, wave: float) -> BandPeak:

@@ -8,6 +8,7 @@ from typing import Annotated, TypeAlias
 import numpy as np
 
 from winkler.checks.number_checks import Number
+from winkler.checks.place_checks import common_places
 from winkler.materials.conductor import ThermalConductor
 from winkler.numerics.fields.elliptic_source import EllipticSource, PeakPlace
 from winkler.numerics.types import Array, ArrayLike
@@ -72,8 +73,13 @@ class HeatedEllipse:
         ----------
         x, y : array_like
             Places [m], broadcast against each other; the wake lies where the velocity points.
+
+        Raises
+        ------
+        InvalidInput
+            If a place is not finite, or the shapes do not broadcast.
         """
-        along, across = np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(y, dtype=float))
+        along, across = common_places("HeatedEllipse", x=x, y=y)
         if self.longitudinal_semi_axis == 0.0 or self.heat_rate == 0.0:
             return np.zeros(along.shape)
         found = self._source.surface(self.speed / self.conductor.diffusivity, self.direction, along, across)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from winkler.checks.place_checks import finite_places
 from winkler.materials.conductor import ThermalConductor
 from winkler.numerics.fields.band_source import BandPeak
 from winkler.numerics.types import Array, ArrayLike
@@ -47,8 +48,13 @@ class HeatedStrip:
         ----------
         x : array_like
             Places [m]; x points to where a surface of positive speed moves, so that its wake lies at x > 0.
+
+        Raises
+        ------
+        InvalidInput
+            If a place is not finite.
         """
-        places = np.asarray(x, dtype=float)
+        places = finite_places("HeatedStrip", "x", x)
         (source,) = band_sources(self.contact)
         if source is None or self.heat_per_length == 0.0:
             return np.zeros(places.shape)

@@ -19,6 +19,7 @@ from typing import Annotated, ClassVar
 import numpy as np
 
 from winkler.checks.number_checks import Advice
+from winkler.checks.place_checks import common_places
 from winkler.errors import OutsideValidity
 from winkler.foundation.elliptic import EllipticFoundation
 from winkler.loading import Depth, Force
@@ -184,12 +185,13 @@ class EllipticSolution:
         Raises
         ------
         InvalidInput
-            If the solution has more than one load.
+            If the solution has more than one load, a place is not finite, or the shapes do not broadcast.
         """
         single(self.depth, "pressure")
+        along, across = common_places("EllipticSolution", x=x, y=y)
         if self.force == 0.0:
-            return np.zeros(np.broadcast_shapes(np.shape(x), np.shape(y)))
-        squared = (np.asarray(x) / self.longitudinal_semi_axis) ** 2 + (np.asarray(y) / self.lateral_semi_axis) ** 2
+            return np.zeros(along.shape)
+        squared = (along / self.longitudinal_semi_axis) ** 2 + (across / self.lateral_semi_axis) ** 2
         return np.asarray(self.peak_pressure * np.sqrt(np.maximum(1.0 - squared, 0.0)))
 
     def stresses(
@@ -213,7 +215,7 @@ class EllipticSolution:
         Raises
         ------
         InvalidInput
-            If the solution has more than one load, or the depths lie in both bodies.
+            If the solution has more than one load, a place is not finite, or the depths lie in both bodies.
         OutsideValidity
             If there is no contact, or the body is rigid or not isotropic.
 
@@ -222,11 +224,11 @@ class EllipticSolution:
         A. Sackfield, D. A. Hills, J. Strain Anal. 18 (1983) 107-110, doi:10.1243/03093247V182107
         """
         semi_axes, peak = self._pressed("stresses")
-        depth = np.asarray(z, dtype=float)
+        along, across, depth = common_places("EllipticSolution", x=x, y=y, z=z)
         below = in_first_body(depth, "EllipticSolution")
-        places = np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(y, dtype=float), np.abs(depth))
+        places = along, across, np.abs(depth)
         solid = inside.solid_below(self.problem.medium, below)
-        fields = inside.below_ellipse((*places,), semi_axes, peak, solid, inside.traction_of(friction, angle))  # type: ignore[arg-type]
+        fields = inside.below_ellipse(places, semi_axes, peak, solid, inside.traction_of(friction, angle))
         return fields if below else dataclasses.replace(fields, z=-fields.z)
 
     def greatest_stress(

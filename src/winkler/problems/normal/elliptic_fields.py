@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import numbers
 from collections.abc import Mapping
 from types import MappingProxyType
 
@@ -92,7 +93,7 @@ class EllipticFields:
 
 def traction_of(friction: float, angle: float) -> tuple[float, float]:
     """Return the tractions along x and y over the pressure, of friction in a direction given by its angle to x."""
-    if not (math.isfinite(friction) and math.isfinite(angle)):
+    if not all(isinstance(each, numbers.Real) and math.isfinite(each) for each in (friction, angle)):
         raise InvalidInput(
             f"EllipticSolution: friction {friction!r} at the angle {angle!r}; give a finite coefficient and angle in "
             "radians."
@@ -152,7 +153,7 @@ def greatest_below_ellipse(
     InvalidInput
         If there is no such measure.
     """
-    if measure not in MEASURES:
+    if not isinstance(measure, str) or measure not in MEASURES:
         raise InvalidInput(f"EllipticSolution: there is no stress {measure!r}; give one of {', '.join(MEASURES)}.")
     a, b = semi_axes
     mirror = 1.0 if traction >= (0.0, 0.0) else -1.0  # the opposite traction has its place mirrored in the axis
