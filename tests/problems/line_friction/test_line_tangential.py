@@ -393,6 +393,22 @@ def test_bodies_of_which_slip_or_bulk_stress_is_not_known_are_refused():
         sheared(wk.Paraboloid(10e-3), wk.LinePath(1e5, [0.0, 1e4], bulk_stress=1e6), wk.HalfSpace(wk.Rigid(), STEEL))
 
 
+def test_a_bulk_stress_beside_hardly_any_shear_force_is_refused():
+    """However small the force: the shift does not depend on it, and rounding must not hide it."""
+    for share in (1e-3, 1e-11, 1e-13, 1e-40):
+        with pytest.raises(wk.OutsideValidity, match="slip"):
+            sheared(wk.Paraboloid(10e-3), wk.LinePath(1e5, [0.0, share * MU * 1e5], bulk_stress=1e8))
+
+
+def test_beside_a_bulk_stress_slip_is_counted_from_what_sticks():
+    path = wk.LinePath(1e5, [0.0, 2e4, MU * 1e5], bulk_stress=5e7)
+    stuck, slid = (sheared(wk.Paraboloid(10e-3), path).at(index) for index in (1, 2))
+    assert float(stuck.slip(stuck.stick_middle)) == 0.0
+    last = 5e7 * (1.0 - 0.3**2) / 210e9 * 10e-3 / MU  # e of Nowell and Hills, strain R / mu
+    assert float(slid.slip(last)) == pytest.approx(0.0, abs=1e-15)
+    assert float(slid.slip(0.0)) > 1e-12
+
+
 def test_no_contact_has_no_traction_and_no_stresses():
     state = sheared(wk.Paraboloid(10e-3), wk.LinePath([1e5, 0.0], 0.0)).at(-1)
     assert state.traction([0.0]) == 0.0

@@ -28,7 +28,7 @@ from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.friction.slip_memory import SlipMemory
 from winkler.problems.friction.slip_sums import SlipSums
 from winkler.problems.line.half_width import grows, refuse_unless_strips
-from winkler.problems.line_friction.bulk import lean_of, refuse_bulk, refuse_unless_nested
+from winkler.problems.line_friction.bulk import lean_of, refuse_bulk, refuse_faint, refuse_unless_nested
 from winkler.problems.line_friction.path import LinePath
 from winkler.problems.line_friction.slip_curve import slip_curve
 from winkler.problems.line_friction.slip_work import shift_of_memory, work_and_shift
@@ -123,6 +123,7 @@ class LineTangential:
         bed, law, mu = self.bed, self.law, self.law.coefficient
         modulus = bed.medium.modulus
         forces, shears = self.path.across, self.path.along
+        refuse_faint(self.path, mu * float(np.max(forces)))
         widths = half_widths(bed, forces / modulus)
         refuse_unless_strips(bed, widths)
         widest, most = float(np.max(widths)), float(np.max(forces)) / modulus
