@@ -9,6 +9,8 @@ from half_plane_march import HalfPlaneMarch
 
 import winkler as wk
 from winkler.problems.line.stress import LineFields
+from winkler.problems.line_friction import slip_work
+from winkler.problems.line_friction.strips import slipped
 
 STEEL = wk.Elastic(210e9, 0.3)
 PAIR = wk.HalfSpace.between(STEEL, STEEL)
@@ -184,6 +186,21 @@ def test_a_history_of_both_forces_is_that_of_boundary_elements():
 def test_a_bulk_stress_is_that_of_boundary_elements(bulk):
     for off in marched(([1.0] * 4, [0.0, 0.25, -0.25, 0.1]), 500, 1, bulk):
         assert np.max(np.abs(off)) < 1e-4
+
+
+def test_beside_a_bulk_stress_a_step_sums_only_the_strips_that_change(monkeypatch):
+    """To and fro with ever smaller forces, all turning points are remembered."""
+    summed = []
+
+    def counted(bed, strips, x):
+        summed.append(len(strips))
+        return slipped(bed, strips, x)
+
+    monkeypatch.setattr(slip_work, "slipped", counted)
+    shears = 4e4 * (-1.0) ** np.arange(30) * np.linspace(1.0, 0.1, 30)
+    solution = sheared(wk.Paraboloid(10e-3), wk.LinePath(1e5, shears, bulk_stress=1e8))
+    assert len(solution.at(-1).strips) > 25
+    assert max(summed) <= 3
 
 
 def test_beyond_the_limit_of_a_bulk_stress_little_is_left_out():
@@ -374,6 +391,22 @@ def test_bodies_of_which_slip_or_bulk_stress_is_not_known_are_refused():
         sheared(wk.Paraboloid(10e-3), wk.LinePath(1e5, [0.0, 1e4]), wood)
     with pytest.raises(wk.InvalidInput, match="first body is rigid"):
         sheared(wk.Paraboloid(10e-3), wk.LinePath(1e5, [0.0, 1e4], bulk_stress=1e6), wk.HalfSpace(wk.Rigid(), STEEL))
+
+
+def test_a_bulk_stress_beside_hardly_any_shear_force_is_refused():
+    """However small the force: the shift does not depend on it, and rounding must not hide it."""
+    for share in (1e-3, 1e-11, 1e-13, 1e-40):
+        with pytest.raises(wk.OutsideValidity, match="slip"):
+            sheared(wk.Paraboloid(10e-3), wk.LinePath(1e5, [0.0, share * MU * 1e5], bulk_stress=1e8))
+
+
+def test_beside_a_bulk_stress_slip_is_counted_from_what_sticks():
+    path = wk.LinePath(1e5, [0.0, 2e4, MU * 1e5], bulk_stress=5e7)
+    stuck, slid = (sheared(wk.Paraboloid(10e-3), path).at(index) for index in (1, 2))
+    assert float(stuck.slip(stuck.stick_middle)) == 0.0
+    last = 5e7 * (1.0 - 0.3**2) / 210e9 * 10e-3 / MU  # e of Nowell and Hills, strain R / mu
+    assert float(slid.slip(last)) == pytest.approx(0.0, abs=1e-15)
+    assert float(slid.slip(0.0)) > 1e-12
 
 
 def test_no_contact_has_no_traction_and_no_stresses():

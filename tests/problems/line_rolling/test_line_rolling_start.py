@@ -33,6 +33,16 @@ def test_it_comes_to_carter_with_the_first_order():
     assert begun().steady.longitudinal_creepage == pytest.approx(steady, rel=1e-12)
 
 
+@pytest.mark.parametrize(("ratio", "error"), [(1e-6, 6e-3), (1e-2, 6e-3), (0.1, 2e-3), (0.9, 2e-3), (0.999, 6e-3)])
+def test_the_stated_error_holds_from_small_forces_to_sliding(ratio, error):
+    steady = 0.3 / 10.0 * ratio / (1.0 + np.sqrt(1.0 - ratio))
+    found = begun(ratio, distance=6.0, count=80, points=1)
+    assert found.longitudinal_creepage[-1] == pytest.approx(steady, rel=error)
+    (stated,) = (note.statement for note in found.validity if "80 elements" in note.statement)
+    assert "within 0.2 % of Carter's from a tenth to nine tenths" in stated
+    assert "within 0.6 % beyond" in stated
+
+
 def test_the_tractions_become_those_of_carter():
     found = begun(distance=12.0, count=80)
     state = found.states[-1]

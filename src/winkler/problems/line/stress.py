@@ -101,12 +101,12 @@ def poisson_of(bed: LineFoundation, below: bool) -> float:
 def stresses(contact: LineContact, x: Array, z: Array) -> LineFields:
     """Return the stresses at places in the axes of the body, z >= 0, of one shape."""
     x, z = np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(z, dtype=float))
-    whole, slope = np.zeros((2, x.size), dtype=complex)
     away, deep = np.abs(x).ravel(), z.ravel()
-    below = deep > 0.0
+    whole, slope = np.where(np.isfinite(away + deep), 0.0, np.nan) * np.zeros((2, 1), dtype=complex)
+    below, surface = np.isfinite(away) & (deep > 0.0) & (deep < np.inf), np.isfinite(away) & (deep == 0.0)
     bed, a, rim_load = contact.bed, contact.half_width, contact.rim_load
     whole[below], slope[below] = bed.potential(away[below], deep[below], a, rim_load)
-    whole[~below] = bed.surface_potential(away[~below], a, rim_load)
+    whole[surface] = bed.surface_potential(away[surface], a, rim_load)
     side = np.where(x.ravel() < 0.0, -1.0, 1.0)  # F(-conj(zeta)) = -conj(F(zeta))
     u, v = side * whole.real, whole.imag
     du, dv = deep * slope.real, side * deep * slope.imag

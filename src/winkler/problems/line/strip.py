@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
+from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.line import LineFoundation
 from winkler.foundation.zoned_line import ZonedBed
 from winkler.numerics.transforms import abel
@@ -79,6 +79,8 @@ class Stressed:
         return fields if below else dataclasses.replace(fields, z=-fields.z)
 
     def _contact(self, below: bool, friction: float) -> LineContact:
+        if np.ndim(friction) > 0 or not np.isfinite(friction):
+            raise InvalidInput(f"{type(self).__name__}: friction is {friction!r}; give one finite coefficient.")
         a, edge_load = self._strip("stresses")
         if a == 0.0:
             raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")

@@ -26,7 +26,7 @@ from winkler.problems.line_friction.strips import EarlierStrip
 from winkler.profiles.power import Paraboloid
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["bulk_note", "lean_of", "refuse_bulk", "refuse_unless_nested"]
+__all__ = ["bulk_note", "lean_of", "refuse_bulk", "refuse_faint", "refuse_unless_nested"]
 
 NOWELL_HILLS = "D. Nowell, D. A. Hills, Int. J. Mech. Sci. 29 (1987) 355-365, doi:10.1016/0020-7403(87)90117-2"
 ROUNDING = 1e-12
@@ -57,6 +57,22 @@ def refuse_bulk(bed: LineFoundation, path: LinePath) -> None:
         raise InvalidInput(
             "LineTangential: the normal force changes after the first shear; beside a bulk stress it must stay: give "
             "one force per length, or no bulk stress."
+        )
+
+
+def refuse_faint(path: LinePath, most: float) -> None:
+    """Refuse a bulk stress beside a shear force that is lost in what friction bears at most [N/m]: both edges slip.
+
+    Raises
+    ------
+    OutsideValidity
+    """
+    greatest = float(np.max(np.abs(path.along)))
+    if path.bulk_stress != 0.0 and greatest <= ROUNDING * most:
+        raise OutsideValidity(
+            f"LineTangential: beside a shear force of {greatest:.6g} N/m, where friction bears {most:.6g} N/m, the "
+            f"bulk stress of {path.bulk_stress:.6g} Pa makes an edge slip back; give a greater shear force, or no bulk "
+            "stress."
         )
 
 

@@ -23,6 +23,8 @@ __all__ = ["shift_of_memory", "work_and_shift"]
 ANGLES, STEPS = np.polynomial.legendre.leggauss(20)
 PLACES, WEIGHTS = np.sin(0.5 * np.pi * ANGLES), 0.5 * np.pi * STEPS * np.cos(0.5 * np.pi * ANGLES)
 """Between the edges of two strips, from -1 to 1: roots at both ends are mapped away."""
+ROUNDING = 1e-14
+"""By which the factor of a strip that stays may differ after a step."""
 
 
 def shift_of_memory(sums: SlipSums, memory: SlipMemory, modulus: float) -> float:
@@ -52,19 +54,27 @@ def shift_of_memory(sums: SlipSums, memory: SlipMemory, modulus: float) -> float
 def work_and_shift(
     bed: LineFoundation, before: tuple[EarlierStrip, ...], after: tuple[EarlierStrip, ...]
 ) -> tuple[float, float]:
-    """Return the loss per length of a step under a steady normal force [J/m], and the shift after it as above [m].
+    """Return the loss per length of a step under a steady normal force [J/m], and by how much the shift changes [m].
+
+    Strips that stay lie inside of those that change, beside which alone there is slip: only the latter are summed.
 
     Parameters
     ----------
     bed : LineFoundation
     before, after : tuple of EarlierStrip
-        At both ends of the step; none before the first.
+        At both ends of the step, each within the next; none before the first.
     """
+    staying = 0
+    for one, other in zip(before, after, strict=False):
+        if one[1:] != other[1:] or abs(one.factor - other.factor) > ROUNDING:
+            break
+        staying += 1
     a = after[-1].half_width
+    before, after = before[staying:], after[staying:]
     x, share = _over_contact((*before, *after), a)
-    ahead = slipped(bed, after, x)
-    work = share @ (traction(bed, after, x) * (ahead - slipped(bed, before, x)))
-    shift = share @ (ahead / (np.pi * np.sqrt((a - x) * (a + x))))
+    slip = slipped(bed, after, x) - slipped(bed, before, x)
+    work = share @ (traction(bed, after, x) * slip)
+    shift = share @ (slip / (np.pi * np.sqrt((a - x) * (a + x))))
     return max(float(work), 0.0), float(shift)
 
 

@@ -103,10 +103,11 @@ class LineTangentialState:
         return traction(self.bed, self.strips, np.asarray(x, dtype=float))
 
     def slip(self, x: ArrayLike) -> Array:
-        """Return how far the second body is ahead of the first at places of the contact [m], against its middle.
+        """Return how far the second body is ahead of the first at places of the contact [m].
 
-        The middle sticks unless all slides.  Differences between two points of the path are what has slipped, at places
-        that touched in the meantime; what came into contact later brings with it how far it was ahead then.
+        It is counted against the middle of the strip that sticks, or that stuck last where all slides.  Differences
+        between two points of the path are what has slipped, at places that touched in the meantime; what came into
+        contact later brings with it how far it was ahead then.
 
         Parameters
         ----------

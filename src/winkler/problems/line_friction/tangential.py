@@ -28,7 +28,7 @@ from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.friction.slip_memory import SlipMemory
 from winkler.problems.friction.slip_sums import SlipSums
 from winkler.problems.line.half_width import grows, refuse_unless_strips
-from winkler.problems.line_friction.bulk import lean_of, refuse_bulk, refuse_unless_nested
+from winkler.problems.line_friction.bulk import lean_of, refuse_bulk, refuse_faint, refuse_unless_nested
 from winkler.problems.line_friction.path import LinePath
 from winkler.problems.line_friction.slip_curve import slip_curve
 from winkler.problems.line_friction.slip_work import shift_of_memory, work_and_shift
@@ -123,6 +123,7 @@ class LineTangential:
         bed, law, mu = self.bed, self.law, self.law.coefficient
         modulus = bed.medium.modulus
         forces, shears = self.path.across, self.path.along
+        refuse_faint(self.path, mu * float(np.max(forces)))
         widths = half_widths(bed, forces / modulus)
         refuse_unless_strips(bed, widths)
         widest, most = float(np.max(widths)), float(np.max(forces)) / modulus
@@ -133,13 +134,13 @@ class LineTangential:
             )
         sums = SlipSums(slip_curve(bed, most)) if most > 0.0 else None
         lean, ratio = lean_of(bed, self.path), self.path.bulk_per_shear
-        memory, lost = SlipMemory.fresh(), 0.0
+        memory, lost, shift = SlipMemory.fresh(), 0.0, 0.0
         strips: tuple[EarlierStrip, ...] = ()
         for index, (force, shear, width) in enumerate(
             zip(forces.tolist(), shears.tolist(), widths.tolist(), strict=True)
         ):
             self._refuse_sliding_away(index, force, shear)
-            load, target, shift = force / modulus, shear / modulus, 0.0
+            load, target = force / modulus, shear / modulus
             bulk = ratio * shear if ratio else 0.0
             if index == 0:
                 memory, _ = memory.moved(load, 0.0, mu)
@@ -147,8 +148,8 @@ class LineTangential:
             if lean != 0.0 and width > 0.0:
                 before, strips = strips, strips_of(bed, memory, lean)
                 refuse_unless_nested(index, strips, shear, bulk)
-                work, shift = work_and_shift(bed, before, strips)
-                lost += work
+                work, further = work_and_shift(bed, before, strips)
+                lost, shift = lost + work, shift + further
             elif sums is not None:
                 lost += max(sums.lost(losses), 0.0)
                 shift = shift_of_memory(sums, memory, modulus) if width > 0.0 else 0.0
