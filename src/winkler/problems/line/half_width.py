@@ -15,6 +15,8 @@ from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.line import LineFoundation
 from winkler.numerics.equations.roots import bracketed, invert, rough_root
 from winkler.numerics.types import Array
+from winkler.profiles.profile import Profile, Sum
+from winkler.profiles.wavy import Wavy
 
 __all__ = ["borne_at_most", "grows", "refuse_unless_strips", "under_force", "under_mean_pressure", "widest_allowed"]
 
@@ -23,6 +25,8 @@ PRESSURE_SAMPLES = 129
 WIDTHS_BESIDE = 8.0
 """How many half-widths beside the contact are examined for overlap."""
 ROUNDING = 1e-9
+CRESTS, SUNK_ERROR = 4, 0.02
+"""Crests of a wave that are examined, and bound of the error of how much deeper the surface sinks in the middle."""
 
 STEP = 1.0 / 32.0
 MOST_STEPS = 60
@@ -150,7 +154,7 @@ def _guess(bed: LineFoundation, level: Level, target: float) -> float:
 def _first(bed: LineFoundation, level: Level, target: Array) -> Array:
     """Return the first half-widths at which a level is met that may fall again."""
     most, flat, end = float(np.max(target)), bed.flat, min(bed.reach, bed.rim)
-    top = min(end, _guess(bed, level, most))
+    top = min(end, _guess(bed, level, most), *_wavelengths(bed.profile))
     while top < end and float(np.max(level(np.linspace(flat, top, SAMPLES)[1:]))) < most:
         top = min(2.0 * top, end)
     places = np.linspace(flat, top, SAMPLES)[1:]
@@ -174,7 +178,10 @@ def refuse_unless_strips(bed: LineFoundation, half_width: Array, beside: float =
         How many half-widths beside the contact are examined for overlap.
     """
     touching = np.unique(half_width[half_width > 0.0])
-    if bed.profile.rising or touching.size == 0 or grows(bed, beside * touching[-1]):
+    if bed.profile.rising or touching.size == 0:
+        return
+    _refuse_far_crests(bed, touching, beside)
+    if grows(bed, beside * touching[-1]):
         return
     for one in touching:
         _refuse_unless_strip(bed, float(one), beside)
@@ -184,6 +191,34 @@ def grows(bed: LineFoundation, end: float) -> bool:
     """Return whether w never falls up to a place [m]: then no contact pulls or overlaps."""
     growth = bed.load_profile_slope(np.linspace(0.0, min(bed.reach, bed.rim, end), SAMPLES)[1:-1])
     return bool(np.min(growth) >= -ROUNDING * np.max(np.abs(growth)))
+
+
+def _refuse_far_crests(bed: LineFoundation, half_width: Array, beside: float) -> None:
+    """Refuse overlap at the crests of waves too far away for the search beside the contact; half-widths ascend."""
+    end = min(bed.reach, bed.rim)
+    for crest in sorted(n * length for length in _wavelengths(bed.profile) for n in range(1, CRESTS + 1)):
+        narrow = half_width[beside * half_width < crest]
+        if narrow.size == 0 or crest > end:
+            continue
+        a = float(narrow[-1])  # under a greater load the distance at a place outside is smaller
+        ends = np.geomspace(a, crest, SAMPLES)
+        x = np.sqrt(ends[1:] * ends[:-1])
+        sunk = float(np.sum((bed.slope(x) - bed.opening(x, a)) * np.diff(ends)))
+        rise = float(np.diff(bed.profile.height(np.array([a, crest])))[0])
+        if rise < (1.0 - SUNK_ERROR) * sunk:
+            raise OutsideValidity(
+                f"Beside a strip of the half-width {a:.6g} m the surfaces would overlap at {crest:.6g} m, at another "
+                "crest: they touch in several strips; give a smoother profile, or PeriodicIndentation for equal crests."
+            )
+
+
+def _wavelengths(profile: Profile) -> set[float]:
+    match profile:
+        case Sum(parts=parts):
+            return set().union(*map(_wavelengths, parts))
+        case Wavy(wavelength=length):
+            return {length}
+    return set()
 
 
 def _refuse_unless_strip(bed: LineFoundation, half_width: float, beside: float) -> None:
