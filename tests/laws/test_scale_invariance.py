@@ -61,11 +61,13 @@ class Rounded(NamedTuple):
 
 
 ERROR = Rounded(np.inf, "an error that is left, itself of the size of rounding or of a solver's tolerance")
+PLACE = Rounded(1e-7, "a stress is level where it is greatest, which leaves the place half of its digits")
 STEPS = Rounded(1e-5, "the march has a tolerance of 1e-3: the end of a step is where rounding lets a node touch")
 SPRING = Rounded(1e-2, "at moments that an adaptive march of tolerance 1e-3 picks, with 100 springs")
 ROUNDED: dict[tuple[str, str], Rounded] = {
     ("SpotClusterSolution", "uncertainty"): ERROR,
     ("OscillatingRollingSolution", "shift_per_cycle"): ERROR,
+    **{("EllipticYieldOnsetSolution", name): PLACE for name in "xyz"},
     ("SurfaceContactSolution", "penetration"): ERROR,
     ("SurfaceContactSolution", "misfit"): ERROR,
     ("ReductionSolution", "misfit"): Rounded(1e-6, "it is checked by contacts of a tolerance of 1e-6"),

@@ -27,7 +27,6 @@ MOST_IMMEDIATE = 1e-7
 MARGIN = 1e-6
 """By which a half-width may miss those of the glassy and the relaxed bodies, as a logarithm."""
 NEWTON_STEPS = 6
-MOST_SAMPLES = 4096
 
 
 class Passage(NamedTuple):
@@ -80,9 +79,11 @@ class Passage(NamedTuple):
     @property
     def peak_pressure(self) -> float:
         """The greatest pressure [Pa]."""
-        n = np.arange(1.0, self.waves.size + 1.0)
-        angles = np.linspace(0.0, math.pi, min(4 * self.waves.size, MOST_SAMPLES))[1:-1]
-        angle = float(angles[np.argmax(self._pressure(np.cos(angles)))])
+        from scipy.fft import dst
+
+        n, count = np.arange(1.0, self.waves.size + 1.0), 4 * self.waves.size
+        samples = dst(np.append(self.waves, np.zeros(count - 1 - self.waves.size)), type=1)  # at pi k / count
+        angle = math.pi * (1 + int(np.argmax(samples))) / count
         for _ in range(NEWTON_STEPS):
             slope, bend = self.waves * n @ np.cos(n * angle), -self.waves * n * n @ np.sin(n * angle)
             angle -= float(slope / bend)
@@ -141,6 +142,7 @@ def passage(bed: LineFoundation, load: LineForce | HalfWidth | MeanPressure, spe
     return _strip(creep, radius, math.exp(found), speed)
 
 
+@functools.lru_cache(maxsize=256)
 def _strip(creep: CreepSeries, radius: float, half_width: float, speed: float) -> Passage:
     """Return the strip of a half-width."""
     soft = creep.glassy + float(np.sum(creep.compliances))
