@@ -24,7 +24,7 @@ from winkler.path import load_number
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import HEATED
 from winkler.problems.heating.elliptic_sharing import estimated_ellipse, shared_ellipse_temperatures
-from winkler.problems.heating.heated_ellipse import HeatedEllipse, Turn, half_length
+from winkler.problems.heating.heated_ellipse import HeatedEllipse, Turn, half_length, sliding_line
 from winkler.problems.heating.input_checks import RubbingBodies, peclet_numbers
 from winkler.problems.heating.one_result import one_problem, one_result
 from winkler.problems.heating.validity import heating_notes
@@ -143,10 +143,8 @@ class EllipticFrictionHeating(RubbingBodies):
         speeds = self.first_speed, self.second_speed
         shape = np.broadcast_shapes(np.shape(contact.force), *map(np.shape, speeds))
         first, second = (np.broadcast_to(np.asarray(each, dtype=float), shape) for each in speeds)
-        a, b, force = (
-            np.broadcast_to(each, shape)
-            for each in (contact.longitudinal_semi_axis, contact.lateral_semi_axis, contact.force)
-        )
+        pressed = contact.longitudinal_semi_axis, contact.lateral_semi_axis, contact.force
+        a, b, force = (np.broadcast_to(each, shape) for each in pressed)
         touches = a > 0.0
         lengths = [
             np.where(touches, half_length(np.where(touches, a, 1.0), np.where(touches, b, 1.0), direction), 0.0)
@@ -290,11 +288,12 @@ class EllipticFrictionHeatingSolution:
             (np.asarray(self.first_max_temperature), np.asarray(self.second_max_temperature)),
             (np.asarray(self.first_mean_temperature), np.asarray(self.second_mean_temperature)),
         )
-        contact, friction = self.contact, self.problem.law.coefficient
+        problem, contact, friction = self.problem, self.contact, self.problem.law.coefficient
+        angle = sliding_line((problem.first_speed, problem.second_speed), problem._directions)
         axes = contact.longitudinal_semi_axis, contact.lateral_semi_axis
         return (
             *(note for note in contact.validity if note.assumption is not Assumption.ELASTIC),
-            *ellipse_yield_notes(self.problem.medium, axes, contact.force, friction),
-            sliding_note(self.problem.medium, friction),  # type: ignore[arg-type]
-            *heating_notes(*pairs, np.asarray(self.overestimate), self.problem.partition),
+            *ellipse_yield_notes(problem.medium, axes, contact.force, friction, angle),
+            sliding_note(problem.medium, friction),  # type: ignore[arg-type]
+            *heating_notes(*pairs, np.asarray(self.overestimate), problem.partition),
         )
