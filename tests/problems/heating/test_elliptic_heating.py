@@ -225,3 +225,29 @@ def test_places_are_finite_numbers():
             body.temperature(place)
     with pytest.raises(wk.InvalidInput, match=r"do not broadcast \(x \(2,\), y \(3,\)\)"):
         body.temperature([0.0, 1e-5], [0.0, 1e-5, 2e-5])
+
+
+@pytest.mark.parametrize("direction", [0.0, 0.7, 0.5 * math.pi])
+def test_yield_counts_the_direction_of_sliding(direction):
+    """Bodies that slide begin to yield at the force of `EllipticYieldOnset` with friction along the same line."""
+    strong = wk.Elastic(210e9, 0.3, 900e6)
+    medium, bodies = wk.HalfSpace.between(strong, strong), wk.CurvedBodies(10e-3, 1e-3)
+    onset = wk.EllipticYieldOnset(bodies, medium, wk.Coulomb(0.35), direction).solve().force
+    pair = wk.HeatConductors(STEEL, STEEL)
+    for factor, standing in ((0.999, wk.Standing.EXACT), (1.001, wk.Standing.OUTSIDE)):
+        for speed in (-1.0, np.array([0.0, 2.0])):
+            notes = (
+                wk.EllipticFrictionHeating(
+                    bodies,
+                    medium,
+                    wk.Coulomb(0.35),
+                    wk.Force(factor * onset),
+                    pair,
+                    first_speed=speed,
+                    first_direction=direction,
+                )
+                .solve()
+                .validity
+            )
+            found = next(note for note in notes if note.assumption is wk.Assumption.ELASTIC)
+            assert found.standing is standing

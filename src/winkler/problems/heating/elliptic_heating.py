@@ -24,7 +24,7 @@ from winkler.path import load_number
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import HEATED
 from winkler.problems.heating.elliptic_sharing import estimated_ellipse, shared_ellipse_temperatures
-from winkler.problems.heating.heated_ellipse import HeatedEllipse, Turn, half_length
+from winkler.problems.heating.heated_ellipse import HeatedEllipse, Turn, half_length, sliding_line
 from winkler.problems.heating.input_checks import RubbingBodies, peclet_numbers
 from winkler.problems.heating.one_result import one_problem, one_result
 from winkler.problems.heating.validity import heating_notes
@@ -140,13 +140,11 @@ class EllipticFrictionHeating(RubbingBodies):
             If a force is tensile, or a Peclet number is above 1e8.
         """
         contact = EllipticIndentation(self.bodies, self.medium, self.load).solve()
-        speeds = [np.asarray(each, dtype=float) for each in (self.first_speed, self.second_speed)]
-        shape = np.broadcast_shapes(np.shape(contact.force), *(each.shape for each in speeds))
-        first, second = (np.broadcast_to(each, shape) for each in speeds)
-        a, b, force = (
-            np.broadcast_to(each, shape)
-            for each in (contact.longitudinal_semi_axis, contact.lateral_semi_axis, contact.force)
-        )
+        speeds = self.first_speed, self.second_speed
+        shape = np.broadcast_shapes(np.shape(contact.force), *map(np.shape, speeds))
+        first, second = (np.broadcast_to(np.asarray(each, dtype=float), shape) for each in speeds)
+        pressed = contact.longitudinal_semi_axis, contact.lateral_semi_axis, contact.force
+        a, b, force = (np.broadcast_to(each, shape) for each in pressed)
         touches = a > 0.0
         lengths = [
             np.where(touches, half_length(np.where(touches, a, 1.0), np.where(touches, b, 1.0), direction), 0.0)
@@ -164,8 +162,8 @@ class EllipticFrictionHeating(RubbingBodies):
         between = self.first_direction - self.second_direction
         sliding = np.hypot(first * math.cos(between) - second, first * math.sin(between))
         heat = self.law.coefficient * force * sliding
-        columns = [heat, table[0], *peclets, *(table[1:] * heat)]
-        return EllipticFrictionHeatingSolution(self, contact, *(shaped(each) for each in columns))
+        columns = (shaped(each) for each in (heat, table[0], *peclets, *(table[1:] * heat)))
+        return EllipticFrictionHeatingSolution(self, contact, *columns)
 
 
 @value
@@ -226,15 +224,14 @@ class EllipticFrictionHeatingSolution:
         return self._estimate(self.first_peclet, self.second_peclet)
 
     def _estimate(self, *peclets: Quantity) -> Quantity:
-        contact, shape, problem = self.contact, np.shape(self.heat_rate), self.problem
+        contact, problem = self.contact, self.problem
         axes = np.broadcast_arrays(contact.longitudinal_semi_axis, contact.lateral_semi_axis, self.heat_rate)[:2]
         warm = axes[0] > 0.0
         unit = problem.bodies.semi_axes(1.0, 1.0)
         along, across = (np.where(warm, axis, other) for axis, other in zip(axes, unit, strict=True))
-        first, second = (np.broadcast_to(peclet, shape) for peclet in peclets)
-        found = estimated_ellipse(
-            (along, across), problem._bodies, problem.partition, (first, second), problem._directions
-        )
+        first, second = (np.broadcast_to(peclet, np.shape(self.heat_rate)) for peclet in peclets)
+        bodies, directions = problem._bodies, problem._directions
+        found = estimated_ellipse((along, across), bodies, problem.partition, (first, second), directions)
         return shaped(np.where(warm, found * self.heat_rate, 0.0))
 
     @property
@@ -256,7 +253,7 @@ class EllipticFrictionHeatingSolution:
 
     def _body(self, which: int) -> HeatedEllipse:
         heat, problem = single(self.heat_rate, "temperature field"), self.problem
-        share = (self.first_share, 1.0 - self.first_share)[which]
+        share = self.first_share if which == 0 else 1.0 - self.first_share
         speed = (problem.first_speed, problem.second_speed)[which]
         axes = float(self.contact.longitudinal_semi_axis), float(self.contact.lateral_semi_axis)
         return HeatedEllipse(
@@ -278,8 +275,8 @@ class EllipticFrictionHeatingSolution:
         """
         shape = np.shape(self.heat_rate)
         place, columns = one_result(self, index)
-        given = float(np.broadcast_to(load_number(self.problem.load), shape)[place])
-        problem = one_problem(self.problem, type(self.problem.load)(given), shape, place)
+        load = type(self.problem.load)(float(np.broadcast_to(load_number(self.problem.load), shape)[place]))
+        problem = one_problem(self.problem, load, shape, place)
         contact = EllipticIndentation(problem.bodies, problem.medium, problem.load).solve()
         return EllipticFrictionHeatingSolution(problem, contact, **columns)
 
@@ -291,11 +288,12 @@ class EllipticFrictionHeatingSolution:
             (np.asarray(self.first_max_temperature), np.asarray(self.second_max_temperature)),
             (np.asarray(self.first_mean_temperature), np.asarray(self.second_mean_temperature)),
         )
-        contact, friction = self.contact, self.problem.law.coefficient
-        axes = (contact.longitudinal_semi_axis, contact.lateral_semi_axis)
+        problem, contact, friction = self.problem, self.contact, self.problem.law.coefficient
+        angle = sliding_line((problem.first_speed, problem.second_speed), problem._directions)
+        axes = contact.longitudinal_semi_axis, contact.lateral_semi_axis
         return (
             *(note for note in contact.validity if note.assumption is not Assumption.ELASTIC),
-            *ellipse_yield_notes(self.problem.medium, axes, contact.force, friction),
-            sliding_note(self.problem.medium, friction),  # type: ignore[arg-type]
-            *heating_notes(*pairs, np.asarray(self.overestimate), self.problem.partition),
+            *ellipse_yield_notes(problem.medium, axes, contact.force, friction, angle),
+            sliding_note(problem.medium, friction),  # type: ignore[arg-type]
+            *heating_notes(*pairs, np.asarray(self.overestimate), problem.partition),
         )

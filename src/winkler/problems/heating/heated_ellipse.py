@@ -14,7 +14,7 @@ from winkler.numerics.fields.elliptic_source import EllipticSource, PeakPlace
 from winkler.numerics.types import Array, ArrayLike
 from winkler.values import value, words
 
-__all__ = ["HeatedEllipse", "Turn", "half_length"]
+__all__ = ["HeatedEllipse", "Turn", "half_length", "sliding_line"]
 
 Turn: TypeAlias = Annotated[float, Number("give an angle of at most one turn{unit}", -2.0 * math.pi, 2.0 * math.pi)]
 
@@ -97,3 +97,15 @@ class HeatedEllipse:
 def half_length(along: Array | float, across: Array | float, direction: float) -> Array:
     """Return half the length of an ellipse through its middle [m], in a direction [rad] from its first semi-axis."""
     return np.asarray(along * across / np.hypot(across * math.cos(direction), along * math.sin(direction)))
+
+
+def sliding_line(speeds: tuple[Array | float, Array | float], directions: tuple[float, float]) -> float | None:
+    """Return the angle to x [rad] of the line along which bodies slide, none if it is not the same for all speeds."""
+    first, second = np.broadcast_arrays(*(np.asarray(speed, dtype=float) for speed in speeds))
+    along, across = (first * turn(directions[0]) - second * turn(directions[1]) for turn in (math.cos, math.sin))
+    sliding = np.hypot(along, across)
+    moves = sliding > 1e-12 * np.maximum(np.abs(first), np.abs(second))
+    angles = 2.0 * np.arctan2(across[moves], along[moves])
+    if angles.size == 0 or np.any(np.cos(angles - angles.flat[0]) < 1.0 - 1e-12):
+        return None
+    return 0.5 * float(angles.flat[0])

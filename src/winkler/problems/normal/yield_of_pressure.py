@@ -7,9 +7,9 @@ import math
 import numpy as np
 
 from winkler.numerics.types import Quantity
-from winkler.problems.normal.elliptic_fields import greatest_below_ellipse
+from winkler.problems.normal.elliptic_fields import greatest_below_ellipse, traction_of
 from winkler.problems.normal.elliptic_stress import greatest_under_ellipse
-from winkler.problems.normal.strong_parts import strong_parts
+from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.problems.normal.unknown_yield import MISES, unknown_yield
 from winkler.problems.normal.yield_statement import share_of
 from winkler.validity import Assumption, Note, Standing
@@ -18,12 +18,17 @@ __all__ = ["ellipse_yield_notes", "map_yield_notes", "spots_yield_notes"]
 
 THOMAS = "H. R. Thomas, V. A. Hoersch, Univ. Illinois Eng. Exp. Station Bulletin 212 (1930); R. von Mises (1913)"
 HERTZ = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 6.1, doi:10.1017/CBO9781139171731"
+SACKFIELD = "A. Sackfield, D. A. Hills, J. Strain Anal. 18 (1983) 107-110, doi:10.1243/03093247V182107"
 SAFE_PRESSURE = 0.1
 """Pressure over that at which a round contact of Hertz yields, below which spots of usual shapes do not."""
 
 
 def ellipse_yield_notes(
-    medium: object, semi_axes: tuple[Quantity, Quantity], force: Quantity, friction: float = 0.0
+    medium: object,
+    semi_axes: tuple[Quantity, Quantity],
+    force: Quantity,
+    friction: float = 0.0,
+    angle: float | None = None,
 ) -> tuple[Note, ...]:
     """Return whether an elliptic contact of Hertz stays elastic; of many loads the greatest.
 
@@ -36,7 +41,9 @@ def ellipse_yield_notes(
     force : float or ndarray
         [N].
     friction : float
-        Greatest traction over pressure [-], in directions that are not known.
+        Greatest traction over pressure [-].
+    angle : float, optional
+        Of the tractions to x [rad], where all of the contact slides in one direction; not known unless given.
     """
     parts = strong_parts(medium)
     most = float(np.max(force))
@@ -44,6 +51,9 @@ def ellipse_yield_notes(
         return ()
     smaller, larger = sorted(float(np.max(axis)) for axis in semi_axes)
     pressure = 1.5 * most / (math.pi * smaller * larger)
+    if friction > 0.0 and angle is not None:
+        along, across = (float(np.max(axis)) for axis in semi_axes)
+        return (_slid_note(parts, (along, across), most, traction_of(friction, angle)),)
     peaks = [greatest_under_ellipse(smaller / larger, part.solid.poisson) for part in parts]
     shares = [peak.value * pressure / part.solid.strength for peak, part in zip(peaks, parts, strict=True)]
     worst = int(np.argmax(shares))
@@ -72,6 +82,26 @@ def ellipse_yield_notes(
         f"{where}."
     )
     return (Note(Assumption.ELASTIC, Standing.EXACT, statement, THOMAS),)
+
+
+def _slid_note(
+    parts: tuple[StrongPart, ...], semi_axes: tuple[float, float], force: float, traction: tuple[float, float]
+) -> Note:
+    """Return the verdict on an ellipse all of which slides in one direction, with tractions over the pressure."""
+    pressure = 1.5 * force / (math.pi * semi_axes[0] * semi_axes[1])
+    found = [greatest_below_ellipse("von_mises", semi_axes, pressure, part.solid.poisson, traction) for part in parts]
+    share, spot, part = max(
+        ((spot.value / part.solid.strength, spot, part) for spot, part in zip(found, parts, strict=True)),
+        key=lambda each: each[0],
+    )
+    yielded = share >= 1.0
+    verdict = "; beyond it the result is not elastic" if yielded else "; the contact stays elastic"
+    statement = (
+        f"By von Mises' criterion yielding {'began' if yielded else 'begins'} at {force / share**3:.4g} N under the "
+        f"friction of a contact that slides, with mu = {math.hypot(*traction):.3g}: the greatest elastic stress is "
+        f"{share_of(share, part)}, at a depth of {spot.z:.3g} m{verdict}."
+    )
+    return Note(Assumption.ELASTIC, Standing.OUTSIDE if yielded else Standing.EXACT, statement, SACKFIELD)
 
 
 def map_yield_notes(medium: object, pressure: float) -> tuple[Note, ...]:
