@@ -159,7 +159,9 @@ class LineFoundation:
         along = 0.5 * abel.surface(self.load_profile_slope, edges, x, half_width)
         outside = x > half_width
         along[outside] += rim_load / (np.pi * abel.root_difference(x[outside], half_width))
-        return np.asarray(self.medium.modulus * along - 1j * self.pressure(x, half_width, rim_load))
+        found = np.empty(x.shape, dtype=complex)
+        found.real, found.imag = self.medium.modulus * along, -self.pressure(x, half_width, rim_load)
+        return found
 
     def potential(self, x: Array, z: Array, half_width: float, rim_load: float) -> tuple[Array, Array]:
         """Return the potential F [Pa] of the pressure and F' [Pa/m], below the surface (`numerics.fields.half_plane`).

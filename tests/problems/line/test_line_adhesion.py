@@ -241,3 +241,9 @@ def test_an_attraction_beside_rims_is_refused():
         reaching(CYLINDER, 1e4, wk.LineForce(-10.0))
     with pytest.raises(wk.OutsideValidity, match="beyond the end of the profile"):
         reaching(wk.Sphere(RADIUS), 1.0, wk.LineForce(1.0))
+
+
+def test_the_stresses_at_the_edges_are_infinite_as_the_tension():
+    contact = stuck(CYLINDER, wk.LineForce(0.0))
+    edge = contact.stresses(contact.half_width, 0.0)
+    assert (edge.xx_stress, edge.zz_stress, edge.xz_stress) == (np.inf, np.inf, 0.0)

@@ -111,8 +111,10 @@ def stresses(contact: LineContact, x: Array, z: Array) -> LineFields:
     u, v = side * whole.real, whole.imag
     du, dv = deep * slope.real, side * deep * slope.imag
     mu, pressed = contact.friction, contact.pressed
-    along = pressed * (v + du) - mu * (2.0 * u - dv)
-    across = pressed * (v - du) - mu * dv
-    shear = -pressed * dv + mu * (v + du)
+    # without friction nothing is multiplied by zero: the stress is infinite at a rim
+    dragged = mu * np.array([2.0 * u - dv, dv, v + du]) if mu != 0.0 else np.zeros((3, u.size))
+    along = pressed * (v + du) - dragged[0]
+    across = pressed * (v - du) - dragged[1]
+    shear = -pressed * dv + dragged[2]
     parts = (along, contact.poisson * (along + across), across, shear)
     return LineFields(x, z, *(part.reshape(x.shape) for part in parts))
