@@ -292,7 +292,7 @@ ROLLING_LINES = {
     "line_rolling_resistance": wk.LineRollingResistance(
         wk.LineFoundation(wk.Paraboloid(10e-3), wk.ViscoelasticHalfSpace(RUBBER)),
         wk.LineForce(100.0),
-        np.geomspace(1e-4, 1.0, 25),
+        np.geomspace(1e-4, 1.0, 17),
     ),
 }
 NEWER = {**LINES, **ROLLING_LINES, **RELAXING, **CONDUCTING, **ROLLING, **HEATING, **WEARING, **ROUGHNESS}

@@ -107,7 +107,7 @@ LINE_ROLLING = Chapter(
             "hunter_1961",
             bed=RELAXING,
             load={"kind": "line_force", "force_per_length": "0.1 N/mm"},
-            speed={"from": "0.1 mm/s", "to": "1 m/s", "count": 25, "spacing": "log"},
+            speed={"from": "0.1 mm/s", "to": "1 m/s", "count": 17, "spacing": "log"},
             picture=Caption(
                 "line_resistance",
                 "Rolling resistance",
