@@ -69,7 +69,16 @@ def test_script_on_its_own(script, tmp_path):
 
 
 # what another study shows as well, and what takes long, runs among the slow tests
-SLOW = {"cone", "formula", "flat_punch", "bolted_joint", "bouncing_ball", "fit_sticky", "measured_gel"} | {
+SLOW = {
+    "cone",
+    "formula",
+    "flat_punch",
+    "bolted_joint",
+    "bouncing_ball",
+    "fit_sticky",
+    "measured_gel",
+    "elliptic_flash",
+} | {
     "braking_wheel",
     "cell_indentation",
     "contact_resistance",

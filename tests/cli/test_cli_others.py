@@ -160,15 +160,18 @@ PROBLEMS = [name for name in CATALOGUE["problem"] if "bed" in hints(kinds()[name
 USUAL = ("sphere", "rounded_punch", "flat_punch")
 """Profiles that every problem is tried with; all others with an indentation."""
 PROFILES = list(CATALOGUE["profile"])
+SEARCHES = {"line_yield_onset", "line_shakedown"}
+"""Problems that search for the greatest stress under many loads, a second or two for a profile."""
 
 
 def pairs():
     """Of the rest, every third: each problem meets a third of the profiles, each profile a third of the problems."""
     for number, problem in enumerate(PROBLEMS):
         for place, profile in enumerate(PROFILES):
-            if problem == "indentation" or profile in USUAL:
+            usual = problem == "indentation" or profile in USUAL
+            if usual and problem not in SEARCHES:
                 yield pytest.param(problem, profile)
-            elif (number + place) % 3 == 0:
+            elif usual or (number + place) % 3 == 0:
                 yield pytest.param(problem, profile, marks=pytest.mark.slow)
 
 
