@@ -250,9 +250,10 @@ class EllipticSolution:
         InvalidInput, OutsideValidity
             As of `stresses`; also for another measure.
         """
-        semi_axes, peak = self._pressed("stresses")
+        (a, _), peak = self._pressed("stresses")
         poisson = inside.solid_below(self.problem.medium, below).poisson
-        return inside.greatest_below_ellipse(measure, semi_axes, peak, poisson, inside.traction_of(friction, angle))
+        slenderness, traction = self.problem.bodies.slenderness, inside.traction_of(friction, angle)
+        return inside.greatest_below_ellipse(measure, a, slenderness, peak, poisson, traction)
 
     def _pressed(self, requested: str) -> tuple[tuple[float, float], float]:
         single(self.depth, requested)

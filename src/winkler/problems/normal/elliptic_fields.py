@@ -133,15 +133,20 @@ def below_ellipse(
 
 
 def greatest_below_ellipse(
-    measure: str, semi_axes: tuple[float, float], pressure: float, poisson: float, traction: tuple[float, float]
+    measure: str,
+    semi_axis: float,
+    slenderness: float,
+    pressure: float,
+    poisson: float,
+    traction: tuple[float, float],
 ) -> StressSpot:
     """Return the greatest stress of a kind [Pa] and its place [m], z >= 0.
 
     Parameters
     ----------
     measure : {'von_mises', 'max_shear', 'orthogonal_shear'}
-    semi_axes : tuple of float
-        a along x and b along y [m].
+    semi_axis, slenderness : float
+        a along x [m], and b/a of b along y.
     pressure : float
         The greatest one [Pa].
     poisson : float
@@ -155,8 +160,8 @@ def greatest_below_ellipse(
     """
     if not isinstance(measure, str) or measure not in MEASURES:
         raise InvalidInput(f"EllipticSolution: there is no stress {measure!r}; give one of {', '.join(MEASURES)}.")
-    a, b = semi_axes
+    a, b = semi_axis, slenderness * semi_axis
     mirror = 1.0 if traction >= (0.0, 0.0) else -1.0  # the opposite traction has its place mirrored in the axis
     rubbed = (mirror * traction[0] + 0.0, mirror * traction[1] + 0.0)
-    spot = peak.greatest_in_half_ellipsoid(MEASURES[measure], b / a, poisson, rubbed)
+    spot = peak.greatest_in_half_ellipsoid(MEASURES[measure], slenderness, poisson, rubbed)
     return StressSpot(pressure * spot.value, mirror * spot.x * a + 0.0, mirror * spot.y * b + 0.0, spot.z * min(a, b))

@@ -69,7 +69,7 @@ def ellipse_yield_notes(
     if friction > 0.0:
         a, b = (float(np.max(axis)) for axis in semi_axes)
         slid = max(
-            greatest_below_ellipse("von_mises", (a, b), pressure, part.solid.poisson, direction).value
+            greatest_below_ellipse("von_mises", a, b / a, pressure, part.solid.poisson, direction).value
             for direction in ((friction, 0.0), (0.0, friction))
         )
         added = (
@@ -88,8 +88,9 @@ def _slid_note(
     parts: tuple[StrongPart, ...], semi_axes: tuple[float, float], force: float, traction: tuple[float, float]
 ) -> Note:
     """Return the verdict on an ellipse all of which slides in one direction, with tractions over the pressure."""
-    pressure = 1.5 * force / (math.pi * semi_axes[0] * semi_axes[1])
-    found = [greatest_below_ellipse("von_mises", semi_axes, pressure, part.solid.poisson, traction) for part in parts]
+    a, b = semi_axes
+    pressure = 1.5 * force / (math.pi * a * b)
+    found = [greatest_below_ellipse("von_mises", a, b / a, pressure, part.solid.poisson, traction) for part in parts]
     share, spot, part = max(
         ((spot.value / part.solid.strength, spot, part) for spot, part in zip(found, parts, strict=True)),
         key=lambda each: each[0],
