@@ -180,7 +180,7 @@ def test_new_writes_a_study_that_runs(problem, profile, here, capsys):
     code = main(["new", problem, "--profile", profile, "--output", "study.toml"])
     message = capsys.readouterr()
     if not (here / "study.toml").exists():
-        assert code in (2, 3, 4)
+        assert code in (2, 4) or (problem, profile, code) == ("periodic_indentation", "designed", 3)
         assert message.err.startswith("winkler: these kinds do not go together: ")
         assert not goes_together(problem, profile)
         return

@@ -58,7 +58,7 @@ def line_tangential_state_sheet(item: LineTangentialState, *, extent: float | No
     try:
         panels.append(_stress_panel(item, extent or STRESS_WIDTHS_DRAWN * a))
         names.append("stress below the surface")
-    except OutsideValidity:
+    except OutsideValidity:  # neither body has stresses that are known: the other panels stand
         pass
     pull, press = with_unit(item.shear_force_per_length, "N/m"), with_unit(item.force_per_length, "N/m")
     return Sheet(titled(panels, *names), len(panels), width=4.2, title=f"pressed by {press}, sheared by {pull}")

@@ -142,7 +142,7 @@ class LineRollingResistanceSolution:
         P [N/m], and half of the width from edge to edge [m].
     leading_edge, trailing_edge : float or ndarray
         Where the contact begins and ends [m], from the lowest point of the cylinder; the latter is negative unless the
-        solid relaxes by some orders of magnitude and creeps all the way before that point, as a fluid does.
+        solid relaxes by some orders of magnitude and creeps in full before that point, as a fluid does.
     shear_force_per_length : float or ndarray
         Q [N/m] that resists the motion.
     """

@@ -209,8 +209,8 @@ class EllipticSolution:
         friction : float
             mu [-] of a contact that slides everywhere: the body requested is dragged by mu p.
         angle : float
-            Direction in which it is dragged, from x towards y [rad]; the other body is dragged the opposite way, by
-            this angle and pi.
+            Direction in which it is dragged, from x towards y [rad]; the other body is dragged in the opposite
+            direction, by this angle and pi.
 
         Raises
         ------

@@ -42,8 +42,8 @@ class EllipticYieldOnset:
     friction : Coulomb, optional
         The contact slides everywhere, and drags each body by mu p; none unless given.
     angle : float, optional
-        Direction in which each is dragged, from x towards y in its own axes [rad]; along x unless given.  Those of the
-        second body point the opposite way of those of the first along the surface.
+        Direction in which each is dragged, from x towards y in its own axes [rad]; along x unless given.  Along the
+        surface those of the second body point against those of the first.
 
     Raises
     ------
