@@ -25,7 +25,6 @@ GROUPS = {
         "bench_fit",
         "bench_friction",
         "bench_impact",
-        "bench_line_friction",
     ),
     "times-histories": (
         "bench_conduction",
@@ -35,15 +34,18 @@ GROUPS = {
         "bench_viscoelastic_fits",
         "bench_wear",
     ),
+    "times-lines": ("bench_ellipse", "bench_roller"),
 }
-"""Table of the page -> the files of its benchmarks; all others are in the last one."""
-OTHERS = "times-tools"
+"""Table of the page -> the files of its benchmarks."""
+LINES, OTHERS = "times-lines", "times-tools"
+"""Where the files are whose name begins with bench_line, and all others."""
 
 
 def group_of(fullname: str) -> str:
     """Return the table that a benchmark belongs to, by its file."""
     file = Path(fullname.partition("::")[0]).stem
-    return next((group for group, files in GROUPS.items() if file in files), OTHERS)
+    fallback = LINES if file.startswith("bench_line") else OTHERS
+    return next((group for group, files in GROUPS.items() if file in files), fallback)
 
 
 def main(path: str) -> None:

@@ -1,7 +1,7 @@
 """Every example runs: the scripts as a reader would start them, the studies through the command line.
 
-Scripts and studies run one after the other in this process, as the manual's gallery runs them; each script in a process
-of its own, which is enough for the longest, and the longer studies, among the slow tests.
+One script and one study of each folder run in this process, as the manual's gallery runs them; each script in a process
+of its own, and all other studies, among the slow tests.
 """
 
 from __future__ import annotations
@@ -30,16 +30,47 @@ def test_there_are_examples():
     assert len(SCRIPTS) >= 4
 
 
-LONGEST = {"bouncing_ball", "mindlin_varying_normal_force", "peeling_rubber"}
-"""Scripts of more than two seconds of processor time."""
-QUICK = [script for script in SCRIPTS if script.stem not in LONGEST]
+QUICK = {
+    "adhesion/snap_in_and_pull_off.py",
+    "conduction/thermal_joint.py",
+    "data/make_force_curves.py",
+    "data/make_rough_surface.py",
+    "exchange/for_other_programs.py",
+    "fitting/oliver_pharr.py",
+    "friction/fretting_loop.py",
+    "heating/warming_up.py",
+    "line/cylinder_on_flat_fretting.py",
+    "media/graded_ceramic.py",
+    "normal/hertz.py",
+    "rolling/creep_curves.py",
+    "rough/ellipse_and_pyramid.py",
+    "viscoelastic/gel_bead.py",
+    "wear/fretting_ends.py",
+} | {
+    "studies/adhesion/sticky_ball.toml",
+    "studies/conduction/roller_resistance.toml",
+    "studies/fitting/fit_gel.toml",
+    "studies/friction/fretting_loop.toml",
+    "studies/heating/fretting_heat.toml",
+    "studies/impact/bouncing_ball.toml",
+    "studies/line/roller.toml",
+    "studies/normal/measured_tip.toml",
+    "studies/rolling/leaning_wheel.toml",
+    "studies/rough/rough_surface.toml",
+    "studies/viscoelastic/gel_creep.toml",
+    "studies/wear/fretting_wear.toml",
+}
+"""One of each folder, and the two that write data for others; all run among the slow tests."""
+QUICK_SCRIPTS = [script for script in SCRIPTS if name(script) in QUICK]
 
 
-def test_the_longest_are_there():
-    assert len(QUICK) == len(SCRIPTS) - len(LONGEST)
+def test_one_of_each_folder_is_quick():
+    examples = [*SCRIPTS, *STUDIES]
+    assert {name(path) for path in examples} >= QUICK
+    assert {path.parent for path in examples} == {(EXAMPLES / path).parent for path in QUICK}
 
 
-@pytest.mark.parametrize("script", QUICK, ids=map(name, QUICK))
+@pytest.mark.parametrize("script", QUICK_SCRIPTS, ids=map(name, QUICK_SCRIPTS))
 def test_script(script, tmp_path, monkeypatch):
     import matplotlib.pyplot as plt
 
@@ -68,42 +99,9 @@ def test_script_on_its_own(script, tmp_path):
     assert solution.returncode == 0, solution.stdout + solution.stderr
 
 
-# what another study shows as well, and what takes long, runs among the slow tests
-SLOW = {
-    "cone",
-    "formula",
-    "flat_punch",
-    "bolted_joint",
-    "bouncing_ball",
-    "fit_sticky",
-    "measured_gel",
-    "elliptic_flash",
-} | {
-    "braking_wheel",
-    "cell_indentation",
-    "contact_resistance",
-    "fit_batch",
-    "fit_cell_loop",
-    "fit_gel_creep",
-    "flash_temperature",
-    "fretting_heat",
-    "fretting_loop",
-    "fretting_wear",
-    "many_coatings",
-    "rubber_ball",
-    "rubber_dma",
-    "rubber_rolling",
-    "sticky_ball",
-    "sticky_gel_film",
-    "three_layers",
-    "twisted_ball",
-    "what_matters",
-}
-
-
 @pytest.mark.parametrize(
     "study",
-    [pytest.param(study, marks=[pytest.mark.slow] if study.stem in SLOW else []) for study in STUDIES],
+    [pytest.param(study, marks=[] if name(study) in QUICK else [pytest.mark.slow]) for study in STUDIES],
     ids=map(name, STUDIES),
 )
 def test_study(study, tmp_path, monkeypatch, capsys):
