@@ -59,6 +59,14 @@ def test_pair():
     assert (found.depth, found.lateral_semi_axis) == (expected.depth, expected.lateral_semi_axis)
     assert found.problem.bed.bodies == together
     assert wk.EllipticYieldOnset(pair, medium).solve().force == wk.EllipticYieldOnset(together, medium).solve().force
+    beds = wk.EllipticFoundation(pair, medium), wk.EllipticFoundation(together, medium)
+    for first, second in (beds, tuple(bed.turned for bed in beds)):
+        assert first.tangential_stiffness(np.ones(1)) == second.tangential_stiffness(np.ones(1))
+        assert first.notes == second.notes
+    friction, creepage = wk.Coulomb(0.3), wk.Creepage(1e-3)
+    rolled = [wk.SimplifiedRolling(each, medium, friction, creepage, wk.Force(10.0)).solve() for each in (pair, together)]
+    assert rolled[0].longitudinal_force == rolled[1].longitudinal_force
+    assert rolled[0].validity == rolled[1].validity
     with pytest.raises(wk.InvalidInput, match="do not touch in a point"):
         wk.CurvedPair(6e-3, 6e-3, 20e-3, -6e-3)
 

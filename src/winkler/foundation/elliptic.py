@@ -23,6 +23,7 @@ from winkler.media.halfspace import HalfSpace, HomogeneousMedium
 from winkler.media.medium import Medium
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.types import Array
+from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.ellipse import CurvedBodies
 from winkler.profiles.power import Paraboloid
 from winkler.validity import Assumption, Note, Standing
@@ -47,7 +48,7 @@ class EllipticFoundation(UnderProfile):
 
     Parameters
     ----------
-    bodies : CurvedBodies
+    bodies : CurvedBodies or CurvedPair
         R_x and R_y; a shear force or shift is along x.  `turned` has it along y.
     medium : HalfSpace, TransverselyIsotropicHalfSpace or ViscoelasticHalfSpace
         Both bodies, homogeneous.
@@ -72,7 +73,7 @@ class EllipticFoundation(UnderProfile):
     [0.7771, 0.8759]
     """
 
-    bodies: CurvedBodies
+    bodies: CurvedBodies | CurvedPair
     medium: Annotated[Medium, HOMOGENEOUS_MEDIUM]
 
     def __post_init__(self) -> None:

@@ -341,7 +341,7 @@ class TestRefused:
             ({"count": 3}, "whole number of strips"),
             ({"count": 8.5}, "whole number of strips"),
             ({"friction": Coulomb(0.0)}, "positive, finite coefficient"),
-            ({"footprint": 0.01}, "ContactEllipse\\(.*\\) or CurvedBodies"),
+            ({"footprint": 0.01}, "ContactEllipse\\(.*\\) or CurvedPair"),
             ({"creepage": 1e-3}, "Creepage"),
         ],
     )

@@ -30,6 +30,7 @@ from winkler.problems.normal.yield_of_pressure import ellipse_yield_notes
 from winkler.problems.rolling.creepage import Creepage, CreepageSolution
 from winkler.problems.rolling.kalker import CreepCoefficients, creep_coefficients, rolling_pair
 from winkler.problems.rolling.simplified_validity import CREEP, SPIN, moment_note, size_note
+from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
@@ -52,7 +53,7 @@ class SimplifiedRolling:
 
     Parameters
     ----------
-    footprint : ContactEllipse or CurvedBodies
+    footprint : ContactEllipse, CurvedBodies or CurvedPair
         The contact, or the curvatures it comes from.
     medium : HalfSpace
         The pair of bodies.
@@ -92,7 +93,7 @@ class SimplifiedRolling:
 
     __words__ = words(count=("n", "", "strips across the contact, and steps along each"))
 
-    footprint: ContactEllipse | CurvedBodies
+    footprint: ContactEllipse | CurvedBodies | CurvedPair
     medium: Annotated[HalfSpace, ISOTROPIC]
     friction: Sliding
     creepage: Creepage

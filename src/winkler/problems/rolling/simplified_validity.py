@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from winkler.problems.rolling.kalker import CreepCoefficients
+from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
 from winkler.validity import Assumption, Note, Standing
 
@@ -51,13 +52,12 @@ def moment_note(coefficients: CreepCoefficients, longitudinal: float, lateral: f
     )
 
 
-def size_note(footprint: ContactEllipse | CurvedBodies, longitudinal: float, lateral: float) -> Note:
+def size_note(footprint: ContactEllipse | CurvedBodies | CurvedPair, longitudinal: float, lateral: float) -> Note:
     """Return whether the bodies may be taken for half-spaces, with a contact of these semi-axes [m]."""
-    match footprint:
-        case CurvedBodies(along, across):
-            ratio = max(longitudinal / along, lateral / across)
-        case _:
-            return PRESCRIBED_ELLIPSE
+    if isinstance(footprint, ContactEllipse):
+        return PRESCRIBED_ELLIPSE
+    radii = footprint.longitudinal_curvature_radius, footprint.lateral_curvature_radius
+    ratio = max(longitudinal / radii[0], lateral / radii[1])
     if ratio <= 0.1:
         standing, verdict = Standing.ASYMPTOTIC, "the bodies may be taken for half-spaces"
     elif ratio <= 0.5:

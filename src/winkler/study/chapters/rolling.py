@@ -61,7 +61,7 @@ def _springs(problem: Any) -> tuple[Equation, ...]:
 
 
 def _simplified(problem: Any) -> tuple[Equation, ...]:
-    hertz = (HERTZ,) if is_a(problem.footprint, "winkler.profiles.ellipse:CurvedBodies") else ()
+    hertz = () if is_a(problem.footprint, "winkler.profiles.ellipse:ContactEllipse") else (HERTZ,)
     return (*hertz, TABLE, STRIPS, BOUND)
 
 
