@@ -64,7 +64,9 @@ def test_pair():
         assert first.tangential_stiffness(np.ones(1)) == second.tangential_stiffness(np.ones(1))
         assert first.notes == second.notes
     friction, creepage = wk.Coulomb(0.3), wk.Creepage(1e-3)
-    rolled = [wk.SimplifiedRolling(each, medium, friction, creepage, wk.Force(10.0)).solve() for each in (pair, together)]
+    rolled = [
+        wk.SimplifiedRolling(each, medium, friction, creepage, wk.Force(10.0)).solve() for each in (pair, together)
+    ]
     assert rolled[0].longitudinal_force == rolled[1].longitudinal_force
     assert rolled[0].validity == rolled[1].validity
     with pytest.raises(wk.InvalidInput, match="do not touch in a point"):
