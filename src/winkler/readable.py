@@ -15,8 +15,10 @@ __all__ = ["Scale", "middle_scale", "pretty_unit", "scale_of", "with_unit"]
 
 PREFIXES = {-18: "a", -15: "f", -12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
 
-PREFIXED = ("m", "N", "Pa", "J", "W", "s", "V", "A", "Hz", "K", "ohm", "S")
-"""Units that take a prefix when they stand first and without a power: µm, kN, MN/m; but not m^2."""
+PREFIXED = ("m", "N", "Pa", "J", "W", "s", "V", "A", "Hz", "K", "ohm", "S", "N m", "ohm m")
+"""Units that take a prefix when they stand first and without a power: µm, kN, MN/m, mN m."""
+POWERS = {"m^2": (2, 1e-2), "m^3": (3, 1e-3)}
+"""Areas and volumes -> power of the metre, and the least number that its prefix may leave."""
 
 SUPERSCRIPT = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
@@ -64,11 +66,18 @@ def scale_of(unit: str | None, *contents: Any) -> Scale:
         least = scale_of("Pa", *(1.0 / part[part > 0.0] for part in map(_finite, contents)))
         return Scale(1.0 / least.factor, f"1/{least.unit}")
     head, slash, tail = unit.partition("/")
+    greatest = max((float(np.max(part)) for part in map(_finite, contents) if part.size), default=0.0)
+    if head in POWERS:
+        times, least_number = POWERS[head]
+        reached = greatest * (1.0 + 1e-9)
+        fitting = [power for power in PREFIXES if power <= 0 and reached >= least_number * 10.0 ** (times * power)]
+        power = max(fitting, default=0) if greatest > 0.0 else 0
+        return Scale(float(f"1e{times * power}"), pretty_unit(f"{PREFIXES[power]}{head}{slash}{tail}"))
     if head not in PREFIXED:
         return Scale(1.0, pretty_unit(unit))
-    greatest = max((float(np.max(part)) for part in map(_finite, contents) if part.size), default=0.0)
     power = 3 * math.floor(math.log10(greatest * (1.0 + 1e-9)) / 3.0) if greatest > 0.0 else 0
-    power = max(min(PREFIXES), min(max(PREFIXES) if head not in ("m", "s", "K") else 0, power))
+    power = min(max(PREFIXES) if head not in ("m", "s", "K") else 0, power)
+    power = power if power in PREFIXES else 0  # what is smaller than all prefixes stands in powers of ten
     return Scale(float(f"1e{power}"), pretty_unit(f"{PREFIXES[power]}{head}{slash}{tail}"))
 
 
@@ -97,6 +106,8 @@ def with_unit(number: float, unit: str | None, digits: int = 4) -> str:
     --------
     >>> with_unit(1.8662e-4, "m"), with_unit(0.3, ""), with_unit(2.1e11, "Pa")
     ('186.6 µm', '0.3', '210 GPa')
+    >>> with_unit(5.5e-8, "m^2"), with_unit(1.2e-15, "m^3"), with_unit(5.3e-23, "m"), with_unit(0.0018, "N m")
+    ('0.055 mm²', '1200 µm³', '5.3·10⁻²³ m', '1.8 mN m')
     >>> with_unit(math.inf, "ohm"), with_unit(math.nan, "")
     ('infinite', 'undefined')
     """

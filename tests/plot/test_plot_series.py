@@ -35,7 +35,14 @@ from winkler.plot.series import (
         ("Pa", 0.0, "Pa"),
         ("N/m", 4.3e7, "MN/m"),
         ("J", 1e-4, "µJ"),
-        ("m^2", 1e-6, "m²"),
+        ("m^2", 1e-6, "mm²"),
+        ("m^2", 9e-9, "µm²"),
+        ("m^2", 3.0, "m²"),
+        ("m^3", 1e-12, "mm³"),
+        ("m^3", 0.9e-12, "µm³"),
+        ("m^2/N", 1e-12, "µm²/N"),
+        ("m", 5e-23, "m"),
+        ("N m", 1e-3, "mN m"),
         ("1/m", 1e3, "1/m"),
         ("", 1e-9, ""),
         (None, 1.0, ""),
@@ -45,7 +52,9 @@ def test_the_prefix_fits_the_greatest(unit, greatest, shown):
     scale = scale_of(unit, [0.0, -greatest, 0.1 * greatest])
     assert scale.unit == shown
     if shown not in ("m²", "1/m", "") and greatest > 0.0 and unit != "m":
-        assert 1.0 <= greatest / scale.factor < 1000.0
+        power = 3 if "³" in shown else 2 if "²" in shown else 1
+        least = 0.1**power if power > 1 else 1.0
+        assert 0.999 * least <= greatest / scale.factor < 1e3**power * least
 
 
 def test_a_factor_is_the_power_of_ten_itself():

@@ -109,6 +109,7 @@ ADHESION = Chapter(
             "popov_hess_2015",
             "johnson_kendall_roberts_1971",
             "maugis_1992",
+            headline=("force", "depth", "radius", "stiffness"),
             pictured=PicturedContact.EDGE,
             formulas=adhesion_formulas,
         ),
@@ -116,6 +117,7 @@ ADHESION = Chapter(
             "winkler.problems.adhesion.pull_off:PullOff",
             "popov_hess_2015",
             "johnson_kendall_roberts_1971",
+            headline=("force", "depth", "radius"),
             picture=Caption("pull_off", "Where the contact comes apart", "Among all states of equilibrium, the point."),
             pictured=PicturedContact.EDGE,
             contact_shown="the contact just before it comes apart",
@@ -143,6 +145,7 @@ ADHESION = Chapter(
             "popov_hess_2015",
             "johnson_kendall_roberts_1971",
             "guduru_2007",
+            headline=("dissipation", "hysteresis"),
             path={"kind": "depth", "depth": APPROACH_AND_RETRACTION},
             picture=Caption(
                 "cycle",
@@ -158,6 +161,7 @@ ADHESION = Chapter(
             "winkler.problems.adhesion.shear:AdhesiveShear",
             "popov_hess_2015",
             "savkoor_briggs_1977",
+            headline=("shear_force", "shift", "force", "depth", "radius"),
             normal={"kind": "force", "force": "100 N"},
             lateral={"kind": "shear_force", "shear_force": "1 mN"},
             picture=Caption(

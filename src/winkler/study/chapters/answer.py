@@ -84,6 +84,9 @@ class Answer(NamedTuple):
         The problem as a line of the catalogue: its class, an example, its papers.
     formulas
         Formulas of the solution.
+    headline
+        Names of the answers that stand at the top in large letters, what is most often sought first; none where only
+        the whole curve is an answer.  Of a path or a history they are those at its end.
     picture
         Title of the picture of the whole answer; None where the pictures of the method show all.
     curves
@@ -98,6 +101,7 @@ class Answer(NamedTuple):
 
     kind: Kind
     formulas: Formulas
+    headline: tuple[str, ...] = ()
     picture: Caption | None = None
     curves: tuple[tuple[str, str], ...] = ()
     compared: tuple[str, ...] = ()
@@ -109,6 +113,7 @@ def answer(
     path: str,
     /,
     *cites: str,
+    headline: tuple[str, ...] = (),
     formulas: Formulas | tuple[Equation, ...],
     picture: Caption | None = None,
     curves: tuple[tuple[str, str], ...] = (),
@@ -122,7 +127,7 @@ def answer(
     Formulas in place of a function of the problem are the same for each problem of the kind.
     """
     made = (lambda problem: formulas) if isinstance(formulas, tuple) else formulas
-    return Answer(kind(path, *cites, **example), made, picture, curves, compared, pictured, contact_shown)
+    return Answer(kind(path, *cites, **example), made, headline, picture, curves, compared, pictured, contact_shown)
 
 
 class Chapter(NamedTuple):

@@ -147,6 +147,7 @@ CONDUCTION = Chapter(
     answers={
         "constriction": answer(
             "winkler.problems.conduction.constriction:Constriction",
+            headline=("resistance", "conductance", "film_resistance", "radius"),
             load={"kind": "force", "force": "1 N"},
             picture=Caption(
                 "contact_resistance",
@@ -157,6 +158,7 @@ CONDUCTION = Chapter(
         ),
         "line_constriction": answer(
             "winkler.problems.conduction.line_constriction:LineConstriction",
+            headline=("resistance_per_length", "film_resistance_per_length", "half_width"),
             bed=ROLLER,
             first_depth="5 mm",
             second_depth="5 mm",
@@ -171,6 +173,7 @@ CONDUCTION = Chapter(
         ),
         "thermal_constriction": answer(
             "winkler.problems.conduction.thermal_constriction:ThermalConstriction",
+            headline=("conductance", "resistance", "heat_rate"),
             conductors={"kind": "heat_conductors", **STEEL_PAIR},
             temperature_drop="10 K",
             picture=Caption(
@@ -182,6 +185,7 @@ CONDUCTION = Chapter(
         ),
         "joule_heating": answer(
             "winkler.problems.conduction.joule_heating:JouleHeating",
+            headline=("max_temperature", "contact_temperature", "voltage", "current", "resistance"),
             load={"kind": "force", "force": "1 N"},
             picture=Caption(
                 "joule",
@@ -192,6 +196,7 @@ CONDUCTION = Chapter(
         ),
         "spot_cluster": answer(
             "winkler.problems.conduction.spots:SpotCluster",
+            headline=("resistance", "conductance", "holm_radius"),
             x=["0 um", "10 um", "5 um"],
             y=["0 um", "0 um", "8 um"],
             radii=["2 um", "3 um", "1 um"],
@@ -206,6 +211,7 @@ CONDUCTION = Chapter(
         ),
         "conductance_bounds": answer(
             "winkler.problems.conduction.bounds:ConductanceBounds",
+            headline=("least_conductance", "greatest_conductance", "smooth_conductance"),
             roughness="0.1 um",
             force="10 N",
             picture=Caption(

@@ -97,6 +97,7 @@ FRICTION = Chapter(
     answers={
         "tangential": answer(
             "winkler.problems.friction.tangential:Tangential",
+            headline=("dissipation", "shear_force", "shift", "stick_radius"),
             path={"kind": "program", "steps": OSCILLATION},
             picture=Caption(
                 "tangential",
@@ -116,6 +117,7 @@ FRICTION = Chapter(
         ),
         "torsion": answer(
             "winkler.problems.friction.torsion:Torsion",
+            headline=("dissipation", "torque", "angle", "stick_radius"),
             path={"kind": "program", "steps": TWIST},
             picture=Caption(
                 "torsion",
@@ -129,6 +131,7 @@ FRICTION = Chapter(
         ),
         "friction_damping": answer(
             "winkler.problems.friction.damping:FrictionDamping",
+            headline=("loss_per_cycle", "loss_factor", "secant_stiffness", "shear_force"),
             normal={"kind": "force", "force": "100 N"},
             amplitude={"kind": "shift", "shift": "0.5 um"},
             picture=Caption("damping", "Damping by friction", "Loss, stiffness and loss factor over the amplitude."),
@@ -137,6 +140,7 @@ FRICTION = Chapter(
         ),
         "bimodal_damping": answer(
             "winkler.problems.friction.bimodal_damping:BimodalDamping",
+            headline=("loss_per_cycle", "loss_stiffness"),
             depth="3 um",
             depth_amplitude="1 um",
             shift_amplitude="0.5 um",
@@ -147,6 +151,7 @@ FRICTION = Chapter(
         ),
         "relaxation_damper": answer(
             "winkler.problems.friction.relaxation_damping:RelaxationDamper",
+            headline=("damping", "shear_stiffness"),
             depth="3 um",
             depth_amplitude="1 um",
             frequency="100 Hz",

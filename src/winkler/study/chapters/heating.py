@@ -91,6 +91,7 @@ HEATING = Chapter(
     answers={
         "friction_heating": answer(
             "winkler.problems.heating.steady:FrictionHeating",
+            headline=("flash_temperature", "first_max_temperature", "heat_rate", "first_share"),
             law=COULOMB,
             load={"kind": "force", "force": "20 N"},
             conductors=STEELS,
@@ -106,6 +107,7 @@ HEATING = Chapter(
         "line_friction_heating": answer(
             "winkler.problems.heating.line_heating:LineFrictionHeating",
             "johnson_1985",
+            headline=("flash_temperature", "first_max_temperature", "heat_per_length", "first_share"),
             bed=ROLLER,
             law={"kind": "coulomb", "coefficient": 0.05},
             load={"kind": "line_force", "force_per_length": "400 N/mm"},
@@ -124,6 +126,7 @@ HEATING = Chapter(
         "elliptic_friction_heating": answer(
             "winkler.problems.heating.elliptic_heating:EllipticFrictionHeating",
             "johnson_1985",
+            headline=("flash_temperature", "first_max_temperature", "heat_rate", "first_share"),
             law={"kind": "coulomb", "coefficient": 0.1},
             load={"kind": "force", "force": "200 N"},
             conductors=STEELS,
@@ -140,6 +143,7 @@ HEATING = Chapter(
         ),
         "transient_heating": answer(
             "winkler.problems.heating.transient:TransientHeating",
+            headline=("flash_temperature", "stationary_temperature", "time"),
             law=COULOMB,
             load={"kind": "force", "force": "20 N"},
             conductors=STEELS,
@@ -155,6 +159,7 @@ HEATING = Chapter(
         ),
         "fretting_heat": answer(
             "winkler.problems.heating.fretting:FrettingHeat",
+            headline=("max_temperature", "mean_temperature", "heat_rate", "loss_per_cycle"),
             motion={"kind": "tangential", "law": COULOMB, "path": {"kind": "program", "steps": TWO_CYCLES}},
             frequency="100 Hz",
             conductors=STEELS,

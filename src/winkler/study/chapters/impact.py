@@ -30,6 +30,7 @@ IMPACT = Chapter(
     answers={
         "impact": answer(
             "winkler.problems.impact.impact:Impact",
+            headline=("restitution", "duration", "dissipation"),
             mass="33 g",
             velocity="1 m/s",
             lateral_velocity="0.5 m/s",
@@ -42,6 +43,7 @@ IMPACT = Chapter(
         ),
         "adhesive_impact": answer(
             "winkler.problems.impact.adhesive_impact:AdhesiveImpact",
+            headline=("restitution", "duration", "dissipation"),
             law={"kind": "short_range", "work": "50 mJ/m^2"},
             mass="33 g",
             velocity="1 mm/s",

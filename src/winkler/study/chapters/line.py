@@ -134,6 +134,7 @@ LINE = Chapter(
             "winkler.problems.line.indentation:LineIndentation",
             "johnson_1985",
             "jaeger_1995",
+            headline=("peak_pressure", "half_width", "force_per_length", "mean_pressure"),
             bed=ROLLER,
             picture=Caption("line", "The contact", "Pressure and shape; of many loads half-width and pressures."),
             curves=(("force_per_length", "half_width"), ("force_per_length", "peak_pressure")),
@@ -142,6 +143,7 @@ LINE = Chapter(
         ),
         "roller_contact": answer(
             "winkler.problems.rollers.roller_contact:RollerContact",
+            headline=("peak_pressure", "edge_factor", "depth", "force", "tilt"),
             radius="10 mm",
             length="10 mm",
             ends={"kind": "logarithmic_ends"},
@@ -163,6 +165,7 @@ LINE = Chapter(
             "barquins_1988",
             "chaudhury_1996",
             "baney_hui_1997",
+            headline=("pull_off_force_per_length", "half_width", "force_per_length"),
             bed=STICKY_ROLLER,
             load={"kind": "line_force", "force_per_length": "1 N/m"},
             picture=Caption("line_adhesion", "The contact", "Pressure and shape; of many loads the half-width."),
@@ -174,6 +177,7 @@ LINE = Chapter(
             "winkler.problems.line.periodic:PeriodicIndentation",
             "westergaard_1939",
             "johnson_1985",
+            headline=("contact_share", "peak_pressure", "half_width", "closure_pressure"),
             bed=WAVES,
             pitch="1 mm",
             load={"kind": "nominal_pressure", "nominal_pressure": "100 MPa"},
@@ -185,6 +189,7 @@ LINE = Chapter(
         "line_yield_onset": answer(
             "winkler.problems.line.yielding:LineYieldOnset",
             "johnson_1985",
+            headline=("force_per_length", "half_width", "z", "mean_pressure"),
             bed={**ROLLER, "medium": {"kind": "half_space", **STRONG}},
             friction={"kind": "coulomb", "coefficient": 0.1},
             picture=Caption("line_yield", "Onset of yield", "The von Mises stress where yielding begins."),
@@ -194,6 +199,7 @@ LINE = Chapter(
         "line_shakedown": answer(
             "winkler.problems.line.shakedown:LineShakedown",
             "johnson_1985",
+            headline=("force_per_length", "half_width", "z", "mean_pressure"),
             bed={**ROLLER, "medium": {"kind": "half_space", **STRONG}},
             friction={"kind": "coulomb", "coefficient": 0.1},
             picture=Caption("line_shakedown", "Shakedown limit", "The shear in planes along the surface at the limit."),

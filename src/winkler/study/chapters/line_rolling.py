@@ -74,6 +74,7 @@ LINE_ROLLING = Chapter(
             "winkler.problems.line_rolling.steady:LineRolling",
             "carter_1926",
             "johnson_1985",
+            headline=("shear_force_per_length", "stick_share", "traction_ratio", "longitudinal_creepage"),
             bed=STEEL_ON_STEEL,
             drive=CREEPAGES,
             load=PRESSED,
@@ -89,6 +90,7 @@ LINE_ROLLING = Chapter(
             "kalker_1970",
             "carter_1926",
             "bentall_johnson_1967",
+            headline=("shear_force_per_length", "stick_share", "distance"),
             bed=STEEL_ON_STEEL,
             drive={"kind": "line_shear_force", "shear_force_per_length": "19.2 N/mm"},
             load=PRESSED,
@@ -105,6 +107,7 @@ LINE_ROLLING = Chapter(
         "line_rolling_resistance": answer(
             "winkler.problems.line_rolling.resistance:LineRollingResistance",
             "hunter_1961",
+            headline=("coefficient", "shear_force_per_length", "peak_pressure", "half_width"),
             bed=RELAXING,
             load={"kind": "line_force", "force_per_length": "0.1 N/mm"},
             speed={"from": "0.1 mm/s", "to": "1 m/s", "count": 17, "spacing": "log"},

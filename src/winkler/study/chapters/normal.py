@@ -228,17 +228,20 @@ NORMAL = Chapter(
             "galin_1946",
             "sneddon_1965",
             "jaeger_1995",
+            headline=("depth", "force", "radius", "mean_pressure"),
             formulas=normal_formulas,
         ),
         "yield_onset": answer(
             "winkler.problems.normal.yielding:YieldOnset",
             "johnson_1985",
             "popov_hess_2015",
+            headline=("force", "depth", "radius", "z"),
             bed={"kind": "foundation", "medium": {"kind": "half_space", **STRONG}},
             formulas=followed_by(normal_formulas, ONSET),
         ),
         "elliptic_indentation": answer(
             "winkler.problems.normal.elliptic:EllipticIndentation",
+            headline=("peak_pressure", "depth", "force", "longitudinal_semi_axis", "lateral_semi_axis"),
             picture=Caption(
                 "ellipse",
                 "The contact",
@@ -251,6 +254,7 @@ NORMAL = Chapter(
         "elliptic_yield_onset": answer(
             "winkler.problems.normal.elliptic_yielding:EllipticYieldOnset",
             "johnson_1985",
+            headline=("force", "peak_pressure", "depth", "z"),
             medium={"kind": "half_space", **STRONG},
             friction={"kind": "coulomb", "coefficient": 0.1},
             picture=Caption(
@@ -263,6 +267,7 @@ NORMAL = Chapter(
         ),
         "nearly_round_indentation": answer(
             "winkler.problems.normal.near_round:NearlyRoundIndentation",
+            headline=("force", "depth", "stiffness"),
             profiles=OVAL,
             load={"kind": "depth", "depth": "1 um"},
             picture=Caption("contour", "The contact", "Its contour, computed in the directions of the points."),

@@ -103,6 +103,7 @@ ROLLING = Chapter(
     answers={
         "rolling": answer(
             "winkler.problems.rolling.steady:Rolling",
+            headline=("longitudinal_force", "lateral_force", "stick_share", "loss_per_distance"),
             creepage=CURVE,
             load=PRESSED,
             picture=Caption("creep", "Rolling", "The creep force, and what the springs bear at the greatest of these."),
@@ -116,6 +117,7 @@ ROLLING = Chapter(
         ),
         "simplified_rolling": answer(
             "winkler.problems.rolling.simplified_theory:SimplifiedRolling",
+            headline=("longitudinal_force", "lateral_force", "moment", "saturation"),
             medium={"kind": "half_space"},
             creepage={"kind": "creepages", "longitudinal": 0.0005, "spin": "5 1/m"},
             load=PRESSED,
@@ -135,6 +137,7 @@ ROLLING = Chapter(
         ),
         "rolling_start": answer(
             "winkler.problems.rolling.start:RollingStart",
+            headline=("shear_force", "stick_share", "distance"),
             creepage=CREEPING,
             load=PRESSED,
             distance="0.6 mm",
@@ -148,6 +151,7 @@ ROLLING = Chapter(
         ),
         "oscillating_rolling": answer(
             "winkler.problems.rolling.oscillating:OscillatingRolling",
+            headline=("shakedown_force", "shift_per_cycle", "shift"),
             amplitude="40 um",
             shear_force="15 N",
             load=PRESSED,

@@ -108,6 +108,7 @@ ROUGH = Chapter(
     answers={
         "surface_contact": answer(
             "winkler.problems.rough.surface_contact:SurfaceContact",
+            headline=("area", "depth", "force", "mean_gap"),
             load=LOADS,
             picture=Caption(
                 "contact",
@@ -121,6 +122,7 @@ ROUGH = Chapter(
         ),
         "surface_conduction": answer(
             "winkler.problems.rough.surface_conduction:SurfaceConduction",
+            headline=("resistance", "conductance", "least_resistance", "greatest_resistance"),
             contact={"kind": "surface_contact", "topography": {**STAMP, "seed": 1}},
             picture=Caption(
                 "conductance",
@@ -134,6 +136,7 @@ ROUGH = Chapter(
         ),
         "reduction": answer(
             "winkler.problems.rough.reduce:Reduction",
+            headline=("stiffness", "depth", "force", "misfit"),
             topography={**STAMP, "seed": 1},
             depth="3 um",
             picture=Caption(
@@ -147,6 +150,7 @@ ROUGH = Chapter(
         ),
         "rough_contact": answer(
             "winkler.problems.rough.line_contact:RoughContact",
+            headline=("area", "mean_gap", "stiffness"),
             side="1 mm",
             load=LOADS,
             realisations=20,
@@ -162,6 +166,7 @@ ROUGH = Chapter(
         ),
         "rough_indentation": answer(
             "winkler.problems.rough.line_indentation:RoughIndentation",
+            headline=("depth", "force", "area"),
             length="4 mm",
             load=LOADS,
             realisations=20,
@@ -178,6 +183,7 @@ ROUGH = Chapter(
         ),
         "elastomer_friction": answer(
             "winkler.problems.rough.elastomer_friction:ElastomerFriction",
+            headline=("coefficient", "velocity"),
             velocity={"from": "1 um/s", "to": "1 m/s", "count": 25, "spacing": "log"},
             picture=Caption(
                 "friction",

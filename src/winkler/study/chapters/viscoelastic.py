@@ -127,6 +127,7 @@ VISCOELASTIC = Chapter(
     answers={
         "viscoelastic_indentation": answer(
             "winkler.problems.viscoelastic.indentation:ViscoelasticIndentation",
+            headline=("dissipation", "force", "depth", "radius"),
             bed=BED,
             path={"kind": "program", "steps": IN_AND_OUT},
             count=200,
@@ -142,6 +143,7 @@ VISCOELASTIC = Chapter(
         ),
         "creep_test": answer(
             "winkler.problems.viscoelastic.material_tests:CreepTest",
+            headline=("depth", "radius", "force", "time"),
             bed=BED,
             force="1 N",
             time=DECADES,
@@ -152,6 +154,7 @@ VISCOELASTIC = Chapter(
         ),
         "relaxation_test": answer(
             "winkler.problems.viscoelastic.material_tests:RelaxationTest",
+            headline=("force", "radius", "depth", "time"),
             bed=BED,
             depth="100 um",
             time=DECADES,
@@ -162,6 +165,7 @@ VISCOELASTIC = Chapter(
         ),
         "harmonic_indentation": answer(
             "winkler.problems.viscoelastic.oscillation:HarmonicIndentation",
+            headline=("storage_stiffness", "loss_stiffness", "loss_tangent"),
             bed=BED,
             normal={"kind": "depth", "depth": "100 um"},
             angular_frequency={"from": "0.1 rad/s", "to": "1000 rad/s", "count": 33, "spacing": "log"},
@@ -180,6 +184,7 @@ VISCOELASTIC = Chapter(
         ),
         "viscoelastic_impact": answer(
             "winkler.problems.viscoelastic.impact:ViscoelasticImpact",
+            headline=("restitution", "duration", "dissipation"),
             bed=BED,
             mass="30 g",
             velocity="1 m/s",

@@ -91,6 +91,7 @@ VISCOELASTIC_SURFACES = Chapter(
     answers={
         "viscoelastic_tangential": answer(
             "winkler.problems.viscoelastic.tangential:ViscoelasticTangential",
+            headline=("dissipation", "shear_force", "shift", "stick_radius"),
             bed=BED,
             path={"kind": "program", "steps": DRAG_PATH},
             count=100,
@@ -106,6 +107,7 @@ VISCOELASTIC_SURFACES = Chapter(
         ),
         "sliding_resistance": answer(
             "winkler.problems.viscoelastic.sliding:SlidingResistance",
+            headline=("coefficient", "shear_force", "depth"),
             bed=BED,
             normal={"kind": "force", "force": "1 N"},
             speed={"from": "0.1 mm/s", "to": "1 m/s", "count": 17, "spacing": "log"},
@@ -121,6 +123,7 @@ VISCOELASTIC_SURFACES = Chapter(
         ),
         "viscoelastic_adhesion": answer(
             "winkler.problems.viscoelastic.adhesion:ViscoelasticAdhesion",
+            headline=("lowest_force", "dissipation"),
             bed=BED,
             path={
                 "kind": "program",

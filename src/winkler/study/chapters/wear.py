@@ -55,6 +55,7 @@ WEAR = Chapter(
     answers={
         "fretting_wear": answer(
             "winkler.problems.wear.fretting:FrettingWear",
+            headline=("worn_volume", "worn_depth", "cycles"),
             normal={"kind": "force", "force": "100 N"},
             amplitude={"kind": "shift", "shift": "0.5 um"},
             cycles=CYCLE_COUNTS,
@@ -71,6 +72,7 @@ WEAR = Chapter(
         ),
         "sliding_wear": answer(
             "winkler.problems.wear.sliding:SlidingWear",
+            headline=("worn_volume", "worn_depth", "distance"),
             normal={"kind": "force", "force": "100 N"},
             distance=["0 m", "0.1 m", "0.3 m", "1 m"],
             count=100,
@@ -86,6 +88,7 @@ WEAR = Chapter(
         ),
         "limiting_profile": answer(
             "winkler.problems.wear.limiting_profile:LimitingProfile",
+            headline=("worn_volume", "worn_depth", "stick_radius"),
             normal={"kind": "depth", "depth": "1 um"},
             amplitude={"kind": "shift", "shift": "0.2 um"},
             picture=Caption(

@@ -1,0 +1,44 @@
+"""What stands first in a report and in the app: the number that was sought, for each kind of problem."""
+
+from __future__ import annotations
+
+import typing
+
+import pytest
+
+from winkler.study.batch.outcome import _numbers_of
+from winkler.study.batch.run import run
+from winkler.study.chapters.contents import answers
+from winkler.study.language.catalogue import kinds
+from winkler.study.language.reading import parse_study
+from winkler.study.language.template import template
+from winkler.study.report.tables import answer_section
+
+WHOLE_CURVE = {"equilibrium"}
+"""Where no single number is sought."""
+
+
+def test_every_kind_has_a_headline_of_its_answers():
+    wrong = {}
+    for name, record in answers().items():
+        numbers = _numbers_of(typing.get_type_hints(kinds()[name].cls.solve)["return"])
+        if bool(record.headline) == (name in WHOLE_CURVE) or not set(record.headline) <= set(numbers):
+            wrong[name] = record.headline
+    assert wrong == {}
+
+
+@pytest.mark.parametrize(
+    ("kind", "sought", "value"),
+    [
+        ("friction_heating", "flash temperature", "195 K"),
+        ("yield_onset", "force", "13.96 N"),
+        ("tangential", "dissipation", "4.723 µJ"),
+    ],
+)
+def test_the_sought_number_stands_first(kind, sought, value):
+    """What was prescribed stands last; of a path the numbers are those at its end, and it is said so."""
+    page = answer_section(run(parse_study(template(kind))))
+    first, second = page.index('class="card sought"'), page.index('class="card"')
+    assert first < page.index(value) < second
+    assert first < page.index(sought, first) < second
+    assert ("At the end:" in page) == (kind == "tangential")
