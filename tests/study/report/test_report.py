@@ -112,7 +112,7 @@ def test_identifiers_are_unique_and_found(name, page):
 @pytest.mark.parametrize("name", REPORTED)
 def test_every_chapter_is_there(name, page):
     text = Page(page(name)).text
-    chapters = ["The problem", "Results", "The method in pictures", "The formulas"]
+    chapters = ["The problem", "Results", "The method in pictures", "Inputs", "The formulas"]
     chapters += ["How far this can be trusted", "Papers", "What made these numbers"]
     places = [text.find(chapter) for chapter in chapters]
     assert min(places) > 0

@@ -16,7 +16,7 @@ from winkler.study.report.describe import settings_text
 from winkler.study.report.figure import ReportFigure
 from winkler.study.report.figures import figures_of, shown_contact, shown_point
 from winkler.study.report.markup import safe, section
-from winkler.study.report.tables import answer_section, expected, failures, question_section
+from winkler.study.report.tables import answer_section, expected, failures, input_section, question_section
 from winkler.validity import Standing, worst
 
 __all__ = ["page", "write_report"]
@@ -57,6 +57,7 @@ def page(outcome: Outcome, shown: tuple[ReportFigure, ...] | None = None) -> str
         failures(outcome),
         expected(outcome),
         _pictures(outcome, pictures),
+        input_section(outcome),
         _formulas(outcome),
         parts.trust(notes),
         parts.papers(outcome.study),

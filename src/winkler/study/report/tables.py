@@ -18,16 +18,20 @@ from winkler.study.report.describe import Input, content_label, in_words, inputs
 from winkler.study.report.markup import number, safe, section, table, with_fixed_units
 from winkler.study.report.mathml import symbol
 
-__all__ = ["answer_section", "expected", "failures", "given_rows", "question_section", "reason_list"]
+__all__ = ["answer_section", "expected", "failures", "given_rows", "input_section", "question_section", "reason_list"]
 
 MOST_ROWS = 24
 """Longer tables are cut in the middle; the CSV file holds all rows."""
 
 
 def question_section(outcome: Outcome) -> str:
-    """Return the study in words, and the table of its inputs."""
-    given_table = table(["what", "", "given", "meaning"], given_rows(inputs(outcome.study)))
-    return section("The problem", f'<p class="lead">{with_fixed_units(in_words(outcome.study))}</p>', given_table)
+    """Return the study in words."""
+    return section("The problem", f'<p class="lead">{with_fixed_units(in_words(outcome.study))}</p>')
+
+
+def input_section(outcome: Outcome) -> str:
+    """Return the table of what was given."""
+    return section("Inputs", table(["what", "", "given", "meaning"], given_rows(inputs(outcome.study))))
 
 
 def given_rows(given_inputs: Iterable[Input]) -> list[str]:
