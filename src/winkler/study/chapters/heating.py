@@ -91,7 +91,7 @@ HEATING = Chapter(
     answers={
         "friction_heating": answer(
             "winkler.problems.heating.steady:FrictionHeating",
-            headline=("flash_temperature", "first_max_temperature", "heat_rate", "first_share"),
+            headline=("flash_temperature", "first_mean_temperature", "heat_rate", "first_share"),
             law=COULOMB,
             load={"kind": "force", "force": "20 N"},
             conductors=STEELS,
@@ -107,7 +107,7 @@ HEATING = Chapter(
         "line_friction_heating": answer(
             "winkler.problems.heating.line_heating:LineFrictionHeating",
             "johnson_1985",
-            headline=("flash_temperature", "first_max_temperature", "heat_per_length", "first_share"),
+            headline=("flash_temperature", "first_mean_temperature", "heat_per_length", "first_share"),
             bed=ROLLER,
             law={"kind": "coulomb", "coefficient": 0.05},
             load={"kind": "line_force", "force_per_length": "400 N/mm"},
@@ -126,7 +126,7 @@ HEATING = Chapter(
         "elliptic_friction_heating": answer(
             "winkler.problems.heating.elliptic_heating:EllipticFrictionHeating",
             "johnson_1985",
-            headline=("flash_temperature", "first_max_temperature", "heat_rate", "first_share"),
+            headline=("flash_temperature", "first_mean_temperature", "heat_rate", "first_share"),
             law={"kind": "coulomb", "coefficient": 0.1},
             load={"kind": "force", "force": "200 N"},
             conductors=STEELS,
