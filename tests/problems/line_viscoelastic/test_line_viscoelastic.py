@@ -37,8 +37,10 @@ def test_a_history_agrees_with_boundary_elements_that_step_through_time():
             state = contact.at(index // 2)
             strips = state.pressure(body.x)
             inside = body.x < 0.95 * state.half_width
-            errors.append(np.max(np.abs(elements - strips)[inside]) / strips.max())
+            if np.count_nonzero(inside) > 20:  # of a narrow strip the elements are too few
+                errors.append(np.max(np.abs(elements - strips)[inside]) / strips.max())
             assert abs(np.count_nonzero(elements) * body.width - state.half_width) < 1.01 * body.width
+    assert len(errors) > 130
     assert max(errors) < 5e-3
     assert np.mean(errors) < 1e-3
 

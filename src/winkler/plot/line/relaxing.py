@@ -79,5 +79,5 @@ def _pressures(states: list[LineViscoelasticState], end: float) -> Panel:
         marks.append(Area(x, seen[0], 0.0, style.CYCLE[0], 0.12))
     most = float(np.nanmax([np.nanmax(pressure) for pressure in seen]))
     along = PanelAxis("$x$", scale_of("m", [end]), low=-end, high=end)
-    upright = PanelAxis.of(series("pressure", pressures[0]), scale_of("Pa", [most]), low=0.0, high=1.15 * most)
+    upright = PanelAxis.of(series("pressure", pressures[0]), scale_of("Pa", [most]), low=0.0, high=1.4 * most)
     return Panel(tuple(marks), along, upright, legend="upper right" if len(states) > 1 else "")

@@ -31,6 +31,7 @@ from winkler.problems.line.half_width import grows, under_force
 from winkler.problems.line.load_springs import LoadSprings
 from winkler.problems.line_viscoelastic.crept_load import CreptLoad, Spacing
 from winkler.problems.line_viscoelastic.path import LineForcePath
+from winkler.problems.line_viscoelastic.sinking import approach_of_strips
 from winkler.problems.line_viscoelastic.states import LineViscoelasticState
 from winkler.problems.line_viscoelastic.validity import relaxing_line_notes
 from winkler.problems.one_load import OfPath
@@ -142,14 +143,16 @@ class LineViscoelasticIndentation:
             )
         bed = LoadSprings(line)
         row = SpringRow(bed, Springs.of(bed, widest, self.count), medium.relaxation)
-        for time, force, (spans, levels) in zip(times.tolist(), forces.tolist(), parts, strict=True):
-            half_width = 0.0
-            if levels.size:
-                done = row.march(np.diff(levels, prepend=row.depth), spans)
-                half_width = float(done.radius[-1])
-                if force > NO_LOAD * most:
-                    refuse_rings("LineViscoelasticIndentation", np.array([time]), np.any(done.ring, keepdims=True))
-            yield self._state(row, time, force if force > NO_LOAD * most else 0.0, half_width)
+        ends = np.array([levels[-1] for _, levels in parts])
+        before = np.maximum.accumulate([np.max(levels) for _, levels in parts])
+        unbound = np.where(ends >= before, under_force(line, ends), 0.0)  # on ground that was never touched
+        for time, force, fresh, (spans, levels) in zip(
+            times.tolist(), forces.tolist(), unbound.tolist(), parts, strict=True
+        ):
+            done = row.march(np.diff(levels, prepend=row.depth), spans)
+            if force > NO_LOAD * most:
+                refuse_rings("LineViscoelasticIndentation", np.array([time]), np.any(done.ring, keepdims=True))
+            yield self._state(row, time, force if force > NO_LOAD * most else 0.0, fresh or float(done.radius[-1]))
 
     def _state(self, row: SpringRow, time: float, force: float, half_width: float) -> LineViscoelasticState:
         """Return the state in which the middle spring bears the force; what it lacks all that are pressed lack."""
@@ -173,14 +176,13 @@ class LineViscoelasticIndentation:
 
     def _crept(self, medium: ViscoelasticHalfSpace) -> tuple[list[tuple[Array, Array]], float]:
         """Return spans [s] and levels [m] of the load that crept up to every point, and its greatest level."""
-        forces, most = self.path.across, float(np.max(self.path.across))
-        greatest = max(float(levels[-1]) for _, levels in self._levels(medium, None) if levels.size)
+        most = float(np.max(self.path.across))
+        greatest = max(float(levels[-1]) for _, levels in self._levels(medium, None))
         rough = UNBALANCED * np.sqrt(self.tolerance) * most
         spacing = Spacing(self.tolerance * greatest, medium.relaxation.viscosity, rough)
         parts = list(self._levels(medium, spacing))
         affordable("LineViscoelasticIndentation", "moments", sum(levels.size for _, levels in parts), MOST_NUMBERS)
-        assert len(parts) == forces.size
-        return parts, max(float(np.max(levels)) for _, levels in parts if levels.size)
+        return parts, max(float(np.max(levels)) for _, levels in parts)
 
     def _levels(self, medium: ViscoelasticHalfSpace, spacing: Spacing | None) -> Iterator[tuple[Array, Array]]:
         crept, times, forces = CreptLoad(medium.creep), self.path.moments.tolist(), self.path.across.tolist()
@@ -265,7 +267,11 @@ class LineViscoelasticSolution(OfPath[LineViscoelasticState]):
         OutsideValidity
             If the strip is wider than a fifth of a finite body, or both bodies relax, and not in proportion.
         """
-        return np.array([state.approach(first, second) for state in self.states])
+        bed, states = self.problem.bed, self.states
+        assert isinstance(bed.medium, ViscoelasticHalfSpace)
+        borne, sunk = (np.array([getattr(state, name) for state in states]) for name in ("line_load", "recess"))
+        strips = states[0].position, borne, sunk
+        return approach_of_strips(bed, bed.medium, float(np.max(self.half_width)), strips, (first, second))
 
     def work_per_length(self, first: Place = None, second: Place = None) -> Array:
         """Return what was spent since the beginning, per length [J/m]: the integral of P over the approach.

@@ -31,22 +31,23 @@ def approach_of_strips(
     half_width: float,
     strips: tuple[Array, Array, Array],
     places: tuple[Place, Place],
-) -> float:
-    """Return how far two points have come together [m], one in each body.
+) -> Array:
+    """Return how far two points have come together at every moment ``(m,)`` [m], one in each body.
 
     Parameters
     ----------
     bed : LineFoundation
     medium : ViscoelasticHalfSpace
     half_width : float
-        a [m].
+        Greatest half-width [m].
     strips : tuple of ndarray
-        Half-widths c [m], loads q that wider strips bear [N/m], and their hereditary integrals with the creep [m].
+        Half-widths c [m] ``(n,)``, loads q that wider strips bear [N/m] ``(m, n)``, and their hereditary integrals with
+        the creep [m] ``(m, n)``.
     places : tuple
         As of `winkler.problems.line.approach.approach`.
     """
     c, borne, sunk = strips
-    bodies, total = (medium.first, medium.second), 0.0
+    bodies, total = (medium.first, medium.second), np.zeros(len(borne))
     for body, other, place, name in zip(bodies, bodies[::-1], places, ("first", "second"), strict=True):
         if isinstance(body, Rigid):
             continue
@@ -61,8 +62,8 @@ def approach_of_strips(
             own = sunk
         added = place.added(body.poisson) if isinstance(place, RollerCentre | PlateBase) else 0.0
         near = _mean_nearing(bed, c, depth, body.poisson)
-        total += float(near @ -np.diff(own)) + float(own[-1] * nearing(c[-1:], depth, body.poisson)[0])
-        total += added / np.pi * float(own[0])
+        total += -np.diff(own, axis=1) @ near + own[:, -1] * nearing(c[-1:], depth, body.poisson)
+        total += added / np.pi * own[:, 0]
     return total
 
 

@@ -154,5 +154,5 @@ class LineViscoelasticState:
         """
         medium = self.bed.medium
         assert isinstance(medium, ViscoelasticHalfSpace)
-        strips = self.position, self.line_load, self.recess
-        return approach_of_strips(self.bed, medium, self.half_width, strips, (first, second))
+        strips = self.position, self.line_load[None], self.recess[None]
+        return float(approach_of_strips(self.bed, medium, self.half_width, strips, (first, second))[0])
