@@ -85,9 +85,8 @@ class CreptLoad:
         self.creep = creep
         self.force, self.flowed, self.delayed = 0.0, 0.0, np.zeros(creep.times.size)
 
-    @property
-    def level(self) -> float:
-        """Its present value [m]."""
+    def present(self) -> float:
+        """Return its present value [m]."""
         return self.creep.glassy * self.force + self.flowed + float(np.sum(self.delayed))
 
     def jump(self, force: float) -> None:

@@ -192,7 +192,7 @@ class LineViscoelasticIndentation:
                 yield np.diff(moments, prepend=0.0), levels
             else:
                 crept.jump(force)
-                yield np.zeros(1), np.array([crept.level])
+                yield np.zeros(1), np.array([crept.present()])
 
     def gathered(self, states: Iterable[LineViscoelasticState]) -> LineViscoelasticSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""
