@@ -38,6 +38,7 @@ S. C. Hunter, J. Appl. Mech. 28 (1961) 611-617, doi:10.1115/1.3641792, for one r
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -49,7 +50,19 @@ __all__ = ["PassingStrip", "first_tail", "passing_strip"]
 FEWEST_TERMS, TERMS_PER_ROOT = 40, 8.7
 """Terms of a series whose coefficients fall as exp(-n^2 / (2 kappa)) once n exceeds some root of kappa."""
 SMALL = 0.5
-TERMS_OF_SMALL = 16
+"""Below this kappa power series are summed,"""
+POWERS = np.arange(16)
+"""by these powers."""
+TAIL_TERMS = np.array(
+    [
+        (2.0 * (sum(1.0 / k for k in range(1, m + 1)) - np.euler_gamma) + 1.0 / (m + 1.0))
+        / (math.factorial(m) * math.factorial(m + 1))
+        for m in POWERS.tolist()
+    ]
+)
+MEAN_TERMS = np.array(
+    [(-1.0) ** m * math.factorial(2 * m + 2) / (2.0 ** (m + 1) * math.factorial(m + 1) ** 3) for m in POWERS.tolist()]
+)
 
 
 class PassingStrip(NamedTuple):
@@ -89,12 +102,8 @@ def first_tail(kappa: Array) -> Array:
 
     small = np.minimum(kappa, SMALL)
     # K_1 = 1/k + ln(k/2) I_1 - (k/4) sum of (psi(m + 1) + psi(m + 2)) (k/2)^(2 m) / (m! (m + 1)!)
-    term, total, sums = np.ones(kappa.shape), np.zeros(kappa.shape), -2.0 * np.euler_gamma + 1.0
-    for m in range(TERMS_OF_SMALL):
-        total += sums * term
-        term = term * (0.5 * small) ** 2 / ((m + 1.0) * (m + 2.0))
-        sums += 1.0 / (m + 1.0) + 1.0 / (m + 2.0)
-    near = np.expm1(small) / small + np.exp(small) * (np.log(0.5 * small) * iv(1, small) - 0.25 * small * total)
+    series = np.power.outer(0.25 * small * small, POWERS) @ TAIL_TERMS
+    near = np.expm1(small) / small + np.exp(small) * (np.log(0.5 * small) * iv(1, small) - 0.25 * small * series)
     return np.asarray(np.where(kappa <= SMALL, near, kve(1, kappa) - 1.0 / kappa))
 
 
@@ -102,13 +111,9 @@ def _mean(kappa: Array) -> Array:
     """Return (1 - exp(-kappa) I_0(kappa)) / kappa."""
     from scipy.special import ive
 
-    small = np.minimum(kappa, SMALL)
     # exp(-k) I_0(k) = sum of (-k)^m (2m)! / (2^m m!^3)
-    term, total = np.ones(kappa.shape), np.zeros(kappa.shape)
-    for m in range(1, TERMS_OF_SMALL):
-        term = term * (-small if m > 1 else -1.0) * (2.0 * m - 1.0) / m**2
-        total -= term
-    return np.asarray(np.where(kappa <= SMALL, total, (1.0 - ive(0, kappa)) / kappa))
+    near = np.power.outer(np.minimum(kappa, SMALL), POWERS) @ MEAN_TERMS
+    return np.asarray(np.where(kappa <= SMALL, near, (1.0 - ive(0, kappa)) / kappa))
 
 
 def passing_strip(glassy: float, creep: Array, delays: Array, relaxing: Array) -> PassingStrip:
