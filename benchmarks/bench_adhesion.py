@@ -14,6 +14,8 @@ from winkler.problems.adhesion import stability
 from winkler.problems.adhesion.equilibrium import Equilibrium
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
 from winkler.problems.adhesion.maugis import _zone
+from winkler.problems.line import cohesive
+from winkler.profiles import line_transform
 
 pytestmark = pytest.mark.bench
 
@@ -52,6 +54,30 @@ def bench_maugis_force_curve(benchmark, below):
     contact = benchmark.pedantic(problem.solve, setup=forget, rounds=5, warmup_rounds=1)
     assert np.all(np.diff(contact.radius) > 0.0)
     below(500e-3, "Maugis, F at 2,000 depths")
+
+
+def bench_line_in_an_attraction_with_a_range(benchmark, below):
+    """A cylinder whose load profile is an integral, 20 forces per length, nothing cached: 400 ms."""
+    bed = wk.LineFoundation(wk.Sphere(10e-3), wk.HalfSpace(wk.Elastic(2e6, 0.5)))
+    problem = wk.LineAdhesion(bed, Dugdale(0.05, 2e4), wk.LineForce(np.linspace(-0.1, 5.0, 20)))
+
+    def forget_the_line():
+        for cached in (line_transform._octaves, cohesive._zone, cohesive._end):
+            cached.cache_clear()
+
+    contact = benchmark.pedantic(problem.solve, setup=forget_the_line, rounds=5, warmup_rounds=1)
+    assert np.all(np.diff(contact.half_width) > 0.0)
+    below(400e-3, "Maugis' line of a circle, 20 forces")
+
+
+def bench_surfaces_beside_a_line(benchmark, below):
+    """The distance of the surfaces at 60 places beside the same cylinder: 200 ms."""
+    bed = wk.LineFoundation(wk.Sphere(10e-3), wk.HalfSpace(wk.Elastic(2e6, 0.5)))
+    contact = wk.LineIndentation(bed, wk.LineForce(50.0)).solve()
+    x = float(contact.half_width) * np.linspace(1.0, 4.0, 60)
+    apart = benchmark.pedantic(contact.separation, (x,), rounds=5, warmup_rounds=1)
+    assert np.all(np.diff(apart) > 0.0)
+    below(200e-3, "60 places beside a line")
 
 
 def bench_hundred_waves(benchmark, below):

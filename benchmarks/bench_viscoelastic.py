@@ -62,6 +62,17 @@ def bench_forces(benchmark, below):
     below(1.0, "1000 points under forces")
 
 
+def bench_line(benchmark, below):
+    """Ten cycles of a line contact, 20 points and 33 relaxation times each, 500 springs: 2 s."""
+    solid = wk.PowerLawSolid(shear=1e6, time_scale=1.0, exponent=0.3, shortest=1e-4, longest=1e3)
+    bed = wk.LineFoundation(wk.Paraboloid(0.01), ViscoelasticHalfSpace(solid))
+    path = wk.LineForcePath([0.0, 1.0, 2.0], [0.0, 1e3, 0.0], cycles=10, count=10)
+    problem = wk.LineViscoelasticIndentation(bed, path)
+    problem.solve()
+    assert benchmark(problem.solve).half_width.max() > 0.0
+    below(2.0, "ten cycles of a line contact")
+
+
 def bench_impact(benchmark, below):
     bed = wk.Foundation(wk.Paraboloid(1.0), ViscoelasticHalfSpace(Maxwell(0.25, 1.0)))
     problem = ViscoelasticImpact(bed, mass=1.0, velocity=1.0)

@@ -142,6 +142,8 @@ from winkler.problems.line_friction.tangential import LineTangential, LineTangen
 from winkler.problems.line_rolling.resistance import LineRollingResistance, LineRollingResistanceSolution
 from winkler.problems.line_rolling.start import LineRollingStart, LineRollingStartSolution
 from winkler.problems.line_rolling.steady import LineRolling, LineRollingSolution
+from winkler.problems.line_viscoelastic.indentation import LineViscoelasticIndentation, LineViscoelasticSolution
+from winkler.problems.line_viscoelastic.path import LineForcePath
 from winkler.problems.normal.design import design_for_pressure, design_profile
 from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
 from winkler.problems.normal.elliptic_fields import EllipticFields
@@ -235,12 +237,13 @@ __all__ = [
     "JouleHeating", "JouleHeatingSolution",
     "Kalker", "KelvinVoigt",
     "Layer", "LimitingProfile", "LimitingSolution", "LineAdhesion", "LineAdhesionSolution", "LineConstriction",
-    "LineConstrictionSolution", "LineFields", "LineForce", "LineFoundation", "LineFrictionHeating",
+    "LineConstrictionSolution", "LineFields", "LineForce", "LineForcePath", "LineFoundation", "LineFrictionHeating",
     "LineFrictionHeatingSolution",
     "LineIndentation",
     "LinePath", "LineRolling", "LineRollingResistance", "LineRollingResistanceSolution", "LineRollingSolution",
     "LineRollingStart", "LineRollingStartSolution", "LineScan", "LineShakedown", "LineShakedownSolution",
-    "LineShearForce", "LineSolution", "LineTangential", "LineTangentialSolution", "LineYieldOnset",
+    "LineShearForce", "LineSolution", "LineTangential", "LineTangentialSolution",
+    "LineViscoelasticIndentation", "LineViscoelasticSolution", "LineYieldOnset",
     "LineYieldOnsetSolution", "LogarithmicEnds",
     "Maxwell", "MeanPressure", "Measured", "MeasuredBed", "Moment",
     "NamedElastic", "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor", "NearlyRoundIndentation",

@@ -28,6 +28,7 @@ GLOSSARY: dict[str, Word] = {
     "radius": Word("a", "m", "radius of the contact"),
     "force_per_length": Word("P", "N/m", "normal force per length of a line contact, compression positive"),
     "half_width": Word("a", "m", "half-width of a line contact"),
+    "crept_load": Word(r"\ell", "m", "hereditary integral of creep and force per length"),
     "shear_force_per_length": Word("Q", "N/m", "shear force per length of a line contact, along x"),
     "bulk_stress": Word(r"\sigma_B", "Pa", "stress along x in the first body, far from the contact"),
     "stick_half_width": Word("c", "m", "half-width of the strip that does not slip"),

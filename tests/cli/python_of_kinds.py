@@ -281,6 +281,14 @@ LINES = {
     "mean_pressure": wk.LineIndentation(ROLLER, wk.MeanPressure(500e6)),
 }
 STEEL_ON_STEEL = wk.LineFoundation(wk.Paraboloid(10e-3), wk.HalfSpace.between(*2 * [wk.Elastic(210e9, 0.3)]))
+RELAXING_LINES = dict.fromkeys(
+    ("line_viscoelastic_indentation", "line_force_path"),
+    wk.LineViscoelasticIndentation(
+        wk.LineFoundation(wk.Paraboloid(10e-3), wk.ViscoelasticHalfSpace(RUBBER)),
+        wk.LineForcePath([0.0, 1.0, 2.0, 2.5], [0.0, 1e3, 1e3, 0.0], count=20),
+        count=200,
+    ),
+)
 ROLLING_LINES = {
     "line_rolling": wk.LineRolling(
         STEEL_ON_STEEL, FRICTION, wk.Creepage(longitudinal=np.linspace(0.0, 0.004, 25)), wk.LineForce(100e3)
@@ -295,4 +303,14 @@ ROLLING_LINES = {
         np.geomspace(1e-4, 1.0, 17),
     ),
 }
-NEWER = {**LINES, **ROLLING_LINES, **RELAXING, **CONDUCTING, **ROLLING, **HEATING, **WEARING, **ROUGHNESS}
+NEWER = {
+    **LINES,
+    **RELAXING_LINES,
+    **ROLLING_LINES,
+    **RELAXING,
+    **CONDUCTING,
+    **ROLLING,
+    **HEATING,
+    **WEARING,
+    **ROUGHNESS,
+}

@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
+from winkler.numerics.panels.log_panels import Octaves
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, Curve
 from winkler.profiles.designed import Designed
@@ -34,6 +35,12 @@ __all__ = ["line_load", "line_load_slope"]
 
 TABLE_TOLERANCE = 1e-12
 """Error of w' of a profile of many pieces, over its greatest value: its integral is as good as the quadrature."""
+
+
+MANY = 32
+"""From how many places on tables are used."""
+TOWARDS_WALL, AT_WALL = 0.875, 1e-4
+"""Parts of the reach: from which on the distance from its end counts, at which a wall may stand, and down to which."""
 
 
 class _Raised(PowerPieces):
@@ -74,7 +81,7 @@ def line_load(profile: Profile, a: Array) -> Array:
         case Measured() | Designed():
             return _tables(profile)[0](a)
     raised = _raised(profile)
-    return _load_by_quadrature(profile, a) if raised is None else _over(raised.gap(a), a, 0.0)
+    return _many(profile, a, slope=False) if raised is None else _over(raised.gap(a), a, 0.0)
 
 
 def line_load_slope(profile: Profile, a: Array) -> Array:
@@ -101,7 +108,7 @@ def line_load_slope(profile: Profile, a: Array) -> Array:
             return _tables(profile)[1](a)
     raised = _raised(profile)
     if raised is None:
-        return _by_quadrature(profile, a)
+        return _many(profile, a, slope=True)
     tip = float(profile.slope(np.zeros(1))[0])
     return _over(raised.gap_slope(a) - _over(raised.gap(a), a, 0.0), a, tip)
 
@@ -141,6 +148,31 @@ def _edges(profile: Profile) -> tuple[float, ...]:
 def _over(content: Array, a: Array, at_zero: float) -> Array:
     """Return content / a, and what it becomes where a vanishes."""
     return np.where(a > 0.0, content / np.where(a > 0.0, a, 1.0), at_zero)
+
+
+def _many(profile: Any, a: Array, *, slope: bool) -> Array:
+    """Return w, or w', at places of any shape, many of them from tables, which are of the same error."""
+    function, wall = _by_quadrature if slope else _load_by_quadrature, profile.reach
+    if a.size < MANY or profile.kinks:
+        return function(profile, a)
+    flat = np.ravel(a)
+    near = (flat >= TOWARDS_WALL * wall) & (flat < (1.0 - AT_WALL) * wall)
+    far = (flat > 0.0) & (flat < TOWARDS_WALL * wall)
+    rest, found = ~(near | far), np.empty(flat.size)
+    along, back = _octaves(profile, slope)
+    found[far], found[near] = along(flat[far]), back(wall - flat[near])
+    if rest.any():
+        found[rest] = function(profile, flat[rest])
+    return found.reshape(a.shape)
+
+
+@functools.lru_cache(maxsize=64)
+def _octaves(profile: Profile, slope: bool) -> tuple[Octaves, Octaves]:
+    """Return tables of w, or w', over the half-width, and over its distance from where the profile ends."""
+    function = functools.partial(_by_quadrature if slope else _load_by_quadrature, profile)
+    wall, unit = profile.reach, TOWARDS_WALL * profile.reach if np.isfinite(profile.reach) else 1.0
+    along = Octaves(function, unit, 0.0, unit if np.isfinite(wall) else np.inf)
+    return along, Octaves(lambda d: function(wall - d), wall - unit, AT_WALL * wall, wall - unit)
 
 
 def _load_by_quadrature(profile: Any, a: Array) -> Array:

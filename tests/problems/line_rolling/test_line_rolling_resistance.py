@@ -6,10 +6,10 @@ import tomllib
 
 import numpy as np
 import pytest
-from scipy.special import expi
+from scipy.special import expi, ive, kve
 
 import winkler as wk
-from winkler.numerics.transforms.passing_strip import tails
+from winkler.numerics.transforms.passing_strip import first_tail
 
 SOLID = wk.Prony(1e6, [2e6, 5e6, 1e6, 20e6], [1e-4, 1e-3, 4e-3, 0.1])
 BED = wk.LineFoundation(wk.Paraboloid(0.1), wk.ViscoelasticHalfSpace(SOLID))
@@ -143,13 +143,31 @@ def test_polyamide_rollers_press_as_in_contact(shared_data):
 
 
 @pytest.mark.parametrize("kappa", [1e-8, 0.3, 40.0, 1e4])
-def test_the_recurrence_gives_its_integrals(kappa):
-    """L_n = int exp(-kappa (cosh t - 1) - n t) dt."""
-    found = tails(kappa, 60)
-    for n in (1, 2, 7, 60):
-        end = min(np.arccosh(1.0 + 45.0 / kappa), 45.0 / n)
-        t, w = clustered(0.0, end, 400)
-        assert found[n - 1] == pytest.approx(w @ np.exp(-2.0 * kappa * np.sinh(0.5 * t) ** 2 - n * t), rel=1e-12)
+def test_the_first_tail_is_its_integral(kappa):
+    """L_1 = int exp(-kappa (cosh t - 1) - t) dt."""
+    t, w = clustered(0.0, min(np.arccosh(1.0 + 45.0 / kappa), 45.0), 400)
+    expected = w @ np.exp(-2.0 * kappa * np.sinh(0.5 * t) ** 2 - t)
+    assert float(first_tail(np.array([kappa]))[0]) == pytest.approx(expected, rel=1e-12)
+
+
+@pytest.mark.parametrize(("kappa", "other"), [(0.3, 1e-3), (40.0, 7.0), (7.0, 40.0), (3.0, 3.1), (1e3, 2e-3)])
+def test_the_sum_over_the_waves_telescopes(kappa, other):
+    """Sum n L_n(k) exp(-k') I_n(k') = k k'/(2 (k - k')) [I_0(k') K_1(k) + I_1(k') K_0(k) - 1/k], exponentials aside."""
+    n = np.arange(1, 120)
+    t, w = clustered(0.0, min(np.arccosh(1.0 + 45.0 / kappa), 45.0), 400)
+    tails = np.array([w @ np.exp(-2.0 * kappa * np.sinh(0.5 * t) ** 2 - each * t) for each in n])
+    summed = np.sum(n * tails * ive(n, other))
+    closed = ive(0, other) * kve(1, kappa) + ive(1, other) * kve(0, kappa) - 1.0 / kappa
+    assert summed == pytest.approx(0.5 * kappa * other / (kappa - other) * closed, rel=1e-9)
+
+
+def test_weak_modes_do_not_spoil_the_strip():
+    """A mode of hardly any strength relaxes in nearly the time in which it creeps; without it nothing changes."""
+    plain = rolled(wk.LineForce(300.0), np.geomspace(1e-3, 10.0, 5))
+    weak = wk.Prony(1e6, [2e6, 5e6, 1e6, 20e6, 1e-6], [1e-4, 1e-3, 4e-3, 0.1, 0.03])
+    bed = wk.LineFoundation(wk.Paraboloid(0.1), wk.ViscoelasticHalfSpace(weak))
+    also = rolled(wk.LineForce(300.0), np.geomspace(1e-3, 10.0, 5), bed)
+    np.testing.assert_allclose(also.coefficient, plain.coefficient, rtol=1e-10)
 
 
 @pytest.mark.parametrize(

@@ -234,7 +234,47 @@ def dragged(problem):
     return found | shares
 
 
+def line_on_and_off(problem):
+    """A cylinder on a Maxwell fluid under a force per length P = r t that turns: l = r (t + t^2/(2 tau))/E*.
+
+    While the strip grows w(a) = pi a^2/(4 R) = l(t).  Later P is the integral of E*(t - s) l'(s) up to the time at
+    which the strip was as wide before, and so is the pressure in the middle, over a/(2 R).
+    """
+    solid, path = problem["bed"]["medium"]["first"], problem["path"]
+    modulus, tau = 4 * number(solid["shear"]), number(solid["relaxation_time"])
+    radius = number(problem["bed"]["profile"]["curvature_radius"])
+    times, forces = ([mp.mpf(repr(raw)) for raw in path[word]["values"]] for word in ("time", "force_per_length"))
+    rate, turn = forces[1] / times[1], times[forces.index(max(forces))]
+
+    def crept(t):
+        return rate * (t + t**2 / (2 * tau)) / modulus
+
+    def wide(t):
+        return mp.sqrt(4 * radius * crept(t) / mp.pi)
+
+    def relaxed(t):
+        return modulus * mp.e ** (-t / tau)
+
+    found = {}
+    for place, (t, force) in enumerate(zip(times, forces, strict=True)):
+        if t <= turn:
+            found |= {f"half_width.{place}": wide(t), f"crept_load.{place}": crept(t)}
+            continue
+        # P = r t1 exp((t1 - t)/tau)
+        met = mp.findroot(lambda s, t=t, force=force: rate * s * mp.e ** ((s - t) / tau) - force, turn / 2)
+
+        def part(root, t=t):
+            s = root**2
+            widening = 2 * radius * rate * (1 + s / tau) / (mp.pi * modulus * wide(s))
+            return relaxed(t - s) * widening / (2 * radius) * 2 * root
+
+        middle = mp.quad(part, [0, mp.sqrt(met)])
+        found |= {f"half_width.{place}": wide(met), f"peak_pressure.{place}": middle}
+    return found
+
+
 REFERENCES = {
+    "line_viscoelastic_indentation": line_on_and_off,
     "relaxation_test": held,
     "viscoelastic_tangential": dragged,
     "creep_test": creep,

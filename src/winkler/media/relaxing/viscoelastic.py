@@ -28,7 +28,7 @@ from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
-__all__ = ["ViscoelasticHalfSpace"]
+__all__ = ["ViscoelasticHalfSpace", "share_of_creep"]
 
 UNIT_HALF_SPACE = HalfSpace(Elastic(0.75, 0.5))
 """E* = 1 Pa."""
@@ -145,12 +145,12 @@ class ViscoelasticHalfSpace(RelaxingMedium, HomogeneousMedium):
             for part in stresses:
                 moved -= np.array(part) * (1.0 - other.poisson**2) / other.young
         elif isinstance(other, ViscoelasticSolid):
-            moved *= _share(body, other)
+            moved *= share_of_creep(body, other)
         loaded = np.array(stresses[0]) if stresses else np.zeros(moved.shape)
         return BodyField(*loaded[:4], *moved[4:])
 
 
-def _share(body: ViscoelasticSolid, other: ViscoelasticSolid) -> float:
+def share_of_creep(body: ViscoelasticSolid, other: ViscoelasticSolid) -> float:
     """Return how much of a common displacement is a body's; refuse two that do not creep in proportion."""
     own, its = body.series, other.series
     ratio = own.viscosity / its.viscosity if its.viscosity > 0.0 else own.glassy / its.glassy

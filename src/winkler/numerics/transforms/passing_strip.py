@@ -19,7 +19,17 @@ cosh theta.  Then :math:`G_k(a)=g_a-\sum n\,g_n L_n(1/\lambda_k)` with
           n L_n + \frac\kappa2\,(L_{n-1}-L_{n+1}) = 1 , \qquad L_0 = e^\kappa K_0(\kappa) ,
 
 and :math:`c_j,\ g_a,\ a` follow from linear equations: those of each G_k at the leading edge, the first one above at x
-= a, and :math:`g_0=0`.
+= a, and :math:`g_0=0`.  The recurrences of :math:`L_n` and of :math:`I_n` telescope: with :math:`\kappa=1/\lambda_k`,
+:math:`\kappa'=1/\rho_j`,
+
+.. math:: \sum_{n\ge1} n\,L_n(\kappa)\,e^{-\kappa'}I_n(\kappa') = \frac{\kappa\kappa'}{2(\kappa-\kappa')}
+          \bigl[e^{\kappa-\kappa'}(I_0(\kappa')K_1(\kappa)+I_1(\kappa')K_0(\kappa)) - \tfrac1\kappa\bigr] ,
+
+so that no series is summed for the force, and the equations of each G_k read
+
+.. math:: \sum_j \frac{\kappa_k^2\,e^{\kappa_k-\kappa'_j}}{\kappa'_j-\kappa_k}
+          \bigl[I_0(\kappa'_j)K_1(\kappa_k)+I_1(\kappa'_j)K_0(\kappa_k)\bigr]\,c_j
+          = -\kappa_k e^{\kappa_k}K_1(\kappa_k) .
 
 References
 ----------
@@ -28,19 +38,31 @@ S. C. Hunter, J. Appl. Mech. 28 (1961) 611-617, doi:10.1115/1.3641792, for one r
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["PassingStrip", "passing_strip", "tails"]
+__all__ = ["PassingStrip", "first_tail", "passing_strip"]
 
 FEWEST_TERMS, TERMS_PER_ROOT = 40, 8.7
 """Terms of a series whose coefficients fall as exp(-n^2 / (2 kappa)) once n exceeds some root of kappa."""
-BEYOND, BEYOND_PER_ROOT = 60, 4.0
-"""Terms from which a recurrence is run back, beyond those that are used."""
 SMALL = 0.5
+"""Below this kappa power series are summed,"""
+POWERS = np.arange(16)
+"""by these powers."""
+TAIL_TERMS = np.array(
+    [
+        (2.0 * (sum(1.0 / k for k in range(1, m + 1)) - np.euler_gamma) + 1.0 / (m + 1.0))
+        / (math.factorial(m) * math.factorial(m + 1))
+        for m in POWERS.tolist()
+    ]
+)
+MEAN_TERMS = np.array(
+    [(-1.0) ** m * math.factorial(2 * m + 2) / (2.0 ** (m + 1) * math.factorial(m + 1) ** 3) for m in POWERS.tolist()]
+)
 
 
 class PassingStrip(NamedTuple):
@@ -50,40 +72,48 @@ class PassingStrip(NamedTuple):
     ----------
     leading : float
         a, from the lowest point of the parabola to the leading edge.
-    waves : ndarray, (n,)
-        g_1, g_2, ... of the pressure.
+    strengths, rates : ndarray, (m,)
+        c_j and kappa'_j of the exponentials.
     """
 
     leading: float
-    waves: Array
+    strengths: Array
+    rates: Array
+
+    def waves(self, count: int | None = None) -> Array:
+        """Return g_1, g_2, ... of the pressure, so many, or all that matter."""
+        from scipy.special import ive
+
+        kappa, each = self.rates, -2.0 * self.strengths / self.rates
+        if count is not None:
+            found = ive(np.arange(1.0, count + 1.0)[:, None], kappa) @ each
+        else:
+            counts = FEWEST_TERMS + (TERMS_PER_ROOT * np.sqrt(kappa)).astype(int)
+            found = np.zeros(int(np.max(counts, initial=FEWEST_TERMS)))
+            for j, number in enumerate(counts.tolist()):
+                found[:number] += each[j] * ive(np.arange(1, number + 1), kappa[j])
+        found[0] += 1.0
+        return np.asarray(found)
 
 
-def tails(kappa: float, count: int) -> Array:
-    """Return L_1(kappa), ..., L_count(kappa)."""
-    from scipy.linalg import solve_banded
-    from scipy.special import kve
+def first_tail(kappa: Array) -> Array:
+    """Return L_1(kappa) = e^kappa K_1(kappa) - 1/kappa, to rounding where both are large too."""
+    from scipy.special import iv, kve
 
-    root = np.sqrt(kappa)
-    size = max(count, int(TERMS_PER_ROOT * root)) + BEYOND + int(BEYOND_PER_ROOT * root)
-    bands = np.zeros((3, size))
-    bands[0, 1:], bands[1], bands[2, :-1] = -0.5 * kappa, np.arange(1.0, size + 1.0), 0.5 * kappa
-    right = np.ones(size)
-    right[0] -= 0.5 * kappa * kve(0, kappa)
-    right[-1] += 0.5 * kappa / np.hypot(size + 1.0, root)  # its error dies out towards the first ones
-    return np.asarray(solve_banded((1, 1), bands, right)[:count])
+    small = np.minimum(kappa, SMALL)
+    # K_1 = 1/k + ln(k/2) I_1 - (k/4) sum of (psi(m + 1) + psi(m + 2)) (k/2)^(2 m) / (m! (m + 1)!)
+    series = np.power.outer(0.25 * small * small, POWERS) @ TAIL_TERMS
+    near = np.expm1(small) / small + np.exp(small) * (np.log(0.5 * small) * iv(1, small) - 0.25 * small * series)
+    return np.asarray(np.where(kappa <= SMALL, near, kve(1, kappa) - 1.0 / kappa))
 
 
 def _mean(kappa: Array) -> Array:
     """Return (1 - exp(-kappa) I_0(kappa)) / kappa."""
     from scipy.special import ive
 
-    small = np.minimum(kappa, SMALL)
     # exp(-k) I_0(k) = sum of (-k)^m (2m)! / (2^m m!^3)
-    term, total = np.ones(kappa.shape), np.zeros(kappa.shape)
-    for m in range(1, 24):
-        term = term * (-small if m > 1 else -1.0) * (2.0 * m - 1.0) / m**2
-        total -= term
-    return np.where(kappa <= SMALL, total, (1.0 - ive(0, kappa)) / kappa)
+    near = np.power.outer(np.minimum(kappa, SMALL), POWERS) @ MEAN_TERMS
+    return np.asarray(np.where(kappa <= SMALL, near, (1.0 - ive(0, kappa)) / kappa))
 
 
 def passing_strip(glassy: float, creep: Array, delays: Array, relaxing: Array) -> PassingStrip:
@@ -98,23 +128,17 @@ def passing_strip(glassy: float, creep: Array, delays: Array, relaxing: Array) -
     relaxing : ndarray, (m,)
         The relaxation times of the same solid, times the speed over the half-length, rho_j.
     """
-    from scipy.special import ive
+    from scipy.special import ive, kve
 
-    kappa, m = 1.0 / relaxing, creep.size
-    counts = FEWEST_TERMS + (TERMS_PER_ROOT * np.sqrt(kappa)).astype(int)
-    size = int(np.max(counts, initial=FEWEST_TERMS))
-    each = np.zeros((size, m))
-    for j, count in enumerate(counts):
-        each[:count, j] = -2.0 * ive(np.arange(1, count + 1), kappa[j]) / kappa[j]
-    ahead = np.arange(1, size + 1) * np.array([tails(1.0 / delay, size) for delay in delays]).reshape(m, size)
-    moved = ahead @ each
+    late, early, m = (1.0 / delays)[:, None], 1.0 / relaxing, creep.size
+    ends, mean, tail = (ive(0, early), ive(1, early)), _mean(early), first_tail(late)
+    outer = ends[0] * kve(1, late) + ends[1] * kve(0, late)
+    moved = late / (early - late) * (ends[0] * tail + ends[1] * kve(0, late) - mean * early / late)
     matrix, right = np.zeros((m + 2, m + 2)), np.zeros(m + 2)
-    matrix[:m, :m] = moved / delays[:, None] + relaxing / (delays[:, None] - relaxing)
-    right[:m] = -1.0 - ahead[:, 0] / delays
+    matrix[:m, :m] = late / (early - late) * outer / kve(1, late)
+    right[:m] = -1.0
     matrix[m, :m], matrix[m, m], matrix[m, m + 1] = -creep @ moved, glassy + float(np.sum(creep)), -1.0
-    right[m] = float(creep @ ahead[:, 0])
-    matrix[m + 1, :m], matrix[m + 1, m], right[m + 1] = _mean(kappa), 1.0, 1.0
+    right[m] = float(creep @ tail[:, 0])
+    matrix[m + 1, :m], matrix[m + 1, m], right[m + 1] = mean, 1.0, 1.0
     found = np.linalg.solve(matrix, right)
-    waves = each @ found[:m]
-    waves[0] += 1.0
-    return PassingStrip(float(found[m + 1]), waves)
+    return PassingStrip(float(found[m + 1]), found[:m], early)

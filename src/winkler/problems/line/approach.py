@@ -28,8 +28,10 @@ from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array
 from winkler.problems.line.references import PlateBase, Reference, RollerCentre
 
-__all__ = ["approach"]
+__all__ = ["Place", "approach", "depth_of", "nearing"]
 
+Place = float | Reference | None
+"""A point on the axis: its depth [m], a finite body, or none in a rigid body."""
 WIDEST = 0.2
 """Greatest half-width over the size of a finite body: the error is of the order of its square."""
 
@@ -38,8 +40,8 @@ def approach(
     bed: LineFoundation,
     half_width: float,
     rim_load: float,
-    first: float | Reference | None,
-    second: float | Reference | None,
+    first: Place,
+    second: Place,
 ) -> float:
     """Return how far two points have come together [m], one in each body.
 
@@ -58,24 +60,54 @@ def approach(
     for body, place, name in ((medium.first, first, "first"), (medium.second, second, "second")):
         if not isinstance(body, Elastic):
             continue
-        finite = place if isinstance(place, RollerCentre | PlateBase) else None
-        depth = place.depth if isinstance(place, RollerCentre | PlateBase) else place
-        if not isinstance(depth, Real) or not 0.0 < depth < np.inf:
-            raise InvalidInput(
-                "A line contact has no depth of its own, because the surface of a half-plane sinks without bound: give "
-                f"the depth below the {name} body's surface, positive and finite, against which it is counted, "
-                "RollerCentre(radius) or PlateBase(thickness)."
-            )
-        if finite is not None and half_width > WIDEST * depth:
-            raise OutsideValidity(
-                f"The half-width {half_width:.6g} m is more than {WIDEST:g} of the {name} body's radius or thickness "
-                f"{depth:.6g} m, which must be large against it; press less, or give a depth."
-            )
+        depth = depth_of(place, name, half_width)
         if half_width > 0.0:
             total += _compression(bed, half_width, rim_load, body, depth)
-        if half_width > 0.0 and finite is not None:
-            total += _finite(bed, half_width, rim_load, body, finite)
+        if half_width > 0.0 and isinstance(place, RollerCentre | PlateBase):
+            total += _finite(bed, half_width, rim_load, body, place)
     return total
+
+
+def depth_of(place: Place, name: str, half_width: float) -> float:
+    """Return how far below the surface a point lies [m]; refuse one that is not stated, and a strip too wide for it.
+
+    Parameters
+    ----------
+    place : float, RollerCentre, PlateBase or None
+    name : str
+        Which body it is in.
+    half_width : float
+        a [m].
+    """
+    finite = place if isinstance(place, RollerCentre | PlateBase) else None
+    depth = place.depth if isinstance(place, RollerCentre | PlateBase) else place
+    if not isinstance(depth, Real) or not 0.0 < depth < np.inf:
+        raise InvalidInput(
+            "A line contact has no depth of its own, because the surface of a half-plane sinks without bound: give "
+            f"the depth below the {name} body's surface, positive and finite, against which it is counted, "
+            "RollerCentre(radius) or PlateBase(thickness)."
+        )
+    if finite is not None and half_width > WIDEST * depth:
+        raise OutsideValidity(
+            f"The half-width {half_width:.6g} m is more than {WIDEST:g} of the {name} body's radius or thickness "
+            f"{depth:.6g} m, which must be large against it; press less, or give a depth."
+        )
+    return float(depth)
+
+
+def nearing(c: Array, depth: float, poisson: float) -> Array:
+    """Return how much nearer a point comes under a flat strip, over its load times (1 - nu^2)/E.
+
+    Parameters
+    ----------
+    c : ndarray
+        Half-width of the strip [m], positive.
+    depth : float
+        Depth of the point [m].
+    poisson : float
+        nu of its body.
+    """
+    return np.asarray((2.0 * np.arcsinh(depth / c) - depth / np.hypot(c, depth) / (1.0 - poisson)) / np.pi)
 
 
 def _finite(bed: LineFoundation, half_width: float, rim_load: float, body: Elastic, place: Reference) -> float:
@@ -86,18 +118,12 @@ def _finite(bed: LineFoundation, half_width: float, rim_load: float, body: Elast
 
 def _compression(bed: LineFoundation, half_width: float, rim_load: float, body: Elastic, depth: float) -> float:
     edges = [b for b, _ in bed.kinks]
-    end = np.array(half_width)
 
-    def lengthening(c: Array) -> Array:
-        return bed.load_profile_slope(c) * np.arcsinh(depth / np.where(c > 0.0, c, half_width))
+    def share(c: Array) -> Array:
+        return bed.load_profile_slope(c) * nearing(np.where(c > 0.0, c, half_width), depth, body.poisson)
 
-    def pressing(c: Array) -> Array:
-        return bed.load_profile_slope(c) * depth / np.hypot(c, depth)
-
-    whole = float(abel.integral(lengthening, edges, end)) + rim_load * np.arcsinh(depth / half_width)
-    last = float(abel.integral(pressing, edges, end)) + rim_load * depth / np.hypot(half_width, depth)
     widths, loads = bed.beside(half_width)
-    whole += float(loads @ np.arcsinh(depth / widths))
-    last += float(loads @ (depth / np.hypot(widths, depth)))
-    factor = bed.medium.modulus * (1.0 - body.poisson**2) / (np.pi * body.young)
-    return float(factor * (2.0 * whole - last / (1.0 - body.poisson)))
+    whole = float(abel.integral(share, edges, np.array(half_width)))
+    whole += rim_load * float(nearing(np.array(half_width), depth, body.poisson))
+    whole += float(loads @ nearing(widths, depth, body.poisson))
+    return float(bed.medium.modulus * (1.0 - body.poisson**2) / body.young * whole)

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.foundation.line import LineFoundation
+from winkler.numerics.types import Curve
 
-__all__ = ["is_sharp", "peak_pressure", "rim_load"]
+__all__ = ["highest", "is_sharp", "peak_pressure", "rim_load"]
 
 PRESSURE_SAMPLES = 65
 REFINEMENTS = 9
@@ -59,10 +60,23 @@ def peak_pressure(bed: LineFoundation, force: float, half_width: float) -> float
     on_rim = rim_load(bed, force, half_width)
     if is_sharp(bed, half_width, on_rim):
         return np.inf
+    return highest(lambda x: bed.pressure(x, half_width, on_rim), half_width)
+
+
+def highest(pressure: Curve, half_width: float) -> float:
+    """Return the greatest of pressures that are finite in all of a strip [Pa].
+
+    Parameters
+    ----------
+    pressure : callable
+        p(x) [Pa] at places x >= 0 [m].
+    half_width : float
+        a [m].
+    """
     low, high = 0.0, 0.5 * np.pi
     for _ in range(REFINEMENTS):
         angle = np.linspace(low, high, PRESSURE_SAMPLES)
-        levels = bed.pressure(half_width * np.sin(angle), half_width, on_rim)
+        levels = pressure(half_width * np.sin(angle))
         best = int(np.argmax(levels))
         low, high = angle[max(best - 1, 0)], angle[min(best + 1, PRESSURE_SAMPLES - 1)]
         if best == 0 or high - low < 1e-9:

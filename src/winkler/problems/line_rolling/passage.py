@@ -13,7 +13,7 @@ from winkler.foundation.line import LineFoundation
 from winkler.loading import HalfWidth, LineForce, MeanPressure
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.springs.exponential_sums import CreepSeries, of_creep
-from winkler.numerics.transforms.passing_strip import passing_strip
+from winkler.numerics.transforms.passing_strip import PassingStrip, passing_strip
 from winkler.numerics.types import Array
 
 __all__ = ["Passage", "passage"]
@@ -40,8 +40,10 @@ class Passage(NamedTuple):
         Middle of the strip, from the lowest point of the cylinder [m].
     level
         E* ell / (2 R) [Pa] of the relaxed bodies.
-    waves
-        g_1, g_2, ... of `winkler.numerics.transforms.passing_strip`.
+    strip
+        That under a parabola, all lengths over the half-width.
+    first, second
+        g_1 and g_2 of `winkler.numerics.transforms.passing_strip`.
     curvature_radius
         R [m].
     delayed
@@ -51,7 +53,9 @@ class Passage(NamedTuple):
     half_width: float
     middle: float
     level: float
-    waves: Array
+    strip: PassingStrip
+    first: float
+    second: float
     curvature_radius: float
     delayed: float
 
@@ -68,12 +72,12 @@ class Passage(NamedTuple):
     @property
     def force_per_length(self) -> float:
         """P [N/m]."""
-        return 0.5 * math.pi * self.level * self.half_width * float(self.waves[0])
+        return 0.5 * math.pi * self.level * self.half_width * self.first
 
     @property
     def shear_force_per_length(self) -> float:
         """Q [N/m] that resists."""
-        skew = 0.25 * math.pi * self.level * self.half_width**2 * float(self.waves[1])
+        skew = 0.25 * math.pi * self.level * self.half_width**2 * self.second
         return (self.force_per_length * (self.middle + self.delayed) + skew) / self.curvature_radius
 
     @property
@@ -81,13 +85,14 @@ class Passage(NamedTuple):
         """The greatest pressure [Pa]."""
         from scipy.fft import dst
 
-        n, count = np.arange(1.0, self.waves.size + 1.0), 4 * self.waves.size
-        samples = dst(np.append(self.waves, np.zeros(count - 1 - self.waves.size)), type=1)  # at pi k / count
+        waves = self.strip.waves()
+        n, count = np.arange(1.0, waves.size + 1.0), 4 * waves.size
+        samples = dst(np.append(waves, np.zeros(count - 1 - waves.size)), type=1)  # at pi k / count
         angle = math.pi * (1 + int(np.argmax(samples))) / count
         for _ in range(NEWTON_STEPS):
-            slope, bend = self.waves * n @ np.cos(n * angle), -self.waves * n * n @ np.sin(n * angle)
+            slope, bend = waves * n @ np.cos(n * angle), -waves * n * n @ np.sin(n * angle)
             angle -= float(slope / bend)
-        return self.level * float(self.waves @ np.sin(n * angle))
+        return self.level * float(waves @ np.sin(n * angle))
 
     def pressure(self, x: Array) -> Array:
         """Return p [Pa] at places from the lowest point of the cylinder [m]."""
@@ -98,7 +103,7 @@ class Passage(NamedTuple):
     def _pressure(self, t: Array) -> Array:
         """Return sqrt(1 - t^2) times the sum of g_n U_{n-1}(t), by Clenshaw's recurrence."""
         later, latest = np.zeros(t.shape), np.zeros(t.shape)
-        for wave in self.waves[::-1]:
+        for wave in self.strip.waves()[::-1].tolist():
             later, latest = wave + 2.0 * t * later - latest, later
         return np.sqrt((1.0 - t) * (1.0 + t)) * later
 
@@ -161,7 +166,8 @@ def _strip(creep: CreepSeries, radius: float, half_width: float, speed: float) -
     strip = passing_strip(glassy / soft, kept.compliances / soft, delays[slow], relaxing)
     late = float(creep.compliances[~slow] @ creep.times[~slow]) * speed / soft
     level = half_width / (2.0 * radius * soft)
-    return Passage(half_width, half_width * (strip.leading - 1.0), level, strip.waves, radius, late)
+    first, second = strip.waves(2).tolist()
+    return Passage(half_width, half_width * (strip.leading - 1.0), level, strip, first, second, radius, late)
 
 
 @functools.lru_cache(maxsize=64)

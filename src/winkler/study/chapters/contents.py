@@ -15,6 +15,7 @@ from winkler.study.chapters.kind import Kind, path_of
 from winkler.study.chapters.line import LINE
 from winkler.study.chapters.line_friction import LINE_FRICTION
 from winkler.study.chapters.line_rolling import LINE_ROLLING
+from winkler.study.chapters.line_viscoelastic import LINE_VISCOELASTIC
 from winkler.study.chapters.normal import NORMAL, normal_formulas
 from winkler.study.chapters.particles import PARTICLES
 from winkler.study.chapters.rolling import ROLLING
@@ -34,6 +35,7 @@ CHAPTERS: tuple[Chapter, ...] = (
     IMPACT,
     PARTICLES,
     VISCOELASTIC,
+    LINE_VISCOELASTIC,
     VISCOELASTIC_SURFACES,
     CONDUCTION,
     HEATING,

@@ -9,7 +9,17 @@ from winkler.study.chapters.impact import EQUATION_OF_MOTION
 from winkler.study.chapters.kind import is_a
 from winkler.study.chapters.normal import BACK, PLANE, PLANE_FOUNDATION
 
-__all__ = ["BED", "DETACHMENT", "FORCE", "IN_AND_OUT", "PLANE_KEPT", "SPRINGS", "VISCOELASTIC", "relaxing_formulas"]
+__all__ = [
+    "BED",
+    "DETACHMENT",
+    "FORCE",
+    "IN_AND_OUT",
+    "PLANE_KEPT",
+    "SPRINGS",
+    "VISCOELASTIC",
+    "pair_formulas",
+    "relaxing_formulas",
+]
 
 BED = {"kind": "foundation", "medium": {"kind": "viscoelastic_half_space"}}
 DECADES = {"from": "1 ms", "to": "10 s", "count": 33, "spacing": "log"}
@@ -99,16 +109,23 @@ ARRHENIUS = "winkler.materials.temperature:Arrhenius"
 IN_PROPORTION = "winkler.media.relaxing.proportional:RelaxingInProportion"
 
 
-def relaxing_formulas(problem: Any) -> tuple[Equation, ...]:
-    """Return the formulas from bodies and shape to springs."""
+def pair_formulas(problem: Any) -> tuple[Equation, ...]:
+    """Return the formulas of the relaxation of the bodies."""
     medium = problem.bed.medium
     proportional = is_a(medium, IN_PROPORTION)
     solids = (medium.solid,) if proportional else (medium.first, medium.second)
     laws = [solid.law for solid in solids if is_a(solid, AT_TEMPERATURE)]
     warm = [SHIFT, *dict.fromkeys(ACTIVATED if is_a(law, ARRHENIUS) else FERRY for law in laws)] if laws else []
-    if proportional:
-        return (PROPORTIONAL, *warm, SAME_PROFILE)
-    return (PAIR, SERIES, *warm, BACK if is_a(problem.bed, PLANE_FOUNDATION) else PLANE_KEPT)
+    return (PROPORTIONAL, *warm) if proportional else (PAIR, SERIES, *warm)
+
+
+def relaxing_formulas(problem: Any) -> tuple[Equation, ...]:
+    """Return the formulas from bodies and shape to springs."""
+    if is_a(problem.bed.medium, IN_PROPORTION):
+        shape = SAME_PROFILE
+    else:
+        shape = BACK if is_a(problem.bed, PLANE_FOUNDATION) else PLANE_KEPT
+    return (*pair_formulas(problem), shape)
 
 
 def _hereditary_formulas(problem: Any) -> tuple[Equation, ...]:

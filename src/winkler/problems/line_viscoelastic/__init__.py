@@ -1,0 +1,1 @@
+"""Line contacts of bodies that relax: a force per length over time."""

@@ -1,0 +1,295 @@
+r"""A line contact of bodies that relax, under a force per length that grows, stays, falls and grows again.
+
+While the strip widens the elastic solution holds with the load replaced by its hereditary integral (Lee and Radok),
+
+.. math:: w(a(t)) = \ell(t) = \int C(t-t')\,\frac{\mathrm dP}{\mathrm dt'}\,\mathrm dt' .
+
+In general q(c), what strips wider than c bear, follows from :math:`u(c,t)=\ell(t)-w(c)` as the load of a spring that
+relaxes, lets go when it would pull, recovers freely, and is caught again: the row of springs of
+`winkler.problems.viscoelastic`, with w in the place of g and the load that crept in the place of the depth.  The spring
+in the middle bears P; that at the edge bears nothing, which is Ting's rule where the strip first becomes narrower.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Annotated, ClassVar
+
+import numpy as np
+
+from winkler.checks.number_checks import Whole, affordable, between
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.line import LineFoundation
+from winkler.foundation.springs import Springs
+from winkler.limits import MOST_NUMBERS, RELAXING_SPRINGS
+from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
+from winkler.numerics.types import Array
+from winkler.problems.answer import gather
+from winkler.problems.assumptions.declared import RELAXING
+from winkler.problems.line.approach import Place
+from winkler.problems.line.half_width import grows, under_force
+from winkler.problems.line.load_springs import LoadSprings
+from winkler.problems.line_viscoelastic.crept_load import CreptLoad, Spacing
+from winkler.problems.line_viscoelastic.path import LineForcePath
+from winkler.problems.line_viscoelastic.sinking import approach_of_strips
+from winkler.problems.line_viscoelastic.states import LineViscoelasticState
+from winkler.problems.line_viscoelastic.validity import relaxing_line_notes
+from winkler.problems.one_load import OfPath
+from winkler.problems.viscoelastic.march import SpringRow, refuse_rings
+from winkler.validity import Assumption, Note
+from winkler.values import value, words
+
+__all__ = ["LineViscoelasticIndentation", "LineViscoelasticSolution"]
+
+NO_LOAD = 1e-12
+"""Part of the greatest force per length below which there is none."""
+UNBALANCED = 0.1
+"""Error of the load of a dashpot alongside, over the greatest force and the root of the tolerance."""
+
+
+@value
+class LineViscoelasticIndentation:
+    """A cylinder, a wedge or another two-dimensional body pressed on bodies that relax, in plane strain.
+
+    Before the first point of the path nothing has happened; a first force that is not zero comes suddenly.
+
+    Parameters
+    ----------
+    bed : LineFoundation
+        Profile and bodies, on a `ViscoelasticHalfSpace`: Poisson's ratios do not change in time.
+    path : LineForcePath
+        Force per length over time.
+    count : int, optional
+        How many springs; the error falls with its square.
+    tolerance : float, optional
+        Error of the load that crept between two moments, over its greatest value.
+
+    Raises
+    ------
+    InvalidInput
+        If the bodies do not relax, or a number is out of range.
+
+    References
+    ----------
+    E. H. Lee, J. R. M. Radok, J. Appl. Mech. 27 (1960) 438-444, doi:10.1115/1.3644020; T. C. T. Ting, J. Appl. Mech. 33
+    (1966) 845-854, doi:10.1115/1.3625192
+
+    Examples
+    --------
+    A rigid cylinder on a Maxwell fluid with E* = 1 and tau = 1: a^2 = 4 R P (1 + t/tau) / (pi E*).
+
+    >>> from winkler.materials.spring_and_dashpot import Maxwell
+    >>> from winkler.profiles.power import Paraboloid
+    >>> fluid = ViscoelasticHalfSpace(Maxwell(shear=0.25, relaxation_time=1.0))
+    >>> bed = LineFoundation(Paraboloid(1.0), fluid)
+    >>> creeping = LineViscoelasticIndentation(bed, LineForcePath([0.0, 3.0], 1e-4 * np.pi)).solve()
+    >>> creeping.half_width.round(9)
+    array([0.02, 0.04])
+    """
+
+    __words__ = words(
+        bed=("", None, "profile and bodies of the line contact"),
+        path=("", None, "the force per length over time"),
+        count=("n", None, "how many springs"),
+        tolerance=("", None, "error of the load that crept between two moments, over its greatest value"),
+    )
+
+    bed: LineFoundation
+    path: LineForcePath
+    count: Annotated[int, Whole(2, RELAXING_SPRINGS)] = 500
+    tolerance: Annotated[float, between(1e-10, 0.1)] = 1e-6
+
+    references: ClassVar[tuple[str, ...]] = ("lee_radok_1960", "ting_1966", "jaeger_1995")
+    assumptions: ClassVar[frozenset[Assumption]] = RELAXING
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.bed.medium, ViscoelasticHalfSpace):
+            raise InvalidInput(
+                f"LineViscoelasticIndentation: the bed stands on a {type(self.bed.medium).__name__}; give "
+                "LineFoundation(profile, ViscoelasticHalfSpace(solid)), or LineIndentation for bodies that do not "
+                "relax."
+            )
+        affordable("LineViscoelasticIndentation", "numbers", self.total * self.count, MOST_NUMBERS)
+
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one for every point of the path."""
+        return self.path.moments.size
+
+    def steps(self) -> Iterator[LineViscoelasticState]:
+        """Yield the state at every point of the path, just after anything sudden that happens there.
+
+        Raises
+        ------
+        OutsideValidity
+            If the bodies are never pressed, the load leads beyond what is known of the profile, the contact is no
+            single strip, or the bodies touch beside a dent.
+        """
+        medium = self.bed.medium
+        assert isinstance(medium, ViscoelasticHalfSpace)
+        times, forces = self.path.moments, self.path.across
+        most = float(np.max(forces))
+        if most == 0.0:
+            raise OutsideValidity(
+                "LineViscoelasticIndentation: the force per length is zero all the time; press the bodies together."
+            )
+        parts, deepest = self._crept(medium)
+        line = LineFoundation(self.bed.profile, medium.elastic)
+        widest = float(under_force(line, np.array([deepest]))[0])
+        if not (line.profile.rising or grows(line, widest)):
+            raise OutsideValidity(
+                "LineViscoelasticIndentation: below its greatest load the profile lets the load fall again, so that "
+                "the contact is no strip that grows steadily; give a smoother profile or a smaller load."
+            )
+        bed = LoadSprings(line)
+        row = SpringRow(bed, Springs.of(bed, widest, self.count), medium.relaxation)
+        ends = np.array([levels[-1] for _, levels in parts])
+        before = np.maximum.accumulate([np.max(levels) for _, levels in parts])
+        unbound = np.where(ends >= before, under_force(line, ends), 0.0)  # on ground that was never touched
+        for time, force, fresh, (spans, levels) in zip(
+            times.tolist(), forces.tolist(), unbound.tolist(), parts, strict=True
+        ):
+            done = row.march(np.diff(levels, prepend=row.depth), spans)
+            if force > NO_LOAD * most:
+                refuse_rings("LineViscoelasticIndentation", np.array([time]), np.any(done.ring, keepdims=True))
+            yield self._state(row, time, force if force > NO_LOAD * most else 0.0, fresh or float(done.radius[-1]))
+
+    def _state(self, row: SpringRow, time: float, force: float, half_width: float) -> LineViscoelasticState:
+        """Return the state in which the middle spring bears the force; what it lacks all that are pressed lack."""
+        loads, place = row.loads(), row.place.copy()
+        if force == 0.0:
+            return LineViscoelasticState(
+                self.bed, time, 0.0, 0.0, row.depth, 0.0, row.springs.position, np.zeros(place.size), place
+            )
+        missing = force - float(loads[0])
+        borne = np.where(row.pressed, np.maximum(loads + missing, 0.0), 0.0)
+        rate, edge_load = float(row.motion[2]), 0.0
+        if half_width >= self.bed.rim:
+            edge_load = float(borne[-1])
+        elif rate > 0.0:
+            edge_load = row.series.viscosity * rate
+            edge_load = min(max(edge_load + missing, 0.0), force) if edge_load > 0.0 else 0.0
+        elif row.series.viscosity > 0.0:  # a dashpot bears the rate itself, not its mean
+            half_width = _edge(row.springs, borne, half_width)
+        position = row.springs.position
+        return LineViscoelasticState(self.bed, time, force, half_width, row.depth, edge_load, position, borne, place)
+
+    def _crept(self, medium: ViscoelasticHalfSpace) -> tuple[list[tuple[Array, Array]], float]:
+        """Return spans [s] and levels [m] of the load that crept up to every point, and its greatest level."""
+        most = float(np.max(self.path.across))
+        greatest = max(float(levels[-1]) for _, levels in self._levels(medium, None))
+        rough = UNBALANCED * np.sqrt(self.tolerance) * most
+        spacing = Spacing(self.tolerance * greatest, medium.relaxation.viscosity, rough)
+        parts = list(self._levels(medium, spacing))
+        affordable("LineViscoelasticIndentation", "moments", sum(levels.size for _, levels in parts), MOST_NUMBERS)
+        return parts, max(float(np.max(levels)) for _, levels in parts)
+
+    def _levels(self, medium: ViscoelasticHalfSpace, spacing: Spacing | None) -> Iterator[tuple[Array, Array]]:
+        crept, times, forces = CreptLoad(medium.creep), self.path.moments.tolist(), self.path.across.tolist()
+        for i, force in enumerate(forces):
+            if i and times[i] > times[i - 1]:
+                moments, levels = crept.ramp(force, times[i] - times[i - 1], spacing)
+                yield np.diff(moments, prepend=0.0), levels
+            else:
+                crept.jump(force)
+                yield np.zeros(1), np.array([crept.present()])
+
+    def gathered(self, states: Iterable[LineViscoelasticState]) -> LineViscoelasticSolution:
+        """Return the solution made of these states, of the whole path or of its beginning."""
+        return gather(LineViscoelasticSolution, self, states)
+
+    def solve(self) -> LineViscoelasticSolution:
+        """Return the contact along the whole path.
+
+        Raises
+        ------
+        OutsideValidity
+            As `steps`.
+        """
+        return self.gathered(self.steps())
+
+
+def _edge(springs: Springs, borne: Array, half_width: float) -> float:
+    """Return the half-width at which the loads of a strip that becomes narrower come to nothing [m]."""
+    last = int(np.count_nonzero(borne > 0.0)) - 1
+    if last < 1 or not borne[last - 1] > borne[last]:
+        return half_width
+    gap, squared = springs.gap, springs.position**2
+    if last + 1 == gap.size:
+        return half_width
+    reach = borne[last] * (gap[last] - gap[last - 1]) / (borne[last - 1] - borne[last])
+    part = min(reach / (gap[last + 1] - gap[last]), 1.0)
+    return float(np.sqrt(squared[last] + part * (squared[last + 1] - squared[last])))
+
+
+@value
+class LineViscoelasticSolution(OfPath[LineViscoelasticState]):
+    """The solution of a `LineViscoelasticIndentation`, point by point of its path; all arrays ``(points,)``.
+
+    Parameters
+    ----------
+    problem : LineViscoelasticIndentation
+        The problem that was solved.
+    time : ndarray
+        [s].
+    force_per_length, half_width : ndarray
+        P [N/m], a [m], zero without contact.
+    crept_load : ndarray
+        Hereditary integral of creep and force per length [m]: while the strip widens, w(a).
+    mean_pressure, peak_pressure : ndarray
+        P / (2 a) and the greatest pressure [Pa]; the latter infinite at a sharp tip, kink or rim.
+    states : tuple of LineViscoelasticState
+        The states themselves, which have pressures and the approach.
+    """
+
+    problem: LineViscoelasticIndentation
+    time: Array
+    force_per_length: Array
+    half_width: Array
+    crept_load: Array
+    mean_pressure: Array
+    peak_pressure: Array
+    states: tuple[LineViscoelasticState, ...]
+
+    def approach(self, first: Place = None, second: Place = None) -> Array:
+        """Return how far two points on the axis have come together since the beginning [m], one in each body.
+
+        Parameters
+        ----------
+        first, second : float, RollerCentre or PlateBase
+            Depths of the points below the surfaces of half-planes [m], or finite bodies; that in a rigid body may be
+            left out.
+
+        Raises
+        ------
+        InvalidInput
+            If a reference is not stated: a line contact has no depth of its own.
+        OutsideValidity
+            If the strip is wider than a fifth of a finite body, or both bodies relax, and not in proportion.
+        """
+        bed, states = self.problem.bed, self.states
+        assert isinstance(bed.medium, ViscoelasticHalfSpace)
+        borne, sunk = (np.array([getattr(state, name) for state in states]) for name in ("line_load", "recess"))
+        strips = states[0].position, borne, sunk
+        return approach_of_strips(bed, bed.medium, float(np.max(self.half_width)), strips, (first, second))
+
+    def work_per_length(self, first: Place = None, second: Place = None) -> Array:
+        """Return what was spent since the beginning, per length [J/m]: the integral of P over the approach.
+
+        Between two points of the path force and approach are taken to change in proportion, an error that falls with
+        the square of their distance.  Over a cycle after which all has returned it is what the bodies lose between the
+        points.
+
+        Parameters
+        ----------
+        first, second : float, RollerCentre or PlateBase
+            As of `approach`, whose errors it has; what is lost depends on how much of the bodies lies in between.
+        """
+        nearer, force = self.approach(first, second), self.force_per_length
+        steps = np.diff(nearer, prepend=0.0) * 0.5 * (force + np.append(0.0, force[:-1]))
+        return np.asarray(np.cumsum(steps))
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted: assumptions, slopes, size of the body, times of the solid."""
+        return relaxing_line_notes(self.problem.bed, self.time, float(np.max(self.half_width)))

@@ -1,0 +1,158 @@
+r"""A line contact of bodies that relax at one moment: pressure, and how far the bodies have come together.
+
+The strips that make up the pressure of an elastic contact, each with the pressure of a flat punch, relax one by one:
+
+.. math:: p(x,t) = \frac1\pi\int_{|x|}^a\frac{m(c,t)}{\sqrt{c^2-x^2}}\,\mathrm dc , \qquad
+          m = -\frac{\partial q}{\partial c} , \qquad \int C\,\mathrm dm = -\frac{\partial u}{\partial c} .
+
+q(c) is what the strips wider than c bear, and u(c) its hereditary integral with the creep.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.foundation.line import LineFoundation
+from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
+from winkler.numerics.transforms import abel
+from winkler.numerics.types import Array, ArrayLike
+from winkler.problems.line.approach import Place
+from winkler.problems.line.peak_pressure import highest, is_sharp
+from winkler.problems.line_viscoelastic.sinking import approach_of_strips
+from winkler.values import value, words
+
+__all__ = ["LineViscoelasticState"]
+
+BLOCK = 2**20
+"""Pairs of places and strips in one go."""
+
+
+@value
+class LineViscoelasticState:
+    """A line contact of bodies that relax at one moment.
+
+    Parameters
+    ----------
+    bed : LineFoundation
+        Profile and bodies.
+    time : float
+        [s].
+    force_per_length, half_width : float
+        P [N/m], a [m].
+    crept_load : float
+        Hereditary integral of creep and force per length [m]: while the strip widens, w(a).
+    edge_load : float
+        What the edge bears like that of a flat punch [N/m]: at a rim, or where a dashpot alongside is caught.
+    position : ndarray, (n,)
+        Half-widths c of flat strips [m].
+    line_load : ndarray, (n,)
+        What wider strips bear [N/m], zero outside of the contact.
+    recess : ndarray, (n,)
+        Hereditary integral of creep and what wider strips have borne [m].
+    """
+
+    __words__ = words(
+        edge_load=("", "N/m", "what the edge bears like that of a flat punch"),
+        position=("c", "m", "half-widths of the flat strips that make up the pressure"),
+        line_load=("q", "N/m", "what wider strips bear"),
+        recess=("u", "m", "hereditary integral of creep and what wider strips have borne"),
+    )
+
+    bed: LineFoundation
+    time: float
+    force_per_length: float
+    half_width: float
+    crept_load: float
+    edge_load: float
+    position: Array
+    line_load: Array
+    recess: Array
+
+    @property
+    def mean_pressure(self) -> float:
+        """P / (2 a) [Pa]; zero without contact."""
+        return 0.5 * self.force_per_length / self.half_width if self.half_width > 0.0 else 0.0
+
+    @property
+    def peak_pressure(self) -> float:
+        """The greatest pressure [Pa], zero without contact.
+
+        Infinite at a sharp tip, kink or rim, and at the edge of a strip that widens on a dashpot alongside.
+        """
+        if self.half_width == 0.0:
+            return 0.0
+        if is_sharp(self.bed, self.half_width, self.edge_load):
+            return np.inf
+        return highest(self.pressure, self.half_width)
+
+    def pressure(self, x: ArrayLike) -> Array:
+        """Return the pressure [Pa], zero outside of the contact.
+
+        Parameters
+        ----------
+        x : array_like
+            Places on the surface [m], on either side of the middle.
+        """
+        places = np.abs(np.asarray(x, dtype=float))
+        flat, found = places.ravel(), np.zeros(places.size)
+        if self.half_width > 0.0:
+            edges, borne = self._strips
+            block = max(1, BLOCK // edges.size)
+            for start in range(0, flat.size, block):
+                part = slice(start, start + block)
+                found[part] = self._pressure(flat[part], edges, borne)
+        return found.reshape(places.shape)
+
+    def _pressure(self, x: Array, edges: Array, borne: Array) -> Array:
+        """Sum the strips between edges, whose load density is that of the profile times what is left of it."""
+        middle, steep = self._densities(edges, -np.diff(borne))
+        inside = x[:, None] < edges
+        roots = np.where(inside, abel.root_difference(np.maximum(edges, x[:, None]), x[:, None]), 0.0)
+        total = np.diff(roots, axis=1) @ steep
+        if np.any(middle):
+            with np.errstate(divide="ignore"):
+                logs = np.log(np.maximum(edges, x[:, None]) + roots)
+            steps = np.where(middle != 0.0, np.diff(logs, axis=1), 0.0)
+            total = total + np.where(middle != 0.0, steps * middle, 0.0).sum(axis=1)
+        if self.edge_load > 0.0:
+            with np.errstate(divide="ignore"):
+                total = total + np.where(x <= self.half_width, self.edge_load / roots[:, -1], 0.0)
+        return np.asarray(total / np.pi)
+
+    def _densities(self, edges: Array, loads: Array) -> tuple[Array, Array]:
+        """Return A [N/m^2] and B [N/m^3] of the load densities A + B c between edges, as straight as w' there."""
+        low, high = edges[:-1], edges[1:]
+        rise = self.bed.load_profile_slope(edges)
+        known = np.isfinite(rise[:-1]) & np.isfinite(rise[1:]) & (rise[:-1] + rise[1:] > 0.0)
+        first, last = np.where(known, rise[:-1], 1.0), np.where(known, rise[1:], 1.0)
+        factor = loads / (0.5 * (first + last) * (high - low))
+        steep = (last - first) / (high - low)
+        return factor * (first - steep * low), factor * steep
+
+    @property
+    def _strips(self) -> tuple[Array, Array]:
+        """Half-widths up to the edge, and what wider strips bear there [N/m]."""
+        inside = (self.position < self.half_width) & (self.line_load > self.edge_load)
+        c, q = self.position[inside], self.line_load[inside]
+        return np.append(c, self.half_width), np.append(q, self.edge_load)
+
+    def approach(self, first: Place = None, second: Place = None) -> float:
+        """Return how far two points on the axis have come together since the beginning [m], one in each body.
+
+        Parameters
+        ----------
+        first, second : float, RollerCentre or PlateBase
+            Depths of the points below the surfaces of half-planes [m], or finite bodies; that in a rigid body may be
+            left out.
+
+        Raises
+        ------
+        InvalidInput
+            If a reference is not stated: a line contact has no depth of its own.
+        OutsideValidity
+            If the strip is wider than a fifth of a finite body, or both bodies relax, and not in proportion.
+        """
+        medium = self.bed.medium
+        assert isinstance(medium, ViscoelasticHalfSpace)
+        strips = self.position, self.line_load[None], self.recess[None]
+        return float(approach_of_strips(self.bed, medium, self.half_width, strips, (first, second))[0])
