@@ -59,6 +59,7 @@ class LinePath:
         across=("P", "N/m", "normal force per length at every point"),
         along=("Q", "N/m", "shear force per length at every point"),
         bulk=("", "Pa", "bulk stress in the first body at every point"),
+        in_phase=("", None, "whether the bulk stress is proportional to the shear force"),
         bulk_per_shear=("", "1/m", "bulk stress over the shear force per length, where they are in phase"),
     )
 

@@ -36,8 +36,8 @@ EXACT = Note(
 MARCHED = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
-    "Coulomb friction step by step on boundary elements: loss, slip and traction are within about a thousandth of "
-    "their greatest values, narrow zones of slip less so.",
+    "Coulomb friction step by step on boundary elements: loss and slip are within about a thousandth of their greatest "
+    "values, the traction within some hundredths where zones of stick and slip meet.",
     "compared with sums of earlier contacts where those hold; D. A. Hills, D. Nowell, Mechanics of Fretting Fatigue, "
     "1994, doi:10.1007/978-94-015-8281-0",
 )
