@@ -50,6 +50,8 @@ __all__ = ["CARTER", "LineRolling", "LineRollingSolution"]
 
 SLIDING_TOLERANCE = 1e-12
 """A force beyond what friction bears by no more than this part of it is that of sliding."""
+SIMILAR = 1e-12
+"""Dundurs' constant [-] below which bodies are similar."""
 
 CARTER = Note(
     Assumption.SLIP,
@@ -131,6 +133,11 @@ class LineRolling:
                 "bodies are known on a HalfSpace: give one, or leave the coupling out."
             )
 
+    @property
+    def _unlike(self) -> bool:
+        """Whether pressure and traction act on each other: for similar bodies Carter's forms hold."""
+        return self.coupled and abs(mismatch(self.bed.medium)) > SIMILAR  # type: ignore[arg-type]
+
     def solve(self) -> LineRollingSolution:
         """Return force, creepage and the zone of stick.
 
@@ -151,12 +158,12 @@ class LineRolling:
                     f"LineRolling: friction bears {most:.6g} N/m, less than the {np.max(np.abs(force)):.6g} N/m given: "
                     "the bodies slide; give less, or prescribe a creepage."
                 )
-            if self.coupled:
+            if self._unlike:
                 return self._coupled(contact, np.clip(force, -most, most))
             ratio = np.minimum(np.abs(force) / most, 1.0)
             share = np.sqrt(1.0 - ratio)
             creepage = np.sign(force) * limit * ratio / (1.0 + share)
-        elif self.coupled:
+        elif self._unlike:
             return self._coupled(contact, np.asarray(self.drive.longitudinal, dtype=float))
         else:
             creepage = np.asarray(self.drive.longitudinal, dtype=float)
