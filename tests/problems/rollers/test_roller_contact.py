@@ -287,3 +287,17 @@ def test_the_estimate_of_yield_is_that_of_a_line():
 def test_what_is_no_roller_is_refused(change, sentence):
     with pytest.raises(wk.InvalidInput, match=sentence):
         dataclasses.replace(bearing(LOG), **change)
+
+
+@pytest.mark.parametrize(("radius", "depth"), [(2e3, 5e-2), (1e6, 5e-2)])
+def test_a_roller_much_shorter_than_its_contact_is_as_wide_as_the_elements_that_bear(radius, depth):
+    """Of a fine grid the edge lies between the last element that bears and the next; a coarse one is within 3 %."""
+    wide, fine = (
+        wk.RollerContact(radius, 2.0, wk.SharpEnds(), SOFT, wk.Depth(depth), elements=elements).solve().last
+        for elements in (80, 320)
+    )
+    bears = fine.pressure[fine.x.size // 2] > 0.0
+    edge = fine.y[bears].max() + 0.5 * (fine.y[1] - fine.y[0])
+    assert fine.half_width[fine.x.size // 2] == pytest.approx(edge, rel=0.02)
+    assert wide.half_width[wide.x.size // 2] == pytest.approx(edge, rel=0.03)
+    assert wide.half_width == pytest.approx(np.full(wide.x.size, wide.half_width.mean()), rel=0.01)
