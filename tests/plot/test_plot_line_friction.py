@@ -41,6 +41,16 @@ def test_a_state_shows_the_stress_of_a_body_that_deforms():
     assert len(sheet_of(sheared(wk.Paraboloid(10e-3), path, soft).at(-1)).panels) == 2
 
 
+def test_a_path_out_of_phase_shows_what_was_marched():
+    path = wk.LinePath(1e5, [0.0, 3e4, -1e4], bulk_stress=[1e8, 0.0, 1.5e8])
+    solution = sheared(wk.Cone(1.5), path)
+    _, traction, slip = sheet_of(solution).panels
+    (stick,) = marks(traction, Band)
+    assert stick.high - stick.low == pytest.approx(2.0 * solution.stick_half_width[-1])
+    assert all(np.all(np.isfinite(mark.y)) for mark in marks(slip, Line))
+    assert len(sheet_of(solution.at(-1)).panels) == 3
+
+
 def test_the_last_contact_is_shown_where_the_bodies_part():
     parted = sheared(wk.Paraboloid(10e-3), wk.LinePath([1e5, 0.0], [1e4, 0.0]))
     assert [panel.title for panel in sheet_of(parted).panels][1:] == ["traction (last contact)", "slip (last contact)"]

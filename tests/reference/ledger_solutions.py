@@ -436,6 +436,23 @@ def line_bulk_stress() -> Numbers:
     return [[c, c], [lost, 3 * lost], [e, e]]
 
 
+@of_case
+def line_bulk_quartic() -> Numbers:
+    """f = x^4, E* = P = 1: what sticks, m +- c, is a contact under P - Q/mu whose profile is tilted by strain/mu.
+
+    With x = m + c cos(t): the mean of f' is the tilt, and (c/2) times the integral of f' cos(t) over t is the load.
+    """
+    tilt, load = frac("0.15") / frac("0.4"), 1 - frac("0.2") / frac("0.4")
+    m, c = mp.findroot(
+        lambda m, c: (
+            4 * (m**3 + mp.mpf(3) / 2 * m * c**2) - tilt,
+            c / 2 * mp.pi * 4 * (mp.mpf(3) / 2 * m**2 * c + mp.mpf(3) / 8 * c**3) - load,
+        ),
+        (mp.mpf("0.1"), mp.mpf("0.6")),
+    )
+    return [[c], [m]]
+
+
 def _oval(bend: str) -> Numbers:
     """F, and the semi-axes, of A x^2 + (1 - A) y^2 at d = 0.01 after Hertz."""
     small = frac(bend)

@@ -203,12 +203,10 @@ def test_beside_a_bulk_stress_a_step_sums_only_the_strips_that_change(monkeypatc
     assert max(summed) <= 3
 
 
-def test_beyond_the_limit_of_a_bulk_stress_little_is_left_out():
-    """At 1.13 times the bulk stress at which an edge slips back at first, slip is off by a thousandth afterwards."""
-    loss, slip, borne = marched(([1.0] * 3, [0.0, 0.25, -0.25]), 300, 10, 0.32)
-    assert np.max(np.abs(loss)) < 1e-3
-    assert 1e-4 < np.max(np.abs(slip)) < 1e-3
-    assert np.max(np.abs(borne)) < 1e-3
+def test_beyond_the_limit_of_a_bulk_stress_an_edge_slips_back():
+    """At 1.13 times the bulk stress at which it begins to."""
+    for off in marched(([1.0] * 3, [0.0, 0.25, -0.25]), 300, 10, 0.32):
+        assert np.max(np.abs(off)) < 3e-4
 
 
 def test_points_in_between_change_nothing():
@@ -303,8 +301,8 @@ def test_a_small_bulk_stress_meets_none():
     assert small.slip_shift == pytest.approx(none.slip_shift, rel=1e-8)
 
 
-def test_a_bulk_stress_that_makes_an_edge_slip_back_is_refused_or_noted():
-    """For similar bodies 4 Q/(pi a); beyond it the points of the path decide."""
+def test_beyond_the_bulk_stress_that_makes_an_edge_slip_back_elements_are_noted():
+    """For similar bodies 4 Q/(pi a)."""
     a = np.sqrt(4.0 / np.pi)
     most = 4.0 * 0.25 / (np.pi * a)
 
@@ -314,11 +312,7 @@ def test_a_bulk_stress_that_makes_an_edge_slip_back_is_refused_or_noted():
         return [note.standing for note in notes if note.assumption is wk.Assumption.SLIP]
 
     assert standing(0.999, 50) == [wk.Standing.EXACT]
-    assert standing(1.1) == [wk.Standing.APPROXIMATE]
-    with pytest.raises(wk.OutsideValidity, match=f"give at most {most:.6g} Pa"):
-        standing(1.5)
-    with pytest.raises(wk.OutsideValidity, match="slips back"):
-        standing(1.01, 50)
+    assert standing(1.01) == [wk.Standing.APPROXIMATE]
 
 
 # --------------------------------------------------------------------------------------------------- stresses
@@ -376,8 +370,6 @@ def test_the_trailing_edge_is_pulled_by_twice_the_friction():
         (wk.Paraboloid(10e-3), ([1e5, 0.0], [0.0, 1.0]), "index 1 .* friction bears 0 N/m at most"),
         (wk.Paraboloid(10e-3), ([1e5, 1e5], [0.0, 1e4, 0.0]), "give one number for each point"),
         (wk.Paraboloid(10e-3), ([1e5, 1e5], [0.0, 0.0], 1e6), "there is none"),
-        (wk.Paraboloid(10e-3), ([1e5, 2e5], [0.0, 1e4], 1e6), "the normal force changes"),
-        (wk.Cone(1.5), ([1e5, 1e5], [0.0, 1e4], 1e6), "give a Paraboloid"),
     ],
 )
 def test_what_cannot_be_is_refused(profile, path, sentence):
@@ -393,11 +385,14 @@ def test_bodies_of_which_slip_or_bulk_stress_is_not_known_are_refused():
         sheared(wk.Paraboloid(10e-3), wk.LinePath(1e5, [0.0, 1e4], bulk_stress=1e6), wk.HalfSpace(wk.Rigid(), STEEL))
 
 
-def test_a_bulk_stress_beside_hardly_any_shear_force_is_refused():
-    """However small the force: the shift does not depend on it, and rounding must not hide it."""
-    for share in (1e-3, 1e-11, 1e-13, 1e-40):
-        with pytest.raises(wk.OutsideValidity, match="slip"):
-            sheared(wk.Paraboloid(10e-3), wk.LinePath(1e5, [0.0, share * MU * 1e5], bulk_stress=1e8))
+def test_a_bulk_stress_beside_hardly_any_shear_force_is_that_of_the_bulk_stress_alone():
+    """However small the force is: both edges slip, against each other."""
+    alone = sheared(wk.Paraboloid(10e-3), wk.LinePath(1e5, 0.0, bulk_stress=[0.0, 1e8]))
+    assert alone.stick_middle[-1] == pytest.approx(0.0, abs=1e-9 * alone.half_width[-1])
+    for share in (1e-11, 1e-40):
+        faint = sheared(wk.Paraboloid(10e-3), wk.LinePath(1e5, [0.0, share * MU * 1e5], bulk_stress=1e8))
+        assert faint.stick_half_width[-1] == pytest.approx(alone.stick_half_width[-1], rel=1e-6)
+        assert faint.dissipation_per_length[-1] == pytest.approx(alone.dissipation_per_length[-1], rel=1e-6)
 
 
 def test_beside_a_bulk_stress_slip_is_counted_from_what_sticks():

@@ -67,6 +67,8 @@ def strip_step(
     *,
     shift: float = 0.0,
     total: float | None = None,
+    weights: Array | None = None,
+    rounding: float = 0.0,
 ) -> StripStep:
     """Return the strip after a step of a given shift, or one that brings its tractions to a given sum.
 
@@ -83,31 +85,39 @@ def strip_step(
     shift : float
         W [m], if no sum is given.
     total : float, optional
-        Sum of the tractions over E* [-].
+        Sum of the tractions over E* [-], or of their products with the weights.
+    weights : ndarray, (n,), optional
+        Of the nodes in the sum, such as their widths; equal without them.
+    rounding : float, optional
+        Part of the bound, and of the displacements, by which a node may miss its condition.
 
     Raises
     ------
     NotConverged
         If the zones of stick and slip are not found.
     """
-    slip = np.zeros(bound.size)
+    parts = np.ones(bound.size) if weights is None else weights
     for iteration in range(MOST_ITERATIONS):
         sticks = slips == 0
         if total is not None and not sticks.any():
-            sticks[-1 - int(np.argmin(np.abs(slip[::-1])))] = True  # some node must: friction bears more than the sum
+            sticks[_first_to_stick(slips, before - compliance @ (slips * bound), parts @ (slips * bound) - total)] = (
+                True
+            )
         traction = np.where(sticks, 0.0, slips * bound)
         inner = compliance[np.ix_(sticks, sticks)]
         wanted = before[sticks] - compliance[np.ix_(sticks, ~sticks)] @ traction[~sticks]
         if total is None:
             traction[sticks] = np.linalg.solve(inner, shift + wanted) if sticks.any() else 0.0
         else:
-            edge = np.ones((len(wanted), 1))
-            system = np.block([[inner, -edge], [edge.T, np.zeros((1, 1))]])
-            found = np.linalg.solve(system, np.append(wanted, total - float(np.sum(traction))))
+            edge, row = np.ones((len(wanted), 1)), parts[sticks][None, :]
+            system = np.block([[inner, -edge], [row, np.zeros((1, 1))]])
+            found = np.linalg.solve(system, np.append(wanted, total - float(parts @ traction)))
             traction[sticks], shift = found[:-1], float(found[-1])
-        slip = shift + before - compliance @ traction
-        over = np.where(np.abs(traction) > bound, np.sign(traction), 0.0)
-        better = np.where(sticks, over, np.where(slips * slip < 0.0, 0.0, slips))
+        moved = compliance @ traction
+        slip = shift + before - moved
+        least = rounding * float(np.max(np.abs(moved))) if rounding else 0.0
+        over = np.where(np.abs(traction) > bound * (1.0 + rounding), np.sign(traction), 0.0)
+        better = np.where(sticks, over, np.where(slips * slip < -least, 0.0, slips))
         wrong = np.flatnonzero(better != np.where(sticks, 0.0, slips))
         if wrong.size == 0:
             return StripStep(traction, np.where(sticks, 0.0, slips), shift)
@@ -115,6 +125,20 @@ def strip_step(
         slips = np.where(sticks, 0.0, slips)
         slips[changed] = better[changed]
     raise NotConverged(
-        f"The zones of stick and slip of a rolling strip were not found in {MOST_ITERATIONS} iterations; give another "
-        "count of elements, or a force farther from the one at which all slides."
+        f"The zones of stick and slip of a strip were not found in {MOST_ITERATIONS} iterations; give another count of "
+        "elements or points, or a force farther from the one at which all slides."
     )
+
+
+def _first_to_stick(slips: Array, free: Array, surplus: float) -> int:
+    """Return which node of a strip that slips everywhere comes to rest: friction bears more than the sum.
+
+    Parameters
+    ----------
+    slips, free : ndarray, (n,)
+        -1 or 1; slip without a shift [m].
+    surplus : float
+        By how much the sum of the tractions is too great: the shift is to fall, or to rise.
+    """
+    side = 1.0 if surplus > 0.0 else -1.0
+    return int(np.argmin(np.where(slips == side, side * free, np.inf)))

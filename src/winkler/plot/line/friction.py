@@ -15,6 +15,7 @@ from winkler.plot.friction.curves import loop_panel, mirrored_bounds
 from winkler.plot.normal.stresses import stress_map
 from winkler.plot.panel import NO_CONTACT, Area, Band, Line, Panel, PanelAxis, Rule, Sheet, note, titled, zero
 from winkler.plot.series import places, scale_of, series, with_unit
+from winkler.problems.line_friction.marched_states import LineMarchedState
 from winkler.problems.line_friction.states import LineTangentialState
 from winkler.problems.line_friction.tangential import LineTangentialSolution
 
@@ -47,7 +48,8 @@ def line_tangential_sheet(item: LineTangentialSolution) -> Sheet:
 
 
 @sheet_of.register(LineTangentialState)
-def line_tangential_state_sheet(item: LineTangentialState, *, extent: float | None = None) -> Sheet:
+@sheet_of.register(LineMarchedState)
+def line_tangential_state_sheet(item: LineTangentialState | LineMarchedState, *, extent: float | None = None) -> Sheet:
     """Return traction, slip and, in a body that deforms, the stress below the surface of one state."""
     extent = checked_extent(extent)
     a = item.half_width
@@ -69,7 +71,7 @@ def _lost(item: LineTangentialSolution) -> str:
     return f"lost along the path: {with_unit(lost, 'J/m')}" if lost > 0.0 else "nothing lost"
 
 
-def _stuck(item: LineTangentialState) -> list[Any]:
+def _stuck(item: LineTangentialState | LineMarchedState) -> list[Any]:
     c, middle = item.stick_half_width, item.stick_middle
     return [Band(middle - c, middle + c, name="stick")] if c > 0.0 else []
 
@@ -78,15 +80,19 @@ def _across(end: float) -> PanelAxis:
     return PanelAxis("$x$", scale_of("m", [end]), low=-end, high=end)
 
 
-def _places(item: LineTangentialState, end: float) -> Array:
+def _places(item: LineTangentialState | LineMarchedState, end: float) -> Array:
     """Return places on either side, dense at the edges of all strips."""
-    edges = [abs(strip.middle + side * strip.half_width) for strip in item.strips for side in (-1.0, 1.0)]
+    if isinstance(item, LineMarchedState):
+        strips: list[tuple[float, float]] = [(item.stick_middle, item.stick_half_width)]
+    else:
+        strips = [(strip.middle, strip.half_width) for strip in item.strips]
+    edges = [abs(middle + side * half_width) for middle, half_width in strips for side in (-1.0, 1.0)]
     marks = tuple(sorted({edge for edge in (*edges, item.half_width) if 0.0 < edge < end}))
     x = places(end, marks, count=240)
     return np.unique(np.concatenate([-x, x]))
 
 
-def _traction_panel(item: LineTangentialState, end: float) -> Panel:
+def _traction_panel(item: LineTangentialState | LineMarchedState, end: float) -> Panel:
     x = _places(item, end)
     mu = item.law.coefficient
     bound, rubbed = mu * item.pressure(x), item.traction(x)
@@ -107,7 +113,7 @@ def _traction_panel(item: LineTangentialState, end: float) -> Panel:
     return Panel(marks, _across(end), upright, legend="upper right")
 
 
-def _slip_panel(item: LineTangentialState) -> Panel:
+def _slip_panel(item: LineTangentialState | LineMarchedState) -> Panel:
     end = WIDTHS_DRAWN * item.half_width
     x = _places(item, item.half_width)
     ahead = series("slip", item.slip(x))
@@ -117,7 +123,7 @@ def _slip_panel(item: LineTangentialState) -> Panel:
     return Panel(marks, _across(end), upright, legend="upper center")
 
 
-def _stress_panel(item: LineTangentialState, end: float) -> Panel:
+def _stress_panel(item: LineTangentialState | LineMarchedState, end: float) -> Panel:
     x, z = np.linspace(-end, end, ACROSS), end * np.linspace(0.0, 1.0, DOWN) ** 1.6
     fields = item.stresses(x[:, None], z[None, :] + DEEPEST_SURFACE * item.half_width)
     across, down = np.broadcast_arrays(x[:, None], z[None, :])

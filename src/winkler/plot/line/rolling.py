@@ -13,15 +13,16 @@ from winkler.plot.dispatch import sheet_of
 from winkler.plot.extent import checked_extent
 from winkler.plot.panel import Line, Panel, PanelAxis, Rule, Sheet, points, titled
 from winkler.plot.series import scale_of, series, series_of, with_unit
+from winkler.problems.line_rolling.pressed import sliding_creepage
 from winkler.problems.line_rolling.resistance import LineRollingResistanceSolution
 from winkler.problems.line_rolling.start import LineRollingStartSolution
 from winkler.problems.line_rolling.start_states import DRAGGED
-from winkler.problems.line_rolling.steady import LineRollingSolution, sliding_creepage
+from winkler.problems.line_rolling.steady import LineRollingSolution
 from winkler.problems.rolling.creepage import Creepage
 
 __all__ = ["line_resistance_sheet", "line_rolling_sheet", "line_rolling_start_sheet"]
 
-POINTS = 121
+POINTS, COUPLED_POINTS = 121, 9
 BEYOND_SLIDING = 1.35
 """Range of a creep curve relative to the creepage at full sliding."""
 PLACES = 401
@@ -64,7 +65,7 @@ def _creep_panel(item: LineRollingSolution) -> Panel:
     ratio = np.ravel(np.asarray(item.traction_ratio)) * np.sign(creepage)
     limit = sliding_creepage(item.contact, item.problem.friction.coefficient)
     most = max(BEYOND_SLIDING * limit, float(np.max(np.abs(creepage))))
-    along = np.linspace(-most if np.min(creepage) < 0.0 else 0.0, most, POINTS)
+    along = np.linspace(-most if np.min(creepage) < 0.0 else 0.0, most, COUPLED_POINTS if item.strips else POINTS)
     curve = dataclasses.replace(item.problem, drive=Creepage(longitudinal=along)).solve()
     forces = np.asarray(curve.traction_ratio) * np.sign(along)
     of = series("longitudinal_creepage", along, LineRollingSolution)

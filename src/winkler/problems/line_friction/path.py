@@ -1,7 +1,8 @@
-"""A path of a line contact: normal and shear force per length, point after point, and a bulk stress in phase.
+"""A path of a line contact: normal and shear force per length, point after point, and a bulk stress.
 
-The forces change in proportion to each other between two points; how fast does not matter to friction.  Before the
-first point the bodies are pressed straight down by its normal force, and then sheared by its shear force.  There is no
+All of them change in proportion to each other between two points; how fast does not matter to friction.  Before the
+first point the bodies are pressed straight down by its normal force, and then sheared by its shear force and strained
+by its bulk stress, in proportion to each other.  There is no
 displacement to prescribe: the surface of a half-plane moves without bound under a force per length.
 """
 
@@ -11,13 +12,16 @@ from typing import Annotated
 
 import numpy as np
 
-from winkler.checks.number_checks import Finite, FiniteQuantity, NonNegativeQuantity, Whole, affordable
+from winkler.checks.number_checks import FiniteQuantity, NonNegativeQuantity, Whole, affordable
 from winkler.errors import InvalidInput
 from winkler.limits import PATH_POINTS
 from winkler.numerics.types import Array
 from winkler.values import value, words
 
 __all__ = ["LinePath"]
+
+ROUNDING = 1e-12
+"""Part of the greatest bulk stress by which one in phase may differ."""
 
 
 @value
@@ -30,49 +34,56 @@ class LinePath:
         P [N/m], not negative; one number holds all the time.
     shear_force_per_length : float or ndarray, (points,)
         Q [N/m] along x on the first body, against x on the second; one number holds all the time.
-    bulk_stress : float, optional
-        Stress along x in the first body, far from the contact, when the shear force is at its greatest magnitude and
-        positive [Pa], tension positive.  It changes in proportion to the shear force.
+    bulk_stress : float or ndarray, (points,), optional
+        Stress along x in the first body, far from the contact [Pa], tension positive.  One number is the stress when
+        the shear force is at its greatest magnitude and positive, to which it is proportional; an array states the
+        stress at every point.
     count : int, optional
         Into how many equal parts each step between two points is divided.
 
     Raises
     ------
     InvalidInput
-        If the lengths differ, or there is a bulk stress and no shear force.
+        If the lengths differ, or one number is given for the bulk stress and there is no shear force.
 
     Examples
     --------
     >>> LinePath(100e3, [0.0, 10e3, -10e3], count=2).along
     array([     0.,   5000.,  10000.,      0., -10000.])
+    >>> LinePath(100e3, 0.0, bulk_stress=[0.0, 50e6, -50e6]).bulk
+    array([       0.,  50000000., -50000000.])
     """
 
     __words__ = words(
         count=("n", None, "parts into which each step is divided"),
         across=("P", "N/m", "normal force per length at every point"),
         along=("Q", "N/m", "shear force per length at every point"),
-        bulk_per_shear=("", "1/m", "bulk stress over the shear force per length"),
+        bulk=("", "Pa", "bulk stress in the first body at every point"),
+        in_phase=("", None, "whether the bulk stress is proportional to the shear force"),
+        bulk_per_shear=("", "1/m", "bulk stress over the shear force per length, where they are in phase"),
     )
 
     force_per_length: NonNegativeQuantity
     shear_force_per_length: FiniteQuantity
-    bulk_stress: Finite = 0.0
+    bulk_stress: FiniteQuantity = 0.0
     count: Annotated[int, Whole(1, PATH_POINTS, "parts")] = 1
 
     def __post_init__(self) -> None:
-        shapes = [np.shape(part) for part in (self.force_per_length, self.shear_force_per_length)]
+        rows = (self.force_per_length, self.shear_force_per_length, self.bulk_stress)
+        shapes = [np.shape(row) for row in rows]
         lengths = {shape for shape in shapes if shape != ()}
         if len(lengths) > 1 or any(len(shape) != 1 or shape == (0,) for shape in lengths):
+            beside = "" if shapes[2] == () else f", and the bulk stress {shapes[2]}"
             raise InvalidInput(
-                f"LinePath: the forces have the shapes {shapes[0]} and {shapes[1]}; give one number for each point, or "
-                "one for all."
+                f"LinePath: the forces have the shapes {shapes[0]} and {shapes[1]}{beside}; give one number for each "
+                "point, or one for all."
             )
         points = max((shape[0] for shape in lengths), default=1)
         affordable("LinePath", "points", 1 + (points - 1) * self.count, PATH_POINTS)
-        if self.bulk_stress != 0.0 and not np.any(self.shear_force_per_length):
+        if shapes[2] == () and self.bulk_stress != 0.0 and not np.any(self.shear_force_per_length):
             raise InvalidInput(
-                "LinePath: the bulk stress changes in proportion to the shear force, and there is none; give a shear "
-                "force, or no bulk stress."
+                "LinePath: one number for the bulk stress changes in proportion to the shear force, and there is none; "
+                "give a shear force, no bulk stress, or one bulk stress for each point."
             )
 
     @property
@@ -86,13 +97,31 @@ class LinePath:
         return self._divided(1)
 
     @property
+    def bulk(self) -> Array:
+        """Bulk stress in the first body at every point [Pa], those in between included."""
+        return self._divided(2) if np.ndim(self.bulk_stress) else self.bulk_per_shear * self.along
+
+    @property
     def bulk_per_shear(self) -> float:
-        """Bulk stress over the shear force per length [1/m]."""
-        return self.bulk_stress / float(np.max(np.abs(self.shear_force_per_length))) if self.bulk_stress else 0.0
+        """Bulk stress over the shear force per length [1/m], where they are in phase."""
+        if not np.any(self.bulk_stress) or not np.any(self.shear_force_per_length):
+            return 0.0
+        if np.ndim(self.bulk_stress) == 0:
+            return float(self.bulk_stress) / float(np.max(np.abs(self.shear_force_per_length)))
+        shear, bulk = np.broadcast_arrays(np.atleast_1d(self.shear_force_per_length), self.bulk_stress)
+        greatest = int(np.argmax(np.abs(shear)))
+        return float(bulk[greatest] / shear[greatest])
+
+    @property
+    def in_phase(self) -> bool:
+        """Whether the bulk stress is proportional to the shear force."""
+        bulk = self.bulk
+        return bool(np.all(np.abs(bulk - self.bulk_per_shear * self.along) <= ROUNDING * np.max(np.abs(bulk))))
 
     def _divided(self, which: int) -> Array:
-        both = np.atleast_1d(self.force_per_length), np.atleast_1d(self.shear_force_per_length)
-        row = np.broadcast_arrays(*both)[which]
+        bulk = self.bulk_stress if np.ndim(self.bulk_stress) else 0.0
+        rows = (np.atleast_1d(row) for row in (self.force_per_length, self.shear_force_per_length, bulk))
+        row = np.broadcast_arrays(*rows)[which]
         between = np.arange(1 + (row.size - 1) * self.count) / self.count
         low = np.minimum(between.astype(int), max(row.size - 2, 0))
         share, last = between - low, np.minimum(low + 1, row.size - 1)

@@ -8,7 +8,8 @@ narrower one (Cattaneo; for all profiles Ciavarella and Jaeger),
 and every history of straight steps in P and Q is a sum of such terms.  The memory is that of bodies of revolution
 (`winkler.problems.friction.slip_memory`), with the load per length of a narrower contact in the place of the gap, and Q
 in the place of the shift.  A bulk stress in one body, in phase with Q, tilts the profile of each term; the strips of a
-cylinder are shifted by it (Nowell and Hills).
+cylinder are shifted by it (Nowell and Hills).  Beside any other bulk stress the path is marched along on boundary
+elements (`winkler.problems.line_friction.march`).
 """
 
 from __future__ import annotations
@@ -28,7 +29,9 @@ from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.friction.slip_memory import SlipMemory
 from winkler.problems.friction.slip_sums import SlipSums
 from winkler.problems.line.half_width import grows, refuse_unless_strips
-from winkler.problems.line_friction.bulk import lean_of, refuse_bulk, refuse_faint, refuse_unless_nested
+from winkler.problems.line_friction.bulk import has_closed_form, lean_of, refuse_bulk
+from winkler.problems.line_friction.march import LineMarch
+from winkler.problems.line_friction.marched_states import LineMarchedState, marched_state
 from winkler.problems.line_friction.path import LinePath
 from winkler.problems.line_friction.slip_curve import slip_curve
 from winkler.problems.line_friction.slip_work import shift_of_memory, work_and_shift
@@ -56,13 +59,12 @@ class LineTangential:
     law : Coulomb
         Friction.
     path : LinePath
-        Normal and shear force per length, and a bulk stress in phase with the latter.
+        Normal and shear force per length, and a bulk stress.
 
     Raises
     ------
     InvalidInput
-        If the bodies are not isotropic, or beside a bulk stress the profile is no `Paraboloid` or the normal force
-        changes.
+        If the bodies are not isotropic, or the first body is rigid and there is a bulk stress.
 
     References
     ----------
@@ -112,18 +114,17 @@ class LineTangential:
         """How many states `steps` yields: one for every point of the path."""
         return self.path.across.size
 
-    def steps(self) -> Iterator[LineTangentialState]:
+    def steps(self) -> Iterator[LineTangentialState | LineMarchedState]:
         """Yield the contact at every point of the path.
 
         Raises
         ------
         OutsideValidity
-            If friction does not bear the shear force, or the bulk stress makes an edge slip back.
+            If friction does not bear the shear force, or the bulk stress makes hardly anything stick.
         """
-        bed, law, mu = self.bed, self.law, self.law.coefficient
+        bed, mu = self.bed, self.law.coefficient
         modulus = bed.medium.modulus
         forces, shears = self.path.across, self.path.along
-        refuse_faint(self.path, mu * float(np.max(forces)))
         widths = half_widths(bed, forces / modulus)
         refuse_unless_strips(bed, widths)
         widest, most = float(np.max(widths)), float(np.max(forces)) / modulus
@@ -132,6 +133,26 @@ class LineTangential:
                 f"LineTangential: up to the half-width of {widest:.6g} m the profile lets the load fall again, so that "
                 "the contact grows in jumps, of which slip keeps no memory; give a smoother profile or a smaller load."
             )
+        for index, (force, shear) in enumerate(zip(forces.tolist(), shears.tolist(), strict=True)):
+            if abs(shear) > mu * force * (1.0 + SLIDING_TOLERANCE):
+                raise OutsideValidity(
+                    f"LineTangential: at index {index} of the path a shear force of {shear:.6g} N/m is prescribed "
+                    f"where friction bears {mu * force:.6g} N/m at most, and the bodies would slide away; give a "
+                    "smaller one."
+                )
+        if most == 0.0 or has_closed_form(bed, self.path):
+            yield from self._superposed(widths)
+        else:
+            points = zip(forces.tolist(), widths.tolist(), shears.tolist(), self.path.bulk.tolist(), strict=True)
+            for row, point in zip(LineMarch(bed, mu, self.path).rows(), points, strict=True):
+                yield marched_state(bed, self.law, row, *point)
+
+    def _superposed(self, widths: Array) -> Iterator[LineTangentialState]:
+        """Yield the contact at every point of the path, as a sum of earlier contacts."""
+        bed, law, mu = self.bed, self.law, self.law.coefficient
+        modulus = bed.medium.modulus
+        forces, shears = self.path.across, self.path.along
+        most = float(np.max(forces)) / modulus
         sums = SlipSums(slip_curve(bed, most)) if most > 0.0 else None
         lean, ratio = lean_of(bed, self.path), self.path.bulk_per_shear
         memory, lost, shift = SlipMemory.fresh(), 0.0, 0.0
@@ -139,7 +160,6 @@ class LineTangential:
         for index, (force, shear, width) in enumerate(
             zip(forces.tolist(), shears.tolist(), widths.tolist(), strict=True)
         ):
-            self._refuse_sliding_away(index, force, shear)
             load, target = force / modulus, shear / modulus
             bulk = ratio * shear if ratio else 0.0
             if index == 0:
@@ -147,7 +167,6 @@ class LineTangential:
             memory, losses = memory.moved(load, target - _carried(memory), mu)
             if lean != 0.0 and width > 0.0:
                 before, strips = strips, strips_of(bed, memory, lean)
-                refuse_unless_nested(index, strips, shear, bulk)
                 work, further = work_and_shift(bed, before, strips)
                 lost, shift = lost + work, shift + further
             elif sums is not None:
@@ -155,17 +174,12 @@ class LineTangential:
                 shift = shift_of_memory(sums, memory, modulus) if width > 0.0 else 0.0
             yield LineTangentialState(bed, law, force, width, shear, bulk, shift, lost, lean, memory)
 
-    def _refuse_sliding_away(self, index: int, force: float, shear: float) -> None:
-        most = self.law.coefficient * force
-        if abs(shear) > most * (1.0 + SLIDING_TOLERANCE):
-            raise OutsideValidity(
-                f"LineTangential: at index {index} of the path a shear force of {shear:.6g} N/m is prescribed where "
-                f"friction bears {most:.6g} N/m at most, and the bodies would slide away; give a smaller one."
-            )
-
-    def gathered(self, states: Iterable[LineTangentialState]) -> LineTangentialSolution:
+    def gathered(self, states: Iterable[LineTangentialState | LineMarchedState]) -> LineTangentialSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""
-        reached = tuple(states)
+        given = tuple(states)
+        reached = tuple(state for state in given if isinstance(state, LineTangentialState))
+        if len(reached) < len(given):
+            return gather(LineTangentialSolution, self, given)
         gaps = np.array([0.0 if state.sliding else state.memory.stick_gap for state in reached])
         widths = np.array([state.half_width for state in reached])
         distinct, where = np.unique(np.maximum(gaps, 0.0), return_inverse=True)
@@ -189,7 +203,7 @@ def _carried(memory: SlipMemory) -> float:
 
 
 @value
-class LineTangentialSolution(OfPath[LineTangentialState]):
+class LineTangentialSolution(OfPath["LineTangentialState | LineMarchedState"]):
     """The solution of a `LineTangential` problem, point by point; all arrays ``(points,)``.
 
     Parameters
@@ -207,8 +221,8 @@ class LineTangentialSolution(OfPath[LineTangentialState]):
         and because the strip was narrower before.
     dissipation_per_length : ndarray
         Energy lost since the beginning, per length [J/m].
-    states : tuple of LineTangentialState
-        The states themselves, which have traction, slip and stresses.
+    states : tuple of LineTangentialState or LineMarchedState
+        The states themselves, which have traction, slip and stresses; the latter where the path was marched along.
     """
 
     problem: LineTangential
@@ -220,7 +234,7 @@ class LineTangentialSolution(OfPath[LineTangentialState]):
     stick_middle: Array
     slip_shift: Array
     dissipation_per_length: Array
-    states: tuple[LineTangentialState, ...]
+    states: tuple[LineTangentialState | LineMarchedState, ...]
 
     def friction_work(self, x: ArrayLike) -> Array:
         """Return what friction has lost along the path at places of the surface, per area [J/m^2].
@@ -235,8 +249,12 @@ class LineTangentialSolution(OfPath[LineTangentialState]):
         Raises
         ------
         OutsideValidity
-            If the normal force changes along the path: what slips under a pressure that changes is not summed by place.
+            If the normal force changes along a path that was not marched along: what slips under a pressure that
+            changes is not summed by place.
         """
+        last = self.states[-1]
+        if isinstance(last, LineMarchedState):
+            return last.friction_work(x)
         if np.ptp(self.force_per_length) > 0.0:
             raise OutsideValidity(
                 "LineTangentialSolution: the normal force changes along the path, and the loss is known by place under "

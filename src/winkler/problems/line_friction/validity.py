@@ -13,6 +13,7 @@ from winkler.problems.line.stress import LineContact
 from winkler.problems.line.validity import line_notes
 from winkler.problems.line.yield_statement import line_yield_notes
 from winkler.problems.line_friction.bulk import bulk_note
+from winkler.problems.line_friction.marched_states import LineMarchedState
 from winkler.problems.line_friction.states import LineTangentialState
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.validity import Assumption, Note, Standing
@@ -32,28 +33,44 @@ EXACT = Note(
 )
 
 
-def sheared_line_notes(bed: LineFoundation, law: Coulomb, widest: LineTangentialState, bulk: float) -> tuple[Note, ...]:
+MARCHED = Note(
+    Assumption.SLIP,
+    Standing.APPROXIMATE,
+    "Coulomb friction step by step on boundary elements: loss and slip are within about a thousandth of their greatest "
+    "values, the traction within some hundredths where zones of stick and slip meet.",
+    "compared with sums of earlier contacts where those hold; D. A. Hills, D. Nowell, Mechanics of Fretting Fatigue, "
+    "1994, doi:10.1007/978-94-015-8281-0",
+)
+
+
+def sheared_line_notes(
+    bed: LineFoundation, law: Coulomb, widest: LineTangentialState | LineMarchedState, bulk: float
+) -> tuple[Note, ...]:
     """Return how far a sheared line contact can be trusted.
 
     Parameters
     ----------
     bed : LineFoundation
     law : Coulomb
-    widest : LineTangentialState
+    widest : LineTangentialState or LineMarchedState
         Of the path.
     bulk : float
         Greatest magnitude of the bulk stress [Pa].
     """
     a = widest.half_width
     notes = [*line_notes(bed, a), sticking_note(bed.medium, law.coefficient)]  # type: ignore[arg-type]
-    if widest.lean == 0.0 or a == 0.0:
+    if isinstance(widest, LineMarchedState):
+        notes.append(MARCHED)
+    elif widest.lean == 0.0 or a == 0.0:
         notes.append(EXACT)
     else:
         notes.append(bulk_note(widest.lean, a, widest.force_per_length / bed.medium.modulus))
     return (*notes, *_yield_notes(bed, law, widest, bulk))
 
 
-def _yield_notes(bed: LineFoundation, law: Coulomb, widest: LineTangentialState, bulk: float) -> tuple[Note, ...]:
+def _yield_notes(
+    bed: LineFoundation, law: Coulomb, widest: LineTangentialState | LineMarchedState, bulk: float
+) -> tuple[Note, ...]:
     """Return whether the bodies stay elastic: without friction they are stressed least, where all slides most.
 
     The mean of a contact and of its mirror image, sheared in the opposite direction, is the contact without friction,
@@ -80,7 +97,7 @@ def _yield_notes(bed: LineFoundation, law: Coulomb, widest: LineTangentialState,
 
 
 def _slid_stress(
-    bed: LineFoundation, widest: LineTangentialState, friction: float, poisson: float, bulk: float
+    bed: LineFoundation, widest: LineTangentialState | LineMarchedState, friction: float, poisson: float, bulk: float
 ) -> float:
     """Return a bound of the von Mises stress [Pa]: that of sliding, and that of the bulk stress beside it."""
     a = widest.half_width

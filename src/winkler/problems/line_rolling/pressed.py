@@ -10,7 +10,7 @@ import numpy as np
 from winkler.checks.field_checks import Condition
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.line import LineFoundation
-from winkler.loading import HalfWidth, LineForce, MeanPressure
+from winkler.loading import HalfWidth, LineForce, LineShearForce, MeanPressure
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array
@@ -20,11 +20,20 @@ from winkler.problems.line.stress import LineContact, LineFields, stresses
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.problems.normal.unknown_yield import MISES
 from winkler.problems.normal.yield_statement import share_of
+from winkler.problems.rolling.creepage import Creepage
 from winkler.profiles.power import Paraboloid
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
-__all__ = ["OneLineLoad", "refuse_unless_round", "rolling_stresses", "rolling_yield_notes", "touching_strip"]
+__all__ = [
+    "OneLineLoad",
+    "refuse_unless_along",
+    "refuse_unless_round",
+    "rolling_stresses",
+    "rolling_yield_notes",
+    "sliding_creepage",
+    "touching_strip",
+]
 
 
 def _one(load: object) -> bool:
@@ -147,3 +156,23 @@ def rolling_yield_notes(contact: LineSolution, friction: float, stick_share: flo
             (Standing.OUTSIDE),
         )
     return (Note(Assumption.ELASTIC, standing, f"By von Mises' criterion {text}.", MISES),)
+
+
+def sliding_creepage(contact: LineSolution, coefficient: float) -> float:
+    """Return the creepage from which all of a pressed cylinder slides, mu a / R [-]."""
+    radius = contact.problem.bed.profile.curvature_radius  # type: ignore[attr-defined]
+    return coefficient * float(contact.half_width) / float(radius)
+
+
+def refuse_unless_along(owner: str, drive: LineShearForce | Creepage) -> None:
+    """Refuse creepages that plane strain does not know.
+
+    Raises
+    ------
+    OutsideValidity
+    """
+    if isinstance(drive, Creepage) and (np.any(np.asarray(drive.lateral) != 0.0) or np.any(np.asarray(drive.spin))):
+        raise OutsideValidity(
+            f"{owner}: the creepage has a lateral part or a spin, and a cylinder in plane strain has neither; give "
+            "Creepage(longitudinal=...)."
+        )

@@ -39,9 +39,15 @@ from winkler.problems.assumptions.coupling import mismatch, sliding_note
 from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.line.indentation import LineSolution
 from winkler.problems.line.validity import line_notes
-from winkler.problems.line_rolling.pressed import OneLineLoad, refuse_unless_round, rolling_yield_notes, touching_strip
+from winkler.problems.line_rolling.pressed import (
+    OneLineLoad,
+    refuse_unless_along,
+    refuse_unless_round,
+    rolling_yield_notes,
+    touching_strip,
+)
 from winkler.problems.line_rolling.start_states import DRAGGED, ELEMENTS, LineRollingState, rolled_state
-from winkler.problems.line_rolling.steady import LineRolling, LineRollingSolution, refuse_unless_along
+from winkler.problems.line_rolling.steady import LineRolling, LineRollingSolution
 from winkler.problems.rolling.creepage import Creepage
 from winkler.validity import Assumption, Note
 from winkler.values import value, words

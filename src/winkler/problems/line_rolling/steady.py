@@ -7,6 +7,7 @@ it with the creepage xi.  They stick from the leading edge a back to a - 2 c and
           \frac Q{\mu P} = 1-\frac{c^2}{a^2} , \qquad \xi = \frac{\mu(a-c)}R ,
 
 the second root within the zone of stick only.  Behind it the slip is :math:`(\mu/R)\sqrt{(x-a+c)^2-c^2}` of the speed.
+Bodies that are elastically dissimilar creep even without a force (`winkler.problems.line_rolling.coupled`).
 
 References
 ----------
@@ -16,7 +17,6 @@ K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 8.3, doi:10.1017/CBO97811
 
 from __future__ import annotations
 
-import dataclasses
 from typing import ClassVar
 
 import numpy as np
@@ -25,28 +25,33 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Sliding
 from winkler.loading import LineShearForce
-from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
-from winkler.problems.assumptions.coupling import sticking_note
+from winkler.media.halfspace import HalfSpace
+from winkler.numerics.types import Array, Quantity, shaped
+from winkler.problems.assumptions.coupling import mismatch, sticking_note
 from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.line.indentation import LineSolution
-from winkler.problems.line.stress import LineContact, LineFields, poisson_of
 from winkler.problems.line.validity import line_notes
+from winkler.problems.line_rolling.coupled import CoupledStrip, coupled_strip
+from winkler.problems.line_rolling.coupled_stresses import COUPLED, FULL_COUPLING, coupled_yield_notes
+from winkler.problems.line_rolling.one_drive import UnderOneDrive
 from winkler.problems.line_rolling.pressed import (
     OneLineLoad,
+    refuse_unless_along,
     refuse_unless_round,
-    rolling_stresses,
     rolling_yield_notes,
+    sliding_creepage,
     touching_strip,
 )
 from winkler.problems.rolling.creepage import Creepage
-from winkler.problems.which_body import in_first_body
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
-__all__ = ["CARTER", "LineRolling", "LineRollingSolution", "refuse_unless_along", "sliding_creepage"]
+__all__ = ["CARTER", "LineRolling", "LineRollingSolution"]
 
 SLIDING_TOLERANCE = 1e-12
 """A force beyond what friction bears by no more than this part of it is that of sliding."""
+SIMILAR = 1e-12
+"""Dundurs' constant [-] below which bodies are similar."""
 
 CARTER = Note(
     Assumption.SLIP,
@@ -71,11 +76,15 @@ class LineRolling:
         along the direction of rolling, or the longitudinal creepage.
     load : LineForce, HalfWidth or MeanPressure
         The steady normal load, one number.
+    coupled : bool, optional
+        Whether pressure and traction of dissimilar bodies act on each other; without it they do not (Carter).  Half of
+        the contact is divided into 200 elements, and the load is that of the contact without friction.
 
     Raises
     ------
     InvalidInput
-        If the profile is not round, friction not Coulomb's with a positive, finite coefficient, or the load an array.
+        If the profile is not round, friction not Coulomb's with a positive, finite coefficient, or the load an array;
+        if coupled bodies are not isotropic.
     OutsideValidity
         If a creepage is lateral or a spin: plane strain has none.
 
@@ -103,19 +112,31 @@ class LineRolling:
         bed=("", None, "profile and bodies of the line contact"),
         drive=("", None, "what is prescribed along the direction of rolling: a force per length or a creepage"),
         load=("", None, "the normal load: a force per length, a half-width or a mean pressure"),
+        coupled=("", None, "whether pressure and traction of dissimilar bodies act on each other"),
     )
 
     bed: LineFoundation
     friction: Sliding
     drive: LineShearForce | Creepage
     load: OneLineLoad
+    coupled: bool = False
 
-    references: ClassVar[tuple[str, ...]] = ("carter_1926", "johnson_1985")
+    references: ClassVar[tuple[str, ...]] = ("carter_1926", "johnson_1985", "bentall_johnson_1967")
     assumptions: ClassVar[frozenset[Assumption]] = SHEARED
 
     def __post_init__(self) -> None:
         refuse_unless_round("LineRolling", self.bed)
         refuse_unless_along("LineRolling", self.drive)
+        if self.coupled and not isinstance(self.bed.medium, HalfSpace):
+            raise InvalidInput(
+                f"LineRolling: the medium is a {type(self.bed.medium).__name__}; pressure and traction of coupled "
+                "bodies are known on a HalfSpace: give one, or leave the coupling out."
+            )
+
+    @property
+    def _unlike(self) -> bool:
+        """Whether pressure and traction act on each other: for similar bodies Carter's forms hold."""
+        return self.coupled and abs(mismatch(self.bed.medium)) > SIMILAR  # type: ignore[arg-type]
 
     def solve(self) -> LineRollingSolution:
         """Return force, creepage and the zone of stick.
@@ -124,6 +145,8 @@ class LineRolling:
         ------
         OutsideValidity
             If the bodies do not touch, or a prescribed force is more than friction bears.
+        NotConverged
+            If pressure and traction of coupled bodies are not found.
         """
         contact = touching_strip("LineRolling", self.bed, self.load)
         most = self.friction.coefficient * float(contact.force_per_length)
@@ -135,9 +158,13 @@ class LineRolling:
                     f"LineRolling: friction bears {most:.6g} N/m, less than the {np.max(np.abs(force)):.6g} N/m given: "
                     "the bodies slide; give less, or prescribe a creepage."
                 )
+            if self._unlike:
+                return self._coupled(contact, np.clip(force, -most, most))
             ratio = np.minimum(np.abs(force) / most, 1.0)
             share = np.sqrt(1.0 - ratio)
             creepage = np.sign(force) * limit * ratio / (1.0 + share)
+        elif self._unlike:
+            return self._coupled(contact, np.asarray(self.drive.longitudinal, dtype=float))
         else:
             creepage = np.asarray(self.drive.longitudinal, dtype=float)
             used = np.minimum(np.abs(creepage) / limit, 1.0)
@@ -146,9 +173,25 @@ class LineRolling:
         at, given, stick = (shaped(column, np.shape(force)) for column in (creepage, force, share))
         return LineRollingSolution(self, at, given, stick, contact)
 
+    def _coupled(self, contact: LineSolution, drives: Array) -> LineRollingSolution:
+        """Return the solution of dissimilar bodies."""
+        a, modulus = float(contact.half_width), self.bed.medium.modulus
+        beta, mu = mismatch(self.bed.medium), self.friction.coefficient  # type: ignore[arg-type]
+        slope = sliding_creepage(contact, 1.0)
+        by_force = isinstance(self.drive, LineShearForce)
+        strips = tuple(
+            coupled_strip(beta, mu, slope, force=one / (modulus * a))
+            if by_force
+            else coupled_strip(beta, mu, slope, creepage=one)
+            for one in np.ravel(drives).tolist()
+        )
+        rows = zip(*((strip.creepage, modulus * a * strip.force, strip.stick_share) for strip in strips), strict=True)
+        at, force, stick = (shaped(np.array(row), np.shape(drives)) for row in rows)
+        return LineRollingSolution(self, at, force, stick, contact, strips)
+
 
 @value
-class LineRollingSolution:
+class LineRollingSolution(UnderOneDrive):
     """The solution of a `LineRolling`; each quantity has the shape of what was prescribed.
 
     Parameters
@@ -163,15 +206,21 @@ class LineRollingSolution:
         Part of the width that sticks, c/a [-].
     contact : LineSolution
         The contact under its normal load.
+    strips : tuple of CoupledStrip
+        Of coupled bodies: pressure and traction under every drive, node by node.
     """
 
-    __words__ = words(stick_share=("c/a", "", "part of the width that sticks"))
+    __words__ = words(
+        stick_share=("c/a", "", "part of the width that sticks"),
+        strips=("", None, "pressure and traction of coupled bodies, node by node"),
+    )
 
     problem: LineRolling
     longitudinal_creepage: Quantity
     shear_force_per_length: Quantity
     stick_share: Quantity
     contact: LineSolution
+    strips: tuple[CoupledStrip, ...] = ()
 
     @property
     def traction_ratio(self) -> Quantity:
@@ -181,88 +230,16 @@ class LineRollingSolution:
 
     @property
     def loss_per_area(self) -> Quantity:
-        """Energy lost per distance rolled and length of the cylinder, xi Q [J/m^2], never negative."""
+        """Energy lost per distance rolled and length of the cylinder [J/m^2], not negative: xi Q of similar bodies."""
+        if self.strips:
+            unit = self.problem.bed.medium.modulus * float(self.contact.half_width)
+            losses = np.array([unit * strip.loss for strip in self.strips])
+            return shaped(losses, np.shape(self.longitudinal_creepage))
         return shaped(np.asarray(self.longitudinal_creepage) * np.asarray(self.shear_force_per_length))
 
     def power(self, speed: float) -> Quantity:
         """Return the power that friction turns into heat [W/m] at a speed of rolling [m/s]."""
         return shaped(abs(speed) * np.asarray(self.loss_per_area))
-
-    def traction(self, x: ArrayLike) -> Array:
-        """Return the traction on the first body [Pa] under one drive, along the direction of rolling.
-
-        Parameters
-        ----------
-        x : array_like
-            Places on the surface [m], the leading edge at +a.
-
-        Raises
-        ------
-        InvalidInput
-            If an array was prescribed.
-        """
-        a, c, mu = self._one("traction")
-        x = np.asarray(x, dtype=float)
-        pressure = self.contact.pressure(x)
-        inner = self.problem.bed.pressure(x - (a - c), c, 0.0) if c > 0.0 else np.zeros(x.shape)
-        return mu * (pressure - inner)
-
-    def slip(self, x: ArrayLike) -> Array:
-        """Return how fast the second surface slips over the first, over the speed of rolling [-], under one drive.
-
-        Parameters
-        ----------
-        x : array_like
-            Places on the surface [m]; zero outside of the contact and where it sticks.
-
-        Raises
-        ------
-        InvalidInput
-            If an array was prescribed.
-        """
-        a, c, mu = self._one("slip")
-        x = np.asarray(x, dtype=float)
-        behind = np.maximum((a - x) * (a - 2.0 * c - x), 0.0)
-        rate = np.sqrt(behind) * abs(mu) / self.problem.bed.profile.curvature_radius  # type: ignore[attr-defined]
-        beyond = abs(float(self.longitudinal_creepage)) - sliding_creepage(self.contact, abs(mu))
-        rate += max(beyond, 0.0) if c == 0.0 else 0.0
-        return np.asarray(np.sign(mu) * np.where((np.abs(x) <= a) & (x <= a - 2.0 * c), rate, 0.0))
-
-    def stresses(self, x: ArrayLike, z: ArrayLike) -> LineFields:
-        """Return the stresses below the surface under one drive, of pressure and traction.
-
-        Parameters
-        ----------
-        x : array_like
-            Places along the surface [m], the leading edge at +a.
-        z : array_like
-            Depths [m]: not negative in the first body, which is dragged along x by a positive force; negative in the
-            second, of which -0.0 is the surface, dragged against it.  All in one of them; stresses are in the body's
-            own axes, z into it.
-
-        Raises
-        ------
-        InvalidInput
-            If an array was prescribed, or the depths lie in both bodies.
-        OutsideValidity
-            If the body is rigid or not isotropic.
-        """
-        a, c, mu = self._one("stresses")
-        depth = np.asarray(z, dtype=float)
-        below = in_first_body(depth, "LineRollingSolution")
-        poisson = poisson_of(self.problem.bed, below)
-        contact = LineContact(self.problem.bed, a, 0.0, poisson, mu if below else -mu)
-        fields = rolling_stresses(contact, c, np.asarray(x, dtype=float), np.abs(depth))
-        return fields if below else dataclasses.replace(fields, z=-fields.z)
-
-    def _one(self, requested: str) -> tuple[float, float, float]:
-        """Return a, c [m], and mu with the sign of the force."""
-        if np.ndim(self.stick_share) > 0:
-            raise InvalidInput(
-                f"LineRollingSolution.{requested}: many forces or creepages were prescribed; solve for one of them."
-            )
-        a, sign = float(self.contact.half_width), float(np.sign(self.shear_force_per_length)) or 1.0
-        return a, float(self.stick_share) * a, sign * self.problem.friction.coefficient
 
     @property
     def validity(self) -> tuple[Note, ...]:
@@ -271,25 +248,7 @@ class LineRollingSolution:
         index = int(np.argmax(np.abs(self.shear_force_per_length)))
         force, share = (float(np.ravel(column)[index]) for column in (self.shear_force_per_length, self.stick_share))
         strip = line_notes(bed, float(self.contact.half_width))
+        if self.strips:
+            return (*strip, FULL_COUPLING, COUPLED, *coupled_yield_notes(self.contact, self.strips[index]))
         yielding = rolling_yield_notes(self.contact, mu if force >= 0.0 else -mu, share)
         return (*strip, sticking_note(bed.medium, mu), CARTER, *yielding)  # type: ignore[arg-type]
-
-
-def sliding_creepage(contact: LineSolution, coefficient: float) -> float:
-    """Return the creepage from which all of a pressed cylinder slides, mu a / R [-]."""
-    radius = contact.problem.bed.profile.curvature_radius  # type: ignore[attr-defined]
-    return coefficient * float(contact.half_width) / float(radius)
-
-
-def refuse_unless_along(owner: str, drive: LineShearForce | Creepage) -> None:
-    """Refuse creepages that plane strain does not know.
-
-    Raises
-    ------
-    OutsideValidity
-    """
-    if isinstance(drive, Creepage) and (np.any(np.asarray(drive.lateral) != 0.0) or np.any(np.asarray(drive.spin))):
-        raise OutsideValidity(
-            f"{owner}: the creepage has a lateral part or a spin, and a cylinder in plane strain has neither; give "
-            "Creepage(longitudinal=...)."
-        )

@@ -27,6 +27,10 @@ SHIFTED = Equation(
     "A bulk stress in phase with Q shifts those of a cylinder",
     r"e_j = R\,\frac{1-\nu_1^2}{E_1}\,\frac{\sigma_B}{Q}\,(P-\gamma_j)",
 )
+MARCHED = Equation(
+    "and beside any other the path is marched along: what sticks keeps",
+    r"s(x) = \delta - \frac{1-\nu_1^2}{E_1}\,\sigma_B\,x + \frac{2}{\pi E^*}\int q(\xi)\,\ln|x-\xi|\,\mathrm{d}\xi",
+)
 LOST = Equation(
     "Friction loses per length", r"W_d = \frac{2}{\pi E^*}\int\!\!\int t\,\mathrm{d}(Q-t)\,\mathrm{d}\ln a(\gamma)"
 )
@@ -65,7 +69,7 @@ LINE_FRICTION = Chapter(
                 ("shear_force_per_length", "dissipation_per_length"),
             ),
             pictured=PicturedContact.NONE,
-            formulas=(MODULUS, LOAD_PROFILE, LOAD, PRESSURE, SLIPPING, HISTORY, AHEAD, SHIFTED, LOST),
+            formulas=(MODULUS, LOAD_PROFILE, LOAD, PRESSURE, SLIPPING, HISTORY, AHEAD, SHIFTED, MARCHED, LOST),
         ),
     },
 )

@@ -60,6 +60,12 @@ RESISTANCE = Equation(
     "The pressure ahead of the lowest point resists", r"Q = \int p(x)\,\frac{x}{R}\,\mathrm{d}x, \quad f = \frac{Q}{P}"
 )
 
+COUPLED = Equation(
+    "Of coupled dissimilar bodies pressure and traction act on each other",
+    r"\frac{x}{R} = \frac{2}{\pi E^*}\int\frac{p(s)}{x-s}\,\mathrm{d}s-\frac{2\beta}{E^*}\,q, \quad "
+    r"s(x) = \xi-\frac{2}{\pi E^*}\int\frac{q(s)}{x-s}\,\mathrm{d}s-\frac{2\beta}{E^*}\,p",
+)
+
 LINE_ROLLING = Chapter(
     "line contact",
     kinds={
@@ -74,6 +80,7 @@ LINE_ROLLING = Chapter(
             "winkler.problems.line_rolling.steady:LineRolling",
             "carter_1926",
             "johnson_1985",
+            "bentall_johnson_1967",
             headline=("shear_force_per_length", "stick_share", "traction_ratio", "longitudinal_creepage"),
             bed=STEEL_ON_STEEL,
             drive=CREEPAGES,
@@ -83,7 +90,7 @@ LINE_ROLLING = Chapter(
             ),
             curves=(("longitudinal_creepage", "shear_force_per_length"), ("longitudinal_creepage", "stick_share")),
             pictured=PicturedContact.NONE,
-            formulas=(MODULUS, HERTZ, STICK, TRACTION, SLIP),
+            formulas=(MODULUS, HERTZ, STICK, TRACTION, SLIP, COUPLED),
         ),
         "line_rolling_start": answer(
             "winkler.problems.line_rolling.start:LineRollingStart",

@@ -1,0 +1,74 @@
+r"""Boundary elements of uneven width on half-planes, and the potential of a traction that is linear between nodes.
+
+An even traction q on an element from l to r moves the surfaces along each other at x by
+
+.. math:: u(x) = -\frac{2q}{\pi E^*}\,[\,(x-l)\ln|x-l| - (x-r)\ln|x-r| - (r-l)\,] ,
+
+and a traction whose slope jumps by :math:`\kappa_j` at :math:`s_j` has the potential of `winkler.problems.line.stress`
+
+.. math:: F(\zeta) = \frac1\pi\int\frac{q(s)}{\zeta-s}\,\mathrm ds
+          = \frac1\pi\sum_j\kappa_j\,(\zeta-s_j)\,[\,\ln(\zeta-s_j)-1\,] .
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.numerics.types import Array
+
+__all__ = ["element_compliance", "linear_potential"]
+
+FAR = 30.0
+"""Distance in half-lengths from which moments of the traction are summed: the logarithms lose digits there."""
+MOMENTS = 12
+CHUNK = 500_000
+"""Logarithms held at once."""
+
+
+def element_compliance(edges: Array) -> Array:
+    """Return the displacement over 1/E* at the middles of elements by unit tractions on each of them ``(n, n)``.
+
+    Parameters
+    ----------
+    edges : ndarray, (n + 1,)
+        Ascending [length]; the displacement is counted from a distance of one unit of it.
+    """
+    far = 0.5 * (edges[1:] + edges[:-1])[:, None] - edges
+    lifted = far * np.log(np.where(far == 0.0, 1.0, np.abs(far))) - far
+    return np.asarray(2.0 / np.pi * np.diff(lifted, axis=1))
+
+
+def linear_potential(nodes: Array, values: Array, x: Array, z: Array) -> tuple[Array, Array]:
+    """Return F [Pa] and z F' [Pa] of a traction that is linear between nodes.
+
+    Parameters
+    ----------
+    nodes, values : ndarray, (m,)
+        Ascending places [m], and the traction there [Pa]; zero at both ends.
+    x, z : ndarray, (n,)
+        Places [m], z not negative.
+    """
+    middle, half = 0.5 * (nodes[0] + nodes[-1]), 0.5 * (nodes[-1] - nodes[0])
+    s, zeta, deep = (nodes - middle) / half, ((x - middle) + 1j * z) / half, z / half
+    slopes = np.diff(values) / np.diff(s)
+    bends = np.diff(np.concatenate([[0.0], slopes, [0.0]]))
+    whole, slope = np.zeros((2, zeta.size), dtype=complex)
+    far = np.abs(zeta) > FAR
+    near = np.flatnonzero(~far)
+    for part in np.array_split(near, max(1, near.size * s.size // CHUNK)):
+        away = zeta[part, None] - s
+        logarithm = np.log(np.where(away == 0.0, 1.0, away))
+        whole[part] = (away * (logarithm - 1.0)) @ bends / np.pi
+        slope[part] = deep[part] * (logarithm @ bends) / np.pi
+    if far.any():
+        below, above, low, high = s[:-1], s[1:], values[:-1], values[1:]
+        node, weight = np.polynomial.legendre.leggauss(MOMENTS // 2 + 1)
+        t = 0.5 * (below + above)[:, None] + 0.5 * (above - below)[:, None] * node
+        q = 0.5 * (low + high)[:, None] + 0.5 * (high - low)[:, None] * node
+        share = 0.5 * (above - below)[:, None] * weight * q
+        beyond = 1.0 / zeta[far]
+        for order in range(MOMENTS):
+            moment = float(np.sum(share * t**order)) / np.pi
+            whole[far] += moment * beyond ** (order + 1)
+            slope[far] -= deep[far] * (order + 1) * moment * beyond ** (order + 2)
+    return whole, slope

@@ -1,0 +1,221 @@
+"""A sheared line contact at one point of a path that was marched along on boundary elements."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+
+from winkler.errors import OutsideValidity
+from winkler.foundation.line import LineFoundation
+from winkler.laws.friction import Coulomb
+from winkler.numerics.surfaces.strip_elements import linear_potential
+from winkler.numerics.types import Array, ArrayLike
+from winkler.problems.line.peak_pressure import rim_load
+from winkler.problems.line.stress import LineContact, LineFields, poisson_of, stresses
+from winkler.problems.line_friction.march import MarchedRow
+from winkler.problems.which_body import in_first_body
+from winkler.values import value, words
+
+__all__ = ["LineMarchedState", "marched_state", "stuck_strip"]
+
+PLACES = 400
+"""Places between the edges at which the traction below which stresses are computed is sampled, besides the elements."""
+
+
+@value
+class LineMarchedState:
+    """A sheared line contact at one point of a path that was marched along on boundary elements.
+
+    Parameters
+    ----------
+    bed : LineFoundation
+        Profile and bodies.
+    law : Coulomb
+        Friction.
+    force_per_length, half_width : float
+        P [N/m], a [m].
+    shear_force_per_length, bulk_stress : float
+        Q [N/m] along x on the first body; stress along x in it far from the contact [Pa].
+    stick_half_width, stick_middle : float
+        Half-width and middle of the widest strip that does not slip [m].
+    slip_shift : float
+        By how much the second body is shifted along x beyond what Q causes where the present strip sticks [m]: by slip,
+        and because the strip was narrower before.
+    dissipation_per_length : float
+        Energy lost since the beginning, per length [J/m].
+    places, used_friction, ahead, rubbed : ndarray, (elements,)
+        Middles of the elements that touch [m]; traction over mu times the pressure [-]; how far the second body is
+        ahead of the first there [m]; what friction has lost there since the beginning, per area [J/m^2].
+    """
+
+    __words__ = words(
+        sliding=("", None, "whether all of the contact slides"),
+        places=("x", "m", "middles of the elements that touch"),
+        used_friction=("q/(mu p)", "", "traction over mu times the pressure, element by element"),
+        ahead=("s", "m", "how far the second body is ahead of the first, element by element"),
+        rubbed=("", "J/m^2", "what friction has lost per area, element by element"),
+    )
+
+    bed: LineFoundation
+    law: Coulomb
+    force_per_length: float
+    half_width: float
+    shear_force_per_length: float
+    bulk_stress: float
+    stick_half_width: float
+    stick_middle: float
+    slip_shift: float
+    dissipation_per_length: float
+    places: Array
+    used_friction: Array
+    ahead: Array
+    rubbed: Array
+
+    @property
+    def sliding(self) -> bool:
+        """Whether all of the contact slides."""
+        return self.half_width > 0.0 and self.stick_half_width == 0.0
+
+    def pressure(self, x: ArrayLike) -> Array:
+        """Return the pressure [Pa] at places x [m], zero outside of the contact."""
+        x = np.asarray(x, dtype=float)
+        if self.half_width == 0.0:
+            return np.zeros(x.shape)
+        return self.bed.pressure(x, self.half_width, rim_load(self.bed, self.force_per_length, self.half_width))
+
+    def traction(self, x: ArrayLike) -> Array:
+        """Return the traction q [Pa] along x on the first body.
+
+        Parameters
+        ----------
+        x : array_like
+            Places on the surface [m].
+        """
+        x = np.asarray(x, dtype=float)
+        if self.half_width == 0.0:
+            return np.zeros(x.shape)
+        borne = self.law.coefficient * self.pressure(x)
+        used = np.interp(x, self.places, self.used_friction)
+        return np.asarray(used * np.where((borne == np.inf) & (used == 0.0), 0.0, borne))
+
+    def slip(self, x: ArrayLike) -> Array:
+        """Return how far the second body is ahead of the first at places of the contact [m].
+
+        Differences between two points of the path are what has slipped, at places that touched in the meantime; what
+        came into contact later brings with it how far it was ahead then.
+
+        Parameters
+        ----------
+        x : array_like
+            Places on the surface [m]; not a number outside of the contact.
+        """
+        return self._of_elements(self.ahead, x)
+
+    def friction_work(self, x: ArrayLike) -> Array:
+        """Return what friction has lost since the beginning at places of the surface, per area [J/m^2]."""
+        return np.nan_to_num(self._of_elements(self.rubbed, x))
+
+    def _of_elements(self, row: Array, x: ArrayLike) -> Array:
+        """Return a row by place: straight between the middles of the elements, and on to both edges."""
+        x = np.asarray(x, dtype=float)
+        inside = np.abs(x) <= self.half_width
+        found = np.full(x.shape, np.nan)
+        if self.half_width == 0.0 or row.size < 2:
+            found[inside & (self.half_width > 0.0)] = row[0] if row.size else 0.0
+            return found
+        at, here = self.places, x[inside]
+        cell = np.clip(np.searchsorted(at, here) - 1, 0, row.size - 2)
+        share = (here - at[cell]) / (at[cell + 1] - at[cell])
+        found[inside] = row[cell] + share * (row[cell + 1] - row[cell])
+        return found
+
+    def stresses(self, x: ArrayLike, z: ArrayLike) -> LineFields:
+        """Return the stresses below the surface: of pressure and traction, and in the first body the bulk stress.
+
+        Parameters
+        ----------
+        x : array_like
+            Places along the surface [m].
+        z : array_like
+            Depths [m]: not negative in the first body, negative in the second, of which -0.0 is the surface.
+            All in one of them.
+
+        Raises
+        ------
+        InvalidInput
+            If the depths lie in both bodies.
+        OutsideValidity
+            If there is no contact, or the body is rigid.
+        """
+        along, depth = np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(z, dtype=float))
+        below = in_first_body(depth, "LineMarchedState")
+        if self.half_width == 0.0:
+            raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
+        poisson, deep = poisson_of(self.bed, below), np.abs(depth)
+        side, mu = 1.0 if below else -1.0, self.law.coefficient
+        # as if the mean of what both edges use were used everywhere, and the rest of the traction beside it
+        common = 0.5 * float(self.used_friction[0] + self.used_friction[-1])
+        on_rim = rim_load(self.bed, self.force_per_length, self.half_width)
+        contact = LineContact(self.bed, self.half_width, on_rim, poisson, side * common * mu)
+        fields = stresses(contact, along, deep)
+        whole, slope = linear_potential(*self._rest(common), along.ravel(), deep.ravel())
+        whole, slope = side * whole.reshape(along.shape), side * slope.reshape(along.shape)
+        xx, zz = -2.0 * whole.real + slope.imag, -slope.imag
+        bulk = self.bulk_stress if below else 0.0
+        rows = (
+            fields.xx_stress + xx + bulk,
+            fields.yy_stress + poisson * (xx + zz + bulk),
+            fields.zz_stress + zz,
+            fields.xz_stress + whole.imag + slope.real,
+        )
+        return dataclasses.replace(LineFields(along, deep, *rows), z=depth)
+
+    def _rest(self, common: float) -> tuple[Array, Array]:
+        """Return places, and the traction [Pa] there less that of a contact that uses `common` of its friction."""
+        a = self.half_width
+        nodes = a * np.sin(0.5 * np.pi * np.linspace(-1.0, 1.0, PLACES))
+        nodes = np.union1d(nodes[1:-1], self.places[np.abs(self.places) < a])
+        used = np.interp(nodes, self.places, self.used_friction) - common
+        borne = self.law.coefficient * self.pressure(nodes)
+        finite = np.isfinite(borne)
+        ends = np.array([-a]), np.array([a])
+        values = np.concatenate([[0.0], (used * borne)[finite], [0.0]])
+        return np.concatenate([ends[0], nodes[finite], ends[1]]), values
+
+
+def marched_state(
+    bed: LineFoundation, law: Coulomb, row: MarchedRow, force: float, half_width: float, shear: float, bulk: float
+) -> LineMarchedState:
+    """Return the state of a row of elements under these forces per length [N/m] and this bulk stress [Pa]."""
+    used = row.traction / row.bound
+    middle, half = stuck_strip(row, used, half_width)
+    return LineMarchedState(
+        bed, law, force, half_width, shear, bulk, half, middle, row.slip_shift, row.lost, row.x, used, row.ahead,
+        row.rubbed,
+    )  # fmt: skip
+
+
+def stuck_strip(row: MarchedRow, used: Array, half_width: float) -> tuple[float, float]:
+    """Return the middle and the half-width of the widest strip that sticks [m].
+
+    Where it ends the traction departs from what friction bears by the square root of the distance: the square of what
+    is left to it is continued to zero over the two outermost elements, within the element beside them.
+    """
+    stuck = np.flatnonzero(np.diff(np.concatenate([[0], row.slips == 0.0, [0]])))
+    if not stuck.size:
+        return 0.0, 0.0
+    runs = stuck.reshape(-1, 2)
+    first, after = max(runs.tolist(), key=lambda run: float(np.sum(row.widths[run[0] : run[1]])))
+    ends = []
+    for last, inward, side in ((first, 1, -1.0), (after - 1, -1, 1.0)):
+        beside = last - inward
+        if not 0 <= beside < row.x.size:
+            ends.append(side * half_width)
+            continue
+        middle, next_to = row.x[last], row.x[last + inward] if after - first > 1 else row.x[last]
+        left = (1.0 - row.slips[beside] * used[[last, last + inward if after - first > 1 else last]]) ** 2
+        falls = left[1] - left[0]
+        beyond = left[0] * abs(next_to - middle) / falls if falls > 0.0 else 0.5 * row.widths[last]
+        ends.append(float(middle + side * min(beyond, abs(row.x[beside] - middle))))
+    return 0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0])

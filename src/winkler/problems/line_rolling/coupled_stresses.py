@@ -1,0 +1,84 @@
+"""Stresses below dissimilar cylinders that roll, and what must be stated about them: elements, coupling, yield."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.numerics.surfaces.strip_elements import linear_potential
+from winkler.numerics.types import Array
+from winkler.problems.line.indentation import LineSolution
+from winkler.problems.line.stress import LineFields
+from winkler.problems.line_rolling.coupled import COUNT, CoupledStrip
+from winkler.problems.normal.strong_parts import strong_parts
+from winkler.problems.normal.unknown_yield import MISES
+from winkler.problems.normal.yield_statement import share_of
+from winkler.validity import Assumption, Note, Standing
+
+__all__ = ["COUPLED", "FULL_COUPLING", "coupled_stresses", "coupled_yield_notes"]
+
+BENTALL = "R. H. Bentall, K. L. Johnson, Int. J. Mech. Sci. 9 (1967) 389-404; compared with CONTACT"
+COUPLED = Note(
+    Assumption.SLIP,
+    Standing.APPROXIMATE,
+    "Coulomb friction, steady rolling in plane strain on 200 elements for half of the strip: without a force the "
+    "creepage is within 0.02 % of CONTACT's where wide zones stick, and within 0.15 % where hardly anything sticks.",
+    BENTALL,
+)
+FULL_COUPLING = Note(
+    Assumption.UNCOUPLED,
+    Standing.EXACT,
+    "Pressure and traction of the dissimilar bodies act on each other, both ways.",
+    BENTALL,
+)
+ACROSS, DOWN = 61, 31
+"""Places at which von Mises' stress is compared with the strength."""
+
+
+def coupled_stresses(
+    strip: CoupledStrip, half_width: float, modulus: float, poisson: float, below: bool, x: Array, z: Array
+) -> LineFields:
+    """Return the stresses below a strip, in the first body (`below`) or the second.
+
+    Parameters
+    ----------
+    strip : CoupledStrip
+    half_width, modulus : float
+        Of similar bodies [m]; E* [Pa].
+    poisson : float
+        Of the body.
+    below : bool
+    x, z : ndarray
+        Places in the axes of the body [m], of one shape, z not negative.
+    """
+    ends = np.concatenate([strip.x[:1] - 1.0 / COUNT, strip.x, strip.x[-1:] + 1.0 / COUNT]) * half_width
+    drag = modulus if below else -modulus
+    rows = (modulus * strip.pressure, drag * strip.traction)
+    (p, dp), (q, dq) = (
+        linear_potential(ends, np.concatenate([[0.0], row, [0.0]]), x.ravel(), z.ravel()) for row in rows
+    )
+    along = p.imag + dp.real - (2.0 * q.real - dq.imag)
+    across = p.imag - dp.real - dq.imag
+    shear = -dp.imag + q.imag + dq.real
+    parts = (along, poisson * (along + across), across, shear)
+    return LineFields(x, z, *(part.reshape(x.shape) for part in parts))
+
+
+def coupled_yield_notes(contact: LineSolution, strip: CoupledStrip) -> tuple[Note, ...]:
+    """Return whether the body that comes nearest to its strength stays elastic, from stresses on a grid of places."""
+    medium, a = contact.problem.bed.medium, float(contact.half_width)
+    x, z = np.meshgrid(a * np.linspace(-1.2, 1.2, ACROSS), a * np.linspace(0.0, 1.5, DOWN), indexing="ij")
+    found = []
+    for part in strong_parts(medium):
+        stress = coupled_stresses(strip, a, medium.modulus, part.solid.poisson, part.first, x, z).von_mises
+        place = np.unravel_index(int(np.argmax(stress)), stress.shape)
+        found.append((float(stress[place]) / part.solid.strength, float(x[place]), float(z[place]), part))
+    if not found:
+        return ()
+    share, along, deep, part = max(found, key=lambda one: one[0])
+    where = f"{share_of(share, part)}, near x = {along:.3g} m, z = {deep if part.first else -deep:.3g} m"
+    if share < 1.0:
+        text, standing = f"the contact stays elastic: its greatest stress is {where}", Standing.APPROXIMATE
+    else:
+        text = f"yielding has begun: the greatest elastic stress is {where}; the result is not elastic"
+        standing = Standing.OUTSIDE
+    return (Note(Assumption.ELASTIC, standing, f"By von Mises' criterion {text}.", MISES),)

@@ -1,0 +1,139 @@
+"""What a rolling cylinder does under one drive, place by place: pressure, traction, slip and stresses."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.numerics.types import Array, ArrayLike, Quantity
+from winkler.problems.line.indentation import LineSolution
+from winkler.problems.line.stress import LineContact, LineFields, poisson_of
+from winkler.problems.line_rolling.coupled import COUNT, CoupledStrip
+from winkler.problems.line_rolling.coupled_stresses import coupled_stresses
+from winkler.problems.line_rolling.pressed import rolling_stresses, sliding_creepage
+from winkler.problems.which_body import in_first_body
+
+__all__ = ["UnderOneDrive"]
+
+
+class UnderOneDrive:
+    """The part of the solution of a `LineRolling` that belongs to one force or creepage: fields by place."""
+
+    problem: Any
+    longitudinal_creepage: Quantity
+    shear_force_per_length: Quantity
+    stick_share: Quantity
+    contact: LineSolution
+    strips: tuple[CoupledStrip, ...]
+
+    def traction(self, x: ArrayLike) -> Array:
+        """Return the traction on the first body [Pa] under one drive, along the direction of rolling.
+
+        Parameters
+        ----------
+        x : array_like
+            Places on the surface [m], the leading edge at +a.
+
+        Raises
+        ------
+        InvalidInput
+            If an array was prescribed.
+        """
+        a, c, mu = self._one("traction")
+        x = np.asarray(x, dtype=float)
+        if self.strips:
+            return np.asarray(self.problem.bed.medium.modulus * self._nodal(x, self.strips[0].traction))
+        pressure = self.contact.pressure(x)
+        inner = self.problem.bed.pressure(x - (a - c), c, 0.0) if c > 0.0 else np.zeros(x.shape)
+        return mu * (pressure - inner)
+
+    def slip(self, x: ArrayLike) -> Array:
+        """Return how fast the second surface slips over the first, over the speed of rolling [-], under one drive.
+
+        Parameters
+        ----------
+        x : array_like
+            Places on the surface [m]; zero outside of the contact and where it sticks.
+
+        Raises
+        ------
+        InvalidInput
+            If an array was prescribed.
+        """
+        a, c, mu = self._one("slip")
+        x = np.asarray(x, dtype=float)
+        if self.strips:
+            return self._nodal(x - 0.5 * a / COUNT, self.strips[0].slip)
+        behind = np.maximum((a - x) * (a - 2.0 * c - x), 0.0)
+        rate = np.sqrt(behind) * abs(mu) / self.problem.bed.profile.curvature_radius
+        beyond = abs(float(self.longitudinal_creepage)) - sliding_creepage(self.contact, abs(mu))
+        rate += max(beyond, 0.0) if c == 0.0 else 0.0
+        return np.asarray(np.sign(mu) * np.where((np.abs(x) <= a) & (x <= a - 2.0 * c), rate, 0.0))
+
+    def pressure(self, x: ArrayLike) -> Array:
+        """Return the pressure [Pa] under one drive, that of the contact unless the bodies are coupled.
+
+        Parameters
+        ----------
+        x : array_like
+            Places on the surface [m], the leading edge at +a.
+
+        Raises
+        ------
+        InvalidInput
+            If an array was prescribed.
+        """
+        self._one("pressure")
+        x = np.asarray(x, dtype=float)
+        if not self.strips:
+            return self.contact.pressure(x)
+        return np.asarray(self.problem.bed.medium.modulus * self._nodal(x, self.strips[0].pressure))
+
+    def _nodal(self, x: Array, row: Array) -> Array:
+        """Return a row of a coupled strip by place, straight between the nodes."""
+        strip, a = self.strips[0], float(self.contact.half_width)
+        nodes = a * np.concatenate([strip.x[:1] - 1.0 / COUNT, strip.x, strip.x[-1:] + 1.0 / COUNT])
+        return np.asarray(np.interp(x, nodes, np.concatenate([[0.0], row, [0.0]])))
+
+    def stresses(self, x: ArrayLike, z: ArrayLike) -> LineFields:
+        """Return the stresses below the surface under one drive, of pressure and traction.
+
+        Parameters
+        ----------
+        x : array_like
+            Places along the surface [m], the leading edge at +a.
+        z : array_like
+            Depths [m]: not negative in the first body, which is dragged along x by a positive force; negative in the
+            second, of which -0.0 is the surface, dragged against it.  All in one of them; stresses are in the body's
+            own axes, z into it.
+
+        Raises
+        ------
+        InvalidInput
+            If an array was prescribed, or the depths lie in both bodies.
+        OutsideValidity
+            If the body is rigid or not isotropic.
+        """
+        a, c, mu = self._one("stresses")
+        depth = np.asarray(z, dtype=float)
+        below = in_first_body(depth, "LineRollingSolution")
+        poisson = poisson_of(self.problem.bed, below)
+        if self.strips:
+            along, deep = np.broadcast_arrays(np.asarray(x, dtype=float), np.abs(depth))
+            fields = coupled_stresses(self.strips[0], a, self.problem.bed.medium.modulus, poisson, below, along, deep)
+            return fields if below else dataclasses.replace(fields, z=-fields.z)
+        contact = LineContact(self.problem.bed, a, 0.0, poisson, mu if below else -mu)
+        fields = rolling_stresses(contact, c, np.asarray(x, dtype=float), np.abs(depth))
+        return fields if below else dataclasses.replace(fields, z=-fields.z)
+
+    def _one(self, requested: str) -> tuple[float, float, float]:
+        """Return a, c [m], and mu with the sign of the force."""
+        if np.ndim(self.stick_share) > 0:
+            raise InvalidInput(
+                f"LineRollingSolution.{requested}: many forces or creepages were prescribed; solve for one of them."
+            )
+        a, sign = float(self.contact.half_width), float(np.sign(self.shear_force_per_length)) or 1.0
+        return a, float(self.stick_share) * a, sign * self.problem.friction.coefficient

@@ -1,0 +1,120 @@
+"""Dissimilar cylinders that roll, pressure and traction coupled: CONTACT, limits, and the integral equations."""
+
+from __future__ import annotations
+
+import itertools
+import tomllib
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+
+import winkler as wk
+from winkler.problems.line_rolling.coupled import coupled_strip
+
+FORCE = 16201.9
+ALUMINIUM = wk.Elastic(young=2.0 * 1.31 * 23e9, poisson=0.31)
+STEEL = wk.Elastic(young=2.0 * 1.28 * 82e9, poisson=0.28)
+
+
+def rolled(mu, drive=None, pair=(ALUMINIUM, STEEL), coupled=True):
+    bed = wk.LineFoundation(wk.Paraboloid(25e-3), wk.HalfSpace.between(*pair))
+    drive = wk.LineShearForce(0.0) if drive is None else drive
+    return wk.LineRolling(bed, wk.Coulomb(mu), drive, wk.LineForce(FORCE), coupled=coupled).solve()
+
+
+@pytest.mark.parametrize(("number", "creep", "lost"), [(2, 1.5e-3, 2e-3), (4, 3e-4, 3e-3)])
+def test_free_rolling_is_that_of_contact(shared_data, number, creep, lost):
+    """Creepage, greatest pressure, loss and the zones, of which CONTACT has 200 elements and winkler about 400."""
+    table = tomllib.loads((shared_data / "reference" / "contact" / "bentall_line.toml").read_text(encoding="utf-8"))
+    case = next(case for case in table["case"] if case["case"] == number)
+    found = rolled(case["friction"])
+    assert found.longitudinal_creepage == pytest.approx(case["creep_x"], rel=creep)
+    assert found.loss_per_area == pytest.approx(-case["friction_power_W"], rel=lost)
+    assert np.max(found.pressure(np.linspace(-1e-4, 1e-4, 801))) == pytest.approx(case["peak_pressure_Pa"], rel=1e-3)
+    if number == 4:
+        (strip,) = found.strips
+        runs = [(bool(key), len(list(group))) for key, group in itertools.groupby(strip.slips[::-1] == 0.0)]
+        stated = case["runs_from_leading_edge"]
+        assert [("stick" if sticks else "slip") for sticks, _ in runs] == [name for name, _ in stated]
+        assert all(abs(0.5 * ours - theirs) <= 2.0 for (_, ours), (_, theirs) in zip(runs, stated, strict=True))
+
+
+def test_bodies_in_the_other_order_creep_the_other_way():
+    one, other = rolled(0.05), rolled(0.05, pair=(STEEL, ALUMINIUM))
+    assert other.longitudinal_creepage == pytest.approx(-one.longitudinal_creepage, rel=1e-6)
+
+
+def test_with_hardly_any_friction_half_of_the_load_slips_to_either_side():
+    """Where the pressure is above that at +-sin(t), which bears half of the load: xi = beta a/R cos(t)."""
+    angle = brentq(lambda t: t + np.sin(t) * np.cos(t) - 0.25 * np.pi, 0.0, 1.5)
+    strip = coupled_strip(0.3, 1e-3, 0.01, force=0.0)
+    assert strip.creepage == pytest.approx(0.3 * 0.01 * np.cos(angle), rel=2e-3)
+
+
+def test_almost_similar_bodies_are_carters():
+    """Errors of the elements are of the first order."""
+    share = np.sqrt(1.0 - 0.6)
+    load = 0.25 * np.pi * 0.01
+    strip = coupled_strip(1e-9, 0.3, 0.01, force=0.6 * 0.3 * load)
+    assert strip.creepage == pytest.approx(0.3 * 0.01 * (1.0 - share), rel=3e-3)
+    similar = rolled(0.3, wk.LineShearForce(1000.0), pair=(STEEL, STEEL))
+    assert similar.strips == ()
+    assert similar.stick_share == rolled(0.3, wk.LineShearForce(1000.0), (STEEL, STEEL), coupled=False).stick_share
+
+
+def test_pressure_and_traction_satisfy_the_integral_equations():
+    """Halfway between nodes, with logarithms of straight pieces: both slopes, of a strongly coupled pair."""
+    beta, mu, slope = 0.4, 0.3, 0.01
+    strip = coupled_strip(beta, mu, slope, force=0.3 * mu * 0.25 * np.pi * slope)
+    h = strip.x[1] - strip.x[0]
+    nodes = np.concatenate([strip.x[:1] - h, strip.x, strip.x[-1:] + h])
+    x = 0.5 * (strip.x[1:] + strip.x[:-1])
+
+    def transform(row):
+        """Integral of row(s)/(x - s)."""
+        row = np.concatenate([[0.0], row, [0.0]])
+        steep = np.diff(row) / h
+        far = np.log(np.abs((x[:, None] - nodes[:-1]) / (x[:, None] - nodes[1:])))
+        at = row[:-1] + steep * (x[:, None] - nodes[:-1])
+        return np.sum(at * far - steep * h, axis=1)
+
+    mean = [0.5 * (row[1:] + row[:-1]) for row in (strip.pressure, strip.traction)]
+    gap = 2.0 / np.pi * transform(strip.pressure) - 2.0 * beta * mean[1] - slope * x
+    slip = strip.creepage - 2.0 / np.pi * transform(strip.traction) - 2.0 * beta * mean[0]
+    inner = np.abs(x) < 0.9
+    assert np.sqrt(np.mean(gap[inner] ** 2)) < 2e-3 * slope
+    assert np.sqrt(np.mean((slip - strip.slip[:-1])[inner] ** 2)) < 5e-3 * mu * slope
+    assert np.all(strip.slip * strip.traction >= 0.0)
+    assert np.all(np.abs(strip.traction) <= mu * strip.pressure * (1.0 + 1e-9))
+
+
+def test_a_creepage_makes_the_force_that_makes_it():
+    pulled = rolled(0.3, wk.LineShearForce(np.array([-1500.0, 2000.0])))
+    back = rolled(0.3, wk.Creepage(pulled.longitudinal_creepage))
+    np.testing.assert_allclose(back.shear_force_per_length, [-1500.0, 2000.0], rtol=1e-7)
+    slid = rolled(0.3, wk.LineShearForce(0.3 * FORCE))
+    assert slid.stick_share == 0.0
+    assert slid.traction_ratio == pytest.approx(1.0, rel=1e-9)
+
+
+def test_the_stresses_below_are_those_of_its_pressure_and_traction():
+    state = rolled(0.3, wk.LineShearForce(3000.0))
+    x = np.linspace(-0.8e-4, 0.8e-4, 9)
+    fields = state.stresses(x, 0.0)
+    np.testing.assert_allclose(fields.zz_stress, -state.pressure(x), rtol=1e-9)
+    np.testing.assert_allclose(fields.xz_stress, -state.traction(x), rtol=1e-9, atol=1.0)
+    np.testing.assert_allclose(state.stresses(x, -0.0).xz_stress, state.traction(x), rtol=1e-9, atol=1.0)
+    like = rolled(0.3, wk.LineShearForce(3000.0), coupled=False)
+    assert state.stresses(0.0, 1e-4).von_mises == pytest.approx(float(like.stresses(0.0, 1e-4).von_mises), rel=0.03)
+
+
+def test_what_is_assumed_is_stated():
+    weak = wk.Elastic(ALUMINIUM.young, 0.31, 10e6)
+    notes = rolled(0.05, pair=(weak, STEEL)).validity
+    assert any("act on each other, both ways" in note.statement for note in notes)
+    assert any(note.assumption is wk.Assumption.ELASTIC and note.standing is wk.Standing.OUTSIDE for note in notes)
+    wood = wk.TransverselyIsotropicHalfSpace(wk.TransverselyIsotropic(11e9, 4e9, 4e9, 20e9, 3e9))
+    bed = wk.LineFoundation(wk.Paraboloid(25e-3), wood)
+    with pytest.raises(wk.InvalidInput, match="give one, or leave the coupling out"):
+        wk.LineRolling(bed, wk.Coulomb(0.3), wk.LineShearForce(0.0), wk.LineForce(1e4), coupled=True)
