@@ -468,7 +468,7 @@ GLOSSARY: dict[str, Word] = {
     "edge_factor": Word(r"\kappa", "", "greatest pressure over that in the middle of a roller; infinite at sharp ends"),
     "grid_error": Word(r"\epsilon_h", "", "greatest relative change of the results from half as many elements"),
     "moment": Word("M", "N m", "moment of the pressure about the middle of a roller"),
-    "peak_pressure": Word("p_0", "Pa", "greatest pressure, in the middle of the contact"),
+    "peak_pressure": Word("p_0", "Pa", "greatest pressure"),
     "area_error": Word(r"\Delta A", "m^2", "estimated error of the area of contact"),
     "mean_gap": Word(r"\bar u", "m", "mean distance of the surfaces"),
 }

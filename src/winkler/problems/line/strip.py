@@ -84,7 +84,7 @@ class Stressed:
         a, edge_load = self._strip("stresses")
         if a == 0.0:
             raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
-        return LineContact(self._bed, a, edge_load, poisson_of(self._bed, below), friction)
+        return LineContact(self._bed, a, edge_load, poisson_of(self._bed.medium, below), friction)
 
 
 class OfStrip(Stressed):

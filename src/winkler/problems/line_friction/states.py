@@ -142,7 +142,7 @@ class LineTangentialState:
         below = in_first_body(depth, "LineTangentialState")
         if self.half_width == 0.0:
             raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
-        poisson, deep = poisson_of(self.bed, below), np.abs(depth)
+        poisson, deep = poisson_of(self.bed.medium, below), np.abs(depth)
         on_rim = rim_load(self.bed, self.force_per_length, self.half_width)
         fields = stresses(LineContact(self.bed, self.half_width, on_rim, poisson, 0.0), along, deep)
         bulk = self.bulk_stress if below else 0.0

@@ -250,7 +250,7 @@ class LineRollingSolution:
         a, c, mu = self._one("stresses")
         depth = np.asarray(z, dtype=float)
         below = in_first_body(depth, "LineRollingSolution")
-        poisson = poisson_of(self.problem.bed, below)
+        poisson = poisson_of(self.problem.bed.medium, below)
         contact = LineContact(self.problem.bed, a, 0.0, poisson, mu if below else -mu)
         fields = rolling_stresses(contact, c, np.asarray(x, dtype=float), np.abs(depth))
         return fields if below else dataclasses.replace(fields, z=-fields.z)
