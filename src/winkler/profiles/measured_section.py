@@ -1,14 +1,15 @@
 r"""Sections that were measured, or are written as a formula.
 
-Points of a profilometer are joined by straight lines: at each of them the slope jumps, so that the pressure under a crest
-grows without bound as elements become finer.  Forces, lengths and gaps are what such a section determines; peak pressures
-belong to the spacing of its points.
+Where straight lines join the points of a profilometer, the slope jumps at each of them, so that the pressure under a
+crest grows without bound as elements become finer: elements are as wide as the points are apart.  A spline may be cut into
+finer ones.  Peak pressures belong to the spacing of the points either way.
 """
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Iterable, Mapping
-from typing import Annotated
+from typing import Annotated, Any
 
 import numpy as np
 
@@ -33,7 +34,7 @@ CUT_OFF = ("", None, "whether the body ends vertically at both ends of the secti
 
 @value
 class MeasuredSection(Section):
-    """A section known at points, joined by straight lines: the trace of a profilometer.
+    """A section known at points, joined by straight lines or a spline: the trace of a profilometer.
 
     Parameters
     ----------
@@ -46,6 +47,9 @@ class MeasuredSection(Section):
     cut_off : bool, optional
         Whether the body ends vertically at the first and at the last point; otherwise it goes on, unknown, and must not
         touch there.
+    curved : bool, optional
+        Whether a cubic spline joins the points instead of straight lines: for traces whose points lie closer than what
+        they show.
 
     Raises
     ------
@@ -61,11 +65,13 @@ class MeasuredSection(Section):
         places=("x_i", "m", "measured places along the surface"),
         heights=("f_i", "m", "measured heights of the gap, the lowest of which touch first"),
         cut_off=CUT_OFF,
+        curved=("", None, "whether a cubic spline joins the points instead of straight lines"),
     )
 
     places: FiniteRow
     heights: FiniteRow
     cut_off: bool = False
+    curved: bool = False
 
     def __post_init__(self) -> None:
         n = self.places.size
@@ -93,7 +99,7 @@ class MeasuredSection(Section):
 
     @property
     def smooth(self) -> bool:
-        """No: the slope jumps at each point."""
+        """No: the slope, or its second derivative, jumps at each point."""
         return False
 
     @property
@@ -104,25 +110,39 @@ class MeasuredSection(Section):
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """That straight lines join the points."""
+        """What joins the points."""
+        joined = "a cubic spline" if self.curved else "straight lines"
         text = (
-            f"The section is {self.places.size} points joined by straight lines: greatest pressures belong to their "
-            "spacing and to the scatter of the heights, and are less certain than forces, gaps and contact lengths."
+            f"The section is {self.places.size} points joined by {joined}: greatest pressures belong to their spacing and "
+            "to the scatter of the heights, and are less certain than forces, gaps and contact lengths."
         )
         return (Note(Assumption.SHAPE, Standing.APPROXIMATE, text, "as measured"),)
 
     def grid(self, start: float, end: float, count: int) -> Array:
-        """Return the points themselves if they are even, otherwise so many places between the ends."""
-        return self.places if self.even else np.linspace(start, end, count)
+        """Return the points themselves if straight lines join them evenly, otherwise so many places between the ends."""
+        return self.places if self.even and not self.curved else np.linspace(start, end, count)
 
     def height(self, x: Array) -> Array:
         """f(x) [m] over the lowest point."""
-        return np.asarray(np.interp(x, self.places, self.heights - np.min(self.heights)))
+        lowest = float(np.min(self.heights))
+        if self.curved:
+            return np.asarray(_spline(self)(x)) - lowest
+        return np.asarray(np.interp(x, self.places, self.heights - lowest))
 
     def slope(self, x: Array) -> Array:
         """f'(x) [-]."""
+        if self.curved:
+            return np.asarray(_spline(self)(x, 1))
         after = np.clip(np.searchsorted(self.places, x, side="right"), 1, self.places.size - 1)
         return np.asarray((np.diff(self.heights) / np.diff(self.places))[after - 1])
+
+
+@functools.lru_cache(maxsize=16)
+def _spline(section: MeasuredSection) -> Any:
+    """Return the cubic spline through the points."""
+    from scipy.interpolate import CubicSpline
+
+    return CubicSpline(section.places, section.heights, bc_type="natural")
 
 
 @value

@@ -58,7 +58,9 @@ def read_profile(path: str | os.PathLike[str], *, peak: bool = False) -> Measure
 
 
 @reader("a section")
-def read_section(path: str | os.PathLike[str], *, peak: bool = False, cut_off: bool = False) -> MeasuredSection:
+def read_section(
+    path: str | os.PathLike[str], *, peak: bool = False, cut_off: bool = False, curved: bool = False
+) -> MeasuredSection:
     """Read a measured section from a table with the columns place (x, position) and height (h, z, f).
 
     Parameters
@@ -70,6 +72,8 @@ def read_section(path: str | os.PathLike[str], *, peak: bool = False, cut_off: b
         Whether heights are largest at what touches first, as in a trace of a profilometer; their sign is then changed.
     cut_off : bool, optional
         Whether the body ends vertically at the first and at the last place.
+    curved : bool, optional
+        Whether a cubic spline joins the points instead of straight lines.
 
     Returns
     -------
@@ -84,7 +88,7 @@ def read_section(path: str | os.PathLike[str], *, peak: bool = False, cut_off: b
     order = np.argsort(table.values[:, 0], kind="stable")
     x, f = table.values[order, 0], table.values[order, 1] * (-1.0 if peak else 1.0)
     with in_file(table.path):
-        return MeasuredSection(x, f, cut_off)
+        return MeasuredSection(x, f, cut_off, curved)
 
 
 def _parabola(x: Array, f: Array, degree: int) -> Array:

@@ -28,6 +28,10 @@ from winkler.numerics.types import Array
 __all__ = ["StripTerms", "in_circle", "powers"]
 
 
+AT_EDGE = 1e-14
+"""Distance over the half-width within which a place is the edge: near walls the integral grows as its square root."""
+
+
 class StripTerms(NamedTuple):
     """The pressure of one strip, over E*/2.
 
@@ -118,8 +122,9 @@ class StripTerms(NamedTuple):
 
     def raised(self, x: Array) -> Array:
         """Return the integral of Re F along x on the surface [m], beside the strip or at its edges."""
-        z, w, root = in_circle((np.asarray(x) - self.middle) / self.half + 0.0j)
-        z, w, root = z.real, w.real, root.real
+        place = (np.asarray(x, dtype=float) - self.middle) / self.half
+        place = np.where(np.abs(np.abs(place) - 1.0) < AT_EDGE, np.sign(place), place)
+        z, w, root = (part.real for part in in_circle(place))
         log = np.log(np.abs(w))
         found = np.zeros(z.shape)
         power = w.copy()  # w^k of the series

@@ -34,7 +34,7 @@ TOLERANCE = 1e-9
 
 
 class PressedLine(NamedTuple):
-    """The pressed profile.
+    r"""The pressed profile.
 
     Parameters
     ----------

@@ -18,7 +18,7 @@ PLACES, INSIDE = 1201, 65
 """Places along the section and on each strip."""
 BESIDE = 0.15
 """What is drawn beside the outermost strips, over their extent."""
-CLIPPED = 99.0
+CLIPPED = 95.0
 """Percentile of a pressure that is infinite somewhere, above which it is not drawn."""
 
 

@@ -106,10 +106,11 @@ class LineProfileContact:
                 "only be pressed together: give zero or more."
             )
         found = [self._found(force) for force in flat.tolist()]
-        still = self.alignment.tilt if isinstance(self.alignment, Tilt) else math.nan
+        still = self.alignment.tilt if isinstance(self.alignment, Tilt) else 0.0
+        action = self.alignment.place if isinstance(self.alignment, LineOfAction) else 0.0
         columns = {
             "tilt": [one.tilt if one else still for one in found],
-            "line_of_action": [one.moment / float(np.sum(one.forces)) if one else math.nan for one in found],
+            "line_of_action": [one.moment / float(np.sum(one.forces)) if one else action for one in found],
             "strip_count": [float(len(one.edges)) if one else 0.0 for one in found],
             "contact_length": [float(np.sum(np.diff(one.edges))) if one else 0.0 for one in found],
             "peak_pressure": [float(np.max(one.peaks)) if one else 0.0 for one in found],
@@ -143,9 +144,9 @@ class LineProfileSolution:
     force_per_length : float or ndarray
         P [N/m], compression positive.
     tilt : float or ndarray
-        theta, positive where it presses the end at positive x; NaN without contact of a body that is free to tilt.
+        theta, positive where it presses the end at positive x; zero without contact of a body that is free to tilt.
     line_of_action : float or ndarray
-        Where the resultant of the pressures acts [m]; NaN without contact.
+        Where the resultant of the pressures acts [m]; without contact as prescribed, or zero.
     strip_count : float or ndarray
         How many strips touch.
     contact_length : float or ndarray
