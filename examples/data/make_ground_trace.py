@@ -1,8 +1,8 @@
 """Make ground_trace.csv: the trace of a stylus across a ground roller, its form kept.
 
-The trace is not a real one: a roller of 50 mm radius with random waves from 500 to 10 micrometres, of 0.15 micrometres root
-mean square, every 2 micrometres over 1.6 mm, in whole nanometres.  The random numbers are seeded, so that the file is the
-same every time.
+The trace is not a real one: a roller of 50 mm radius with random waves from 500 to 10 micrometres, of 0.15
+micrometres root mean square, every 2 micrometres over 1.6 mm, in whole nanometres.  The random numbers are seeded,
+so that the file is the same every time.
 
 Run it in the folder where the file is wanted:  python make_ground_trace.py
 """

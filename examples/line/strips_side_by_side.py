@@ -3,8 +3,8 @@ Strips side by side
 ===================
 
 A ground roller touches a flat on its crests, two rollers on one carrier share a load, and a punch with a groove presses
-with four edges: sections that touch in several strips, which do not repeat. ``LineProfileContact`` finds the strips, and how
-each of them presses on all others through the half-plane.
+with four edges: sections that touch in several strips, which do not repeat. ``LineProfileContact`` finds the strips,
+and how each of them presses on all others through the half-plane.
 """
 
 from pathlib import Path
@@ -18,8 +18,8 @@ from winkler.plot import draw
 # %%
 # Two rollers share a load
 # ------------------------
-# Each of two rollers side by side lies in the hollow of the other: beside a strip the surface sinks and tilts. They lean
-# outwards, and touch in narrower strips than one roller alone under half of the load.
+# Each of two rollers side by side lies in the hollow of the other: beside a strip the surface sinks and tilts. They
+# lean outwards, and touch in narrower strips than one roller alone under half of the load.
 
 steel = wk.Elastic(young=210e9, poisson=0.3)
 pair = wk.HalfSpace.between(steel, steel)

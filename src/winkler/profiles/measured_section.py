@@ -1,15 +1,15 @@
 r"""Sections that were measured, or are written as a formula.
 
 Where straight lines join the points of a profilometer, the slope jumps at each of them, so that the pressure under a
-crest grows without bound as elements become finer: elements are as wide as the points are apart.  A spline may be cut into
-finer ones.  Peak pressures belong to the spacing of the points either way.
+crest grows without bound as elements become finer: elements are as wide as the points are apart.  A spline may be
+cut into finer ones.  Peak pressures belong to the spacing of the points either way.
 """
 
 from __future__ import annotations
 
 import functools
 from collections.abc import Iterable, Mapping
-from typing import Annotated, Any
+from typing import Annotated, Any, TypeAlias
 
 import numpy as np
 
@@ -18,11 +18,11 @@ from winkler.errors import InvalidInput
 from winkler.limits import MEASURED_PLACES
 from winkler.numerics.equations.expression import Expression
 from winkler.numerics.types import Array
-from winkler.profiles.section import Section, ascending
+from winkler.profiles.section import CylinderRow, MirroredSection, PunchRow, Section, ascending
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
-__all__ = ["FormulaSection", "MeasuredSection"]
+__all__ = ["AnySection", "FormulaSection", "MeasuredSection"]
 
 FEWEST_POINTS, EVEN = 16, 1e-4
 """Points of a measured section; how uneven their spacing may be to count as even, over the spacing."""
@@ -113,13 +113,13 @@ class MeasuredSection(Section):
         """What joins the points."""
         joined = "a cubic spline" if self.curved else "straight lines"
         text = (
-            f"The section is {self.places.size} points joined by {joined}: greatest pressures belong to their spacing and "
-            "to the scatter of the heights, and are less certain than forces, gaps and contact lengths."
+            f"The section is {self.places.size} points joined by {joined}: greatest pressures belong to their spacing "
+            "and to the scatter of the heights, and are less certain than forces, gaps and contact lengths."
         )
         return (Note(Assumption.SHAPE, Standing.APPROXIMATE, text, "as measured"),)
 
     def grid(self, start: float, end: float, count: int) -> Array:
-        """Return the points themselves if straight lines join them evenly, otherwise so many places between the ends."""
+        """Return the points themselves if straight lines join even ones, otherwise so many places."""
         return self.places if self.even and not self.curved else np.linspace(start, end, count)
 
     def height(self, x: Array) -> Array:
@@ -209,15 +209,17 @@ class FormulaSection(Section):
     def __post_init__(self) -> None:
         for corner in self.corners:
             if not 0.0 < corner < self.width:
-                raise InvalidInput(f"FormulaSection: the corner {corner!r} must be a place in m between 0 and the width.")
+                raise InvalidInput(
+                    f"FormulaSection: the corner {corner!r} must be a place in m between 0 and the width."
+                )
         x = np.linspace(0.0, self.width, TRIED)
         beside = x[~np.isin(x, self.corners)]
         values = np.array(self._law.taylor(beside)[:2])
         if not np.all(np.isfinite(values)):
             where = float(beside[np.argmax(~np.isfinite(values).all(axis=0))])
             raise InvalidInput(
-                f"FormulaSection: height or slope of {self.expression[:60]!r} is not finite at x = {where:.6g} m; give a "
-                "formula that is finite from x = 0 to the width."
+                f"FormulaSection: height or slope of {self.expression[:60]!r} is not finite at x = {where:.6g} m; give "
+                "a formula that is finite from x = 0 to the width."
             )
 
     @property
@@ -259,3 +261,6 @@ class FormulaSection(Section):
         x = np.asarray(x, dtype=float)
         at = np.isin(x, self.corners)
         return np.asarray(self._law.taylor(np.clip(np.where(at, x + SIDE * self.width, x), 0.0, self.width))[1])
+
+
+AnySection: TypeAlias = CylinderRow | PunchRow | MirroredSection | FormulaSection | MeasuredSection

@@ -1,7 +1,7 @@
-r"""Sections across long bodies: heights f(x) over places along a surface, which need be neither even nor have one crest.
+r"""Sections across long bodies: heights f(x) along a surface, neither even nor of one crest.
 
-A section states f and f' between `start` and `end`, the places where its slope or curvature jumps, and the walls at which
-the body ends.  `Section` is the contract of `winkler.problems.line.profile_contact.LineProfileContact`.
+A section states f and f' between `start` and `end`, the places where its slope or curvature jumps, and the walls at
+which the body ends.  `Section` is the contract of `winkler.problems.line.profile_contact.LineProfileContact`.
 """
 
 from __future__ import annotations
@@ -217,7 +217,9 @@ class MirroredSection(Section):
 
     def __post_init__(self) -> None:
         if isinstance(self.profile, AreaFunction):
-            raise InvalidInput("MirroredSection: an AreaFunction states the round cross-sections of a tip; give a shape.")
+            raise InvalidInput(
+                "MirroredSection: an AreaFunction states the round cross-sections of a tip; give a shape."
+            )
         if 0.5 * self.width > min(self.profile.reach, self.profile.rim):
             raise InvalidInput(
                 f"MirroredSection: the profile ends at {min(self.profile.reach, self.profile.rim):.6g} m; give a width "

@@ -1,4 +1,4 @@
-"""Sections that touch in many strips: closed forms, superposed line loads, elements against refined strips, refusals."""
+"""Sections that touch in many strips: closed forms, superposed line loads, elements and refined strips, refusals."""
 
 from __future__ import annotations
 

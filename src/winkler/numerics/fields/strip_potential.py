@@ -3,14 +3,16 @@ r"""The potential of strips of pressure on a half-plane, in closed form, strip b
 On a strip of the middle m and half-width h, with :math:`t=(x-m)/h=\cos\theta`, the pressure over E*/2 is
 
 .. math:: d = \sqrt{1-t^2}\sum_k c_kU_k(t) + \frac{s_0+s_1t}{\sqrt{1-t^2}}
-            + \sum_i\frac{J_i}\pi\ln\Big|\frac{\sin\frac12(\theta+\theta_i)}{\sin\frac12(\theta-\theta_i)}\Big| + \dots ,
+            + \sum_i\frac{J_i}\pi
+            \ln\Big|\frac{\sin\frac12(\theta+\theta_i)}{\sin\frac12(\theta-\theta_i)}\Big| + \dots ,
 
 series, walls, and corners at :math:`t_i=\cos\theta_i` where the slope of the profile jumps by J (and terms of the same
 kind where its curvature jumps).  With :math:`w = z-\sqrt{z^2-1}`, :math:`z=(\zeta-m)/h`, the potential
 :math:`F(\zeta)=\frac1\pi\int d(s)/(\zeta-s)\,\mathrm ds` is
 
 .. math:: F = \sum_kc_kw^{k+1} + \frac{s_0+s_1z}{\sqrt{z^2-1}} - s_1
-            + \sum_i\frac{J_i}{\pi\mathrm i}\ln\frac{1-w\mathrm e^{-\mathrm i\theta_i}}{1-w\mathrm e^{\mathrm i\theta_i}} .
+            + \sum_i\frac{J_i}{\pi\mathrm i}
+            \ln\frac{1-w\mathrm e^{-\mathrm i\theta_i}}{1-w\mathrm e^{\mathrm i\theta_i}} .
 
 On the surface its real part is the slope by which the surfaces are bent, :math:`-\Im F=d`, and the integral of it along
 x is elementary as well.

@@ -4,9 +4,9 @@ r"""A two-dimensional profile pressed on a half-plane by a force per length, on 
           K_{ij} = -\frac1\pi\int_{x_j-h/2}^{x_j+h/2}\ln\frac{|x_i-s|}L\,\mathrm ds ,
 
 with p >= 0, w >= 0 and p w = 0; pressures are even on each element.  Elements that pull are dropped, those that overlap
-added, until none does either; for each such set the pressures are linear in C, theta and f, found by conjugate gradients
-preconditioned with \|q\| (products by the fast Fourier transform, padded with zeros), and the force, with the moment if
-theta is free, gives C and theta.  Grids of half as many elements provide the first set.
+added, until none does either; for each such set the pressures are linear in C, theta and f, found by conjugate
+gradients preconditioned with \|q\| (products by the fast Fourier transform, padded with zeros), and the force, with
+the moment if theta is free, gives C and theta.  Grids of half as many elements provide the first set.
 """
 
 from __future__ import annotations
@@ -190,4 +190,6 @@ def _solved(grid: _Grid, active: Array, right: Array, start: Array) -> Array:
         p += step[:, None] * along
         r -= step[:, None] * pushed
         before = np.where(level > 0.0, level, 1.0)
-    raise NotConverged(f"the pressures of {int(np.sum(active))} elements in contact were not found; take fewer elements.")
+    raise NotConverged(
+        f"the pressures of {int(np.sum(active))} elements in contact were not found; take fewer elements."
+    )

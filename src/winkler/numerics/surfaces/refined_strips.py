@@ -80,9 +80,7 @@ def refined(
         spots = _newton(curve, spots, force, moment)
         most = max(max(float(np.max(np.abs(strip.series))), strip.force / strip.half) for strip in spots.strips)
         short = [float(np.max(np.abs(strip.series[-2:]))) > TAIL * most for strip in spots.strips]
-        if not any(short) or all(
-            2 * count > MOST_TERMS for count, longer in zip(terms, short, strict=True) if longer
-        ):
+        if not any(short) or all(2 * count > MOST_TERMS for count, longer in zip(terms, short, strict=True) if longer):
             return spots
         terms = [
             2 * count if longer and 2 * count <= MOST_TERMS else count

@@ -155,9 +155,7 @@ def equations(curve: LineCurve, spots: Spots, force: float, moment: float) -> tu
                 ends[side] += sign * step
                 new = _with_edges(curve, strip, *ends)
                 at_edges[j] = ends
-                pair.append(
-                    (new.potential(far).real, _own(curve, new, t), new.raised(at_edges), new.force, new.moment)
-                )
+                pair.append((new.potential(far).real, _own(curve, new, t), new.raised(at_edges), new.force, new.moment))
             source, own, raised, pushed, turned = (
                 (one - other) / (2.0 * step) for one, other in zip(*pair, strict=True)
             )

@@ -41,7 +41,10 @@ class RefinedStrips(NamedTuple):
     spots: Spots
     error: float
 
-    refined = True
+    @property
+    def refined(self) -> bool:
+        """Yes."""
+        return True
 
     @property
     def tilt(self) -> float:
@@ -134,7 +137,10 @@ class ElementStrips(NamedTuple):
     pressed: PressedLine
     error: float
 
-    refined = False
+    @property
+    def refined(self) -> bool:
+        """No."""
+        return False
 
     @property
     def tilt(self) -> float:
@@ -162,7 +168,7 @@ class ElementStrips(NamedTuple):
     def forces(self) -> Array:
         """Force per length of each strip [N/m]."""
         whole = np.concatenate([[0.0], np.cumsum(self.pressed.pressure)])
-        return 0.5 * self.modulus * self.spacing * (whole[self._runs[:, 1] + 1] - whole[self._runs[:, 0]])
+        return np.asarray(0.5 * self.modulus * self.spacing * (whole[self._runs[:, 1] + 1] - whole[self._runs[:, 0]]))
 
     @property
     def moment(self) -> float:

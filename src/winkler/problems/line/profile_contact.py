@@ -9,6 +9,7 @@ prescribed, or found from the line of action of the force.
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from typing import Annotated, ClassVar
 
@@ -27,15 +28,13 @@ from winkler.problems.line.stress import InBody, LineFields, fields_of, poisson_
 from winkler.problems.line.strip_search import Pushed, find_strips
 from winkler.problems.one_load import one_of, single
 from winkler.problems.which_body import in_first_body
-from winkler.profiles.measured_section import FormulaSection, MeasuredSection
-from winkler.profiles.section import CylinderRow, MirroredSection, PunchRow
+from winkler.profiles.measured_section import AnySection
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
 __all__ = ["LineProfileContact", "LineProfileSolution"]
 
 STRAIGHT = Tilt(0.0)
-Sections = CylinderRow | PunchRow | MirroredSection | FormulaSection | MeasuredSection
 
 
 @value
@@ -79,7 +78,7 @@ class LineProfileContact:
         elements=("", "", "places of the first grid"),
     )
 
-    section: Sections
+    section: AnySection
     medium: Annotated[HomogeneousMedium, Advice("the half-plane of a line contact is known on no other")]
     load: LineForce
     alignment: Tilt | LineOfAction = STRAIGHT
@@ -99,15 +98,14 @@ class LineProfileContact:
             If the strips are not found.
         """
         given = self.load.force_per_length
-        flat = np.atleast_1d(np.asarray(given, dtype=float)).ravel()
+        flat = np.ravel(np.asarray(given, dtype=float))
         if np.any(flat < 0.0):
             raise OutsideValidity(
                 f"LineProfileContact: the load {float(np.min(flat)):.6g} N/m is tensile; without adhesion bodies can "
                 "only be pressed together: give zero or more."
             )
         found = [self._found(force) for force in flat.tolist()]
-        still = self.alignment.tilt if isinstance(self.alignment, Tilt) else 0.0
-        action = self.alignment.place if isinstance(self.alignment, LineOfAction) else 0.0
+        still, action = self._aligned
         columns = {
             "tilt": [one.tilt if one else still for one in found],
             "line_of_action": [one.moment / float(np.sum(one.forces)) if one else action for one in found],
@@ -120,16 +118,17 @@ class LineProfileContact:
         results = {name: shaped(np.array(column), shape) for name, column in columns.items()}
         return LineProfileSolution(self, shaped(flat, shape), **results)
 
+    @property
+    def _aligned(self) -> tuple[float, float]:
+        """The tilt and the line of action [m] that are prescribed, zero where they are not."""
+        return (self.alignment.tilt, 0.0) if isinstance(self.alignment, Tilt) else (0.0, self.alignment.place)
+
     def _found(self, force: float) -> FoundStrips | None:
         """Return the strips under a force per length [N/m]; none without one."""
         if force == 0.0:
             return None
-        tilt, action = 0.0, math.nan
-        match self.alignment:
-            case Tilt(given):
-                tilt = given
-            case LineOfAction(place):
-                action = place
+        tilt, action = self._aligned
+        action = action if isinstance(self.alignment, LineOfAction) else math.nan
         return find_strips(self.section, Pushed(self.medium.modulus, force, tilt, action, self.elements))
 
 
@@ -152,8 +151,8 @@ class LineProfileSolution:
     contact_length : float or ndarray
         Sum of their widths [m].
     peak_pressure : float or ndarray
-        The greatest pressure [Pa], that of an element where strips were not refined; infinite under a sharp crest or at a
-        wall.
+        The greatest pressure [Pa], that of an element where strips were not refined; infinite under a sharp crest or
+        at a wall.
     strip_error : float or ndarray
         Of refined strips the greatest of tension, overlap and what is left of the equations, each over its scale; of
         elements the greatest relative change of contact length and greatest pressure from half as many.
@@ -186,27 +185,24 @@ class LineProfileSolution:
 
     @property
     def refined(self) -> bool:
-        """Whether edges and pressures of the strips under the greatest load were refined; otherwise they are elements."""
+        """Whether the strips under the greatest load were refined; otherwise they are elements."""
         found = self.problem._found(float(np.max(self.force_per_length)))
         return found is not None and found.refined
 
     @property
     def edges(self) -> Array:
         """Left and right edge of each strip under one load [m], (n, 2)."""
-        found = self._one("edges")
-        return found.edges if found else np.zeros((0, 2))
+        return found.edges if (found := self._one("edges")) else np.zeros((0, 2))
 
     @property
     def strip_forces(self) -> Array:
         """Force per length of each strip under one load [N/m], (n,)."""
-        found = self._one("strip_forces")
-        return found.forces if found else np.zeros(0)
+        return found.forces if (found := self._one("strip_forces")) else np.zeros(0)
 
     @property
     def strip_peaks(self) -> Array:
         """The greatest pressure of each strip under one load [Pa], (n,)."""
-        found = self._one("strip_peaks")
-        return found.peaks if found else np.zeros(0)
+        return found.peaks if (found := self._one("strip_peaks")) else np.zeros(0)
 
     def pressure(self, x: ArrayLike) -> Array:
         """Return the pressure under one load [Pa], zero beside the strips.
@@ -234,16 +230,13 @@ class LineProfileSolution:
 
         Raises
         ------
-        InvalidInput
-            If the solution has more than one load, or places are not finite numbers.
-        OutsideValidity
-            If there is no contact, or a place is beyond the section.
+        InvalidInput, OutsideValidity
+            If the solution has more than one load; if there is no contact, or a place is beyond the section.
         """
         found, place = self._one("separation"), finite_places("LineProfileSolution.separation", "x", x)
         if found is None:
             raise OutsideValidity("The bodies do not touch, so their distance is open; press harder.")
-        section = self.problem.section
-        known = section.pads or ((section.start, section.end),)
+        known = self.problem.section.pads or ((self.problem.section.start, self.problem.section.end),)
         outside = ~np.any([(place >= start) & (place <= end) for start, end in known], axis=0)
         if outside.any():
             raise OutsideValidity(
@@ -267,10 +260,8 @@ class LineProfileSolution:
 
         Raises
         ------
-        InvalidInput
-            If the solution has more than one load, or the depths lie in both bodies.
-        OutsideValidity
-            If there is no contact, or the body is rigid or not isotropic.
+        InvalidInput, OutsideValidity
+            If the solution has more than one load, the depths lie in both bodies, or the body has no stresses.
         """
         place, depth = common_places("LineProfileSolution.stresses", x=x, z=z)
         below = in_first_body(depth, "LineProfileSolution")
@@ -281,10 +272,7 @@ class LineProfileSolution:
             raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
         deep = np.abs(depth)
         body = InBody(poisson_of(self.problem.medium, below), float(friction))
-        fields = fields_of(place, deep, *found.potential(place, deep), body)
-        return LineFields(
-            place, depth, fields.xx_stress, fields.yy_stress, fields.zz_stress, fields.xz_stress
-        )  # fmt: skip
+        return dataclasses.replace(fields_of(place, deep, *found.potential(place, deep), body), z=depth)
 
     def at(self, index: int | tuple[int, ...]) -> LineProfileSolution:
         """Return the solution of one load of an array.
@@ -299,19 +287,15 @@ class LineProfileSolution:
         InvalidInput
             If there is no such load.
         """
-        names = ("force_per_length", "tilt", "line_of_action", "strip_count", "contact_length", "peak_pressure")
-        results = one_of(index, *(getattr(self, name) for name in names), self.strip_error)
-        stated = self.problem
-        one = LineProfileContact(
-            stated.section, stated.medium, LineForce(results[0]), stated.alignment, stated.elements
-        )
+        names = [field.name for field in dataclasses.fields(self)[1:]]
+        results = one_of(index, *(getattr(self, name) for name in names))
+        one = dataclasses.replace(self.problem, load=LineForce(results[0]))
         return LineProfileSolution(one, *results)
 
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: section, strips, slopes, yield."""
-        forces = np.ravel(self.force_per_length)
-        found = self.problem._found(float(np.max(forces)))
+        found = self.problem._found(float(np.max(self.force_per_length)))
         return profile_notes(self.problem.section, self.problem.medium, found, float(np.max(self.strip_error)))
 
     def _one(self, requested: str) -> FoundStrips | None:

@@ -62,14 +62,12 @@ def profile_notes(
         resolution = Note(Assumption.RESOLUTION, Standing.EXACT, text, "a-posteriori check between the nodes")
     else:
         text = (
-            "The strips are made of even elements: from half as many, contact length and greatest pressure change by up "
-            f"to {100.0 * error:.2g} per cent."
+            "The strips are made of even elements: from half as many, contact length and greatest pressure change by "
+            f"up to {100.0 * error:.2g} per cent."
             if math.isfinite(error)
             else "The strips are made of even elements; half as many find no contact to compare with."
         )
-        resolution = Note(
-            Assumption.RESOLUTION, standing_of(error, FINE, COARSE), text, "comparison of two grids"
-        )
+        resolution = Note(Assumption.RESOLUTION, standing_of(error, FINE, COARSE), text, "comparison of two grids")
     x = _inside(found.edges)
     steep = float(np.max(np.abs(section.slope(x) - found.tilt)))
     notes = [*section.notes, response, resolution, steepness_note(steep)]

@@ -1,8 +1,8 @@
 """The search for the strips in which a section touches a half-plane under one load.
 
 Boundary elements on an even grid find which places touch.  From their edges the strips of smooth sections are refined
-(`winkler.numerics.surfaces.refined_strips`) and examined; where that fails on finer grids too, and for measured points, the
-elements themselves are the result, beside what half as many would have given.
+(`winkler.numerics.surfaces.refined_strips`) and examined; where that fails on finer grids too, and for measured
+points, the elements themselves are the result, beside what half as many would have given.
 """
 
 from __future__ import annotations

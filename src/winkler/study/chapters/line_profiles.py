@@ -58,16 +58,38 @@ LINE_PROFILES = Chapter(
                 places={"from": "-0.6 mm", "to": "0.6 mm", "count": 25},
                 heights={
                     "values": [
-                        36, 31, 25, 20, 18, 13, 9, 9, 4, 2, 3, 0, 1, 1, 0, 4, 3, 7, 10, 11, 17, 20, 24, 31, 35,
+                        36,
+                        31,
+                        25,
+                        20,
+                        18,
+                        13,
+                        9,
+                        9,
+                        4,
+                        2,
+                        3,
+                        0,
+                        1,
+                        1,
+                        0,
+                        4,
+                        3,
+                        7,
+                        10,
+                        11,
+                        17,
+                        20,
+                        24,
+                        31,
+                        35,
                     ],
                     "unit": "um",
-                },  # fmt: skip
+                },
             ),
         },
         "alignment": {
-            "line_of_action": kind(
-                "winkler.loading:LineOfAction", problem="line_profile_contact", place="0.02 mm"
-            ),
+            "line_of_action": kind("winkler.loading:LineOfAction", problem="line_profile_contact", place="0.02 mm"),
         },
     },
     answers={
@@ -80,7 +102,7 @@ LINE_PROFILES = Chapter(
             picture=Caption(
                 "strips",
                 "The strips",
-                "Pressure, shape and force of each strip; of many loads contact length, pressures and number of strips.",
+                "Pressure, shape and force of each strip; of many loads contact length, pressures, number of strips.",
             ),
             curves=(("force_per_length", "contact_length"), ("force_per_length", "peak_pressure")),
             pictured=PicturedContact.NONE,

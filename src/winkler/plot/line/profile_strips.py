@@ -1,4 +1,4 @@
-"""Sheets of strips of contact side by side: pressures, surfaces and forces of one load; lengths and pressures of many."""
+"""Sheets of strips side by side: pressures, surfaces and forces of one load; contact length and pressures of many."""
 
 from __future__ import annotations
 
@@ -32,8 +32,12 @@ def strips_sheet(item: LineProfileSolution) -> Sheet:
         panels = (_pressure_panel(item, edges), _surface_panel(item, edges), _force_panel(edges, forces))
         count = int(item.strip_count)
         strips = f"{count} strip{'s' if count != 1 else ''}"
-        title = f"{with_unit(float(item.force_per_length), 'N/m')} on {strips} of {with_unit(_length(item), 'm')} in all"
-        return Sheet(titled(panels, "pressure", "distance of the surfaces", "force per strip"), 3, height=3.1, title=title)
+        title = (
+            f"{with_unit(float(item.force_per_length), 'N/m')} on {strips} of {with_unit(_length(item), 'm')} in all"
+        )
+        return Sheet(
+            titled(panels, "pressure", "distance of the surfaces", "force per strip"), 3, height=3.1, title=title
+        )
     force = flat(item, "force_per_length")
     pressures = [(flat(item, "mean_pressure"), "mean of the strips")]
     if np.isfinite(item.peak_pressure).all():
