@@ -15,7 +15,6 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-import scipy.fft
 
 from winkler.errors import NotConverged
 from winkler.numerics.types import Array
@@ -60,12 +59,15 @@ class PressedLine(NamedTuple):
     rounds: int
 
 
-class _Grid:
+class _LogKernel:
     """Products with K on n places, and with the approximate inverse."""
 
     def __init__(self, count: int, spacing: float) -> None:
+        from scipy import fft
+
         self.count = count
-        self.size = int(scipy.fft.next_fast_len(2 * count, real=True))
+        self.fft = fft
+        self.size = int(fft.next_fast_len(2 * count, real=True))
         ends = (np.arange(count + 1) - 0.5) * spacing
         length = 2.0 * count * spacing
         whole = ends * np.log(np.abs(ends) / length)
@@ -73,7 +75,7 @@ class _Grid:
         kernel = np.zeros(self.size)
         kernel[:count] = row
         kernel[self.size - count + 1 :] = row[:0:-1]
-        self.kernel = scipy.fft.rfft(kernel)
+        self.kernel = fft.rfft(kernel)
         q = 2.0 * math.pi * np.arange(self.kernel.size) / (self.size * spacing)
         self.inverse = q + 1.0 / length
 
@@ -86,8 +88,8 @@ class _Grid:
         return self._filtered(content, self.inverse)
 
     def _filtered(self, content: Array, factor: Array) -> Array:
-        spectrum = scipy.fft.rfft(content, self.size, axis=-1)
-        return np.asarray(scipy.fft.irfft(spectrum * factor, self.size, axis=-1)[..., : self.count])
+        spectrum = self.fft.rfft(content, self.size, axis=-1)
+        return np.asarray(self.fft.irfft(spectrum * factor, self.size, axis=-1)[..., : self.count])
 
 
 def press_line(
@@ -137,7 +139,7 @@ def press_line(
 
 def _pressed(x: Array, f: Array, force: float, tilt: float, moment: float, active: Array) -> PressedLine:
     spacing = float(x[-1] - x[0]) / (x.size - 1)
-    grid, body = _Grid(x.size, spacing), np.isfinite(f)
+    grid, body = _LogKernel(x.size, spacing), np.isfinite(f)
     free = not math.isnan(moment)
     rows = np.array([np.ones(x.size), np.where(body, f, 0.0) - (0.0 if free else tilt) * x, x])[: 3 if free else 2]
     span = float(np.ptp(rows[1][body])) or spacing
@@ -170,7 +172,7 @@ def _pressed(x: Array, f: Array, force: float, tilt: float, moment: float, activ
     )
 
 
-def _solved(grid: _Grid, active: Array, right: Array, start: Array) -> Array:
+def _solved(grid: _LogKernel, active: Array, right: Array, start: Array) -> Array:
     """Return p with K p = the rows of `right` on the active elements, zero elsewhere."""
     p = np.where(active, start, 0.0)
     goal = np.where(active, right, 0.0)

@@ -20,9 +20,9 @@ from winkler.checks.place_checks import common_places, finite_places
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.loading import LineForce, LineOfAction, Tilt
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.numerics.surfaces.found_strips import FoundStrips
 from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
 from winkler.problems.assumptions.declared import PRESSED
-from winkler.problems.line.found_strips import FoundStrips
 from winkler.problems.line.profile_notes import profile_notes
 from winkler.problems.line.stress import InBody, LineFields, fields_of, poisson_of
 from winkler.problems.line.strip_search import Pushed, find_strips
@@ -65,6 +65,7 @@ class LineProfileContact:
 
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.section import CylinderRow
     >>> steel = Elastic(210e9, 0.3)
     >>> pair = CylinderRow([10e-3, 10e-3], [-0.25e-3, 0.25e-3], [0.0, 0.0])
     >>> pressed = LineProfileContact(pair, HalfSpace.between(steel, steel), LineForce(200e3)).solve()
@@ -158,13 +159,7 @@ class LineProfileSolution:
         elements the greatest relative change of contact length and greatest pressure from half as many.
     """
 
-    __words__ = words(
-        tilt=(r"\theta", "rad", "tilt of the body"),
-        line_of_action=("x_P", "m", "where the resultant of the pressures acts"),
-        strip_count=("n", "", "strips that touch"),
-        contact_length=("L_c", "m", "sum of the widths of the strips"),
-        strip_error=(r"\epsilon", "", "error of refined strips, or change from half as many elements"),
-    )
+    __words__ = words(tilt=(r"\theta", "rad", "tilt of the body"), edges=("x", "m", "edges of each strip"))
 
     problem: LineProfileContact
     force_per_length: Quantity
@@ -215,7 +210,7 @@ class LineProfileSolution:
         Raises
         ------
         InvalidInput
-            If the solution has more than one load, or places are not finite numbers.
+            If the solution has more than one load.
         """
         found, place = self._one("pressure"), finite_places("LineProfileSolution.pressure", "x", x)
         return found.pressure(place) if found else np.zeros(place.shape)
@@ -250,11 +245,9 @@ class LineProfileSolution:
 
         Parameters
         ----------
-        x : array_like
-            Places along the surface [m].
-        z : array_like
-            Depths [m]: not negative in the first body, negative in the second, of which -0.0 is the surface.
-            All in one of them.
+        x, z : array_like
+            Places along the surface [m], and depths [m]: not negative in the first body, negative in the second, of
+            which -0.0 is the surface.  All in one of them.
         friction : float
             mu [-] of a contact that slides everywhere: the body is dragged along x by mu p, against it if negative.
 

@@ -7,8 +7,8 @@ import math
 import numpy as np
 
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.numerics.surfaces.found_strips import FoundStrips
 from winkler.numerics.types import Array
-from winkler.problems.line.found_strips import FoundStrips
 from winkler.problems.line.greatest_stress import Placed
 from winkler.problems.line.stress import InBody, fields_of
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts

@@ -14,11 +14,11 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
+from winkler.numerics.surfaces.found_strips import ElementStrips, FoundStrips, RefinedStrips, runs
 from winkler.numerics.surfaces.pressed_line import PressedLine, press_line
 from winkler.numerics.surfaces.refined_strips import examined, refined
 from winkler.numerics.surfaces.strip_equations import LineCurve, Spots
 from winkler.numerics.types import Array
-from winkler.problems.line.found_strips import ElementStrips, FoundStrips, RefinedStrips, runs
 from winkler.profiles.section import Section
 
 __all__ = ["Pushed", "find_strips"]
@@ -58,7 +58,7 @@ class Pushed(NamedTuple):
     elements: int
 
 
-class _Grid(NamedTuple):
+class _OnGrid(NamedTuple):
     places: Array
     pressed: PressedLine
 
@@ -92,7 +92,7 @@ def find_strips(section: Section, load: Pushed) -> FoundStrips:
             if count > MOST_PLACES:
                 break
             x = np.linspace(fine.places[0], fine.places[-1], count)
-            fine = _Grid(x, _press(section, load, x))
+            fine = _OnGrid(x, _press(section, load, x))
     return _elements(section, load, seen[-1])
 
 
@@ -111,7 +111,7 @@ def _press(section: Section, load: Pushed, x: Array) -> PressedLine:
     return pressed._replace(gap=unit * pressed.gap)
 
 
-def _first_grid(section: Section, load: Pushed) -> _Grid:
+def _first_grid(section: Section, load: Pushed) -> _OnGrid:
     start, end = section.window(load.force / load.modulus)
     for _ in range(WIDENINGS):
         x = section.grid(start, end, load.elements)
@@ -120,7 +120,7 @@ def _first_grid(section: Section, load: Pushed) -> _Grid:
         at_start = bool(bears[0]) and not section.pads
         at_end = bool(bears[-1]) and not section.pads
         if not (at_start or at_end):
-            return _Grid(x, pressed)
+            return _OnGrid(x, pressed)
         for reached, known in ((at_start, section.start), (at_end, section.end)):
             if reached and math.isfinite(known):
                 raise OutsideValidity(
@@ -132,7 +132,7 @@ def _first_grid(section: Section, load: Pushed) -> _Grid:
     raise NotConverged("LineProfileContact: the contact has no end; give a section whose height rises on both sides.")
 
 
-def _closer(section: Section, load: Pushed, grid: _Grid) -> _Grid | None:
+def _closer(section: Section, load: Pushed, grid: _OnGrid) -> _OnGrid | None:
     """Return the elements on the part of the window that touches, or nothing where it fills the window."""
     x, bears = grid.places, np.flatnonzero(grid.pressed.pressure > 0.0)
     spacing = (x[-1] - x[0]) / (x.size - 1)
@@ -147,10 +147,10 @@ def _closer(section: Section, load: Pushed, grid: _Grid) -> _Grid | None:
         return None
     inner = pressed.pressure > 0.0
     cut = (inner[0] and closer[0] > x[0]) or (inner[-1] and closer[-1] < x[-1])
-    return None if cut else _Grid(closer, pressed)
+    return None if cut else _OnGrid(closer, pressed)
 
 
-def _guess(section: Section, grid: _Grid) -> tuple[Array, Array]:
+def _guess(section: Section, grid: _OnGrid) -> tuple[Array, Array]:
     """Return edges [m] and whether they are walls, from elements that touch."""
     x, bears = grid.places, grid.pressed.pressure > 0.0
     half = 0.5 * float(x[-1] - x[0]) / (x.size - 1)
@@ -164,7 +164,7 @@ def _guess(section: Section, grid: _Grid) -> tuple[Array, Array]:
     return np.array(edges), np.array(pinned, dtype=bool)
 
 
-def _refined(section: Section, load: Pushed, grid: _Grid, checked: Array) -> RefinedStrips | None:
+def _refined(section: Section, load: Pushed, grid: _OnGrid, checked: Array) -> RefinedStrips | None:
     """Return refined strips, or nothing where they are not found or pull, overlap or leave something."""
     edges, pinned = _guess(section, grid)
     origin, unit = 0.5 * float(edges[0, 0] + edges[-1, 1]), 0.5 * float(edges[-1, 1] - edges[0, 0])
@@ -221,7 +221,7 @@ def _curve(section: Section, origin: float, unit: float) -> LineCurve:
     )
 
 
-def _elements(section: Section, load: Pushed, grid: _Grid) -> ElementStrips:
+def _elements(section: Section, load: Pushed, grid: _OnGrid) -> ElementStrips:
     """Return the elements, compared with half as many."""
     half = grid.places[::2]
     error = math.inf
