@@ -70,7 +70,7 @@ class LineProfileContact:
     >>> pair = CylinderRow([10e-3, 10e-3], [-0.25e-3, 0.25e-3], [0.0, 0.0])
     >>> pressed = LineProfileContact(pair, HalfSpace.between(steel, steel), LineForce(200e3)).solve()
     >>> pressed.strip_count, round(pressed.contact_length * 1e6, 2)  # micrometres
-    (2, 415.72)
+    (2.0, 415.72)
     """
 
     __words__ = words(

@@ -21,6 +21,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from winkler.checks.place_checks import common_places, finite_places
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Sliding
@@ -202,7 +203,7 @@ class LineRollingSolution:
             If an array was prescribed.
         """
         a, c, mu = self._one("traction")
-        x = np.asarray(x, dtype=float)
+        x = finite_places("LineRollingSolution.traction", "x", x)
         pressure = self.contact.pressure(x)
         inner = self.problem.bed.pressure(x - (a - c), c, 0.0) if c > 0.0 else np.zeros(x.shape)
         return mu * (pressure - inner)
@@ -221,7 +222,7 @@ class LineRollingSolution:
             If an array was prescribed.
         """
         a, c, mu = self._one("slip")
-        x = np.asarray(x, dtype=float)
+        x = finite_places("LineRollingSolution.slip", "x", x)
         behind = np.maximum((a - x) * (a - 2.0 * c - x), 0.0)
         rate = np.sqrt(behind) * abs(mu) / self.problem.bed.profile.curvature_radius  # type: ignore[attr-defined]
         beyond = abs(float(self.longitudinal_creepage)) - sliding_creepage(self.contact, abs(mu))
@@ -248,11 +249,11 @@ class LineRollingSolution:
             If the body is rigid or not isotropic.
         """
         a, c, mu = self._one("stresses")
-        depth = np.asarray(z, dtype=float)
+        place, depth = common_places("LineRollingSolution.stresses", x=x, z=z)
         below = in_first_body(depth, "LineRollingSolution")
         poisson = poisson_of(self.problem.bed.medium, below)
         contact = LineContact(self.problem.bed, a, 0.0, poisson, mu if below else -mu)
-        fields = rolling_stresses(contact, c, np.asarray(x, dtype=float), np.abs(depth))
+        fields = rolling_stresses(contact, c, place, np.abs(depth))
         return fields if below else dataclasses.replace(fields, z=-fields.z)
 
     def _one(self, requested: str) -> tuple[float, float, float]:

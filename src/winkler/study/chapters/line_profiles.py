@@ -33,7 +33,7 @@ LINE_PROFILES = Chapter(
                 "winkler.profiles.section:CylinderRow",
                 curvature_radii={"values": [10, 10], "unit": "mm"},
                 places={"values": [-0.25, 0.25], "unit": "mm"},
-                drops={"values": [0, 0], "unit": "um"},
+                drops={"values": [0, 2], "unit": "um"},
             ),
             "punch_row": kind(
                 "winkler.profiles.section:PunchRow",
