@@ -19,6 +19,7 @@ __all__ = [
     "HalfWidth",
     "Lateral",
     "LineForce",
+    "LineOfAction",
     "LineShearForce",
     "Load",
     "MeanPressure",
@@ -128,7 +129,7 @@ class MeanPressure:
 
 @value
 class Tilt:
-    """A prescribed tilt of a roller on its raceway.
+    """A prescribed tilt of a roller on its raceway, or of a section on a half-plane.
 
     Parameters
     ----------
@@ -136,7 +137,7 @@ class Tilt:
         [rad], positive where it presses the end at positive x.
     """
 
-    __words__ = words(tilt=(r"\theta", "rad", "tilt of the roller"))
+    __words__ = words(tilt=(r"\theta", "rad", "tilt of the body"))
 
     tilt: Finite
 
@@ -152,6 +153,21 @@ class Moment:
     """
 
     moment: Finite
+
+
+@value
+class LineOfAction:
+    """Where the force per length on a section acts; the body is free to tilt until the pressures balance it.
+
+    Parameters
+    ----------
+    place : float
+        [m] along the surface.
+    """
+
+    __words__ = words(place=("x_P", "m", "where the force acts"))
+
+    place: Finite
 
 
 @value

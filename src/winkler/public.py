@@ -41,7 +41,7 @@ from winkler.io.tables.bed_table import read_bed
 from winkler.io.tables.grading_table import read_grading
 from winkler.io.tables.law_table import write_law
 from winkler.io.tables.path_table import read_path
-from winkler.io.tables.profile_table import read_profile
+from winkler.io.tables.profile_table import read_profile, read_section
 from winkler.io.tables.relaxation_table import read_creep, read_dynamic, read_relaxation
 from winkler.io.tables.scan_table import read_scan
 from winkler.io.tables.spectrum_table import read_spectrum
@@ -61,6 +61,7 @@ from winkler.loading import (
     Force,
     HalfWidth,
     LineForce,
+    LineOfAction,
     LineShearForce,
     MeanPressure,
     Moment,
@@ -133,6 +134,7 @@ from winkler.problems.impact.impact import Impact, ImpactSolution
 from winkler.problems.line.adhesion import LineAdhesion, LineAdhesionSolution
 from winkler.problems.line.indentation import LineIndentation, LineSolution
 from winkler.problems.line.periodic import PeriodicIndentation, PeriodicSolution
+from winkler.problems.line.profile_contact import LineProfileContact, LineProfileSolution
 from winkler.problems.line.references import PlateBase, RollerCentre
 from winkler.problems.line.shakedown import LineShakedown, LineShakedownSolution
 from winkler.problems.line.stress import LineFields
@@ -191,6 +193,7 @@ from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
 from winkler.profiles.flat import CappedCylinder, Cylinder, FlatPunch
 from winkler.profiles.formula import Formula
 from winkler.profiles.measured import Measured
+from winkler.profiles.measured_section import FormulaSection, MeasuredSection
 from winkler.profiles.power import Paraboloid, PowerLaw
 from winkler.profiles.profile import Shape, Sum
 from winkler.profiles.roller_ends import CrownedEnds, LogarithmicEnds, RoundedEnds, SharpEnds
@@ -202,6 +205,7 @@ from winkler.profiles.rough.spectrum import PowerSpectrum, SelfAffine
 from winkler.profiles.rough.spikes import Spikes
 from winkler.profiles.rough.topography import Topography
 from winkler.profiles.rounded import CappedParaboloid, RoundedPunch, TruncatedParaboloid
+from winkler.profiles.section import CylinderRow, MirroredSection, PunchRow
 from winkler.profiles.socket import BallInSocket
 from winkler.profiles.sphere import Ellipsoid, Hyperboloid, Sphere
 from winkler.profiles.wavy import Wavy
@@ -221,14 +225,15 @@ __all__ = [
     "ConductanceBounds", "ConductanceBoundsSolution", "Cone", "Constriction", "ConstrictionSolution", "ContactEllipse",
     "ContactLaw", "ContactLawSolution", "ContactReading", "ContactTrace", "Contacts", "Coulomb", "CreepData",
     "CreepFit", "CreepTest", "Creepage", "CrownedEnds", "CubeCorner", "Current", "CurrentFields", "CurvedBodies",
-    "CurvedPair", "Cylinder",
+    "CurvedPair", "Cylinder", "CylinderRow",
     "Depth", "DepthGradedHalfSpace", "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData",
     "Elastic", "ElasticPlasticParticle", "ElastomerFriction", "ElastomerFrictionSolution", "ElectricalConductor",
     "ElectricalConductors", "Ellipsoid", "EllipticFields", "EllipticFoundation", "EllipticFrictionHeating",
     "EllipticFrictionHeatingSolution", "EllipticIndentation", "EllipticSolution", "EllipticYieldOnset",
     "EllipticYieldOnsetSolution",
     "EqualMaximum", "EqualMean", "Equilibrium", "EquilibriumCurve", "ExponentialGrading",
-    "Fit", "FitState", "FixedShare", "FlatPunch", "Follow", "Force", "ForceCurve", "Formula", "Foundation",
+    "Fit", "FitState", "FixedShare", "FlatPunch", "Follow", "Force", "ForceCurve", "Formula", "FormulaSection",
+    "Foundation",
     "FractionalZener", "FrettingHeat", "FrettingHeatSolution", "FrettingSolution", "FrettingWear", "FrictionDamping",
     "FrictionDampingSolution", "FrictionHeating", "FrictionHeatingSolution",
     "GeneralisedKelvin", "GradedHalfSpace",
@@ -239,13 +244,14 @@ __all__ = [
     "Layer", "LimitingProfile", "LimitingSolution", "LineAdhesion", "LineAdhesionSolution", "LineConstriction",
     "LineConstrictionSolution", "LineFields", "LineForce", "LineForcePath", "LineFoundation", "LineFrictionHeating",
     "LineFrictionHeatingSolution",
-    "LineIndentation",
-    "LinePath", "LineRolling", "LineRollingResistance", "LineRollingResistanceSolution", "LineRollingSolution",
+    "LineIndentation", "LineOfAction",
+    "LinePath", "LineProfileContact", "LineProfileSolution", "LineRolling", "LineRollingResistance",
+    "LineRollingResistanceSolution", "LineRollingSolution",
     "LineRollingStart", "LineRollingStartSolution", "LineScan", "LineShakedown", "LineShakedownSolution",
     "LineShearForce", "LineSolution", "LineTangential", "LineTangentialSolution",
     "LineViscoelasticIndentation", "LineViscoelasticSolution", "LineYieldOnset",
     "LineYieldOnsetSolution", "LogarithmicEnds",
-    "Maxwell", "MeanPressure", "Measured", "MeasuredBed", "Moment",
+    "Maxwell", "MeanPressure", "Measured", "MeasuredBed", "MeasuredSection", "MirroredSection", "Moment",
     "NamedElastic", "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor", "NearlyRoundIndentation",
     "NearlyRoundSolution", "NominalPressure", "NotConverged", "Note",
     "OliverPharr", "OliverPharrSolution", "Oscillate", "OscillatingRolling", "OscillatingRollingSolution",
@@ -254,7 +260,7 @@ __all__ = [
     "PeriodicSolution", "PlacedCurve", "PlacedStress",
     "PlaneFoundation", "PlateBase",
     "Plated", "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "Program", "Prony",
-    "PullOff", "PullOffSolution",
+    "PullOff", "PullOffSolution", "PunchRow",
     "Radius", "Ramp", "RandomTopography", "RateDependentWork", "ReducedBed", "Reduction", "ReductionSolution",
     "RelaxationDamper", "RelaxationDamperSolution", "RelaxationData", "RelaxationTest", "RelaxingInProportion",
     "Rigid", "Rod", "RollerCentre", "RollerContact", "RollerSolution", "Rolling", "RollingSolution", "RollingStart",
@@ -286,7 +292,8 @@ __all__ = [
     "material", "material_names", "maugis_parameter", "mean_separation",
     "peak_stress",
     "random_topography", "read_bed", "read_contacts", "read_creep", "read_curve", "read_curves", "read_dynamic",
-    "read_grading", "read_path", "read_profile", "read_relaxation", "read_scan", "read_spectrum", "read_topography",
+    "read_grading", "read_path", "read_profile", "read_relaxation", "read_scan", "read_section", "read_spectrum",
+    "read_topography",
     "reduce", "relaxation_band", "restore", "restore_body", "restore_conduction", "restore_shift",
     "sample_young", "spectrum_of", "staircase",
     "tabor_parameter", "to_pandas", "to_xarray",

@@ -237,6 +237,25 @@ def crowned_roller(ends=None, alignment=None):
     return wk.RollerContact(10e-3, 10e-3, ends, STEEL_BODY, wk.Force(np.linspace(2e3, 12e3, 6)), alignment, 48)
 
 
+def pressed_section(section=None, alignment=None):
+    """Return the section of the examples under its load."""
+    section = section or wk.CylinderRow([10e-3, 10e-3], [-0.25e-3, 0.25e-3], [0.0, 2e-6])
+    return wk.LineProfileContact(section, STEEL_BODY, wk.LineForce(200e3), alignment or wk.Tilt(0.0))
+
+
+SECTION_HEIGHTS = [36, 31, 25, 20, 18, 13, 9, 9, 4, 2, 3, 0, 1, 1, 0, 4, 3, 7, 10, 11, 17, 20, 24, 31, 35]
+    np.array([36, 31, 25, 20, 18, 13, 9, 9, 4, 2, 3, 0, 1, 1, 0, 4, 3, 7, 10, 11, 17, 20, 24, 31, 35]) / 1e6
+)
+SECTIONS = {
+    **dict.fromkeys(("line_profile_contact", "cylinder_row"), pressed_section()),
+    "punch_row": pressed_section(wk.PunchRow([-1e-3, 0.4e-3], [-0.4e-3, 1e-3], [0.0, 0.0])),
+    "mirrored_section": pressed_section(wk.MirroredSection(wk.Wavy(1e-6, 1e-3), 4.5e-3)),
+    "formula_section": pressed_section(
+        wk.FormulaSection("(x-m)**2/(2*R) + h*cos(2*pi*x/l)", 4e-3, m=1.9e-3, R=0.1, h=0.5e-6, l=0.4e-3)
+    ),
+    "measured_section": pressed_section(wk.MeasuredSection(np.linspace(-0.6e-3, 0.6e-3, 25), np.array(SECTION_HEIGHTS) / 1e6)),
+    "line_of_action": pressed_section(alignment=wk.LineOfAction(0.02e-3)),
+}
 STICKY_ROLLER = wk.LineFoundation(wk.Paraboloid(10e-3), wk.HalfSpace(wk.Elastic(2e6, 0.5)))
 LINES = {
     **dict.fromkeys(
@@ -305,6 +324,7 @@ ROLLING_LINES = {
 }
 NEWER = {
     **LINES,
+    **SECTIONS,
     **RELAXING_LINES,
     **ROLLING_LINES,
     **RELAXING,

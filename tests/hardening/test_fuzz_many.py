@@ -77,6 +77,7 @@ SOLVED = {
             "line_yield_onset",
             "line_shakedown",
             "line_tangential",
+            "line_profile_contact",
             "roller_contact",
             "periodic_indentation",
         ),

@@ -70,6 +70,7 @@ ROUNDED: dict[tuple[str, str], Rounded] = {
     **{("EllipticYieldOnsetSolution", name): PLACE for name in "xyz"},
     ("SurfaceContactSolution", "penetration"): ERROR,
     ("SurfaceContactSolution", "misfit"): ERROR,
+    ("LineProfileSolution", "strip_error"): ERROR,
     ("ReductionSolution", "misfit"): Rounded(1e-6, "it is checked by contacts of a tolerance of 1e-6"),
     ("ReductionSolution", "force"): Rounded(1e-8, "each contact has a tolerance of 1e-6"),
     **{("SlidingSolution", name): STEPS for name in ("depth", "radius", "worn_depth", "mean_pressure")},

@@ -354,6 +354,32 @@ def wavy_half_plane() -> Numbers:
 
 
 @of_case
+def line_two_cylinders() -> Numbers:
+    """Over x^2 both strips are one: 2 c K(m) = pi b, P = pi (a^2 + b^2)/4 - c b E(m), m = 1 - a^2/b^2, c = 1/2."""
+    c, load = frac("0.5"), frac("0.1")
+
+    def outer(m: mp.mpf) -> mp.mpf:
+        return 2 * c * mp.ellipk(m) / mp.pi
+
+    m = mp.findroot(
+        lambda m: mp.pi / 4 * outer(m) ** 2 * (2 - m) - c * outer(m) * mp.ellipe(m) - load,
+        (frac("0.3"), frac("0.9")),
+        solver="anderson",
+    )
+    length = 2 * outer(m) * (1 - mp.sqrt(1 - m))
+    return [length, load / length, mp.mpf(2)]
+
+
+@of_case
+def line_tilted_wedge() -> Numbers:
+    """Slopes s + t on the left, s - t on the right: cos(pi (s + t)/(2 s)) places the tip, P = E* s h sin(...)."""
+    s, tilt = mp.cot(frac("1.4")), frac("0.05")
+    angle = mp.pi * (s + tilt) / (2 * s)
+    half = frac("0.01") / (s * mp.sin(angle))
+    return [2 * half, -half * mp.cos(angle) / 2]
+
+
+@of_case
 def line_yield_cylinder() -> Numbers:
     """McEwen's axis: von Mises' stress over p0 at its maximum, in plane strain, is the strength over p0."""
 

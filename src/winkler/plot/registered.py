@@ -14,7 +14,7 @@ from winkler.plot.friction import sheets as friction_sheets  # noqa: F401
 from winkler.plot.heating import ellipses, heating, strips  # noqa: F401
 from winkler.plot.impact import impact  # noqa: F401
 from winkler.plot.line import adhesion as line_adhesion  # noqa: F401
-from winkler.plot.line import contact, periodic, relaxing, roller  # noqa: F401
+from winkler.plot.line import contact, periodic, profile_strips, relaxing, roller  # noqa: F401
 from winkler.plot.line import friction as line_friction  # noqa: F401
 from winkler.plot.line import rolling as line_rolling  # noqa: F401
 from winkler.plot.particles import elastic_plastic  # noqa: F401

@@ -11,6 +11,7 @@ import functools
 from typing import Annotated, NamedTuple
 
 import numpy as np
+from numpy.polynomial import chebyshev
 
 from winkler.checks.number_checks import NON_NEGATIVE, Advice, Finite, Numbers
 from winkler.errors import InvalidInput
@@ -29,6 +30,8 @@ NARROW_PANEL_LIMITS = 1e-6, 1e-8
 """Panels narrower than this, of the reach, hold a singular point, where g' has this error from rounding."""
 LEAST_GAP_RATIO = 1e-7
 """Part of the greatest g below which rounding matters: from there to the axis g goes on as a power of x."""
+ROUNDING = 1e-14
+"""Slope of the apex, over the sum of the first panel's coefficients, that is none."""
 SMALLEST_JUMP = 1e-7
 """A jump of the slope between panels, relative to the steepest slope, from which on it counts as a kink."""
 
@@ -118,7 +121,13 @@ class Designed(Shape):
 
     def slope(self, r: Array) -> Array:
         """f'(r) [-]."""
-        return Panels(self.edges, self.slopes)(np.asarray(r, dtype=float))
+        r = np.asarray(r, dtype=float)
+        found = Panels(self.edges, self.slopes)(r)
+        quotient, end = _over_radius(self), float(self.edges[1])
+        if quotient.size == 0:
+            return found
+        near = 2.0 * r / end * chebyshev.chebval(np.clip(2.0 * r / end - 1.0, -1.0, 1.0), quotient)
+        return np.asarray(np.where(r < end, near, found))
 
     def curvature(self, r: Array) -> Array:
         """f''(r) [1/m]."""
@@ -142,6 +151,19 @@ def _derived(profile: Designed) -> tuple[Panels, Panels]:
     """Return height and curvature."""
     slope = Panels(profile.edges, profile.slopes)
     return slope.integral, slope.derivative
+
+
+@functools.lru_cache(maxsize=64)
+def _over_radius(profile: Designed) -> Array:
+    """Return the series of f' over 2 r / edge on the first panel, so that f' keeps its digits near a round apex.
+
+    Empty for a sharp tip, where f' does not vanish.
+    """
+    series = profile.slopes[0]
+    signs = np.where(np.arange(series.size) % 2 == 0, 1.0, -1.0)
+    if series.size < 2 or abs(float(series @ signs)) > ROUNDING * float(np.sum(np.abs(series))):
+        return np.zeros(0)
+    return np.asarray(chebyshev.chebdiv(series, [1.0, 1.0])[0])
 
 
 @functools.lru_cache(maxsize=64)

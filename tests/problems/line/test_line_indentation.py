@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
+from winkler.problems.line.half_width import borne_at_most
 
 STEEL = wk.Elastic(210e9, 0.3)
 PAIR = wk.HalfSpace.between(STEEL, STEEL)
@@ -296,3 +297,43 @@ def test_a_designed_parabola_is_a_cylinder():
     )
     assert found.half_width == pytest.approx(cylinder.half_width, rel=1e-9)
     assert found.pressure(1e-4) == pytest.approx(float(cylinder.pressure(1e-4)), rel=1e-9)
+
+
+def test_a_vertical_end_bears_what_the_load_grows_to():
+    """w of f' = 3 h/(4 R) (1 - r/R)^(-1/4) is finite at R, that of (1 - r/R)^(-1/2) grows as a logarithm."""
+    medium = wk.HalfSpace(wk.Elastic(1.0, 0.0))
+    blunt = wk.LineFoundation(wk.Formula("h*(1 - (1 - r/R)**0.75)", reach=1.0, R=1.0, h=0.1), medium)
+    most = float(mp.quad(lambda y: 0.3 * (1 - y**4) / mp.sqrt(2 - y**4), [0, 1]))  # with 1 - x = y^4
+    assert most * (1.0 - 0.01) < borne_at_most(blunt) < most
+    with pytest.raises(wk.OutsideValidity, match="beyond the reach"):
+        wk.LineIndentation(blunt, wk.LineForce(1.01 * most)).solve()
+    assert wk.LineIndentation(blunt, wk.LineForce(0.5 * most)).solve().half_width < 1.0
+    steep = wk.LineFoundation(wk.Formula("h*(1 - sqrt(1 - r/R))", reach=1.0, R=1.0, h=0.1), medium)
+    assert borne_at_most(steep) == np.inf
+    assert 0.4 < wk.LineIndentation(steep, wk.LineForce(0.03)).solve().half_width < 0.6
+    assert borne_at_most(wk.LineFoundation(wk.Sphere(1.0), medium)) == np.inf
+
+
+def test_what_does_not_settle_at_the_end_is_no_vertical_end(monkeypatch):
+    bed = wk.LineFoundation(wk.Formula("r**2 + r**4", reach=1.0), wk.HalfSpace(wk.Elastic(1.0, 0.0)))
+
+    def unsettled(profile, a):
+        raise wk.NotConverged("still moves")
+
+    monkeypatch.setattr("winkler.foundation.line.line_load", unsettled)
+    with pytest.raises(wk.NotConverged, match="what the profile bears at its end, 1 m"):
+        borne_at_most(bed)
+
+
+@pytest.mark.parametrize(
+    ("content", "sentence"),
+    [("left", "x is 'left'"), ([[1.0], [1.0, 2.0]], "give a number or an array"), (np.nan, "not finite")],
+)
+def test_places_that_are_none_are_refused(content, sentence):
+    bed = wk.LineFoundation(wk.Paraboloid(1.0), wk.HalfSpace(wk.Elastic(1.0, 0.0)))
+    solution = wk.LineIndentation(bed, wk.HalfWidth(0.1)).solve()
+    for requested in (solution.pressure, solution.separation, lambda x: solution.stresses(x, 0.1)):
+        with pytest.raises(wk.InvalidInput, match=sentence):
+            requested(content)
+    with pytest.raises(wk.InvalidInput, match="do not broadcast"):
+        solution.stresses([0.0, 0.1], [0.1, 0.2, 0.3])

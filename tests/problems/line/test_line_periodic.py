@@ -186,3 +186,21 @@ def test_refusals_are_one_sentence():
         pressed(WAVE, wk.LineForce(-1.0))
     with pytest.raises(wk.OutsideValidity, match="several strips|parted"):
         pressed(WAVE + wk.Wavy(0.5 * AMPLITUDE, PITCH / 5.0), wk.NominalPressure(0.3 * CLOSURE))
+
+
+@pytest.mark.parametrize("pitch", [1e-3, 1.5e-3, 2e-3])
+def test_a_designed_parabola_is_a_paraboloid(pitch):
+    """Two panels of f' = 50 r: valleys at a joint, between joints, and at the end of what is known."""
+    designed = wk.Designed([0.0, 0.5e-3, 1e-3], [[0.0125, 0.0125], [0.0375, 0.0125]], 1e-10)
+    medium = wk.HalfSpace(wk.Elastic(210e9, 0.3))
+    one, other = (
+        wk.PeriodicIndentation(
+            wk.LineFoundation(profile, medium), pitch, wk.NominalPressure(np.array([1e6, 1e8]))
+        ).solve()
+        for profile in (designed, wk.Paraboloid(20e-3))
+    )
+    np.testing.assert_allclose(one.half_width, other.half_width, rtol=1e-10)
+    np.testing.assert_allclose(one.peak_pressure, other.peak_pressure, rtol=1e-9)
+    for requested in (one.at(0).pressure, one.at(0).separation, lambda x: one.at(0).stresses(x, 1e-4)):
+        with pytest.raises(wk.InvalidInput, match="'left'"):
+            requested("left")

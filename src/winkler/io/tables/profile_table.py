@@ -17,13 +17,15 @@ from winkler.io.foreign import in_file, reader
 from winkler.io.tables.table import Column, read_table
 from winkler.numerics.types import Array
 from winkler.profiles.measured import Measured
+from winkler.profiles.measured_section import MeasuredSection
 
-__all__ = ["read_profile"]
+__all__ = ["read_profile", "read_section"]
 
 LARGEST_FLANK_DIFFERENCE = 0.05
 """Largest difference (root mean square) between the flanks of a scan, against its height."""
 RADIUS = Column("radius", ("radius", "r", "x"), "m", "um")
 HEIGHT = Column("height", ("height", "h", "z", "f"), "m", "nm")
+PLACE = Column("place", ("place", "x", "position"), "m", "um")
 
 
 @reader("a profile")
@@ -53,6 +55,40 @@ def read_profile(path: str | os.PathLike[str], *, peak: bool = False) -> Measure
     x, f = table.values[:, 0], table.values[:, 1] * (-1.0 if peak else 1.0)
     with in_file(table.path):
         return Measured(np.abs(x - _apex(x, f)) if np.any(x < 0.0) else x, f)
+
+
+@reader("a section")
+def read_section(
+    path: str | os.PathLike[str], *, peak: bool = False, cut_off: bool = False, curved: bool = False
+) -> MeasuredSection:
+    """Read a measured section from a table with the columns place (x, position) and height (h, z, f).
+
+    Parameters
+    ----------
+    path : str or path
+        The file.  Units stand in its header, as in ``place [um], height [nm]``; columns with other names are ignored.
+        Rows may stand in any order.
+    peak : bool, optional
+        Whether heights are largest at what touches first, as in a trace of a profilometer; their sign is then changed.
+    cut_off : bool, optional
+        Whether the body ends vertically at the first and at the last place.
+    curved : bool, optional
+        Whether a cubic spline joins the points instead of straight lines.
+
+    Returns
+    -------
+    MeasuredSection
+
+    Raises
+    ------
+    InvalidInput
+        If the file cannot be read, or what it holds is no section.
+    """
+    table = read_table(path, (PLACE, HEIGHT))
+    order = np.argsort(table.values[:, 0], kind="stable")
+    x, f = table.values[order, 0], table.values[order, 1] * (-1.0 if peak else 1.0)
+    with in_file(table.path):
+        return MeasuredSection(x, f, cut_off, curved)
 
 
 def _parabola(x: Array, f: Array, degree: int) -> Array:

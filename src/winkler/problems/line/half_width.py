@@ -28,6 +28,10 @@ ROUNDING = 1e-9
 CRESTS, SUNK_ERROR = 4, 0.02
 """Crests of a wave that are examined, and bound of the error of how much deeper the surface sinks in the middle."""
 
+VERTICAL = 1e-3, 1e-5, 1e-7, 1e-9
+"""Distances from a vertical end at which the load is examined, over its place."""
+LOGARITHMIC = 0.9
+"""Growth from one of them to the next, over that before, from which on the load is unbounded, as a logarithm is."""
 STEP = 1.0 / 32.0
 MOST_STEPS = 60
 INTERPOLATED = 48
@@ -57,7 +61,11 @@ def widest_allowed(bed: LineFoundation, half_width: Array) -> None:
 
 def under_force(bed: LineFoundation, load: Array) -> Array:
     """Return the half-widths [m] under loads per length over E* ``(m,)`` [m], zero without load."""
-    return _met(bed, load, lambda a: (bed.load_profile(a), bed.load_profile_slope(a)), "force per length")
+
+    def curve(a: Array) -> tuple[Array, Array]:
+        return bed.load_profile(a), bed.load_profile_slope(a)
+
+    return _met(bed, load, bed.load_profile, curve, "force per length")
 
 
 def borne_at_most(bed: LineFoundation) -> float:
@@ -73,19 +81,21 @@ def under_mean_pressure(bed: LineFoundation, mean: Array) -> Array:
             "half-width; give LineForce(force_per_length) or HalfWidth(half_width)."
         )
 
+    def level(a: Array) -> Array:
+        return np.asarray(0.5 * bed.load_profile(a) / a)
+
     def curve(a: Array) -> tuple[Array, Array]:
-        level = 0.5 * bed.load_profile(a) / a
-        return level, 0.5 * bed.load_profile_slope(a) / a - level / a
+        return level(a), 0.5 * bed.load_profile_slope(a) / a - level(a) / a
 
-    return _met(bed, mean, curve, "mean pressure")
+    return _met(bed, mean, level, curve, "mean pressure")
 
 
-def _met(bed: LineFoundation, target: Array, curve: Curve, what: str) -> Array:
+def _met(bed: LineFoundation, target: Array, level: Level, curve: Curve, what: str) -> Array:
     end, half_width = min(bed.reach, bed.rim), np.zeros(target.shape)
     pressed = target > 0.0
     if not pressed.any():
         return half_width
-    most = _most(bed, lambda a: curve(a)[0], end)
+    most = _most(bed, level, end)
     pinned = pressed & (target >= most) if bed.rim <= bed.reach else np.zeros(target.shape, dtype=bool)
     if (pressed & ~pinned & (target > most)).any():
         raise OutsideValidity(
@@ -97,27 +107,52 @@ def _met(bed: LineFoundation, target: Array, curve: Curve, what: str) -> Array:
     if free.any():
         wanted, flat = target[free], bed.flat
         if bed.profile.rising:
-            guesses = _interpolated(bed, lambda a: curve(a)[0], wanted)
+            guesses = _interpolated(bed, level, wanted)
             half_width[free] = invert(curve, wanted, lower=flat, upper=end, guess=guesses)
         else:
-            half_width[free] = _first(bed, lambda a: curve(a)[0], wanted)
+            half_width[free] = _first(bed, level, wanted)
     return half_width
 
 
 def _most(bed: LineFoundation, level: Level, end: float) -> float:
-    """Return what the profile bears at most; infinite if it has no end, or is vertical there."""
+    """Return what the profile bears at most; infinite if it has no end, or grows without bound towards it."""
     if not np.isfinite(end):
         return np.inf
     try:
         with np.errstate(all="ignore"):
             last = float(level(np.array([end]))[0])
-    except NotConverged:  # vertical there
-        return np.inf
+    except NotConverged:
+        last = np.inf
     if not np.isfinite(last):
-        return np.inf
+        if not _is_vertical(bed, end):
+            raise NotConverged(
+                f"what the profile bears at its end, {end:.6g} m, does not settle; state its kinks, or end it before."
+            )
+        last = _before_vertical(level, end)
     if bed.profile.rising:
         return last
     return max(last, float(np.max(level(np.linspace(bed.flat, end, SAMPLES)[1:-1]))))
+
+
+def _is_vertical(bed: LineFoundation, end: float) -> bool:
+    with np.errstate(all="ignore"):
+        return not np.isfinite(float(bed.slope(np.array([end]))[0]))
+
+
+def _before_vertical(level: Level, end: float) -> float:
+    """Return the level just before a vertical end; infinite where it grows as much with each step towards it."""
+    found = []
+    for part in VERTICAL:
+        try:
+            found.append(float(level(np.array([end * (1.0 - part)]))[0]))
+        except NotConverged:
+            break
+    if len(found) < len(VERTICAL) - 1:
+        raise NotConverged(
+            f"what the profile bears close to its end, {end:.6g} m, does not settle; state its kinks, or end it before."
+        )
+    growth = np.diff(found)
+    return np.inf if growth[-1] > LOGARITHMIC * growth[-2] else found[-1]
 
 
 def _interpolated(bed: LineFoundation, level: Level, target: Array) -> Array:
@@ -154,6 +189,8 @@ def _guess(bed: LineFoundation, level: Level, target: float) -> float:
 def _first(bed: LineFoundation, level: Level, target: Array) -> Array:
     """Return the first half-widths at which a level is met that may fall again."""
     most, flat, end = float(np.max(target)), bed.flat, min(bed.reach, bed.rim)
+    if np.isfinite(end) and _is_vertical(bed, end):
+        end *= 1.0 - VERTICAL[-1]
     top = min(end, _guess(bed, level, most), *_wavelengths(bed.profile))
     while top < end and float(np.max(level(np.linspace(flat, top, SAMPLES)[1:]))) < most:
         top = min(2.0 * top, end)

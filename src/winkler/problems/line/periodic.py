@@ -17,6 +17,7 @@ from typing import ClassVar
 import numpy as np
 
 from winkler.checks.number_checks import Positive
+from winkler.checks.place_checks import finite_places
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.line import LineFoundation
 from winkler.foundation.periodic import PeriodicBed, as_high, from_line, to_line, unrolled
@@ -225,7 +226,7 @@ class PeriodicSolution(Stressed):
             If the solution has more than one load.
         """
         a, extra = self._strip("pressure")
-        x = np.asarray(x, dtype=float)
+        x = finite_places("PeriodicSolution.pressure", "x", x)
         return self._bed.pressure(x, a, extra) if a > 0.0 else np.zeros(x.shape)
 
     def separation(self, x: ArrayLike) -> Array:
@@ -243,7 +244,7 @@ class PeriodicSolution(Stressed):
         """
         a, _ = self._strip("separation")
         pitch, line = self.problem.pitch, self._bed.line
-        x = np.asarray(x, dtype=float)
+        x = finite_places("PeriodicSolution.separation", "x", x)
         if 2.0 * a >= pitch:
             return np.zeros(x.shape)
         force, u = float(self.force_per_length), float(to_line(np.array(a), pitch))

@@ -20,11 +20,11 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.foundation.line import LineFoundation
 from winkler.materials.elastic import Elastic
-from winkler.media.halfspace import HalfSpace
+from winkler.media.halfspace import HalfSpace, HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.values import value
 
-__all__ = ["LineContact", "LineFields", "poisson_of", "stresses"]
+__all__ = ["InBody", "LineContact", "LineFields", "fields_of", "poisson_of", "stresses"]
 
 
 @value
@@ -86,9 +86,16 @@ class LineContact(NamedTuple):
     pressed: float = 1.0
 
 
-def poisson_of(bed: LineFoundation, below: bool) -> float:
+class InBody(NamedTuple):
+    """What the stresses in a body need beside the potential: see `LineContact`."""
+
+    poisson: float
+    friction: float = 0.0
+    pressed: float = 1.0
+
+
+def poisson_of(medium: HomogeneousMedium, below: bool) -> float:
     """Return Poisson's ratio of the first body (`below`) or the second; refuse one without stresses."""
-    medium = bed.medium
     body = getattr(medium, "first" if below else "second", None) if isinstance(medium, HalfSpace) else None
     if not isinstance(body, Elastic):
         raise OutsideValidity(
@@ -108,13 +115,20 @@ def stresses(contact: LineContact, x: Array, z: Array) -> LineFields:
     whole[below], slope[below] = bed.potential(away[below], deep[below], a, rim_load)
     whole[surface] = bed.surface_potential(away[surface], a, rim_load)
     side = np.where(x.ravel() < 0.0, -1.0, 1.0)  # F(-conj(zeta)) = -conj(F(zeta))
-    u, v = side * whole.real, whole.imag
-    du, dv = deep * slope.real, side * deep * slope.imag
-    mu, pressed = contact.friction, contact.pressed
+    whole.real *= side
+    slope.imag *= side
+    body = InBody(contact.poisson, contact.friction, contact.pressed)
+    return fields_of(x, z, whole.reshape(x.shape), slope.reshape(x.shape), body)
+
+
+def fields_of(x: Array, z: Array, whole: Array, slope: Array, body: InBody) -> LineFields:
+    """Return the stresses of a potential F [Pa] with the derivative F' [Pa/m] at places z >= 0, all of one shape."""
+    u, v = whole.real, whole.imag
+    du, dv = z * slope.real, z * slope.imag
+    mu, pressed = body.friction, body.pressed
     # without friction nothing is multiplied by zero: the stress is infinite at a rim
-    dragged = mu * np.array([2.0 * u - dv, dv, v + du]) if mu != 0.0 else np.zeros((3, u.size))
+    dragged = mu * np.array([2.0 * u - dv, dv, v + du]) if mu != 0.0 else np.zeros((3, *u.shape))
     along = pressed * (v + du) - dragged[0]
     across = pressed * (v - du) - dragged[1]
     shear = -pressed * dv + dragged[2]
-    parts = (along, contact.poisson * (along + across), across, shear)
-    return LineFields(x, z, *(part.reshape(x.shape) for part in parts))
+    return LineFields(x, z, along, body.poisson * (along + across), across, shear)

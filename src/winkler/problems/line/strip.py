@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from winkler.checks.place_checks import common_places, finite_places
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.line import LineFoundation
 from winkler.foundation.zoned_line import ZonedBed
@@ -73,9 +74,9 @@ class Stressed:
         OutsideValidity
             If there is no contact, or the body is rigid or not isotropic.
         """
-        depth = np.asarray(z, dtype=float)
+        place, depth = common_places(f"{type(self).__name__}.stresses", x=x, z=z)
         below = in_first_body(depth, type(self).__name__)
-        fields = stresses(self._contact(below, friction), np.asarray(x, dtype=float), np.abs(depth))
+        fields = stresses(self._contact(below, friction), place, np.abs(depth))
         return fields if below else dataclasses.replace(fields, z=-fields.z)
 
     def _contact(self, below: bool, friction: float) -> LineContact:
@@ -84,7 +85,7 @@ class Stressed:
         a, edge_load = self._strip("stresses")
         if a == 0.0:
             raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
-        return LineContact(self._bed, a, edge_load, poisson_of(self._bed, below), friction)
+        return LineContact(self._bed, a, edge_load, poisson_of(self._bed.medium, below), friction)
 
 
 class OfStrip(Stressed):
@@ -104,7 +105,7 @@ class OfStrip(Stressed):
             If the solution has more than one load.
         """
         a, edge_load = self._strip("pressure")
-        x = np.asarray(x, dtype=float)
+        x = finite_places(f"{type(self).__name__}.pressure", "x", x)
         if a == 0.0:
             return np.zeros(x.shape)
         return np.asarray(self._bed.pressure(x, a, edge_load))
@@ -126,7 +127,7 @@ class OfStrip(Stressed):
         """
         a, edge_load = self._strip("separation")
         bed = self._bed
-        away = np.abs(np.asarray(x, dtype=float))
+        away = np.abs(finite_places(f"{type(self).__name__}.separation", "x", x))
         if a >= bed.rim:
             raise OutsideValidity("The contact is pinned at the rim, beyond which the body has no surface.")
         if a == 0.0 and not isinstance(bed, ZonedBed):

@@ -152,7 +152,7 @@ class LineMarchedState:
         below = in_first_body(depth, "LineMarchedState")
         if self.half_width == 0.0:
             raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
-        poisson, deep = poisson_of(self.bed, below), np.abs(depth)
+        poisson, deep = poisson_of(self.bed.medium, below), np.abs(depth)
         side, mu = 1.0 if below else -1.0, self.law.coefficient
         # as if the mean of what both edges use were used everywhere, and the rest of the traction beside it
         common = 0.5 * float(self.used_friction[0] + self.used_friction[-1])

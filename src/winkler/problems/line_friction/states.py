@@ -6,6 +6,7 @@ import dataclasses
 
 import numpy as np
 
+from winkler.checks.place_checks import common_places, finite_places
 from winkler.errors import OutsideValidity
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Coulomb
@@ -87,7 +88,7 @@ class LineTangentialState:
 
     def pressure(self, x: ArrayLike) -> Array:
         """Return the pressure [Pa] at places x [m], zero outside of the contact."""
-        x = np.asarray(x, dtype=float)
+        x = finite_places("LineTangentialState.pressure", "x", x)
         if self.half_width == 0.0:
             return np.zeros(x.shape)
         return self.bed.pressure(x, self.half_width, rim_load(self.bed, self.force_per_length, self.half_width))
@@ -100,7 +101,7 @@ class LineTangentialState:
         x : array_like
             Places on the surface [m].
         """
-        return traction(self.bed, self.strips, np.asarray(x, dtype=float))
+        return traction(self.bed, self.strips, finite_places("LineTangentialState.traction", "x", x))
 
     def slip(self, x: ArrayLike) -> Array:
         """Return how far the second body is ahead of the first at places of the contact [m].
@@ -114,7 +115,7 @@ class LineTangentialState:
         x : array_like
             Places on the surface [m]; not a number outside of the contact.
         """
-        x = np.asarray(x, dtype=float)
+        x = finite_places("LineTangentialState.slip", "x", x)
         inside = np.abs(x) <= self.half_width
         ahead = np.full(x.shape, np.nan)
         ahead[inside] = slipped(self.bed, self.strips, x[inside])
@@ -138,11 +139,11 @@ class LineTangentialState:
         OutsideValidity
             If there is no contact, or the body is rigid.
         """
-        along, depth = np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(z, dtype=float))
+        along, depth = common_places("LineTangentialState.stresses", x=x, z=z)
         below = in_first_body(depth, "LineTangentialState")
         if self.half_width == 0.0:
             raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
-        poisson, deep = poisson_of(self.bed, below), np.abs(depth)
+        poisson, deep = poisson_of(self.bed.medium, below), np.abs(depth)
         on_rim = rim_load(self.bed, self.force_per_length, self.half_width)
         fields = stresses(LineContact(self.bed, self.half_width, on_rim, poisson, 0.0), along, deep)
         bulk = self.bulk_stress if below else 0.0

@@ -19,6 +19,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from winkler.checks.place_checks import finite_places
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Sliding
@@ -260,7 +261,7 @@ class LineTangentialSolution(OfPath["LineTangentialState | LineMarchedState"]):
                 "LineTangentialSolution: the normal force changes along the path, and the loss is known by place under "
                 "a steady one only; give one force per length, or use dissipation_per_length."
             )
-        x = np.asarray(x, dtype=float)
+        x = finite_places("LineTangentialSolution.friction_work", "x", x)
         inside = np.abs(x) < self.half_width[0]
         before, total = np.zeros((2, int(np.sum(inside))))
         for state in self.states if total.size else ():

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from winkler.checks.place_checks import common_places, finite_places
 from winkler.errors import InvalidInput
 from winkler.numerics.types import Array, ArrayLike, Quantity
 from winkler.problems.line.indentation import LineSolution
@@ -43,7 +44,7 @@ class UnderOneDrive:
             If an array was prescribed.
         """
         a, c, mu = self._one("traction")
-        x = np.asarray(x, dtype=float)
+        x = finite_places("LineRollingSolution.traction", "x", x)
         if self.strips:
             return np.asarray(self.problem.bed.medium.modulus * self._nodal(x, self.strips[0].traction))
         pressure = self.contact.pressure(x)
@@ -64,7 +65,7 @@ class UnderOneDrive:
             If an array was prescribed.
         """
         a, c, mu = self._one("slip")
-        x = np.asarray(x, dtype=float)
+        x = finite_places("LineRollingSolution.slip", "x", x)
         if self.strips:
             return self._nodal(x - 0.5 * a / COUNT, self.strips[0].slip)
         behind = np.maximum((a - x) * (a - 2.0 * c - x), 0.0)
@@ -87,7 +88,7 @@ class UnderOneDrive:
             If an array was prescribed.
         """
         self._one("pressure")
-        x = np.asarray(x, dtype=float)
+        x = finite_places("LineRollingSolution.pressure", "x", x)
         if not self.strips:
             return self.contact.pressure(x)
         return np.asarray(self.problem.bed.medium.modulus * self._nodal(x, self.strips[0].pressure))
@@ -118,15 +119,14 @@ class UnderOneDrive:
             If the body is rigid or not isotropic.
         """
         a, c, mu = self._one("stresses")
-        depth = np.asarray(z, dtype=float)
-        below = in_first_body(depth, "LineRollingSolution")
-        poisson = poisson_of(self.problem.bed, below)
+        place, depth = common_places("LineRollingSolution.stresses", x=x, z=z)
+        below, deep = in_first_body(depth, "LineRollingSolution"), np.abs(depth)
+        poisson = poisson_of(self.problem.bed.medium, below)
         if self.strips:
-            along, deep = np.broadcast_arrays(np.asarray(x, dtype=float), np.abs(depth))
-            fields = coupled_stresses(self.strips[0], a, self.problem.bed.medium.modulus, poisson, below, along, deep)
+            fields = coupled_stresses(self.strips[0], a, self.problem.bed.medium.modulus, poisson, below, place, deep)
             return fields if below else dataclasses.replace(fields, z=-fields.z)
         contact = LineContact(self.problem.bed, a, 0.0, poisson, mu if below else -mu)
-        fields = rolling_stresses(contact, c, np.asarray(x, dtype=float), np.abs(depth))
+        fields = rolling_stresses(contact, c, place, deep)
         return fields if below else dataclasses.replace(fields, z=-fields.z)
 
     def _one(self, requested: str) -> tuple[float, float, float]:

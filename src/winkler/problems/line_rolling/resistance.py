@@ -24,6 +24,7 @@ from typing import ClassVar
 import numpy as np
 
 from winkler.checks.number_checks import PositiveQuantity
+from winkler.checks.place_checks import finite_places
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.line import LineFoundation
 from winkler.loading import HalfWidth
@@ -195,7 +196,8 @@ class LineRollingResistanceSolution:
             If the solution has more than one speed.
         """
         width = single(self.half_width, "pressure")
-        return passage(self.problem.bed, HalfWidth(width), float(self.speed)).pressure(np.asarray(x, dtype=float))
+        places = finite_places("LineRollingResistanceSolution.pressure", "x", x)
+        return passage(self.problem.bed, HalfWidth(width), float(self.speed)).pressure(places)
 
     def at(self, index: int | tuple[int, ...]) -> LineRollingResistanceSolution:
         """Return the solution at one speed of an array.

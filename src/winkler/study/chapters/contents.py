@@ -14,6 +14,7 @@ from winkler.study.chapters.impact import IMPACT
 from winkler.study.chapters.kind import Kind, path_of
 from winkler.study.chapters.line import LINE
 from winkler.study.chapters.line_friction import LINE_FRICTION
+from winkler.study.chapters.line_profiles import LINE_PROFILES
 from winkler.study.chapters.line_rolling import LINE_ROLLING
 from winkler.study.chapters.line_viscoelastic import LINE_VISCOELASTIC
 from winkler.study.chapters.normal import NORMAL, normal_formulas
@@ -29,6 +30,7 @@ __all__ = ["CHAPTERS", "answer_of", "answers", "formulas_of"]
 CHAPTERS: tuple[Chapter, ...] = (
     NORMAL,
     LINE,
+    LINE_PROFILES,
     LINE_FRICTION,
     ADHESION,
     FRICTION,

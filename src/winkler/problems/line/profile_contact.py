@@ -1,0 +1,295 @@
+r"""Sections that touch a half-plane in several strips, which do not repeat: rough, wavy, tilted, side by side.
+
+.. math:: h(x) = f(x) - \theta x - C - \frac2{\pi E^*}\int p(s)\ln|x-s|\,\mathrm ds , \qquad
+          p \ge 0, \; h \ge 0, \; p\,h = 0 , \qquad P = \int p\,\mathrm dx , \quad M = \int p\,x\,\mathrm dx .
+
+The constant C follows from the force, and has no meaning of its own: a half-plane sinks without bound.  The tilt is
+prescribed, or found from the line of action of the force.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from typing import Annotated, ClassVar
+
+import numpy as np
+
+from winkler.checks.number_checks import Advice, Whole
+from winkler.checks.place_checks import common_places, finite_places
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.loading import LineForce, LineOfAction, Tilt
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.numerics.surfaces.found_strips import FoundStrips
+from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
+from winkler.problems.assumptions.declared import PRESSED
+from winkler.problems.line.profile_notes import profile_notes
+from winkler.problems.line.stress import InBody, LineFields, fields_of, poisson_of
+from winkler.problems.line.strip_search import Pushed, find_strips
+from winkler.problems.one_load import one_of, single
+from winkler.problems.which_body import in_first_body
+from winkler.profiles.measured_section import AnySection
+from winkler.validity import Assumption, Note
+from winkler.values import value, words
+
+__all__ = ["LineProfileContact", "LineProfileSolution"]
+
+STRAIGHT = Tilt(0.0)
+
+
+@value
+class LineProfileContact:
+    """A section of any shape pressed on a half-plane, in plane strain: it may touch in many strips.
+
+    Parameters
+    ----------
+    section : CylinderRow, PunchRow, MirroredSection, FormulaSection or MeasuredSection
+        The gap between the undeformed bodies across their length.
+    medium : HalfSpace or TransverselyIsotropicHalfSpace
+        Both bodies, homogeneous.
+    load : LineForce
+        The force per length; its value may be an array, the results then have its shape.
+    alignment : Tilt or LineOfAction, optional
+        The tilt, none unless given, or where the force acts on a body that is free to tilt.
+    elements : int, optional
+        Places of the first grid; evenly spaced measured points are taken as they are.
+
+    References
+    ----------
+    I. A. Polonsky, L. M. Keer, Wear 231 (1999) 206-219, doi:10.1016/S0043-1648(99)00113-1;
+    K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 2.7 and 13.2, doi:10.1017/CBO9781139171731
+
+    Examples
+    --------
+    Two steel rollers of 10 mm radius side by side, 0.5 mm apart, on one carrier under 200 N/mm.
+
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.section import CylinderRow
+    >>> steel = Elastic(210e9, 0.3)
+    >>> pair = CylinderRow([10e-3, 10e-3], [-0.25e-3, 0.25e-3], [0.0, 0.0])
+    >>> pressed = LineProfileContact(pair, HalfSpace.between(steel, steel), LineForce(200e3)).solve()
+    >>> pressed.strip_count, round(pressed.contact_length * 1e6, 2)  # micrometres
+    (2.0, 415.72)
+    """
+
+    __words__ = words(
+        section=("", None, "the gap between the undeformed bodies across their length"),
+        alignment=("", None, "the tilt, or where the force acts on a body that is free to tilt"),
+        elements=("", "", "places of the first grid"),
+    )
+
+    section: AnySection
+    medium: Annotated[HomogeneousMedium, Advice("the half-plane of a line contact is known on no other")]
+    load: LineForce
+    alignment: Tilt | LineOfAction = STRAIGHT
+    elements: Annotated[int, Whole(64, 20000, "elements")] = 2048
+
+    references: ClassVar[tuple[str, ...]] = ("polonsky_keer_1999", "johnson_1985")
+    assumptions: ClassVar[frozenset[Assumption]] = PRESSED
+
+    def solve(self) -> LineProfileSolution:
+        """Return the strips.
+
+        Raises
+        ------
+        OutsideValidity
+            If a load is tensile, or the contact reaches the end of what is known of the section.
+        NotConverged
+            If the strips are not found.
+        """
+        given = self.load.force_per_length
+        flat = np.ravel(np.asarray(given, dtype=float))
+        if np.any(flat < 0.0):
+            raise OutsideValidity(
+                f"LineProfileContact: the load {float(np.min(flat)):.6g} N/m is tensile; without adhesion bodies can "
+                "only be pressed together: give zero or more."
+            )
+        found = [self._found(force) for force in flat.tolist()]
+        still, action = self._aligned
+        columns = {
+            "tilt": [one.tilt if one else still for one in found],
+            "line_of_action": [one.moment / float(np.sum(one.forces)) if one else action for one in found],
+            "strip_count": [float(len(one.edges)) if one else 0.0 for one in found],
+            "contact_length": [float(np.sum(np.diff(one.edges))) if one else 0.0 for one in found],
+            "peak_pressure": [float(np.max(one.peaks)) if one else 0.0 for one in found],
+            "strip_error": [one.error if one else 0.0 for one in found],
+        }
+        shape = np.shape(given)
+        results = {name: shaped(np.array(column), shape) for name, column in columns.items()}
+        return LineProfileSolution(self, shaped(flat, shape), **results)
+
+    @property
+    def _aligned(self) -> tuple[float, float]:
+        """The tilt and the line of action [m] that are prescribed, zero where they are not."""
+        return (self.alignment.tilt, 0.0) if isinstance(self.alignment, Tilt) else (0.0, self.alignment.place)
+
+    def _found(self, force: float) -> FoundStrips | None:
+        """Return the strips under a force per length [N/m]; none without one."""
+        if force == 0.0:
+            return None
+        tilt, action = self._aligned
+        action = action if isinstance(self.alignment, LineOfAction) else math.nan
+        return find_strips(self.section, Pushed(self.medium.modulus, force, tilt, action, self.elements))
+
+
+@value
+class LineProfileSolution:
+    """The solution of a `LineProfileContact`; quantities have the shape of the load.
+
+    Parameters
+    ----------
+    problem : LineProfileContact
+        The problem that was solved.
+    force_per_length : float or ndarray
+        P [N/m], compression positive.
+    tilt : float or ndarray
+        theta, positive where it presses the end at positive x; zero without contact of a body that is free to tilt.
+    line_of_action : float or ndarray
+        Where the resultant of the pressures acts [m]; without contact as prescribed, or zero.
+    strip_count : float or ndarray
+        How many strips touch.
+    contact_length : float or ndarray
+        Sum of their widths [m].
+    peak_pressure : float or ndarray
+        The greatest pressure [Pa], that of an element where strips were not refined; infinite under a sharp crest or
+        at a wall.
+    strip_error : float or ndarray
+        Of refined strips the greatest of tension, overlap and what is left of the equations, each over its scale; of
+        elements the greatest relative change of contact length and greatest pressure from half as many.
+    """
+
+    __words__ = words(tilt=(r"\theta", "rad", "tilt of the body"), edges=("x", "m", "edges of each strip"))
+
+    problem: LineProfileContact
+    force_per_length: Quantity
+    tilt: Quantity
+    line_of_action: Quantity
+    strip_count: Quantity
+    contact_length: Quantity
+    peak_pressure: Quantity
+    strip_error: Quantity
+
+    per_load: ClassVar[str] = "force_per_length"
+
+    @property
+    def mean_pressure(self) -> Quantity:
+        """P over the contact length [Pa]; zero without contact."""
+        length = np.asarray(self.contact_length)
+        return shaped(np.asarray(self.force_per_length) / np.where(length > 0.0, length, 1.0))
+
+    @property
+    def refined(self) -> bool:
+        """Whether the strips under the greatest load were refined; otherwise they are elements."""
+        found = self.problem._found(float(np.max(self.force_per_length)))
+        return found is not None and found.refined
+
+    @property
+    def edges(self) -> Array:
+        """Left and right edge of each strip under one load [m], (n, 2)."""
+        return found.edges if (found := self._one("edges")) else np.zeros((0, 2))
+
+    @property
+    def strip_forces(self) -> Array:
+        """Force per length of each strip under one load [N/m], (n,)."""
+        return found.forces if (found := self._one("strip_forces")) else np.zeros(0)
+
+    @property
+    def strip_peaks(self) -> Array:
+        """The greatest pressure of each strip under one load [Pa], (n,)."""
+        return found.peaks if (found := self._one("strip_peaks")) else np.zeros(0)
+
+    def pressure(self, x: ArrayLike) -> Array:
+        """Return the pressure under one load [Pa], zero beside the strips.
+
+        Parameters
+        ----------
+        x : array_like
+            Places on the surface [m].
+
+        Raises
+        ------
+        InvalidInput
+            If the solution has more than one load.
+        """
+        found, place = self._one("pressure"), finite_places("LineProfileSolution.pressure", "x", x)
+        return found.pressure(place) if found else np.zeros(place.shape)
+
+    def separation(self, x: ArrayLike) -> Array:
+        """Return the distance of the deformed surfaces under one load [m], zero on the strips.
+
+        Parameters
+        ----------
+        x : array_like
+            Places on the surface [m].
+
+        Raises
+        ------
+        InvalidInput, OutsideValidity
+            If the solution has more than one load; if there is no contact, or a place is beyond the section.
+        """
+        found, place = self._one("separation"), finite_places("LineProfileSolution.separation", "x", x)
+        if found is None:
+            raise OutsideValidity("The bodies do not touch, so their distance is open; press harder.")
+        known = self.problem.section.pads or ((self.problem.section.start, self.problem.section.end),)
+        outside = ~np.any([(place >= start) & (place <= end) for start, end in known], axis=0)
+        if outside.any():
+            raise OutsideValidity(
+                f"At {place[outside].flat[0]:.6g} m the section has no surface, or none that is known; request places "
+                "on it."
+            )
+        return found.gap(place)
+
+    def stresses(self, x: ArrayLike, z: ArrayLike, friction: float = 0.0) -> LineFields:
+        """Return the stresses below the surface under one load.
+
+        Parameters
+        ----------
+        x, z : array_like
+            Places along the surface [m], and depths [m]: not negative in the first body, negative in the second, of
+            which -0.0 is the surface.  All in one of them.
+        friction : float
+            mu [-] of a contact that slides everywhere: the body is dragged along x by mu p, against it if negative.
+
+        Raises
+        ------
+        InvalidInput, OutsideValidity
+            If the solution has more than one load, the depths lie in both bodies, or the body has no stresses.
+        """
+        place, depth = common_places("LineProfileSolution.stresses", x=x, z=z)
+        below = in_first_body(depth, "LineProfileSolution")
+        if np.ndim(friction) > 0 or not np.isfinite(friction):
+            raise InvalidInput(f"LineProfileSolution: friction is {friction!r}; give one finite coefficient.")
+        found = self._one("stresses")
+        if found is None:
+            raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
+        deep = np.abs(depth)
+        body = InBody(poisson_of(self.problem.medium, below), float(friction))
+        return dataclasses.replace(fields_of(place, deep, *found.potential(place, deep), body), z=depth)
+
+    def at(self, index: int | tuple[int, ...]) -> LineProfileSolution:
+        """Return the solution of one load of an array.
+
+        Parameters
+        ----------
+        index : int or tuple of int
+            Which one.
+
+        Raises
+        ------
+        InvalidInput
+            If there is no such load.
+        """
+        names = [field.name for field in dataclasses.fields(self)[1:]]
+        results = one_of(index, *(getattr(self, name) for name in names))
+        one = dataclasses.replace(self.problem, load=LineForce(results[0]))
+        return LineProfileSolution(one, *results)
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted: section, strips, slopes, yield."""
+        found = self.problem._found(float(np.max(self.force_per_length)))
+        return profile_notes(self.problem.section, self.problem.medium, found, float(np.max(self.strip_error)))
+
+    def _one(self, requested: str) -> FoundStrips | None:
+        return self.problem._found(single(self.force_per_length, requested))

@@ -1,0 +1,134 @@
+"""Validity of the contact of a section: half-planes, section, strips, slopes, yield."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.numerics.surfaces.found_strips import FoundStrips
+from winkler.numerics.types import Array
+from winkler.problems.line.greatest_stress import Placed
+from winkler.problems.line.stress import InBody, fields_of
+from winkler.problems.normal.strong_parts import StrongPart, strong_parts
+from winkler.problems.normal.unknown_yield import MISES
+from winkler.problems.normal.validity import steepness_note
+from winkler.problems.normal.yield_statement import share_of
+from winkler.profiles.section import Section
+from winkler.validity import Assumption, Note, Standing, standing_of
+
+__all__ = ["profile_notes"]
+
+FLAMANT = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 2.7, doi:10.1017/CBO9781139171731"
+FINE, COARSE = 0.02, 0.1
+"""Change from half as many elements up to which results count as fine, and as coarse."""
+MOST_STRESSED, AWAY = 3, 0.1
+"""Strips below which the greatest stress is sought; depth below a sharp place at which it is judged, over the
+half-width."""
+PLACES, DEPTHS, FINEST_DEPTH, ZOOMS = 25, 21, 1e-3, 8
+WIDTHS_SEARCHED, DEEPEST_SEARCHED = 1.5, 2.5
+
+
+def profile_notes(
+    section: Section, medium: HomogeneousMedium, found: FoundStrips | None, error: float
+) -> tuple[Note, ...]:
+    """Return what was assumed of a section, and how well its strips are known.
+
+    Parameters
+    ----------
+    section, medium
+        The bodies.
+    found
+        The strips under the greatest load; none without contact.
+    error
+        The greatest `strip_error` of all loads.
+    """
+    response = Note(
+        Assumption.RESPONSE,
+        Standing.EXACT,
+        "Homogeneous, linear elastic half-planes in plane strain, pressed without friction: all strips press on each "
+        "other; the ends of a body of finite length and thickness are not included.",
+        FLAMANT,
+    )
+    if found is None:
+        apart = "The bodies do not touch under this load."
+        return (*section.notes, response, Note(Assumption.EQUILIBRIUM, Standing.EXACT, apart, "the load is zero"))
+    if found.refined:
+        text = (
+            "Edges and pressures of the strips were refined: no pressure pulls, no gap overlaps, and slopes are met to "
+            f"{error:.2g} of the greatest of each, at sampled places."
+        )
+        resolution = Note(Assumption.RESOLUTION, Standing.EXACT, text, "a-posteriori check between the nodes")
+    else:
+        text = (
+            "The strips are made of even elements: from half as many, contact length and greatest pressure change by "
+            f"up to {100.0 * error:.2g} per cent."
+            if math.isfinite(error)
+            else "The strips are made of even elements; half as many find no contact to compare with."
+        )
+        resolution = Note(Assumption.RESOLUTION, standing_of(error, FINE, COARSE), text, "comparison of two grids")
+    x = _inside(found.edges)
+    steep = float(np.max(np.abs(section.slope(x) - found.tilt)))
+    notes = [*section.notes, response, resolution, steepness_note(steep)]
+    if _sharp(found):
+        text = "The pressure is infinite under a sharp crest or at a wall: a real edge yields or is rounded."
+        notes.append(Note(Assumption.SHAPE, Standing.EXACT, text, "elastic field at a corner"))
+    return (*notes, *_yield_notes(medium, found))
+
+
+def _inside(edges: Array) -> Array:
+    share = (np.arange(33) + 0.5) / 33.0
+    return np.asarray((edges[:, :1] + share * np.diff(edges, axis=1)).ravel())
+
+
+def _sharp(found: FoundStrips) -> bool:
+    return not math.isfinite(float(np.max(found.peaks)))
+
+
+def _yield_notes(medium: HomogeneousMedium, found: FoundStrips) -> tuple[Note, ...]:
+    """Return whether the body that comes nearest to its strength stays elastic."""
+    parts = strong_parts(medium)
+    if not parts:
+        return ()
+    places = [(_greatest(found, part), part) for part in parts]
+    place, part = max(places, key=lambda one: one[0].value / one[1].solid.strength)
+    share = place.value / part.solid.strength
+    level, beyond = share_of(share, part), "" if share < 1.0 else ": the result is not elastic"
+    if _sharp(found):
+        text = (
+            "The elastic stress is infinite under a sharp crest or at a wall, which yields under the smallest load; "
+            f"{AWAY:g} half-widths below, the greatest von Mises stress is {level}{beyond}."
+        )
+        standing = Standing.APPROXIMATE
+    else:
+        depth = place.z if part.first else -place.z
+        where = f"{level}, at x = {place.x:.4g} m, z = {depth:.3g} m"
+        text = (
+            f"By von Mises' criterion the contact stays elastic: its greatest stress is {where}."
+            if share < 1.0
+            else f"By von Mises' criterion yielding has begun: the greatest elastic stress is {where}{beyond}."
+        )
+        standing = Standing.EXACT if found.refined else Standing.APPROXIMATE
+    return (Note(Assumption.ELASTIC, standing if share < 1.0 else Standing.OUTSIDE, text, MISES),)
+
+
+def _greatest(found: FoundStrips, part: StrongPart) -> Placed:
+    """Return the greatest von Mises stress below the strips of the greatest pressures or forces."""
+    edges = found.edges
+    level = found.peaks if not _sharp(found) else found.forces / np.diff(edges, axis=1)[:, 0]
+    best = Placed(0.0, 0.0, 0.0)
+    for index in np.argsort(-level)[:MOST_STRESSED]:
+        middle, half = float(np.mean(edges[index])), 0.5 * float(np.diff(edges[index])[0])
+        shallow = half * (AWAY if _sharp(found) or not found.refined else FINEST_DEPTH)
+        x = middle + half * WIDTHS_SEARCHED * np.linspace(-1.0, 1.0, PLACES)
+        z = np.geomspace(shallow, DEEPEST_SEARCHED * half, DEPTHS)
+        for _ in range(ZOOMS):
+            across, down = np.meshgrid(x, z, indexing="ij")
+            stress = fields_of(across, down, *found.potential(across, down), InBody(part.solid.poisson)).von_mises
+            i, j = (int(number) for number in np.unravel_index(int(np.argmax(stress)), stress.shape))
+            place = Placed(float(stress[i, j]), float(x[i]), float(z[j]))
+            best = max(best, place, key=lambda one: one.value)
+            x = np.linspace(x[max(i - 1, 0)], x[min(i + 1, x.size - 1)], 7)
+            z = np.linspace(z[max(j - 1, 0)], z[min(j + 1, z.size - 1)], 7)
+    return best
