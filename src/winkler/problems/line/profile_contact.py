@@ -88,6 +88,15 @@ class LineProfileContact:
     references: ClassVar[tuple[str, ...]] = ("polonsky_keer_1999", "johnson_1985")
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED
 
+    def __post_init__(self) -> None:
+        if isinstance(self.alignment, LineOfAction):
+            place, start, end = self.alignment.place, self.section.start, self.section.end
+            if not start < place < end:
+                raise InvalidInput(
+                    f"LineProfileContact: the force acts at {place:.6g} m, beyond the section from {start:.6g} m to "
+                    f"{end:.6g} m, which would tip over; give a place on it."
+                )
+
     def solve(self) -> LineProfileSolution:
         """Return the strips.
 
