@@ -302,5 +302,5 @@ def test_cylinders_whose_valley_almost_closes_stay_apart():
 
 
 def test_a_force_beyond_the_body_is_refused():
-    with pytest.raises(wk.InvalidInput, match="tip over"):
+    with pytest.raises(wk.InvalidInput, match="tip the section over"):
         pressed(wk.PunchRow([-1.0], [1.0], [0.0]), 0.1, wk.LineOfAction(1.5))
