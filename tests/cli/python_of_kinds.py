@@ -244,8 +244,6 @@ def pressed_section(section=None, alignment=None):
 
 
 SECTION_HEIGHTS = [36, 31, 25, 20, 18, 13, 9, 9, 4, 2, 3, 0, 1, 1, 0, 4, 3, 7, 10, 11, 17, 20, 24, 31, 35]
-    np.array([36, 31, 25, 20, 18, 13, 9, 9, 4, 2, 3, 0, 1, 1, 0, 4, 3, 7, 10, 11, 17, 20, 24, 31, 35]) / 1e6
-)
 SECTIONS = {
     **dict.fromkeys(("line_profile_contact", "cylinder_row"), pressed_section()),
     "punch_row": pressed_section(wk.PunchRow([-1e-3, 0.4e-3], [-0.4e-3, 1e-3], [0.0, 0.0])),
@@ -253,7 +251,9 @@ SECTIONS = {
     "formula_section": pressed_section(
         wk.FormulaSection("(x-m)**2/(2*R) + h*cos(2*pi*x/l)", 4e-3, m=1.9e-3, R=0.1, h=0.5e-6, l=0.4e-3)
     ),
-    "measured_section": pressed_section(wk.MeasuredSection(np.linspace(-0.6e-3, 0.6e-3, 25), np.array(SECTION_HEIGHTS) / 1e6)),
+    "measured_section": pressed_section(
+        wk.MeasuredSection(np.linspace(-0.6e-3, 0.6e-3, 25), np.array(SECTION_HEIGHTS) / 1e6)
+    ),
     "line_of_action": pressed_section(alignment=wk.LineOfAction(0.02e-3)),
 }
 STICKY_ROLLER = wk.LineFoundation(wk.Paraboloid(10e-3), wk.HalfSpace(wk.Elastic(2e6, 0.5)))

@@ -118,6 +118,26 @@ class CylinderRow(Section):
         beside = 3.0 * math.sqrt(4.0 / math.pi * load * float(np.max(self.curvature_radii)))
         return float(self.places[0]) - beside, float(self.places[-1]) + beside
 
+    @property
+    def breaks(self) -> tuple[tuple[float, float, float], ...]:
+        """The valleys where one cylinder meets the next."""
+        x, h, k = self.places, self.drops, 1.0 / self.curvature_radii
+        first, second = np.triu_indices(x.size, 1)
+        # h_i + k_i (x - x_i)^2/2 of both, equal: (k_j - k_i) t^2/2 + b t + c = 0 from the place of the first
+        apart = x[second] - x[first]
+        a, b = 0.5 * (k[second] - k[first]), -k[second] * apart
+        c = h[second] - h[first] + 0.5 * k[second] * apart**2
+        with np.errstate(all="ignore"):
+            q = -0.5 * (b - np.sqrt(b * b - 4.0 * a * c))  # b is negative
+            crossings = np.concatenate([x[first] + q / a, x[first] + c / q])
+        crossings = np.unique(crossings[np.isfinite(crossings)])
+        beside = SIDE * (np.abs(crossings) + self.curvature_radii.min())
+        jump = self.slope(crossings + beside) - self.slope(crossings - beside)
+        found = jump < -4.0 * beside * k.max()
+        return tuple(
+            (float(place), float(step), 0.0) for place, step in zip(crossings[found], jump[found], strict=True)
+        )
+
     def height(self, x: Array) -> Array:
         """f(x) [m]: of the lowest cylinder at each place."""
         return np.asarray(np.min(self._parabolas(x), axis=0))

@@ -288,3 +288,19 @@ def test_a_read_trace_is_the_section(tmp_path):
     assert read == wk.MeasuredSection(read.places, read.heights, cut_off=True)
     np.testing.assert_allclose(read.heights, 1e-6 * x**2, rtol=0.0, atol=1e-14)
     assert dataclasses.replace(read, cut_off=False).pads == ()
+
+
+def test_cylinders_whose_valley_almost_closes_stay_apart():
+    row_of_three = wk.CylinderRow([1.0, 2.0, 1.0], [-1.0, 0.0, 0.8], [0.0, 0.0, 0.0])
+    found = pressed(row_of_three, 0.6)
+    assert (found.strip_count, found.refined) == (3.0, True)
+    assert found.strip_error < 1e-8
+    gap = found.edges[1:, 0] - found.edges[:-1, 1]
+    assert np.all(gap > 0.0)
+    valleys = [place for place, jump, _ in row_of_three.breaks if -1.0 < place < 0.8]
+    assert np.all((found.edges[:-1, 1] < valleys) & (valleys < found.edges[1:, 0]))
+
+
+def test_a_force_beyond_the_body_is_refused():
+    with pytest.raises(wk.InvalidInput, match="tip the section over"):
+        pressed(wk.PunchRow([-1.0], [1.0], [0.0]), 0.1, wk.LineOfAction(1.5))

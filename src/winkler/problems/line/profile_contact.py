@@ -54,6 +54,11 @@ class LineProfileContact:
     elements : int, optional
         Places of the first grid; evenly spaced measured points are taken as they are.
 
+    Raises
+    ------
+    InvalidInput
+        If the force acts beyond the section.
+
     References
     ----------
     I. A. Polonsky, L. M. Keer, Wear 231 (1999) 206-219, doi:10.1016/S0043-1648(99)00113-1;
@@ -88,15 +93,20 @@ class LineProfileContact:
     references: ClassVar[tuple[str, ...]] = ("polonsky_keer_1999", "johnson_1985")
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED
 
+    def __post_init__(self) -> None:
+        _, place = self._aligned
+        if isinstance(self.alignment, LineOfAction) and not self.section.start < place < self.section.end:
+            raise InvalidInput(
+                f"LineProfileContact: the force at {place:.6g} m would tip the section over; give a place on it."
+            )
+
     def solve(self) -> LineProfileSolution:
         """Return the strips.
 
         Raises
         ------
-        OutsideValidity
-            If a load is tensile, or the contact reaches the end of what is known of the section.
-        NotConverged
-            If the strips are not found.
+        OutsideValidity, NotConverged
+            If a load is tensile or leads to the end of what is known of the section; if the strips are not found.
         """
         given = self.load.force_per_length
         flat = np.ravel(np.asarray(given, dtype=float))
@@ -249,7 +259,7 @@ class LineProfileSolution:
             Places along the surface [m], and depths [m]: not negative in the first body, negative in the second, of
             which -0.0 is the surface.  All in one of them.
         friction : float
-            mu [-] of a contact that slides everywhere: the body is dragged along x by mu p, against it if negative.
+            mu [-] of a contact that slides everywhere: the body is dragged along x by mu p.
 
         Raises
         ------
@@ -273,12 +283,7 @@ class LineProfileSolution:
         Parameters
         ----------
         index : int or tuple of int
-            Which one.
-
-        Raises
-        ------
-        InvalidInput
-            If there is no such load.
+            Which one; refused where there is no such load.
         """
         names = [field.name for field in dataclasses.fields(self)[1:]]
         results = one_of(index, *(getattr(self, name) for name in names))

@@ -23,7 +23,7 @@ from winkler.profiles.section import Section
 
 __all__ = ["Pushed", "find_strips"]
 
-MOST_PLACES, FINER = 20000, 2
+MOST_PLACES, FINER = 20000, 4
 """Places of the finest grid on which a refinement is begun, and how much finer each is."""
 WIDENINGS, WIDER = 60, 1.0
 """How often a window is widened at whose end bodies touch, and by how much of itself."""
@@ -113,6 +113,10 @@ def _press(section: Section, load: Pushed, x: Array) -> PressedLine:
 
 def _first_grid(section: Section, load: Pushed) -> _OnGrid:
     start, end = section.window(load.force / load.modulus)
+    if math.isfinite(load.action):
+        beside = 0.5 * (end - start)
+        start = max(section.start, min(start, load.action - beside))
+        end = min(section.end, max(end, load.action + beside))
     for _ in range(WIDENINGS):
         x = section.grid(start, end, load.elements)
         pressed = _press(section, load, x)
@@ -159,8 +163,12 @@ def _guess(section: Section, grid: _OnGrid) -> tuple[Array, Array]:
         for i, j in runs(bears & (x >= low - half) & (x <= high + half)):
             first, last = float(x[i]) - half, float(x[j]) + half
             held = first - half <= low, last + half >= high
-            edges.append([low if held[0] else first, high if held[1] else last])
-            pinned.append(held)
+            valleys = [place for place, jump, _ in section.breaks if jump < 0.0 and first < place < last]
+            beside = [side for place in valleys for side in (place - 0.2 * half, place + 0.2 * half)]
+            ends = [low if held[0] else first, *beside, high if held[1] else last]
+            edges += [[ends[k], ends[k + 1]] for k in range(0, len(ends), 2)]
+            walls = [held[0], *(False for _ in beside), held[1]]
+            pinned += [(walls[k], walls[k + 1]) for k in range(0, len(ends), 2)]
     return np.array(edges), np.array(pinned, dtype=bool)
 
 
