@@ -6,6 +6,7 @@ import dataclasses
 
 import numpy as np
 
+from winkler.checks.place_checks import common_places, finite_places
 from winkler.errors import OutsideValidity
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Coulomb
@@ -79,7 +80,7 @@ class LineMarchedState:
 
     def pressure(self, x: ArrayLike) -> Array:
         """Return the pressure [Pa] at places x [m], zero outside of the contact."""
-        x = np.asarray(x, dtype=float)
+        x = finite_places("LineMarchedState.pressure", "x", x)
         if self.half_width == 0.0:
             return np.zeros(x.shape)
         return self.bed.pressure(x, self.half_width, rim_load(self.bed, self.force_per_length, self.half_width))
@@ -92,7 +93,7 @@ class LineMarchedState:
         x : array_like
             Places on the surface [m].
         """
-        x = np.asarray(x, dtype=float)
+        x = finite_places("LineMarchedState.traction", "x", x)
         if self.half_width == 0.0:
             return np.zeros(x.shape)
         borne = self.law.coefficient * self.pressure(x)
@@ -118,7 +119,7 @@ class LineMarchedState:
 
     def _of_elements(self, row: Array, x: ArrayLike) -> Array:
         """Return a row by place: straight between the middles of the elements, and on to both edges."""
-        x = np.asarray(x, dtype=float)
+        x = finite_places("LineMarchedState.slip", "x", x)
         inside = np.abs(x) <= self.half_width
         found = np.full(x.shape, np.nan)
         if self.half_width == 0.0 or row.size < 2:
@@ -148,7 +149,7 @@ class LineMarchedState:
         OutsideValidity
             If there is no contact, or the body is rigid.
         """
-        along, depth = np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(z, dtype=float))
+        along, depth = common_places("LineMarchedState.stresses", x=x, z=z)
         below = in_first_body(depth, "LineMarchedState")
         if self.half_width == 0.0:
             raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
