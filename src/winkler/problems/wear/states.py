@@ -7,7 +7,7 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.foundation.foundation import Foundation
 from winkler.numerics.types import Array, Quantity
-from winkler.problems.wear.line import wear_line
+from winkler.problems.wear.grids import wear_grid
 from winkler.problems.wear.march import WearMoment
 from winkler.values import value, words
 
@@ -90,7 +90,7 @@ class WearState:
         return self._volume(self.second_worn)
 
     def _volume(self, worn: Array) -> float:
-        return float(wear_line(self.bed, self.radii).rings.areas @ worn)
+        return float(wear_grid(self.bed, self.radii).transforms.areas @ worn)
 
 
 @value
