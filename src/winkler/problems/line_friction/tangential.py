@@ -18,10 +18,9 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.errors import OutsideValidity
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Sliding
-from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import SHEARED
@@ -29,6 +28,7 @@ from winkler.problems.friction.slip_memory import SlipMemory
 from winkler.problems.friction.slip_sums import SlipSums
 from winkler.problems.line.half_width import grows, refuse_unless_strips
 from winkler.problems.line_friction.bulk import lean_of, refuse_bulk, refuse_faint, refuse_unless_nested
+from winkler.problems.line_friction.isotropic import refuse_unless_isotropic
 from winkler.problems.line_friction.path import LinePath
 from winkler.problems.line_friction.slip_curve import slip_curve
 from winkler.problems.line_friction.slip_work import shift_of_memory, work_and_shift
@@ -100,11 +100,7 @@ class LineTangential:
     assumptions: ClassVar[frozenset[Assumption]] = SHEARED
 
     def __post_init__(self) -> None:
-        if not isinstance(self.bed.medium, HalfSpace):
-            raise InvalidInput(
-                f"LineTangential: the medium is a {type(self.bed.medium).__name__}; slip of line contacts is known on "
-                "homogeneous, isotropic bodies only: give a HalfSpace."
-            )
+        refuse_unless_isotropic("LineTangential", self.bed)
         refuse_bulk(self.bed, self.path)
 
     @property

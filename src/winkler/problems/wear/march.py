@@ -197,7 +197,7 @@ def _advance(problem: WearProblem, moment: WearMoment, goal: float, everywhere: 
         try:
             with np.errstate(over="raise", invalid="raise"):
                 if settled:
-                    tried = here.implicit(worn, first, length, problem.tolerance * contact.depth)
+                    tried = here.implicit(worn, first, length, problem.tolerance * here.grid.sunk(contact, worn))
                 else:
                     tried = here.explicit(worn, first, length, stages_for(length, damping), scale)
         except (FloatingPointError, NotConverged):

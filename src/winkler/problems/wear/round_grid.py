@@ -118,6 +118,10 @@ class RoundGrid(WornGrid):
         assert isinstance(medium, HomogeneousMedium | GradedHalfSpace)
         return float(medium.modulus / medium.shear_modulus)
 
+    def sunk(self, contact: WornContact, worn: Array) -> float:
+        """As `WornGrid.sunk`: the depth."""
+        return contact.depth
+
     def depth_under(self, force: float, gap: Array) -> float:
         """Return the depth [m] at which springs under a gap [m] bear a force [N]."""
         # the force at the depths of the nodes, as if g never fell, gives the start

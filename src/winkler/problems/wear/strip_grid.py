@@ -75,6 +75,10 @@ class StripGrid(WornGrid):
         """Return the force per length [N/m]."""
         return self.modulus * self.transforms.integral(stretch, cut)
 
+    def sunk(self, contact: WornContact, worn: Array) -> float:
+        """As `WornGrid.sunk`: what the load stands for, and what was worn off."""
+        return contact.depth + float(np.max(worn.sum(axis=0)))
+
     def rub(self, contact: WornContact, coefficient: float, shear_force: float) -> RubbedStrip:
         """Return what a contact does that is sheared to and fro by a force per length [N/m], less than slides it."""
         short = shear_force / self.modulus - coefficient * np.maximum(contact.stretch, 0.0)

@@ -94,6 +94,16 @@ class WornGrid:
         """Return the force [N], or that per length [N/m], of springs pressed by what is positive of a stretch [m]."""
         raise NotImplementedError
 
+    def sunk(self, contact: WornContact, worn: Array) -> float:
+        """Return how far the bodies have come together [m], wear included.
+
+        Parameters
+        ----------
+        worn : ndarray, (2, n)
+            What both bodies have lost [m].
+        """
+        raise NotImplementedError
+
     def cuts(self, values: Array) -> Cuts:
         """Return where values at the nodes pass zero."""
         return Cuts(self.transforms.squares, values)
