@@ -180,6 +180,9 @@ from winkler.problems.viscoelastic.sliding import SlidingResistance, SlidingResi
 from winkler.problems.viscoelastic.tangential import ViscoelasticTangential, ViscoelasticTangentialSolution
 from winkler.problems.wear.fretting import FrettingSolution, FrettingWear
 from winkler.problems.wear.limiting_profile import LimitingProfile, LimitingSolution
+from winkler.problems.wear.line_fretting import LineFrettingSolution, LineFrettingWear
+from winkler.problems.wear.line_limiting_profile import LineLimitingProfile, LineLimitingSolution
+from winkler.problems.wear.line_sliding import LineSlidingSolution, LineSlidingWear
 from winkler.problems.wear.sliding import SlidingSolution, SlidingWear
 from winkler.profiles.area import AreaFunction
 from winkler.profiles.conical import Berkovich, Cone, CubeCorner, RoundedCone, SpheroConical, TruncatedCone, Vickers
@@ -235,12 +238,13 @@ __all__ = [
     "JouleHeating", "JouleHeatingSolution",
     "Kalker", "KelvinVoigt",
     "Layer", "LimitingProfile", "LimitingSolution", "LineAdhesion", "LineAdhesionSolution", "LineConstriction",
-    "LineConstrictionSolution", "LineFields", "LineForce", "LineFoundation", "LineFrictionHeating",
-    "LineFrictionHeatingSolution",
-    "LineIndentation",
+    "LineConstrictionSolution", "LineFields", "LineForce", "LineFoundation", "LineFrettingSolution",
+    "LineFrettingWear", "LineFrictionHeating", "LineFrictionHeatingSolution",
+    "LineIndentation", "LineLimitingProfile", "LineLimitingSolution",
     "LinePath", "LineRolling", "LineRollingResistance", "LineRollingResistanceSolution", "LineRollingSolution",
     "LineRollingStart", "LineRollingStartSolution", "LineScan", "LineShakedown", "LineShakedownSolution",
-    "LineShearForce", "LineSolution", "LineTangential", "LineTangentialSolution", "LineYieldOnset",
+    "LineShearForce", "LineSlidingSolution", "LineSlidingWear", "LineSolution",
+    "LineTangential", "LineTangentialSolution", "LineYieldOnset",
     "LineYieldOnsetSolution", "LogarithmicEnds",
     "Maxwell", "MeanPressure", "Measured", "MeasuredBed", "Moment",
     "NamedElastic", "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor", "NearlyRoundIndentation",

@@ -37,6 +37,7 @@ class LineWearState(WornState):
         places=("x_i", "m", "distances from the middle"),
         nodes=("x_i", "m", "distances from the middle"),
         edge=("a", "m", "half-width"),
+        removed=("V'", "m^2", "what both bodies have lost, per length of the line"),
     )
 
     bed: LineFoundation

@@ -66,6 +66,11 @@ class WornState:
         """Greatest worn depth, of both bodies together [m]."""
         return float(np.max(self.worn))
 
+    @property
+    def removed(self) -> float:
+        """What both bodies have lost [m^3]; per length of a line contact [m^2]."""
+        return self._removed(self.worn)
+
     def _removed(self, worn: Array) -> float:
         return float(wear_grid(self.bed, self.nodes).transforms.areas @ worn)
 
@@ -97,6 +102,7 @@ class WearState(WornState):
         radii=("r_i", "m", "distances from the axis"),
         nodes=("r_i", "m", "distances from the axis"),
         edge=("a", "m", "contact radius"),
+        removed=("V", "m^3", "what both bodies have lost"),
     )
 
     bed: Foundation

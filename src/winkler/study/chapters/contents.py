@@ -15,6 +15,7 @@ from winkler.study.chapters.kind import Kind, path_of
 from winkler.study.chapters.line import LINE
 from winkler.study.chapters.line_friction import LINE_FRICTION
 from winkler.study.chapters.line_rolling import LINE_ROLLING
+from winkler.study.chapters.line_wear import LINE_WEAR
 from winkler.study.chapters.normal import NORMAL, normal_formulas
 from winkler.study.chapters.particles import PARTICLES
 from winkler.study.chapters.rolling import ROLLING
@@ -40,6 +41,7 @@ CHAPTERS: tuple[Chapter, ...] = (
     ROLLING,
     LINE_ROLLING,
     WEAR,
+    LINE_WEAR,
     ROUGH,
 )
 """In the order of the catalogue."""
