@@ -80,7 +80,7 @@ class LineLimitingProfile:
     >>> bed = LineFoundation(Paraboloid(10e-3), HalfSpace.between(steel, steel))
     >>> limit = LineLimitingProfile(bed, Coulomb(0.5), LineForce(100e3), LineShearForce(37.5e3)).solve()
     >>> round(limit.stick_half_width * 1e6, 3), round(limit.half_width * 1e6, 3)  # micrometres
-    (52.523, 139.676)
+    (52.523, 139.426)
     """
 
     __words__ = words(

