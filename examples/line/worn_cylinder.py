@@ -52,7 +52,9 @@ plt.show()
 # .. math:: \Delta f(x) = \frac{1}{2R}\Big[a^2\,\mathrm{arcosh}\frac xc - x\sqrt{x^2-c^2}\Big] .
 
 a, c = worn.half_width[0], limit.stick_half_width
-assert np.isclose(limit.worn(1.2 * a), (a**2 * np.arccosh(1.2 * a / c) - 1.2 * a * np.sqrt((1.2 * a) ** 2 - c**2)) / 20e-3)
+assert np.isclose(
+    limit.worn(1.2 * a), (a**2 * np.arccosh(1.2 * a / c) - 1.2 * a * np.sqrt((1.2 * a) ** 2 - c**2)) / 20e-3
+)
 miss = worn.worn_volume_per_length[-1] / limit.worn_volume_per_length - 1.0
 print(f"what sticks is {c * 1e6:.1f} um to each side; wear ends at {limit.half_width * 1e6:.1f} um")
 print(f"the march has come within {abs(miss):.1%} of the volume")

@@ -76,6 +76,7 @@ class LineTangential:
 
     >>> from winkler.laws.friction import Coulomb
     >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.power import Paraboloid
     >>> steel = Elastic(210e9, 0.3)
     >>> bed = LineFoundation(Paraboloid(10e-3), HalfSpace.between(steel, steel))

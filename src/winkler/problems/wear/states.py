@@ -24,6 +24,13 @@ QUOTED = 5
 class WornState:
     """What is known of any worn contact, from its bed, and what the bodies have lost at the nodes of a grid."""
 
+    __words__ = words(
+        moment=("", None, "from where the march goes on"),
+        nodes=("", "m", "distances from the middle"),
+        edge=("a", "m", "where the contact ends"),
+        removed=("V", None, "what both bodies have lost, per length of a line contact"),
+    )
+
     bed: Any
     elapsed: float
     jump: float
