@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.problems.wear.line import WearLine
+from winkler.problems.wear.grids import wear_grid
 
 pytestmark = pytest.mark.bench
 
@@ -38,12 +38,12 @@ def bench_one_look(benchmark, below, steel_on_steel):
     """Depth, pressure and slip of a worn profile: under 2 ms."""
     problem = fretting(steel_on_steel, 1e-14)
     state = next(problem.steps())
-    line = WearLine(problem.bed, state.radii)
+    grid = wear_grid(problem.bed, state.radii)
     worn = 1e-3 * state.height
 
     def look():
-        contact = line.press(worn, problem.normal)
-        return line.rub(contact, MU, float(problem.amplitude.shift))
+        contact = grid.press(worn, problem.normal)
+        return grid.rub(contact, MU, float(problem.amplitude.shift))
 
     look()
     benchmark.pedantic(look, rounds=200, warmup_rounds=5)

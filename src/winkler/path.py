@@ -17,7 +17,20 @@ import numpy as np
 from winkler.checks.field_checks import Condition
 from winkler.checks.number_checks import Numbers
 from winkler.errors import InvalidInput
-from winkler.loading import Angle, Depth, Force, Lateral, Load, Normal, Radius, ShearForce, Shift, Torque
+from winkler.loading import (
+    Angle,
+    Depth,
+    Force,
+    Lateral,
+    LineForce,
+    LineShearForce,
+    Load,
+    Normal,
+    Radius,
+    ShearForce,
+    Shift,
+    Torque,
+)
 from winkler.numerics.equations.oscillation_times import oscillation_moments, sine
 from winkler.numerics.types import Array, Quantity
 from winkler.values import frozen_array, value
@@ -25,6 +38,8 @@ from winkler.values import frozen_array, value
 __all__ = [
     "OneLoad",
     "OneNormal",
+    "OnePositiveLineForce",
+    "OnePositiveLineSwing",
     "OnePositiveNormal",
     "OnePositiveSwing",
     "Path",
@@ -207,6 +222,11 @@ def load_number(load: Load) -> Quantity:
             return number
 
 
+def _positive_per_length(load: LineForce | LineShearForce) -> bool:
+    number = load.force_per_length if isinstance(load, LineForce) else load.shear_force_per_length
+    return np.ndim(number) == 0 and float(number) > 0.0
+
+
 def _one(load: Normal | Lateral | Radius) -> bool:
     return np.ndim(load.radius if isinstance(load, Radius) else numbers_of(load)) == 0
 
@@ -234,4 +254,12 @@ Swing: TypeAlias = Annotated[
 OnePositiveSwing: TypeAlias = Annotated[
     Shift | ShearForce,
     Condition(_positive, "give Shift(U) in m or ShearForce(F_x) in N with one positive number, how far to each side"),
+]
+OnePositiveLineForce: TypeAlias = Annotated[
+    LineForce,
+    Condition(_positive_per_length, "give LineForce(P) in N/m with one positive number, and sweep over several"),
+]
+OnePositiveLineSwing: TypeAlias = Annotated[
+    LineShearForce,
+    Condition(_positive_per_length, "give LineShearForce(Q) in N/m with one positive number, how far to each side"),
 ]

@@ -184,6 +184,9 @@ from winkler.problems.viscoelastic.sliding import SlidingResistance, SlidingResi
 from winkler.problems.viscoelastic.tangential import ViscoelasticTangential, ViscoelasticTangentialSolution
 from winkler.problems.wear.fretting import FrettingSolution, FrettingWear
 from winkler.problems.wear.limiting_profile import LimitingProfile, LimitingSolution
+from winkler.problems.wear.line_fretting import LineFrettingSolution, LineFrettingWear
+from winkler.problems.wear.line_limiting_profile import LineLimitingProfile, LineLimitingSolution
+from winkler.problems.wear.line_sliding import LineSlidingSolution, LineSlidingWear
 from winkler.problems.wear.sliding import SlidingSolution, SlidingWear
 from winkler.profiles.area import AreaFunction
 from winkler.profiles.conical import Berkovich, Cone, CubeCorner, RoundedCone, SpheroConical, TruncatedCone, Vickers
@@ -242,14 +245,14 @@ __all__ = [
     "JouleHeating", "JouleHeatingSolution",
     "Kalker", "KelvinVoigt",
     "Layer", "LimitingProfile", "LimitingSolution", "LineAdhesion", "LineAdhesionSolution", "LineConstriction",
-    "LineConstrictionSolution", "LineFields", "LineForce", "LineForcePath", "LineFoundation", "LineFrictionHeating",
-    "LineFrictionHeatingSolution",
-    "LineIndentation", "LineOfAction",
-    "LinePath", "LineProfileContact", "LineProfileSolution", "LineRolling", "LineRollingResistance",
-    "LineRollingResistanceSolution", "LineRollingSolution",
-    "LineRollingStart", "LineRollingStartSolution", "LineScan", "LineShakedown", "LineShakedownSolution",
-    "LineShearForce", "LineSolution", "LineTangential", "LineTangentialSolution",
-    "LineViscoelasticIndentation", "LineViscoelasticSolution", "LineYieldOnset",
+    "LineConstrictionSolution", "LineFields", "LineForce", "LineForcePath", "LineFoundation",
+    "LineFrettingSolution", "LineFrettingWear", "LineFrictionHeating", "LineFrictionHeatingSolution",
+    "LineIndentation", "LineLimitingProfile", "LineLimitingSolution", "LineOfAction", "LinePath",
+    "LineProfileContact", "LineProfileSolution", "LineRolling", "LineRollingResistance",
+    "LineRollingResistanceSolution", "LineRollingSolution", "LineRollingStart", "LineRollingStartSolution",
+    "LineScan", "LineShakedown", "LineShakedownSolution", "LineShearForce", "LineSlidingSolution",
+    "LineSlidingWear", "LineSolution", "LineTangential", "LineTangentialSolution", "LineViscoelasticIndentation",
+    "LineViscoelasticSolution", "LineYieldOnset",
     "LineYieldOnsetSolution", "LogarithmicEnds",
     "Maxwell", "MeanPressure", "Measured", "MeasuredBed", "MeasuredSection", "MirroredSection", "Moment",
     "NamedElastic", "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor", "NearlyRoundIndentation",

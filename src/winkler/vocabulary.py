@@ -431,6 +431,9 @@ GLOSSARY: dict[str, Word] = {
     "worn_volume": Word("V", "m^3", "what both bodies have lost"),
     "first_volume": Word("V_1", "m^3", "what the first body has lost"),
     "second_volume": Word("V_2", "m^3", "what the second body has lost"),
+    "worn_volume_per_length": Word("V'", "m^2", "what both bodies have lost, per length of the line"),
+    "first_volume_per_length": Word("V'_1", "m^2", "what the first body has lost, per length of the line"),
+    "second_volume_per_length": Word("V'_2", "m^2", "what the second body has lost, per length of the line"),
     "core": Word("c", None, "the springs that stick for ever"),
     # rough surfaces
     "heights": Word("z", "m", "heights of a surface, up towards the other body; nan where missing"),

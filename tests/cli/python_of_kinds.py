@@ -180,6 +180,17 @@ WEARING = {
     "sliding_wear": wk.SlidingWear(BED, ARCHARD, wk.Force(100.0), np.array([0.0, 0.1, 0.3, 1.0]), count=100),
     "limiting_profile": wk.LimitingProfile(BED, FRICTION, wk.Depth(1e-6), wk.Shift(0.2e-6)),
 }
+STEEL_LINE = wk.LineFoundation(wk.Paraboloid(10e-3), wk.HalfSpace.between(*2 * [wk.Elastic(210e9, 0.3)]))
+PRESSED_LINE, SWUNG_LINE = wk.LineForce(100e3), wk.LineShearForce(15e3)
+WEARING_LINES = {
+    "line_fretting_wear": wk.LineFrettingWear(
+        STEEL_LINE, ARCHARD, FRICTION, PRESSED_LINE, SWUNG_LINE, np.array([0.0, 1e4, 1e5, 3e5, 1e6]), count=100
+    ),
+    "line_sliding_wear": wk.LineSlidingWear(
+        STEEL_LINE, ARCHARD, PRESSED_LINE, np.array([0.0, 0.1, 0.3, 1.0]), count=100
+    ),
+    "line_limiting_profile": wk.LineLimitingProfile(STEEL_LINE, FRICTION, PRESSED_LINE, SWUNG_LINE),
+}
 
 # ------------------------------------------------------------------------------------------------ roughness
 
@@ -332,5 +343,6 @@ NEWER = {
     **ROLLING,
     **HEATING,
     **WEARING,
+    **WEARING_LINES,
     **ROUGHNESS,
 }

@@ -117,7 +117,13 @@ KNOWN_TO_SMALL_RADII = {"measured", "designed"}
 SOFT = ("viscoelastic_indentation", "relaxation_test", "harmonic_indentation", "viscoelastic_tangential")
 
 
-OTHER_LINES = ("line_indentation", "line_tangential", "line_friction_heating")
+OTHER_LINES = (
+    "line_indentation",
+    "line_tangential",
+    "line_friction_heating",
+    "line_fretting_wear",
+    "line_sliding_wear",
+)
 """Problems of lines that take an example of most profiles."""
 
 
@@ -147,6 +153,7 @@ def goes_together(problem: str, profile: str) -> bool:
         ),
         "sliding_resistance": pinned | KNOWN_TO_SMALL_RADII,
         "limiting_profile": {"flat_punch"},  # no ring that slips
+        "line_limiting_profile": {"flat_punch", "area_function"},
         "viscoelastic_impact": KNOWN_TO_SMALL_RADII,
         "creep_test": KNOWN_TO_SMALL_RADII,
         **{soft: {"designed"} for soft in SOFT},

@@ -81,6 +81,7 @@ SOLVED = {
             "roller_contact",
             "periodic_indentation",
         ),
+        *("line_fretting_wear", "line_sliding_wear", "line_limiting_profile"),
     ),
     "sticky": (
         *("adhesive_indentation", "pull_off", "equilibrium", "adhesive_shear", "adhesive_cycle", "adhesive_impact"),
@@ -106,7 +107,14 @@ SOLVED = {
     ),
 }
 """Groups of problems that are solved; each takes about as long as the others."""
-FEW = {"viscoelastic_adhesion": 6, "impact": 30, "sliding_wear": 30, "adhesive_impact": 40, "viscoelastic_impact": 40}
+FEW = {
+    "viscoelastic_adhesion": 6,
+    "impact": 30,
+    "sliding_wear": 30,
+    "line_sliding_wear": 30,
+    "adhesive_impact": 40,
+    "viscoelastic_impact": 40,
+}
 """Cases of problems that take long; of others there are `EACH`."""
 EACH = 60
 

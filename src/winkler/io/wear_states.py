@@ -13,24 +13,31 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.foundation.foundation import Foundation
+from winkler.foundation.line import LineFoundation
 from winkler.io.array_file import read_state, write_state
 from winkler.io.foreign import reader
+from winkler.problems.wear.line_states import LineFrettingState, LineWearState
 from winkler.problems.wear.states import FrettingState, WearState
 
 __all__ = ["read_wear", "write_wear"]
 
 FORMAT = "winkler wear 1"
 ABSENT = np.array("")
-KINDS: dict[str, type[WearState]] = {"sliding": WearState, "fretting": FrettingState}
+KINDS: dict[str, type[WearState | LineWearState]] = {
+    "sliding": WearState,
+    "fretting": FrettingState,
+    "line_sliding": LineWearState,
+    "line_fretting": LineFrettingState,
+}
 
 
-def _field_names(kind: type[WearState]) -> tuple[str, ...]:
+def _field_names(kind: type[WearState | LineWearState]) -> tuple[str, ...]:
     return tuple(field.name for field in dataclasses.fields(kind) if field.name != "bed")
 
 
-def _count(kind: type[WearState], rows: dict[str, Any], path: str | os.PathLike[str]) -> int:
+def _count(kind: type[WearState | LineWearState], rows: dict[str, Any], path: str | os.PathLike[str]) -> int:
     """Return the number of states, if all arrays agree on it."""
-    count, nodes = (*rows.get("radii", ABSENT).shape, 0, 0)[:2]
+    count, nodes = (*rows.get("places" if issubclass(kind, LineWearState) else "radii", ABSENT).shape, 0, 0)[:2]
     types = typing.get_type_hints(kind)
     for word in _field_names(kind):
         row, wanted = rows.get(word, ABSENT), (count,) if types[word] is float else (count, nodes)
@@ -42,12 +49,12 @@ def _count(kind: type[WearState], rows: dict[str, Any], path: str | os.PathLike[
     return int(count)
 
 
-def write_wear(states: Sequence[WearState], path: str | os.PathLike[str]) -> Path:
+def write_wear(states: Sequence[WearState | LineWearState], path: str | os.PathLike[str]) -> Path:
     """Save states of wear; a file of that name is replaced only once the new one is whole.
 
     Parameters
     ----------
-    states : sequence of WearState or FrettingState
+    states : sequence of WearState, FrettingState, LineWearState or LineFrettingState
         Of one problem, in their order; at least one.
     path : str or path
         The file, of NumPy's kind ``.npz``.
@@ -69,19 +76,19 @@ def write_wear(states: Sequence[WearState], path: str | os.PathLike[str]) -> Pat
 
 
 @reader("wear")
-def read_wear(bed: Foundation, path: str | os.PathLike[str]) -> tuple[WearState, ...]:
+def read_wear(bed: Foundation | LineFoundation, path: str | os.PathLike[str]) -> tuple[WearState | LineWearState, ...]:
     """Return states of wear as they were saved.
 
     Parameters
     ----------
-    bed : Foundation
+    bed : Foundation or LineFoundation
         The springs before wear, of the problem whose states they are.
     path : str or path
         A file that `write_wear` wrote.
 
     Returns
     -------
-    tuple of WearState or FrettingState
+    tuple of WearState, FrettingState, LineWearState or LineFrettingState
         The last is the one to continue from: ``problem.steps(start=states[-1])``.
 
     Raises
@@ -94,12 +101,13 @@ def read_wear(bed: Foundation, path: str | os.PathLike[str]) -> tuple[WearState,
     name = str(rows.pop("kind"))
     if name not in KINDS:
         raise InvalidInput(f"{path}: it does not hold '{FORMAT}'; give one that this version wrote.")
-    kind = KINDS[name]
+    kind: Any = KINDS[name]
     count = _count(kind, rows, path)
 
-    def state(i: int) -> WearState:
+    def state(i: int) -> WearState | LineWearState:
         rows_of = {word: rows[word] for word in _field_names(kind)}
         content: dict[str, Any] = {word: float(row[i]) if row.ndim == 1 else row[i] for word, row in rows_of.items()}
-        return kind(bed, **content)
+        made: WearState | LineWearState = kind(bed, **content)
+        return made
 
     return tuple(state(i) for i in range(count))

@@ -8,7 +8,8 @@ import pytest
 
 from winkler.numerics.transforms.graded_abel import gap as graded_gap
 from winkler.numerics.transforms.graded_abel import surface as graded_surface
-from winkler.numerics.transforms.ring_transforms import Cuts, RingTransforms, SurfaceTransform, ring_means
+from winkler.numerics.transforms.grid_transforms import Cuts, SurfaceTransform
+from winkler.numerics.transforms.ring_transforms import RingTransforms
 
 NODES = np.concatenate([np.linspace(0.0, 0.5, 31)[:-1], 0.5 + np.linspace(0.0, 1.0, 41) ** 2])
 
@@ -30,7 +31,7 @@ def test_a_paraboloid_is_exact(k):
     # means over rings: the exact load beyond a radius is that of the power (3 + k)/2
     beyond = 4.0 / ((1.0 + k) ** 2 * (k + 3.0)) * np.maximum(a * a - rings.borders, 0.0) ** (0.5 * (3.0 + k))
     loads = -np.diff(np.append(beyond, 0.0))
-    np.testing.assert_allclose(rings.in_rings(stretch, cut) * rings.areas, loads, atol=1e-13)
+    np.testing.assert_allclose(rings.borne(stretch, cut) * rings.areas, loads, atol=1e-13)
     shown = SurfaceTransform(rings)(gap, Cuts(rings.squares, gap))
     np.testing.assert_allclose(shown, height, rtol=1e-11, atol=1e-15)
 
@@ -65,7 +66,7 @@ def test_what_is_cut_off_within_a_cell_is_cut_off_there():
     assert one.integral(values, first) == pytest.approx(other.integral(more, second), rel=1e-13)
     assert one.inside(first, 4.0) == pytest.approx(other.inside(second, 4.0), rel=1e-13)
     pairs = (one, values, first), (other, more, second)
-    whole = (np.sum(rings.in_rings(v, cut) * rings.areas) for rings, v, cut in pairs)
+    whole = (np.sum(rings.borne(v, cut) * rings.areas) for rings, v, cut in pairs)
     # all of the load, and twice the integral along the line
     assert list(whole) == pytest.approx([2.0 * one.integral(values, first)] * 2, rel=1e-12)
     np.testing.assert_allclose(
@@ -90,7 +91,7 @@ def test_the_mean_pressure_of_a_ring_is_an_integral():
 
     low, high = (math.sqrt(each) for each in rings.borders[1:3])
     mean = 2 * mpmath.pi * mpmath.quad(lambda r: r * pressure(r), [low, 0.5, high]) / rings.areas[1]
-    assert rings.in_rings(values, cut)[1] == pytest.approx(float(mean), rel=1e-9)
+    assert rings.borne(values, cut)[1] == pytest.approx(float(mean), rel=1e-9)
 
 
 def test_means_over_other_rings_lose_nothing():
@@ -98,6 +99,6 @@ def test_means_over_other_rings_lose_nothing():
     values[-1] = 0.0
     wide = np.linspace(0.0, 2.0, 60)
     before, after = RingTransforms(NODES, 0.0), RingTransforms(wide, 0.0)
-    means = ring_means(before.squares, values, after.squares)
+    means = after.means(before.squares, values)
     assert after.areas @ means == pytest.approx(before.areas @ values, rel=1e-13)
     assert np.max(np.abs(means - np.interp(wide**2, NODES**2, values, right=0.0))) < 0.01

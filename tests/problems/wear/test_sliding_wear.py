@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.problems.wear.line import WearLine, wear_line
+from winkler.problems.wear.grids import wear_grid
 from winkler.problems.wear.march import march_wear
+from winkler.problems.wear.worn_grid import WornGrid
 
 MEDIUM = wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3))
 BALL = wk.Foundation(wk.Paraboloid(1e-3), MEDIUM)
@@ -57,14 +58,14 @@ def test_a_ball_wears_to_a_cap():
 def test_a_ball_wears_over_any_distance(monkeypatch):
     # a hundred kilometres, over which the contact grows to forty times its radius: V = kappa F s is a cap of the ball
     looks = 0
-    press = WearLine.press
+    press = WornGrid.press
 
-    def counted(line, worn, load):
+    def counted(grid, worn, load):
         nonlocal looks
         looks += 1
-        return press(line, worn, load)
+        return press(grid, worn, load)
 
-    monkeypatch.setattr(WearLine, "press", counted)
+    monkeypatch.setattr(WornGrid, "press", counted)
     curvature, force, distance = 1e-2, 10.0, np.array([1e2, 1e3, 1e4, 1e5])
     bed = wk.Foundation(wk.Paraboloid(curvature), MEDIUM)
     run = worn(distance, bed=bed, normal=wk.Force(force))
@@ -83,7 +84,7 @@ def test_implicit_jumps_go_where_explicit_ones_go(wear):
     begun = next(wk.SlidingWear(BALL, wear, wk.Force(1.0), 1e-4, count=50).steps()).moment
     short = list(march_wear(problem, problem.goals, begun))
     for moment, state in zip(short, problem.steps(), strict=True):
-        same = wear_line(BALL, moment.nodes).press(moment.worn.sum(axis=0), wk.Force(1.0))
+        same = wear_grid(BALL, moment.nodes).press(moment.worn.sum(axis=0), wk.Force(1.0))
         assert state.depth == pytest.approx(same.depth, rel=1e-3)
         np.testing.assert_allclose(state.first_worn, moment.worn[0], atol=5e-3 * same.depth)
 

@@ -13,11 +13,25 @@ from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Area, Line, Panel, PanelAxis, Rule, Sheet, titled
 from winkler.plot.series import Series, series, series_of, with_unit
 from winkler.problems.wear.fretting import FrettingSolution
+from winkler.problems.wear.grids import wear_grid
 from winkler.problems.wear.limiting_profile import LimitingSolution
+from winkler.problems.wear.line_states import LineWearState
 from winkler.problems.wear.sliding import SlidingSolution
-from winkler.problems.wear.states import FrettingState, WearState
+from winkler.problems.wear.states import FrettingState, WearState, WornState
 
-__all__ = ["fretting_sheet", "limiting_sheet", "moment_panels", "rows_panel", "sliding_sheet", "wear_state_sheet"]
+__all__ = [
+    "POINTS",
+    "PRESSURE_CEILING",
+    "RADII_DRAWN",
+    "fretting_sheet",
+    "limiting_sheet",
+    "moment_panels",
+    "over_elapsed",
+    "rows_panel",
+    "sliding_sheet",
+    "state_panels",
+    "wear_state_sheet",
+]
 
 MOST_STATES = 6
 """Most states drawn together."""
@@ -34,33 +48,34 @@ def fretting_sheet(item: FrettingSolution) -> Sheet:
     cycles = series_of(item, "cycles")
     names = [f"{count:,.0f}" if count >= 10 or count == 0 else f"{count:.2g}" for count in item.cycles]
     steady = np.ptp(item.force) <= 1e-6 * np.max(item.force)
-    volumes = ("first_volume", "second_volume") if np.any(item.second_volume > 0.0) else ("worn_volume",)
+    both = bool(np.any(item.second_volume > 0.0))
+    volumes = ("first_volume", "second_volume") if both else ("worn_volume",)
     below = titled(
         (
-            _over(cycles, [series_of(item, "radius"), series_of(item, "stick_radius")], "radius"),
-            _over(cycles, [series_of(item, name) for name in volumes], "worn volume" if len(volumes) > 1 else ""),
-            _over(cycles, [series_of(item, "depth" if steady else "force")]),
+            over_elapsed(cycles, [series_of(item, "radius"), series_of(item, "stick_radius")], "radius"),
+            over_elapsed(cycles, [series_of(item, name) for name in volumes], "worn volume" if both else ""),
+            over_elapsed(cycles, [series_of(item, "depth" if steady else "force")]),
         ),
         "contact and core",
         "worn volume",
         "depth" if steady else "normal force",
     )
-    return Sheet((*_state_panels(item.states, names, "cycles"), *below), 3, width=3.9)
+    return Sheet((*state_panels(item.states, names, "cycles"), *below), 3, width=3.9)
 
 
 @without_extent(SlidingSolution)
 def sliding_sheet(item: SlidingSolution) -> Sheet:
     """Return worn profiles and pressures after growing distances, and contact, volume and pressure over them."""
     distance = series_of(item, "distance")
-    above = _state_panels(item.states, [with_unit(far, "m", 3) for far in item.distance.tolist()], "distance")
-    below = (_over(distance, [series_of(item, name)]) for name in ("radius", "worn_volume", "mean_pressure"))
+    above = state_panels(item.states, [with_unit(far, "m", 3) for far in item.distance.tolist()], "distance")
+    below = (over_elapsed(distance, [series_of(item, name)]) for name in ("radius", "worn_volume", "mean_pressure"))
     return Sheet((*above, *titled(below, "contact", "worn volume", "mean pressure")), 3, width=3.9)
 
 
 @without_extent(WearState, FrettingState)
 def wear_state_sheet(item: WearState) -> Sheet:
     """Return the worn profile and the pressure of one state."""
-    return Sheet(_state_panels((item,), [f"{item.elapsed:.4g}"], "after"), width=3.9)
+    return Sheet(state_panels((item,), [f"{item.elapsed:.4g}"], "after"), width=3.9)
 
 
 @without_extent(LimitingSolution)
@@ -83,7 +98,7 @@ def limiting_sheet(item: LimitingSolution) -> Sheet:
         rows_panel(
             "pressure",
             [Line(radius * share, start, **first), Line(c * share, stop, **last)],
-            PRESSURE_CEILING * float(pressed.mean_pressure),
+            most=PRESSURE_CEILING * float(pressed.mean_pressure),
         ),
     )
     core = Rule(c, upright=True, width=0.9, dash=style.DOTTED, name="core")
@@ -94,67 +109,79 @@ def limiting_sheet(item: LimitingSolution) -> Sheet:
     return Sheet(chosen_states, width=3.9, title=title)
 
 
-def _chosen(states: tuple[WearState, ...]) -> list[int]:
+def _chosen(states: tuple[WornState, ...]) -> list[int]:
     """Return the indices of a few states with about equal increments of worn volume."""
-    volumes = np.array([state.worn_volume for state in states])
+    volumes = np.array([state.removed for state in states])
     if len(states) <= MOST_STATES or volumes[-1] == volumes[0]:
         return list(range(min(len(states), MOST_STATES)))
     volumes_wanted = volumes[0] + (volumes[-1] - volumes[0]) * np.linspace(0.0, 1.0, MOST_STATES)
     return sorted({int(np.argmin(np.abs(volumes - each))) for each in volumes_wanted})
 
 
-def _state_panels(states: tuple[WearState, ...], names: list[str], what: str) -> tuple[Panel, ...]:
-    """Return profiles, worn depths and pressures of a few states, from pale to dark."""
+def state_panels(states: tuple[WornState, ...], names: list[str], what: str) -> tuple[Panel, ...]:
+    """Return profiles, worn depths and pressures of a few states, from pale to dark.
+
+    Parameters
+    ----------
+    states : tuple of WornState
+    names : list of str
+        One for each.
+    what : str
+        Title of the names.
+    """
     chosen = _chosen(states)
     chosen_states = [states[index] for index in chosen]
-    reach = RADII_DRAWN * max(state.radius for state in chosen_states)
-    within = [state.radii <= reach for state in chosen_states]
-    mean = max(state.force / (np.pi * state.radius**2) for state in chosen_states)
+    reach = RADII_DRAWN * max(state.edge for state in chosen_states)
+    within = [state.nodes <= reach for state in chosen_states]
+    mean = max(state.mean_pressure for state in chosen_states)
     shades = [style.shade(float(share)) for share in np.linspace(0.25, 1.0, len(chosen))]
     panels = []
     for name, most in (("height", np.inf), ("worn", np.inf), ("pressure", PRESSURE_CEILING * mean)):
         lines = [
-            Line(state.radii[inside], np.asarray(getattr(state, name))[inside], colour, name=names[index])
+            Line(state.nodes[inside], np.asarray(getattr(state, name))[inside], colour, name=names[index])
             for state, inside, colour, index in zip(chosen_states, within, shades, chosen, strict=True)
         ]
-        panels.append(rows_panel(name, lines, most))
+        panels.append(rows_panel(name, lines, type(chosen_states[0]), most=most))
     panels[0] = panels[0].plus(legend="best", legend_title=what)
     return titled(panels, "worn profiles", "worn depth", "pressure")
 
 
-def rows_panel(name: str, lines: list[Line], most: float = np.inf) -> Panel:
-    """Return a quantity of wear over the distance from the axis, up to a greatest drawn value.
+def rows_panel(name: str, lines: list[Line], kind: type = WearState, *, most: float = np.inf) -> Panel:
+    """Return a quantity of wear over the distance from the middle, up to a greatest drawn value.
 
     Parameters
     ----------
     name : str
-        A field of `WearState`.
+        A field of the state.
     lines : list of Line
+    kind : type
+        Of the states.
     most : float
         [SI].
     """
-    along = series("radii", np.concatenate([line.x for line in lines]), WearState)
-    of = series(name, np.minimum(np.concatenate([line.y for line in lines]), most), WearState)
+    along = series("nodes", np.concatenate([line.x for line in lines]), kind)
+    of = series(name, np.minimum(np.concatenate([line.y for line in lines]), most), kind)
     top = float(np.max(of.content))
     high = 1.08 * top if top > 0.0 else of.scale.factor
-    return Panel(tuple(lines), PanelAxis("$r$", along.scale), PanelAxis.of(of, low=0.0, high=high))
+    letter = "$x$" if issubclass(kind, LineWearState) else "$r$"
+    return Panel(tuple(lines), PanelAxis(letter, along.scale), PanelAxis.of(of, low=0.0, high=high))
 
 
-def moment_panels(states: Sequence[WearState], moment: int) -> tuple[Panel, Panel, Panel]:
+def moment_panels(states: Sequence[WornState], moment: int) -> tuple[Panel, Panel, Panel]:
     """Return worn profile, worn depth and pressure in one state, beside the first and the last one.
 
     Parameters
     ----------
-    states : sequence of WearState
+    states : sequence of WornState
         All states of a history.
     moment : int
         Index of the drawn state.
     """
     first, now, last = states[0], states[moment], states[-1]
-    reach = min(RADII_DRAWN * max(one.radius for one in states), first.bed.reach, float(last.radii[-1]))
-    r = np.unique(np.concatenate([[0.0, reach], *(one.radii[one.radii <= reach] for one in (first, last))]))
-    before = first.bed.height(r)
-    end, current = (before + np.interp(r, one.radii, one.worn) for one in (last, now))
+    reach = min(RADII_DRAWN * max(one.edge for one in states), first.bed.reach, float(last.nodes[-1]))
+    r = np.unique(np.concatenate([[0.0, reach], *(one.nodes[one.nodes <= reach] for one in (first, last))]))
+    before = wear_grid(first.bed, first.nodes).height(r)
+    end, current = (before + np.interp(r, one.nodes, one.worn) for one in (last, now))
     thin: dict[str, Any] = {"colour": style.MUTED, "width": 1.0}
     start = "before wear" if first.elapsed == 0.0 else "at first"
     profile = [
@@ -163,17 +190,15 @@ def moment_panels(states: Sequence[WearState], moment: int) -> tuple[Panel, Pane
         Line(r, current, name="now"),
     ]
     worn = [
-        Line(last.radii, last.worn, name="in the end", **thin),
-        Line(now.radii, now.worn, style.RED, name="now"),
+        Line(last.nodes, last.worn, name="in the end", **thin),
+        Line(now.nodes, now.worn, style.RED, name="now"),
     ]
-    most = PRESSURE_CEILING * max(
-        (one.force / (np.pi * one.radius**2) for one in states if one.radius > 0.0), default=0.0
-    )
+    most = PRESSURE_CEILING * max(one.mean_pressure for one in states)
     top = max(float(np.max(np.minimum(one.pressure, most))) for one in states)
     pressure = [
-        Line(first.radii, np.minimum(first.pressure, most), name=start, dash=style.DASHES[1], **thin),
-        Line(last.radii, np.minimum(last.pressure, most), name="in the end", **thin),
-        Line(now.radii, np.minimum(now.pressure, most), style.RED, name="now"),
+        Line(first.nodes, np.minimum(first.pressure, most), name=start, dash=style.DASHES[1], **thin),
+        Line(last.nodes, np.minimum(last.pressure, most), name="in the end", **thin),
+        Line(now.nodes, np.minimum(now.pressure, most), style.RED, name="now"),
     ]
     off = Area(r, before, current, alpha=0.15)
     panels = []
@@ -182,16 +207,25 @@ def moment_panels(states: Sequence[WearState], moment: int) -> tuple[Panel, Pane
         ("worn", worn, (), float(np.max(last.worn))),
         ("pressure", pressure, (), top),
     ):
-        panel = rows_panel(name, lines)
-        scale = series(name, np.array([high]), WearState).scale
+        panel = rows_panel(name, lines, type(first))
+        scale = series(name, np.array([high]), type(first)).scale
         upright = dataclasses.replace(panel.upright, scale=scale, high=1.08 * high if high > 0.0 else scale.factor)
-        across = PanelAxis.of(series("r", r), low=0.0, high=reach)
+        across = dataclasses.replace(panel.across, scale=series("r", r).scale, low=0.0, high=reach)
         panels.append(panel.plus(*marks, across=across, upright=upright, legend="best"))
     return panels[0], panels[1], panels[2]
 
 
-def _over(along: Series, rows: list[Series], label: str = "") -> Panel:
-    """Return quantities of one unit over cycles or distance."""
+def over_elapsed(along: Series, rows: list[Series], label: str = "") -> Panel:
+    """Return quantities of one unit over cycles or distance.
+
+    Parameters
+    ----------
+    along : Series
+        Cycles or distance.
+    rows : list of Series
+    label : str
+        Of the upright axis, if there are several.
+    """
     scale = max((row.scale for row in rows), key=lambda one: one.factor)
     looks: tuple[dict[str, Any], ...] = ({"colour": style.BLUE}, {"colour": style.RED, "dash": style.DASHES[1]})
     lines = [

@@ -24,7 +24,7 @@ from winkler.problems.line.indentation import LineIndentation, LineSolution
 from winkler.problems.line.peak_pressure import rim_load
 from winkler.profiles.power import Paraboloid
 
-__all__ = ["EarlierStrip", "half_widths", "slipped", "strips_of", "traction"]
+__all__ = ["EarlierStrip", "half_widths", "opened", "slipped", "strips_of", "traction"]
 
 
 ROUNDING = 1e-13
@@ -108,12 +108,12 @@ def slipped(bed: LineFoundation, strips: tuple[EarlierStrip, ...], x: Array) -> 
     for strip in strips[:-1]:  # beside the last one is no contact
         beside = np.abs(x - strip.middle) > strip.half_width
         if strip.factor != 0.0 and beside.any():
-            total[beside] -= strip.factor * _opened(bed, strip, x[beside] - strip.middle)
+            total[beside] -= strip.factor * opened(bed, strip, x[beside] - strip.middle)
     return total
 
 
-def _opened(bed: LineFoundation, strip: EarlierStrip, x: Array) -> Array:
-    """Return the distance of the surfaces beside a strip [m]."""
+def opened(bed: LineFoundation, strip: EarlierStrip, x: Array) -> Array:
+    """Return the distance of the surfaces beside a strip at places of its body [m]; zero if a rim pins it."""
     c = strip.half_width
     if c >= bed.rim:
         return np.zeros(x.shape)

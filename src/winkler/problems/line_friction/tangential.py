@@ -20,10 +20,9 @@ from typing import ClassVar
 import numpy as np
 
 from winkler.checks.place_checks import finite_places
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.errors import OutsideValidity
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Sliding
-from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import SHEARED
@@ -33,6 +32,7 @@ from winkler.problems.line.half_width import grows, refuse_unless_strips
 from winkler.problems.line_friction.bulk import has_closed_form, lean_of, refuse_bulk
 from winkler.problems.line_friction.march import LineMarch
 from winkler.problems.line_friction.marched_states import LineMarchedState, marched_state
+from winkler.problems.line_friction.isotropic import refuse_unless_isotropic
 from winkler.problems.line_friction.path import LinePath
 from winkler.problems.line_friction.slip_curve import slip_curve
 from winkler.problems.line_friction.slip_work import shift_of_memory, work_and_shift
@@ -79,6 +79,7 @@ class LineTangential:
 
     >>> from winkler.laws.friction import Coulomb
     >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.power import Paraboloid
     >>> steel = Elastic(210e9, 0.3)
     >>> bed = LineFoundation(Paraboloid(10e-3), HalfSpace.between(steel, steel))
@@ -103,11 +104,7 @@ class LineTangential:
     assumptions: ClassVar[frozenset[Assumption]] = SHEARED
 
     def __post_init__(self) -> None:
-        if not isinstance(self.bed.medium, HalfSpace):
-            raise InvalidInput(
-                f"LineTangential: the medium is a {type(self.bed.medium).__name__}; slip of line contacts is known on "
-                "homogeneous, isotropic bodies only: give a HalfSpace."
-            )
+        refuse_unless_isotropic("LineTangential", self.bed)
         refuse_bulk(self.bed, self.path)
 
     @property

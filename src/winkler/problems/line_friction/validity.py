@@ -18,13 +18,13 @@ from winkler.problems.line_friction.states import LineTangentialState
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["sheared_line_notes"]
+__all__ = ["SLIP_SUMS", "sheared_line_notes"]
 
 CIAVARELLA = (
     "M. Ciavarella, Int. J. Solids Struct. 35 (1998) 2349-2362, doi:10.1016/S0020-7683(97)00154-6; J. Jaeger, Arch. "
     "Appl. Mech. 65 (1995) 478-487, doi:10.1007/BF00835661"
 )
-EXACT = Note(
+SLIP_SUMS = Note(
     Assumption.SLIP,
     Standing.EXACT,
     "On similar half-planes the tractions of partial slip are sums of those of normal contacts; every history of "
@@ -62,7 +62,7 @@ def sheared_line_notes(
     if isinstance(widest, LineMarchedState):
         notes.append(MARCHED)
     elif widest.lean == 0.0 or a == 0.0:
-        notes.append(EXACT)
+        notes.append(SLIP_SUMS)
     else:
         notes.append(bulk_note(widest.lean, a, widest.force_per_length / bed.medium.modulus))
     return (*notes, *_yield_notes(bed, law, widest, bulk))

@@ -26,12 +26,14 @@ from winkler.numerics.types import Array
 from winkler.path import OnePositiveNormal, OnePositiveSwing, numbers_of
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import WORN
+from winkler.problems.wear.grids import wear_grid
 from winkler.problems.wear.input_checks import Cells, WearTolerance, wearable
-from winkler.problems.wear.line import RubbedContact, WearLine, WornContact, wear_line
 from winkler.problems.wear.march import WearMoment
+from winkler.problems.wear.round_grid import RoundGrid, RubbedContact
 from winkler.problems.wear.states import FrettingState, goals_of
 from winkler.problems.wear.validity import fretting_notes
-from winkler.problems.wear.worn_states import pressed_moment, worn_states
+from winkler.problems.wear.worn_grid import WornContact
+from winkler.problems.wear.worn_states import pressed_moment, round_nodes, worn_states
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -122,15 +124,15 @@ class FrettingWear:
         """After how many cycles the contact is returned, ``(steps,)``."""
         return goals_of("FrettingWear", "cycles", "", self.cycles)
 
-    def _rubbed(self, line: WearLine, contact: WornContact) -> RubbedContact:
+    def _rubbed(self, grid: RoundGrid, contact: WornContact) -> RubbedContact:
         coefficient, size = self.law.coefficient, float(numbers_of(self.amplitude))
         if isinstance(self.amplitude, ShearForce):
-            size = line.shift_under(contact, coefficient, size)
-        return line.rub(contact, coefficient, size)
+            size = grid.shift_under(contact, coefficient, size)
+        return grid.rub(contact, coefficient, size)
 
-    def slipped(self, line: WearLine, contact: WornContact) -> Array:
+    def slipped(self, grid: RoundGrid, contact: WornContact) -> Array:
         """Return how far the surfaces slip in one cycle at the nodes [m]."""
-        return 4.0 * self._rubbed(line, contact).slip
+        return 4.0 * self._rubbed(grid, contact).slip
 
     def refuse(self, contact: WornContact, elapsed: float) -> None:
         """Refuse a contact that slides away under a prescribed shear force."""
@@ -143,8 +145,8 @@ class FrettingWear:
 
     def _stick_radius(self, radius: float, nodes: Array) -> float:
         """Return the radius of the core that sticks at first [m], sought on an even grid; zero if all sticks."""
-        line = wear_line(self.bed, nodes)
-        core = self._rubbed(line, line.press(np.zeros(nodes.size), self.normal)).stick_radius
+        grid = wear_grid(self.bed, nodes)
+        core = self._rubbed(grid, grid.press(np.zeros(nodes.size), self.normal)).stick_radius
         return core if core < radius else 0.0
 
     @property
@@ -169,15 +171,17 @@ class FrettingWear:
         NotConverged
             If jumps become too short.
         """
-        return worn_states(self, start, self._stick_radius)
+        return worn_states(self, start, lambda: round_nodes(self, self._stick_radius), everywhere=False)
 
     def state(self, moment: WearMoment) -> FrettingState:
         """Return what is known of the contact."""
-        line, contact, common = pressed_moment(self, moment)
-        rubbed = self._rubbed(line, contact)
-        lost = 4.0 * self.law.coefficient * float(line.rings.areas @ (contact.pressure * rubbed.slip))
+        contact, touching, common = pressed_moment(self, moment)
+        grid = wear_grid(self.bed, moment.nodes)
+        rubbed = self._rubbed(grid, contact)
+        lost = 4.0 * self.law.coefficient * float(grid.rings.areas @ (contact.pressure * rubbed.slip))
         return FrettingState(
-            **common, shift=rubbed.shift, shear_force=rubbed.shear_force, stick_radius=rubbed.stick_radius,
+            **common, radii=moment.nodes, depth=contact.depth, force=contact.force, radius=touching,
+            shift=rubbed.shift, shear_force=rubbed.shear_force, stick_radius=rubbed.stick_radius,
             slip=rubbed.slip, loss_per_cycle=lost,
         )  # fmt: skip
 

@@ -13,24 +13,22 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Iterator
-from typing import NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
-from winkler.foundation.foundation import Foundation
 from winkler.laws.wear import WearLaw, worn_by
-from winkler.loading import Depth, Normal
-from winkler.numerics.equations.bracketing import between
 from winkler.numerics.equations.implicit import implicit_step
 from winkler.numerics.equations.stabilised import MOST_STAGES, longest, stages_for, step, step_error
-from winkler.numerics.transforms.ring_transforms import ring_means
 from winkler.numerics.types import Array
 from winkler.problems.normal.solve_contact import end_of
-from winkler.problems.wear.line import WearLine, WornContact, wear_line
+from winkler.problems.wear.grids import wear_grid
+from winkler.problems.wear.nodes import GRID_GROWTH, graded_nodes
 from winkler.problems.wear.rates import SlidingSystem, law_slope
+from winkler.problems.wear.worn_grid import WornContact, WornGrid
 
-__all__ = ["WearMoment", "WearProblem", "first_nodes", "march_wear", "scale_of"]
+__all__ = ["WearMoment", "WearProblem", "march_wear", "scale_of"]
 
 FIRST_JUMP = 2e-3
 """Part of the depth that the first jump wears off."""
@@ -38,7 +36,6 @@ RATE_MARGIN = 1.2
 """On the fastest rate, which is a bound for steady slip; slip grows where wear sets in."""
 WIDENING_SHARE = 0.95
 """Part of the grid at which a growing contact gets a wider one."""
-GRID_GROWTH = 1.5
 UNCHECKED_SHARE = 1e-2
 """Part of the error allowed in a jump that may be worn off at once, without looking."""
 STIFF_DECAYS = 3000.0
@@ -76,7 +73,7 @@ class WearProblem(Protocol):
     """What the march needs of a problem."""
 
     @property
-    def bed(self) -> Foundation:
+    def bed(self) -> Any:
         """The springs before wear."""
         ...
 
@@ -86,7 +83,7 @@ class WearProblem(Protocol):
         ...
 
     @property
-    def normal(self) -> Normal:
+    def normal(self) -> Any:
         """The steady normal load."""
         ...
 
@@ -95,53 +92,13 @@ class WearProblem(Protocol):
         """Error of the worn depth in one jump, over the depth."""
         ...
 
-    def slipped(self, line: WearLine, contact: WornContact) -> Array:
+    def slipped(self, grid: Any, contact: WornContact) -> Array:
         """Return how far the surfaces slip at the nodes, over one cycle [m] or one metre of sliding [-]."""
         ...
 
     def refuse(self, contact: WornContact, elapsed: float) -> None:
         """Refuse a contact that cannot go on."""
         ...
-
-
-def first_nodes(bed: Foundation, normal: Normal, radius: float, core: float, count: int) -> Array:
-    """Return the nodes on which a contact begins to wear.
-
-    Parameters
-    ----------
-    bed : Foundation
-    normal : Depth or Force
-        At a depth the contact never grows beyond where the profile is as high; there the grid ends.
-    radius, core : float
-        Contact and stick radius before wear [m].
-    count : int
-        How many nodes beside the axis.
-    """
-    if isinstance(normal, Depth) and radius < bed.rim:
-        depth = float(normal.depth)
-        high = GRID_GROWTH * radius
-        while high < bed.reach and float(bed.height(np.array([min(high, bed.reach)]))[0]) < depth:
-            high *= GRID_GROWTH
-        high = min(high, bed.reach, bed.rim)
-        if float(bed.height(np.array([high]))[0]) > depth:
-            crossing = between(lambda r, _: bed.height(r) - depth, np.array([0.5 * radius]), np.array([high]))
-            high = min(1.02 * float(crossing[0]), bed.reach, bed.rim)
-    else:
-        high = min(GRID_GROWTH * radius, bed.reach, bed.rim)
-    return _nodes(core, high, bed.rim, count)
-
-
-def _nodes(core: float, reach: float, rim: float, count: int) -> Array:
-    """Return radii from the axis to `reach`: close together beyond a core that sticks, and below a rim."""
-    if reach == rim:
-        nodes = reach * np.sin(0.5 * np.pi * np.linspace(0.0, 1.0, count + 1))
-        nodes[-1] = reach
-        return nodes
-    if not 0.0 < core < 0.98 * reach:
-        return np.linspace(0.0, reach, count + 1)
-    inner = min(max(round(count * core / reach), count // 8), count - count // 8)
-    inside = np.linspace(0.0, core, inner + 1)[:-1]
-    return np.append(inside, core + (reach - core) * np.linspace(0.0, 1.0, count - inner + 1) ** 2)
 
 
 def march_wear(
@@ -151,7 +108,8 @@ def march_wear(
 
     Parameters
     ----------
-    problem : FrettingWear or SlidingWear
+    problem : WearProblem
+        Such as `winkler.problems.wear.fretting.FrettingWear`.
     goals : ndarray, (steps,)
         Cycles or distances [m], rising.
     moment : Moment
@@ -183,18 +141,19 @@ class _WearRates:
     """A problem on one grid."""
 
     def __init__(self, problem: WearProblem, nodes: Array) -> None:
-        self.problem, self.nodes, self.line = problem, nodes, wear_line(problem.bed, nodes)
+        self.problem, self.nodes = problem, nodes
+        self.grid: WornGrid = wear_grid(problem.bed, nodes)
 
     @functools.cached_property
     def system(self) -> SlidingSystem:
-        return SlidingSystem(self.line, self.problem.normal, self.problem.wear)
+        return SlidingSystem(self.grid, self.problem.normal, self.problem.wear)
 
     def contact(self, worn: Array) -> WornContact:
-        return self.line.press(worn.sum(axis=0), self.problem.normal)
+        return self.grid.press(worn.sum(axis=0), self.problem.normal)
 
     def rates(self, worn: Array) -> Array:
         there = self.contact(worn)
-        return np.stack(worn_by(self.problem.wear, there.pressure)) * self.problem.slipped(self.line, there)
+        return np.stack(worn_by(self.problem.wear, there.pressure)) * self.problem.slipped(self.grid, there)
 
     def explicit(self, worn: Array, first: Array, length: float, stages: int, scale: float) -> _JumpTrial:
         end = step(self.rates, worn, first, length, stages)
@@ -221,10 +180,10 @@ def _advance(problem: WearProblem, moment: WearMoment, goal: float, everywhere: 
             here, overrun = _WearRates(problem, nodes), False
             contact, first = here.contact(worn), here.rates(worn)
         fastest = float(np.max(first))
-        scale = problem.tolerance * scale_of(problem, contact)
+        scale = problem.tolerance * scale_of(problem, here.grid, contact)
         if fastest * (goal - elapsed) <= UNCHECKED_SHARE * scale:
             return WearMoment(goal, jump, here.nodes, worn + (goal - elapsed) * first)
-        damping = RATE_MARGIN * _damping(problem, here.line, contact)
+        damping = RATE_MARGIN * _damping(problem, here.grid, contact)
         wanted = jump if jump > 0.0 else FIRST_JUMP * contact.depth / fastest
         length = min(wanted, goal - elapsed)
         settled = everywhere and elapsed * damping > STIFF_DECAYS and stages_for(length, damping) > EXPLICIT_STAGES
@@ -238,7 +197,7 @@ def _advance(problem: WearProblem, moment: WearMoment, goal: float, everywhere: 
         try:
             with np.errstate(over="raise", invalid="raise"):
                 if settled:
-                    tried = here.implicit(worn, first, length, problem.tolerance * contact.depth)
+                    tried = here.implicit(worn, first, length, problem.tolerance * here.grid.sunk(contact, worn))
                 else:
                     tried = here.explicit(worn, first, length, stages_for(length, damping), scale)
         except (FloatingPointError, NotConverged):
@@ -266,17 +225,17 @@ def _advance(problem: WearProblem, moment: WearMoment, goal: float, everywhere: 
     return WearMoment(elapsed, jump, here.nodes, worn)
 
 
-def scale_of(problem: WearProblem, contact: WornContact) -> float:
+def scale_of(problem: WearProblem, grid: WornGrid, contact: WornContact) -> float:
     """Return the displacement [m] in terms of which errors count."""
-    return contact.depth if isinstance(problem.normal, Depth) else float(np.max(contact.stretch))
+    return contact.depth if grid.holds_depth(problem.normal) else float(np.max(contact.stretch))
 
 
-def _damping(problem: WearProblem, line: WearLine, contact: WornContact) -> float:
+def _damping(problem: WearProblem, grid: WornGrid, contact: WornContact) -> float:
     """Return a bound of how fast the shortest waves of the pressure decay."""
-    return float(np.max(law_slope(problem.wear, contact.pressure) * problem.slipped(line, contact) * line.response))
+    return float(np.max(law_slope(problem.wear, contact.pressure) * problem.slipped(grid, contact) * grid.response))
 
 
-def _refuse_outgrown(bed: Foundation, contact: WornContact, nodes: Array) -> None:
+def _refuse_outgrown(bed: Any, contact: WornContact, nodes: Array) -> None:
     """Refuse a contact that grows beyond what is known of its profile."""
     if end_of(bed) <= nodes[-1] < bed.rim and contact.stretch[-1] > 0.0:
         raise OutsideValidity(
@@ -285,9 +244,10 @@ def _refuse_outgrown(bed: Foundation, contact: WornContact, nodes: Array) -> Non
         )
 
 
-def _wider(bed: Foundation, nodes: Array, worn: Array) -> tuple[Array, Array]:
+def _wider(bed: Any, nodes: Array, worn: Array) -> tuple[Array, Array]:
     """Return a wider grid, and what was worn on it."""
     reach = min(GRID_GROWTH * float(nodes[-1]), bed.reach, bed.rim)
     # the core has moved by then: a grid of even steps serves as well
-    wide = _nodes(0.0, reach, bed.rim, nodes.size - 1)
-    return wide, np.stack([ring_means(nodes**2, row, wide**2) for row in worn])
+    wide = graded_nodes(0.0, reach, bed.rim, nodes.size - 1)
+    transforms = wear_grid(bed, wide).transforms
+    return wide, np.stack([transforms.means(nodes**2, row) for row in worn])

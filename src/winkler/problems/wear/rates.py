@@ -11,13 +11,14 @@ zero both are differences, everywhere else matrices that are known.
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from winkler.laws.wear import WearLaw, worn_by
-from winkler.loading import Depth, Normal
-from winkler.numerics.transforms.ring_transforms import Cuts
+from winkler.numerics.transforms.grid_transforms import Cuts
 from winkler.numerics.types import Array
-from winkler.problems.wear.line import WearLine, WornContact
+from winkler.problems.wear.worn_grid import WornContact, WornGrid
 
 __all__ = ["SlidingSystem", "law_slope"]
 
@@ -39,22 +40,21 @@ class SlidingSystem:
 
     Parameters
     ----------
-    line : WearLine
+    grid : WornGrid
         The bed on a grid.
-    load : Depth or Force
+    load : Depth, Force or LineForce
     law : WearLaw
         Of the one body that wears.
     """
 
-    def __init__(self, line: WearLine, load: Normal, law: WearLaw) -> None:
-        self.line, self.load, self.law = line, load, law
-        rings = line.rings
-        self.weights: Array = rings.areas
-        self._lifted = rings.gap.copy()
-        self._lifted[:, 0] += 1.0
-        count = rings.nodes.size
-        outside = np.append(rings.outside, np.zeros((1, count)), axis=0)
-        self._pressed = -np.diff(outside, axis=0) / rings.areas[:, None]
+    def __init__(self, grid: WornGrid, load: Any, law: WearLaw) -> None:
+        self.grid, self.load, self.law = grid, load, law
+        transforms = grid.transforms
+        self.weights: Array = transforms.areas
+        self._lifted = grid.lifted
+        count = grid.nodes.size
+        outside = np.append(transforms.outside, np.zeros((1, count)), axis=0)
+        self._pressed = -np.diff(outside, axis=0) / transforms.areas[:, None]
         # the product of both over all springs that are pressed, updated
         self._both = np.zeros((count, count))
         self._counted = np.zeros(count, dtype=bool)
@@ -64,7 +64,7 @@ class SlidingSystem:
         """Return the contact of a worn profile; the last one is cached."""
         key = worn.tobytes()
         if self._last is None or self._last[0] != key:
-            self._last = key, self.line.press(worn, self.load)
+            self._last = key, self.grid.press(worn, self.load)
         return self._last[1]
 
     def rates(self, state: Array) -> Array:
@@ -73,9 +73,9 @@ class SlidingSystem:
 
     def slopes(self, state: Array) -> tuple[Array, Array]:
         """Return where something wears, and how those rates change with what has been worn off [1/m]."""
-        contact, rings = self.contact(state), self.line.rings
+        contact, transforms = self.contact(state), self.grid.transforms
         stretch = contact.stretch
-        cut = Cuts(rings.squares, stretch)
+        cut = Cuts(transforms.squares, stretch)
         # a rim that is pressed counts by itself
         rim = [stretch.size - 1] if stretch[-1] > 0.0 else []
         beside = np.unique(np.concatenate([cut.cells, cut.cells + 1, rim])).astype(int)
@@ -85,16 +85,16 @@ class SlidingSystem:
             if changed.any():
                 self._both += sign * (self._pressed[:, changed] @ self._lifted[changed])
         self._counted = counted
-        pressed, borne = np.zeros((stretch.size, beside.size)), np.where(counted, rings.force, 0.0)
+        pressed, borne = np.zeros((stretch.size, beside.size)), np.where(counted, transforms.force, 0.0)
         for column, node in enumerate(beside):
             pressed[:, column], borne[node] = self._difference(stretch, int(node))
         changing = contact.pressure > 0.0
         rows = -(self._both[changing] + pressed[changing] @ self._lifted[beside])
-        if not isinstance(self.load, Depth):
+        if not self.grid.holds_depth(self.load):
             sunk = (borne @ self._lifted) / np.sum(borne)
             even = self._pressed[:, counted].sum(axis=1) + pressed.sum(axis=1)
             rows += np.outer(even[changing], sunk)
-        steepness = self.line.modulus * law_slope(self.law, contact.pressure)[changing]
+        steepness = self.grid.modulus * law_slope(self.law, contact.pressure)[changing]
         return changing, steepness[:, None] * rows
 
     def _difference(self, stretch: Array, node: int) -> tuple[Array, float]:
@@ -104,14 +104,14 @@ class SlidingSystem:
         for sign in (1.0, -1.0):
             moved = stretch.copy()
             moved[node] += sign * step
-            cut = Cuts(self.line.rings.squares, moved)
-            sides.append((self.line.rings.in_rings(moved, cut), self.line.rings.integral(moved, cut)))
+            cut = Cuts(self.grid.transforms.squares, moved)
+            sides.append((self.grid.transforms.borne(moved, cut), self.grid.transforms.integral(moved, cut)))
         (more, stronger), (less, weaker) = sides
         return (more - less) / (2.0 * step), (stronger - weaker) / (2.0 * step)
 
     def guess(self, state: Array, first: Array, length: float) -> Array:
         """Return mean rates if the bodies were rigid: a plane takes the highest parts off, as much as wears now."""
-        height = self.line.bed.height(self.line.nodes) + state
+        height = self.grid.height(self.grid.nodes) + state
         order = np.argsort(height)
         order = order[np.isfinite(height[order])]
         areas, rising = self.weights[order], height[order]

@@ -22,11 +22,12 @@ from winkler.path import OnePositiveNormal
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import WORN
 from winkler.problems.wear.input_checks import Cells, WearTolerance, wearable
-from winkler.problems.wear.line import WearLine, WornContact
 from winkler.problems.wear.march import WearMoment
+from winkler.problems.wear.round_grid import RoundGrid
 from winkler.problems.wear.states import WearState, goals_of
 from winkler.problems.wear.validity import sliding_notes
-from winkler.problems.wear.worn_states import pressed_moment, worn_states
+from winkler.problems.wear.worn_grid import WornContact
+from winkler.problems.wear.worn_states import pressed_moment, round_nodes, worn_states
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -111,9 +112,9 @@ class SlidingWear:
         """After which distances the contact is returned [m], ``(steps,)``."""
         return goals_of("SlidingWear", "distance", " in m", self.distance)
 
-    def slipped(self, line: WearLine, contact: WornContact) -> Array:
+    def slipped(self, grid: RoundGrid, contact: WornContact) -> Array:
         """Return how far the surfaces slip per distance: all of it."""
-        return np.ones(line.nodes.size)
+        return np.ones(grid.nodes.size)
 
     def refuse(self, contact: WornContact, elapsed: float) -> None:
         """Refuse nothing: sliding goes on."""
@@ -139,11 +140,14 @@ class SlidingWear:
         NotConverged
             If jumps become too short.
         """
-        return worn_states(self, start)
+        return worn_states(self, start, lambda: round_nodes(self), everywhere=True)
 
     def state(self, moment: WearMoment) -> WearState:
         """Return what is known of the contact."""
-        return WearState(**pressed_moment(self, moment)[2])
+        contact, touching, common = pressed_moment(self, moment)
+        return WearState(
+            **common, radii=moment.nodes, depth=contact.depth, force=contact.force, radius=touching
+        )  # fmt: skip
 
     def gathered(self, states: Iterable[WearState]) -> SlidingSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""

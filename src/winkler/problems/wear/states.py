@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.foundation.foundation import Foundation
 from winkler.numerics.types import Array, Quantity
-from winkler.problems.wear.line import wear_line
+from winkler.problems.wear.grids import wear_grid
 from winkler.problems.wear.march import WearMoment
 from winkler.values import value, words
 
-__all__ = ["FrettingState", "WearState", "goals_of"]
+__all__ = ["FrettingState", "WearState", "WornState", "goals_of"]
 
 DEFAULT_STATES = 41
 """How many states are returned if only the end is given."""
@@ -19,8 +21,69 @@ QUOTED = 5
 """So many numbers of a row are repeated in a sentence about it."""
 
 
+class WornState:
+    """What is known of any worn contact, from its bed, and what the bodies have lost at the nodes of a grid."""
+
+    __words__ = words(
+        moment=("", None, "from where the march goes on"),
+        nodes=("", "m", "distances from the middle"),
+        edge=("a", "m", "where the contact ends"),
+        removed=("V", None, "what both bodies have lost, per length of a line contact"),
+    )
+
+    bed: Any
+    elapsed: float
+    jump: float
+    first_worn: Array
+    second_worn: Array
+    pressure: Array
+
+    @property
+    def nodes(self) -> Array:
+        """Distances from the middle [m], ``(n,)``."""
+        raise NotImplementedError
+
+    @property
+    def edge(self) -> float:
+        """Where the contact ends [m]."""
+        raise NotImplementedError
+
+    @property
+    def mean_pressure(self) -> float:
+        """Force over area of contact [Pa]; zero without contact."""
+        raise NotImplementedError
+
+    @property
+    def moment(self) -> WearMoment:
+        """From where the march goes on."""
+        return WearMoment(self.elapsed, self.jump, np.array(self.nodes), np.stack([self.first_worn, self.second_worn]))
+
+    @property
+    def worn(self) -> Array:
+        """What both bodies have lost at the nodes [m], ``(n,)``."""
+        return np.asarray(self.first_worn + self.second_worn)
+
+    @property
+    def height(self) -> Array:
+        """Height of the worn profile at the nodes [m], above the apex before wear, ``(n,)``."""
+        return np.asarray(wear_grid(self.bed, self.nodes).height(self.nodes) + self.worn)
+
+    @property
+    def worn_depth(self) -> float:
+        """Greatest worn depth, of both bodies together [m]."""
+        return float(np.max(self.worn))
+
+    @property
+    def removed(self) -> float:
+        """What both bodies have lost [m^3]; per length of a line contact [m^2]."""
+        return self._removed(self.worn)
+
+    def _removed(self, worn: Array) -> float:
+        return float(wear_grid(self.bed, self.nodes).transforms.areas @ worn)
+
+
 @value
-class WearState:
+class WearState(WornState):
     """A contact that has worn by sliding.
 
     Parameters
@@ -41,7 +104,13 @@ class WearState:
         p [Pa], the mean over a ring about each node.
     """
 
-    __words__ = words(moment=("", None, "from where the march goes on"), radii=("r_i", "m", "distances from the axis"))
+    __words__ = words(
+        moment=("", None, "from where the march goes on"),
+        radii=("r_i", "m", "distances from the axis"),
+        nodes=("r_i", "m", "distances from the axis"),
+        edge=("a", "m", "contact radius"),
+        removed=("V", "m^3", "what both bodies have lost"),
+    )
 
     bed: Foundation
     elapsed: float
@@ -55,42 +124,34 @@ class WearState:
     pressure: Array
 
     @property
-    def moment(self) -> WearMoment:
-        """From where the march goes on."""
-        return WearMoment(self.elapsed, self.jump, np.array(self.radii), np.stack([self.first_worn, self.second_worn]))
+    def nodes(self) -> Array:
+        """As `radii`."""
+        return self.radii
 
     @property
-    def worn(self) -> Array:
-        """What both bodies have lost at the nodes [m], ``(n,)``."""
-        return np.asarray(self.first_worn + self.second_worn)
+    def edge(self) -> float:
+        """As `radius`."""
+        return self.radius
 
     @property
-    def height(self) -> Array:
-        """Height of the worn profile at the nodes [m], above the apex before wear, ``(n,)``."""
-        return np.asarray(self.bed.height(self.radii) + self.worn)
-
-    @property
-    def worn_depth(self) -> float:
-        """Greatest worn depth, of both bodies together [m]."""
-        return float(np.max(self.worn))
+    def mean_pressure(self) -> float:
+        """F / (pi a^2) [Pa]; zero without contact."""
+        return self.force / (np.pi * self.radius**2) if self.radius > 0.0 else 0.0
 
     @property
     def worn_volume(self) -> float:
         """What both bodies have lost [m^3]."""
-        return self._volume(self.worn)
+        return self._removed(self.worn)
 
     @property
     def first_volume(self) -> float:
         """What the first body has lost [m^3]."""
-        return self._volume(self.first_worn)
+        return self._removed(self.first_worn)
 
     @property
     def second_volume(self) -> float:
         """What the second body has lost [m^3]."""
-        return self._volume(self.second_worn)
-
-    def _volume(self, worn: Array) -> float:
-        return float(wear_line(self.bed, self.radii).rings.areas @ worn)
+        return self._removed(self.second_worn)
 
 
 @value

@@ -16,10 +16,20 @@ from winkler.problems.normal.strong_parts import strong_parts
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.normal.validity import indentation_notes
 from winkler.problems.normal.yield_statement import SurfaceFriction
-from winkler.problems.wear.states import WearState
+from winkler.problems.wear.states import WearState, WornState
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["DEBRIS", "fretting_notes", "limiting_notes", "sliding_notes", "slip_note"]
+__all__ = [
+    "DEBRIS",
+    "SLIDES_EVERYWHERE",
+    "core_note",
+    "fretting_notes",
+    "limiting_notes",
+    "resolution_note",
+    "sliding_notes",
+    "slip_note",
+    "worn_yield",
+]
 
 DIMAKI = "A. V. Dimaki, A. I. Dmitriev, Y. S. Chai, V. L. Popov, Int. J. Solids Struct. 51 (2014) 4215-4220"
 POPOV = "V. L. Popov, Sci. Rep. 4 (2014) 3749, doi:10.1038/srep03749"
@@ -48,15 +58,49 @@ def slip_note(bed: Bed) -> Note:
     return Note(Assumption.SLIP, Standing.APPROXIMATE, slip, JOHNSON)
 
 
-def limiting_notes(bed: Bed, radius: float) -> Iterator[Note]:
-    """Yield the notes on the limiting profile around a core of a radius [m]."""
-    yield Note(
+SLIDES_EVERYWHERE = Note(
+    Assumption.WEAR,
+    Standing.APPROXIMATE,
+    "Every point of the contact slides the whole distance: so does a body that stays in contact; on one that is rubbed "
+    "along a track of many contact lengths the wear is spread, and is not counted.",
+    "assumption of gross sliding",
+)
+
+
+def core_note(source: str) -> Note:
+    """Return the note on what the core bears in the end, according to a source."""
+    return Note(
         Assumption.WEAR,
         Standing.EXACT,
         "The limiting profile does not depend on the law of wear; the pressure is infinite at the edge of the core, "
         "where a real one yields or cracks.",
-        POPOV,
+        source,
     )
+
+
+def resolution_note(last: WornState, tolerance: float, scale: str) -> Note:
+    """Return the note on grid and jumps.
+
+    Parameters
+    ----------
+    last : WornState
+    tolerance : float
+        Of each jump.
+    scale : str
+        What it is a part of.
+    """
+    return Note(
+        Assumption.RESOLUTION,
+        Standing.APPROXIMATE,
+        f"The worn profile is known at {last.nodes.size} places; each jump errs by at most {tolerance:.0e} of the "
+        f"{scale}. Take a finer grid or a smaller tolerance to see what that changes.",
+        DIMAKI,
+    )
+
+
+def limiting_notes(bed: Bed, radius: float) -> Iterator[Note]:
+    """Yield the notes on the limiting profile around a core of a radius [m]."""
+    yield core_note(POPOV)
     if not alike(stiffness_ratios(bed, radius)):
         yield Note(
             Assumption.SLIP,
@@ -67,31 +111,31 @@ def limiting_notes(bed: Bed, radius: float) -> Iterator[Note]:
         )
 
 
-def _march_notes(bed: Bed, tolerance: float, states: Sequence[WearState], rubbing: SurfaceFriction) -> list[Note]:
+def _march_notes(bed: Bed, tolerance: float, states: Sequence[WearState], rubbing: SurfaceFriction) -> tuple[Note, ...]:
     # the notes on the profile's own slopes and yield before wear
     depth, radius = (np.array([getattr(states[0], word)]) for word in ("depth", "radius"))
-    notes = [*indentation_notes(bed, depth, radius, rubbing), *_worn_yield(bed, states), DEBRIS]
-    notes.append(
-        Note(
-            Assumption.RESOLUTION,
-            Standing.APPROXIMATE,
-            f"The worn profile is known at {states[-1].radii.size} radii; each jump over many cycles errs by at most "
-            f"{tolerance:.0e} of the depth. Take a finer grid or a smaller tolerance to see what that changes.",
-            DIMAKI,
-        )
-    )
-    return notes
+    pressed = indentation_notes(bed, depth, radius, rubbing)
+    worn = worn_yield(bed.medium, states[1:]) if len(states) > 1 else ()
+    return (*pressed, *worn, DEBRIS, resolution_note(states[-1], tolerance, "depth"))
 
 
-def _worn_yield(bed: Bed, states: Sequence[WearState]) -> tuple[Note, ...]:
-    """Return what is known of yield under the worn profile."""
-    parts = strong_parts(bed.medium)
-    if len(states) < 2 or not parts:
-        return ()
-    least = min(part.solid.strength for part in parts)
-    share = max(float(np.max(state.pressure)) for state in states[1:]) / least
-    fact = f"The greatest mean pressure of a ring is {share:.3g} of the least strength."
-    return unknown_yield(bed.medium, "the stresses under the worn profile are not computed", fact)
+def worn_yield(medium: object, states: Sequence[WornState]) -> tuple[Note, ...]:
+    """Return what is known of yield under the worn profile.
+
+    Parameters
+    ----------
+    medium
+        Any.
+    states : sequence of WornState
+        None if the pressure is infinite somewhere.
+    """
+    parts = strong_parts(medium)
+    fact = ""
+    if states and parts:
+        least = min(part.solid.strength for part in parts)
+        share = max(float(np.max(state.pressure)) for state in states) / least
+        fact = f"The greatest mean pressure about a node is {share:.3g} of the least strength."
+    return unknown_yield(medium, "the stresses under the worn profile are not computed", fact)
 
 
 def fretting_notes(bed: Bed, coefficient: float, tolerance: float, states: Sequence[WearState]) -> tuple[Note, ...]:
@@ -117,11 +161,5 @@ def sliding_notes(bed: Bed, tolerance: float, states: Sequence[WearState]) -> tu
         # the law of wear does not define the friction
         *_march_notes(bed, tolerance, states, SurfaceFriction(math.inf)),
         sliding_note(bed.medium, math.nan),
-        Note(
-            Assumption.WEAR,
-            Standing.APPROXIMATE,
-            "Every point of the contact slides the whole distance: so does a body that stays in contact; on one that "
-            "is rubbed along a track of many contact lengths the wear is spread, and is not counted.",
-            "assumption of gross sliding",
-        ),
+        SLIDES_EVERYWHERE,
     )

@@ -19,7 +19,12 @@ from winkler.values import value
 
 __all__ = ["CheckpointStore", "refuse_other_version"]
 
-RESUMABLE_PROBLEMS = ("winkler.problems.wear.fretting:FrettingWear", "winkler.problems.wear.sliding:SlidingWear")
+RESUMABLE_PROBLEMS = (
+    "winkler.problems.wear.fretting:FrettingWear",
+    "winkler.problems.wear.line_fretting:LineFrettingWear",
+    "winkler.problems.wear.line_sliding:LineSlidingWear",
+    "winkler.problems.wear.sliding:SlidingWear",
+)
 """Classes of problems whose march can be continued from a state."""
 ENDING = ".states.npz"
 

@@ -17,6 +17,7 @@ from winkler.study.chapters.line_friction import LINE_FRICTION
 from winkler.study.chapters.line_profiles import LINE_PROFILES
 from winkler.study.chapters.line_rolling import LINE_ROLLING
 from winkler.study.chapters.line_viscoelastic import LINE_VISCOELASTIC
+from winkler.study.chapters.line_wear import LINE_WEAR
 from winkler.study.chapters.normal import NORMAL, normal_formulas
 from winkler.study.chapters.particles import PARTICLES
 from winkler.study.chapters.rolling import ROLLING
@@ -44,6 +45,7 @@ CHAPTERS: tuple[Chapter, ...] = (
     ROLLING,
     LINE_ROLLING,
     WEAR,
+    LINE_WEAR,
     ROUGH,
 )
 """In the order of the catalogue."""

@@ -1,4 +1,4 @@
-r"""The contact of a worn profile: depth, pressure and slip, from what has been worn off at the nodes of a grid.
+r"""The round contact of a worn profile: depth, pressure and slip, from what has been worn off at the nodes of a grid.
 
 Per cycle of fretting (theory after Dimaki and co-workers): the worn profile is transformed into springs, pressed and
 pushed to and fro by U; of what they do the pressure p and the slip s are restored.  With :math:`v = d - g` the springs
@@ -7,8 +7,7 @@ bear
 .. math:: q = c_N\,v_+ , \qquad u_t = \min(U, \mu\tfrac{E^*}{G^*}\,v_+) , \qquad
           s(r) = \frac2\pi\int_0^r \frac{U-u_t(x)}{\sqrt{r^2-x^2}}\,\mathrm dx ,
 
-exactly zero where everything inside sticks.  Only what was worn off is held on the grid: the shape itself keeps its own
-transform.
+exactly zero where everything inside sticks.
 """
 
 from __future__ import annotations
@@ -25,10 +24,12 @@ from winkler.loading import Depth, Normal
 from winkler.media.body_of import exponent_of
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.numerics.transforms.ring_transforms import Cuts, RingTransforms, SurfaceTransform
+from winkler.numerics.transforms.grid_transforms import Cuts
+from winkler.numerics.transforms.ring_transforms import RingTransforms
 from winkler.numerics.types import Array
+from winkler.problems.wear.worn_grid import WornContact, WornGrid
 
-__all__ = ["RubbedContact", "WearLine", "WornContact", "wear_line"]
+__all__ = ["RoundGrid", "RubbedContact"]
 
 MOST_TRIALS = 100
 FORCE_TOLERANCE = 1e-13
@@ -37,26 +38,6 @@ LATE_TRIAL, LATE_TOLERANCE = 12, 1e-9
 """After so many trials a force may be met to that part, which rounding leaves."""
 DEPTH_TOLERANCE = 8.0 * np.finfo(float).eps
 """Part of the greatest gap to which a depth is known."""
-
-
-class WornContact(NamedTuple):
-    """A pressed contact on the grid.
-
-    Parameters
-    ----------
-    depth, force, radius : float
-        d [m], F_N [N], a [m].
-    stretch : ndarray, (n,)
-        d - g(x) [m] at the nodes, also where it is negative.
-    pressure : ndarray, (n,)
-        p(r) [Pa] at the nodes.
-    """
-
-    depth: float
-    force: float
-    radius: float
-    stretch: Array
-    pressure: Array
 
 
 class RubbedContact(NamedTuple):
@@ -78,8 +59,8 @@ class RubbedContact(NamedTuple):
     slip: Array
 
 
-class WearLine:
-    """A bed on a grid.
+class RoundGrid(WornGrid):
+    """A bed of a round contact on a grid of radii.
 
     Parameters
     ----------
@@ -89,19 +70,46 @@ class WearLine:
         Radii [m], rising from zero; the last is the rim where the profile has one.
     """
 
+    bed: Foundation
+
     def __init__(self, bed: Foundation, nodes: Array) -> None:
         medium = bed.medium
         assert isinstance(medium, HomogeneousMedium | GradedHalfSpace)
-        self.bed, self.nodes, self.k = bed, nodes, exponent_of(medium)
+        self.k = exponent_of(medium)
         self.rings = RingTransforms(nodes, self.k)
-        self.gap = bed.gap(nodes)
         scale = float(medium.depth_scale**self.k) if isinstance(medium, GradedHalfSpace) else 1.0
-        self.modulus = float(medium.modulus / scale)  # [Pa m^-k]
+        super().__init__(bed, self.rings, bed.gap(nodes), float(medium.modulus / scale))  # [Pa m^-k]
 
     @functools.cached_property
-    def surface(self) -> SurfaceTransform:
-        """What restores the displacement of the surface."""
-        return SurfaceTransform(self.rings)
+    def lifted(self) -> Array:
+        """As `WornGrid.lifted`: what is worn off the apex itself lowers every spring."""
+        lifted = self.rings.gap.copy()
+        lifted[:, 0] += 1.0
+        return lifted
+
+    def lift(self, worn: Array) -> Array:
+        """As `WornGrid.lift`."""
+        return np.asarray(self.rings.gap @ worn + worn[0])
+
+    def height(self, x: Array) -> Array:
+        """Height of the profile before wear [m]."""
+        return self.bed.height(x)
+
+    def holds_depth(self, load: Normal) -> bool:
+        """Return whether the depth is prescribed."""
+        return isinstance(load, Depth)
+
+    def depth_at(self, load: Normal, gap: Array) -> float:
+        """Return the depth [m] under a load and a gap [m]."""
+        match load:
+            case Depth(number):
+                return float(number)
+            case _:
+                return self.depth_under(float(load.force), gap)
+
+    def force_of(self, stretch: Array, cut: Cuts) -> float:
+        """Return the force [N] of springs pressed by what is positive of a stretch [m]."""
+        return 2.0 * self.modulus * self.rings.integral(stretch, cut)
 
     @functools.cached_property
     def shear_ratio(self) -> float:
@@ -110,19 +118,9 @@ class WearLine:
         assert isinstance(medium, HomogeneousMedium | GradedHalfSpace)
         return float(medium.modulus / medium.shear_modulus)
 
-    @functools.cached_property
-    def response(self) -> Array:
-        """Bound on the change of pressure at each node by worn depths of one metre, of any sign [Pa/m], ``(n,)``."""
-        both = np.diff(np.append(self.rings.outside @ self.rings.gap, np.zeros((1, self.nodes.size)), axis=0), axis=0)
-        both = both / self.rings.areas[:, None]
-        return np.asarray(self.modulus * np.sum(np.abs(both), axis=1))
-
-    def _cuts(self, values: Array) -> Cuts:
-        return Cuts(self.rings.squares, values)
-
-    def force(self, stretch: Array) -> float:
-        """Return the force [N] of springs pressed by what is positive of a stretch [m]."""
-        return 2.0 * self.modulus * self.rings.integral(stretch, self._cuts(stretch))
+    def sunk(self, contact: WornContact, worn: Array) -> float:
+        """As `WornGrid.sunk`: the depth."""
+        return contact.depth
 
     def depth_under(self, force: float, gap: Array) -> float:
         """Return the depth [m] at which springs under a gap [m] bear a force [N]."""
@@ -136,7 +134,7 @@ class WearLine:
             depth = float((force + means[-1]) / areas[-1])
         for trial in range(MOST_TRIALS):
             stretch = depth - gap
-            cut = self._cuts(stretch)
+            cut = self.cuts(stretch)
             error = 2.0 * self.modulus * self.rings.integral(stretch, cut) - force
             # where much is worn off, depth and gap are great against the stretch: rounding leaves less of it
             if abs(error) <= FORCE_TOLERANCE * force or (trial > LATE_TRIAL and abs(error) <= LATE_TOLERANCE * force):
@@ -148,52 +146,18 @@ class WearLine:
             depth = following
         raise NotConverged(f"The worn contact finds no depth at which it bears {force:.6g} N; take more nodes.")
 
-    def press(self, worn: Array, load: Normal) -> WornContact:
-        """Return the contact of the profile less what was worn off, under a load.
-
-        Parameters
-        ----------
-        worn : ndarray, (n,)
-            Worn depth [m] at the nodes, of both bodies together.
-        load : Depth or Force
-            One number.
-        """
-        # what is worn off the apex itself lowers every spring
-        gap = self.gap + self.rings.gap @ worn + worn[0]
-        match load:
-            case Depth(number):
-                depth = float(number)
-            case _:
-                depth = self.depth_under(float(load.force), gap)
-        stretch = depth - gap
-        cut = self._cuts(stretch)
-        pressure = self.modulus * self.rings.in_rings(stretch, cut)
-        radius = float(self.nodes[-1]) if stretch[-1] > 0.0 else math.sqrt(cut.edge)
-        force = 2.0 * self.modulus * self.rings.integral(stretch, cut)
-        # nothing pulls: what is left of tension between two nodes that touch is no pressure
-        return WornContact(depth, force, radius, stretch, np.maximum(pressure, 0.0))
-
-    def touching(self, contact: WornContact, worn: Array, slack: float) -> float:
-        """Return up to which radius the surfaces touch [m].
-
-        Where wear has taken all pressure off a ring they touch still: a jump that wears off too much there by less than
-        a slack [m] does not part them.
-        """
-        (grazed,) = np.nonzero((worn > 0.0) & (contact.stretch > -slack))
-        return max(contact.radius, float(self.nodes[grazed[-1]]) if grazed.size else 0.0)
-
     def rub(self, contact: WornContact, coefficient: float, shift: float) -> RubbedContact:
         """Return what a contact does that is pushed to and fro by a shift [m]."""
         bound = coefficient * self.shear_ratio * np.maximum(contact.stretch, 0.0)
         short = shift - bound
-        cut = self._cuts(short)
+        cut = self.cuts(short)
         slip = np.where(contact.pressure > 0.0, self.surface(short, cut), 0.0)
         rising = cut.place[~cut.falls]
         core_edge = 0.0 if short[0] > 0.0 else math.inf
         stick = min([contact.radius, core_edge, *np.sqrt(rising).tolist()])
         # what slides bears the whole friction, less what its core has in excess of the shift
         excess = -short
-        core = 2.0 * self.modulus / self.shear_ratio * self.rings.integral(excess, self._cuts(excess))
+        core = 2.0 * self.modulus / self.shear_ratio * self.rings.integral(excess, self.cuts(excess))
         return RubbedContact(shift, coefficient * contact.force - core, stick, np.maximum(slip, 0.0))
 
     def shift_under(self, contact: WornContact, coefficient: float, shear_force: float) -> float:
@@ -203,13 +167,3 @@ class WearLine:
             return coefficient * self.shear_ratio * float(np.max(contact.stretch, initial=0.0))
         inner = self.depth_under(core, contact.depth - contact.stretch)
         return coefficient * self.shear_ratio * (contact.depth - inner)
-
-
-@functools.lru_cache(maxsize=8)
-def _cached_line(bed: Foundation, nodes: bytes) -> WearLine:
-    return WearLine(bed, np.frombuffer(nodes))
-
-
-def wear_line(bed: Foundation, nodes: Array) -> WearLine:
-    """Return a bed on a grid; the last few are cached."""
-    return _cached_line(bed, np.ascontiguousarray(nodes, dtype=float).tobytes())

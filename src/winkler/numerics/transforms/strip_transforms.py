@@ -1,0 +1,90 @@
+r"""The transforms of line contacts on a grid of distances from the middle.
+
+With a slope :math:`\beta` of f, or of what the load lacks, over :math:`y = x^2` in the cell from s to t
+
+.. math:: w(a) \mathrel{+}= \beta\,\Big[a^2\arcsin\frac xa - x\sqrt{a^2-x^2}\Big]_s^t , \qquad
+          2\int_x^a p\,\mathrm dx \mathrel{+}=
+          -\frac{2\beta}\pi\,\Big[c^2\arccos\frac xc - x\sqrt{c^2-x^2}\Big]_{c=s}^t ,
+
+brackets counting where their roots are real.  The distance that a narrower contact leaves open beside it is, of what
+its load lacks against the load profile, :math:`v = w - \gamma`,
+
+.. math:: h(x) = \frac{2x}\pi\int_0^x\frac{v_+(c)}{c\,\sqrt{x^2-c^2}}\,\mathrm dc .
+
+For a parabolic cylinder all of these are exact.  Pressures are means over strips about the nodes, each as wide as the
+integral of the function that is 1 at its node and zero at all others.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.numerics.transforms.grid_transforms import Cuts, GridTransforms
+from winkler.numerics.types import Array
+
+__all__ = ["StripTransforms"]
+
+FIRST_PLACE = 1e-30
+"""Place in y, over that of the first node beside the middle, that stands for the middle itself."""
+
+
+class StripTransforms(GridTransforms):
+    """Matrices of the transforms on one grid of distances from the middle.
+
+    Parameters
+    ----------
+    nodes : ndarray, (n,)
+        Distances [m], rising from zero.
+    """
+
+    in_the_middle = 0.0
+
+    def __init__(self, nodes: Array) -> None:
+        super().__init__(nodes)
+        x, y = nodes[:, None], self.squares
+        inside = np.minimum(nodes[None, :], x)
+        root = np.sqrt((x - inside) * (x + inside))
+        upto = y[:, None] * np.arctan2(inside, root) - inside * root
+        self.gap = self.by_values(upto[:, 1:] - upto[:, :-1])
+        steps = np.diff(nodes)
+        # the part of a cell for which its lower node stands: the integral of what falls from 1 to 0, straight in y
+        lower = steps * (2.0 * nodes[1:] + nodes[:-1]) / (3.0 * (nodes[1:] + nodes[:-1]))
+        self.borders = np.concatenate(([0.0], nodes[:-1] + lower))
+        self.areas = 2.0 * np.diff(np.append(self.borders, nodes[-1]))
+        self.force = np.eye(1, nodes.size)[0]
+        self.set_loads()
+
+    def load_of_slope(self, upto: Array) -> Array:
+        """As `GridTransforms.load_of_slope`, on both sides."""
+        border = self.borders[:, None]
+        root = np.sqrt(np.maximum(upto - border * border, 0.0))
+        return np.asarray(2.0 / math.pi * np.where(root > 0.0, upto * np.arctan2(root, border) - border * root, 0.0))
+
+    def load_of_rim(self) -> Array:
+        """As `GridTransforms.load_of_rim`, on both sides."""
+        return np.asarray(2.0 / math.pi * np.arccos(np.minimum(self.borders / self.nodes[-1], 1.0)))
+
+    def integral(self, values: Array, cut: Cuts) -> float:
+        """Return the load over E* [m]: what the spring in the middle bears."""
+        return max(float(values[0]), 0.0)
+
+    def surface_parts(self, upto: Array) -> tuple[Array, Array]:
+        """As `GridTransforms.surface_parts`; the first from any one place on."""
+        x, y = self.nodes[:, None], self.squares[:, None]
+        inside = np.clip(upto, FIRST_PLACE * self.squares[1], np.maximum(y, FIRST_PLACE * self.squares[1]))
+        root = np.sqrt(np.maximum(y - inside, 0.0))
+        return -2.0 / math.pi * np.arcsinh(root / np.sqrt(inside)), -2.0 / math.pi * x * root
+
+    def means(self, squares: Array, values: Array) -> Array:
+        """As `GridTransforms.means`: nothing of a cross-section is lost."""
+        places, borders = np.sqrt(squares), np.append(self.borders, self.nodes[-1])
+        slope = np.diff(values) / np.diff(squares)
+        start = values[:-1] - slope * squares[:-1]
+        cells = np.diff(places) * start + slope * np.diff(places**3) / 3.0
+        below = np.concatenate(([0.0], np.cumsum(cells)))
+        cell = np.clip(np.searchsorted(places, borders, side="right") - 1, 0, places.size - 2)
+        end = np.minimum(borders, places[-1])
+        part = (end - places[cell]) * start[cell] + slope[cell] * (end**3 - places[cell] ** 3) / 3.0
+        return np.asarray(np.diff(below[cell] + part) / np.diff(borders))

@@ -1,0 +1,39 @@
+"""The grid on which a bed wears: of a round contact or of a line contact."""
+
+from __future__ import annotations
+
+import functools
+from typing import overload
+
+import numpy as np
+
+from winkler.foundation.foundation import Foundation
+from winkler.foundation.line import LineFoundation
+from winkler.numerics.types import Array
+from winkler.problems.wear.round_grid import RoundGrid
+from winkler.problems.wear.strip_grid import StripGrid
+
+__all__ = ["wear_grid"]
+
+
+@functools.lru_cache(maxsize=8)
+def _cached_grid(bed: Foundation | LineFoundation, nodes: bytes) -> RoundGrid | StripGrid:
+    places = np.frombuffer(nodes)
+    return StripGrid(bed, places) if isinstance(bed, LineFoundation) else RoundGrid(bed, places)
+
+
+@overload
+def wear_grid(bed: Foundation, nodes: Array) -> RoundGrid: ...
+@overload
+def wear_grid(bed: LineFoundation, nodes: Array) -> StripGrid: ...
+def wear_grid(bed: Foundation | LineFoundation, nodes: Array) -> RoundGrid | StripGrid:
+    """Return a bed on a grid; the last few are cached.
+
+    Parameters
+    ----------
+    bed : Foundation or LineFoundation
+        Before wear.
+    nodes : ndarray, (n,)
+        Distances from the middle [m], rising from zero.
+    """
+    return _cached_grid(bed, np.ascontiguousarray(nodes, dtype=float).tobytes())

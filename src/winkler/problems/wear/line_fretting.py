@@ -1,0 +1,247 @@
+r"""Fretting wear of a line contact: sheared to and fro under a steady load, it wears where it slips.
+
+In every cycle each place slips four times its amplitude s, the one that the narrower contact under the load
+:math:`\gamma = P - Q/\mu` of the profile as it is then leaves (`winkler.problems.wear.strip_grid`),
+
+.. math:: \frac{\mathrm df}{\mathrm dn} = 4\,\kappa\,p(x)\,s(x) , \qquad s(x) = \mu\,h(x;\gamma) .
+
+What sticks stays as wide as it was, whatever wears outside (`winkler.problems.wear.stuck_core`); it bears everything in
+the end (`winkler.problems.wear.line_limiting_profile`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.checks.number_checks import FiniteQuantity
+from winkler.foundation.line import LineFoundation
+from winkler.laws.friction import Sliding
+from winkler.laws.wear import WearLaw
+from winkler.numerics.types import Array
+from winkler.path import OnePositiveLineForce, OnePositiveLineSwing
+from winkler.problems.answer import gather
+from winkler.problems.assumptions.declared import WORN
+from winkler.problems.line_friction.isotropic import refuse_unless_isotropic
+from winkler.problems.wear.grids import wear_grid
+from winkler.problems.wear.input_checks import Cells, WearTolerance
+from winkler.problems.wear.line_states import LineFrettingState
+from winkler.problems.wear.line_validity import line_fretting_notes
+from winkler.problems.wear.march import WearMoment
+from winkler.problems.wear.nodes import graded_nodes
+from winkler.problems.wear.states import goals_of
+from winkler.problems.wear.strip_grid import RubbedStrip, StripGrid
+from winkler.problems.wear.stuck_core import stuck_core
+from winkler.problems.wear.worn_grid import WornContact
+from winkler.problems.wear.worn_states import pressed_moment, worn_states
+from winkler.validity import Assumption, Note
+from winkler.values import value, words
+
+__all__ = ["LineFrettingSolution", "LineFrettingWear"]
+
+ROOM = 1.1
+"""Of the grid beside what can wear at all."""
+
+
+@value
+class LineFrettingWear:
+    """A line contact that is sheared to and fro, and wears.
+
+    Parameters
+    ----------
+    bed : LineFoundation
+        Profile and bodies before wear, on a `HalfSpace`.
+    wear : Archard, PairWear or OwnWear
+        How the surfaces wear.
+    law : Coulomb
+        Friction; its coefficient positive and finite.
+    normal : LineForce
+        The steady normal force per length, one positive number.
+    amplitude : LineShearForce
+        How far the shear force per length swings to each side, one positive number; less than slides everything.
+        Half-planes have no shift to prescribe: it grows without bound with their size.
+    cycles : float or ndarray, (steps,)
+        After how many cycles the contact is returned; one number stands for all cycles, and 41 states up to there.
+    count : int, optional
+        Cells of the grid of places on one side.
+    tolerance : float, optional
+        Error of the worn depth in one jump over many cycles, over the load per length over E*.
+
+    Raises
+    ------
+    InvalidInput
+        If a law, a force or a number is not of these kinds, or the bodies are not isotropic.
+
+    References
+    ----------
+    J. F. Archard, J. Appl. Phys. 24 (1953) 981-988, doi:10.1063/1.1721448;
+    M. Ciavarella, D. A. Hills, Eur. J. Mech. A Solids 18 (1999) 491-497
+
+    Examples
+    --------
+    What sticks is as wide after a million cycles as after the first one, and bears everything.
+
+    >>> from winkler.laws.friction import Coulomb
+    >>> from winkler.laws.wear import Archard
+    >>> from winkler.loading import LineForce, LineShearForce
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> steel = Elastic(210e9, 0.3)
+    >>> bed = LineFoundation(Paraboloid(10e-3), HalfSpace.between(steel, steel))
+    >>> swing, cycles = LineShearForce(37.5e3), [0.0, 1e4, 1e7]
+    >>> rig = LineFrettingWear(bed, Archard(1e-14), Coulomb(0.5), LineForce(100e3), swing, cycles, count=80)
+    >>> worn = rig.solve()
+    >>> (worn.stick_half_width * 1e6).round(2), (worn.half_width * 1e6).round(0)  # micrometres
+    (array([52.52, 52.52, 52.52]), array([105., 108., 139.]))
+    """
+
+    __words__ = words(
+        bed=("", None, "profile and bodies of the line contact"),
+        goals=("n", "", "after how many cycles the contact is returned"),
+        normal=("", None, "the steady normal force per length"),
+        amplitude=("", None, "amplitude of the shear force per length"),
+        count=("n", "", "cells of the grid of places on one side"),
+        tolerance=(r"\epsilon", "", "error of the worn depth in one jump, over the load per length over E*"),
+    )
+
+    bed: LineFoundation
+    wear: WearLaw
+    law: Sliding
+    normal: OnePositiveLineForce
+    amplitude: OnePositiveLineSwing
+    cycles: FiniteQuantity
+    count: Cells = 400
+    tolerance: WearTolerance = 1e-3
+
+    references: ClassVar[tuple[str, ...]] = ("archard_1953", "ciavarella_hills_1999", "dimaki_2014")
+    assumptions: ClassVar[frozenset[Assumption]] = WORN
+
+    def __post_init__(self) -> None:
+        refuse_unless_isotropic("LineFrettingWear", self.bed)
+        goals_of("LineFrettingWear", "cycles", "", self.cycles)
+
+    @property
+    def goals(self) -> Array:
+        """After how many cycles the contact is returned, ``(steps,)``."""
+        return goals_of("LineFrettingWear", "cycles", "", self.cycles)
+
+    def _rubbed(self, grid: StripGrid, contact: WornContact) -> RubbedStrip:
+        return grid.rub(contact, self.law.coefficient, float(self.amplitude.shear_force_per_length))
+
+    def slipped(self, grid: StripGrid, contact: WornContact) -> Array:
+        """Return how far the surfaces slip in one cycle at the nodes [m]."""
+        return 4.0 * self._rubbed(grid, contact).slip
+
+    def refuse(self, contact: WornContact, elapsed: float) -> None:
+        """Refuse nothing: whether the bodies slide away is known before."""
+
+    def _nodes(self) -> Array:
+        """Return places up to where wear ends at last, closest beside what sticks."""
+        bed = self.bed
+        core = stuck_core("LineFrettingWear", bed, self.law, self.normal, self.amplitude)
+        if core.half_width >= bed.rim:
+            return graded_nodes(0.0, bed.rim, bed.rim, self.count)
+        reach = min(ROOM * core.outer_half_width(), bed.reach, bed.rim)
+        return graded_nodes(core.half_width, reach, np.inf, self.count)
+
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one for each of `goals`."""
+        return int(self.goals.size)
+
+    def steps(self, start: LineFrettingState | None = None) -> Iterator[LineFrettingState]:
+        """Yield the contact at every requested number of cycles.
+
+        Parameters
+        ----------
+        start : LineFrettingState, optional
+            A state of this problem that was yielded before, perhaps by a run that was stopped: the march goes on
+            after it, and yields the same numbers as if it had never stopped.
+
+        Raises
+        ------
+        OutsideValidity
+            If friction does not bear the shear force, the bodies touch in several strips, or wear ends beyond what is
+            known of the profile.
+        NotConverged
+            If jumps become too short.
+        """
+        return worn_states(self, start, self._nodes, everywhere=False)
+
+    def state(self, moment: WearMoment) -> LineFrettingState:
+        """Return what is known of the contact."""
+        contact, touching, common = pressed_moment(self, moment)
+        grid = wear_grid(self.bed, moment.nodes)
+        rubbed = self._rubbed(grid, contact)
+        lost = 4.0 * self.law.coefficient * float(grid.transforms.areas @ (contact.pressure * rubbed.slip))
+        return LineFrettingState(
+            **common, places=moment.nodes, force_per_length=contact.force, half_width=touching,
+            shear_force_per_length=float(self.amplitude.shear_force_per_length),
+            stick_half_width=rubbed.stick_half_width, slip=rubbed.slip, dissipation_per_length=lost,
+        )  # fmt: skip
+
+    def gathered(self, states: Iterable[LineFrettingState]) -> LineFrettingSolution:
+        """Return the solution made of these states, of the whole path or of its beginning."""
+        reached = list(states)
+        cycles = np.array([state.elapsed for state in reached])
+        return gather(LineFrettingSolution, self, reached, cycles=cycles)
+
+    def solve(self) -> LineFrettingSolution:
+        """Return the contact over all cycles.
+
+        Returns
+        -------
+        LineFrettingSolution
+
+        Raises
+        ------
+        OutsideValidity, NotConverged
+            As `steps`.
+        """
+        return self.gathered(self.steps())
+
+
+@value
+class LineFrettingSolution:
+    """The solution of a `LineFrettingWear`, state by state.
+
+    Parameters
+    ----------
+    problem : LineFrettingWear
+        The problem that was solved.
+    cycles : ndarray, (steps,)
+        n [-].
+    force_per_length, half_width, stick_half_width : ndarray, (steps,)
+        P [N/m], a [m], c [m].
+    worn_depth : ndarray, (steps,)
+        Greatest worn depth [m], of both bodies together.
+    worn_volume_per_length, first_volume_per_length, second_volume_per_length : ndarray, (steps,)
+        What both bodies and each of them have lost, per length of the line [m^2].
+    dissipation_per_length : ndarray, (steps,)
+        Energy lost in every cycle, per length [J/m].
+    states : tuple of LineFrettingState
+        The states themselves, with the worn profiles.
+    """
+
+    __words__ = words(dissipation_per_length=("W_d", "J/m", "energy per length lost in every cycle"))
+
+    problem: LineFrettingWear
+    cycles: Array
+    force_per_length: Array
+    half_width: Array
+    stick_half_width: Array
+    worn_depth: Array
+    worn_volume_per_length: Array
+    first_volume_per_length: Array
+    second_volume_per_length: Array
+    dissipation_per_length: Array
+    states: tuple[LineFrettingState, ...]
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        problem = self.problem
+        return line_fretting_notes(problem.bed, problem.law.coefficient, problem.tolerance, self.states)

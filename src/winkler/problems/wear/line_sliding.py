@@ -1,0 +1,218 @@
+r"""Sliding wear of a line contact: a cylinder that slides across its line is worn to a flat.
+
+.. math:: \frac{\mathrm df}{\mathrm ds} = \kappa\,p(x)
+
+at every place of the contact, with the pressure of the profile as it is then.  It evens out: on a flat punch to
+:math:`P/2b`, which its worn shape bears with :math:`f(b)-f(0) = \frac{4pb}{\pi E^*}\ln 2`; a cylinder is worn to a flat
+of the cross-section :math:`\kappa P s = 2a^3/3R`, once that is much deeper than the elastic contact.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Annotated, ClassVar
+
+import numpy as np
+
+from winkler.checks.number_checks import Advice, FiniteQuantity
+from winkler.foundation.line import LineFoundation
+from winkler.laws.wear import Archard, OwnWear
+from winkler.numerics.types import Array
+from winkler.path import OnePositiveLineForce
+from winkler.problems.answer import gather
+from winkler.problems.assumptions.declared import WORN
+from winkler.problems.line.half_width import refuse_unless_strips
+from winkler.problems.line_friction.strips import half_widths
+from winkler.problems.wear.input_checks import Cells, WearTolerance
+from winkler.problems.wear.line_states import LineWearState
+from winkler.problems.wear.line_validity import line_sliding_notes
+from winkler.problems.wear.march import WearMoment
+from winkler.problems.wear.nodes import GRID_GROWTH, graded_nodes
+from winkler.problems.wear.states import goals_of
+from winkler.problems.wear.strip_grid import StripGrid
+from winkler.problems.wear.stuck_core import refuse_unless_rising
+from winkler.problems.wear.worn_grid import WornContact
+from winkler.problems.wear.worn_states import pressed_moment, worn_states
+from winkler.validity import Assumption, Note
+from winkler.values import value, words
+
+__all__ = ["LineSlidingSolution", "LineSlidingWear"]
+
+ONE_BODY = Advice("the law of the body that stays in contact; where both wear in partial slip, use LineFrettingWear")
+
+
+@value
+class LineSlidingWear:
+    """A cylindrical body that slides across its line under a steady load, and wears.
+
+    Parameters
+    ----------
+    bed : LineFoundation
+        Profile and bodies before wear.
+    wear : Archard or OwnWear
+        How the body that stays in contact wears: the one with the profile, on a track much longer than the contact.
+    normal : LineForce
+        The steady normal force per length, one positive number.
+    distance : float or ndarray, (steps,)
+        After which distances slid [m] the contact is returned, to and fro counted together; one number stands for the
+        whole distance, and 41 states up to there.
+    count : int, optional
+        Cells of the grid of places on one side.
+    tolerance : float, optional
+        Error of the worn depth in one jump, over the load per length over E*.
+
+    Raises
+    ------
+    InvalidInput
+        If a law, a force or a number is not of these kinds.
+
+    References
+    ----------
+    J. F. Archard, J. Appl. Phys. 24 (1953) 981-988, doi:10.1063/1.1721448
+
+    Examples
+    --------
+    A roller of 10 mm is worn to a flat, of which the cross-section is the rate times force and distance.
+
+    >>> from winkler.laws.wear import Archard
+    >>> from winkler.loading import LineForce
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> steel = Elastic(210e9, 0.3)
+    >>> bed = LineFoundation(Paraboloid(10e-3), HalfSpace.between(steel, steel))
+    >>> worn = LineSlidingWear(bed, Archard(1e-14), LineForce(10e3), [0.0, 1e3], count=80).solve()
+    >>> round(float(worn.worn_volume_per_length[-1] / (1e-14 * 10e3 * 1e3)), 9)
+    1.0
+    >>> round(float(worn.half_width[-1] / (1.5 * 10e-3 * 1e-14 * 10e3 * 1e3) ** (1 / 3)), 1)
+    1.0
+    """
+
+    __words__ = words(
+        bed=("", None, "profile and bodies of the line contact"),
+        goals=("s", "m", "after which distances the contact is returned"),
+        normal=("", None, "the steady normal force per length"),
+        distance=("s", "m", "distance slid"),
+        count=("n", "", "cells of the grid of places on one side"),
+        tolerance=(r"\epsilon", "", "error of the worn depth in one jump, over the load per length over E*"),
+    )
+
+    bed: LineFoundation
+    wear: Annotated[Archard | OwnWear, ONE_BODY]
+    normal: OnePositiveLineForce
+    distance: FiniteQuantity
+    count: Cells = 400
+    tolerance: WearTolerance = 1e-3
+
+    references: ClassVar[tuple[str, ...]] = ("archard_1953", "johnson_1985", "dimaki_2014")
+    assumptions: ClassVar[frozenset[Assumption]] = WORN
+
+    def __post_init__(self) -> None:
+        goals_of("LineSlidingWear", "distance", " in m", self.distance)
+
+    @property
+    def goals(self) -> Array:
+        """After which distances the contact is returned [m], ``(steps,)``."""
+        return goals_of("LineSlidingWear", "distance", " in m", self.distance)
+
+    def slipped(self, grid: StripGrid, contact: WornContact) -> Array:
+        """Return how far the surfaces slip per distance: all of it."""
+        return np.ones(grid.nodes.size)
+
+    def refuse(self, contact: WornContact, elapsed: float) -> None:
+        """Refuse a contact that has grown to where the profile before wear falls."""
+        refuse_unless_rising("LineSlidingWear", self.bed, contact.radius)
+
+    def _nodes(self) -> Array:
+        bed = self.bed
+        load = float(self.normal.force_per_length) / float(bed.medium.modulus)
+        width = half_widths(bed, np.array([load]))
+        refuse_unless_strips(bed, width)
+        return graded_nodes(0.0, min(GRID_GROWTH * float(width[0]), bed.reach, bed.rim), bed.rim, self.count)
+
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one for each of `goals`."""
+        return int(self.goals.size)
+
+    def steps(self, start: LineWearState | None = None) -> Iterator[LineWearState]:
+        """Yield the contact at every requested distance.
+
+        Parameters
+        ----------
+        start : LineWearState, optional
+            A state of this problem that was yielded before: the march goes on after it, and yields the same numbers as
+            if it had never stopped.
+
+        Raises
+        ------
+        OutsideValidity
+            If the bodies touch in several strips, or the contact outgrows the profile, at that step.
+        NotConverged
+            If jumps become too short.
+        """
+        return worn_states(self, start, self._nodes, everywhere=True)
+
+    def state(self, moment: WearMoment) -> LineWearState:
+        """Return what is known of the contact."""
+        contact, touching, common = pressed_moment(self, moment)
+        return LineWearState(**common, places=moment.nodes, force_per_length=contact.force, half_width=touching)
+
+    def gathered(self, states: Iterable[LineWearState]) -> LineSlidingSolution:
+        """Return the solution made of these states, of the whole path or of its beginning."""
+        reached = list(states)
+        distance = np.array([state.elapsed for state in reached])
+        return gather(LineSlidingSolution, self, reached, distance=distance)
+
+    def solve(self) -> LineSlidingSolution:
+        """Return the contact over the whole distance.
+
+        Returns
+        -------
+        LineSlidingSolution
+
+        Raises
+        ------
+        OutsideValidity, NotConverged
+            As `steps`.
+        """
+        return self.gathered(self.steps())
+
+
+@value
+class LineSlidingSolution:
+    """The solution of a `LineSlidingWear`, state by state.
+
+    Parameters
+    ----------
+    problem : LineSlidingWear
+        The problem that was solved.
+    distance : ndarray, (steps,)
+        s [m].
+    force_per_length, half_width : ndarray, (steps,)
+        P [N/m], a [m].
+    mean_pressure : ndarray, (steps,)
+        P / (2 a) [Pa].
+    worn_depth : ndarray, (steps,)
+        Greatest worn depth [m].
+    worn_volume_per_length : ndarray, (steps,)
+        What was lost, per length of the line [m^2].
+    states : tuple of LineWearState
+        The states themselves, with the worn profiles.
+    """
+
+    __words__ = words(distance=("s", "m", "distance slid"))
+
+    problem: LineSlidingWear
+    distance: Array
+    force_per_length: Array
+    half_width: Array
+    mean_pressure: Array
+    worn_depth: Array
+    worn_volume_per_length: Array
+    states: tuple[LineWearState, ...]
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        return line_sliding_notes(self.problem.bed, self.problem.tolerance, self.states)

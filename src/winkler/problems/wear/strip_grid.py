@@ -1,0 +1,89 @@
+r"""The line contact of a worn profile: pressure and slip, from what has been worn off at the nodes of a grid.
+
+The load per length :math:`P = E^*\,w(a)` stands for the depth: with :math:`v = P/E^* - w` the pressure is
+
+.. math:: p(x) = -\frac{E^*}\pi\int_{|x|}^a\frac{v'(c)}{\sqrt{c^2-x^2}}\,\mathrm dc .
+
+Under a shear force per length that swings by Q to each side, what sticks is the contact that the load
+:math:`\gamma = P - Q/\mu` would have, and the surfaces slip by :math:`\mu` times the distance that this one leaves open
+beside it (Ciavarella, Jaeger), for the worn profile as for any other:
+
+.. math:: s(x) = \frac{2x}\pi\int_0^x\frac{(Q/E^* - \mu v(c))_+}{c\,\sqrt{x^2-c^2}}\,\mathrm dc .
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.foundation.line import LineFoundation
+from winkler.loading import LineForce
+from winkler.numerics.transforms.grid_transforms import Cuts
+from winkler.numerics.transforms.strip_transforms import StripTransforms
+from winkler.numerics.types import Array
+from winkler.problems.wear.worn_grid import WornContact, WornGrid
+
+__all__ = ["RubbedStrip", "StripGrid"]
+
+
+class RubbedStrip(NamedTuple):
+    """A pressed line contact that is sheared to and fro.
+
+    Parameters
+    ----------
+    stick_half_width : float
+        c [m].
+    slip : ndarray, (n,)
+        Amplitude of the slip [m] at the nodes, zero outside the contact.
+    """
+
+    stick_half_width: float
+    slip: Array
+
+
+class StripGrid(WornGrid):
+    """A bed of a line contact on a grid of distances from its middle.
+
+    Parameters
+    ----------
+    bed : LineFoundation
+        Before wear.
+    nodes : ndarray, (n,)
+        Distances [m], rising from zero; the last is the rim where the profile has one.
+    """
+
+    bed: LineFoundation
+
+    def __init__(self, bed: LineFoundation, nodes: Array) -> None:
+        super().__init__(bed, StripTransforms(nodes), bed.load_profile(nodes), float(bed.medium.modulus))
+
+    def height(self, x: Array) -> Array:
+        """Height of the profile before wear [m]."""
+        return self.bed.profile.height(x)
+
+    def holds_depth(self, load: LineForce) -> bool:
+        """Return True: the force per length stands for the depth."""
+        return True
+
+    def depth_at(self, load: LineForce, gap: Array) -> float:
+        """Return P/E* [m]."""
+        return float(load.force_per_length) / self.modulus
+
+    def force_of(self, stretch: Array, cut: Cuts) -> float:
+        """Return the force per length [N/m]."""
+        return self.modulus * self.transforms.integral(stretch, cut)
+
+    def sunk(self, contact: WornContact, worn: Array) -> float:
+        """As `WornGrid.sunk`: what the load stands for, and what was worn off."""
+        return contact.depth + float(np.max(worn.sum(axis=0)))
+
+    def rub(self, contact: WornContact, coefficient: float, shear_force: float) -> RubbedStrip:
+        """Return what a contact does that is sheared to and fro by a force per length [N/m], less than slides it."""
+        short = shear_force / self.modulus - coefficient * np.maximum(contact.stretch, 0.0)
+        cut = self.cuts(short)
+        slip = np.where(contact.pressure > 0.0, self.surface(short, cut), 0.0)
+        core_edge = 0.0 if short[0] > 0.0 else math.inf
+        stick = min([contact.radius, core_edge, *np.sqrt(cut.place[~cut.falls]).tolist()])
+        return RubbedStrip(stick, np.maximum(slip, 0.0))

@@ -1,0 +1,101 @@
+"""Wear of line contacts: problems, and their formulas."""
+
+from __future__ import annotations
+
+from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
+from winkler.study.chapters.line import LOAD, LOAD_PROFILE, PRESSURE, ROLLER
+from winkler.study.chapters.normal import MODULUS
+
+__all__ = ["LINE_WEAR"]
+
+STEEL = {"kind": "elastic"}
+STEEL_ON_STEEL = {**ROLLER, "medium": {"kind": "half_space", "first": STEEL, "second": STEEL}}
+PRESSED = {"kind": "line_force", "force_per_length": "100 N/mm"}
+SWING = {"kind": "line_shear_force", "shear_force_per_length": "15 N/mm"}
+
+STUCK = Equation(
+    "Sheared to and fro by Q, the contact sticks within the narrower one of the load γ, which wear does not change",
+    r"\gamma = P - \frac{Q}{\mu} = E^*\,w(c)",
+)
+SLIP = Equation(
+    "and slips by μ times the distance that this one leaves open beside it",
+    r"s(x) = \frac{2\mu}{\pi}\,x\int_c^{x}\frac{w(b)-w(c)}{b\,\sqrt{x^2-b^2}}\,\mathrm{d}b",
+)
+FRETTING_RATE = Equation(
+    "In a cycle every place slips four times that far, and its worn depth grows with the pressure (for Archard's law)",
+    r"\frac{\mathrm{d}f}{\mathrm{d}n} = 4\,\kappa\,p(x)\,s(x)",
+)
+SLIDING_RATE = Equation(
+    "Where a surface slides, its worn depth grows with pressure and distance (for Archard's law)",
+    r"\frac{\mathrm{d}f}{\mathrm{d}s} = \kappa\,p(x)",
+)
+LAST_PRESSURE = Equation(
+    "In the end it bears everything, the rest as a flat punch does",
+    r"p_\infty(x) = p(x;\gamma)+\frac{Q/\mu}{\pi\,\sqrt{c^2-x^2}}",
+)
+LAST_SHAPE = Equation(
+    "and the worn surface, which just touches, has lost, with the distance h beside the narrower contact,",
+    r"\Delta f_\infty(x) = \frac{2\,Q}{\pi\mu E^*}\,\mathrm{arcosh}\frac{x}{c}-h(x;\gamma)",
+)
+
+LINE_WEAR = Chapter(
+    "line contact",
+    kinds={},
+    answers={
+        "line_fretting_wear": answer(
+            "winkler.problems.wear.line_fretting:LineFrettingWear",
+            "archard_1953",
+            "ciavarella_hills_1999",
+            bed=STEEL_ON_STEEL,
+            normal=PRESSED,
+            amplitude=SWING,
+            cycles=[0.0, 1e4, 1e5, 3e5, 1e6],
+            count=100,
+            tolerance=1e-3,
+            picture=Caption(
+                "line_fretting",
+                "Worn by fretting",
+                "Profiles, worn depth and pressure after some of the cycles; contact, core, volume and loss over them.",
+            ),
+            curves=(("cycles", "worn_volume_per_length"), ("cycles", "half_width"), ("cycles", "worn_depth")),
+            pictured=PicturedContact.NONE,
+            formulas=(MODULUS, LOAD_PROFILE, LOAD, PRESSURE, STUCK, SLIP, FRETTING_RATE),
+        ),
+        "line_sliding_wear": answer(
+            "winkler.problems.wear.line_sliding:LineSlidingWear",
+            "archard_1953",
+            bed=STEEL_ON_STEEL,
+            normal=PRESSED,
+            distance=["0 m", "0.1 m", "0.3 m", "1 m"],
+            count=100,
+            tolerance=1e-3,
+            picture=Caption(
+                "line_sliding",
+                "Worn by sliding",
+                "Profiles, worn depth and pressure after some distances; contact, volume and mean pressure over them.",
+            ),
+            curves=(
+                ("distance", "worn_volume_per_length"),
+                ("distance", "half_width"),
+                ("distance", "mean_pressure"),
+            ),
+            pictured=PicturedContact.NONE,
+            formulas=(MODULUS, LOAD_PROFILE, LOAD, PRESSURE, SLIDING_RATE),
+        ),
+        "line_limiting_profile": answer(
+            "winkler.problems.wear.line_limiting_profile:LineLimitingProfile",
+            "ciavarella_hills_1999",
+            "popov_2014",
+            bed=STEEL_ON_STEEL,
+            normal=PRESSED,
+            amplitude=SWING,
+            picture=Caption(
+                "line_limit",
+                "Where wear ends",
+                "The profile in the end, what was worn off, and the pressure, which only the core bears then.",
+            ),
+            pictured=PicturedContact.NONE,
+            formulas=(MODULUS, LOAD_PROFILE, LOAD, PRESSURE, STUCK, LAST_PRESSURE, LAST_SHAPE),
+        ),
+    },
+)
