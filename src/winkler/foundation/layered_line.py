@@ -1,4 +1,4 @@
-r"""The bed of a line contact on layers: a two-dimensional profile on a coated half-plane, or on a strip on a rigid base.
+r"""The bed of a line contact on layers: a two-dimensional profile on a coated half-plane or a strip on a rigid base.
 
 The uppermost layer's half-plane carries :math:`E^*w(a)` as it does without layers; what the others add is the
 correction :math:`\beta` of `winkler.numerics.transforms.strip_equation`, with which
@@ -45,6 +45,8 @@ WIDEST = 1024.0
 PAIRS_PER_CHUNK = 1_000_000
 MOST_KEPT = 4096
 """Half-widths whose modes are kept of one bed."""
+MOST_EXAMINED = 16
+"""Half-widths of many whose contacts are examined for tension and overlap."""
 PLACES_BESIDE = np.geomspace(1e-3, 1.0, 25)[:-1]
 """Where the distance beside a strip is examined, between its edge and the farthest place."""
 
@@ -205,6 +207,12 @@ class LayeredLineFoundation(LineBed):
             own = self.half_plane.potential(x, z, half_width, 0.0)
             whole, slope = whole + own[0], slope + own[1]
         return whole, slope
+
+    def examined(self, half_width: Array) -> Array:
+        """Return up to 16 of many half-widths, ascending [m], the first and the last among them."""
+        chosen = half_width[np.unique(np.linspace(0.0, half_width.size - 1.0, MOST_EXAMINED).round().astype(int))]
+        _responses(self, chosen)  # at once, not one by one
+        return np.asarray(chosen)
 
     def gaps(self, half_width: float, end: float) -> tuple[Array, Array]:
         """Return places beside a strip up to `end` [m], and the distance of the surfaces there [m]."""

@@ -129,6 +129,10 @@ class LineBed:
         logarithm = np.log1p((beside - half_width + abel.root_difference(beside, half_width)) / half_width)
         return np.asarray(abel.integral(opening, edges, x) - 2.0 / np.pi * rim_load * logarithm)
 
+    def examined(self, half_width: Array) -> Array:
+        """Return those of many half-widths, ascending [m], whose contacts are to be examined: all."""
+        return half_width
+
     def gaps(self, half_width: float, end: float) -> tuple[Array, Array]:
         """Return places beside a strip up to `end` [m], and a measure of the distance of the surfaces there."""
         x = np.linspace(half_width, end, PLACES_BESIDE)[1:-1]

@@ -6,8 +6,8 @@ Where the profile is smooth, :math:`f = \sum c_{2n}T_{2n}(x/a)`, the pressure is
 .. math:: -\pi n\,c_{2n}E^* \quad (n\ge1) , \qquad \pi E^*\sum n\,c_{2n} \quad (n=0) .
 
 Elsewhere (a tip, a kink, a power) the flat punches of all half-widths c give
-:math:`G(k) = \int_0^a w'(c)\,J_0(kc)\,\mathrm dc`, with :math:`c^2 = b^2 + (e^2-b^2)\sin^2\theta` from one kink b to the
-next e.
+:math:`G(k) = \int_0^a w'(c)\,J_0(kc)\,\mathrm dc`, with :math:`c^2 = b^2 + (e^2-b^2)\sin^2\theta` from one kink b to
+the next e.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ SAMPLES = 64
 TAIL = 8
 VANISHED = 1e-13
 """Last coefficients of a smooth profile, over the largest."""
-ROUNDING = 1e-15
+ROUNDING = 3e-15
 NODES = 24
 PANEL_PHASE = 12.0
 FIRST_PANELS = 0.25 ** np.arange(20.0, 0.0, -1.0)
@@ -75,8 +75,8 @@ def transforms(bed: LineFoundation, half_width: Array, k: Array) -> Array:
         widths, loads = _punches(bed, float(a), float(k[-1]))
         if widths.size * k.size > MOST_PAIRS:
             raise OutsideValidity(
-                f"A strip of the half-width {a:.6g} m is too wide for the uppermost layer under a profile with a tip, a "
-                "kink or a fractional power; press less, give a thicker layer, or a smooth profile."
+                f"A strip of the half-width {a:.6g} m is too wide for the uppermost layer under a profile with a tip, "
+                "a kink or a fractional power; press less, give a thicker layer, or a smooth profile."
             )
         step = max(1, 1_000_000 // widths.size)
         for start in range(0, k.size, step):
@@ -119,5 +119,5 @@ def _punches(bed: LineFoundation, half_width: float, largest: float) -> tuple[Ar
         share = across * np.sin(angle) * np.cos(angle) / c * width * weight
         first = np.nextafter(low, np.inf) if low > 0.0 else 0.0
         widths.append(c.ravel())
-        loads.append((bed.load_profile_slope(np.clip(c, first, high).ravel()) * share.ravel()))
+        loads.append(bed.load_profile_slope(np.clip(c, first, high).ravel()) * share.ravel())
     return np.concatenate(widths), np.concatenate(loads)

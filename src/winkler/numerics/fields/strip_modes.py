@@ -33,10 +33,10 @@ def signs(count: int) -> Array:
 
 
 def bessel_rows(argument: Array, count: int) -> Array:
-    """Return J_0, J_2, ... of `count` even orders ``(count, ...)``, to about 1e-15.
+    r"""Return J_0, J_2, ... of `count` even orders ``(count, ...)``, to about 1e-15.
 
     By upward recurrence where the argument is larger than the highest order, elsewhere by the midpoint rule for
-    :math:`J_{2n}(x) = \\frac2\\pi\\int_0^{\\pi/2}\\cos(x\\sin\\theta)\\cos 2n\\theta\\,\\mathrm d\\theta`, which errs by the first
+    :math:`J_{2n}(x) = \frac2\pi\int_0^{\pi/2}\cos(x\sin\theta)\cos 2n\theta\,\mathrm d\theta`, which errs by the first
     orders that it cannot tell apart.
     """
     flat = argument.ravel()

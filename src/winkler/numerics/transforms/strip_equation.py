@@ -113,7 +113,9 @@ def strip_responses(response: WaveResponse, half_width: Array, transforms: Trans
         step = max(1, ENTRIES_PER_BLOCK // (found.k.size * count))
         for start in range(0, members.size, step):
             chosen = members[start : start + step]
-            parts.append((chosen, *_settled(found, half_width[chosen], transforms(half_width[chosen], found.k), int(octave))))
+            parts.append(
+                (chosen, *_settled(found, half_width[chosen], transforms(half_width[chosen], found.k), int(octave)))
+            )
     most = max((closing.shape[1] for _, closing, _ in parts), default=1)
     result = StripResponse(np.zeros((half_width.size, most)), np.zeros((half_width.size, most)))
     for chosen, closing, punch in parts:

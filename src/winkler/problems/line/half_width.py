@@ -187,7 +187,7 @@ def refuse_unless_strips(bed: LineBed, half_width: Array, beside: float = WIDTHS
     _refuse_far_crests(bed, touching, beside)
     if bed.punches_push and grows(bed, beside * touching[-1]):
         return
-    for one in touching:
+    for one in bed.examined(touching):
         _refuse_unless_strip(bed, float(one), beside)
 
 

@@ -104,9 +104,7 @@ def _first_depth(medium: CoatedHalfSpace, place: float | Reference | None) -> fl
     return float(place)
 
 
-def _second_depth(
-    medium: CoatedHalfSpace, place: float | Reference | None, half_width: float
-) -> tuple[float, float]:
+def _second_depth(medium: CoatedHalfSpace, place: float | Reference | None, half_width: float) -> tuple[float, float]:
     """Return the depth in the second body [m], and what its finite size adds over the load per E*."""
     body = medium.second
     assert isinstance(body, Elastic)

@@ -12,8 +12,8 @@ from winkler.materials.elastic import Elastic
 from winkler.media.layered.plane_interior import added_stresses, plane_waves
 from winkler.media.medium import rigid_body
 from winkler.numerics.types import Array
-from winkler.problems.line.strip import Strip
 from winkler.problems.line.stress import LineContact, LineFields, stresses
+from winkler.problems.line.strip import Strip
 from winkler.values import value, words
 
 __all__ = ["LayerStress", "layer_stresses", "layered_fields", "refuse_friction"]

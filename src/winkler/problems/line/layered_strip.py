@@ -13,8 +13,8 @@ from winkler.problems.line.layered_notes import layered_notes
 from winkler.problems.line.layered_stress import LayerStress, layer_stresses, layered_fields, refuse_friction
 from winkler.problems.line.peak_pressure import is_sharp, rim_load
 from winkler.problems.line.references import Reference
-from winkler.problems.line.strip import OfStrip, Strip
 from winkler.problems.line.stress import LineFields
+from winkler.problems.line.strip import OfStrip, Strip
 from winkler.problems.which_body import in_first_body
 from winkler.validity import Note
 
