@@ -115,6 +115,14 @@ class LineBed:
         """Return the slope h'(x) [-] of the distance of the surfaces at x > a."""
         raise NotImplementedError
 
+    def surface_potential(self, x: Array, half_width: float, rim_load: float) -> Array:
+        """Return F(x) [Pa] of `winkler.numerics.fields.half_plane` on the surface, at x >= 0."""
+        raise NotImplementedError
+
+    def potential(self, x: Array, z: Array, half_width: float, rim_load: float) -> tuple[Array, Array]:
+        """Return F [Pa] and F' [Pa/m] below the surface, at x >= 0."""
+        raise NotImplementedError
+
     def separation(self, x: Array, half_width: float, rim_load: float) -> Array:
         """Return the distance of the surfaces [m] at places x >= 0, zero inside."""
         if half_width == 0.0:

@@ -138,8 +138,8 @@ def _settled(found: Waves, half_width: Array, transforms: Array, octave: int) ->
         if count >= MOST_MODES:
             raise NotConverged(
                 f"The pressure on a strip of the half-width {float(np.max(half_width)):.6g} m is not resolved by "
-                f"{MOST_MODES} modes: the layer is too thin for it; round a sharp tip or kink off, press less, or give a "
-                "thicker layer."
+                f"{MOST_MODES} modes: the layer is too thin for it; round a sharp tip or kink off, press less, or give "
+                "a thicker layer."
             )
         count = min(2 * count, MOST_MODES)
 

@@ -97,9 +97,9 @@ def _logarithm(ratio: float) -> float:
 def _first_depth(medium: CoatedHalfSpace, place: float | Reference | None) -> float:
     if not isinstance(place, Real) or not medium.thickness <= place < math.inf:
         raise InvalidInput(
-            "A line contact on layers has no depth of its own unless a rigid base carries them: give the depth below the "
-            f"first body's surface against which it is counted, finite and at least the {medium.thickness:.6g} m of the "
-            "layers."
+            "A line contact on layers has no depth of its own unless a rigid base carries them: give the depth below "
+            "the first body's surface against which it is counted, finite and at least the "
+            f"{medium.thickness:.6g} m of the layers."
         )
     return float(place)
 

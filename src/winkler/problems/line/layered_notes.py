@@ -61,9 +61,7 @@ def _yield_notes(bed: LayeredLineFoundation, half_width: float, rim_load: float)
         text = f"By von Mises' criterion yielding has begun: the elastic stress reaches {place}; it is not elastic."
         return (Note(Assumption.ELASTIC, Standing.OUTSIDE, text, MISES),)
     if sharp:
-        text = (
-            f"The elastic stress is infinite at a sharp tip, kink or rim, which yields; away from there it is {place}."
-        )
+        text = f"The stress is infinite at a sharp tip, kink or rim, which yields; away from there it is {place}."
     else:
         text = f"By von Mises' criterion the contact stays elastic: its greatest stress, sampled, is {place}."
     return (Note(Assumption.ELASTIC, Standing.APPROXIMATE, text, MISES),)

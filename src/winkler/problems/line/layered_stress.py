@@ -60,8 +60,8 @@ def refuse_friction(friction: float) -> None:
     """Refuse friction."""
     if np.ndim(friction) > 0 or friction != 0.0:
         raise OutsideValidity(
-            "The stresses below a line contact that slides on layers are not known here: leave friction at zero, or give "
-            "a LineFoundation of homogeneous bodies."
+            "The stresses below a line contact that slides on layers are not known here: leave friction at zero, or "
+            "give a LineFoundation of homogeneous bodies."
         )
 
 

@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.foundation.line import LineFoundation
+from winkler.foundation.line_bed import LineBed
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array
@@ -78,7 +78,7 @@ class LineContact(NamedTuple):
         Part of the pressure that acts [-]; zero for the traction alone.
     """
 
-    bed: LineFoundation
+    bed: LineBed
     half_width: float
     rim_load: float
     poisson: float
@@ -86,7 +86,7 @@ class LineContact(NamedTuple):
     pressed: float = 1.0
 
 
-def poisson_of(bed: LineFoundation, below: bool) -> float:
+def poisson_of(bed: LineBed, below: bool) -> float:
     """Return Poisson's ratio of the first body (`below`) or the second; refuse one without stresses."""
     medium = bed.medium
     body = getattr(medium, "first" if below else "second", None) if isinstance(medium, HalfSpace) else None
