@@ -101,9 +101,7 @@ def cylinder(relative: Callable[[Any], Any], count: int = 20, *, rigid_base: boo
     g = mp.lu_solve(matrix, right)
     load = 2 * mp.fsum(shares[j] * g[j] for j in range(half))
     # g at the middle by its Chebyshev series of the second kind
-    series = [
-        2 * sum(2 / mp.pi * shares[j] * g[j] * mp.chebyu(2 * m, s[j]) for j in range(half)) for m in range(half)
-    ]
+    series = [2 * sum(2 / mp.pi * shares[j] * g[j] * mp.chebyu(2 * m, s[j]) for j in range(half)) for m in range(half)]
     peak = mp.fsum(c * (-1) ** m for m, c in enumerate(series))
     if not rigid_base:
         return StripContact(load, peak, None)
@@ -130,7 +128,7 @@ def _regular(kernel: Callable[[Any], Any], t: Any) -> Any:
 
 
 def _logarithm(series: list[Any]) -> Any:
-    """-Int sqrt(1 - s^2) U_2m ln(1 - s) ds: from -ln(1 - s) = ln 2 + 2 Sum T_n(s)/n, sqrt U_2m = (T_2m - T_2m+2)/2/sqrt."""
+    """-Int sqrt(1 - s^2) U_2m ln(1 - s) ds, from -ln(1 - s) = ln 2 + 2 Sum T_n/n and 2 (1 - s^2) U_2m = T_2m - T_2m+2."""
     total = mp.mpf(0)
     for m, c in enumerate(series):
         first = mp.log(2) * mp.pi if m == 0 else mp.pi / (2 * m)

@@ -43,11 +43,11 @@ def line_sheet(item: LineSolution, *, extent: float | None = None) -> Sheet:
     if np.isfinite(item.peak_pressure).all():
         pressures.insert(0, (flat(item, "peak_pressure"), "greatest"))
     widths = models_panel(force, [(flat(item, "half_width"), "")])
-    panels, titles = [widths, models_panel(force, pressures, label="pressure")], ["half-width", "pressure"]
+    over_force, titles = [widths, models_panel(force, pressures, label="pressure")], ["half-width", "pressure"]
     if isinstance(item, LayeredLineSolution) and item.has_depth:
-        panels.append(models_panel(force, [(flat(item, "depth"), "")]))
+        over_force.append(models_panel(force, [(flat(item, "depth"), "")]))
         titles.append("depth")
-    return Sheet(titled(tuple(panels), *titles))
+    return Sheet(titled(tuple(over_force), *titles))
 
 
 @sheet_of.register(LineYieldOnsetSolution)

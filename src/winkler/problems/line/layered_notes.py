@@ -7,6 +7,8 @@ import math
 import numpy as np
 
 from winkler.foundation.layered_line import LayeredLineFoundation
+from winkler.problems.assumptions.film import film_note
+from winkler.problems.line.layered_approach import has_depth, layered_approach
 from winkler.problems.line.layered_stress import layered_fields
 from winkler.problems.line.peak_pressure import is_sharp
 from winkler.problems.line.strip import Strip
@@ -45,6 +47,9 @@ def layered_notes(bed: LayeredLineFoundation, half_width: float, rim_load: float
         WAVES,
     )
     notes = shape_notes(bed, half_width, response)
+    if half_width > 0.0 and has_depth(bed.medium):
+        strain = layered_approach(bed, half_width, rim_load, None, None) / bed.medium.thickness
+        notes = (*notes, film_note(strain, strain))
     return (*notes, *_yield_notes(bed, half_width, rim_load))
 
 
