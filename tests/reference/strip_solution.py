@@ -128,7 +128,7 @@ def _regular(kernel: Callable[[Any], Any], t: Any) -> Any:
 
 
 def _logarithm(series: list[Any]) -> Any:
-    """-Int sqrt(1 - s^2) U_2m ln(1 - s) ds, from -ln(1 - s) = ln 2 + 2 Sum T_n/n and 2 (1 - s^2) U_2m = T_2m - T_2m+2."""
+    """-Int sqrt(1 - s^2) U_2m ln(1 - s) ds: -ln(1 - s) = ln 2 + 2 Sum T_n / n, 2 (1 - s^2) U_2m = T_2m - T_2m+2."""
     total = mp.mpf(0)
     for m, c in enumerate(series):
         first = mp.log(2) * mp.pi if m == 0 else mp.pi / (2 * m)

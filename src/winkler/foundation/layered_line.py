@@ -25,7 +25,8 @@ from winkler.foundation.strip_waves import smooth_modes, transforms
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.media.layered.coated import CoatedHalfSpace
-from winkler.numerics.fields.strip_modes import (
+from winkler.numerics.transforms.strip_equation import StripResponse, octaves, strip_responses, waves
+from winkler.numerics.transforms.strip_modes import (
     along_surface,
     bessel_rows,
     lowered,
@@ -33,7 +34,6 @@ from winkler.numerics.fields.strip_modes import (
     pressure_of_modes,
     signs,
 )
-from winkler.numerics.transforms.strip_equation import StripResponse, octaves, strip_responses, waves
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
 from winkler.values import value

@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import quad
 
 import winkler as wk
-from winkler.numerics.fields.strip_modes import bessel_rows
+from winkler.numerics.transforms.strip_modes import bessel_rows
 from winkler.problems.line.stress import LineFields
 
 CYLINDER = wk.Paraboloid(1.0)

@@ -2,8 +2,8 @@ r"""The pressure on a strip of a layered body: a correction of the half-plane's 
 
 Let a half-plane of the uppermost layer carry the pressure with the transform :math:`E^*G(k)` under some profile.  The
 layers below move its surface by :math:`\frac2{\pi}\int_0^\infty\frac Mk\,\hat p\cos kx\,\mathrm dk/E^*` besides.  With
-the correction :math:`\sum\beta_n p_n` of `winkler.numerics.fields.strip_modes`, and :math:`s_n = (-1)^n`, the surface
-follows the profile if
+the correction :math:`\sum\beta_n p_n` of `winkler.numerics.transforms.strip_modes`, and :math:`s_n = (-1)^n`, the
+surface follows the profile if
 
 .. math:: \beta_m + 4m\sum_n s_ms_nA_{mn}\beta_n = -4m\,s_m\int_0^\infty\frac Mk J_{2m}(ka)\,G\,\mathrm dk ,
           \qquad A_{mn} = \int_0^\infty\frac Mk J_{2m}J_{2n}\,\mathrm dk , \qquad m \ge 1 .
@@ -22,8 +22,8 @@ import numpy as np
 
 from winkler.errors import NotConverged
 from winkler.numerics.caching import cached_by_value
-from winkler.numerics.fields.strip_modes import bessel_rows, signs
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, WaveResponse, in_own_lengths, wave_numbers
+from winkler.numerics.transforms.strip_modes import bessel_rows, signs
 from winkler.numerics.types import Array
 
 __all__ = ["StripResponse", "Transforms", "Waves", "strip_responses", "waves"]

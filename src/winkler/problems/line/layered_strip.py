@@ -28,15 +28,10 @@ class OnLayers(OfStrip):
     half_width: Quantity
 
     @property
-    def has_depth(self) -> bool:
-        """Whether a rigid base carries the layers under a rigid body, so that there is a depth."""
-        return has_depth(self.problem.bed.medium)
-
-    @property
     def depth(self) -> Quantity:
         """How far a rigid body sinks into layers on a rigid base [m]; elsewhere a line contact has no depth."""
         bed = self.problem.bed
-        if not self.has_depth:
+        if not has_depth(bed.medium):
             raise OutsideValidity(
                 "A line contact has a depth only where a rigid base carries the layers under a rigid body; request "
                 "approach(first, second), which is counted from stated places."
