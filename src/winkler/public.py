@@ -30,6 +30,7 @@ from winkler.fitting.unloading.oliver_pharr import OliverPharr, OliverPharrSolut
 from winkler.fitting.viscoelastic.band import relaxation_band
 from winkler.foundation.elliptic import EllipticFoundation
 from winkler.foundation.foundation import Foundation
+from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.foundation.measured import MeasuredBed
 from winkler.foundation.plane import PlaneFoundation
@@ -132,7 +133,8 @@ from winkler.problems.heating.transient import TransientHeating, TransientHeatin
 from winkler.problems.impact.adhesive_impact import AdhesiveImpact, AdhesiveImpactSolution
 from winkler.problems.impact.impact import Impact, ImpactSolution
 from winkler.problems.line.adhesion import LineAdhesion, LineAdhesionSolution
-from winkler.problems.line.indentation import LineIndentation, LineSolution
+from winkler.problems.line.indentation import LayeredLineSolution, LineIndentation, LineSolution
+from winkler.problems.line.layered_stress import LayerStress
 from winkler.problems.line.periodic import PeriodicIndentation, PeriodicSolution
 from winkler.problems.line.profile_contact import LineProfileContact, LineProfileSolution
 from winkler.problems.line.references import PlateBase, RollerCentre
@@ -244,15 +246,15 @@ __all__ = [
     "Impact", "ImpactSolution", "Indentation", "IndentationSolution", "InvalidInput",
     "JouleHeating", "JouleHeatingSolution",
     "Kalker", "KelvinVoigt",
-    "Layer", "LimitingProfile", "LimitingSolution", "LineAdhesion", "LineAdhesionSolution", "LineConstriction",
-    "LineConstrictionSolution", "LineFields", "LineForce", "LineForcePath", "LineFoundation",
-    "LineFrettingSolution", "LineFrettingWear", "LineFrictionHeating", "LineFrictionHeatingSolution",
-    "LineIndentation", "LineLimitingProfile", "LineLimitingSolution", "LineOfAction", "LinePath",
-    "LineProfileContact", "LineProfileSolution", "LineRolling", "LineRollingResistance",
-    "LineRollingResistanceSolution", "LineRollingSolution", "LineRollingStart", "LineRollingStartSolution",
-    "LineScan", "LineShakedown", "LineShakedownSolution", "LineShearForce", "LineSlidingSolution",
-    "LineSlidingWear", "LineSolution", "LineTangential", "LineTangentialSolution", "LineViscoelasticIndentation",
-    "LineViscoelasticSolution", "LineYieldOnset",
+    "Layer", "LayerStress", "LayeredLineFoundation", "LayeredLineSolution", "LimitingProfile", "LimitingSolution",
+    "LineAdhesion", "LineAdhesionSolution", "LineConstriction", "LineConstrictionSolution", "LineFields",
+    "LineForce", "LineForcePath", "LineFoundation", "LineFrettingSolution", "LineFrettingWear",
+    "LineFrictionHeating", "LineFrictionHeatingSolution", "LineIndentation", "LineLimitingProfile",
+    "LineLimitingSolution", "LineOfAction", "LinePath", "LineProfileContact", "LineProfileSolution", "LineRolling",
+    "LineRollingResistance", "LineRollingResistanceSolution", "LineRollingSolution", "LineRollingStart",
+    "LineRollingStartSolution", "LineScan", "LineShakedown", "LineShakedownSolution", "LineShearForce",
+    "LineSlidingSolution", "LineSlidingWear", "LineSolution", "LineTangential", "LineTangentialSolution",
+    "LineViscoelasticIndentation", "LineViscoelasticSolution", "LineYieldOnset",
     "LineYieldOnsetSolution", "LogarithmicEnds",
     "Maxwell", "MeanPressure", "Measured", "MeasuredBed", "MeasuredSection", "MirroredSection", "Moment",
     "NamedElastic", "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor", "NearlyRoundIndentation",

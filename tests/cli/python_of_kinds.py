@@ -273,6 +273,13 @@ LINES = {
         ("line_indentation", "line_foundation", "line_force"), wk.LineIndentation(ROLLER, wk.LineForce(100e3))
     ),
     "half_width": wk.LineIndentation(ROLLER, wk.HalfWidth(0.1e-3)),
+    "layered_line_foundation": wk.LineIndentation(
+        wk.LayeredLineFoundation(
+            wk.Paraboloid(10e-3),
+            wk.CoatedHalfSpace([wk.Layer(wk.Elastic(450e9, 0.25), 50e-6)], wk.Elastic(210e9, 0.3)),
+        ),
+        wk.LineForce(100e3),
+    ),
     **dict.fromkeys(("roller_contact", "logarithmic_ends", "tilt"), crowned_roller()),
     "sharp_ends": crowned_roller(ends=wk.SharpEnds()),
     "crowned_ends": crowned_roller(ends=wk.CrownedEnds(0.5)),

@@ -11,6 +11,7 @@ from typing import Any
 
 import mpmath as mp
 import numpy as np
+import strip_solution
 from reference_solutions import ReferenceSolutions, frac
 from scipy.optimize import brentq
 
@@ -300,6 +301,25 @@ def line_cylinder() -> Numbers:
     """a = 2 sqrt(P R/(pi E*)), p0 = 2P/(pi a), P/(2a)."""
     a = 2 / mp.sqrt(mp.pi)
     return [a, 2 / (mp.pi * a), 1 / (2 * a)]
+
+
+@of_case
+def line_strip_030() -> Numbers:
+    """Collocation on the closed compliance of a bonded layer: E* = h = a = R = 1."""
+    return list(strip_solution.cylinder(strip_solution.bonded(frac("0.3")), rigid_base=True))
+
+
+@of_case
+def line_strip_050() -> Numbers:
+    """The same, incompressible."""
+    return list(strip_solution.cylinder(strip_solution.bonded(frac("0.5")), rigid_base=True))
+
+
+@of_case
+def line_coated() -> Numbers:
+    """The same on a half-plane, the compliance from Burmister's stress function."""
+    stack = strip_solution.coating(frac("2.5"), frac("0.3"), frac("0.4"))
+    return list(strip_solution.cylinder(stack, rigid_base=False)[:2])
 
 
 @of_case

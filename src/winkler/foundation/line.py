@@ -22,6 +22,7 @@ import numpy as np
 
 from winkler.checks.number_checks import Advice
 from winkler.errors import InvalidInput
+from winkler.foundation.line_bed import LineBed
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.fields.half_plane import Pile, potential
 from winkler.numerics.panels.chebyshev import fit_panels
@@ -32,7 +33,6 @@ from winkler.profiles.flat import CappedCylinder
 from winkler.profiles.line_transform import line_load, line_load_slope
 from winkler.profiles.power import Paraboloid
 from winkler.profiles.profile import Profile
-from winkler.validity import Note
 from winkler.values import value
 
 __all__ = ["LineFoundation"]
@@ -42,7 +42,7 @@ DENSITY_TOLERANCE = 1e-13
 
 
 @value
-class LineFoundation:
+class LineFoundation(LineBed):
     """A cylindrical body under a two-dimensional profile, endless along y, on two elastic half-planes.
 
     Parameters
@@ -65,7 +65,10 @@ class LineFoundation:
     """
 
     profile: Profile
-    medium: Annotated[HomogeneousMedium, Advice("the half-plane of a line contact is known on no other")]
+    medium: Annotated[
+        HomogeneousMedium,
+        Advice("layers go into a LayeredLineFoundation, and the half-plane of a line contact is known on no other"),
+    ]
 
     def __post_init__(self) -> None:
         if isinstance(self.profile, AreaFunction):
@@ -73,45 +76,6 @@ class LineFoundation:
                 "LineFoundation: an AreaFunction states the round cross-sections of a tip; give the profile of a cross-"
                 "section along the strip, such as Paraboloid, RoundedPunch or Measured."
             )
-
-    @property
-    def reach(self) -> float:
-        """Up to where the profile is known [m]."""
-        return self.profile.reach
-
-    @property
-    def rim(self) -> float:
-        """Where the contact is pinned [m]; infinite if nowhere."""
-        return self.profile.rim
-
-    @property
-    def size(self) -> float:
-        """Radius of the body [m]; infinite if unknown."""
-        return self.profile.size
-
-    @property
-    def kinks(self) -> tuple[tuple[float, float], ...]:
-        """``(x, strength)``: just above x, w' holds strength / sqrt(a^2 - x^2)."""
-        return tuple((b, b * jump) for b, jump in self.profile.kinks)
-
-    @property
-    def notes(self) -> tuple[Note, ...]:
-        """What must be stated about the shape."""
-        return self.profile.notes
-
-    @property
-    def flat(self) -> float:
-        """Half-width of the flat middle [m]: the contact opens with it."""
-        end, flat = min(self.reach, self.rim), 0.0
-        for b in (*(b for b, _ in self.profile.kinks if b < end), end):
-            if not np.isfinite(b) or float(self.profile.height(np.array([b]))[0]) != 0.0:
-                break
-            flat = b
-        return flat
-
-    def slope(self, x: Array) -> Array:
-        """f'(x) [-]."""
-        return self.profile.slope(x)
 
     def load_profile(self, half_width: Array) -> Array:
         """w(a) [m], the load per length over E*."""

@@ -76,6 +76,11 @@ class ZonedBed(LineFoundation):
         zone, grown = self._zone(x + 1j * z)
         return whole + zone, slope + grown
 
+    def separation(self, x: Array, half_width: float, rim_load: float) -> Array:
+        """Return the distance of the surfaces [m] at places x >= 0, lifted by the attraction."""
+        lifted = self.pulled_apart(np.ravel(np.maximum(x, half_width))).reshape(x.shape)
+        return LineFoundation.separation(self, x, half_width, rim_load) + np.where(x > half_width, lifted, 0.0)
+
     def _zone(self, zeta: Array) -> tuple[Array, Array]:
         a, c = self.contact, self.outer
         inner = np.sqrt(zeta - a) * np.sqrt(zeta + a)

@@ -25,7 +25,7 @@ from winkler.numerics.panels.sqrt_panels import doubled, nodes
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, FIRST_WAVE_NUMBER, wave_numbers
 from winkler.numerics.types import Array
 
-__all__ = ["HankelWaves", "WaveState", "field", "half_space_decay", "superposed", "waves_of"]
+__all__ = ["HankelWaves", "WaveState", "field", "half_space_decay", "superposed", "wave_states", "waves_of"]
 
 LARGEST_PHASE = 10.0
 """Largest phase of a wave over one panel of the quadrature."""
@@ -82,7 +82,7 @@ def field(load: CarriedLoad, layers: tuple[Layer, ...], on: Solid, modulus: floa
             top = layers[0].solid
             own = subsurface.field(load, r[upper], z[upper], modulus=modulus, poisson=top.poisson, shear=top.shear)
             result[:, upper] = own
-        for depth, state, end in _states(layers, on, bottoms, np.unique(z), waves.xi):
+        for depth, state, end in wave_states(layers, on, bottoms, np.unique(z), waves.xi):
             (members,) = np.nonzero(z == depth)
             result[:, members] += superposed(state, HankelWaves(*(part[:end] for part in waves)), r[members])
     return BodyField(*(part.reshape(shape) for part in result))
@@ -107,10 +107,24 @@ def waves_of(load: CarriedLoad, modulus: float, farthest: float, end: float) -> 
     return HankelWaves(xi, weights * xi * transform * (modulus / np.pi))
 
 
-def _states(
+def wave_states(
     layers: tuple[Layer, ...], on: Solid, bottoms: Array, depths: Array, xi: Array
 ) -> Iterator[tuple[float, WaveState, int]]:
-    """Yield, depth by depth, the amplitudes and how many wave numbers matter."""
+    """Yield, depth by depth, the amplitudes and how many wave numbers matter.
+
+    In the uppermost layer the amplitudes are without those of a half-space made of it.
+
+    Parameters
+    ----------
+    layers, on
+        The stack.
+    bottoms : ndarray
+        Depths of the lower faces of the layers [m].
+    depths : ndarray
+        Where, ascending [m].
+    xi : ndarray, (m,)
+        Wave numbers [1/m], ascending.
+    """
     rungs = stack.through_layers(layers, on, xi)
     tops = np.concatenate([[0.0], bottoms])
     surface = np.zeros((xi.size, 2, 1))

@@ -13,7 +13,7 @@ from winkler.media.families import CoatedBody
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.validity import Assumption, Note, Standing, standing_of
 
-__all__ = ["film_notes", "film_strain"]
+__all__ = ["film_note", "film_notes", "film_strain"]
 
 SMALL_STRAIN, LARGE_STRAIN = 0.1, 0.5
 """Mean strain [-] up to which linear elasticity describes a layer, and from which on it does not."""
@@ -53,14 +53,16 @@ def film_notes(bed: Bed, depth: float, force: float, radius: float) -> tuple[Not
     medium = bed.medium.elastic if isinstance(bed.medium, RelaxingMedium) else bed.medium
     if not isinstance(medium, CoatedBody) or radius <= 0.0 or depth <= 0.0:
         return ()
-    strain = film_strain(medium, depth, force, radius)
+    return (film_note(depth / medium.thickness, film_strain(medium, depth, force, radius)),)
+
+
+def film_note(depth: float, strain: float) -> Note:
+    """Return what the depth and the mean compression of layers over their thickness [-] mean."""
     standing = standing_of(strain, SMALL_STRAIN, LARGE_STRAIN)
-    return (
-        Note(
-            Assumption.FILM,
-            standing,
-            f"The depth is {depth / medium.thickness:.3g} of the thickness of the layers, which are compressed by "
-            f"{strain:.3g} of it: {VERDICTS[standing]}.",
-            f"{DIMITRIADIS}; {LONG}",
-        ),
+    return Note(
+        Assumption.FILM,
+        standing,
+        f"The depth is {depth:.3g} of the thickness of the layers, which are compressed by {strain:.3g} of it: "
+        f"{VERDICTS[standing]}.",
+        f"{DIMITRIADIS}; {LONG}",
     )

@@ -12,7 +12,7 @@ from collections.abc import Callable
 import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
-from winkler.foundation.line import LineFoundation
+from winkler.foundation.line_bed import LineBed
 from winkler.numerics.equations.roots import bracketed, invert, rough_root
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile, Sum
@@ -34,6 +34,8 @@ LOGARITHMIC = 0.9
 """Growth from one of them to the next, over that before, from which on the load is unbounded, as a logarithm is."""
 STEP = 1.0 / 32.0
 MOST_STEPS = 60
+MOST_TRIALS = 64.0
+"""A reach so many times wider than where the search begins is not tried beforehand."""
 INTERPOLATED = 48
 """Places between which a search begins."""
 
@@ -41,7 +43,7 @@ Level = Callable[[Array], Array]
 Curve = Callable[[Array], tuple[Array, Array]]
 
 
-def widest_allowed(bed: LineFoundation, half_width: Array) -> None:
+def widest_allowed(bed: LineBed, half_width: Array) -> None:
     """Refuse half-widths beyond the profile, and those that do not determine the load."""
     end = min(bed.reach, bed.rim)
     beyond = half_width > end
@@ -59,7 +61,7 @@ def widest_allowed(bed: LineFoundation, half_width: Array) -> None:
         )
 
 
-def under_force(bed: LineFoundation, load: Array) -> Array:
+def under_force(bed: LineBed, load: Array) -> Array:
     """Return the half-widths [m] under loads per length over E* ``(m,)`` [m], zero without load."""
 
     def curve(a: Array) -> tuple[Array, Array]:
@@ -68,12 +70,12 @@ def under_force(bed: LineFoundation, load: Array) -> Array:
     return _met(bed, load, bed.load_profile, curve, "force per length")
 
 
-def borne_at_most(bed: LineFoundation) -> float:
+def borne_at_most(bed: LineBed) -> float:
     """Return the greatest load per length over E* that the profile bears up to its reach or rim [m]."""
     return _most(bed, bed.load_profile, min(bed.reach, bed.rim))
 
 
-def under_mean_pressure(bed: LineFoundation, mean: Array) -> Array:
+def under_mean_pressure(bed: LineBed, mean: Array) -> Array:
     """Return the half-widths [m] at which the mean pressure over E* is given ``(m,)``."""
     if float(bed.slope(np.zeros(1))[0]) != 0.0:
         raise InvalidInput(
@@ -90,7 +92,7 @@ def under_mean_pressure(bed: LineFoundation, mean: Array) -> Array:
     return _met(bed, mean, level, curve, "mean pressure")
 
 
-def _met(bed: LineFoundation, target: Array, level: Level, curve: Curve, what: str) -> Array:
+def _met(bed: LineBed, target: Array, level: Level, curve: Curve, what: str) -> Array:
     end, half_width = min(bed.reach, bed.rim), np.zeros(target.shape)
     pressed = target > 0.0
     if not pressed.any():
@@ -114,9 +116,9 @@ def _met(bed: LineFoundation, target: Array, level: Level, curve: Curve, what: s
     return half_width
 
 
-def _most(bed: LineFoundation, level: Level, end: float) -> float:
+def _most(bed: LineBed, level: Level, end: float) -> float:
     """Return what the profile bears at most; infinite if it has no end, or grows without bound towards it."""
-    if not np.isfinite(end):
+    if not np.isfinite(end) or (end < bed.rim and end > MOST_TRIALS * bed.trial):
         return np.inf
     try:
         with np.errstate(all="ignore"):
@@ -134,7 +136,7 @@ def _most(bed: LineFoundation, level: Level, end: float) -> float:
     return max(last, float(np.max(level(np.linspace(bed.flat, end, SAMPLES)[1:-1]))))
 
 
-def _is_vertical(bed: LineFoundation, end: float) -> bool:
+def _is_vertical(bed: LineBed, end: float) -> bool:
     with np.errstate(all="ignore"):
         return not np.isfinite(float(bed.slope(np.array([end]))[0]))
 
@@ -155,7 +157,7 @@ def _before_vertical(level: Level, end: float) -> float:
     return np.inf if growth[-1] > LOGARITHMIC * growth[-2] else found[-1]
 
 
-def _interpolated(bed: LineFoundation, level: Level, target: Array) -> Array:
+def _interpolated(bed: LineBed, level: Level, target: Array) -> Array:
     """Return half-widths near to those that meet all targets, by interpolation between powers."""
     flat, end = bed.flat, min(bed.reach, bed.rim)
     near = far = _guess(bed, level, float(np.max(target))) - flat
@@ -166,7 +168,7 @@ def _interpolated(bed: LineFoundation, level: Level, target: Array) -> Array:
     for _ in range(MOST_STEPS):
         if float(level(np.array([flat + far]))[0]) >= np.max(target):
             break
-        far = min(far / STEP, 0.5 * (end - flat + far))
+        far = min(far * bed.search_step, 0.5 * (end - flat + far))
     beside = np.geomspace(near, far, INTERPOLATED)
     with np.errstate(divide="ignore"):
         below = np.log(level(flat + beside))
@@ -176,9 +178,11 @@ def _interpolated(bed: LineFoundation, level: Level, target: Array) -> Array:
     return np.asarray(flat + np.exp(np.interp(np.log(target), below[found], np.log(beside[found]))))
 
 
-def _guess(bed: LineFoundation, level: Level, target: float) -> float:
+def _guess(bed: LineBed, level: Level, target: float) -> float:
     """Return a half-width of the order of the lengths of body and load, where a search begins."""
     flat, end = bed.flat, min(bed.reach, bed.rim)
+    if np.isfinite(bed.trial):
+        return flat + min(bed.trial, 0.02 * (end - flat))
     if np.isfinite(end):
         return flat + 0.02 * (end - flat)
     if flat > 0.0:
@@ -186,7 +190,7 @@ def _guess(bed: LineFoundation, level: Level, target: float) -> float:
     return 0.02 * bed.size if np.isfinite(bed.size) else rough_root(level, target)
 
 
-def _first(bed: LineFoundation, level: Level, target: Array) -> Array:
+def _first(bed: LineBed, level: Level, target: Array) -> Array:
     """Return the first half-widths at which a level is met that may fall again."""
     most, flat, end = float(np.max(target)), bed.flat, min(bed.reach, bed.rim)
     if np.isfinite(end) and _is_vertical(bed, end):
@@ -203,34 +207,34 @@ def _first(bed: LineFoundation, level: Level, target: Array) -> Array:
     return bracketed(lambda a, index: level(a) - target[index], low, high)
 
 
-def refuse_unless_strips(bed: LineFoundation, half_width: Array, beside: float = WIDTHS_BESIDE) -> None:
+def refuse_unless_strips(bed: LineBed, half_width: Array, beside: float = WIDTHS_BESIDE) -> None:
     """Refuse contacts that pull inside or overlap outside.
 
     Parameters
     ----------
-    bed : LineFoundation
+    bed : LineBed
     half_width : ndarray, (m,)
         a [m].
     beside : float, optional
         How many half-widths beside the contact are examined for overlap.
     """
     touching = np.unique(half_width[half_width > 0.0])
-    if bed.profile.rising or touching.size == 0:
+    if bed.single or touching.size == 0:
         return
     _refuse_far_crests(bed, touching, beside)
-    if grows(bed, beside * touching[-1]):
+    if bed.punches_push and grows(bed, beside * touching[-1]):
         return
-    for one in touching:
+    for one in bed.examined(touching):
         _refuse_unless_strip(bed, float(one), beside)
 
 
-def grows(bed: LineFoundation, end: float) -> bool:
+def grows(bed: LineBed, end: float) -> bool:
     """Return whether w never falls up to a place [m]: then no contact pulls or overlaps."""
     growth = bed.load_profile_slope(np.linspace(0.0, min(bed.reach, bed.rim, end), SAMPLES)[1:-1])
     return bool(np.min(growth) >= -ROUNDING * np.max(np.abs(growth)))
 
 
-def _refuse_far_crests(bed: LineFoundation, half_width: Array, beside: float) -> None:
+def _refuse_far_crests(bed: LineBed, half_width: Array, beside: float) -> None:
     """Refuse overlap at the crests of waves too far away for the search beside the contact; half-widths ascend."""
     end = min(bed.reach, bed.rim)
     for crest in sorted(n * length for length in _wavelengths(bed.profile) for n in range(1, CRESTS + 1)):
@@ -258,7 +262,7 @@ def _wavelengths(profile: Profile) -> set[float]:
     return set()
 
 
-def _refuse_unless_strip(bed: LineFoundation, half_width: float, beside: float) -> None:
+def _refuse_unless_strip(bed: LineBed, half_width: float, beside: float) -> None:
     inside = half_width * np.linspace(0.0, 1.0, PRESSURE_SAMPLES)[1:-1]
     pressure = bed.pressure(inside, half_width, 0.0)
     if np.min(pressure) < -ROUNDING * np.max(np.abs(pressure)):
@@ -266,8 +270,7 @@ def _refuse_unless_strip(bed: LineFoundation, half_width: float, beside: float) 
             f"A strip of the half-width {half_width:.6g} m would pull at {inside[np.argmin(pressure)]:.6g} m: the "
             "contact has parted into several; press harder, or give a smoother profile."
         )
-    outside = np.linspace(half_width, min(bed.reach, bed.rim, beside * half_width), SAMPLES)[1:-1]
-    opened = np.cumsum(bed.opening(outside, half_width)) if half_width < outside[0] else np.zeros(1)
+    outside, opened = bed.gaps(half_width, min(bed.reach, bed.rim, beside * half_width))
     if np.min(opened) < -ROUNDING * np.max(np.abs(opened)):
         raise OutsideValidity(
             f"Beside a strip of the half-width {half_width:.6g} m the surfaces would overlap at "

@@ -14,12 +14,14 @@ from typing import ClassVar
 import numpy as np
 
 from winkler.errors import OutsideValidity
+from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.loading import HalfWidth, LineForce, MeanPressure
 from winkler.numerics.types import Quantity, shaped
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.line.greatest_stress import Placed, greatest, von_mises
 from winkler.problems.line.half_width import refuse_unless_strips, under_force, under_mean_pressure, widest_allowed
+from winkler.problems.line.layered_strip import OnLayers
 from winkler.problems.line.peak_pressure import peak_pressure, rim_load
 from winkler.problems.line.strip import OfStrip, Strip
 from winkler.problems.line.yield_statement import line_contact_notes
@@ -27,7 +29,7 @@ from winkler.problems.one_load import one_of, single
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
-__all__ = ["LineIndentation", "LineSolution"]
+__all__ = ["LayeredLineSolution", "LineIndentation", "LineSolution"]
 
 
 @value
@@ -36,8 +38,8 @@ class LineIndentation:
 
     Parameters
     ----------
-    bed : LineFoundation
-        Profile and bodies.
+    bed : LineFoundation or LayeredLineFoundation
+        Profile and bodies, homogeneous or layered.
     load : LineForce, HalfWidth or MeanPressure
         What is prescribed; its value may be an array, the results then have its shape.
 
@@ -64,7 +66,7 @@ class LineIndentation:
         load=("", None, "what is prescribed: a force per length, a half-width or a mean pressure"),
     )
 
-    bed: LineFoundation
+    bed: LineFoundation | LayeredLineFoundation
     load: LineForce | HalfWidth | MeanPressure
 
     references: ClassVar[tuple[str, ...]] = ("johnson_1985", "jaeger_1995")
@@ -98,7 +100,8 @@ class LineIndentation:
         else:
             half_width, force = under_force(bed, flat / modulus), flat
         refuse_unless_strips(bed, half_width)
-        return LineSolution(self, shaped(force, np.shape(given)), shaped(half_width, np.shape(given)))
+        kind = LayeredLineSolution if isinstance(bed, LayeredLineFoundation) else LineSolution
+        return kind(self, shaped(force, np.shape(given)), shaped(half_width, np.shape(given)))
 
 
 def _given(load: LineForce | HalfWidth | MeanPressure) -> Quantity:
@@ -181,9 +184,18 @@ class LineSolution(OfStrip):
         """
         force, a = one_of(index, self.force_per_length, self.half_width)
         given = type(self.problem.load)(float(np.asarray(_given(self.problem.load))[index]))
-        return LineSolution(LineIndentation(self.problem.bed, given), force, a)
+        return type(self)(LineIndentation(self.problem.bed, given), force, a)
 
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: assumptions, slopes, size of the body, yield."""
+        assert isinstance(self.problem.bed, LineFoundation)
         return line_contact_notes(self.problem.bed, self.force_per_length, self.half_width)
+
+
+@value
+class LayeredLineSolution(OnLayers, LineSolution):
+    """The solution of a `LineIndentation` on layers; every quantity has the shape of the load.
+
+    On a rigid base it has a `depth`; `layer_stresses` compares the layers.
+    """

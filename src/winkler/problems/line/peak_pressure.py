@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.foundation.line import LineFoundation
+from winkler.foundation.line_bed import LineBed
 from winkler.numerics.types import Curve
 
 __all__ = ["highest", "is_sharp", "peak_pressure", "rim_load"]
@@ -13,12 +13,12 @@ PRESSURE_SAMPLES = 65
 REFINEMENTS = 9
 
 
-def rim_load(bed: LineFoundation, force: float, half_width: float) -> float:
+def rim_load(bed: LineBed, force: float, half_width: float) -> float:
     """Return the load per length over E* that a rim bears beyond w(a) [m].
 
     Parameters
     ----------
-    bed : LineFoundation
+    bed : LineBed
     force : float
         P [N/m].
     half_width : float
@@ -29,12 +29,12 @@ def rim_load(bed: LineFoundation, force: float, half_width: float) -> float:
     return max(force / bed.medium.modulus - float(bed.load_profile(np.array([half_width]))[0]), 0.0)
 
 
-def is_sharp(bed: LineFoundation, half_width: float, rim_load: float) -> bool:
+def is_sharp(bed: LineBed, half_width: float, rim_load: float) -> bool:
     """Return whether the pressure is infinite at a sharp tip, a kink or a rim, or the tension at an edge.
 
     Parameters
     ----------
-    bed : LineFoundation
+    bed : LineBed
     half_width : float
         a [m].
     rim_load : float
@@ -44,12 +44,12 @@ def is_sharp(bed: LineFoundation, half_width: float, rim_load: float) -> bool:
     return rim_load != 0.0 or kinked or float(bed.slope(np.zeros(1))[0]) != 0.0
 
 
-def peak_pressure(bed: LineFoundation, force: float, half_width: float) -> float:
+def peak_pressure(bed: LineBed, force: float, half_width: float) -> float:
     """Return the greatest pressure [Pa]: infinite at a sharp tip, kink or rim, zero without contact.
 
     Parameters
     ----------
-    bed : LineFoundation
+    bed : LineBed
     force : float
         P [N/m].
     half_width : float

@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.foundation.line import LineFoundation
+from winkler.foundation.line_bed import LineBed
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace, HomogeneousMedium
 from winkler.numerics.types import Array
@@ -78,7 +78,7 @@ class LineContact(NamedTuple):
         Part of the pressure that acts [-]; zero for the traction alone.
     """
 
-    bed: LineFoundation
+    bed: LineBed
     half_width: float
     rim_load: float
     poisson: float

@@ -14,8 +14,6 @@ import numpy as np
 from winkler.checks.place_checks import common_places, finite_places
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.line import LineFoundation
-from winkler.foundation.zoned_line import ZonedBed
-from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.line.approach import approach
 from winkler.problems.line.references import Reference
@@ -130,19 +128,7 @@ class OfStrip(Stressed):
         away = np.abs(finite_places(f"{type(self).__name__}.separation", "x", x))
         if a >= bed.rim:
             raise OutsideValidity("The contact is pinned at the rim, beyond which the body has no surface.")
-        if a == 0.0 and not isinstance(bed, ZonedBed):
-            return np.asarray(bed.profile.height(away))
-        edges = [a, *(b for b, _ in bed.kinks if b > a)]
-
-        def opening(x: Array) -> Array:
-            return np.where(x > a, bed.opening(np.maximum(x, np.nextafter(a, np.inf)), a), 0.0)
-
-        beside = np.maximum(away, a)
-        if isinstance(bed, ZonedBed):
-            lifted = bed.pulled_apart(np.ravel(np.maximum(away, a))).reshape(away.shape)
-            return np.asarray(abel.integral(opening, edges, away) + np.where(away > a, lifted, 0.0))
-        pulled = 2.0 / np.pi * edge_load * np.log1p((beside - a + abel.root_difference(beside, a)) / a)
-        return np.asarray(abel.integral(opening, edges, away) - pulled)
+        return bed.separation(away, a, edge_load)
 
     def approach(self, first: float | Reference | None = None, second: float | Reference | None = None) -> float:
         """Return how far two points on the axis have come together under one load [m], one in each body.

@@ -6,21 +6,21 @@ import math
 
 import numpy as np
 
-from winkler.foundation.line import LineFoundation
+from winkler.foundation.line_bed import LineBed
 from winkler.problems.normal.validity import large_body_note, steepness_note
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["line_notes"]
+__all__ = ["line_notes", "shape_notes"]
 
 JAEGER = "J. Jaeger, Arch. Appl. Mech. 65 (1995) 478-487, doi:10.1007/BF00835661"
 
 
-def line_notes(bed: LineFoundation, half_width: float, *, sticking: bool = False) -> tuple[Note, ...]:
+def line_notes(bed: LineBed, half_width: float, *, sticking: bool = False) -> tuple[Note, ...]:
     """Return the notes of the widest of several line contacts.
 
     Parameters
     ----------
-    bed : LineFoundation
+    bed : LineBed
     half_width : float
         a [m].
     sticking : bool
@@ -33,6 +33,21 @@ def line_notes(bed: LineFoundation, half_width: float, *, sticking: bool = False
         "half-widths add up to the solution itself; the ends of a body of finite length are not included.",
         JAEGER,
     )
+    return shape_notes(bed, half_width, response, examined=not sticking)
+
+
+def shape_notes(bed: LineBed, half_width: float, response: Note, *, examined: bool = True) -> tuple[Note, ...]:
+    """Return what is stated of the shape of a line contact, after a note on how its bodies respond.
+
+    Parameters
+    ----------
+    bed : LineBed
+    half_width : float
+        a [m].
+    response : Note
+    examined : bool
+        Whether contacts that may part were examined when they were solved.
+    """
     if half_width == 0.0:
         apart = "The bodies do not touch under this load."
         return (*bed.notes, response, Note(Assumption.EQUILIBRIUM, Standing.EXACT, apart, "the load is zero"))
@@ -44,7 +59,7 @@ def line_notes(bed: LineFoundation, half_width: float, *, sticking: bool = False
     if half_width >= bed.rim:
         text = "The contact is pinned at the rim; the pressure is infinite there: a real edge yields or is rounded."
         notes.append(Note(Assumption.SHAPE, Standing.EXACT, text, "flat punch of Sadowsky"))
-    if not bed.profile.rising and not sticking:
+    if not bed.single and examined:
         notes.append(
             Note(
                 Assumption.SINGLE_CONTACT,

@@ -30,9 +30,9 @@ from winkler.problems.friction.slip_memory import SlipMemory
 from winkler.problems.friction.slip_sums import SlipSums
 from winkler.problems.line.half_width import grows, refuse_unless_strips
 from winkler.problems.line_friction.bulk import has_closed_form, lean_of, refuse_bulk
+from winkler.problems.line_friction.isotropic import refuse_unless_isotropic
 from winkler.problems.line_friction.march import LineMarch
 from winkler.problems.line_friction.marched_states import LineMarchedState, marched_state
-from winkler.problems.line_friction.isotropic import refuse_unless_isotropic
 from winkler.problems.line_friction.path import LinePath
 from winkler.problems.line_friction.slip_curve import slip_curve
 from winkler.problems.line_friction.slip_work import shift_of_memory, work_and_shift

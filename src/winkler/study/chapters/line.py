@@ -29,6 +29,20 @@ PRESSURE = Equation(
     "Flat punches of all half-widths c add up to the pressure",
     r"p(x) = \frac{E^*}{\pi}\int_{|x|}^a \frac{w'(c)}{\sqrt{c^2-x^2}}\,\mathrm{d}c",
 )
+LAYERED_RESPONSE = Equation(
+    "The stack answers a wave of the pressure with the compliance, in which M fades for waves shorter than the "
+    "uppermost layer is thick",
+    r"C(k) = \frac{2}{E^*k}\,(1+M(k))",
+)
+LAYERED_MODES = Equation(
+    "What the layers add to the pressure of a half-plane, the transform of which is E* G, are modes of the loads β",
+    r"p_n = \frac{E^*\beta_nT_{2n}(x/a)}{\pi\sqrt{a^2-x^2}}, \quad "
+    r"\beta_m + 4m\sum_n(-1)^{m+n}\beta_n\int_0^\infty\frac{M}{k}J_{2m}J_{2n}\,\mathrm{d}k = "
+    r"-4m(-1)^m\int_0^\infty\frac{M}{k}J_{2m}(ka)\,G\,\mathrm{d}k",
+)
+LAYERED_LOAD = Equation(
+    "where β₀ makes the pressure vanish at the edge; the force per length is", r"P = E^*\,(w(a)+\beta_0)"
+)
 POTENTIAL = Equation(
     "At ζ = x + iz below the surface their potential is",
     r"F(\zeta) = \frac{E^*}{\pi}\int_0^a \frac{w'(c)}{\sqrt{\zeta^2-c^2}}\,\mathrm{d}c",
@@ -82,6 +96,13 @@ SHAKEDOWN = Equation(
 )
 
 
+def line_formulas(problem: Any) -> tuple[Equation, ...]:
+    """Return the formulas of a line contact on the bodies of a problem."""
+    if is_a(problem.bed, "winkler.foundation.layered_line:LayeredLineFoundation"):
+        return (MODULUS, LOAD_PROFILE, LAYERED_RESPONSE, LAYERED_MODES, LAYERED_LOAD)
+    return (MODULUS, LOAD_PROFILE, LOAD, PRESSURE)
+
+
 def line_adhesion_formulas(problem: Any) -> tuple[Equation, ...]:
     """Return the formulas of a strip that sticks under the law of a problem."""
     law = (RANGED, RANGE_END) if is_a(problem.law, "winkler.laws.adhesion:Dugdale") else (STICKING, STRETCHED)
@@ -127,6 +148,14 @@ LINE = Chapter(
                 profile={"kind": "paraboloid"},
                 medium={"kind": "half_space"},
             ),
+            "layered_line_foundation": kind(
+                "winkler.foundation.layered_line:LayeredLineFoundation",
+                "meijers_1968",
+                "johnson_1985",
+                problem="line_indentation",
+                profile={"kind": "paraboloid"},
+                medium={"kind": "coated_half_space"},
+            ),
         },
     },
     answers={
@@ -136,10 +165,14 @@ LINE = Chapter(
             "jaeger_1995",
             headline=("peak_pressure", "half_width", "force_per_length", "mean_pressure"),
             bed=ROLLER,
-            picture=Caption("line", "The contact", "Pressure and shape; of many loads half-width and pressures."),
+            picture=Caption(
+                "line",
+                "The contact",
+                "Pressure and shape; of many loads half-width and pressures, and the depth of layers on a rigid base.",
+            ),
             curves=(("force_per_length", "half_width"), ("force_per_length", "peak_pressure")),
             pictured=PicturedContact.NONE,
-            formulas=(MODULUS, LOAD_PROFILE, LOAD, PRESSURE),
+            formulas=line_formulas,
         ),
         "roller_contact": answer(
             "winkler.problems.rollers.roller_contact:RollerContact",

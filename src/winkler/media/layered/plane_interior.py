@@ -1,0 +1,114 @@
+r"""Stresses below a line contact on layers, in plane strain, by Fourier integrals.
+
+For each wave number the plane wave :math:`\hat p\cos kx` decays through the layers as the round one
+:math:`\hat p\,J_0(kr)` does (`winkler.media.layered.layers`), with :math:`\cos kx, \sin kx` in the places of
+:math:`J_0, J_1`:
+
+.. math:: \sigma_z = \frac1\pi\int S\,\hat p\cos kx\,\mathrm dk , \quad
+          \tau_{xz} = \frac1\pi\int T\,\hat p\sin kx\,\mathrm dk , \quad
+          \sigma_x = \frac1\pi\int\frac{2G\,kU + \nu S}{1-\nu}\,\hat p\cos kx\,\mathrm dk ,
+          \quad \sigma_y = \nu(\sigma_x+\sigma_z) .
+
+In the uppermost layer they are what the interfaces add to the field of a half-plane.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.errors import OutsideValidity
+from winkler.materials.elastic import Elastic
+from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.media.layered.coated_interior import WaveState, wave_states
+from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, wave_numbers
+from winkler.numerics.types import Array
+
+__all__ = ["PlaneWaves", "added_stresses", "plane_waves"]
+
+FIRST_WAVE_NUMBER = 0.1
+"""First panel of wave numbers, in units of 1 / span."""
+LARGEST_PHASE = 12.0
+MOST_WAVES = 200_000
+PAIRS_PER_CHUNK = 1_000_000
+
+
+class PlaneWaves(NamedTuple):
+    """Wave numbers k [1/m], and quadrature weights times the transform of the pressure over pi."""
+
+    k: Array
+    weights: Array
+
+
+def plane_waves(
+    medium: CoatedHalfSpace, half_width: float, farthest: float, transform: Callable[[Array], Array]
+) -> PlaneWaves:
+    """Return the pressure of a strip as waves, for places up to a distance from the middle.
+
+    Parameters
+    ----------
+    medium : CoatedHalfSpace
+    half_width, farthest : float
+        [m].
+    transform
+        Of the pressure: takes wave numbers [1/m], returns [N/m].
+
+    Raises
+    ------
+    OutsideValidity
+        If too many waves are needed.
+    """
+    response = medium.response
+    end, widest = 2.0 * DECAY_SPAN / response.length, LARGEST_PHASE / (half_width + farthest)
+    if 24.0 * end / widest > MOST_WAVES:
+        raise OutsideValidity(
+            f"Stresses at x = {farthest:.6g} m below a strip of the half-width {half_width:.6g} m would need too many "
+            f"waves on an uppermost layer of {response.length:.6g} m; request places nearer to it."
+        )
+    k, weights = wave_numbers(FIRST_WAVE_NUMBER / response.span, widest, end)
+    return PlaneWaves(k, weights * transform(k) / np.pi)
+
+
+def added_stresses(medium: CoatedHalfSpace, waves: PlaneWaves, x: Array, z: Array) -> Array:
+    """Return sigma_x, sigma_y, sigma_z and tau_xz [Pa] ``(4, m)``, in the uppermost layer without the half-plane's.
+
+    Parameters
+    ----------
+    medium : CoatedHalfSpace
+    waves : PlaneWaves
+    x, z : ndarray, (m,)
+        Places [m]; a point on an interface belongs to the upper layer.
+
+    Raises
+    ------
+    OutsideValidity
+        If a point lies in a rigid base.
+    """
+    bottoms = np.cumsum([layer.thickness for layer in medium.layers])
+    if not isinstance(medium.on, Elastic) and np.any(z > bottoms[-1]):
+        raise OutsideValidity(
+            f"z = {np.max(z):.6g} m lies in the rigid base below {bottoms[-1]:.6g} m of layers; request places in them."
+        )
+    result = np.zeros((4, x.size))
+    for depth, state, end in wave_states(medium.layers, medium.on, bottoms, np.unique(z), waves.k):
+        (members,) = np.nonzero(z == depth)
+        result[:, members] = _superposed(state, PlaneWaves(waves.k[:end], waves.weights[:end]), x[members])
+    return result
+
+
+def _superposed(state: WaveState, waves: PlaneWaves, x: Array) -> Array:
+    end, poisson = waves.k.size, state.solid.poisson
+    strain = 2.0 * state.solid.shear * state.moved[:end, 0] * waves.weights
+    shear, axial = state.loaded[:end, 0] * waves.weights, state.loaded[:end, 1] * waves.weights
+    along = (strain + poisson * axial) / (1.0 - poisson)
+    even = np.stack([along, poisson * (along + axial), axial])
+    result = np.empty((4, x.size))
+    step = max(1, PAIRS_PER_CHUNK // max(end, 1))
+    for start in range(0, x.size, step):
+        part = slice(start, start + step)
+        phase = np.outer(waves.k, x[part])
+        result[:3, part] = even @ np.cos(phase)
+        result[3, part] = shear @ np.sin(phase)
+    return result

@@ -1,0 +1,146 @@
+r"""The depth of a line contact on layers, where it has one: the layers lie on a rigid base; elsewhere the approach.
+
+Averaged over the strip with the weight of a flat punch's pressure, the surface sinks by
+
+.. math:: \delta = \bar f + \frac2\pi\int_0^\infty\Big[(1+M)\,J_0(ka) - \tfrac12E^*kU(k)\Big]\frac{\hat p}{E^*k}\,
+          \mathrm dk ,
+
+where :math:`U\,\hat p\cos kx` are the displacements of the points against which it is counted.  On a rigid base under a
+rigid body U is zero and :math:`1+M\propto k` for long waves.  With
+
+.. math:: \int_0^\infty\frac{1-e^{-kL}}k J_0^2(ka)\,\mathrm dk
+          = \frac1\pi\int_0^\pi\ln\frac{L+\sqrt{L^2+4a^2\sin^2(\theta/2)}}a\,\mathrm d\theta , \qquad
+          \int_0^\infty J_0J_{2n}\frac{\mathrm dk}k = 0
+
+what is left dies out like :math:`e^{-2kh}`.
+"""
+
+from __future__ import annotations
+
+import math
+from numbers import Real
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.layered_line import LayeredLineFoundation
+from winkler.foundation.strip_waves import averages
+from winkler.materials.elastic import Elastic
+from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.media.layered.coated_interior import wave_states
+from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, wave_numbers
+from winkler.numerics.types import Array
+from winkler.problems.line.references import PlateBase, Reference, RollerCentre
+
+__all__ = ["has_depth", "layered_approach"]
+
+FIRST_WAVE_NUMBER, LARGEST_PHASE = 0.1, 12.0
+POINTS, POINTS_PER_RATIO = 64, 48
+WIDEST = 0.2
+"""Greatest half-width over the size of a finite body."""
+
+
+def has_depth(medium: CoatedHalfSpace) -> bool:
+    """Return whether the layers lie on a rigid base under a rigid body, so that a depth needs no reference."""
+    return not isinstance(medium.on, Elastic) and not isinstance(medium.second, Elastic)
+
+
+def layered_approach(
+    bed: LayeredLineFoundation,
+    half_width: float,
+    rim_load: float,
+    first: float | Reference | None,
+    second: float | Reference | None,
+) -> float:
+    """Return how far two points on the axis have come together [m], one in each body.
+
+    Parameters
+    ----------
+    bed : LayeredLineFoundation
+    half_width, rim_load : float
+        As of `LayeredLineFoundation.pressure`.
+    first : float or None
+        Depth [m] of the point in the body that carries the layers; on a rigid base it is not used.
+    second : float, RollerCentre, PlateBase or None
+        Depth [m] of the point in the other body, or a finite body; of a rigid one it is not used.
+    """
+    medium = bed.medium
+    below = _first_depth(medium, first) if isinstance(medium.on, Elastic) else math.inf
+    above, added = _second_depth(medium, second, half_width) if isinstance(medium.second, Elastic) else (math.inf, 0.0)
+    if half_width == 0.0:
+        return 0.0
+    carried, response = bed.carried(half_width, rim_load), medium.response
+    shortest = min(response.length, above)
+    k, weights = wave_numbers(
+        FIRST_WAVE_NUMBER / max([response.span, *(depth for depth in (below, above) if depth < math.inf)]),
+        LARGEST_PHASE / (2.0 * half_width),
+        2.0 * DECAY_SPAN / shortest,
+    )
+    from scipy.special import j0
+
+    flat, pressed = j0(k * half_width), bed.transform(k, carried)
+    load = float(bed.load_profile(np.array([half_width]))[0]) + rim_load
+    surface = response.excess(k) * pressed * flat + np.exp(-2.0 * k * shortest) * load * flat**2
+    references = 0.5 * medium.modulus * pressed * (_moved_first(medium, k, below) + _moved_second(medium, k, above))
+    waves = float(weights @ ((surface - references) / k))
+    mean = float(averages(bed.half_plane, np.array([half_width]))[0])
+    return mean + 2.0 / math.pi * (load * (_logarithm(2.0 * shortest / half_width)) + waves) + load * added
+
+
+def _logarithm(ratio: float) -> float:
+    """Return the integral of (1 - exp(-k L)) J_0(ka)^2 / k, from L/a."""
+    count = POINTS + math.ceil(POINTS_PER_RATIO / ratio)
+    angle = math.pi * (np.arange(count) + 0.5) / count
+    return float(np.mean(np.log(ratio + np.hypot(ratio, 2.0 * np.sin(0.5 * angle)))))
+
+
+def _first_depth(medium: CoatedHalfSpace, place: float | Reference | None) -> float:
+    if not isinstance(place, Real) or not medium.thickness <= place < math.inf:
+        raise InvalidInput(
+            "A line contact on layers has no depth of its own unless a rigid base carries them: give the depth below "
+            "the first body's surface against which it is counted, finite and at least the "
+            f"{medium.thickness:.6g} m of the layers."
+        )
+    return float(place)
+
+
+def _second_depth(medium: CoatedHalfSpace, place: float | Reference | None, half_width: float) -> tuple[float, float]:
+    """Return the depth in the second body [m], and what its finite size adds over the load per E*."""
+    body = medium.second
+    assert isinstance(body, Elastic)
+    finite = place if isinstance(place, RollerCentre | PlateBase) else None
+    depth = finite.depth if finite is not None else place
+    if not isinstance(depth, Real) or not 0.0 < depth < math.inf:
+        raise InvalidInput(
+            "A line contact has no depth of its own, because the surface of a half-plane sinks without bound: give the "
+            "depth below the second body's surface, positive and finite, against which it is counted, "
+            "RollerCentre(radius) or PlateBase(thickness)."
+        )
+    if finite is None:
+        return float(depth), 0.0
+    if half_width > WIDEST * depth:
+        raise OutsideValidity(
+            f"The half-width {half_width:.6g} m is more than {WIDEST:g} of the second body's radius or thickness "
+            f"{depth:.6g} m, which must be large against it; press less, or give a depth."
+        )
+    share = medium.modulus * (1.0 - body.poisson**2) / (math.pi * body.young)
+    return float(depth), share * finite.added(body.poisson)
+
+
+def _moved_first(medium: CoatedHalfSpace, k: Array, depth: float) -> Array:
+    """Return displacements times k per pressure of 1 [1/Pa] in the body under the layers."""
+    moved = np.zeros(k.size)
+    if depth < math.inf:
+        bottoms = np.cumsum([layer.thickness for layer in medium.layers])
+        at = np.array([np.nextafter(max(depth, float(bottoms[-1])), math.inf)])
+        for _, state, end in wave_states(medium.layers, medium.on, bottoms, at, k):
+            moved[:end] = state.moved[:end, 1]
+    return moved
+
+
+def _moved_second(medium: CoatedHalfSpace, k: Array, depth: float) -> Array:
+    """Return the same of the second body, a half-plane."""
+    body = medium.second
+    if depth == math.inf or not isinstance(body, Elastic):
+        return np.zeros(k.size)
+    return (1.0 + body.poisson) / body.young * (2.0 * (1.0 - body.poisson) + k * depth) * np.exp(-k * depth)

@@ -1,0 +1,88 @@
+"""What is stated of a line contact on layers."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.foundation.layered_line import LayeredLineFoundation
+from winkler.problems.assumptions.film import film_note
+from winkler.problems.line.layered_approach import has_depth, layered_approach
+from winkler.problems.line.layered_stress import layered_fields
+from winkler.problems.line.peak_pressure import is_sharp
+from winkler.problems.line.strip import Strip
+from winkler.problems.line.validity import shape_notes
+from winkler.problems.normal.strong_parts import StrongPart, strong_parts
+from winkler.problems.normal.unknown_yield import MISES
+from winkler.problems.normal.yield_statement import share_of
+from winkler.validity import Assumption, Note, Standing
+
+__all__ = ["layered_notes"]
+
+WAVES = "P. Meijers, Appl. Sci. Res. 18 (1968) 353-383, doi:10.1007/BF00382359; K. L. Johnson (1985) sec. 5.8"
+PLACES, DEPTHS = 33, 25
+DEEPEST = 4.0
+"""How deep the greatest stress is sought, over the half-width and the depth of a part."""
+NEAR = 0.05
+"""Distance from a sharp place at which the stress is read, over the half-width."""
+
+
+def layered_notes(bed: LayeredLineFoundation, half_width: float, rim_load: float) -> tuple[Note, ...]:
+    """Return the notes of the widest of several line contacts on layers.
+
+    Parameters
+    ----------
+    bed : LayeredLineFoundation
+    half_width : float
+        a [m].
+    rim_load : float
+        Load per length over E* that a rim bears [m].
+    """
+    response = Note(
+        Assumption.RESPONSE,
+        Standing.EXACT,
+        "Perfectly bonded, isotropic, linear elastic layers in plane strain, pressed without friction: the Fourier "
+        "response of the stack, solved in Chebyshev modes; the ends of a body of finite length are not included.",
+        WAVES,
+    )
+    notes = shape_notes(bed, half_width, response)
+    if half_width > 0.0 and has_depth(bed.medium):
+        strain = layered_approach(bed, half_width, rim_load, None, None) / bed.medium.thickness
+        notes = (*notes, film_note(strain, strain))
+    return (*notes, *_yield_notes(bed, half_width, rim_load))
+
+
+def _yield_notes(bed: LayeredLineFoundation, half_width: float, rim_load: float) -> tuple[Note, ...]:
+    parts = strong_parts(bed.medium)
+    if half_width == 0.0 or not parts:
+        return ()
+    sharp = is_sharp(bed, half_width, rim_load)
+    found = [(_greatest(bed, Strip(half_width, rim_load), part, sharp), part) for part in parts]
+    (level, x, z), part = max(found, key=lambda one: one[0][0] / one[1].solid.strength)
+    share = level / part.solid.strength
+    place = f"{share_of(share, part)}, at x = {x:.3g} m, z = {z if part.first else -z:.3g} m"
+    if share >= 1.0:
+        text = f"By von Mises' criterion yielding has begun: the elastic stress reaches {place}; it is not elastic."
+        return (Note(Assumption.ELASTIC, Standing.OUTSIDE, text, MISES),)
+    if sharp:
+        text = f"The stress is infinite at a sharp tip, kink or rim, which yields; away from there it is {place}."
+    else:
+        text = f"By von Mises' criterion the contact stays elastic: its greatest stress, sampled, is {place}."
+    return (Note(Assumption.ELASTIC, Standing.APPROXIMATE, text, MISES),)
+
+
+def _greatest(bed: LayeredLineFoundation, strip: Strip, part: StrongPart, sharp: bool) -> tuple[float, float, float]:
+    """Return the greatest von Mises stress of a part at sampled places, and its place."""
+    a = strip.half_width
+    x = 2.0 * a * np.linspace(0.0, 1.0, PLACES)
+    bottom = min(part.bottom, part.top + DEEPEST * (a + part.top))
+    z = part.top + (bottom - part.top) * np.linspace(0.0, 1.0, DEPTHS) ** 2
+    if part.top > 0.0:
+        z[0] = np.nextafter(part.top, math.inf)
+    elif sharp:
+        z = np.maximum(z, min(NEAR * a, 0.5 * bottom))
+    signed = z if part.first else -z
+    level = layered_fields(bed, strip, x[:, None], signed[None, :], part.first).von_mises
+    i, j = np.unravel_index(int(np.argmax(level)), level.shape)
+    return float(level[i, j]), float(x[i]), float(z[j])

@@ -1,0 +1,142 @@
+"""One strip of contact on layers: its depth or approach, the stresses in the layers, and what is stated of it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.layered_line import LayeredLineFoundation
+from winkler.numerics.types import ArrayLike, Quantity, shaped
+from winkler.problems.line.greatest_stress import Placed
+from winkler.problems.line.layered_approach import has_depth, layered_approach
+from winkler.problems.line.layered_notes import layered_notes
+from winkler.problems.line.layered_stress import LayerStress, layer_stresses, layered_fields, refuse_friction
+from winkler.problems.line.peak_pressure import is_sharp, rim_load
+from winkler.problems.line.references import Reference
+from winkler.problems.line.stress import LineFields
+from winkler.problems.line.strip import OfStrip, Strip
+from winkler.problems.which_body import in_first_body
+from winkler.validity import Note
+
+__all__ = ["OnLayers"]
+
+
+class OnLayers(OfStrip):
+    """The part of a solution that a layered body determines."""
+
+    force_per_length: Quantity
+    half_width: Quantity
+
+    @property
+    def depth(self) -> Quantity:
+        """How far a rigid body sinks into layers on a rigid base [m]; elsewhere a line contact has no depth."""
+        bed = self.problem.bed
+        if not has_depth(bed.medium):
+            raise OutsideValidity(
+                "A line contact has a depth only where a rigid base carries the layers under a rigid body; request "
+                "approach(first, second), which is counted from stated places."
+            )
+        pairs = zip(np.ravel(self.force_per_length), np.ravel(self.half_width), strict=True)
+        depths = [_depth(bed, float(p), float(a)) for p, a in pairs]
+        return shaped(np.array(depths), np.shape(self.half_width))
+
+    def approach(self, first: float | Reference | None = None, second: float | Reference | None = None) -> float:
+        """Return how far two points on the axis have come together under one load [m], one in each body.
+
+        Parameters
+        ----------
+        first : float, optional
+            Depth of the point in the body under the layers [m], counted from the surface; not needed where it is rigid.
+        second : float, RollerCentre or PlateBase, optional
+            Depth of the point in the other body [m], or a finite body; not needed where it is rigid.
+
+        Raises
+        ------
+        InvalidInput
+            If a reference is missing or lies in the layers; or if there are many loads.
+        OutsideValidity
+            If the strip is wider than a fifth of a finite body.
+        """
+        a, edge_load = self._strip("approach")
+        return layered_approach(self.problem.bed, a, edge_load, first, second)
+
+    def stresses(self, x: ArrayLike, z: ArrayLike, friction: float = 0.0) -> LineFields:
+        """Return the stresses below the surface under one load, in the layers and what carries them.
+
+        Parameters
+        ----------
+        x : array_like
+            Places along the surface [m].
+        z : array_like
+            Depths [m]: not negative in the layered body, negative in the other, of which -0.0 is the surface.
+            All in one of them.  A place on an interface belongs to the upper layer.
+        friction : float
+            Zero: what a strip that slides on layers does to them is not known here.
+
+        Raises
+        ------
+        InvalidInput
+            If the solution has more than one load, or the depths lie in both bodies.
+        OutsideValidity
+            If there is no contact, a place lies in a rigid body, or friction is not zero.
+        """
+        refuse_friction(friction)
+        contact = self._touching("stresses")
+        depth = np.asarray(z, dtype=float)
+        below = in_first_body(depth, type(self).__name__)
+        return layered_fields(self.problem.bed, contact, np.asarray(x, dtype=float), depth, below)
+
+    def layer_stresses(self) -> tuple[LayerStress, ...]:
+        """Return the greatest stresses of each layer under one load, and of the body under them if it is elastic.
+
+        Raises
+        ------
+        InvalidInput
+            If the solution has more than one load.
+        OutsideValidity
+            If there is no contact, or the stress is infinite below a sharp tip, kink or rim.
+        """
+        contact = self._touching("layer_stresses")
+        if is_sharp(self.problem.bed, *contact):
+            raise OutsideValidity(
+                "The stress below a sharp tip, kink or rim is infinite; round it off, or request places with stresses."
+            )
+        return layer_stresses(self.problem.bed, contact)
+
+    def greatest_stress(self, friction: float = 0.0, *, below: bool = True) -> Placed:
+        """Return the greatest von Mises stress [Pa] of the layered body under one load, and its place x, z [m].
+
+        Parameters
+        ----------
+        friction : float
+            Zero, as of `stresses`.
+        below : bool
+            In the layered body; that of the other one is not sought.
+
+        Raises
+        ------
+        InvalidInput, OutsideValidity
+            As of `layer_stresses`.
+        """
+        refuse_friction(friction)
+        if not below:
+            raise InvalidInput("The greatest stress is sought in the layered body only: leave below at True.")
+        worst = max(self.layer_stresses(), key=lambda one: one.von_mises)
+        return Placed(worst.von_mises, worst.x, worst.z)
+
+    def _touching(self, requested: str) -> Strip:
+        strip = self._strip(requested)
+        if strip.half_width == 0.0:
+            raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
+        return strip
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted: assumptions, slopes, size of the body, yield."""
+        widest = int(np.argmax(self.force_per_length))
+        force, a = (float(np.ravel(part)[widest]) for part in (self.force_per_length, self.half_width))
+        return layered_notes(self.problem.bed, a, rim_load(self.problem.bed, force, a))
+
+
+def _depth(bed: LayeredLineFoundation, force: float, half_width: float) -> float:
+    return layered_approach(bed, half_width, rim_load(bed, force, half_width), None, None)

@@ -1,0 +1,219 @@
+"""Line contacts on layers: homogeneous and thin limits, an independent discretisation, stresses, refusals."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.integrate import quad
+
+import winkler as wk
+from winkler.numerics.transforms.strip_modes import bessel_rows
+from winkler.problems.line.stress import LineFields
+
+CYLINDER = wk.Paraboloid(1.0)
+ROUNDED = wk.RoundedPunch(0.4, 1.0)
+WEDGE = wk.Cone(np.radians(80.0))
+SOLID = wk.Elastic(0.91, 0.3)
+
+
+def strip(poisson=0.3, thickness=1.0, profile=CYLINDER):
+    """A strip of E* = 1 bonded to a rigid base."""
+    layer = wk.Layer(wk.Elastic(1.0 - poisson**2, poisson), thickness)
+    return wk.LayeredLineFoundation(profile, wk.CoatedHalfSpace([layer], on=wk.Rigid()))
+
+
+def coated(profile=CYLINDER, layer=SOLID, base=SOLID, second=None, thickness=1.0):
+    medium = wk.CoatedHalfSpace([wk.Layer(layer, thickness)], base, second or wk.Rigid())
+    return wk.LayeredLineFoundation(profile, medium)
+
+
+def of_width(bed, half_width):
+    return wk.LineIndentation(bed, wk.HalfWidth(half_width)).solve()
+
+
+def parts(fields: LineFields):
+    return np.array([fields.xx_stress, fields.yy_stress, fields.zz_stress, fields.xz_stress])
+
+
+@pytest.mark.parametrize("count", [1, 2, 30, 120])
+def test_even_bessel_functions(count):
+    from scipy.special import jv
+
+    places = np.concatenate([[0.0], np.geomspace(1e-9, 400.0, 40), [2.0 * count - 2.0]])
+    expected = np.array([jv(2 * n, places) for n in range(count)])
+    np.testing.assert_allclose(bessel_rows(places, count), expected, rtol=0.0, atol=2e-14)
+
+
+@pytest.mark.parametrize("profile", [CYLINDER, ROUNDED, WEDGE, wk.PowerLaw(1.5, 1.0)])
+def test_layers_of_one_solid_are_a_half_plane(profile):
+    second = wk.Elastic(3.0, 0.2)
+    layered = of_width(coated(profile, second=second), 1.0)
+    plain = of_width(wk.LineFoundation(profile, wk.HalfSpace(SOLID, second)), 1.0)
+    x = np.array([0.05, 0.5, 0.9, 1.0, 1.3, 4.0])
+    assert layered.force_per_length == pytest.approx(plain.force_per_length, rel=1e-13)
+    np.testing.assert_allclose(layered.pressure(x), plain.pressure(x), rtol=1e-11, atol=1e-15)
+    np.testing.assert_allclose(layered.separation(x), plain.separation(x), rtol=1e-10, atol=1e-13)
+    places = np.array([0.1, 0.5, 1.2, 0.3]), np.array([0.0, 0.5, 0.9, 2.5])
+    np.testing.assert_allclose(parts(layered.stresses(*places)), parts(plain.stresses(*places)), atol=1e-12)
+    above = places[0], -places[1]
+    np.testing.assert_allclose(parts(layered.stresses(*above)), parts(plain.stresses(*above)), atol=1e-12)
+    if profile is CYLINDER:
+        assert layered.approach(first=5.0, second=2.0) == pytest.approx(plain.approach(5.0, 2.0), rel=1e-11)
+
+
+@pytest.mark.parametrize("half_width", [0.03, 0.3, 1.0, 3.0, 20.0])
+@pytest.mark.parametrize("poisson", [0.0, 0.3, 0.5])
+def test_a_force_leads_back_to_its_half_width_and_grows_by_flat_punches(poisson, half_width):
+    """The derivative of the load comes from the edge of a flat punch, and is that of the load."""
+    bed = strip(poisson)
+    contact = of_width(bed, half_width)
+    back = wk.LineIndentation(bed, wk.LineForce(contact.force_per_length)).solve()
+    assert back.half_width == pytest.approx(half_width, rel=1e-11)
+    steps = half_width * (1.0 + 1e-3 * np.array([-2.0, -1.0, 1.0, 2.0]))
+    slope = bed.load_profile(steps) @ np.array([1.0, -8.0, 8.0, -1.0]) / (12e-3 * half_width)
+    assert float(bed.load_profile_slope(np.array([half_width]))[0]) == pytest.approx(slope, rel=1e-8)
+
+
+def collocated(poisson, half_width, count):
+    """Load of a cylinder on a strip of the thickness 1, after Erdogan and Gupta: zeros of U_n and of T_(n+1)."""
+    kappa = 3.0 - 4.0 * poisson
+    step = 0.25 / (1.0 + half_width)
+    k = (np.arange(int(22.0 / step))[:, None] + 0.5 * (np.polynomial.legendre.leggauss(12)[0] + 1.0)).ravel() * step
+    weights = np.tile(0.5 * step * np.polynomial.legendre.leggauss(12)[1], k.size // 12)
+    below = 2.0 * kappa * np.cosh(2.0 * k) + 1.0 + kappa**2 + 4.0 * k * k
+    excess = (2.0 * kappa * np.sinh(2.0 * k) - 4.0 * k) / below - 1.0
+    angle = np.pi * np.arange(1, count + 1) / (count + 1)
+    s, shares = half_width * np.cos(angle), half_width * np.pi * np.sin(angle) ** 2 / (count + 1)
+    x = half_width * np.cos(np.pi * (np.arange(1, count + 2) - 0.5) / (count + 1))
+    sines, cosines = np.sin(np.outer(x, k)), np.cos(np.outer(x, k))
+    smooth = (sines * excess * weights) @ np.cos(np.outer(k, s)) - (cosines * excess * weights) @ np.sin(np.outer(k, s))
+    kernel = (1.0 / (x[:, None] - s) + smooth) * shares
+    return float(shares @ np.linalg.lstsq(kernel, 0.5 * np.pi * x, rcond=None)[0])
+
+
+@pytest.mark.parametrize("poisson", [0.2, 0.45, 0.5])
+@pytest.mark.parametrize("half_width", [0.2, 1.5, 6.0])
+def test_a_cylinder_by_another_discretisation(poisson, half_width):
+    """Collocation on the closed compliance of a bonded layer (Johnson 1985, section 5.8)."""
+    expected = collocated(poisson, half_width, 60)
+    assert of_width(strip(poisson), half_width).force_per_length == pytest.approx(expected, rel=1e-11)
+
+
+@pytest.mark.parametrize("ratio", [30.0, 100.0])
+def test_thin_compressible_strip(ratio):
+    """Johnson 1985, section 5.8: p = M_c (a^2 - x^2)/(2 R h), depth a^2/(2 R), as the strip becomes thin."""
+    contact = of_width(strip(0.3), ratio)
+    confined = 0.7 / (1.3 * 0.4) * 0.91
+    assert contact.force_per_length == pytest.approx(2.0 / 3.0 * confined * ratio**3, rel=0.4 / ratio)
+    assert contact.depth == pytest.approx(0.5 * ratio**2, rel=0.3 / ratio)
+    assert contact.peak_pressure == pytest.approx(0.5 * confined * ratio**2, rel=0.3 / ratio)
+
+
+@pytest.mark.parametrize("ratio", [30.0, 100.0])
+def test_thin_incompressible_strip(ratio):
+    """Johnson 1985, section 5.8: p = G (a^2 - x^2)^2/(8 R h^3), depth a^2/(6 R), as the strip becomes thin."""
+    contact = of_width(strip(0.5), ratio)
+    shear = 0.75 / 3.0
+    assert contact.peak_pressure == pytest.approx(shear * ratio**4 / 8.0, rel=7.0 / ratio)
+    assert contact.force_per_length == pytest.approx(shear / 8.0 * ratio**5 * 16.0 / 15.0, rel=9.0 / ratio)
+    assert contact.depth == pytest.approx(ratio**2 / 6.0, rel=4.0 / ratio)
+
+
+@pytest.mark.parametrize("profile", [ROUNDED, WEDGE])
+def test_pressure_bears_the_load_and_surfaces_part(profile):
+    contact = of_width(strip(0.45, profile=profile), 1.0)
+
+    def share(t):
+        return float(contact.pressure(np.array(np.sin(t)))) * np.cos(t)
+
+    borne = 2.0 * quad(share, 0.0, 0.5 * np.pi, points=[np.arcsin(0.4)], limit=200, epsabs=1e-13)[0]
+    assert borne == pytest.approx(contact.force_per_length, rel=1e-9)
+    assert np.all(np.diff(contact.separation(np.linspace(1.0, 8.0, 40))) > 0.0)
+
+
+def test_a_flat_punch_is_pinned_and_deeper_by_its_load():
+    bed = strip(0.3, profile=wk.FlatPunch(1.0))
+    contacts = wk.LineIndentation(bed, wk.LineForce(np.array([1.0, 2.0]))).solve()
+    np.testing.assert_allclose(contacts.half_width, 1.0)
+    assert contacts.depth[1] == pytest.approx(2.0 * contacts.depth[0], rel=1e-13)
+    assert np.isinf(contacts.peak_pressure).all()
+
+
+def test_depth_grows_by_the_load_over_the_stiffness_of_a_flat_punch():
+    """dP = k(a) d delta: the growing contact adds flat punches."""
+    step = 1e-3
+    near = [of_width(strip(0.3), 1.0 + s * step) for s in (-1, 1)]
+    punch = wk.LineIndentation(strip(0.3, profile=wk.FlatPunch(1.0)), wk.LineForce(1.0)).solve()
+    risen = near[1].force_per_length - near[0].force_per_length
+    assert near[1].depth - near[0].depth == pytest.approx(risen * punch.depth, rel=1e-6)
+
+
+def test_stresses_are_in_equilibrium_and_continuous():
+    contact = of_width(coated(layer=wk.Elastic(3.0, 0.25)), 1.2)
+    step = 1e-4
+    place = np.array([0.7 + step, 0.7 - step, 0.7, 0.7]), np.array([0.6, 0.6, 0.6 + step, 0.6 - step])
+    xx, _, zz, xz = parts(contact.stresses(*place))
+    assert xx[0] - xx[1] + xz[2] - xz[3] == pytest.approx(0.0, abs=1e-9)
+    assert xz[0] - xz[1] + zz[2] - zz[3] == pytest.approx(0.0, abs=1e-9)
+    upper, lower = (parts(contact.stresses(0.4, z)) for z in (1.0, np.nextafter(1.0, 2.0)))
+    np.testing.assert_allclose(upper[2:], lower[2:], rtol=1e-12)
+    assert upper[0] != pytest.approx(lower[0], rel=0.1)
+    on_surface = parts(contact.stresses(np.array([0.5, 2.0]), np.zeros(2)))
+    np.testing.assert_allclose(on_surface[2], -contact.pressure(np.array([0.5, 2.0])), atol=1e-12)
+    np.testing.assert_allclose(on_surface[3], 0.0, atol=1e-12)
+
+
+def test_the_greatest_stresses_of_layers():
+    contact = of_width(coated(layer=wk.Elastic(3.0, 0.25)), 1.0)
+    first, base = contact.layer_stresses()
+    x, z = np.linspace(0.0, 2.0, 81), np.linspace(0.0, 1.0, 61)
+    sampled = contact.stresses(x[:, None], z[None, :]).von_mises
+    assert np.max(sampled) <= first.von_mises * (1.0 + 1e-9) <= 1.01 * np.max(sampled)
+    shear = np.abs(contact.stresses(x, np.full(x.shape, 1.0)).xz_stress)
+    assert np.max(shear) <= first.interface_shear * (1.0 + 1e-9) <= 1.01 * np.max(shear)
+    assert base.layer == 2
+    assert np.isnan(base.interface_shear)
+    assert contact.greatest_stress().value == max(first.von_mises, base.von_mises)
+
+
+def test_stacks_and_bodies_are_the_same_in_other_units():
+    for scale in (1e-6, 1e3):
+        own = wk.CoatedHalfSpace([wk.Layer(SOLID, scale), wk.Layer(wk.Elastic(4.0, 0.2), 0.5 * scale)], wk.Rigid())
+        contact = of_width(wk.LayeredLineFoundation(wk.Paraboloid(scale), own), scale)
+        one = wk.CoatedHalfSpace([wk.Layer(SOLID, 1.0), wk.Layer(wk.Elastic(4.0, 0.2), 0.5)], wk.Rigid())
+        unit = of_width(wk.LayeredLineFoundation(CYLINDER, one), 1.0)
+        assert contact.depth == pytest.approx(scale * unit.depth, rel=1e-12)
+        assert contact.force_per_length == pytest.approx(scale * unit.force_per_length, rel=1e-12)
+
+
+def test_what_is_refused():
+    bed = strip()
+    with pytest.raises(wk.InvalidInput, match=r"LineTangential: the bed is a LayeredLineFoundation; give LineFound"):
+        wk.LineTangential(bed, wk.Coulomb(0.1), wk.LinePath(1.0, [0.0, 0.01]))
+    with pytest.raises(wk.InvalidInput, match="layers go into a LayeredLineFoundation"):
+        wk.LineFoundation(CYLINDER, bed.medium)
+    with pytest.raises(wk.InvalidInput, match="homogeneous bodies go into a LineFoundation"):
+        wk.LayeredLineFoundation(CYLINDER, wk.HalfSpace(SOLID))
+    contact = of_width(bed, 1.0)
+    with pytest.raises(wk.OutsideValidity, match="slides on layers are not known"):
+        contact.stresses(0.0, 0.1, friction=0.1)
+    with pytest.raises(wk.OutsideValidity, match="lies in the rigid base"):
+        contact.stresses(0.0, 1.1)
+    with pytest.raises(wk.OutsideValidity, match="rigid"):
+        contact.stresses(0.0, -1.1)
+    on_soft = of_width(coated(), 1.0)
+    with pytest.raises(wk.OutsideValidity, match="only where a rigid base carries the layers"):
+        _ = on_soft.depth
+    with pytest.raises(wk.InvalidInput, match=r"at least the 1 m of the layers"):
+        on_soft.approach(first=0.5)
+    with pytest.raises(wk.OutsideValidity, match="as wide as the uppermost layer is thick"):
+        of_width(strip(thickness=1e-4), 1.0)
+    with pytest.raises(wk.OutsideValidity, match="infinite"):
+        of_width(strip(profile=WEDGE), 1.0).layer_stresses()
+
+
+def test_a_plate_on_a_soft_base_parts_or_is_one_strip():
+    """A flat punch with hardly rounded edges on a stiff plate: the middle would pull, which is found."""
+    plate = coated(wk.RoundedPunch(30.0, 1.0), wk.Elastic(1e4, 0.3), wk.Elastic(1.0, 0.3))
+    with pytest.raises(wk.OutsideValidity, match="parted into several"):
+        of_width(plate, 30.001)
