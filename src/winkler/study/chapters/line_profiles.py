@@ -97,6 +97,7 @@ LINE_PROFILES = Chapter(
             "winkler.problems.line.profile_contact:LineProfileContact",
             "polonsky_keer_1999",
             "johnson_1985",
+            headline=("peak_pressure", "contact_length", "strip_count", "mean_pressure", "tilt"),
             section={"kind": "cylinder_row"},
             load={"kind": "line_force", "force_per_length": "200 N/mm"},
             picture=Caption(

@@ -49,6 +49,7 @@ LINE_VISCOELASTIC = Chapter(
             "lee_radok_1960",
             "ting_1966",
             "jaeger_1995",
+            headline=("peak_pressure", "half_width", "force_per_length", "time"),
             bed=RELAXING,
             path={"kind": "line_force_path", **ON_AND_OFF},
             count=200,

@@ -46,6 +46,7 @@ LINE_WEAR = Chapter(
             "winkler.problems.wear.line_fretting:LineFrettingWear",
             "archard_1953",
             "ciavarella_hills_1999",
+            headline=("worn_depth", "worn_volume_per_length", "stick_half_width", "cycles"),
             bed=STEEL_ON_STEEL,
             normal=PRESSED,
             amplitude=SWING,
@@ -64,6 +65,7 @@ LINE_WEAR = Chapter(
         "line_sliding_wear": answer(
             "winkler.problems.wear.line_sliding:LineSlidingWear",
             "archard_1953",
+            headline=("worn_depth", "worn_volume_per_length", "mean_pressure", "distance"),
             bed=STEEL_ON_STEEL,
             normal=PRESSED,
             distance=["0 m", "0.1 m", "0.3 m", "1 m"],
@@ -86,6 +88,7 @@ LINE_WEAR = Chapter(
             "winkler.problems.wear.line_limiting_profile:LineLimitingProfile",
             "ciavarella_hills_1999",
             "popov_2014",
+            headline=("worn_depth", "worn_volume_per_length", "stick_half_width"),
             bed=STEEL_ON_STEEL,
             normal=PRESSED,
             amplitude=SWING,
