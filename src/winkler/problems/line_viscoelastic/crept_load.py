@@ -14,6 +14,7 @@ import math
 
 import numpy as np
 
+from winkler.checks.number_checks import affordable
 from winkler.numerics.springs.exponential_sums import CreepSeries
 from winkler.numerics.types import Array
 
@@ -21,7 +22,7 @@ __all__ = ["CreptLoad", "Spacing"]
 
 INTERPOLATED = 4
 """Places for each moment, between which the spacing is inverted."""
-MOST_MOMENTS = 200_000
+MOST_MOMENTS = 2_000_000
 """Moments of one straight part of the path."""
 
 
@@ -61,7 +62,13 @@ class Spacing:
             return np.asarray(number)
 
         whole = float(passed(np.array([duration]))[0])
-        number = int(min(math.ceil(whole), MOST_MOMENTS))
+        number = math.ceil(whole)
+        affordable(
+            "LineViscoelasticIndentation",
+            "moments of one step, which a greater tolerance makes fewer,",
+            number,
+            MOST_MOMENTS,
+        )
         if number <= 1:
             return np.array([duration])
         early = min(float(np.min(times)), duration) / number if times.size else duration
