@@ -245,7 +245,8 @@ def _refuse_far_crests(bed: LineFoundation, half_width: Array, beside: float) ->
         if rise < (1.0 - SUNK_ERROR) * sunk:
             raise OutsideValidity(
                 f"Beside a strip of the half-width {a:.6g} m the surfaces would overlap at {crest:.6g} m, at another "
-                "crest: they touch in several strips; give a smoother profile, or PeriodicIndentation for equal crests."
+                "crest: they touch in several strips; give a smoother profile, PeriodicIndentation for equal crests, "
+                "or LineProfileContact."
             )
 
 
@@ -264,7 +265,7 @@ def _refuse_unless_strip(bed: LineFoundation, half_width: float, beside: float) 
     if np.min(pressure) < -ROUNDING * np.max(np.abs(pressure)):
         raise OutsideValidity(
             f"A strip of the half-width {half_width:.6g} m would pull at {inside[np.argmin(pressure)]:.6g} m: the "
-            "contact has parted into several; press harder, or give a smoother profile."
+            "contact has parted into several; press harder, give a smoother profile, or take LineProfileContact."
         )
     outside = np.linspace(half_width, min(bed.reach, bed.rim, beside * half_width), SAMPLES)[1:-1]
     opened = np.cumsum(bed.opening(outside, half_width)) if half_width < outside[0] else np.zeros(1)
