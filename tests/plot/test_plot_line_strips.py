@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.plot.dispatch import sheet_of
+from winkler.plot import sheet_of
 
 UNIT = wk.HalfSpace(wk.Elastic(1.0, 0.0))
 

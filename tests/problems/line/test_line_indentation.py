@@ -219,7 +219,7 @@ def test_the_order_of_loads_and_no_load_do_not_matter():
         (wk.Cone(1.5), wk.MeanPressure(1e6), "sharp tip"),
         (wk.RoundedPunch(1e-3, RADIUS), wk.HalfWidth(0.5e-3), "flat up to 0.001 m"),
         (wk.FlatPunch(1e-3), wk.HalfWidth(2e-3), "beyond the rim"),
-        (wk.Wavy(1e-6, 1e-3), wk.LineForce(1e6), "press harder, or give a smoother profile"),
+        (wk.Wavy(1e-6, 1e-3), wk.LineForce(1e6), "press harder, give a smoother profile"),
         (wk.Wavy(1e-6, 1e-3), wk.LineForce(1e-3), "overlap at 0.001 m, at another crest"),
         (wk.Wavy(1e-6, 1e-3) + wk.Paraboloid(1e4), wk.LineForce(1e3), "overlap at 0.001 m, at another crest"),
         (wk.Measured(POINTS, 50.0 * POINTS**2), wk.LineForce(1e6), "reach of the profile"),

@@ -249,7 +249,8 @@ def _refuse_far_crests(bed: LineBed, half_width: Array, beside: float) -> None:
         if rise < (1.0 - SUNK_ERROR) * sunk:
             raise OutsideValidity(
                 f"Beside a strip of the half-width {a:.6g} m the surfaces would overlap at {crest:.6g} m, at another "
-                "crest: they touch in several strips; give a smoother profile, or PeriodicIndentation for equal crests."
+                "crest: they touch in several strips; give a smoother profile, PeriodicIndentation for equal crests, "
+                "or LineProfileContact."
             )
 
 
@@ -268,7 +269,7 @@ def _refuse_unless_strip(bed: LineBed, half_width: float, beside: float) -> None
     if np.min(pressure) < -ROUNDING * np.max(np.abs(pressure)):
         raise OutsideValidity(
             f"A strip of the half-width {half_width:.6g} m would pull at {inside[np.argmin(pressure)]:.6g} m: the "
-            "contact has parted into several; press harder, or give a smoother profile."
+            "contact has parted into several; press harder, give a smoother profile, or take LineProfileContact."
         )
     outside, opened = bed.gaps(half_width, min(bed.reach, bed.rim, beside * half_width))
     if np.min(opened) < -ROUNDING * np.max(np.abs(opened)):

@@ -181,6 +181,7 @@ class LineProfileSolution:
     strip_error: Quantity
 
     per_load: ClassVar[str] = "force_per_length"
+    other_axes: ClassVar[tuple[str, ...]] = ("edges", "strip_forces", "strip_peaks")
 
     @property
     def mean_pressure(self) -> Quantity:
@@ -256,15 +257,14 @@ class LineProfileSolution:
         Parameters
         ----------
         x, z : array_like
-            Places along the surface [m], and depths [m]: not negative in the first body, negative in the second, of
-            which -0.0 is the surface.  All in one of them.
+            Places along the surface [m], and depths [m] in one body, as of `LineSolution.stresses`.
         friction : float
             mu [-] of a contact that slides everywhere: the body is dragged along x by mu p.
 
         Raises
         ------
         InvalidInput, OutsideValidity
-            If the solution has more than one load, the depths lie in both bodies, or the body has no stresses.
+            If there are many loads, the depths lie in both bodies, or the body has no stresses.
         """
         place, depth = common_places("LineProfileSolution.stresses", x=x, z=z)
         below = in_first_body(depth, "LineProfileSolution")
