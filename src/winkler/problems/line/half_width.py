@@ -160,6 +160,12 @@ def _first(bed: LineBed, level: Level, target: Array) -> Array:
     most, flat, end = float(np.max(target)), bed.flat, min(bed.reach, bed.rim)
     top = min(end, _guess(bed, level, most), *_wavelengths(bed.profile))
     while top < end and float(np.max(level(np.linspace(flat, top, SAMPLES)[1:]))) < most:
+        if top > MOST_TRIALS * bed.trial:
+            raise OutsideValidity(
+                f"The load is not reached up to a half-width of {top:.6g} m, {0.5 * top / bed.trial:.3g} times the "
+                "thickness of the uppermost layer; no wider strip is sought where the load may fall: press less, "
+                "or give a profile that rises."
+            )
         top = min(2.0 * top, end)
     places = np.linspace(flat, top, SAMPLES)[1:]
     levels = np.append(0.0, level(places))
