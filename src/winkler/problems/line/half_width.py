@@ -32,7 +32,7 @@ STEP = 1.0 / 32.0
 MOST_STEPS = 60
 MOST_TRIALS = 64.0
 """A reach so many times wider than where the search begins is not tried beforehand."""
-INTERPOLATED, INTERPOLATED_ON_LAYERS = 48, 16
+INTERPOLATED, INTERPOLATED_ON_LAYERS = 48, 32
 """Places between which a search begins."""
 
 Level = Callable[[Array], Array]
