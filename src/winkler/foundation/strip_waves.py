@@ -33,7 +33,7 @@ NODES = 24
 PANEL_PHASE = 12.0
 FIRST_PANELS = 0.25 ** np.arange(20.0, 0.0, -1.0)
 """Ends of the panels towards the middle, where w' may be a power."""
-MOST_PAIRS = 2e8
+MOST_PAIRS = 2e7
 """More pairs of flat punches and wave numbers than this are refused."""
 
 

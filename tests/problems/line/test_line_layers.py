@@ -217,3 +217,20 @@ def test_a_plate_on_a_soft_base_parts_or_is_one_strip():
     plate = coated(wk.RoundedPunch(30.0, 1.0), wk.Elastic(1e4, 0.3), wk.Elastic(1.0, 0.3))
     with pytest.raises(wk.OutsideValidity, match="parted into several"):
         of_width(plate, 30.001)
+
+
+def test_the_picture_shows_the_depth_where_there_is_one():
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    from winkler.plot import draw
+
+    many = [wk.LineIndentation(bed, wk.LineForce(np.array([0.1, 1.0]))).solve() for bed in (strip(), coated())]
+    figures = [draw(solution) for solution in (*many, many[0].at(0))]
+    assert [len(figure.axes) for figure in figures] == [3, 2, 2]
+    for figure in figures:
+        pyplot.close(figure)
+
+
+def test_the_search_under_a_falling_profile_ends():
+    bed = strip(thickness=0.02, profile=wk.Wavy(0.01, 4.0))
+    with pytest.raises(wk.OutsideValidity, match="no wider strip is sought where the load may fall"):
+        wk.LineIndentation(bed, wk.LineForce(1e9)).solve()

@@ -62,6 +62,7 @@ ELSEWHERE = {
     wk.NamedMaterial,
     wk.PlateBase,
     wk.RollerCentre,
+    wk.LayerStress,
     wk.LineFields,
     wk.LineScan,
     wk.RoughLine,

@@ -28,7 +28,7 @@ from winkler.numerics.types import Array
 
 __all__ = ["StripResponse", "Transforms", "Waves", "strip_responses", "waves"]
 
-FIRST_WAVE_NUMBER = 0.1
+FIRST_WAVE_NUMBER = 0.5
 """First panel of wave numbers, in units of 1 / span."""
 LARGEST_PHASE = 12.0
 """Largest phase of a wave across the whole strip over one panel of the quadrature."""
@@ -83,9 +83,9 @@ def _own_waves(own: WaveResponse, octave: int) -> Waves:
     return Waves(k, weights * own.excess(k) / k)
 
 
-def octaves(response: WaveResponse, extent: Array) -> Array:
-    """Return the octaves of `waves` for extents [m], not below zero."""
-    return np.maximum(np.ceil(np.log2(np.maximum(extent / response.length, 1e-300))), 0.0).astype(int)
+def octaves(response: WaveResponse, extent: Array, least: int = 0) -> Array:
+    """Return the octaves of `waves` for extents [m], none below `least`."""
+    return np.maximum(np.ceil(np.log2(np.maximum(extent / response.length, 1e-300))), least).astype(int)
 
 
 def strip_responses(response: WaveResponse, half_width: Array, transforms: Transforms) -> StripResponse:
@@ -104,7 +104,7 @@ def strip_responses(response: WaveResponse, half_width: Array, transforms: Trans
     NotConverged
         If 384 modes do not suffice: a sharp tip or kink on a layer hundreds of times thinner than the strip is wide.
     """
-    groups = octaves(response, half_width)
+    groups = octaves(response, half_width, -1)
     parts: list[tuple[Array, Array, Array]] = []
     for octave in np.unique(groups):
         found = waves(response, int(octave))
@@ -125,7 +125,7 @@ def strip_responses(response: WaveResponse, half_width: Array, transforms: Trans
 
 
 def _modes_of(octave: int) -> int:
-    return FEWEST_MODES + 8 * octave
+    return FEWEST_MODES + 8 * max(octave, -1)
 
 
 def _settled(found: Waves, half_width: Array, transforms: Array, octave: int) -> tuple[Array, Array]:

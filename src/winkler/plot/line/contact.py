@@ -15,7 +15,7 @@ from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, titled
 from winkler.plot.rough.roughness import models_panel
 from winkler.plot.series import Series, places, scale_of, series, with_unit
 from winkler.problems.line.adhesion import LineAdhesionSolution
-from winkler.problems.line.indentation import LayeredLineSolution, LineIndentation, LineSolution
+from winkler.problems.line.indentation import LineIndentation, LineSolution
 from winkler.problems.line.layered_approach import has_depth
 from winkler.problems.line.shakedown import LineShakedownSolution
 from winkler.problems.line.yielding import LineYieldOnsetSolution
@@ -45,7 +45,7 @@ def line_sheet(item: LineSolution, *, extent: float | None = None) -> Sheet:
         pressures.insert(0, (flat(item, "peak_pressure"), "greatest"))
     widths = models_panel(force, [(flat(item, "half_width"), "")])
     over_force, titles = [widths, models_panel(force, pressures, label="pressure")], ["half-width", "pressure"]
-    if isinstance(item, LayeredLineSolution) and has_depth(item.problem.bed.medium):
+    if has_depth(item.problem.bed.medium):
         over_force.append(models_panel(force, [(flat(item, "depth"), "")]))
         titles.append("depth")
     return Sheet(titled(tuple(over_force), *titles))

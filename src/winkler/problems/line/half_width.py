@@ -20,7 +20,7 @@ from winkler.profiles.wavy import Wavy
 
 __all__ = ["borne_at_most", "grows", "refuse_unless_strips", "under_force", "under_mean_pressure", "widest_allowed"]
 
-SAMPLES = 513
+SAMPLES, SAMPLES_ON_LAYERS = 513, 129
 PRESSURE_SAMPLES = 129
 WIDTHS_BESIDE = 8.0
 """How many half-widths beside the contact are examined for overlap."""
@@ -36,7 +36,7 @@ STEP = 1.0 / 32.0
 MOST_STEPS = 60
 MOST_TRIALS = 64.0
 """A reach so many times wider than where the search begins is not tried beforehand."""
-INTERPOLATED = 48
+INTERPOLATED, INTERPOLATED_ON_LAYERS = 48, 32
 """Places between which a search begins."""
 
 Level = Callable[[Array], Array]
@@ -169,7 +169,7 @@ def _interpolated(bed: LineBed, level: Level, target: Array) -> Array:
         if float(level(np.array([flat + far]))[0]) >= np.max(target):
             break
         far = min(far * bed.search_step, 0.5 * (end - flat + far))
-    beside = np.geomspace(near, far, INTERPOLATED)
+    beside = np.geomspace(near, far, INTERPOLATED if np.isinf(bed.trial) else INTERPOLATED_ON_LAYERS)
     with np.errstate(divide="ignore"):
         below = np.log(level(flat + beside))
     found = np.isfinite(below)
@@ -196,9 +196,16 @@ def _first(bed: LineBed, level: Level, target: Array) -> Array:
     if np.isfinite(end) and _is_vertical(bed, end):
         end *= 1.0 - VERTICAL[-1]
     top = min(end, _guess(bed, level, most), *_wavelengths(bed.profile))
-    while top < end and float(np.max(level(np.linspace(flat, top, SAMPLES)[1:]))) < most:
+    samples = SAMPLES if np.isinf(bed.trial) else SAMPLES_ON_LAYERS
+    while top < end and float(np.max(level(np.linspace(flat, top, samples)[1:]))) < most:
+        if top > MOST_TRIALS * bed.trial:
+            raise OutsideValidity(
+                f"The load is not reached up to a half-width of {top:.6g} m, {0.5 * top / bed.trial:.3g} times the "
+                "thickness of the uppermost layer; no wider strip is sought where the load may fall: press less, "
+                "or give a profile that rises."
+            )
         top = min(2.0 * top, end)
-    places = np.linspace(flat, top, SAMPLES)[1:]
+    places = np.linspace(flat, top, samples)[1:]
     levels = np.append(0.0, level(places))
     places = np.append(flat, places)
     after = np.argmax(levels[None, :] >= target[:, None], axis=1)

@@ -40,8 +40,10 @@ WIDEST = 0.2
 """Greatest half-width over the size of a finite body."""
 
 
-def has_depth(medium: CoatedHalfSpace) -> bool:
-    """Return whether the layers lie on a rigid base under a rigid body, so that a depth needs no reference."""
+def has_depth(medium: object) -> bool:
+    """Return whether a medium is layers on a rigid base under a rigid body, so that a depth needs no reference."""
+    if not isinstance(medium, CoatedHalfSpace):
+        return False
     return not isinstance(medium.on, Elastic) and not isinstance(medium.second, Elastic)
 
 
