@@ -137,7 +137,8 @@ class LineMarch:
         mean = (self.bound + 4.0 * middle + bound) / 6.0
         self.force = force
         rows = np.flatnonzero(bound)
-        compliance, widths = elements.compliance[np.ix_(rows, rows)], elements.widths[rows]
+        whole, widths = rows.size == bound.size, elements.widths[rows]
+        compliance = elements.compliance if whole else elements.compliance[np.ix_(rows, rows)]
         before = -self.ahead[rows] - strain * elements.x[rows]
         if abs(shear) >= self.friction * force * (1.0 - ROUNDING):
             slips = np.full(rows.size, math.copysign(1.0, shear))
@@ -181,7 +182,9 @@ class LineMarch:
     ) -> None:
         """Take over what a step has found for the elements that touch."""
         elements = self.elements
-        ahead = shift - strain * elements.x - elements.compliance[:, rows] @ traction
+        borne = np.zeros(elements.x.size)
+        borne[rows] = traction
+        ahead = shift - strain * elements.x - elements.compliance @ borne
         slipped = np.where(bound == 0.0, np.abs(ahead - self.ahead), 0.0)  # what parts slips before
         slipped[rows] = np.where(slips == 0.0, 0.0, np.maximum(slips * (ahead[rows] - self.ahead[rows]), 0.0))
         rubbed = mean * slipped
@@ -189,8 +192,8 @@ class LineMarch:
         self.lost += float(rubbed @ elements.widths)
         ahead[rows] = np.where(slips == 0.0, self.ahead[rows], ahead[rows])
         self.ahead, self.shift, self.bound = ahead, shift, bound
-        self.traction, self.slips = np.zeros((2, elements.x.size))
-        self.traction[rows], self.slips[rows] = traction, slips
+        self.traction, self.slips = borne, np.zeros(elements.x.size)
+        self.slips[rows] = slips
 
     def _row(self, point: Array) -> MarchedRow:
         rows, scale, modulus = np.flatnonzero(self.bound), self.elements.scale, self.bed.medium.modulus
