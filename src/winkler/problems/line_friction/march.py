@@ -34,6 +34,8 @@ __all__ = ["LineMarch", "MarchedRow"]
 
 STEPS = 24
 """Steps over a change of the shear force by what friction bears at most, and of the bulk stress in proportion."""
+MOST_STEPS = 1000.0
+"""Between two points of the path, besides those at which the contact widens or narrows by an element."""
 ROUNDING = 1e-12
 LEAST_STUCK, SLIDING_SHARE, LEAST_WIDTH = 0.01, 0.999, 0.2
 """A bulk stress is refused that leaves less of the contact sticking, below this part of the shear force of sliding,
@@ -110,7 +112,8 @@ class LineMarch:
             return np.ones(1)
         # mu P over E* A: the strain that a whole contact opposes is of this order
         sizes = np.abs(change) * np.array([self.friction, 1.0, 1.0]) / self.most
-        shares = np.linspace(0.0, 1.0, max(math.ceil(STEPS * float(np.max(sizes))), 1) + 1)[1:]
+        steps = math.ceil(min(max(STEPS * float(np.max(sizes)), 1.0), MOST_STEPS))
+        shares = np.linspace(0.0, 1.0, steps + 1)[1:]
         if change[0] != 0.0:
             crossed = (self.arrivals - before[0]) / change[0]
             shares = np.append(shares, crossed[(crossed > ROUNDING) & (crossed < 1.0 - ROUNDING)])
