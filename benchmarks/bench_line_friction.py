@@ -32,6 +32,16 @@ def bench_a_line_that_frets(benchmark, below, steel_on_steel, name):
     below(most, f"{STEPS} steps, {name}")
 
 
+def bench_a_line_that_frets_out_of_phase(benchmark, below, steel_on_steel):
+    """400 boundary elements: some 10 ms a step, several steps for a point of the path."""
+    bed = wk.LineFoundation(wk.Paraboloid(10e-3), steel_on_steel)
+    path = wk.LinePath(1e5, SHEAR[:201], bulk_stress=1e8 * np.sin(0.1 * TIME[:201] + 1.0))
+    problem = wk.LineTangential(bed, wk.Coulomb(0.5), path)
+    solution = benchmark.pedantic(problem.solve, rounds=2)
+    assert np.all(np.diff(solution.dissipation_per_length) >= 0.0)
+    below(15.0, "200 points out of phase")
+
+
 def bench_a_round_body_that_frets(benchmark, below, steel_on_steel):
     """The same memory under a ball, at steady depth: as fast."""
     bed = wk.Foundation(wk.Paraboloid(10e-3), steel_on_steel)

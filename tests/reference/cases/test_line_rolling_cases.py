@@ -24,4 +24,7 @@ def test_a_case_states_what_the_reference_solution_gives(name):
 def test_each_rolling_line_of_the_ledger_is_recomputed():
     kinds = {"line_rolling", "line_rolling_start", "line_rolling_resistance"}
     cases = {path.stem: tomllib.loads(path.read_text(encoding="utf-8")) for path in CASES.glob("line_*.toml")}
-    assert {name for name, case in cases.items() if case["problem"]["kind"] in kinds} == set(ROLLING_LINES)
+    computed = {
+        name for name, case in cases.items() if case["problem"]["kind"] in kinds and case["grade"] != "cross-code"
+    }
+    assert computed == set(ROLLING_LINES)

@@ -11,53 +11,27 @@ that is not yet forgotten: no grid, and no error but rounding.  What the pieces 
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
 
 import numpy as np
 
 from winkler.numerics.types import Array
+from winkler.problems.friction.straight_step import (
+    BOUND_TOLERANCE,
+    LEAST_DEPTH,
+    LossPiece,
+    SpringPiece,
+    StraightStep,
+)
 from winkler.values import value, words
 
 __all__ = ["LossPiece", "SlipMemory"]
 
 SLOPE_TOLERANCE = 1e-13
 """Pieces that meet, and whose slopes differ by less than this part of the slopes there are, become one."""
-LEAST_DEPTH = 1e-150
-"""Depths below this [m] are none, and springs whose gaps differ by less lose alike: their squares are no numbers."""
-BOUND_TOLERANCE = 1e-12
-"""A spring that is displaced by all but this part of its bound slides."""
-CUT_TOLERANCE = 1e-14
-"""A cut this close to the end of a piece, in parts of the depth, is at the end."""
 
 
-class LossPiece(NamedTuple):
-    """What each of some springs has lost or taken up, over its tangential stiffness: a polynomial of its gap.
-
-    Parameters
-    ----------
-    start, stop : float
-        Their gaps [m].
-    constant, linear, square : float
-        [m^2], [m] and [-], in powers of stop - gap.
-    """
-
-    start: float
-    stop: float
-    constant: float
-    linear: float
-    square: float
-
-
-Ends = tuple[float, float]
-"""What a straight line over the gap is at both ends of a piece."""
-
-
-class _SpringPiece(NamedTuple):
-    start: float
-    stop: float
-    left: float
-    right: float
-    slides: int
+FEW = 8
+"""Pieces that are dragged one by one."""
 
 
 @value
@@ -130,8 +104,18 @@ class SlipMemory:
         SlipMemory
         tuple of LossPiece
         """
-        step = self._step(depth, change, bound, account=False)
-        return _remembered(step.after, step.pieces), tuple(step.losses)
+        staying = self._staying(depth, change, bound)
+        step = self._step(depth, change, bound, account=False, first=staying)
+        rest = _remembered(step.after, step.pieces)
+        if staying:
+            rest = SlipMemory(
+                rest.depth,
+                np.concatenate([self.edges[:staying], rest.edges]),
+                np.concatenate([self.left[:staying] + change, rest.left]),
+                np.concatenate([self.right[:staying] + change, rest.right]),
+                np.concatenate([self.slides[:staying], rest.slides]),
+            )
+        return rest, tuple(step.losses)
 
     def worked(
         self, depth: float, change: float, bound: float
@@ -140,13 +124,23 @@ class SlipMemory:
         step = self._step(depth, change, bound, account=True)
         return _remembered(step.after, step.pieces), tuple(step.losses), tuple(step.works)
 
-    def _step(self, depth: float, change: float, bound: float, *, account: bool) -> _StraightStep:
+    def _staying(self, depth: float, change: float, bound: float) -> int:
+        """Return how many pieces next to the middle stuck before the step and are dragged as a whole, but for one."""
+        if math.isinf(bound) or self.left.size < FEW:
+            return 0
+        free = self.edges[1:] <= min(self.depth, depth)
+        for gap, ends in ((self.edges[:-1], self.left), (self.edges[1:], self.right)):
+            free &= np.abs(ends + change) < bound * (depth - gap) * (1.0 - BOUND_TOLERANCE)
+        free &= self.slides == 0.0
+        return max((self.left.size if free.all() else int(np.argmin(free))) - 1, 0)
+
+    def _step(self, depth: float, change: float, bound: float, *, account: bool, first: int = 0) -> StraightStep:
         if 0.0 < depth < LEAST_DEPTH:
             depth = 0.0
-        step = _StraightStep(self.depth, depth, change, bound, account)
+        step = StraightStep(self.depth, depth, change, bound, account)
         common = max(min(self.depth, depth), 0.0)
-        edges = self.edges.tolist()
-        for start, stop, left, right in zip(edges, edges[1:], self.left.tolist(), self.right.tolist(), strict=False):
+        edges, ends = self.edges[first:].tolist(), (self.left[first:].tolist(), self.right[first:].tolist())
+        for start, stop, left, right in zip(edges, edges[1:], *ends, strict=False):
             if stop <= common:
                 step.drag(start, stop, left + change, right + change)
             elif start >= common:
@@ -170,120 +164,9 @@ class SlipMemory:
         return self.edges[1:], np.diff(np.append(slope, 0.0))
 
 
-class _StraightStep:
-    """A straight step in depth and shift, and its effect on the springs."""
-
-    def __init__(self, before: float, after: float, change: float, bound: float, account: bool) -> None:
-        self.before, self.after, self.change, self.bound, self.account = before, after, change, bound, account
-        self.rise = after - before
-        self.works: list[LossPiece] = []
-        self.pieces: list[_SpringPiece] = []
-        self.losses: list[LossPiece] = []
-
-    def drag(self, start: float, stop: float, left: float, right: float, *, came: bool = False) -> None:
-        """Move springs of which those that tried to be displaced by more than their bound slide."""
-        if math.isinf(self.bound):
-            self.pieces.append(_SpringPiece(start, stop, left, right, 0))
-            self._spend(start, stop, (left, right), (left, right) if came else None)
-            return
-        width, after, bound = stop - start, self.after, self.bound
-        first, last = bound * (after - start), bound * (after - stop)
-        cuts = [(start, left), (stop, right)]
-        for sign in (1.0, -1.0):
-            one, two = sign * left - first, sign * right - last
-            if one * two < 0.0:
-                at = start + width * (one / (one - two))
-                if min(at - start, stop - at) > CUT_TOLERANCE * after:
-                    cuts.insert(1 if at < cuts[1][0] else 2, (at, sign * bound * (after - at)))
-        for (low, at_low), (high, at_high) in zip(cuts, cuts[1:], strict=False):
-            if not high > low:
-                continue
-            trial, limit = 0.5 * (at_low + at_high), bound * (after - 0.5 * (low + high))
-            if abs(trial) < limit * (1.0 - BOUND_TOLERANCE):
-                self.pieces.append(_SpringPiece(low, high, at_low, at_high, 0))
-                self._spend(low, high, (at_low, at_high), (at_low, at_high) if came else None)
-                continue
-            side = 1 if trial > 0.0 else -1
-            ends = bound * (after - low), bound * (after - high)
-            self.pieces.append(_SpringPiece(low, high, side * ends[0], side * ends[1], side))
-            slid = max(side * at_low - ends[0], 0.0), max(side * at_high - ends[1], 0.0)
-            # the bound of a coming spring grows from zero
-            self._lose(low, high, slid, (0.5 * ends[0], 0.5 * ends[1]) if came else self._mean(side, slid, ends))
-            self._spend(low, high, (at_low, at_high), (side * ends[0], side * ends[1]) if came else None)
-            if not came:
-                self._yield(low, high, side, slid)
-
-    def leave(self, start: float, stop: float, left: float, right: float) -> None:
-        """Let springs go: they slide back until nothing presses them, or fall back at once if nothing slides."""
-        per = self.change / self.rise
-        # displaced by so much when they lose contact, had they stuck until then
-        left, right = left + (start - self.before) * per, right + (stop - self.before) * per
-        if math.isinf(self.bound):
-            self._lose(start, stop, (left, right), (0.5 * left, 0.5 * right))
-            self._part(start, stop, left, right)
-            return
-        cuts = [(start, left), (stop, right)]
-        if left * right < 0.0:
-            cuts.insert(1, (start + (stop - start) * (left / (left - right)), 0.0))
-        for (low, at_low), (high, at_high) in zip(cuts, cuts[1:], strict=False):
-            side = 1 if at_low + at_high > 0.0 else -1
-            slid = max(side * at_low, 0.0), max(side * at_high, 0.0)
-            self._lose(low, high, slid, self._mean(side, slid, (0.0, 0.0)))
-            self._part(low, high, at_low, at_high)
-            self._yield(low, high, side, slid)
-
-    def _mean(self, side: int, slid: tuple[float, float], ends: tuple[float, float]) -> tuple[float, float]:
-        """Return the mean bound of springs that start to slide in a step, from how far they slide and how they end."""
-        # the bound changes in proportion to the distance that is slid
-        closing = side * self.change - self.bound * self.rise
-        share = 0.5 * self.bound * self.rise / closing if closing > 0.0 else 0.0
-        return ends[0] - share * slid[0], ends[1] - share * slid[1]
-
-    def _spend(self, start: float, stop: float, trial: Ends, came: Ends | None) -> None:
-        """Note the work on springs that stick and end at `trial`; those that `came` to where they are began at rest."""
-        if came is not None:
-            self._work(start, stop, trial, (0.5 * came[0], 0.5 * came[1]))
-        else:
-            half = 0.5 * self.change
-            self._work(start, stop, (self.change, self.change), (trial[0] - half, trial[1] - half))
-
-    def _part(self, start: float, stop: float, left: float, right: float) -> None:
-        """Note the work on springs that stick until they part, where they are displaced by `left` to `right`."""
-        if self.account:
-            per = self.change / self.rise
-            step = (start - self.before) * per, (stop - self.before) * per
-            self._work(start, stop, step, (left - 0.5 * step[0], right - 0.5 * step[1]))
-
-    def _yield(self, start: float, stop: float, side: int, slid: Ends) -> None:
-        """Take away from the work what springs that slide at last do not resist any more."""
-        closing = side * self.change - self.bound * self.rise
-        if closing > 0.0:
-            share = -0.5 * side * self.change / closing
-            self._work(start, stop, slid, (share * slid[0], share * slid[1]))
-
-    def _work(self, start: float, stop: float, one: Ends, other: Ends) -> None:
-        """Note a work that is a product of two straight lines over the gap."""
-        if self.account and stop > start:
-            self.works.append(_product(start, stop, one, other))
-
-    def _lose(self, start: float, stop: float, slid: tuple[float, float], mean: tuple[float, float]) -> None:
-        """Note the loss of springs: sliding length times mean bound, both straight over the gap."""
-        if not stop > start or (slid[0] == 0.0 and slid[1] == 0.0):
-            return
-        self.losses.append(_product(start, stop, slid, mean))
-
-
-def _product(start: float, stop: float, first: Ends, second: Ends) -> LossPiece:
-    """Return the product of two straight lines between two gaps."""
-    if stop - start < LEAST_DEPTH:  # a flat end may still be among them
-        return LossPiece(start, stop, first[0] * second[0], 0.0, 0.0)
-    one, two = (first[0] - first[1]) / (stop - start), (second[0] - second[1]) / (stop - start)
-    return LossPiece(start, stop, first[1] * second[1], one * second[1] + two * first[1], one * two)
-
-
-def _remembered(depth: float, pieces: list[_SpringPiece]) -> SlipMemory:
+def _remembered(depth: float, pieces: list[SpringPiece]) -> SlipMemory:
     """Return the memory of pieces in a row, those that go on in one straight line as one."""
-    result: list[_SpringPiece] = []
+    result: list[SpringPiece] = []
     for piece in pieces:
         if result and result[-1].slides == piece.slides:
             last = result[-1]

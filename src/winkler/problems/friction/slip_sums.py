@@ -18,7 +18,7 @@ from winkler.problems.friction.slip_memory import LossPiece, SlipMemory
 
 __all__ = ["NormalStates", "SlipSums"]
 
-MOST_GAPS = 256
+MOST_GAPS = 16_384
 """Gaps that are remembered at most."""
 NARROW_RING = 2e-3
 """Part of its outer gap below which a ring of springs is summed by itself, lest nothing be left of it by rounding."""

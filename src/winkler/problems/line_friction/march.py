@@ -34,6 +34,8 @@ __all__ = ["LineMarch", "MarchedRow"]
 
 STEPS = 24
 """Steps over a change of the shear force by what friction bears at most, and of the bulk stress in proportion."""
+MOST_STEPS = 1000.0
+"""Between two points of the path, besides those at which the contact widens or narrows by an element."""
 ROUNDING = 1e-12
 LEAST_STUCK, SLIDING_SHARE, LEAST_WIDTH = 0.01, 0.999, 0.2
 """A bulk stress is refused that leaves less of the contact sticking, below this part of the shear force of sliding,
@@ -110,7 +112,8 @@ class LineMarch:
             return np.ones(1)
         # mu P over E* A: the strain that a whole contact opposes is of this order
         sizes = np.abs(change) * np.array([self.friction, 1.0, 1.0]) / self.most
-        shares = np.linspace(0.0, 1.0, max(math.ceil(STEPS * float(np.max(sizes))), 1) + 1)[1:]
+        steps = math.ceil(min(max(STEPS * float(np.max(sizes)), 1.0), MOST_STEPS))
+        shares = np.linspace(0.0, 1.0, steps + 1)[1:]
         if change[0] != 0.0:
             crossed = (self.arrivals - before[0]) / change[0]
             shares = np.append(shares, crossed[(crossed > ROUNDING) & (crossed < 1.0 - ROUNDING)])
@@ -137,7 +140,8 @@ class LineMarch:
         mean = (self.bound + 4.0 * middle + bound) / 6.0
         self.force = force
         rows = np.flatnonzero(bound)
-        compliance, widths = elements.compliance[np.ix_(rows, rows)], elements.widths[rows]
+        whole, widths = rows.size == bound.size, elements.widths[rows]
+        compliance = elements.compliance if whole else elements.compliance[np.ix_(rows, rows)]
         before = -self.ahead[rows] - strain * elements.x[rows]
         if abs(shear) >= self.friction * force * (1.0 - ROUNDING):
             slips = np.full(rows.size, math.copysign(1.0, shear))
@@ -181,7 +185,9 @@ class LineMarch:
     ) -> None:
         """Take over what a step has found for the elements that touch."""
         elements = self.elements
-        ahead = shift - strain * elements.x - elements.compliance[:, rows] @ traction
+        borne = np.zeros(elements.x.size)
+        borne[rows] = traction
+        ahead = shift - strain * elements.x - elements.compliance @ borne
         slipped = np.where(bound == 0.0, np.abs(ahead - self.ahead), 0.0)  # what parts slips before
         slipped[rows] = np.where(slips == 0.0, 0.0, np.maximum(slips * (ahead[rows] - self.ahead[rows]), 0.0))
         rubbed = mean * slipped
@@ -189,8 +195,8 @@ class LineMarch:
         self.lost += float(rubbed @ elements.widths)
         ahead[rows] = np.where(slips == 0.0, self.ahead[rows], ahead[rows])
         self.ahead, self.shift, self.bound = ahead, shift, bound
-        self.traction, self.slips = np.zeros((2, elements.x.size))
-        self.traction[rows], self.slips[rows] = traction, slips
+        self.traction, self.slips = borne, np.zeros(elements.x.size)
+        self.slips[rows] = slips
 
     def _row(self, point: Array) -> MarchedRow:
         rows, scale, modulus = np.flatnonzero(self.bound), self.elements.scale, self.bed.medium.modulus
