@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.problems.line.strip_search import find_strips
+from winkler.problems.line_strips.strip_search import find_strips
 
 pytestmark = pytest.mark.bench
 

@@ -135,8 +135,6 @@ from winkler.problems.impact.impact import Impact, ImpactSolution
 from winkler.problems.line.adhesion import LineAdhesion, LineAdhesionSolution
 from winkler.problems.line.indentation import LayeredLineSolution, LineIndentation, LineSolution
 from winkler.problems.line.layered_stress import LayerStress
-from winkler.problems.line.periodic import PeriodicIndentation, PeriodicSolution
-from winkler.problems.line.profile_contact import LineProfileContact, LineProfileSolution
 from winkler.problems.line.references import PlateBase, RollerCentre
 from winkler.problems.line.shakedown import LineShakedown, LineShakedownSolution
 from winkler.problems.line.stress import LineFields
@@ -146,6 +144,8 @@ from winkler.problems.line_friction.tangential import LineTangential, LineTangen
 from winkler.problems.line_rolling.resistance import LineRollingResistance, LineRollingResistanceSolution
 from winkler.problems.line_rolling.start import LineRollingStart, LineRollingStartSolution
 from winkler.problems.line_rolling.steady import LineRolling, LineRollingSolution
+from winkler.problems.line_strips.periodic import PeriodicIndentation, PeriodicSolution
+from winkler.problems.line_strips.profile_contact import LineProfileContact, LineProfileSolution
 from winkler.problems.line_viscoelastic.indentation import LineViscoelasticIndentation, LineViscoelasticSolution
 from winkler.problems.line_viscoelastic.path import LineForcePath
 from winkler.problems.normal.design import design_for_pressure, design_profile

@@ -1,7 +1,7 @@
 r"""Sections across long bodies: heights f(x) along a surface, neither even nor of one crest.
 
 A section states f and f' between `start` and `end`, the places where its slope or curvature jumps, and the walls at
-which the body ends.  `Section` is the contract of `winkler.problems.line.profile_contact.LineProfileContact`.
+which the body ends.  `Section` is the contract of `winkler.problems.line_strips.profile_contact.LineProfileContact`.
 """
 
 from __future__ import annotations

@@ -10,7 +10,7 @@ import pytest
 from scipy.integrate import quad
 
 import winkler as wk
-from winkler.problems.line.strip_search import Pushed, _elements, _first_grid
+from winkler.problems.line_strips.strip_search import Pushed, _elements, _first_grid
 
 UNIT = wk.HalfSpace(wk.Elastic(1.0, 0.0))  # E* = 1
 STEEL = wk.Elastic(210e9, 0.3)

@@ -11,7 +11,7 @@ from winkler.plot.line.contact import across, flat
 from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, titled
 from winkler.plot.rough.roughness import models_panel
 from winkler.plot.series import scale_of, series, with_unit
-from winkler.problems.line.periodic import PeriodicSolution
+from winkler.problems.line_strips.periodic import PeriodicSolution
 
 __all__ = ["periodic_sheet"]
 

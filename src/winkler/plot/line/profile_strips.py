@@ -10,7 +10,7 @@ from winkler.plot.line.contact import flat
 from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, points, titled
 from winkler.plot.rough.roughness import models_panel
 from winkler.plot.series import scale_of, series, with_unit
-from winkler.problems.line.profile_contact import LineProfileSolution
+from winkler.problems.line_strips.profile_contact import LineProfileSolution
 
 __all__ = ["strips_sheet"]
 

@@ -6,7 +6,7 @@ from typing import Any
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
 from winkler.study.chapters.kind import is_a, kind
-from winkler.study.chapters.line import LOAD, LOAD_PROFILE, ROLLER
+from winkler.study.chapters.lines.line import LOAD, LOAD_PROFILE, ROLLER
 from winkler.study.chapters.normal import HOMOGENEOUS, normal_formulas
 
 __all__ = ["CONDUCTION"]

@@ -12,12 +12,12 @@ from winkler.study.chapters.friction import FRICTION
 from winkler.study.chapters.heating import HEATING
 from winkler.study.chapters.impact import IMPACT
 from winkler.study.chapters.kind import Kind, path_of
-from winkler.study.chapters.line import LINE
-from winkler.study.chapters.line_friction import LINE_FRICTION
-from winkler.study.chapters.line_profiles import LINE_PROFILES
-from winkler.study.chapters.line_rolling import LINE_ROLLING
-from winkler.study.chapters.line_viscoelastic import LINE_VISCOELASTIC
-from winkler.study.chapters.line_wear import LINE_WEAR
+from winkler.study.chapters.lines.line import LINE
+from winkler.study.chapters.lines.line_friction import LINE_FRICTION
+from winkler.study.chapters.lines.line_profiles import LINE_PROFILES
+from winkler.study.chapters.lines.line_rolling import LINE_ROLLING
+from winkler.study.chapters.lines.line_viscoelastic import LINE_VISCOELASTIC
+from winkler.study.chapters.lines.line_wear import LINE_WEAR
 from winkler.study.chapters.normal import NORMAL, normal_formulas
 from winkler.study.chapters.particles import PARTICLES
 from winkler.study.chapters.rolling import ROLLING

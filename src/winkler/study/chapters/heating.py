@@ -7,7 +7,7 @@ from typing import Any
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
 from winkler.study.chapters.friction import tangential_formulas
 from winkler.study.chapters.kind import kind
-from winkler.study.chapters.line import LOAD, LOAD_PROFILE, PRESSURE, ROLLER
+from winkler.study.chapters.lines.line import LOAD, LOAD_PROFILE, PRESSURE, ROLLER
 from winkler.study.chapters.normal import ELLIPSE, MODULUS, normal_formulas
 
 __all__ = ["HEATING"]

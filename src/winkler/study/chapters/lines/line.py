@@ -207,7 +207,7 @@ LINE = Chapter(
             formulas=line_adhesion_formulas,
         ),
         "periodic_indentation": answer(
-            "winkler.problems.line.periodic:PeriodicIndentation",
+            "winkler.problems.line_strips.periodic:PeriodicIndentation",
             "westergaard_1939",
             "johnson_1985",
             headline=("contact_share", "peak_pressure", "half_width", "closure_pressure"),

@@ -6,7 +6,7 @@ from typing import Any
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
 from winkler.study.chapters.kind import kind
-from winkler.study.chapters.line import LOAD_PROFILE, ROLLER
+from winkler.study.chapters.lines.line import LOAD_PROFILE, ROLLER
 from winkler.study.chapters.viscoelastic import pair_formulas
 
 __all__ = ["LINE_VISCOELASTIC"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
 from winkler.study.chapters.kind import kind
-from winkler.study.chapters.line import ROLLER
+from winkler.study.chapters.lines.line import ROLLER
 from winkler.study.chapters.normal import MODULUS
 
 __all__ = ["LINE_ROLLING"]

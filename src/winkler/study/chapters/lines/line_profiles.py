@@ -94,7 +94,7 @@ LINE_PROFILES = Chapter(
     },
     answers={
         "line_profile_contact": answer(
-            "winkler.problems.line.profile_contact:LineProfileContact",
+            "winkler.problems.line_strips.profile_contact:LineProfileContact",
             "polonsky_keer_1999",
             "johnson_1985",
             headline=("peak_pressure", "contact_length", "strip_count", "mean_pressure", "tilt"),

@@ -27,8 +27,8 @@ from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.line.half_width import borne_at_most, refuse_unless_strips, under_force
 from winkler.problems.line.indentation import LineIndentation, LineSolution
 from winkler.problems.line.peak_pressure import rim_load
-from winkler.problems.line.periodic_notes import closing_load, periodic_notes, periodic_peak
 from winkler.problems.line.strip import Stressed, Strip
+from winkler.problems.line_strips.periodic_notes import closing_load, periodic_notes, periodic_peak
 from winkler.problems.one_load import one_of, single
 from winkler.validity import Assumption, Note
 from winkler.values import value, words

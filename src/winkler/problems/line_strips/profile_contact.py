@@ -23,9 +23,9 @@ from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.surfaces.found_strips import FoundStrips
 from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
 from winkler.problems.assumptions.declared import PRESSED
-from winkler.problems.line.profile_notes import profile_notes
 from winkler.problems.line.stress import InBody, LineFields, fields_of, poisson_of
-from winkler.problems.line.strip_search import Pushed, find_strips
+from winkler.problems.line_strips.profile_notes import profile_notes
+from winkler.problems.line_strips.strip_search import Pushed, find_strips
 from winkler.problems.one_load import one_of, single
 from winkler.problems.which_body import in_first_body
 from winkler.profiles.measured_section import AnySection

@@ -1,0 +1,1 @@
+"""Records of line contacts: kinds and answers, chapter by chapter."""
