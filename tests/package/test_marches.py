@@ -21,7 +21,11 @@ from winkler.study.language.explain import example_study
 PROBLEMS = CATALOGUE["problem"]
 MARCHES = [name for name, line in PROBLEMS.items() if hasattr(line.cls, "steps")]
 FEW = {
-    **{"elastic_plastic_particle": 2, "fretting_wear": 3, "sliding_wear": 3, "surface_contact": 3, "reduction": 12},
+    "elastic_plastic_particle": 2,
+    "fretting_wear": 3,
+    "sliding_wear": 3,
+    "surface_contact": 3,
+    "reduction": 12,
     **dict.fromkeys(("line_fretting_wear", "line_sliding_wear"), 3),
 }
 """States after which a march is interrupted, where it has hardly more, or its solution needs more than five."""

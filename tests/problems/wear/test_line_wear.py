@@ -96,7 +96,9 @@ def test_the_march_ends_in_the_limiting_profile_the_closer_the_finer_the_grid():
         np.testing.assert_allclose(last.pressure[last.places < 0.4 * A], limit.pressure(
             last.places[last.places < 0.4 * A]), rtol=1.0 / count)  # fmt: skip
     assert misses[-1] < 6e-3
-    assert np.all(np.log2(np.array(misses[:-1]) / misses[1:]) > 0.9)
+    # of first order, on grids four times as fine
+    assert misses[1] < misses[0]
+    assert misses[-1] < 0.25 * misses[0]
 
 
 def test_what_sticks_stays_and_does_not_wear():
