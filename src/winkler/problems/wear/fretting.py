@@ -97,7 +97,6 @@ class FrettingWear:
     """
 
     __words__ = words(
-        most_worn=("", "m", "greatest depth that can wear off; infinite where it is not known"),
         goals=("n", "", "after how many cycles the contact is returned"),
         amplitude=("", None, "amplitude of the shift or of the shear force"),
         count=("n", "", "cells of the grid of radii"),

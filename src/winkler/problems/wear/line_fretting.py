@@ -102,7 +102,6 @@ class LineFrettingWear:
 
     __words__ = words(
         bed=("", None, "profile and bodies of the line contact"),
-        most_worn=("", "m", "greatest worn depth in the end; infinite if nothing slips"),
         goals=("n", "", "after how many cycles the contact is returned"),
         normal=("", None, "the steady normal force per length"),
         amplitude=("", None, "amplitude of the shear force per length"),

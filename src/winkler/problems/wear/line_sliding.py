@@ -91,7 +91,6 @@ class LineSlidingWear:
 
     __words__ = words(
         bed=("", None, "profile and bodies of the line contact"),
-        most_worn=("", "m", "greatest depth that can wear off; infinite where it is not known"),
         goals=("s", "m", "after which distances the contact is returned"),
         normal=("", None, "the steady normal force per length"),
         distance=("s", "m", "distance slid"),

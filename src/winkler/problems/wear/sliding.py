@@ -87,7 +87,6 @@ class SlidingWear:
     """
 
     __words__ = words(
-        most_worn=("", "m", "greatest depth that can wear off; infinite where it is not known"),
         goals=("s", "m", "after which distances the contact is returned"),
         distance=("s", "m", "distance slid"),
         count=("n", "", "cells of the grid of radii"),
