@@ -57,3 +57,22 @@ def bench_a_ball_slides_any_distance(benchmark, below, steel_on_steel):
     worn = benchmark.pedantic(problem.solve, rounds=1, warmup_rounds=0)
     np.testing.assert_allclose(worn.worn_volume[1:], 1e-13 * worn.distance[1:], rtol=1e-9)
     below(10.0, f"a ball slides 100 km, {COUNT} rings")
+
+
+def bench_a_million_cycles_of_a_line(benchmark, below, steel_on_steel):
+    """A cylinder frets until only what sticks bears: under 20 s."""
+    bed = wk.LineFoundation(wk.Paraboloid(10e-3), steel_on_steel)
+    press, swing, cycles = wk.LineForce(100e3), wk.LineShearForce(37.5e3), np.array([0.0, 1e4, 1e5, 1e6])
+    problem = wk.LineFrettingWear(bed, wk.Archard(1e-14), wk.Coulomb(MU), press, swing, cycles, count=COUNT)
+    worn = benchmark.pedantic(problem.solve, rounds=1, warmup_rounds=0)
+    np.testing.assert_allclose(worn.stick_half_width, 0.5 * worn.half_width[0], rtol=1e-6)
+    below(20.0, f"a million cycles of a fretting cylinder on {COUNT} strips")
+
+
+def bench_a_roller_slides_a_kilometre(benchmark, below, steel_on_steel):
+    """A roller is worn to a flat over a kilometre: under 60 s."""
+    bed = wk.LineFoundation(wk.Paraboloid(10e-3), steel_on_steel)
+    problem = wk.LineSlidingWear(bed, wk.Archard(1e-14), wk.LineForce(10e3), np.array([0.0, 1.0, 1e3]), count=COUNT)
+    worn = benchmark.pedantic(problem.solve, rounds=1, warmup_rounds=0)
+    np.testing.assert_allclose(worn.worn_volume_per_length[1:], 1e-10 * worn.distance[1:], rtol=1e-9)
+    below(60.0, f"a roller slides a kilometre, {COUNT} strips")

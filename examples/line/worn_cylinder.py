@@ -17,8 +17,8 @@ import winkler as wk
 # %%
 # The contact
 # -----------
-# Steel on steel, 10 mm radius, 100 N for each millimetre; the shear force reaches three quarters of what friction bears,
-# so that half of the contact sticks.
+# Steel on steel, 10 mm radius, 100 N for each millimetre; the shear force reaches three quarters of what friction
+# bears, so that half of the contact sticks.
 
 steel = wk.Elastic(young=210e9, poisson=0.3)
 bed = wk.LineFoundation(wk.Paraboloid(curvature_radius=10e-3), wk.HalfSpace.between(steel, steel))

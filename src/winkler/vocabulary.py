@@ -428,6 +428,7 @@ GLOSSARY: dict[str, Word] = {
     "first_worn": Word(r"\Delta f_1", "m", "what the first body has lost"),
     "second_worn": Word(r"\Delta f_2", "m", "what the second body has lost"),
     "worn_depth": Word(r"\Delta f_\mathrm{max}", "m", "greatest worn depth, of both bodies together"),
+    "most_worn": Word("", "m", "greatest depth that can wear off; infinite where it is not known"),
     "worn_volume": Word("V", "m^3", "what both bodies have lost"),
     "first_volume": Word("V_1", "m^3", "what the first body has lost"),
     "second_volume": Word("V_2", "m^3", "what the second body has lost"),

@@ -74,6 +74,7 @@ ROUNDED: dict[tuple[str, str], Rounded] = {
     ("ReductionSolution", "misfit"): Rounded(1e-6, "it is checked by contacts of a tolerance of 1e-6"),
     ("ReductionSolution", "force"): Rounded(1e-8, "each contact has a tolerance of 1e-6"),
     **{("SlidingSolution", name): STEPS for name in ("depth", "radius", "worn_depth", "mean_pressure")},
+    **{("LineSlidingSolution", name): STEPS for name in ("half_width", "worn_depth", "mean_pressure")},
     **{
         ("ViscoelasticImpactSolution", name): SPRING
         for name in ("time", "depth", "velocity", "force", "radius", "duration", "dissipation")

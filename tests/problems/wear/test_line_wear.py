@@ -9,6 +9,7 @@ from half_plane_wear import WornCylinder
 
 import winkler as wk
 from winkler.io.wear_states import read_wear, write_wear
+from winkler.problems.line_friction.distance_beside import distance_beside
 
 UNIT = wk.HalfSpace.between(wk.Elastic(2.0, 0.0), wk.Elastic(2.0, 0.0))
 """E* = 1."""
@@ -66,7 +67,8 @@ def test_fretting_is_that_of_boundary_elements(counts):
         stresses.append(np.max(np.abs(pressure - there)[inside]) / pressure[0])
     assert np.all(np.log2(np.array(misses[:-1]) / misses[1:]) > 1.0)
     assert misses[-1] < 0.4 / counts[-1]
-    assert stresses[-1] < 0.3 / counts[-1] and stresses[-1] < 0.5 * stresses[0]
+    assert stresses[-1] < 0.3 / counts[-1]
+    assert stresses[-1] < 0.5 * stresses[0]
 
 
 def test_sliding_is_that_of_boundary_elements():
@@ -94,7 +96,9 @@ def test_the_march_ends_in_the_limiting_profile_the_closer_the_finer_the_grid():
         np.testing.assert_allclose(last.pressure[last.places < 0.4 * A], limit.pressure(
             last.places[last.places < 0.4 * A]), rtol=1.0 / count)  # fmt: skip
     assert misses[-1] < 6e-3
-    assert np.all(np.log2(np.array(misses[:-1]) / misses[1:]) > 0.9)
+    # of first order, on grids four times as fine
+    assert misses[1] < misses[0]
+    assert misses[-1] < 0.25 * misses[0]
 
 
 def test_what_sticks_stays_and_does_not_wear():
@@ -245,3 +249,14 @@ def test_slip_is_known_on_isotropic_bodies_only():
     quartz = wk.TransverselyIsotropicHalfSpace(wk.TransverselyIsotropic(87e9, 7e9, 12e9, 106e9, 58e9))
     with pytest.raises(wk.InvalidInput, match="isotropic"):
         fretting(bed=dataclasses.replace(CYLINDER, medium=quartz))
+
+
+@pytest.mark.parametrize(
+    "profile",
+    [wk.Sphere(1.0), wk.Cone(1.4), wk.RoundedPunch(0.05, 1.0), wk.TruncatedCone(1.4, 0.05), wk.Paraboloid(1.0)],
+)
+def test_the_distance_beside_a_strip_is_the_integral_of_its_slope(profile):
+    bed, c = wk.LineFoundation(profile, UNIT), 0.1
+    x = np.array([0.5, 1.0, 1.0001, 1.3, 2.5]) * c
+    expected = wk.LineIndentation(bed, wk.HalfWidth(c)).solve().separation(x)
+    np.testing.assert_allclose(distance_beside(bed, c, x), expected, rtol=1e-11)

@@ -16,12 +16,11 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.foundation.line import LineFoundation
-from winkler.loading import LineForce
 from winkler.numerics.types import Array
 from winkler.problems.friction.slip_memory import SlipMemory
 from winkler.problems.line.half_width import under_force
-from winkler.problems.line.indentation import LineIndentation, LineSolution
 from winkler.problems.line.peak_pressure import rim_load
+from winkler.problems.line_friction.distance_beside import distance_beside
 from winkler.profiles.power import Paraboloid
 
 __all__ = ["EarlierStrip", "half_widths", "opened", "slipped", "strips_of", "traction"]
@@ -122,5 +121,4 @@ def opened(bed: LineFoundation, strip: EarlierStrip, x: Array) -> Array:
         root = np.sqrt((far - c) * (far + c))
         closed = c**2 * np.arcsinh(root / c) if c > 0.0 else 0.0
         return np.asarray((far * root - closed) / (2.0 * bed.profile.curvature_radius))
-    force = bed.medium.modulus * strip.load
-    return LineSolution(LineIndentation(bed, LineForce(force)), force, c).separation(x)
+    return distance_beside(bed, c, np.abs(x))

@@ -11,6 +11,7 @@ more (`winkler.problems.wear.limiting_profile`).  In gross slip the contact grow
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator
 from typing import ClassVar
 
@@ -129,6 +130,11 @@ class FrettingWear:
         if isinstance(self.amplitude, ShearForce):
             size = grid.shift_under(contact, coefficient, size)
         return grid.rub(contact, coefficient, size)
+
+    @property
+    def most_worn(self) -> float:
+        """Infinite: not known before."""
+        return math.inf
 
     def slipped(self, grid: RoundGrid, contact: WornContact) -> Array:
         """Return how far the surfaces slip in one cycle at the nodes [m]."""

@@ -11,8 +11,9 @@ the end (`winkler.problems.wear.line_limiting_profile`).
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Iterable, Iterator
-from typing import ClassVar
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 
@@ -30,7 +31,7 @@ from winkler.problems.wear.input_checks import Cells, WearTolerance
 from winkler.problems.wear.line_states import LineFrettingState
 from winkler.problems.wear.line_validity import line_fretting_notes
 from winkler.problems.wear.march import WearMoment
-from winkler.problems.wear.nodes import graded_nodes
+from winkler.problems.wear.nodes import graded_nodes, nodes_about
 from winkler.problems.wear.states import goals_of
 from winkler.problems.wear.strip_grid import RubbedStrip, StripGrid
 from winkler.problems.wear.stuck_core import stuck_core
@@ -41,6 +42,7 @@ from winkler.values import value, words
 
 __all__ = ["LineFrettingSolution", "LineFrettingWear"]
 
+SAMPLES = 65
 ROOM = 1.1
 """Of the grid beside what can wear at all."""
 
@@ -67,7 +69,7 @@ class LineFrettingWear:
     count : int, optional
         Cells of the grid of places on one side.
     tolerance : float, optional
-        Error of the worn depth in one jump over many cycles, over the load per length over E*.
+        Error of the worn depth in one jump over many cycles, over the greatest one in the end.
 
     Raises
     ------
@@ -95,7 +97,7 @@ class LineFrettingWear:
     >>> rig = LineFrettingWear(bed, Archard(1e-14), Coulomb(0.5), LineForce(100e3), swing, cycles, count=80)
     >>> worn = rig.solve()
     >>> (worn.stick_half_width * 1e6).round(2), (worn.half_width * 1e6).round(0)  # micrometres
-    (array([52.52, 52.52, 52.52]), array([105., 108., 139.]))
+    (array([52.52, 52.52, 52.52]), array([105., 107., 139.]))
     """
 
     __words__ = words(
@@ -104,7 +106,7 @@ class LineFrettingWear:
         normal=("", None, "the steady normal force per length"),
         amplitude=("", None, "amplitude of the shear force per length"),
         count=("n", "", "cells of the grid of places on one side"),
-        tolerance=(r"\epsilon", "", "error of the worn depth in one jump, over the load per length over E*"),
+        tolerance=(r"\epsilon", "", "error of the worn depth in one jump, over the greatest one in the end"),
     )
 
     bed: LineFoundation
@@ -131,6 +133,11 @@ class LineFrettingWear:
     def _rubbed(self, grid: StripGrid, contact: WornContact) -> RubbedStrip:
         return grid.rub(contact, self.law.coefficient, float(self.amplitude.shear_force_per_length))
 
+    @property
+    def most_worn(self) -> float:
+        """Greatest worn depth in the end [m]; infinite if nothing slips."""
+        return _end_of_wear(self).depth
+
     def slipped(self, grid: StripGrid, contact: WornContact) -> Array:
         """Return how far the surfaces slip in one cycle at the nodes [m]."""
         return 4.0 * self._rubbed(grid, contact).slip
@@ -140,12 +147,10 @@ class LineFrettingWear:
 
     def _nodes(self) -> Array:
         """Return places up to where wear ends at last, closest beside what sticks."""
-        bed = self.bed
-        core = stuck_core("LineFrettingWear", bed, self.law, self.normal, self.amplitude)
-        if core.half_width >= bed.rim:
-            return graded_nodes(0.0, bed.rim, bed.rim, self.count)
-        reach = min(ROOM * core.outer_half_width(), bed.reach, bed.rim)
-        return graded_nodes(core.half_width, reach, np.inf, self.count)
+        end = _end_of_wear(self)
+        if end.core == 0.0:
+            return graded_nodes(0.0, end.reach, end.reach, self.count)
+        return nodes_about(end.core, end.reach, self.count)
 
     @property
     def total(self) -> int:
@@ -202,6 +207,25 @@ class LineFrettingWear:
             As `steps`.
         """
         return self.gathered(self.steps())
+
+
+class _EndOfWear(NamedTuple):
+    """What sticks, zero if that is all up to a rim, up to where the grid goes, and the greatest worn depth [m]."""
+
+    core: float
+    reach: float
+    depth: float
+
+
+@functools.lru_cache(maxsize=8)
+def _end_of_wear(problem: LineFrettingWear) -> _EndOfWear:
+    bed = problem.bed
+    core = stuck_core("LineFrettingWear", bed, problem.law, problem.normal, problem.amplitude)
+    if core.half_width >= bed.rim:
+        return _EndOfWear(0.0, bed.rim, np.inf)
+    end = core.outer_half_width()
+    beside = core.half_width + (end - core.half_width) * np.linspace(0.0, 1.0, SAMPLES) ** 2
+    return _EndOfWear(core.half_width, min(ROOM * end, bed.reach, bed.rim), float(np.max(core.worn(beside))))
 
 
 @value

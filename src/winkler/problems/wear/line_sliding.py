@@ -9,6 +9,7 @@ of the cross-section :math:`\kappa P s = 2a^3/3R`, once that is much deeper than
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator
 from typing import Annotated, ClassVar
 
@@ -114,6 +115,11 @@ class LineSlidingWear:
     def goals(self) -> Array:
         """After which distances the contact is returned [m], ``(steps,)``."""
         return goals_of("LineSlidingWear", "distance", " in m", self.distance)
+
+    @property
+    def most_worn(self) -> float:
+        """Infinite: sliding goes on."""
+        return math.inf
 
     def slipped(self, grid: StripGrid, contact: WornContact) -> Array:
         """Return how far the surfaces slip per distance: all of it."""

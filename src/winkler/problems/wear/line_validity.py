@@ -28,13 +28,15 @@ def _yield_notes(bed: LineFoundation, force: float, half_width: float, worn: tup
     return tuple(note for note in before if note.standing is Standing.OUTSIDE) or worn
 
 
-def _march_notes(bed: LineFoundation, tolerance: float, states: Sequence[LineWearState]) -> tuple[Note, ...]:
+def _march_notes(
+    bed: LineFoundation, tolerance: float, states: Sequence[LineWearState], scale: str
+) -> tuple[Note, ...]:
     before = half_widths(bed, np.array([states[0].force_per_length / bed.medium.modulus])).tolist()[0]
     return (
         *line_notes(bed, before),
         *_yield_notes(bed, states[0].force_per_length, before, worn_yield(bed.medium, states)),
         DEBRIS,
-        resolution_note(states[-1], tolerance, "load per length over E*"),
+        resolution_note(states[-1], tolerance, scale),
     )
 
 
@@ -53,13 +55,23 @@ def line_fretting_notes(
         Of each jump.
     states : sequence of LineWearState
     """
-    return (*_march_notes(bed, tolerance, states), sticking_note(cast(Medium, bed.medium), coefficient), SLIP_SUMS)
+    scale = "greatest worn depth in the end"
+    return (
+        *_march_notes(bed, tolerance, states, scale),
+        sticking_note(cast(Medium, bed.medium), coefficient),
+        SLIP_SUMS,
+    )
 
 
 def line_sliding_notes(bed: LineFoundation, tolerance: float, states: Sequence[LineWearState]) -> tuple[Note, ...]:
     """Return how far a sliding line contact can be trusted; parameters as `line_fretting_notes`."""
+    scale = "load per length over E*"
     # the law of wear does not define the friction
-    return (*_march_notes(bed, tolerance, states), sliding_note(cast(Medium, bed.medium), np.nan), SLIDES_EVERYWHERE)
+    return (
+        *_march_notes(bed, tolerance, states, scale),
+        sliding_note(cast(Medium, bed.medium), np.nan),
+        SLIDES_EVERYWHERE,
+    )
 
 
 def line_limiting_notes(bed: LineFoundation, coefficient: float, force: float) -> tuple[Note, ...]:

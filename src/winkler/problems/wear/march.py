@@ -92,6 +92,11 @@ class WearProblem(Protocol):
         """Error of the worn depth in one jump, over the depth."""
         ...
 
+    @property
+    def most_worn(self) -> float:
+        """Greatest depth that can wear off at all [m]; infinite where wear has no end, or it is not known."""
+        ...
+
     def slipped(self, grid: Any, contact: WornContact) -> Array:
         """Return how far the surfaces slip at the nodes, over one cycle [m] or one metre of sliding [-]."""
         ...
@@ -227,7 +232,8 @@ def _advance(problem: WearProblem, moment: WearMoment, goal: float, everywhere: 
 
 def scale_of(problem: WearProblem, grid: WornGrid, contact: WornContact) -> float:
     """Return the displacement [m] in terms of which errors count."""
-    return contact.depth if grid.holds_depth(problem.normal) else float(np.max(contact.stretch))
+    pressed = contact.depth if grid.holds_depth(problem.normal) else float(np.max(contact.stretch))
+    return min(pressed, problem.most_worn)
 
 
 def _damping(problem: WearProblem, grid: WornGrid, contact: WornContact) -> float:

@@ -9,7 +9,7 @@ from winkler.loading import Depth, Normal
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.types import Array
 
-__all__ = ["GRID_GROWTH", "first_nodes", "graded_nodes"]
+__all__ = ["GRID_GROWTH", "first_nodes", "graded_nodes", "nodes_about"]
 
 GRID_GROWTH = 1.5
 """How much wider than the contact a grid begins, and how much wider it gets when the contact has grown."""
@@ -60,4 +60,19 @@ def graded_nodes(core: float, reach: float, rim: float, count: int) -> Array:
         return np.linspace(0.0, reach, count + 1)
     inner = min(max(round(count * core / reach), count // 8), count - count // 8)
     inside = np.linspace(0.0, core, inner + 1)[:-1]
+    return np.append(inside, core + (reach - core) * np.linspace(0.0, 1.0, count - inner + 1) ** 2)
+
+
+def nodes_about(core: float, reach: float, count: int) -> Array:
+    """Return distances from the middle to `reach`: close together on both sides of the edge of what sticks.
+
+    Parameters
+    ----------
+    core, reach : float
+        Where what sticks ends, and where the grid ends [m].
+    count : int
+        How many nodes beside the one in the middle, half of them within what sticks.
+    """
+    inner = count // 2
+    inside = core * (1.0 - np.linspace(1.0, 0.0, inner + 1)[:-1] ** 1.5)
     return np.append(inside, core + (reach - core) * np.linspace(0.0, 1.0, count - inner + 1) ** 2)

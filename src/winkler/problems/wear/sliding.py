@@ -9,6 +9,7 @@ volume :math:`\kappa F s = \pi a^4/4R`, once that is much deeper than the elasti
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator
 from typing import Annotated, ClassVar
 
@@ -111,6 +112,11 @@ class SlidingWear:
     def goals(self) -> Array:
         """After which distances the contact is returned [m], ``(steps,)``."""
         return goals_of("SlidingWear", "distance", " in m", self.distance)
+
+    @property
+    def most_worn(self) -> float:
+        """Infinite: sliding goes on."""
+        return math.inf
 
     def slipped(self, grid: RoundGrid, contact: WornContact) -> Array:
         """Return how far the surfaces slip per distance: all of it."""
