@@ -67,21 +67,22 @@ class MapField(NamedTuple):
         One array (9, nx - 1, ny - 1) for each load that there is.
         """
         unit = self.pixel[0]
-        along, across, deep = x / unit, y / unit, z / unit
-        found = []
-        for load in range(3 if self.dragged else 1):
-            swapped = load == 2
-            first, second = (across, along) if swapped else (along, across)
-            corners = np.empty((COMPONENTS, first.size, second.size))
-
-            def work(part: slice, first: Array = first, second: Array = second, corners: Array = corners) -> None:
-                corners_at(first[part], second, deep, self.poisson, LEAST_SQUARE, load > 0, corners[:, part])
-
-            run_in_threads(work, first.size)
-            kernel = np.diff(np.diff(corners, axis=1), axis=2)
+        along, across = x / unit, y / unit
+        found = [self._kernel(along, across, z / unit, load > 0) for load in range(2 if self.dragged else 1)]
+        if self.dragged:
+            found.append(self._kernel(across, along, z / unit, True).transpose(0, 2, 1)[list(EXCHANGED)])
+        for kernel in found:
             kernel[6:] *= unit
-            found.append(kernel.transpose(0, 2, 1)[list(EXCHANGED)] if swapped else kernel)
         return found
+
+    def _kernel(self, x: Array, y: Array, z: float, dragged: bool) -> Array:
+        corners = np.empty((COMPONENTS, x.size, y.size))
+
+        def work(part: slice) -> None:
+            corners_at(x[part], y, z, self.poisson, LEAST_SQUARE, dragged, corners[:, part])
+
+        run_in_threads(work, x.size)
+        return np.diff(np.diff(corners, axis=1), axis=2)
 
     @property
     def _box(self) -> tuple[slice, slice]:

@@ -55,15 +55,14 @@ class PeriodicMapField(NamedTuple):
 
         kx, ky = np.meshgrid(*self._wave_numbers(), indexing="ij")
         q = np.hypot(kx, ky)
-        q[0, 0] = np.inf
+        q[0, 0] = 1.0 / self.pixel[0]  # the means follow
         p, along, across = scipy.fft.fft2(self.loads, workers=-1)
         out = np.asarray(
             p * _pressed(kx, ky, q, z, self.poisson)
             + along * _dragged(kx, ky, q, z, self.poisson)
             + across * _dragged(ky, kx, q, z, self.poisson)[list(EXCHANGED)]
         )
-        decay = np.where(q * z < MOST_DECAY, np.exp(-np.minimum(np.where(np.isinf(q), 0.0, q) * z, MOST_DECAY)), 0.0)
-        out *= decay
+        out *= np.where(q * z < MOST_DECAY, np.exp(-np.minimum(q * z, MOST_DECAY)), 0.0)
         held = self.poisson / (1.0 - self.poisson)
         means = [part[0, 0] for part in (p, along, across)]
         out[:, 0, 0] = [-held * means[0], -held * means[0], -means[0], 0.0, -means[1], -means[2], 0.0, 0.0, 0.0]
@@ -107,7 +106,7 @@ def _pressed(kx: Array, ky: Array, q: Array, z: float, nu: float) -> Array:
     most = 1.0 - 2.0 * nu
     up, down = z / q - most / q**2, most / q**2 - z / q
     parts = (
-        -2.0 * nu + kx**2 * up, -2.0 * nu + ky**2 * up, -1.0 - np.where(np.isinf(q), 0.0, q) * z, kx * ky * up,
+        -2.0 * nu + kx**2 * up, -2.0 * nu + ky**2 * up, -1.0 - q * z, kx * ky * up,
         1j * z * kx, 1j * z * ky, 1j * kx * down, 1j * ky * down, 2.0 * (1.0 - nu) / q + z,
     )  # fmt: skip
     return np.stack(np.broadcast_arrays(*parts))

@@ -110,7 +110,9 @@ def corners_at(x: Array, y: Array, z: float, nu: float, least: float, dragged: b
 
 
 @compiled
-def sum_corners(places: Array, corners: Array, jumps: Array, dragged: bool, nu: float, least: float, out: Array) -> None:
+def sum_corners(
+    places: Array, corners: Array, jumps: Array, dragged: bool, nu: float, least: float, out: Array
+) -> None:
     """Add what corners (n, 2), of loads that jump there by (n, 3), give at places (m, 3) to `out` (m, 9).
 
     The jumps are those of pressure and of the tractions along x and y.

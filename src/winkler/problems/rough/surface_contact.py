@@ -30,9 +30,11 @@ from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.normal.unknown_yield import unknown_yield
-from winkler.problems.normal.yield_of_pressure import map_yield_notes
 from winkler.problems.rough.surface_notes import surface_notes
 from winkler.problems.rough.surface_states import SurfaceState
+from winkler.problems.subsurface.below_surface import BelowSurface
+from winkler.problems.subsurface.map_yield import map_yield_notes
+from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note
 from winkler.values import value
@@ -243,8 +245,8 @@ def _area(touching: Array, pixel: tuple[float, float], periodic: bool) -> tuple[
 
 
 @value
-class SurfaceContactSolution:
-    """The solution of a `SurfaceContact`; quantities have the shape of the load.
+class SurfaceContactSolution(BelowSurface):
+    """The solution of a `SurfaceContact`; quantities have the shape of the load, stresses are those of the last one.
 
     Parameters
     ----------
@@ -270,6 +272,16 @@ class SurfaceContactSolution:
     last: SurfaceState
 
     @property
+    def surface_load(self) -> SurfaceLoad:
+        """The pressures under the last load."""
+        rough = self.problem.topography
+        return SurfaceLoad(self.last.pressure, rough.lengths, periodic=rough.periodic)
+
+    @property
+    def _medium(self) -> HomogeneousMedium:
+        return self.problem.medium
+
+    @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: border, residual, slopes, pixels."""
         stated = self.problem
@@ -280,4 +292,4 @@ class SurfaceContactSolution:
                 *notes,
                 *unknown_yield(stated.medium, "pressures are stored of the last load, which is not the greatest"),
             )
-        return (*notes, *map_yield_notes(stated.medium, float(np.max(self.last.pressure))))
+        return (*notes, *map_yield_notes(stated.medium, self.surface_load))
