@@ -45,6 +45,7 @@ from winkler.io.tables.profile_table import read_profile
 from winkler.io.tables.relaxation_table import read_creep, read_dynamic, read_relaxation
 from winkler.io.tables.scan_table import read_scan
 from winkler.io.tables.spectrum_table import read_spectrum
+from winkler.io.tables.surface_load_table import read_surface_load
 from winkler.io.topography_file import read_topography
 from winkler.io.traces import write_trace
 from winkler.io.vtk import write_vtk
@@ -171,6 +172,8 @@ from winkler.problems.rough.reduced_bed import ReducedBed
 from winkler.problems.rough.spring_line import RoughLine
 from winkler.problems.rough.surface_conduction import SurfaceConduction, SurfaceConductionSolution
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
+from winkler.problems.subsurface.map_stress import MapStress, MapStressSolution
+from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.problems.viscoelastic.adhesion import ViscoelasticAdhesion, ViscoelasticAdhesionSolution
 from winkler.problems.viscoelastic.impact import ViscoelasticImpact, ViscoelasticImpactSolution
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation, ViscoelasticSolution
@@ -236,13 +239,12 @@ __all__ = [
     "Kalker", "KelvinVoigt",
     "Layer", "LimitingProfile", "LimitingSolution", "LineAdhesion", "LineAdhesionSolution", "LineConstriction",
     "LineConstrictionSolution", "LineFields", "LineForce", "LineFoundation", "LineFrictionHeating",
-    "LineFrictionHeatingSolution",
-    "LineIndentation",
+    "LineFrictionHeatingSolution", "LineIndentation",
     "LinePath", "LineRolling", "LineRollingResistance", "LineRollingResistanceSolution", "LineRollingSolution",
     "LineRollingStart", "LineRollingStartSolution", "LineScan", "LineShakedown", "LineShakedownSolution",
     "LineShearForce", "LineSolution", "LineTangential", "LineTangentialSolution", "LineYieldOnset",
     "LineYieldOnsetSolution", "LogarithmicEnds",
-    "Maxwell", "MeanPressure", "Measured", "MeasuredBed", "Moment",
+    "MapStress", "MapStressSolution", "Maxwell", "MeanPressure", "Measured", "MeasuredBed", "Moment",
     "NamedElastic", "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor", "NearlyRoundIndentation",
     "NearlyRoundSolution", "NominalPressure", "NotConverged", "Note",
     "OliverPharr", "OliverPharrSolution", "Oscillate", "OscillatingRolling", "OscillatingRollingSolution",
@@ -264,7 +266,7 @@ __all__ = [
     "SlidingSolution", "SlidingWear", "Sphere", "SpheroConical", "Spikes", "SpotCluster", "SpotClusterSolution",
     "SpringMarch", "SpringTrace", "Springs", "Staircase", "StandardSolid", "Standing", "Start", "StaticKinetic",
     "SubsurfaceFields", "Sum", "SurfaceConduction", "SurfaceConductionSolution", "SurfaceContact",
-    "SurfaceContactSolution", "SurfaceFields", "SurfaceFilm",
+    "SurfaceContactSolution", "SurfaceFields", "SurfaceFilm", "SurfaceLoad",
     "TabulatedGrading", "Tangential", "TangentialSolution", "ThermalConductor", "ThermalConstriction",
     "ThermalConstrictionSolution", "ThermalInterface", "Tilt", "Topography", "Torque", "Torsion", "TorsionSolution",
     "TransientHeating", "TransientHeatingSolution", "TransverselyIsotropic", "TransverselyIsotropicHalfSpace",
@@ -283,7 +285,8 @@ __all__ = [
     "material", "material_names", "maugis_parameter", "mean_separation",
     "peak_stress",
     "random_topography", "read_bed", "read_contacts", "read_creep", "read_curve", "read_curves", "read_dynamic",
-    "read_grading", "read_path", "read_profile", "read_relaxation", "read_scan", "read_spectrum", "read_topography",
+    "read_grading", "read_path", "read_profile", "read_relaxation", "read_scan", "read_spectrum",
+    "read_surface_load", "read_topography",
     "reduce", "relaxation_band", "restore", "restore_body", "restore_conduction", "restore_shift",
     "sample_young", "spectrum_of", "staircase",
     "tabor_parameter", "to_pandas", "to_xarray",

@@ -205,6 +205,25 @@ def rough(spectrum):
 
 ROUGHNESS = {
     **dict.fromkeys(("surface_contact", "random_topography"), TOUCHING),
+    **dict.fromkeys(
+        ("map_stress", "surface_load"),
+        wk.MapStress(
+            wk.SurfaceLoad(
+                1e6
+                * np.array(
+                    [
+                        [0, 100, 150, 100, 0],
+                        [100, 250, 300, 250, 100],
+                        [150, 300, 350, 300, 150],
+                        [100, 250, 300, 250, 100],
+                        [0, 100, 150, 100, 0],
+                    ]
+                ),
+                [1e-3, 1e-3],
+            ),
+            wk.Elastic(210e9, 0.3, strength=500e6),
+        ),
+    ),
     "height_map": wk.SurfaceContact(wk.Topography(PYRAMID, MILLIMETRES), STEEL_BODY, LOADS),
     "surface_conduction": wk.SurfaceConduction(wk.SurfaceContact(STAMP, STEEL_BODY, LOADS), PAIR),
     "reduction": wk.Reduction(STAMP, STEEL_BODY, 3e-6),

@@ -18,16 +18,20 @@ __all__ = ["greatest_below_map"]
 
 SHALLOWEST = 0.5
 """Smallest depth below the surface that is searched, in pixels; nearer to it the steps between pixels show."""
-DEPTH_STEP = 1.3
+DEPTH_STEP = 1.4
 """Ratio of neighbouring depths of the search."""
 DEEPEST = 0.6
 """Greatest depth of the search over the longer side of the loaded part."""
-MEANS_PER_DEPTH = 4.0
+MEANS_PER_DEPTH = 2.0
 """Depth over the side of the means that stand for the pixels in the search."""
+MEANS_PER_CLIMB = 8.0
+"""The same of the first climb; the last one is on the pixels themselves."""
 MOST_CLIMBS = 2
 """Best places of the search from which the greatest is climbed to."""
-NEAR_BEST = 0.98
+NEAR_BEST = 0.97
 """Stress over the greatest of the search above which a place is climbed from."""
+FIRST_STEP, LAST_STEP = 0.3, 0.02
+"""Sides of the simplexes with which climbs begin, over the depth."""
 PLACE_TOLERANCE, VALUE_TOLERANCE = 1e-4, 1e-9
 """To which part of the depth the place is found, and to which part of itself the stress."""
 
@@ -48,7 +52,7 @@ def greatest_below_map(field: MapField | PeriodicMapField) -> StressSpot:
     while depths[-1] < DEEPEST * max(spans):
         depths.append(DEPTH_STEP * depths[-1])
     surface = _best_at(field, 0.0)
-    found = sorted((_best_at(_on_means(field, z), z) for z in depths), key=lambda spot: -spot.value)
+    found = sorted((_best_at(_on_means(field, z, MEANS_PER_DEPTH), z) for z in depths), key=lambda spot: -spot.value)
     starts: list[StressSpot] = []
     for spot in found:
         apart = all(np.hypot(spot.x - other.x, spot.y - other.y) > spot.z for other in starts)
@@ -56,12 +60,15 @@ def greatest_below_map(field: MapField | PeriodicMapField) -> StressSpot:
             starts.append(spot)
     if surface.value * NEAR_BEST > found[0].value:
         return surface
-    return max((surface, *(_climbed(field, spot, SHALLOWEST * pixel) for spot in starts)), key=lambda spot: spot.value)
+    least = SHALLOWEST * pixel
+    tops = [_climbed(_on_means(field, spot.z, MEANS_PER_CLIMB), spot, least, FIRST_STEP) for spot in starts]
+    best = max(tops, key=lambda spot: spot.value)
+    return max(surface, _climbed(field, best, least, LAST_STEP), key=lambda spot: spot.value)
 
 
-def _on_means(field: MapField | PeriodicMapField, z: float) -> MapField | PeriodicMapField:
+def _on_means(field: MapField | PeriodicMapField, z: float, per_depth: float) -> MapField | PeriodicMapField:
     """Return the map on pixels as large as the depth allows; a periodic one as it is."""
-    times = int(z / (MEANS_PER_DEPTH * max(field.pixel)))
+    times = int(z / (per_depth * max(field.pixel)))
     return field.coarsened(times) if isinstance(field, MapField) and times > 1 else field
 
 
@@ -71,7 +78,7 @@ def _best_at(field: MapField | PeriodicMapField, z: float) -> StressSpot:
     return StressSpot(float(stress[i, j]), (float(i) + 0.5) * field.pixel[0], (float(j) + 0.5) * field.pixel[1], z)
 
 
-def _climbed(field: MapField | PeriodicMapField, start: StressSpot, shallowest: float) -> StressSpot:
+def _climbed(field: MapField | PeriodicMapField, start: StressSpot, shallowest: float, side: float) -> StressSpot:
     """Return the greatest stress near a place, by the simplex of Nelder and Mead in units of its depth."""
     from scipy.optimize import minimize
 
@@ -86,7 +93,7 @@ def _climbed(field: MapField | PeriodicMapField, start: StressSpot, shallowest: 
         return float(von_mises_of_tensor(*field.at_places(place(step)[None, :])[:6])[0])
 
     unit = stress(np.zeros(3))
-    corners = np.vstack([np.zeros(3), np.diag([0.3, 0.3, 0.3])])
+    corners = np.vstack([np.zeros(3), side * np.eye(3)])
     found = minimize(
         lambda step: -stress(step) / unit,
         np.zeros(3),

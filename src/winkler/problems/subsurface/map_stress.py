@@ -48,7 +48,7 @@ class MapStress:
     >>> square = SurfaceLoad(np.full((8, 8), 100e6), [2e-3, 2e-3])
     >>> solution = MapStress(square, Elastic(210e9, 0.3)).solve()
     >>> round(float(solution.stresses(1e-3, 1e-3, 0.5e-3).zz_stress) / 1e6, 2)
-    -93.24
+    -92.99
     """
 
     load: SurfaceLoad
@@ -137,7 +137,7 @@ class MapStressSolution(BelowSurface):
             Note(
                 Assumption.RESOLUTION,
                 standing_of(self.grid_error, FINE, COARSE),
-                f"The greatest stress is {place}; from pixels of twice the size it changes by {percent:.2g} per cent.  "
+                f"The greatest stress is {place}; from pixels of twice the size it changes by {percent:.2g} per cent. "
                 "Nearer to the surface than half a pixel the steps between pixels show.",
                 "comparison of two grids",
             ),

@@ -63,6 +63,11 @@ class SurfaceLoad:
     __words__ = words(
         x_traction=(r"\tau_x", "Pa", "traction along x that acts on the body"),
         y_traction=(r"\tau_y", "Pa", "traction along y that acts on the body"),
+        loads=("", "Pa", "pressure and tractions along x and y"),
+        pixel=("", "m", "size of one pixel"),
+        places=("", "m", "middles of the pixels along x and along y"),
+        x_force=("F_x", "N", "sum of the tractions along x"),
+        y_force=("F_y", "N", "sum of the tractions along y"),
         corner=("x_0, y_0", "m", "where the map begins"),
     )
 
