@@ -1,0 +1,177 @@
+"""How far the upper body goes down under a force, and the pressures on every place of contact."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.errors import InvalidInput, NotConverged
+from winkler.numerics.surfaces.pressed_grid import ByDepth, press
+from winkler.numerics.types import Array
+from winkler.problems.profile_pair.gap_map import GapMap, windows
+from winkler.problems.profile_pair.placing import Body, Placing
+
+__all__ = ["PressedPair", "Region", "change_of", "pressed_by_drop", "pressed_by_force"]
+
+MOST_TRIALS = 30
+FORCE_TOLERANCE = 1e-7
+COARSE_PIXELS, COARSE_TOLERANCE = 32, 1e-3
+"""Pixels along a side, and error of the force, of the first search."""
+BESIDE = 4.0
+"""Gap that stands for none, over the overlap: beside the bodies nothing touches."""
+
+
+class Region(NamedTuple):
+    """A window of the lower surface with its pressures.
+
+    Parameters
+    ----------
+    gaps
+        Along the normals.
+    overlap
+        The greatest one of the undeformed bodies along a normal [m].
+    pressure
+        [Pa], of the pixels of the gaps.
+    """
+
+    gaps: GapMap
+    overlap: float
+    pressure: Array
+
+    @property
+    def force(self) -> Array:
+        """What presses the upper body, across and up [N]."""
+        return np.asarray(self.gaps.normal @ self.pressure.sum(axis=0) * self.gaps.pixel[0] * self.gaps.pixel[1])
+
+    @property
+    def cut(self) -> bool:
+        """Whether the contact reaches the end of a profile, or of the window."""
+        from scipy.ndimage import binary_dilation
+
+        p = self.pressure > 0.0
+        beside = binary_dilation(p) & np.isinf(self.gaps.gap)
+        return bool(beside.any() or p[0].any() or p[-1].any() or p[:, 0].any() or p[:, -1].any())
+
+
+class PressedPair(NamedTuple):
+    """Two bodies that are pressed together.
+
+    Parameters
+    ----------
+    drop
+        How far the upper body went down since first touch [m].
+    regions
+        Where the bodies touch.
+    """
+
+    drop: float
+    regions: tuple[Region, ...]
+
+    @property
+    def force(self) -> Array:
+        """What presses the upper body, across and up [N]."""
+        return np.asarray(np.sum([region.force for region in self.regions], axis=0))
+
+    @property
+    def peak(self) -> float:
+        """The greatest pressure [Pa]."""
+        return max(float(np.max(region.pressure)) for region in self.regions)
+
+
+def change_of(coarse: PressedPair, fine: PressedPair) -> float:
+    """Return the greatest relative change of force and greatest pressure."""
+    return max(abs(coarse.peak / fine.peak - 1.0), abs(float(coarse.force[1] / fine.force[1]) - 1.0))
+
+
+def heights_of(gaps: GapMap) -> tuple[Array, float]:
+    """Return heights of a map (negative gaps, finite everywhere), and the overlap [m]."""
+    overlap = -float(np.min(gaps.gap))
+    most = float(np.max(gaps.gap[np.isfinite(gaps.gap)]))
+    return -np.where(np.isfinite(gaps.gap), gaps.gap, most + BESIDE * max(overlap, 0.0)), overlap
+
+
+def pressed_by_drop(
+    lower: Body, upper: Body, placing: Placing, drop: float, modulus: float, pixels: int, tolerance: float
+) -> PressedPair:
+    """Return the pair with the upper body let down by `drop` [m] since first touch.
+
+    Parameters
+    ----------
+    lower, upper : Body
+    placing : Placing
+        Of both.
+    drop : float
+        [m].
+    modulus : float
+        E* [Pa].
+    pixels : int
+        Along a side of each window.
+    tolerance : float
+        As of `winkler.numerics.surfaces.pressed_grid.press`.
+    """
+    touch = float(np.nanmin(placing.gap))
+    down = upper.raised(-touch - drop)
+    regions = []
+    for window in windows(lower, down, placing, touch + drop):
+        gaps = GapMap.of(lower, down, window, (pixels, pixels))
+        heights, overlap = heights_of(gaps)
+        if overlap <= 0.0:
+            continue
+        solved = press(
+            float(np.max(heights)) - heights, gaps.pixel, ByDepth(overlap), periodic=False, tolerance=tolerance
+        )
+        regions.append(Region(gaps, overlap, modulus * solved.pressure))
+    return PressedPair(drop, tuple(regions))
+
+
+def pressed_by_force(
+    lower: Body, upper: Body, placing: Placing, force: float, modulus: float, pixels: int, tolerance: float
+) -> PressedPair:
+    """Return the pair under a force upwards on the upper body; parameters as of `pressed_by_drop`.
+
+    Raises
+    ------
+    InvalidInput
+        If the bodies cannot bear the force before the profile ends.
+    NotConverged
+        If the force is not found.
+    """
+    lowest = int(np.nanargmin(placing.gap))
+    radius = 1.0 / float(placing.bending[lowest])
+    drop = (9.0 * force**2 / (16.0 * modulus**2 * radius)) ** (1.0 / 3.0)
+    coarse = _found(lower, upper, placing, force, modulus, drop, min(COARSE_PIXELS, pixels), 1e-4, COARSE_TOLERANCE)
+    return _found(lower, upper, placing, force, modulus, coarse.drop, pixels, tolerance, FORCE_TOLERANCE)
+
+
+def _found(
+    lower: Body,
+    upper: Body,
+    placing: Placing,
+    force: float,
+    modulus: float,
+    drop: float,
+    pixels: int,
+    tolerance: float,
+    exactness: float,
+) -> PressedPair:
+    """Return the pair at the drop where the forces agree, by secants between logarithms."""
+    before: tuple[float, float] | None = None
+    power = 1.5
+    for _ in range(MOST_TRIALS):
+        pair = pressed_by_drop(lower, upper, placing, drop, modulus, pixels, tolerance)
+        if not pair.regions:
+            raise InvalidInput("ProfilePair: the profiles do not meet where they should; check their places.")
+        over = math.log(float(pair.force[1]) / force)
+        if abs(over) <= exactness:
+            return pair
+        here = math.log(drop)
+        if before is not None and before[0] != here and (over - before[1]) / (here - before[0]) > 0.3:
+            power = (over - before[1]) / (here - before[0])
+        before = here, over
+        drop = math.exp(here - min(max(over / power, -2.0), 2.0))
+    raise NotConverged(
+        f"ProfilePair: the drop under {force:.6g} N is not found within {MOST_TRIALS} trials; the profiles are rough, "
+        "or end within the contact: smooth them, or give longer ones."
+    )
