@@ -38,6 +38,7 @@ from winkler.foundation.springs import Springs
 from winkler.io.contact_state import read_contacts, write_contacts
 from winkler.io.curves import PlacedCurve, read_curve, read_curves
 from winkler.io.tables.bed_table import read_bed
+from winkler.io.tables.cross_profile_file import read_cross_profile
 from winkler.io.tables.grading_table import read_grading
 from winkler.io.tables.law_table import write_law
 from winkler.io.tables.path_table import read_path
@@ -155,6 +156,8 @@ from winkler.problems.particles.contacts import Contacts
 from winkler.problems.particles.elastic_plastic import ElasticPlasticParticle, ParticleSolution
 from winkler.problems.particles.impacts import BallImpacts, BallImpactsSolution
 from winkler.problems.particles.trace import ContactTrace
+from winkler.problems.profile_pair.patch import ProfilePatch
+from winkler.problems.profile_pair.profile_pair import ProfilePair, ProfilePairSolution
 from winkler.problems.rollers.roller_contact import RollerContact, RollerSolution
 from winkler.problems.rolling.calibration import Kalker, Uncalibrated
 from winkler.problems.rolling.creepage import Creepage
@@ -186,6 +189,7 @@ from winkler.problems.wear.limiting_profile import LimitingProfile, LimitingSolu
 from winkler.problems.wear.sliding import SlidingSolution, SlidingWear
 from winkler.profiles.area import AreaFunction
 from winkler.profiles.conical import Berkovich, Cone, CubeCorner, RoundedCone, SpheroConical, TruncatedCone, Vickers
+from winkler.profiles.cross_profile import CrossProfile
 from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.designed import Designed
 from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
@@ -221,8 +225,8 @@ __all__ = [
     "CalibratedArea", "CappedCylinder", "CappedParaboloid", "Circle", "CoatedHalfSpace", "Comparison",
     "ConductanceBounds", "ConductanceBoundsSolution", "Cone", "Constriction", "ConstrictionSolution", "ContactEllipse",
     "ContactLaw", "ContactLawSolution", "ContactReading", "ContactTrace", "Contacts", "Coulomb", "CreepData",
-    "CreepFit", "CreepTest", "Creepage", "CrownedEnds", "CubeCorner", "Current", "CurrentFields", "CurvedBodies",
-    "CurvedPair", "Cylinder",
+    "CreepFit", "CreepTest", "Creepage", "CrossProfile", "CrownedEnds", "CubeCorner", "Current", "CurrentFields",
+    "CurvedBodies", "CurvedPair", "Cylinder",
     "Depth", "DepthGradedHalfSpace", "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData",
     "Elastic", "ElasticPlasticParticle", "ElastomerFriction", "ElastomerFrictionSolution", "ElectricalConductor",
     "ElectricalConductors", "Ellipsoid", "EllipticFields", "EllipticFoundation", "EllipticFrictionHeating",
@@ -252,8 +256,8 @@ __all__ = [
     "PairWear", "Paraboloid", "ParticleSolution", "Path", "PeakStress", "PeriodicIndentation",
     "PeriodicSolution", "PlacedCurve", "PlacedStress",
     "PlaneFoundation", "PlateBase",
-    "Plated", "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "Program", "Prony",
-    "PullOff", "PullOffSolution",
+    "Plated", "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "ProfilePair", "ProfilePairSolution",
+    "ProfilePatch", "Program", "Prony", "PullOff", "PullOffSolution",
     "Radius", "Ramp", "RandomTopography", "RateDependentWork", "ReducedBed", "Reduction", "ReductionSolution",
     "RelaxationDamper", "RelaxationDamperSolution", "RelaxationData", "RelaxationTest", "RelaxingInProportion",
     "Rigid", "Rod", "RollerCentre", "RollerContact", "RollerSolution", "Rolling", "RollingSolution", "RollingStart",
@@ -284,8 +288,8 @@ __all__ = [
     "intercept_factor",
     "material", "material_names", "maugis_parameter", "mean_separation",
     "peak_stress",
-    "random_topography", "read_bed", "read_contacts", "read_creep", "read_curve", "read_curves", "read_dynamic",
-    "read_grading", "read_path", "read_profile", "read_relaxation", "read_scan", "read_spectrum",
+    "random_topography", "read_bed", "read_contacts", "read_creep", "read_cross_profile", "read_curve", "read_curves",
+    "read_dynamic", "read_grading", "read_path", "read_profile", "read_relaxation", "read_scan", "read_spectrum",
     "read_surface_load", "read_topography",
     "reduce", "relaxation_band", "restore", "restore_body", "restore_conduction", "restore_shift",
     "sample_young", "spectrum_of", "staircase",

@@ -25,6 +25,10 @@ NEWTON_STEPS = 8
 """Of the search for a surface along a line."""
 LINES = 2001
 """Vertical planes across the track among which the nearest places are sought."""
+ZOOMS, ZOOM_LINES = 3, 41
+"""Finer planes around the nearest one, and how many at a time."""
+NEAREST, FARTHEST, NEAR_LINES = 1e-7, 1e-2, 200
+"""Further planes on either side of the nearest one: their distances from it over the width, and how many."""
 STEPS_ALONG = 6
 """Of the search along the track for the place where the bodies are nearest in one of these planes."""
 STENCIL = 1e-3
@@ -139,17 +143,33 @@ class Placing(NamedTuple):
         """Return the distances of two bodies."""
         low, high = lower.profile.ends
         ends = upper.profile.ends
-        across = upper.axes[1, 1]
-        corners = sorted(float(upper.place[1]) + across * end for end in ends)
+        corners = sorted(float(upper.place[1]) + float(upper.axes[1, 1]) * end for end in ends)
         y = np.linspace(max(low, corners[0]), min(high, corners[1]), LINES)
+        found = cls._on(lower, upper, y)
+        if not np.any(np.isfinite(found.gap)):
+            return found
+        span, spacing = float(y[-1] - y[0]), float(y[1] - y[0])
+        place = float(y[np.nanargmin(found.gap)])
+        for _ in range(ZOOMS):
+            near = np.clip(place + spacing * np.linspace(-1.0, 1.0, ZOOM_LINES), y[0], y[-1])
+            gap = cls._on(lower, upper, near).gap
+            place = float(near[np.nanargmin(gap)]) if np.any(np.isfinite(gap)) else place
+            spacing *= 4.0 / ZOOM_LINES
+        away = span * np.geomspace(NEAREST, FARTHEST, NEAR_LINES)
+        near = np.concatenate([place - away[::-1], [place], place + away])
+        return cls._on(lower, upper, np.unique(np.concatenate([y, near[(near > y[0]) & (near < y[-1])]])))
+
+    @classmethod
+    def _on(cls, lower: Body, upper: Body, y: Array) -> Placing:
+        """Return the distances in planes at y."""
         radii = [body.radius for body in (lower, upper) if math.isfinite(body.radius)]
+        ends = upper.profile.ends
         step = STENCIL * (min(radii) if radii else ends[1] - ends[0])
-        x = np.zeros(LINES)
+        x = np.zeros(y.shape)
         for _ in range(STEPS_ALONG):
             before, here, after = (_vertical(lower, upper, x + part, y) for part in (-step, 0.0, step))
             bending = (before - 2.0 * here + after) / step**2
-            with np.errstate(invalid="ignore", divide="ignore"):
-                change = np.where(bending > 0.0, -0.5 * (after - before) / step / bending, 0.0)
+            change = np.where(bending > 0.0, -0.5 * (after - before) / step / bending, 0.0)
             x = np.where(np.isfinite(change), x + change, x)
         return cls(y, x, _vertical(lower, upper, x, y), bending)
 

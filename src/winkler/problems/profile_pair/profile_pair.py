@@ -104,6 +104,7 @@ class ProfilePair:
         first_radius=("R_1", "m", "radius of revolution of the lower body; infinite if it is straight"),
         second_radius=("R_2", "m", "radius of revolution of the upper body; infinite if it is straight"),
         rolled_radius=("R_0", "m", "distance rolled per turn by one radian; zero for the radius of the upper body"),
+        placing=("", None, "distances of both bodies across, before the upper one is let down"),
         pixels=("n", "", "pixels along each side of a window of contact"),
     )
 
@@ -122,6 +123,11 @@ class ProfilePair:
 
     references: ClassVar[tuple[str, ...]] = ("polonsky_keer_1999", "kalker_1990", "shackleton_iwnicki_2008")
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED
+
+    @property
+    def placing(self) -> Placing:
+        """The distances of both bodies across, before the upper one is let down."""
+        return self._bodies()[2]
 
     def _bodies(self) -> tuple[Body, Body, Placing]:
         lower = lower_body(self.first, self.first_radius)

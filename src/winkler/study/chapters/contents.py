@@ -17,6 +17,7 @@ from winkler.study.chapters.line_friction import LINE_FRICTION
 from winkler.study.chapters.line_rolling import LINE_ROLLING
 from winkler.study.chapters.normal import NORMAL, normal_formulas
 from winkler.study.chapters.particles import PARTICLES
+from winkler.study.chapters.profile_pair import PROFILE_PAIR
 from winkler.study.chapters.rolling import ROLLING
 from winkler.study.chapters.rough import ROUGH
 from winkler.study.chapters.subsurface import SUBSURFACE
@@ -43,6 +44,7 @@ CHAPTERS: tuple[Chapter, ...] = (
     WEAR,
     ROUGH,
     SUBSURFACE,
+    PROFILE_PAIR,
 )
 """In the order of the catalogue."""
 
