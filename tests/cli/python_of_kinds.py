@@ -206,6 +206,24 @@ def rough(spectrum):
 ROUGHNESS = {
     **dict.fromkeys(("surface_contact", "random_topography"), TOUCHING),
     **dict.fromkeys(
+        ("profile_pair", "cross_profile"),
+        wk.ProfilePair(
+            wk.CrossProfile(
+                1e-3 * np.arange(-20.0, 21.0, 5.0),
+                -1e-3 * np.array([0.6674, 0.3752, 0.1667, 0.0417, 0.0, 0.0417, 0.1667, 0.3752, 0.6674]),
+            ),
+            wk.CrossProfile(
+                1e-3 * np.arange(-25.0, 26.0, 5.0),
+                1e-3 * np.array([-0.0125, -0.1, -0.1375, -0.125, -0.0813, 0.0, 0.1188, 0.275, 0.4625, 0.675, 0.9125]),
+            ),
+            wk.HalfSpace(wk.Elastic(210e9, 0.3)),
+            wk.Force(50e3),
+            yaw=5e-3,
+            second_radius=0.46,
+            pixels=64,
+        ),
+    ),
+    **dict.fromkeys(
         ("map_stress", "surface_load"),
         wk.MapStress(
             wk.SurfaceLoad(

@@ -296,6 +296,13 @@ def elliptic_hertz_one_to_three() -> Numbers:
 
 
 @of_case
+def profiles_of_a_ball() -> Numbers:
+    """F = 4/3 sqrt(R d^3), p0 = 2/pi sqrt(d/R), area pi R d; E* = R = 1, d = 1e-4."""
+    d = frac("0.0001")
+    return [frac("4/3") * mp.sqrt(d**3), 2 / mp.pi * mp.sqrt(d), mp.pi * d]
+
+
+@of_case
 def love_square() -> Numbers:
     """Square of side 2, p = 1, nu = 0.3: point forces along rays; sigma_xx - sigma_zz on the axis."""
     soft = 1 - 2 * frac("0.3")

@@ -18,6 +18,8 @@ POLONSKY = "I. A. Polonsky, L. M. Keer, Wear 231 (1999) 206-219, doi:10.1016/S00
 KALKER = "J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990, doi:10.1007/978-94-015-7889-9"
 FINE, COARSE = 0.01, 0.1
 """Change from half as many pixels up to which results count as fine, and as coarse."""
+MUCH_SUNK = 0.2
+"""What one patch may sink another one, over its overlap, before it must not be left out."""
 FLAT, BENT = 0.1, 1.2
 """Angle over which the direction of the surface turns within a patch [rad], small, and too large for half-spaces."""
 
@@ -96,7 +98,7 @@ def _apart(medium: HomogeneousMedium, patches: tuple[ProfilePatch, ...]) -> Note
                 most = max(most, sunk / (math.pi * medium.modulus * far) / one.depth)
     return Note(
         Assumption.SINGLE_CONTACT,
-        standing_of(most, FINE, COARSE),
+        standing_of(most, FINE, MUCH_SUNK),
         f"Places of contact that are far from each other are solved one by one; one sinks the other by up to "
         f"{100.0 * most:.2g} per cent of its overlap, which is left out.",
         KALKER,
