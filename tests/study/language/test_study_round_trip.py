@@ -64,6 +64,7 @@ ELSEWHERE = {
     wk.RollerCentre,
     wk.LineFields,
     wk.LineScan,
+    wk.ProfilePatch,
     wk.RoughLine,
     wk.Spikes,
     wk.SpringMarch,

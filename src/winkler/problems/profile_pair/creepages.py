@@ -15,18 +15,18 @@ import math
 import numpy as np
 
 from winkler.numerics.types import Array
-from winkler.problems.profile_pair.placing import Body
+from winkler.problems.profile_pair.placing import PlacedBody
 from winkler.problems.rolling.creepage import Creepage
 
 __all__ = ["creepage_at"]
 
 
-def creepage_at(lower: Body, upper: Body, place: Array, gap: float, rolled_radius: float) -> Creepage:
+def creepage_at(lower: PlacedBody, upper: PlacedBody, place: Array, gap: float, rolled_radius: float) -> Creepage:
     """Return the creepages of a pair at a place of the lower surface.
 
     Parameters
     ----------
-    lower, upper : Body
+    lower, upper : PlacedBody
         In their places.
     place : ndarray, (3,)
         Along, across and up [m].
@@ -46,7 +46,7 @@ def creepage_at(lower: Body, upper: Body, place: Array, gap: float, rolled_radiu
     return Creepage(float(slip[0]), float(slip @ across), -float((second_change - first_change)[0]) / speed)
 
 
-def _motion(body: Body, place: Array, across: Array, rolled_radius: float) -> tuple[Array, Array]:
+def _motion(body: PlacedBody, place: Array, across: Array, rolled_radius: float) -> tuple[Array, Array]:
     """Return the velocity of a body at a place, over V, and how it changes across [1/m]."""
     forward, up = body.axes[0], body.axes[2]
     if math.isinf(body.radius):

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.numerics.types import Array
-from winkler.problems.profile_pair.placing import Body, Placing
+from winkler.problems.profile_pair.placing import PlacedBody, Placing
 
 __all__ = ["GapMap", "Window", "windows"]
 
@@ -67,7 +67,7 @@ class GapMap(NamedTuple):
     gap: Array
 
     @classmethod
-    def of(cls, lower: Body, upper: Body, window: Window, count: tuple[int, int]) -> GapMap:
+    def of(cls, lower: PlacedBody, upper: PlacedBody, window: Window, count: tuple[int, int]) -> GapMap:
         """Return the gap with `count` pixels along and across."""
         fine = np.linspace(window.first, window.last, FINE_ARC)
         middle = 0.5 * (fine[1:] + fine[:-1])
@@ -88,12 +88,12 @@ class GapMap(NamedTuple):
         return cls(x, y, z, normal, pixel, np.where(np.isfinite(gap), gap, np.inf))
 
 
-def windows(lower: Body, upper: Body, placing: Placing, drop: float) -> list[Window]:
+def windows(lower: PlacedBody, upper: PlacedBody, placing: Placing, drop: float) -> list[Window]:
     """Return the windows of the lower surface in which the bodies overlap.
 
     Parameters
     ----------
-    lower, upper : Body
+    lower, upper : PlacedBody
         In their places, the upper one let down.
     placing : Placing
         Before the upper body was let down.
@@ -132,7 +132,7 @@ def _near(before: list[int], ends: list[int], y: Array, angle: Array) -> bool:
     return bool(y[ends[0]] - y[before[1]] <= MERGED_GAP * widths and turned <= MERGED_ANGLE)
 
 
-def _trimmed(lower: Body, upper: Body, rough: Window) -> Window:
+def _trimmed(lower: PlacedBody, upper: PlacedBody, rough: Window) -> Window:
     """Return the window around the overlap along the normals."""
     low, high = lower.profile.ends
     room = MARGIN * (rough.last - rough.first)

@@ -9,7 +9,7 @@ import numpy as np
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.problems.profile_pair.creepages import creepage_at
-from winkler.problems.profile_pair.placing import Body
+from winkler.problems.profile_pair.placing import PlacedBody
 from winkler.problems.profile_pair.pressing import Region
 from winkler.problems.rolling.creepage import Creepage
 from winkler.problems.rough.contact_area import contact_area
@@ -108,7 +108,7 @@ class ProfilePatch(BelowSurface):
 
 
 def patches_of(
-    lower: Body, upper: Body, region: Region, medium: HomogeneousMedium, rolled_radius: float
+    lower: PlacedBody, upper: PlacedBody, region: Region, medium: HomogeneousMedium, rolled_radius: float
 ) -> list[ProfilePatch]:
     """Return the patches of one window: parts of it whose pixels touch each other."""
     from scipy.ndimage import label
@@ -124,7 +124,12 @@ def patches_of(
 
 
 def _patch(
-    lower: Body, upper: Body, region: Region, pressure: Array, medium: HomogeneousMedium, rolled_radius: float
+    lower: PlacedBody,
+    upper: PlacedBody,
+    region: Region,
+    pressure: Array,
+    medium: HomogeneousMedium,
+    rolled_radius: float,
 ) -> ProfilePatch:
     gaps, touching = region.gaps, pressure > 0.0
     dx, ds = gaps.pixel

@@ -19,7 +19,7 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.profiles.cross_profile import CrossProfile
 
-__all__ = ["Body", "Placing", "lower_body", "upper_body"]
+__all__ = ["PlacedBody", "Placing", "lower_body", "upper_body"]
 
 NEWTON_STEPS = 8
 """Of the search for a surface along a line."""
@@ -35,7 +35,7 @@ STENCIL = 1e-3
 """Distance of the three places of a parabola along the track over the radius of the body."""
 
 
-class Body(NamedTuple):
+class PlacedBody(NamedTuple):
     """One body in space.
 
     Parameters
@@ -58,7 +58,7 @@ class Body(NamedTuple):
     place: Array
     axes: Array
 
-    def raised(self, height: float) -> Body:
+    def raised(self, height: float) -> PlacedBody:
         """Return the body moved up [m]."""
         return self._replace(place=self.place + np.array([0.0, 0.0, height]))
 
@@ -96,18 +96,18 @@ class Body(NamedTuple):
         return np.asarray(t)
 
 
-def lower_body(profile: CrossProfile, radius: float) -> Body:
+def lower_body(profile: CrossProfile, radius: float) -> PlacedBody:
     """Return the lower body, in the axes of the track."""
-    return Body(profile, radius, 1.0, np.zeros(3), np.eye(3))
+    return PlacedBody(profile, radius, 1.0, np.zeros(3), np.eye(3))
 
 
-def upper_body(profile: CrossProfile, radius: float, lateral: float, yaw: float, roll: float) -> Body:
+def upper_body(profile: CrossProfile, radius: float, lateral: float, yaw: float, roll: float) -> PlacedBody:
     """Return the upper body at the height zero.
 
     Parameters
     ----------
     profile, radius
-        As of `Body`.
+        As of `PlacedBody`.
     lateral : float
         Where its profile's zero stands across the track [m].
     yaw, roll : float
@@ -115,7 +115,7 @@ def upper_body(profile: CrossProfile, radius: float, lateral: float, yaw: float,
     """
     c, s, p, q = math.cos(yaw), math.sin(yaw), math.cos(roll), math.sin(roll)
     axes = np.array([[c, s, 0.0], [-s * p, c * p, -q], [-s * q, c * q, p]])
-    return Body(profile, radius, -1.0, np.array([0.0, lateral, 0.0]), axes)
+    return PlacedBody(profile, radius, -1.0, np.array([0.0, lateral, 0.0]), axes)
 
 
 class Placing(NamedTuple):
@@ -139,7 +139,7 @@ class Placing(NamedTuple):
     bending: Array
 
     @classmethod
-    def of(cls, lower: Body, upper: Body) -> Placing:
+    def of(cls, lower: PlacedBody, upper: PlacedBody) -> Placing:
         """Return the distances of two bodies."""
         low, high = lower.profile.ends
         ends = upper.profile.ends
@@ -160,7 +160,7 @@ class Placing(NamedTuple):
         return cls._on(lower, upper, np.unique(np.concatenate([y, near[(near > y[0]) & (near < y[-1])]])))
 
     @classmethod
-    def _on(cls, lower: Body, upper: Body, y: Array) -> Placing:
+    def _on(cls, lower: PlacedBody, upper: PlacedBody, y: Array) -> Placing:
         """Return the distances in planes at y."""
         radii = [body.radius for body in (lower, upper) if math.isfinite(body.radius)]
         ends = upper.profile.ends
@@ -174,7 +174,7 @@ class Placing(NamedTuple):
         return cls(y, x, _vertical(lower, upper, x, y), bending)
 
 
-def _vertical(lower: Body, upper: Body, x: Array, y: Array) -> Array:
+def _vertical(lower: PlacedBody, upper: PlacedBody, x: Array, y: Array) -> Array:
     """Return the height of the upper surface over the lower one [m]."""
     points = np.stack([x, y, np.zeros(x.shape)])
     up = np.zeros(points.shape)

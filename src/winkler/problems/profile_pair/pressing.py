@@ -11,7 +11,7 @@ from winkler.errors import InvalidInput, NotConverged
 from winkler.numerics.surfaces.pressed_grid import ByDepth, press
 from winkler.numerics.types import Array
 from winkler.problems.profile_pair.gap_map import GapMap, windows
-from winkler.problems.profile_pair.placing import Body, Placing
+from winkler.problems.profile_pair.placing import PlacedBody, Placing
 
 __all__ = ["PressedPair", "Region", "change_of", "pressed_by_drop", "pressed_by_force"]
 
@@ -45,9 +45,8 @@ class Region(NamedTuple):
         """What presses the upper body, across and up [N]."""
         return np.asarray(self.gaps.normal @ self.pressure.sum(axis=0) * self.gaps.pixel[0] * self.gaps.pixel[1])
 
-    @property
-    def cut(self) -> bool:
-        """Whether the contact reaches the end of a profile, or of the window."""
+    def reaches_end(self) -> bool:
+        """Return whether the contact reaches the end of a profile, or of the window."""
         from scipy.ndimage import binary_dilation
 
         p = self.pressure > 0.0
@@ -74,15 +73,11 @@ class PressedPair(NamedTuple):
         """What presses the upper body, across and up [N]."""
         return np.asarray(np.sum([region.force for region in self.regions], axis=0))
 
-    @property
-    def peak(self) -> float:
-        """The greatest pressure [Pa]."""
-        return max(float(np.max(region.pressure)) for region in self.regions)
-
 
 def change_of(coarse: PressedPair, fine: PressedPair) -> float:
     """Return the greatest relative change of force and greatest pressure."""
-    return max(abs(coarse.peak / fine.peak - 1.0), abs(float(coarse.force[1] / fine.force[1]) - 1.0))
+    peaks = [max(float(np.max(region.pressure)) for region in pair.regions) for pair in (coarse, fine)]
+    return max(abs(peaks[0] / peaks[1] - 1.0), abs(float(coarse.force[1] / fine.force[1]) - 1.0))
 
 
 def heights_of(gaps: GapMap) -> tuple[Array, float]:
@@ -93,13 +88,13 @@ def heights_of(gaps: GapMap) -> tuple[Array, float]:
 
 
 def pressed_by_drop(
-    lower: Body, upper: Body, placing: Placing, drop: float, modulus: float, pixels: int, tolerance: float
+    lower: PlacedBody, upper: PlacedBody, placing: Placing, drop: float, modulus: float, pixels: int, tolerance: float
 ) -> PressedPair:
     """Return the pair with the upper body let down by `drop` [m] since first touch.
 
     Parameters
     ----------
-    lower, upper : Body
+    lower, upper : PlacedBody
     placing : Placing
         Of both.
     drop : float
@@ -127,7 +122,7 @@ def pressed_by_drop(
 
 
 def pressed_by_force(
-    lower: Body, upper: Body, placing: Placing, force: float, modulus: float, pixels: int, tolerance: float
+    lower: PlacedBody, upper: PlacedBody, placing: Placing, force: float, modulus: float, pixels: int, tolerance: float
 ) -> PressedPair:
     """Return the pair under a force upwards on the upper body; parameters as of `pressed_by_drop`.
 
@@ -146,8 +141,8 @@ def pressed_by_force(
 
 
 def _found(
-    lower: Body,
-    upper: Body,
+    lower: PlacedBody,
+    upper: PlacedBody,
     placing: Placing,
     force: float,
     modulus: float,

@@ -25,7 +25,7 @@ from winkler.media.halfspace import HomogeneousMedium
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.profile_pair.notes import pair_notes
 from winkler.problems.profile_pair.patch import ProfilePatch, patches_of
-from winkler.problems.profile_pair.placing import Body, Placing, lower_body, upper_body
+from winkler.problems.profile_pair.placing import PlacedBody, Placing, lower_body, upper_body
 from winkler.problems.profile_pair.pressing import change_of, pressed_by_drop, pressed_by_force
 from winkler.profiles.cross_profile import CrossProfile
 from winkler.validity import Assumption, Note
@@ -129,7 +129,7 @@ class ProfilePair:
         """The distances of both bodies across, before the upper one is let down."""
         return self._bodies()[2]
 
-    def _bodies(self) -> tuple[Body, Body, Placing]:
+    def _bodies(self) -> tuple[PlacedBody, PlacedBody, Placing]:
         lower = lower_body(self.first, self.first_radius)
         upper = upper_body(self.second, self.second_radius, self.lateral, self.yaw, self.roll)
         first, second = self.first.ends, self.second.ends
@@ -189,7 +189,7 @@ class ProfilePair:
             touch=float(placing.y[int(np.nanargmin(placing.gap))]),
             height=-float(np.nanmin(placing.gap)) - pair.drop,
             patches=tuple(sorted(patches, key=lambda patch: -patch.force)),
-            cut=any(region.cut for region in pair.regions),
+            cut=any(region.reaches_end() for region in pair.regions),
             windows=len(pair.regions),
         )
 
