@@ -20,9 +20,10 @@ from winkler.plot import draw
 # ------------
 # One in the format of Simpack, whose z counts downwards, and one as a table. A spline keeps their curvature.
 
-DATA = next(place for place in (Path("../data"), Path("examples/data"), Path("data")) if place.is_dir())
-rail = wk.read_cross_profile(DATA / "rail_head.prr", down=True)
-wheel = wk.read_cross_profile(DATA / "wheel_tread.csv")
+# The manual runs this script in its own folder, without __file__.
+HERE = Path(__file__).resolve().parent if "__file__" in globals() else Path.cwd()
+rail = wk.read_cross_profile(HERE.parent / "data" / "rail_head.prr", down=True)
+wheel = wk.read_cross_profile(HERE.parent / "data" / "wheel_tread.csv")
 steel = wk.Elastic(young=210e9, poisson=0.28, strength=700e6)
 track = wk.HalfSpace.between(steel, steel)
 print(f"radius of the rail's crown: {-1e3 / float(rail.curvature(np.array(0.0))):.0f} mm")

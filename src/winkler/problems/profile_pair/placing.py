@@ -23,6 +23,8 @@ __all__ = ["PlacedBody", "Placing", "lower_body", "upper_body"]
 
 NEWTON_STEPS = 8
 """Of the search for a surface along a line."""
+ROUNDING = 1e-15
+"""Step of it over the width of the profile that is rounding."""
 LINES = 2001
 """Vertical planes across the track among which the nearest places are sought."""
 ZOOMS, ZOOM_LINES = 3, 41
@@ -85,13 +87,13 @@ class PlacedBody(NamedTuple):
         start, turned = self.own(points), np.einsum("ij,j...->i...", self.axes, direction)
         if math.isinf(self.radius) and not np.any(turned[:2]):
             return np.asarray((self.height(start[0], start[1])[0] - start[2]) / turned[2])
-        t = np.zeros(start.shape[1:])
+        t, size = np.zeros(start.shape[1:]), self.profile.ends[1] - self.profile.ends[0]
         for _ in range(NEWTON_STEPS):
             a, s, c = start + t * turned
             height, along, across = self.height(a, s)
             step = (height - c) / (turned[2] - along * turned[0] - across * turned[1])
             t = t + step
-            if not np.any(np.abs(step) > 1e-14 * (1.0 + np.abs(t))):
+            if not np.any(np.abs(step) > ROUNDING * size):
                 break
         return np.asarray(t)
 

@@ -17,6 +17,10 @@ __all__ = ["PressedPair", "Region", "change_of", "pressed_by_drop", "pressed_by_
 
 MOST_TRIALS = 30
 FORCE_TOLERANCE = 1e-7
+HERTZ_POWER, LEAST_POWER = 1.5, 0.3
+"""Power of the drop by which the force rises: the first guess, and the least that is believed."""
+MOST_CHANGE = 2.0
+"""Of the logarithm of the drop in one trial."""
 COARSE_PIXELS, COARSE_TOLERANCE = 32, 1e-3
 """Pixels along a side, and error of the force, of the first search."""
 BESIDE = 4.0
@@ -135,7 +139,7 @@ def pressed_by_force(
     """
     lowest = int(np.nanargmin(placing.gap))
     radius = 1.0 / float(placing.bending[lowest])
-    drop = (9.0 * force**2 / (16.0 * modulus**2 * radius)) ** (1.0 / 3.0)
+    drop = radius * (0.75 * force / (modulus * radius**2)) ** (2.0 / 3.0)  # that of a ball
     coarse = _found(lower, upper, placing, force, modulus, drop, min(COARSE_PIXELS, pixels), 1e-4, COARSE_TOLERANCE)
     return _found(lower, upper, placing, force, modulus, coarse.drop, pixels, tolerance, FORCE_TOLERANCE)
 
@@ -153,7 +157,7 @@ def _found(
 ) -> PressedPair:
     """Return the pair at the drop where the forces agree, by secants between logarithms."""
     before: tuple[float, float] | None = None
-    power = 1.5
+    power = HERTZ_POWER
     for _ in range(MOST_TRIALS):
         pair = pressed_by_drop(lower, upper, placing, drop, modulus, pixels, tolerance)
         if not pair.regions:
@@ -161,11 +165,11 @@ def _found(
         over = math.log(float(pair.force[1]) / force)
         if abs(over) <= exactness:
             return pair
-        here = math.log(drop)
-        if before is not None and before[0] != here and (over - before[1]) / (here - before[0]) > 0.3:
-            power = (over - before[1]) / (here - before[0])
-        before = here, over
-        drop = math.exp(here - min(max(over / power, -2.0), 2.0))
+        if before is not None and before[0] != drop:
+            rise = (over - before[1]) / math.log(drop / before[0])
+            power = rise if rise > LEAST_POWER else power
+        before = drop, over
+        drop *= math.exp(-min(max(over / power, -MOST_CHANGE), MOST_CHANGE))
     raise NotConverged(
         f"ProfilePair: the drop under {force:.6g} N is not found within {MOST_TRIALS} trials; the profiles are rough, "
         "or end within the contact: smooth them, or give longer ones."
