@@ -102,7 +102,7 @@ class CrossProfile:
         order = order[apart]
         if order.size < FEWEST_POINTS:
             raise InvalidInput(
-                "CrossProfile: the profile is steeper than 80 degrees everywhere; are y across and z up, both in m?"
+                "CrossProfile: the profile is steeper than 80 degrees everywhere; give y across and z up, both in m."
             )
         made: PPoly = CubicHermiteSpline(y[order], z[order], dz[order] / dy[order], extrapolate=False)
         return made

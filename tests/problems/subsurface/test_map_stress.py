@@ -60,6 +60,16 @@ def test_the_greatest_stress_of_both_bodies_and_the_yield_note():
     assert [note.standing for note in notes] == [wk.Standing.ASYMPTOTIC]
 
 
+def test_the_force_at_which_a_ball_yields():
+    """(pi R)^2 p_Y^3 pi / (6 E*^2) with the pressure of Hertz that makes the strength."""
+    pressed = pressed_ball(64)
+    modulus = pressed.problem.medium.modulus
+    limit = 1e9 / greatest_under_ellipse(1.0, 0.3).value
+    expected = math.pi**3 * limit**3 * (10e-3) ** 2 / (6.0 * modulus**2)
+    assert pressed.yield_force() == pytest.approx(expected, rel=5e-3)
+    assert pressed_ball(32, wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3)).yield_force() == math.inf
+
+
 def test_planes_and_depths_are_those_of_places():
     load = wk.SurfaceLoad(HILL, [2e-3, 3e-3], 0.2 * HILL, -0.1 * HILL, [1e-3, -1e-3])
     solution = wk.MapStress(load, STEEL).solve()

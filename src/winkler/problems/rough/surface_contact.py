@@ -33,8 +33,9 @@ from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.rough.contact_area import contact_area
 from winkler.problems.rough.surface_notes import surface_notes
 from winkler.problems.rough.surface_states import SurfaceState
+from winkler.problems.rough.surface_yield import force_at_yield
 from winkler.problems.subsurface.below_surface import BelowSurface
-from winkler.problems.subsurface.map_yield import map_yield_notes
+from winkler.problems.subsurface.map_yield import greatest_share, map_yield_notes
 from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note
@@ -261,6 +262,22 @@ class SurfaceContactSolution(BelowSurface):
     @property
     def _medium(self) -> HomogeneousMedium:
         return self.problem.medium
+
+    def yield_force(self) -> float:
+        """Return the force [N] under which yielding begins, by contacts under other forces; infinite without strength.
+
+        Raises
+        ------
+        NotConverged
+            If a contact or the force is not found.
+        """
+
+        def share(force: float) -> float:
+            pressed = dataclasses.replace(self.problem, load=Force(force), hardness=math.inf)
+            return greatest_share(pressed.medium, pressed.solve().surface_load)
+
+        last = greatest_share(self.problem.medium, self.surface_load)
+        return force_at_yield(share, self.last.force, last) if last > 0.0 else math.inf
 
     @property
     def validity(self) -> tuple[Note, ...]:

@@ -2,15 +2,30 @@
 
 from __future__ import annotations
 
-from winkler.problems.normal.strong_parts import strong_parts
+from winkler.media.interior.peak import StressSpot
+from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.problems.normal.yield_statement import share_of
 from winkler.problems.subsurface.below_surface import greatest_stress
 from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["map_yield_notes"]
+__all__ = ["greatest_share", "map_yield_notes"]
 
 MISES = "R. von Mises, Nachr. Ges. Wiss. Goettingen (1913) 582; A. E. H. Love, doi:10.1098/rsta.1929.0009"
+
+
+def _shares(medium: object, load: SurfaceLoad) -> list[tuple[float, StressSpot, StrongPart]]:
+    """Return the greatest stress over the strength of each part that has one."""
+    found = []
+    for part in strong_parts(medium):
+        spot = greatest_stress(load if part.first else load.reversed(), part.solid)
+        found.append((spot.value / part.solid.strength, spot, part))
+    return found
+
+
+def greatest_share(medium: object, load: SurfaceLoad) -> float:
+    """Return the greatest von Mises stress over the strength; zero where no body has a strength."""
+    return max((share for share, _, _ in _shares(medium, load)), default=0.0)
 
 
 def map_yield_notes(medium: object, load: SurfaceLoad) -> tuple[Note, ...]:
@@ -23,10 +38,7 @@ def map_yield_notes(medium: object, load: SurfaceLoad) -> tuple[Note, ...]:
     load : SurfaceLoad
         What acts on the first body.
     """
-    found = []
-    for part in strong_parts(medium):
-        spot = greatest_stress(load if part.first else load.reversed(), part.solid)
-        found.append((spot.value / part.solid.strength, spot, part))
+    found = _shares(medium, load)
     if not found:
         return ()
     share, spot, part = max(found, key=lambda each: each[0])
