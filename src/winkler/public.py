@@ -39,6 +39,7 @@ from winkler.foundation.springs import Springs
 from winkler.io.contact_state import read_contacts, write_contacts
 from winkler.io.curves import PlacedCurve, read_curve, read_curves
 from winkler.io.tables.bed_table import read_bed
+from winkler.io.tables.cross_profile_file import read_cross_profile
 from winkler.io.tables.grading_table import read_grading
 from winkler.io.tables.law_table import write_law
 from winkler.io.tables.path_table import read_path
@@ -46,6 +47,7 @@ from winkler.io.tables.profile_table import read_profile, read_section
 from winkler.io.tables.relaxation_table import read_creep, read_dynamic, read_relaxation
 from winkler.io.tables.scan_table import read_scan
 from winkler.io.tables.spectrum_table import read_spectrum
+from winkler.io.tables.surface_load_table import read_surface_load
 from winkler.io.topography_file import read_topography
 from winkler.io.traces import write_trace
 from winkler.io.vtk import write_vtk
@@ -160,6 +162,8 @@ from winkler.problems.particles.contacts import Contacts
 from winkler.problems.particles.elastic_plastic import ElasticPlasticParticle, ParticleSolution
 from winkler.problems.particles.impacts import BallImpacts, BallImpactsSolution
 from winkler.problems.particles.trace import ContactTrace
+from winkler.problems.profile_pair.patch import ProfilePatch
+from winkler.problems.profile_pair.profile_pair import ProfilePair, ProfilePairSolution
 from winkler.problems.rollers.roller_contact import RollerContact, RollerSolution
 from winkler.problems.rolling.calibration import Kalker, Uncalibrated
 from winkler.problems.rolling.creepage import Creepage
@@ -177,6 +181,8 @@ from winkler.problems.rough.reduced_bed import ReducedBed
 from winkler.problems.rough.spring_line import RoughLine
 from winkler.problems.rough.surface_conduction import SurfaceConduction, SurfaceConductionSolution
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
+from winkler.problems.subsurface.map_stress import MapStress, MapStressSolution
+from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.problems.viscoelastic.adhesion import ViscoelasticAdhesion, ViscoelasticAdhesionSolution
 from winkler.problems.viscoelastic.impact import ViscoelasticImpact, ViscoelasticImpactSolution
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation, ViscoelasticSolution
@@ -192,6 +198,7 @@ from winkler.problems.wear.line_sliding import LineSlidingSolution, LineSlidingW
 from winkler.problems.wear.sliding import SlidingSolution, SlidingWear
 from winkler.profiles.area import AreaFunction
 from winkler.profiles.conical import Berkovich, Cone, CubeCorner, RoundedCone, SpheroConical, TruncatedCone, Vickers
+from winkler.profiles.cross_profile import CrossProfile
 from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.designed import Designed
 from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
@@ -227,9 +234,9 @@ __all__ = [
     "BimodalDamping", "BimodalDampingSolution", "BodyFields", "CalibratedArea", "CappedCylinder", "CappedParaboloid",
     "Circle", "CoatedHalfSpace", "Comparison", "ConductanceBounds", "ConductanceBoundsSolution", "Cone",
     "Constriction", "ConstrictionSolution", "ContactEllipse", "ContactLaw", "ContactLawSolution", "ContactReading",
-    "ContactTrace", "Contacts", "Coulomb", "CreepData", "CreepFit", "CreepTest", "Creepage", "CrownedEnds",
-    "CubeCorner", "Current", "CurrentFields", "CurvedBodies", "CurvedPair", "Cylinder", "CylinderRow", "Depth",
-    "DepthGradedHalfSpace", "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData", "Elastic",
+    "ContactTrace", "Contacts", "Coulomb", "CreepData", "CreepFit", "CreepTest", "Creepage", "CrossProfile",
+    "CrownedEnds", "CubeCorner", "Current", "CurrentFields", "CurvedBodies", "CurvedPair", "Cylinder", "CylinderRow",
+    "Depth", "DepthGradedHalfSpace", "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData", "Elastic",
     "ElasticPlasticParticle", "ElastomerFriction", "ElastomerFrictionSolution", "ElectricalConductor",
     "ElectricalConductors", "Ellipsoid", "EllipticFields", "EllipticFoundation", "EllipticFrictionHeating",
     "EllipticFrictionHeatingSolution", "EllipticIndentation", "EllipticSolution", "EllipticYieldOnset",
@@ -248,37 +255,38 @@ __all__ = [
     "LineRollingResistanceSolution", "LineRollingSolution", "LineRollingStart", "LineRollingStartSolution",
     "LineScan", "LineShakedown", "LineShakedownSolution", "LineShearForce", "LineSlidingSolution", "LineSlidingWear",
     "LineSolution", "LineTangential", "LineTangentialSolution", "LineViscoelasticIndentation",
-    "LineViscoelasticSolution", "LineYieldOnset", "LineYieldOnsetSolution", "LogarithmicEnds", "Maxwell",
-    "MeanPressure", "Measured", "MeasuredBed", "MeasuredSection", "MirroredSection", "Moment", "NamedElastic",
-    "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor", "NearlyRoundIndentation",
-    "NearlyRoundSolution", "NominalPressure", "NotConverged", "Note", "OliverPharr", "OliverPharrSolution",
-    "Oscillate", "OscillatingRolling", "OscillatingRollingSolution", "OutsideValidity", "PairWear", "Paraboloid",
-    "ParticleSolution", "Path", "PeakStress", "PeriodicIndentation", "PeriodicSolution", "PlacedCurve",
-    "PlacedStress", "PlaneFoundation", "PlateBase", "Plated", "PowerLaw", "PowerLawGraded", "PowerLawSolid",
-    "PowerSpectrum", "Program", "Prony", "PullOff", "PullOffSolution", "PunchRow", "Radius", "Ramp",
-    "RandomTopography", "RateDependentWork", "ReducedBed", "Reduction", "ReductionSolution", "RelaxationDamper",
-    "RelaxationDamperSolution", "RelaxationData", "RelaxationTest", "RelaxingInProportion", "Rigid", "Rod",
-    "RollerCentre", "RollerContact", "RollerSolution", "Rolling", "RollingSolution", "RollingStart",
-    "RollingStartSolution", "RoughContact", "RoughContactSolution", "RoughIndentation", "RoughIndentationSolution",
-    "RoughLine", "RoundedCone", "RoundedEnds", "RoundedPunch", "SaturatingWork", "Segment", "SegmentKind",
-    "SelfAffine", "Shape", "SharpEnds", "ShearForce", "ShearedFields", "Shift", "ShortRange", "SigmoidalGrading",
-    "SimplifiedRolling", "SimplifiedRollingSolution", "SlidingResistance", "SlidingResistanceSolution",
-    "SlidingSolution", "SlidingWear", "Sphere", "SpheroConical", "Spikes", "SpotCluster", "SpotClusterSolution",
-    "SpringMarch", "SpringTrace", "Springs", "Staircase", "StandardSolid", "Standing", "Start", "StaticKinetic",
-    "SubsurfaceFields", "Sum", "SurfaceConduction", "SurfaceConductionSolution", "SurfaceContact",
-    "SurfaceContactSolution", "SurfaceFields", "SurfaceFilm", "TabulatedGrading", "Tangential", "TangentialSolution",
-    "ThermalConductor", "ThermalConstriction", "ThermalConstrictionSolution", "ThermalInterface", "Tilt",
-    "Topography", "Torque", "Torsion", "TorsionSolution", "TransientHeating", "TransientHeatingSolution",
-    "TransverselyIsotropic", "TransverselyIsotropicHalfSpace", "TruncatedCone", "TruncatedParaboloid",
-    "TwistedFields", "Uncalibrated", "Vickers", "ViscoelasticAdhesion", "ViscoelasticAdhesionSolution",
-    "ViscoelasticFit", "ViscoelasticHalfSpace", "ViscoelasticImpact", "ViscoelasticImpactSolution",
-    "ViscoelasticIndentation", "ViscoelasticSolution", "ViscoelasticTangential", "ViscoelasticTangentialSolution",
-    "Voltage", "Wavy", "WiedemannFranz", "WilliamsLandelFerry", "WinklerError", "YieldOnset", "YieldOnsetSolution",
-    "area_fraction", "compare", "compare_terms", "contact_reading", "creep_coefficients", "design_for_pressure",
-    "design_profile", "fit", "fit_steps", "intercept_factor", "material", "material_names", "maugis_parameter",
-    "mean_separation", "peak_stress", "random_topography", "read_bed", "read_contacts", "read_creep", "read_curve",
-    "read_curves", "read_dynamic", "read_grading", "read_path", "read_profile", "read_relaxation", "read_scan",
-    "read_section", "read_spectrum", "read_topography", "reduce", "relaxation_band", "restore", "restore_body",
-    "restore_conduction", "restore_shift", "sample_young", "spectrum_of", "staircase", "tabor_parameter", "to_pandas",
-    "to_xarray", "which_model", "write_contacts", "write_law", "write_trace", "write_vtk",
+    "LineViscoelasticSolution", "LineYieldOnset", "LineYieldOnsetSolution", "LogarithmicEnds", "MapStress",
+    "MapStressSolution", "Maxwell", "MeanPressure", "Measured", "MeasuredBed", "MeasuredSection", "MirroredSection",
+    "Moment", "NamedElastic", "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor",
+    "NearlyRoundIndentation", "NearlyRoundSolution", "NominalPressure", "NotConverged", "Note", "OliverPharr",
+    "OliverPharrSolution", "Oscillate", "OscillatingRolling", "OscillatingRollingSolution", "OutsideValidity",
+    "PairWear", "Paraboloid", "ParticleSolution", "Path", "PeakStress", "PeriodicIndentation", "PeriodicSolution",
+    "PlacedCurve", "PlacedStress", "PlaneFoundation", "PlateBase", "Plated", "PowerLaw", "PowerLawGraded",
+    "PowerLawSolid", "PowerSpectrum", "ProfilePair", "ProfilePairSolution", "ProfilePatch", "Program", "Prony",
+    "PullOff", "PullOffSolution", "PunchRow", "Radius", "Ramp", "RandomTopography", "RateDependentWork", "ReducedBed",
+    "Reduction", "ReductionSolution", "RelaxationDamper", "RelaxationDamperSolution", "RelaxationData",
+    "RelaxationTest", "RelaxingInProportion", "Rigid", "Rod", "RollerCentre", "RollerContact", "RollerSolution",
+    "Rolling", "RollingSolution", "RollingStart", "RollingStartSolution", "RoughContact", "RoughContactSolution",
+    "RoughIndentation", "RoughIndentationSolution", "RoughLine", "RoundedCone", "RoundedEnds", "RoundedPunch",
+    "SaturatingWork", "Segment", "SegmentKind", "SelfAffine", "Shape", "SharpEnds", "ShearForce", "ShearedFields",
+    "Shift", "ShortRange", "SigmoidalGrading", "SimplifiedRolling", "SimplifiedRollingSolution", "SlidingResistance",
+    "SlidingResistanceSolution", "SlidingSolution", "SlidingWear", "Sphere", "SpheroConical", "Spikes", "SpotCluster",
+    "SpotClusterSolution", "SpringMarch", "SpringTrace", "Springs", "Staircase", "StandardSolid", "Standing", "Start",
+    "StaticKinetic", "SubsurfaceFields", "Sum", "SurfaceConduction", "SurfaceConductionSolution", "SurfaceContact",
+    "SurfaceContactSolution", "SurfaceFields", "SurfaceFilm", "SurfaceLoad", "TabulatedGrading", "Tangential",
+    "TangentialSolution", "ThermalConductor", "ThermalConstriction", "ThermalConstrictionSolution",
+    "ThermalInterface", "Tilt", "Topography", "Torque", "Torsion", "TorsionSolution", "TransientHeating",
+    "TransientHeatingSolution", "TransverselyIsotropic", "TransverselyIsotropicHalfSpace", "TruncatedCone",
+    "TruncatedParaboloid", "TwistedFields", "Uncalibrated", "Vickers", "ViscoelasticAdhesion",
+    "ViscoelasticAdhesionSolution", "ViscoelasticFit", "ViscoelasticHalfSpace", "ViscoelasticImpact",
+    "ViscoelasticImpactSolution", "ViscoelasticIndentation", "ViscoelasticSolution", "ViscoelasticTangential",
+    "ViscoelasticTangentialSolution", "Voltage", "Wavy", "WiedemannFranz", "WilliamsLandelFerry", "WinklerError",
+    "YieldOnset", "YieldOnsetSolution", "area_fraction", "compare", "compare_terms", "contact_reading",
+    "creep_coefficients", "design_for_pressure", "design_profile", "fit", "fit_steps", "intercept_factor", "material",
+    "material_names", "maugis_parameter", "mean_separation", "peak_stress", "random_topography", "read_bed",
+    "read_contacts", "read_creep", "read_cross_profile", "read_curve", "read_curves", "read_dynamic", "read_grading",
+    "read_path", "read_profile", "read_relaxation", "read_scan", "read_section", "read_spectrum", "read_surface_load",
+    "read_topography", "reduce", "relaxation_band", "restore", "restore_body", "restore_conduction", "restore_shift",
+    "sample_young", "spectrum_of", "staircase", "tabor_parameter", "to_pandas", "to_xarray", "which_model",
+    "write_contacts", "write_law", "write_trace", "write_vtk",
 ]  # fmt: skip

@@ -438,6 +438,7 @@ GLOSSARY: dict[str, Word] = {
     "core": Word("c", None, "the springs that stick for ever"),
     # rough surfaces
     "heights": Word("z", "m", "heights of a surface, up towards the other body; nan where missing"),
+    "surface_load": Word("", None, "map of pressures and tractions that act on the first body"),
     "lengths": Word("L_i", "m", "lengths of a map along its two directions"),
     "periodic": Word("", None, "whether a surface is repeated for ever, or stands alone"),
     "hurst": Word("H", "", "Hurst exponent: how steeply the roughness falls towards short waves"),

@@ -216,6 +216,43 @@ def rough(spectrum):
 
 ROUGHNESS = {
     **dict.fromkeys(("surface_contact", "random_topography"), TOUCHING),
+    **dict.fromkeys(
+        ("profile_pair", "cross_profile"),
+        wk.ProfilePair(
+            wk.CrossProfile(
+                np.arange(-20.0, 21.0, 5.0) / 1e3,
+                np.array([-667.4e-6, -375.2e-6, -166.7e-6, -41.7e-6, 0.0, -41.7e-6, -166.7e-6, -375.2e-6, -667.4e-6]),
+            ),
+            wk.CrossProfile(
+                np.arange(-25.0, 26.0, 5.0) / 1e3,
+                np.array([-0.0125, -0.1, -0.1375, -0.125, -0.0813, 0.0, 0.1188, 0.275, 0.4625, 0.675, 0.9125]) / 1e3,
+            ),
+            wk.HalfSpace(wk.Elastic(210e9, 0.3)),
+            wk.Force(50e3),
+            yaw=5e-3,
+            second_radius=0.46,
+            pixels=64,
+        ),
+    ),
+    **dict.fromkeys(
+        ("map_stress", "surface_load"),
+        wk.MapStress(
+            wk.SurfaceLoad(
+                1e6
+                * np.array(
+                    [
+                        [0, 100, 150, 100, 0],
+                        [100, 250, 300, 250, 100],
+                        [150, 300, 350, 300, 150],
+                        [100, 250, 300, 250, 100],
+                        [0, 100, 150, 100, 0],
+                    ]
+                ),
+                [1e-3, 1e-3],
+            ),
+            wk.Elastic(210e9, 0.3, strength=500e6),
+        ),
+    ),
     "height_map": wk.SurfaceContact(wk.Topography(PYRAMID, MILLIMETRES), STEEL_BODY, LOADS),
     "surface_conduction": wk.SurfaceConduction(wk.SurfaceContact(STAMP, STEEL_BODY, LOADS), PAIR),
     "reduction": wk.Reduction(STAMP, STEEL_BODY, 3e-6),

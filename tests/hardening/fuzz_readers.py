@@ -48,6 +48,21 @@ READERS = {
         lambda path: wk.read_topography(path, lengths=(5e-6, 2e-6), unit="nm"),
         "\n".join(",".join(f"{height:.6g}" for height in row) for row in Z[:24].reshape(6, 4)),
     ),
+    "cross profile": (wk.read_cross_profile, rows("y [um],z [nm]", X, Z)),
+    "rail": (
+        wk.read_cross_profile,
+        "header.begin\nheader.end\nspline.begin\nunits.len.f = 1000.\nshift.y = 1.\nmirror.z = 0\npoint.begin\n"
+        + "\n".join(f"{k} {-0.01 * k * k:.3f}" for k in range(-8, 9))
+        + "\npoint.end\nspline.end\n",
+    ),
+    "profile of MiniProf": (
+        wk.read_cross_profile,
+        "XYPoints=9\nColumnDef=X,Y,A\n\n" + "\n".join(f"{k}\t{-0.01 * k * k:.3f}\t0" for k in range(-4, 5)),
+    ),
+    "pressures": (
+        wk.read_surface_load,
+        "x [mm],y [mm],p [MPa],tx [MPa]\n" + "\n".join(f"{k % 4},{k // 4},{k % 3},{k % 5}" for k in range(20)),
+    ),
     "curves": (lambda path: list(wk.read_curves(path)), rows("depth [um],force [mN]", R * 1e3, (R * 1e3) ** 1.5)),
     "contacts": (wk.read_contacts, ""),
     "wear": (lambda path: read_wear(BED, path), ""),

@@ -63,6 +63,7 @@ class Rounded(NamedTuple):
 ERROR = Rounded(np.inf, "an error that is left, itself of the size of rounding or of a solver's tolerance")
 PLACE = Rounded(1e-7, "a stress is level where it is greatest, which leaves the place half of its digits")
 STEPS = Rounded(1e-5, "the march has a tolerance of 1e-3: the end of a step is where rounding lets a node touch")
+PRESSED = Rounded(1e-7, "each contact has a tolerance of 1e-6")
 SPRING = Rounded(1e-2, "at moments that an adaptive march of tolerance 1e-3 picks, with 100 springs")
 ROUNDED: dict[tuple[str, str], Rounded] = {
     ("SpotClusterSolution", "uncertainty"): ERROR,
@@ -73,6 +74,11 @@ ROUNDED: dict[tuple[str, str], Rounded] = {
     ("LineProfileSolution", "strip_error"): ERROR,
     ("ReductionSolution", "misfit"): Rounded(1e-6, "it is checked by contacts of a tolerance of 1e-6"),
     ("ReductionSolution", "force"): Rounded(1e-8, "each contact has a tolerance of 1e-6"),
+    ("ProfilePairSolution", "grid_error"): ERROR,
+    **{
+        ("ProfilePairSolution", name): PRESSED
+        for name in ("peak_pressure", "height", "lateral_force", "place", "angle")
+    },
     **{("SlidingSolution", name): STEPS for name in ("depth", "radius", "worn_depth", "mean_pressure")},
     **{("LineSlidingSolution", name): STEPS for name in ("half_width", "worn_depth", "mean_pressure")},
     **{

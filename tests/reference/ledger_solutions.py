@@ -297,6 +297,29 @@ def elliptic_hertz_one_to_three() -> Numbers:
 
 
 @of_case
+def profiles_of_a_ball() -> Numbers:
+    """F = 4/3 sqrt(R d^3), p0 = 2/pi sqrt(d/R), area pi R d; E* = R = 1, d = 1e-4."""
+    d = frac("0.0001")
+    return [frac("4/3") * mp.sqrt(d**3), 2 / mp.pi * mp.sqrt(d), mp.pi * d]
+
+
+@of_case
+def love_square() -> Numbers:
+    """Square of side 2, p = 1, nu = 0.3: point forces along rays; sigma_xx - sigma_zz on the axis."""
+    soft = 1 - 2 * frac("0.3")
+
+    def apart(z: Any) -> Any:
+        def along(turn: Any) -> Any:
+            c = z / mp.sqrt(z * z + mp.sec(turn) ** 2)
+            return (soft * (1 - c) - 2 + 3 * c - c**3) / 2 + 1 - c**3
+
+        return 4 / mp.pi * mp.quad(along, [0, mp.pi / 4])
+
+    z = mp.findroot(lambda z: mp.diff(apart, z), (frac("0.70"), frac("0.72")))
+    return [mp.mpf(4), apart(z), z]
+
+
+@of_case
 def line_cylinder() -> Numbers:
     """a = 2 sqrt(P R/(pi E*)), p0 = 2P/(pi a), P/(2a)."""
     a = 2 / mp.sqrt(mp.pi)

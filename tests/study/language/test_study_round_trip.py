@@ -65,6 +65,7 @@ ELSEWHERE = {
     wk.LayerStress,
     wk.LineFields,
     wk.LineScan,
+    wk.ProfilePatch,
     wk.RoughLine,
     wk.Spikes,
     wk.SpringMarch,

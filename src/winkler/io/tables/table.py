@@ -191,8 +191,8 @@ def _needs(columns: Sequence[Column]) -> str:
 
 
 def _header(lines: Sequence[str], columns: Sequence[Column], file: str) -> _Header:
-    """Return the first line in which every column is named."""
-    for index, line in enumerate(lines):
+    """Return the first line in which every column is named; one behind a comment mark only if there is no other."""
+    for index, line in sorted(enumerate(lines), key=lambda numbered: numbered[1].lstrip()[:1] in ("#", "%")):
         text = line.lstrip(COMMENT_MARKS).rstrip()
         for separator in SEPARATORS_TRIED if text else ():
             cells = cells_of(text, separator)

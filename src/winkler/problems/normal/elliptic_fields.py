@@ -113,7 +113,7 @@ def solid_below(medium: object, below: bool) -> Elastic:
     if not isinstance(body, Elastic):
         raise OutsideValidity(
             f"The {'first body (z >= 0)' if below else 'second body (z < 0)'} is rigid or not isotropic; the stresses "
-            "below an ellipse are known in the isotropic bodies of a HalfSpace: request the other one."
+            "are known in the isotropic bodies of a HalfSpace: request the other one."
         )
     return body
 

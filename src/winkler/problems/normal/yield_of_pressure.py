@@ -1,4 +1,4 @@
-"""Whether contacts of which only the pressure is known stay elastic: ellipses, height maps, rough surfaces."""
+"""Whether contacts of which only the pressure is known stay elastic: ellipses and rough surfaces."""
 
 from __future__ import annotations
 
@@ -14,11 +14,13 @@ from winkler.problems.normal.unknown_yield import MISES, unknown_yield
 from winkler.problems.normal.yield_statement import share_of
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["ellipse_yield_notes", "map_yield_notes", "spots_yield_notes"]
+__all__ = ["ellipse_yield_notes", "spots_yield_notes"]
 
 THOMAS = "H. R. Thomas, V. A. Hoersch, Univ. Illinois Eng. Exp. Station Bulletin 212 (1930); R. von Mises (1913)"
 HERTZ = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 6.1, doi:10.1017/CBO9781139171731"
 SACKFIELD = "A. Sackfield, D. A. Hills, J. Strain Anal. 18 (1983) 107-110, doi:10.1243/03093247V182107"
+OVER_MEAN = 1.5
+"""Greatest pressure of a round contact of Hertz over the mean."""
 SAFE_PRESSURE = 0.1
 """Pressure over that at which a round contact of Hertz yields, below which spots of usual shapes do not."""
 
@@ -105,19 +107,6 @@ def _slid_note(
     return Note(Assumption.ELASTIC, Standing.OUTSIDE if yielded else Standing.EXACT, statement, SACKFIELD)
 
 
-def map_yield_notes(medium: object, pressure: float) -> tuple[Note, ...]:
-    """Return the yield note of the greatest pressure of a height map.
-
-    Parameters
-    ----------
-    medium
-        A homogeneous one.
-    pressure : float
-        The greatest one [Pa].
-    """
-    return _spot_notes(medium, pressure, 1.0, "The greatest pressure is {}; under a round contact of Hertz yielding")
-
-
 def spots_yield_notes(medium: object, pressure: float) -> tuple[Note, ...]:
     """Return the yield note of the mean pressure in the true area of a rough contact.
 
@@ -128,27 +117,20 @@ def spots_yield_notes(medium: object, pressure: float) -> tuple[Note, ...]:
     pressure : float
         Force over true area [Pa].
     """
-    fact = (
-        "The mean pressure in the true area of contact is {}, single summits bear more; under a round contact of Hertz "
-        "yielding"
-    )
-    return _spot_notes(medium, pressure, 1.5, fact)
-
-
-def _spot_notes(medium: object, pressure: float, over_mean: float, fact: str) -> tuple[Note, ...]:
-    """Return the verdict on a pressure [Pa] of spots, of which the greatest is `over_mean` times as great."""
     parts = strong_parts(medium)
     if not parts or not pressure > 0.0:
         return ()
     limits = [1.0 / greatest_under_ellipse(1.0, part.solid.poisson).value for part in parts]
     part, limit = min(zip(parts, limits, strict=True), key=lambda pair: pair[1] * pair[0].solid.strength)
-    share, onset = pressure / part.solid.strength, limit / over_mean
+    share, onset = pressure / part.solid.strength, limit / OVER_MEAN
     if share / onset >= 1.0:
         standing, verdict = Standing.OUTSIDE, "spots of this pressure have yielded, and the result is not elastic"
     elif share / onset <= SAFE_PRESSURE:
         standing, verdict = Standing.ASYMPTOTIC, "far below that spots stay elastic, unless they are sharp"
     else:
         standing, verdict = Standing.APPROXIMATE, "the onset of yield is not known because the spots are not round"
-    at = f"begins at {'a mean of ' if over_mean > 1.0 else ''}{onset:.3g} times the strength"
-    statement = f"{fact.format(share_of(share, part))} {at}: {verdict}."
+    statement = (
+        f"The mean pressure in the true area of contact is {share_of(share, part)}, single summits bear more; under a "
+        f"round contact of Hertz yielding begins at a mean of {onset:.3g} times the strength: {verdict}."
+    )
     return (Note(Assumption.ELASTIC, standing, statement, f"{MISES}; {HERTZ}"),)

@@ -30,19 +30,19 @@ from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.normal.unknown_yield import unknown_yield
-from winkler.problems.normal.yield_of_pressure import map_yield_notes
+from winkler.problems.rough.contact_area import contact_area
 from winkler.problems.rough.surface_notes import surface_notes
 from winkler.problems.rough.surface_states import SurfaceState
+from winkler.problems.rough.surface_yield import force_at_yield
+from winkler.problems.subsurface.below_surface import BelowSurface
+from winkler.problems.subsurface.map_yield import greatest_share, map_yield_notes
+from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note
 from winkler.values import value
 
 __all__ = ["SurfaceContact", "SurfaceContactSolution"]
 
-EDGE_EXCESS = (math.pi - 1.0 + math.log(2.0)) / 24.0
-"""What counted pixels give too much, per length of the edge of the contact and pixel size."""
-AREA_ERROR = 0.25
-"""Error of the corrected area, likewise."""
 NEARBY_LOAD = 0.25
 """A load that differs by more than this part of it from the one before is begun on coarse grids: as fast."""
 PUNCH_TOLERANCE = 3e-3
@@ -198,7 +198,7 @@ class SurfaceContact:
             except NotConverged as error:
                 raise NotConverged(f"SurfaceContact: under the load {load:.6g}, {error}") from None
             yield SurfaceState(
-                solved.depth, modulus * patch * float(np.sum(start)), stiffness, *_area(touching, pixel,
+                solved.depth, modulus * patch * float(np.sum(start)), stiffness, *contact_area(touching, pixel,
                 rough.periodic), float(np.mean(solved.gap)), solved.penetration, solved.work, modulus * start,
                 np.maximum(solved.gap, 0.0),
             )  # fmt: skip
@@ -226,25 +226,9 @@ class SurfaceContact:
         return self.gathered(self.steps())
 
 
-def _area(touching: Array, pixel: tuple[float, float], periodic: bool) -> tuple[float, float]:
-    """Return the area of a contact [m^2] and its error: pixels less what its edge counts too much (Yastrebov).
-
-    Where a map that stands alone ends, its last pixels are whole.
-    """
-    counted = float(np.count_nonzero(touching)) * pixel[0] * pixel[1]
-    if touching.all():
-        return counted, 0.0
-    if periodic:
-        across, along = touching != np.roll(touching, 1, 0), touching != np.roll(touching, 1, 1)
-    else:
-        across, along = np.diff(touching, axis=0), np.diff(touching, axis=1)
-    edge = pixel[1] * np.count_nonzero(across) * pixel[0] + pixel[0] * np.count_nonzero(along) * pixel[1]
-    return counted - EDGE_EXCESS * float(edge), AREA_ERROR * float(edge)
-
-
 @value
-class SurfaceContactSolution:
-    """The solution of a `SurfaceContact`; quantities have the shape of the load.
+class SurfaceContactSolution(BelowSurface):
+    """The solution of a `SurfaceContact`; quantities have the shape of the load, stresses are those of the last one.
 
     Parameters
     ----------
@@ -270,6 +254,32 @@ class SurfaceContactSolution:
     last: SurfaceState
 
     @property
+    def surface_load(self) -> SurfaceLoad:
+        """The pressures under the last load."""
+        rough = self.problem.topography
+        return SurfaceLoad(self.last.pressure, rough.lengths, periodic=rough.periodic)
+
+    @property
+    def _medium(self) -> HomogeneousMedium:
+        return self.problem.medium
+
+    def yield_force(self) -> float:
+        """Return the force [N] under which yielding begins, by contacts under other forces; infinite without strength.
+
+        Raises
+        ------
+        NotConverged
+            If a contact or the force is not found.
+        """
+
+        def share(force: float) -> float:
+            pressed = dataclasses.replace(self.problem, load=Force(force), hardness=math.inf)
+            return greatest_share(pressed.medium, pressed.solve().surface_load)
+
+        last = greatest_share(self.problem.medium, self.surface_load)
+        return force_at_yield(share, self.last.force, last) if last > 0.0 else math.inf
+
+    @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: border, residual, slopes, pixels."""
         stated = self.problem
@@ -280,4 +290,4 @@ class SurfaceContactSolution:
                 *notes,
                 *unknown_yield(stated.medium, "pressures are stored of the last load, which is not the greatest"),
             )
-        return (*notes, *map_yield_notes(stated.medium, float(np.max(self.last.pressure))))
+        return (*notes, *map_yield_notes(stated.medium, self.surface_load))

@@ -20,8 +20,10 @@ from winkler.study.chapters.lines.line_viscoelastic import LINE_VISCOELASTIC
 from winkler.study.chapters.lines.line_wear import LINE_WEAR
 from winkler.study.chapters.normal import NORMAL, normal_formulas
 from winkler.study.chapters.particles import PARTICLES
+from winkler.study.chapters.profile_pair import PROFILE_PAIR
 from winkler.study.chapters.rolling import ROLLING
 from winkler.study.chapters.rough import ROUGH
+from winkler.study.chapters.subsurface import SUBSURFACE
 from winkler.study.chapters.viscoelastic import VISCOELASTIC
 from winkler.study.chapters.viscoelastic_surfaces import VISCOELASTIC_SURFACES
 from winkler.study.chapters.wear import WEAR
@@ -47,6 +49,8 @@ CHAPTERS: tuple[Chapter, ...] = (
     WEAR,
     LINE_WEAR,
     ROUGH,
+    SUBSURFACE,
+    PROFILE_PAIR,
 )
 """In the order of the catalogue."""
 

@@ -141,14 +141,15 @@ def unbuild(content: Any) -> dict[str, Any]:
         if not field.init:  # follows from the others
             continue
         inside = getattr(content, field.name)
-        if field.default is not dataclasses.MISSING and _same(inside, field.default):
+        default = field.default if field.default_factory is dataclasses.MISSING else field.default_factory()
+        if default is not dataclasses.MISSING and _same(inside, default):
             continue
         table[field.name] = written_field(content, field.name, inside)
     return table
 
 
 def _same(content: Any, default: Any) -> bool:
-    return type(content) is type(default) and bool(np.all(content == default))
+    return type(content) is type(default) and np.array_equal(content, default)
 
 
 def written_field(owner: Any, field: str, content: Any) -> Any:

@@ -15,9 +15,12 @@ from winkler.study.language.quantities import WHERE, number_or_numbers, numbers,
 
 __all__ = ["MAPS", "PAIRS", "counts", "height_map", "pair", "written_map"]
 
-MAPS: frozenset[tuple[str, str]] = frozenset({("Topography", "heights")})
+LOADS = ("pressure", "x_traction", "y_traction")
+MAPS: frozenset[tuple[str, str]] = frozenset({("Topography", "heights"), *(("SurfaceLoad", name) for name in LOADS)})
 """Fields that are maps of quantities, row by row."""
-PAIRS: frozenset[tuple[str, str]] = frozenset({("Topography", "lengths"), ("RandomTopography", "lengths")})
+PAIRS: frozenset[tuple[str, str]] = frozenset(
+    {("Topography", "lengths"), ("RandomTopography", "lengths"), ("SurfaceLoad", "lengths"), ("SurfaceLoad", "corner")}
+)
 """Fields that are two quantities."""
 MOST_READABLE = 64
 """Pixels up to which a map is written as numbers; larger ones are packed."""
@@ -33,15 +36,22 @@ def height_map(raw: Any, unit: str | None) -> Array:
         flat = numbers({**raw, "values": [item for row in lists for item in row]}, unit)
         return flat.reshape(len(lists), -1)
     if not isinstance(raw, list) or not all(isinstance(row, list) for row in raw):
-        wrong(f'{WHERE} is no map; give rows of heights, such as [["1 um", "2 um"], ["2 um", "3 um"]], or a file.')
+        like = f"[[{quoted(1, unit)}, {quoted(2, unit)}], [{quoted(2, unit)}, {quoted(3, unit)}]]"
+        wrong(f"{WHERE} is no map; give rows of quantities, such as {like}, or a file.")
     _refuse_uneven(raw)
     heights: Array = number_or_numbers(raw, unit)
     return heights
 
 
+def quoted(number: int, unit: str | None) -> str:
+    """Return a quantity as an example in a sentence, of a usual size."""
+    usual = {"m": "um", "Pa": "MPa"}.get(unit or "", unit or "")
+    return f'"{number} {usual}"'
+
+
 def _refuse_uneven(rows: list[Any]) -> None:
     if len({len(row) for row in rows}) > 1:
-        wrong(f"{WHERE} has rows of {len(rows[0])} and of other numbers of heights; give rows of one length.")
+        wrong(f"{WHERE} has rows of {len(rows[0])} and of other numbers of quantities; give rows of one length.")
 
 
 def _unpacked_map(raw: dict[str, Any]) -> Array:

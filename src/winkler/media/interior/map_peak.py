@@ -1,0 +1,104 @@
+"""The greatest von Mises stress below a map of loads, and its place.
+
+Depths are searched from half a pixel down, each on means over pixels that are small against it; from the best places
+the greatest is climbed to.  Stresses on the surface are those in the middles of the pixels.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.media.interior.map_field import MapField
+from winkler.media.interior.peak import StressSpot
+from winkler.media.interior.periodic_map_field import PeriodicMapField
+from winkler.media.interior.tensor import von_mises_of_tensor
+from winkler.numerics.types import Array
+
+__all__ = ["greatest_below_map"]
+
+SHALLOWEST = 0.5
+"""Smallest depth below the surface that is searched, in pixels; nearer to it the steps between pixels show."""
+DEPTH_STEP = 1.4
+"""Ratio of neighbouring depths of the search."""
+DEEPEST = 0.6
+"""Greatest depth of the search over the longer side of the loaded part."""
+MEANS_PER_DEPTH = 2.0
+"""Depth over the side of the means that stand for the pixels in the search."""
+MEANS_PER_CLIMB = 8.0
+"""The same of the first climb; the last one is on the pixels themselves."""
+MOST_CLIMBS = 2
+"""Best places of the search from which the greatest is climbed to."""
+NEAR_BEST = 0.97
+"""Stress over the greatest of the search above which a place is climbed from."""
+FIRST_STEP, LAST_STEP = 0.3, 0.02
+"""Sides of the simplexes with which climbs begin, over the depth."""
+PLACE_TOLERANCE, VALUE_TOLERANCE = 1e-4, 1e-9
+"""To which part of the depth the place is found, and to which part of itself the stress."""
+
+
+def greatest_below_map(field: MapField | PeriodicMapField) -> StressSpot:
+    """Return the greatest von Mises stress and its place, z >= 0.
+
+    Parameters
+    ----------
+    field
+        With some load.
+    """
+    loaded = np.any(field.loads != 0.0, axis=0)
+    sides = [np.flatnonzero(loaded.any(axis=axis)) for axis in (1, 0)]
+    spans = [(part[-1] - part[0] + 1) * size for part, size in zip(sides, field.pixel, strict=True)]
+    pixel = max(field.pixel)
+    depths = [SHALLOWEST * pixel]
+    while depths[-1] < DEEPEST * max(spans):
+        depths.append(DEPTH_STEP * depths[-1])
+    surface = _best_at(field, 0.0)
+    found = sorted((_best_at(_on_means(field, z, MEANS_PER_DEPTH), z) for z in depths), key=lambda spot: -spot.value)
+    starts: list[StressSpot] = []
+    for spot in found:
+        apart = all(np.hypot(spot.x - other.x, spot.y - other.y) > spot.z for other in starts)
+        if len(starts) < MOST_CLIMBS and spot.value >= NEAR_BEST * found[0].value and (not starts or apart):
+            starts.append(spot)
+    if surface.value * NEAR_BEST > found[0].value:
+        return surface
+    least = SHALLOWEST * pixel
+    tops = [_climbed(_on_means(field, spot.z, MEANS_PER_CLIMB), spot, least, FIRST_STEP) for spot in starts]
+    best = max(tops, key=lambda spot: spot.value)
+    return max(surface, _climbed(field, best, least, LAST_STEP), key=lambda spot: spot.value)
+
+
+def _on_means(field: MapField | PeriodicMapField, z: float, per_depth: float) -> MapField | PeriodicMapField:
+    """Return the map on pixels as large as the depth allows; a periodic one as it is."""
+    times = int(z / (per_depth * max(field.pixel)))
+    return field.coarsened(times) if isinstance(field, MapField) and times > 1 else field
+
+
+def _best_at(field: MapField | PeriodicMapField, z: float) -> StressSpot:
+    stress = von_mises_of_tensor(*field.at_depth(z)[:6])
+    i, j = np.unravel_index(int(np.argmax(stress)), stress.shape)
+    return StressSpot(float(stress[i, j]), (float(i) + 0.5) * field.pixel[0], (float(j) + 0.5) * field.pixel[1], z)
+
+
+def _climbed(field: MapField | PeriodicMapField, start: StressSpot, shallowest: float, side: float) -> StressSpot:
+    """Return the greatest stress near a place, by the simplex of Nelder and Mead in units of its depth."""
+    from scipy.optimize import minimize
+
+    middle = np.array([start.x, start.y, start.z])
+
+    def place(step: Array) -> Array:
+        moved = middle + start.z * step
+        moved[2] = max(moved[2], shallowest)
+        return np.asarray(moved)
+
+    def stress(step: Array) -> float:
+        return float(von_mises_of_tensor(*field.at_places(place(step)[None, :])[:6])[0])
+
+    unit = stress(np.zeros(3))
+    corners = np.vstack([np.zeros(3), side * np.eye(3)])
+    found = minimize(
+        lambda step: -stress(step) / unit,
+        np.zeros(3),
+        method="Nelder-Mead",
+        options={"initial_simplex": corners, "xatol": PLACE_TOLERANCE, "fatol": VALUE_TOLERANCE},
+    )
+    x, y, z = place(found.x).tolist()
+    return StressSpot(float(-found.fun) * unit, x, y, z)

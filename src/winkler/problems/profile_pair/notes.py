@@ -1,0 +1,105 @@
+"""Validity of the contact of two profiles: pixels, half-spaces, ends of the profiles, yield."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.problems.normal.unknown_yield import unknown_yield
+from winkler.problems.profile_pair.patch import ProfilePatch
+from winkler.problems.subsurface.map_yield import map_yield_notes
+from winkler.validity import Assumption, Note, Standing, standing_of
+
+__all__ = ["pair_notes"]
+
+POLONSKY = "I. A. Polonsky, L. M. Keer, Wear 231 (1999) 206-219, doi:10.1016/S0043-1648(99)00113-1"
+KALKER = "J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990, doi:10.1007/978-94-015-7889-9"
+FINE, COARSE = 0.01, 0.1
+"""Change from half as many pixels up to which results count as fine, and as coarse."""
+MUCH_SUNK = 0.2
+"""What one patch may sink another one, over its overlap, before it must not be left out."""
+FLAT, BENT = 0.1, 1.2
+"""Angle over which the direction of the surface turns within a patch [rad], small, and too large for half-spaces."""
+
+
+def pair_notes(
+    medium: HomogeneousMedium, patches: tuple[ProfilePatch, ...], grid_error: float, cut: bool, windows: int
+) -> tuple[Note, ...]:
+    """Return what was assumed of two profiles, and what the grid leaves.
+
+    Parameters
+    ----------
+    medium
+        Both bodies.
+    patches
+        Where they touch, the one that bears most first.
+    grid_error
+        Relative change from half as many pixels.
+    cut
+        Whether a contact reaches the end of a profile.
+    windows
+        Number of grids.
+    """
+    bent = max(patch.turned for patch in patches)
+    notes = [
+        Note(
+            Assumption.RESPONSE,
+            Standing.EXACT,
+            "Frictionless contact of homogeneous, linear elastic half-spaces, every pixel pressing on all others.",
+            POLONSKY,
+        ),
+        Note(
+            Assumption.RESOLUTION,
+            standing_of(grid_error, FINE, COARSE),
+            f"From half as many pixels along a side force and greatest pressure change by up to "
+            f"{100.0 * grid_error:.2g} per cent; the profiles are splines through their points.",
+            "comparison of two grids",
+        ),
+        Note(
+            Assumption.HALF_SPACE,
+            standing_of(bent, FLAT, BENT),
+            f"Within a patch the surface turns by {bent:.2g} rad; the gap is measured along the normals, the response "
+            "is that of a half-space along the arc.",
+            KALKER,
+        ),
+    ]
+    if windows > 1:
+        notes.append(_apart(medium, patches))
+    if cut:
+        notes.append(
+            Note(
+                Assumption.SHAPE,
+                Standing.OUTSIDE,
+                "A contact reaches the end of a profile, or the steep part where its height is not known; what lies "
+                "beyond would bear as well: give a longer profile.",
+                "comparison of the contact and the profiles",
+            )
+        )
+    spot = max(patches, key=lambda patch: patch.peak_pressure)
+    alone = map_yield_notes(medium, spot.surface_load)
+    if alone and alone[0].standing is not Standing.OUTSIDE and len(patches) > 1 and windows == 1:
+        why = (
+            "the stresses of patches near each other add up and only those of the one under most pressure are computed"
+        )
+        return (*notes, *unknown_yield(medium, why))
+    return (*notes, *alone)
+
+
+def _apart(medium: HomogeneousMedium, patches: tuple[ProfilePatch, ...]) -> Note:
+    """Return how much patches on grids of their own sink each other."""
+    most = 0.0
+    for one in patches:
+        for other in patches:
+            far = math.hypot(one.y - other.y, one.z - other.z, one.x - other.x)
+            if other is not one and far > 0.0:
+                sunk = other.force * max(float(np.cos(one.angle - other.angle)), 0.0)
+                most = max(most, sunk / (math.pi * medium.modulus * far) / one.depth)
+    return Note(
+        Assumption.SINGLE_CONTACT,
+        standing_of(most, FINE, MUCH_SUNK),
+        f"Places of contact that are far from each other are solved one by one; one sinks the other by up to "
+        f"{100.0 * most:.2g} per cent of its overlap, which is left out.",
+        KALKER,
+    )

@@ -1,0 +1,176 @@
+"""How far the upper body goes down under a force, and the pressures on every place of contact."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.errors import InvalidInput, NotConverged
+from winkler.numerics.surfaces.pressed_grid import ByDepth, press
+from winkler.numerics.types import Array
+from winkler.problems.profile_pair.gap_map import GapMap, windows
+from winkler.problems.profile_pair.placing import PlacedBody, Placing
+
+__all__ = ["PressedPair", "Region", "change_of", "pressed_by_drop", "pressed_by_force"]
+
+MOST_TRIALS = 30
+FORCE_TOLERANCE = 1e-7
+HERTZ_POWER, LEAST_POWER = 1.5, 0.3
+"""Power of the drop by which the force rises: the first guess, and the least that is believed."""
+MOST_CHANGE = 2.0
+"""Of the logarithm of the drop in one trial."""
+COARSE_PIXELS, COARSE_TOLERANCE = 32, 1e-3
+"""Pixels along a side, and error of the force, of the first search."""
+BESIDE = 4.0
+"""Gap that stands for none, over the overlap: beside the bodies nothing touches."""
+
+
+class Region(NamedTuple):
+    """A window of the lower surface with its pressures.
+
+    Parameters
+    ----------
+    gaps
+        Along the normals.
+    overlap
+        The greatest one of the undeformed bodies along a normal [m].
+    pressure
+        [Pa], of the pixels of the gaps.
+    """
+
+    gaps: GapMap
+    overlap: float
+    pressure: Array
+
+    @property
+    def force(self) -> Array:
+        """What presses the upper body, across and up [N]."""
+        return np.asarray(self.gaps.normal @ self.pressure.sum(axis=0) * self.gaps.pixel[0] * self.gaps.pixel[1])
+
+    def reaches_end(self) -> bool:
+        """Return whether the contact reaches the end of a profile, or of the window."""
+        from scipy.ndimage import binary_dilation
+
+        p = self.pressure > 0.0
+        beside = binary_dilation(p) & np.isinf(self.gaps.gap)
+        return bool(beside.any() or p[0].any() or p[-1].any() or p[:, 0].any() or p[:, -1].any())
+
+
+class PressedPair(NamedTuple):
+    """Two bodies that are pressed together.
+
+    Parameters
+    ----------
+    drop
+        How far the upper body went down since first touch [m].
+    regions
+        Where the bodies touch.
+    """
+
+    drop: float
+    regions: tuple[Region, ...]
+
+    @property
+    def force(self) -> Array:
+        """What presses the upper body, across and up [N]."""
+        return np.asarray(np.sum([region.force for region in self.regions], axis=0))
+
+
+def change_of(coarse: PressedPair, fine: PressedPair) -> float:
+    """Return the greatest relative change of force and greatest pressure."""
+    peaks = [max(float(np.max(region.pressure)) for region in pair.regions) for pair in (coarse, fine)]
+    return max(abs(peaks[0] / peaks[1] - 1.0), abs(float(coarse.force[1] / fine.force[1]) - 1.0))
+
+
+def heights_of(gaps: GapMap) -> tuple[Array, float]:
+    """Return heights of a map (negative gaps, finite everywhere), and the overlap [m]."""
+    overlap = -float(np.min(gaps.gap))
+    most = float(np.max(gaps.gap[np.isfinite(gaps.gap)]))
+    return -np.where(np.isfinite(gaps.gap), gaps.gap, most + BESIDE * max(overlap, 0.0)), overlap
+
+
+def pressed_by_drop(
+    lower: PlacedBody, upper: PlacedBody, placing: Placing, drop: float, modulus: float, pixels: int, tolerance: float
+) -> PressedPair:
+    """Return the pair with the upper body let down by `drop` [m] since first touch.
+
+    Parameters
+    ----------
+    lower, upper : PlacedBody
+    placing : Placing
+        Of both.
+    drop : float
+        [m].
+    modulus : float
+        E* [Pa].
+    pixels : int
+        Along a side of each window.
+    tolerance : float
+        As of `winkler.numerics.surfaces.pressed_grid.press`.
+    """
+    touch = float(np.nanmin(placing.gap))
+    down = upper.raised(-touch - drop)
+    regions = []
+    for window in windows(lower, down, placing, touch + drop):
+        gaps = GapMap.of(lower, down, window, (pixels, pixels))
+        heights, overlap = heights_of(gaps)
+        if overlap <= 0.0:
+            continue
+        solved = press(
+            float(np.max(heights)) - heights, gaps.pixel, ByDepth(overlap), periodic=False, tolerance=tolerance
+        )
+        regions.append(Region(gaps, overlap, modulus * solved.pressure))
+    return PressedPair(drop, tuple(regions))
+
+
+def pressed_by_force(
+    lower: PlacedBody, upper: PlacedBody, placing: Placing, force: float, modulus: float, pixels: int, tolerance: float
+) -> PressedPair:
+    """Return the pair under a force upwards on the upper body; parameters as of `pressed_by_drop`.
+
+    Raises
+    ------
+    InvalidInput
+        If the bodies cannot bear the force before the profile ends.
+    NotConverged
+        If the force is not found.
+    """
+    lowest = int(np.nanargmin(placing.gap))
+    radius = 1.0 / float(placing.bending[lowest])
+    drop = radius * (0.75 * force / (modulus * radius**2)) ** (2.0 / 3.0)  # that of a ball
+    coarse = _found(lower, upper, placing, force, modulus, drop, min(COARSE_PIXELS, pixels), 1e-4, COARSE_TOLERANCE)
+    return _found(lower, upper, placing, force, modulus, coarse.drop, pixels, tolerance, FORCE_TOLERANCE)
+
+
+def _found(
+    lower: PlacedBody,
+    upper: PlacedBody,
+    placing: Placing,
+    force: float,
+    modulus: float,
+    drop: float,
+    pixels: int,
+    tolerance: float,
+    exactness: float,
+) -> PressedPair:
+    """Return the pair at the drop where the forces agree, by secants between logarithms."""
+    before: tuple[float, float] | None = None
+    power = HERTZ_POWER
+    for _ in range(MOST_TRIALS):
+        pair = pressed_by_drop(lower, upper, placing, drop, modulus, pixels, tolerance)
+        if not pair.regions:
+            raise InvalidInput("ProfilePair: the profiles do not meet where they should; check their places.")
+        over = math.log(float(pair.force[1]) / force)
+        if abs(over) <= exactness:
+            return pair
+        if before is not None and before[0] != drop:
+            rise = (over - before[1]) / math.log(drop / before[0])
+            power = rise if rise > LEAST_POWER else power
+        before = drop, over
+        drop *= math.exp(-min(max(over / power, -MOST_CHANGE), MOST_CHANGE))
+    raise NotConverged(
+        f"ProfilePair: the drop under {force:.6g} N is not found within {MOST_TRIALS} trials; the profiles are rough, "
+        "or end within the contact: smooth them, or give longer ones."
+    )

@@ -1,0 +1,285 @@
+r"""Two bodies of given profiles pressed together: a wheel on a rail, a cam on a follower, a ball in a groove.
+
+The upper body, turned by yaw and roll, is let down until it first touches and then farther, until it bears the load.
+Where the undeformed bodies overlap, the gap is measured along the normals n of the lower profile, so that it is right
+in deep grooves too, and the pressures p >= 0 on every place of contact are those of boundary elements,
+
+.. math:: w = g_n + \frac{1}{\pi E^*}\int\frac{p\,\mathrm dA}{\rho} \ge 0 , \qquad p\,w = 0 , \qquad
+          F_z = \int p\,n_z\,\mathrm dA ,
+
+by the same solver as that of `winkler.problems.rough.surface_contact`.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, ClassVar
+
+import numpy as np
+
+from winkler.checks.field_checks import Condition
+from winkler.checks.number_checks import Advice, Finite, NonNegative, PositiveOrInfinite, Whole, between
+from winkler.errors import InvalidInput
+from winkler.loading import Depth, Force
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.problems.assumptions.declared import PRESSED
+from winkler.problems.profile_pair.notes import pair_notes
+from winkler.problems.profile_pair.patch import ProfilePatch, patches_of
+from winkler.problems.profile_pair.placing import PlacedBody, Placing, lower_body, upper_body
+from winkler.problems.profile_pair.pressing import change_of, pressed_by_drop, pressed_by_force
+from winkler.profiles.cross_profile import CrossProfile
+from winkler.validity import Assumption, Note
+from winkler.values import value, words
+
+__all__ = ["ProfilePair", "ProfilePairSolution"]
+
+ONE_LOAD = Condition(
+    lambda load: np.size(next(iter(vars(load).values()))) == 1 and float(next(iter(vars(load).values()))) > 0.0,
+    "give Force(F) or Depth(d) with one positive number",
+)
+LARGEST_TURN = 0.5
+"""Largest yaw and roll [rad]."""
+
+
+@value
+class ProfilePair:
+    """Two bodies of given profiles, one above the other, pressed together without friction.
+
+    Parameters
+    ----------
+    first, second : CrossProfile
+        Of the lower and of the upper body, each in its own axes: y across, z up.
+    medium : HalfSpace or TransverselyIsotropicHalfSpace
+        Both bodies; the first is the lower one.
+    load : Force or Depth
+        The vertical force [N], or how far the upper body goes down after first touch [m]; one positive number.
+    lateral : float, optional
+        Where y = 0 of the upper profile stands across, in the axes of the lower one [m].
+    yaw : float, optional
+        Turn of the upper body about the vertical [rad], its front towards +y.
+    roll : float, optional
+        Turn about the direction along [rad], about y = z = 0 of the upper profile, its side at +y downwards.
+    first_radius, second_radius : float, optional
+        Of revolution where z = 0 [m]: the axis lies as far below the lower, or above the upper profile.  Infinite (the
+        default) of a straight body, as a rail.
+    rolled_radius : float, optional
+        How far the pair rolls while the upper body turns by one radian [m], for the creepages; by default (zero) its
+        radius.
+    pixels : int, optional
+        Along each side of every window of contact.
+    tolerance : float, optional
+        As of `SurfaceContact`.
+
+    Raises
+    ------
+    InvalidInput
+        If the profiles do not meet, first touch at an end, or both bodies are straight along the same direction.
+
+    References
+    ----------
+    I. A. Polonsky, L. M. Keer, Wear 231 (1999) 206-219, doi:10.1016/S0043-1648(99)00113-1;
+    J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990, doi:10.1007/978-94-015-7889-9
+
+    Examples
+    --------
+    A ball of 10 mm on a flat, given as profiles, under 100 N: Hertz has 1371 MPa.
+
+    >>> import numpy as np
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> y = np.linspace(-2e-3, 2e-3, 41)
+    >>> ball = CrossProfile(y, 10e-3 - np.sqrt(10e-3**2 - y**2))
+    >>> steel = Elastic(210e9, 0.3)
+    >>> pair = ProfilePair(CrossProfile(y, 0.0 * y), ball, HalfSpace(steel, steel), Force(100.0), second_radius=10e-3)
+    >>> round(pair.solve().peak_pressure / 1e6, -1)
+    1370.0
+    """
+
+    __words__ = words(
+        first=("", None, "profile of the lower body"),
+        second=("", None, "profile of the upper body"),
+        lateral=("y_2", "m", "where the upper profile stands across"),
+        yaw=(r"\psi", "rad", "turn about the vertical"),
+        roll=(r"\phi", "rad", "turn about the direction along"),
+        first_radius=("R_1", "m", "radius of revolution of the lower body; infinite if it is straight"),
+        second_radius=("R_2", "m", "radius of revolution of the upper body; infinite if it is straight"),
+        rolled_radius=("R_0", "m", "distance rolled per turn by one radian; zero for the radius of the upper body"),
+        placing=("", None, "distances of both bodies across, before the upper one is let down"),
+        pixels=("n", "", "pixels along each side of a window of contact"),
+    )
+
+    first: CrossProfile
+    second: CrossProfile
+    medium: Annotated[HomogeneousMedium, Advice("the boundary elements apply to no other")]
+    load: Annotated[Force | Depth, ONE_LOAD]
+    lateral: Finite = 0.0
+    yaw: Annotated[float, between(-LARGEST_TURN, LARGEST_TURN)] = 0.0
+    roll: Annotated[float, between(-LARGEST_TURN, LARGEST_TURN)] = 0.0
+    first_radius: PositiveOrInfinite = math.inf
+    second_radius: PositiveOrInfinite = math.inf
+    rolled_radius: NonNegative = 0.0
+    pixels: Annotated[int, Whole(16, 1024, "pixels")] = 96
+    tolerance: Annotated[float, between(1e-12, 0.1)] = 1e-6
+
+    references: ClassVar[tuple[str, ...]] = ("polonsky_keer_1999", "kalker_1990", "shackleton_iwnicki_2008")
+    assumptions: ClassVar[frozenset[Assumption]] = PRESSED
+
+    @property
+    def placing(self) -> Placing:
+        """The distances of both bodies across, before the upper one is let down."""
+        return self._bodies()[2]
+
+    def _bodies(self) -> tuple[PlacedBody, PlacedBody, Placing]:
+        lower = lower_body(self.first, self.first_radius)
+        upper = upper_body(self.second, self.second_radius, self.lateral, self.yaw, self.roll)
+        first, second = self.first.ends, self.second.ends
+        if first[0] >= self.lateral + second[1] or first[1] <= self.lateral + second[0]:
+            raise InvalidInput(
+                f"ProfilePair: the profiles do not meet: the lower one goes from {first[0]:.6g} m to {first[1]:.6g} m, "
+                f"the upper one from {self.lateral + second[0]:.6g} m to {self.lateral + second[1]:.6g} m; give "
+                "another lateral position."
+            )
+        with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
+            placing = Placing.of(lower, upper)
+        there = np.flatnonzero(np.isfinite(placing.gap))
+        if there.size == 0:
+            raise InvalidInput("ProfilePair: the profiles do not meet; give another lateral position.")
+        lowest = int(np.nanargmin(placing.gap))
+        if lowest <= there[0] + 1 or lowest >= there[-1] - 1:
+            raise InvalidInput(
+                f"ProfilePair: the bodies first touch at the end of a profile, at y = {placing.y[lowest]:.6g} m; give "
+                "longer profiles, or another lateral position."
+            )
+        if not placing.bending[lowest] * (first[1] - first[0]) > 1e-9:
+            raise InvalidInput(
+                "ProfilePair: both bodies are straight along the same direction; give one of them a radius of "
+                "revolution, or take LineIndentation for a cylinder."
+            )
+        return lower, upper, placing
+
+    def solve(self) -> ProfilePairSolution:
+        """Return the contact.
+
+        Raises
+        ------
+        InvalidInput
+            If the profiles do not meet, first touch at an end, or both bodies are straight along the same direction.
+        NotConverged
+            If the pressures or the force are not found.
+        """
+        lower, upper, placing = self._bodies()
+        modulus = self.medium.modulus
+        if isinstance(self.load, Force):
+            pair = pressed_by_force(lower, upper, placing, float(self.load.force), modulus, self.pixels, self.tolerance)
+        else:
+            pair = pressed_by_drop(lower, upper, placing, float(self.load.depth), modulus, self.pixels, self.tolerance)
+        coarse = pressed_by_drop(lower, upper, placing, pair.drop, modulus, self.pixels // 2, self.tolerance)
+        down = upper.raised(-float(np.nanmin(placing.gap)) - pair.drop)
+        rolled = self.rolled_radius or self.second_radius
+        patches = [patch for region in pair.regions for patch in patches_of(lower, down, region, self.medium, rolled)]
+        across, up = pair.force.tolist()
+        return ProfilePairSolution(
+            problem=self,
+            depth=pair.drop,
+            force=up,
+            lateral_force=across,
+            peak_pressure=max(patch.peak_pressure for patch in patches),
+            area=sum(patch.area for patch in patches),
+            grid_error=change_of(coarse, pair),
+            touch=float(placing.y[int(np.nanargmin(placing.gap))]),
+            height=-float(np.nanmin(placing.gap)) - pair.drop,
+            patches=tuple(sorted(patches, key=lambda patch: -patch.force)),
+            cut=any(region.reaches_end() for region in pair.regions),
+            windows=len(pair.regions),
+        )
+
+
+@value
+class ProfilePairSolution:
+    """The solution of `ProfilePair`.
+
+    Parameters
+    ----------
+    problem : ProfilePair
+        The problem that was solved.
+    depth : float
+        How far the upper body has gone down since first touch [m].
+    force, lateral_force : float
+        What presses the upper body up, and across [N].
+    peak_pressure : float
+        The greatest [Pa].
+    area : float
+        Of all patches [m^2].
+    grid_error : float
+        The greatest relative change of force and greatest pressure from half as many pixels along a side.
+    touch : float
+        Where across the bodies first touch [m].
+    height : float
+        Where z = 0 of the upper profile stands above that of the lower one [m].
+    patches : tuple of ProfilePatch
+        Where the bodies touch, the one that bears most first.
+    cut : bool
+        Whether a contact reaches the end of a profile.
+    windows : int
+        Number of grids, which do not know of each other.
+    """
+
+    __words__ = words(
+        depth=("d", "m", "how far the upper body has gone down since first touch"),
+        force=("F_z", "N", "vertical force"),
+        lateral_force=("F_y", "N", "force on the upper body, across"),
+        grid_error=("", "", "change of force and greatest pressure from half as many pixels"),
+        touch=("y", "m", "where across the bodies first touch"),
+        height=("z", "m", "height of the upper profile's zero over that of the lower one"),
+        patches=("", None, "places of contact, the one that bears most first"),
+        cut=("", None, "whether a contact reaches the end of a profile"),
+        windows=("", None, "number of grids of elements"),
+        angle=(r"\alpha", "rad", "contact angle of the patch that bears most"),
+        place=("y", "m", "middle of the pressure across, of the patch that bears most"),
+        longitudinal_creepage=(r"\xi", "", "creepage along, of the patch that bears most"),
+        lateral_creepage=(r"\eta", "", "creepage across, of the patch that bears most"),
+        spin=(r"\varphi", "1/m", "rotation about the normal per distance rolled, of the patch that bears most"),
+    )
+
+    problem: ProfilePair
+    depth: float
+    force: float
+    lateral_force: float
+    peak_pressure: float
+    area: float
+    grid_error: float
+    touch: float
+    height: float
+    patches: tuple[ProfilePatch, ...]
+    cut: bool
+    windows: int
+
+    @property
+    def angle(self) -> float:
+        """Contact angle [rad] of the patch that bears most."""
+        return self.patches[0].angle
+
+    @property
+    def place(self) -> float:
+        """Where across its middle is [m]."""
+        return self.patches[0].y
+
+    @property
+    def longitudinal_creepage(self) -> float:
+        """Its creepage along [-]."""
+        return float(self.patches[0].creepage.longitudinal)
+
+    @property
+    def lateral_creepage(self) -> float:
+        """Its creepage across [-]."""
+        return float(self.patches[0].creepage.lateral)
+
+    @property
+    def spin(self) -> float:
+        """Its spin [1/m]."""
+        return float(self.patches[0].creepage.spin)
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted: pixels, conformity, ends, yield."""
+        return pair_notes(self.problem.medium, self.patches, self.grid_error, self.cut, self.windows)

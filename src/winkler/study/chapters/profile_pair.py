@@ -1,0 +1,70 @@
+"""Profile on profile: the profiles, the problem, and its formulas."""
+
+from __future__ import annotations
+
+from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
+from winkler.study.chapters.kind import kind
+
+__all__ = ["PROFILE_PAIR"]
+
+POINTS = {
+    "y": ["-20 mm", "-15 mm", "-10 mm", "-5 mm", "0 mm", "5 mm", "10 mm", "15 mm", "20 mm"],
+    "z": ["-0.6674 mm", "-0.3752 mm", "-0.1667 mm", "-0.0417 mm", "0 mm", "-0.0417 mm", "-0.1667 mm", "-0.3752 mm",
+          "-0.6674 mm"],
+}  # fmt: skip
+ARC = {"kind": "cross_profile", **POINTS}
+TREAD = {
+    "kind": "cross_profile",
+    "y": ["-25 mm", "-20 mm", "-15 mm", "-10 mm", "-5 mm", "0 mm", "5 mm", "10 mm", "15 mm", "20 mm", "25 mm"],
+    "z": ["-0.0125 mm", "-0.1 mm", "-0.1375 mm", "-0.125 mm", "-0.0813 mm", "0 mm", "0.1188 mm", "0.275 mm",
+          "0.4625 mm", "0.675 mm", "0.9125 mm"],
+}  # fmt: skip
+
+ALONG_NORMALS = Equation(
+    "The gap stands along the normals of the lower profile; on every place of contact pressures and gaps are never "
+    "negative, and one of the two is zero",
+    r"w = g_n+\frac{1}{\pi E^*}\int\frac{p\,\mathrm{d}A}{\rho}, \quad p \ge 0, \; w \ge 0, \; p\,w = 0",
+)
+SUMS = Equation(
+    "The upper body goes down until the vertical force is borne",
+    r"F_z = \int p\,n_z\,\mathrm{d}A, \quad F_y = \int p\,n_y\,\mathrm{d}A",
+)
+CREEPAGES = Equation(
+    "Creepages are those of rigid bodies at the middle of the pressure, over the mean speed of both",
+    r"\xi = \frac{(v_2-v_1)_x}{V}, \quad \eta = \frac{(v_2-v_1)_t}{V}, \quad "
+    r"\varphi = -\frac{1}{V}\,\frac{\mathrm{d}(v_2-v_1)_x}{\mathrm{d}s}",
+)
+
+PROFILE_PAIR = Chapter(
+    "profile on profile",
+    kinds={
+        "cross_profile": {
+            "cross_profile": kind(
+                "winkler.profiles.cross_profile:CrossProfile",
+                reader="winkler.io.tables.cross_profile_file:read_cross_profile",
+                problem="profile_pair",
+                y=POINTS["y"],
+                z=POINTS["z"],
+            ),
+        },
+    },
+    answers={
+        "profile_pair": answer(
+            "winkler.problems.profile_pair.profile_pair:ProfilePair",
+            first=ARC,
+            second=TREAD,
+            second_radius="460 mm",
+            load={"kind": "force", "force": "50 kN"},
+            yaw="5 mrad",
+            pixels=64,
+            picture=Caption(
+                "profiles",
+                "The profiles and their places of contact",
+                "Both profiles with the places where they touch, the gap between them, and the pressure on the patch "
+                "that bears most.",
+            ),
+            pictured=PicturedContact.NONE,
+            formulas=(ALONG_NORMALS, SUMS, CREEPAGES),
+        ),
+    },
+)

@@ -1,0 +1,56 @@
+"""Stresses below maps of pressure and traction: the maps, the problem, and its formulas."""
+
+from __future__ import annotations
+
+from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
+from winkler.study.chapters.kind import kind
+
+__all__ = ["SUBSURFACE"]
+
+HILL = [
+    ["0 MPa", "100 MPa", "150 MPa", "100 MPa", "0 MPa"],
+    ["100 MPa", "250 MPa", "300 MPa", "250 MPa", "100 MPa"],
+    ["150 MPa", "300 MPa", "350 MPa", "300 MPa", "150 MPa"],
+    ["100 MPa", "250 MPa", "300 MPa", "250 MPa", "100 MPa"],
+    ["0 MPa", "100 MPa", "150 MPa", "100 MPa", "0 MPa"],
+]
+
+PIXELS = Equation(
+    "The loads of all pixels add up; of an even pressure on a rectangle, with its corners at distances X and Y "
+    "and the depth z,",
+    r"\sigma_{zz} = -\frac{p}{2\pi}\left[\arctan\frac{XY}{z\rho}+\frac{XYz}{\rho}"
+    r"\left(\frac{1}{X^2+z^2}+\frac{1}{Y^2+z^2}\right)\right], \quad \rho^2 = X^2+Y^2+z^2",
+)
+MISES = Equation(
+    "Yielding begins where the stress of von Mises reaches the strength",
+    r"\sigma_{vM}^2 = \frac{1}{2}\left[(\sigma_{xx}-\sigma_{yy})^2+(\sigma_{yy}-\sigma_{zz})^2"
+    r"+(\sigma_{zz}-\sigma_{xx})^2\right]+3\left(\sigma_{xy}^2+\sigma_{xz}^2+\sigma_{yz}^2\right)",
+)
+
+SUBSURFACE = Chapter(
+    "fields",
+    kinds={
+        "surface_load": {
+            "surface_load": kind(
+                "winkler.problems.subsurface.surface_load:SurfaceLoad",
+                reader="winkler.io.tables.surface_load_table:read_surface_load",
+                problem="map_stress",
+                pressure=HILL,
+                lengths=["1 mm", "1 mm"],
+            ),
+        },
+    },
+    answers={
+        "map_stress": answer(
+            "winkler.problems.subsurface.map_stress:MapStress",
+            solid={"kind": "elastic", "strength": "500 MPa"},
+            picture=Caption(
+                "below",
+                "Stresses below the surface",
+                "The pressure, and the von Mises stress at the depth of its greatest and on a plane through it.",
+            ),
+            pictured=PicturedContact.NONE,
+            formulas=(PIXELS, MISES),
+        ),
+    },
+)

@@ -1,0 +1,101 @@
+"""Profiles of wheels and rails in files: tables, Simpack, MiniProf; and what is refused."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import winkler as wk
+
+Y = np.arange(-8.0, 9.0)
+Z = -0.01 * Y**2
+SIMPACK = """! a rail
+header.begin
+  version = 1
+  type    = 0   ! 0: rail
+header.end
+spline.begin
+  approx.smooth = 0.0
+  comment = 'a rail = an arc'
+  shift.y = {shift}
+  mirror.y = {mirror}
+  bound.y.min = {least}
+  bound.y.max = 100.
+  {unit}
+  {more}
+  point.begin
+    ! y  z
+{points}
+  point.end
+spline.end
+"""
+MINIPROF = """Filename=rail.ban
+XYPoints=17
+RefPoint1=0.0000, 0.0000
+ColumnDef=A,X,Y
+
+{points}
+"""
+
+
+def simpack(shift=0.0, mirror=0, least=200.0, unit="units.len.f = 1000.", more="rotate = 0"):
+    points = "\n".join(f"    {a:.4f} {b:.6f} 1.0" for a, b in zip(Y, Z, strict=True))
+    return SIMPACK.format(shift=shift, mirror=mirror, least=least, unit=unit, more=more, points=points)
+
+
+def read(tmp_path, name, text, **options):
+    file = tmp_path / name
+    file.write_text(text, encoding="utf-8")
+    return wk.read_cross_profile(file, **options)
+
+
+def test_a_table(tmp_path):
+    rows = "\n".join(f"{a},{b}" for a, b in zip(Y, Z, strict=True))
+    found = read(tmp_path, "rail.csv", f"y [mm],z [mm]\n{rows}\n", down=True)
+    np.testing.assert_allclose(found.y, 1e-3 * Y)
+    np.testing.assert_allclose(found.z, -1e-3 * Z)
+    assert read(tmp_path, "rail.csv", f"lateral [mm],height [um]\n{rows}\n", mirrored=True).z[0] == pytest.approx(
+        -0.64e-6
+    )
+
+
+def test_a_profile_of_simpack(tmp_path):
+    found = read(tmp_path, "rail.prr", simpack())
+    np.testing.assert_allclose(found.y, 1e-3 * Y)
+    np.testing.assert_allclose(found.z, 1e-3 * Z, atol=1e-12)
+    found = read(tmp_path, "rail.prr", simpack(shift=2.0, mirror=1, unit="units.len.f = 1."))
+    np.testing.assert_allclose(found.y, -(Y + 2.0))
+    assert read(tmp_path, "rail.prr", simpack(least=-3.0)).y.min() == pytest.approx(-3e-3)
+
+
+def test_a_text_of_miniprof(tmp_path):
+    points = "\n".join(f'"0.0\t{a:.4E}\t{b:.4E}' for a, b in zip(Y, Z, strict=True))
+    found = read(tmp_path, "rail.ban", MINIPROF.format(points=points))
+    np.testing.assert_allclose(found.y, 1e-3 * Y)
+    np.testing.assert_allclose(found.z, 1e-3 * Z, atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "sentence"),
+    [
+        ("a.prr", simpack(unit=""), "unit is not stated"),
+        ("a.prr", simpack(more="rotate = 0.02"), "save the rotated points"),
+        ("a.ban", MINIPROF.format(points="1.0 2.0"), "there are 2 numbers"),
+        ("a.ban", MINIPROF.replace("A,X,Y", "X,A").format(points="1.0 2.0"), "columns X and Y are needed"),
+        ("a.csv", "y,z\n1,2\n", "y"),
+    ],
+)
+def test_other_files_are_refused(tmp_path, name, text, sentence):
+    with pytest.raises(wk.InvalidInput, match=sentence):
+        read(tmp_path, name, text)
+
+
+def test_contact_and_winkler_read_the_same_rail(tmp_path, shared_data):
+    """The rail of the Manchester benchmark, once as the table and once in MiniProf's columns (in mm, mirrored)."""
+    lines = (shared_data / "reference" / "contact" / "manchester" / "rail_uic60.csv").read_text(encoding="utf-8")
+    rows = [line.split(",") for line in lines.splitlines() if not line.startswith(("#", "y"))]
+    points = "\n".join(f"0 {-1e3 * float(a):.6f} {1e3 * float(b):.6f}" for a, b in rows)
+    one = read(tmp_path, "rail.csv", lines, down=True)
+    other = read(tmp_path, "rail.ban", MINIPROF.format(points=points), down=True, mirrored=True)
+    y = np.linspace(-0.03, 0.02, 21)
+    np.testing.assert_allclose(one.height(y), other.height(y), atol=1e-8)
