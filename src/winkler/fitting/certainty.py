@@ -1,6 +1,6 @@
 """Uncertainty of the parameters of a fit, and doubts that follow from its algebra.
 
-The covariance is that of least squares under autocorrelated noise (`winkler.fitting.curves.noise`).
+The covariance is that of generalised least squares under white and slow noise (`winkler.fitting.noise`).
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.fitting.curves.checks import Flag
-from winkler.fitting.curves.noise import memory, memory_of_fit, spread
 from winkler.fitting.estimate import FitEstimate
+from winkler.fitting.noise.estimate import NoiseEstimate, noise_of
 from winkler.fitting.varied import Parameter
 from winkler.numerics.types import Array
 
@@ -28,12 +28,12 @@ MISFIT_CONFIDENCE = 0.999
 """Part of correct models whose misfit in contact stays below its limit."""
 FEWEST_FREE_POINTS = 20
 """Fewest free points for the autocorrelation of the noise."""
-POINTS_PER_PARAMETER = 10
+POINTS_PER_PARAMETER = 3
 """Fewest independent points for each parameter."""
 
 
 class Certainty(NamedTuple):
-    """Uncertainty of parameters from the residuals of their fit.
+    """Uncertainty of parameters under the noise of their fit.
 
     Parameters
     ----------
@@ -41,34 +41,19 @@ class Certainty(NamedTuple):
         Standard errors of the coordinates.
     correlation : ndarray, (p, p)
         Of these errors.
-    scatter : float
-        Standard deviation of the residuals.
-    effective_count : float
-        Equivalent number of independent points.
+    noise : NoiseEstimate
     """
 
     errors: Array
     correlation: Array
-    scatter: float
-    effective_count: float
+    noise: NoiseEstimate
 
 
-def certainty(residuals: Array, jacobian: Array) -> Certainty:
-    """Return the uncertainty of the parameters of a fit.
-
-    Parameters
-    ----------
-    residuals : ndarray, (n,)
-        Weighted, in the order in which they were measured.
-    jacobian : ndarray, (n, p)
-        Weighted derivatives of the prediction.
-    """
-    noise_memory = memory_of_fit(residuals, jacobian)
-    covariance, used = spread(jacobian, noise_memory.correlations)
-    scatter = math.sqrt(float(residuals @ residuals) / max(residuals.size - used, 1.0))
-    variances = np.diag(covariance)
-    correlation = np.clip(covariance / np.sqrt(np.outer(variances, variances)), -1.0, 1.0)
-    return Certainty(scatter * np.sqrt(variances), correlation, scatter, noise_memory.effective_count)
+def certainty(noise: NoiseEstimate) -> Certainty:
+    """Return the uncertainty of the parameters of a fit from its noise."""
+    variances = np.diag(noise.covariance)
+    correlation = np.clip(noise.covariance / np.sqrt(np.outer(variances, variances)), -1.0, 1.0)
+    return Certainty(np.sqrt(variances), correlation, noise)
 
 
 def refuse_singular(parameters: tuple[Parameter, ...], jacobian: Array, largest: float) -> None:
@@ -133,28 +118,47 @@ def doubts(
             if abs(correlation) > CORRELATION_LIMIT:
                 text = f"{second.name} and {first.name} go together (correlation {correlation:.4f})."
                 yield Flag("correlated", text)
-    if uncertainty.effective_count < POINTS_PER_PARAMETER * len(parameters):
+    if uncertainty.noise.effective_count < POINTS_PER_PARAMETER * len(parameters):
         yield Flag(
             "memory",
-            f"The curve has the information of {uncertainty.effective_count:.3g} independent points: the noise "
+            f"The curve has the information of {uncertainty.noise.effective_count:.3g} independent points: the noise "
             "drifts, or the model misses the course of the curve; the errors are rough.",
         )
-    whole, contact = estimate.chi_square, estimate.chi_square_in_contact
-    if whole > MISFIT_LIMIT or contact > _limit(estimate):
+    clean = estimate.weights * estimate.residuals - uncertainty.noise.disturbance
+    whole, contact, limit = _misfits(estimate, clean)
+    if whole > MISFIT_LIMIT or contact > limit:
         yield Flag(
             "misfit",
-            f"The residuals are {math.sqrt(whole):.3g} times the noise, in contact {math.sqrt(contact):.3g} times: "
-            "the model does not explain the curve.",
+            f"The residuals are {math.sqrt(estimate.chi_square):.3g} times the noise, in contact "
+            f"{math.sqrt(estimate.chi_square_in_contact):.3g} times: the model does not explain the curve.",
         )
 
 
-def _limit(estimate: FitEstimate) -> float:
-    """Return the limit of the squared misfit in contact over the noise, from its chi-square distribution."""
+def _misfits(estimate: FitEstimate, clean: Array) -> tuple[float, float, float]:
+    """Return the squared misfits over the noise, on the whole and in contact, and the limit in contact.
+
+    The noise out of contact states how far residuals in contact vary: slow noise has fewer independent points, and
+    grows with their number.  Drifts, tilts and drags are no misfit.
+
+    Parameters
+    ----------
+    estimate : FitEstimate
+    clean : ndarray, (n,)
+        Weighted residuals without disturbances.
+    """
     from scipy.special import gammaincinv
 
-    free_residuals = (estimate.weights * estimate.residuals)[~estimate.touched & (estimate.weights > 0.0)]
-    count, share = free_residuals.size, 1.0
+    free = ~estimate.touched & (estimate.weights > 0.0)
+    count, noise, share, growth = int(np.count_nonzero(free)), estimate.noise, 1.0, 1.0
     if count >= FEWEST_FREE_POINTS:
-        share = memory(free_residuals).effective_count / count
+        own = clean[free] - clean[free].mean()
+        noise = min(noise, float(np.sqrt(np.mean(own**2)))) or noise
+        spectrum = noise_of(own, np.ones((count, 1)), np.zeros((count, 0))).spectrum[1:]
+        inside = max(int(estimate.contact_count), 2)
+        along = np.interp(np.arange(1, inside) / inside, np.arange(1, count) / count, spectrum)
+        share = float(along.sum() ** 2 / (along @ along)) / along.size
+        growth = max(float(along.mean() / spectrum.mean()), 1.0)
+    whole = float(clean @ clean) / max(estimate.count - len(estimate.names), 1) / noise**2
+    contact = float(np.sum(clean[estimate.touched] ** 2)) / estimate.contact_freedom / noise**2
     half = 0.5 * max(estimate.contact_freedom * share, 1.0)
-    return max(MISFIT_LIMIT, float(gammaincinv(half, MISFIT_CONFIDENCE)) / half)
+    return whole, contact, growth * max(MISFIT_LIMIT, float(gammaincinv(half, MISFIT_CONFIDENCE)) / half)

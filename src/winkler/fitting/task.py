@@ -19,6 +19,8 @@ import numpy as np
 
 from winkler.fitting.curves.checks import CurveOutline, Flag
 from winkler.fitting.curves.curve import ForceCurve
+from winkler.fitting.noise.disturbances import disturbances_of
+from winkler.fitting.noise.whitening import Whitening
 from winkler.fitting.outcome import AnyFit
 from winkler.fitting.parameters import changed
 from winkler.fitting.varied import CURVE_PARAMETERS, Parameter
@@ -56,6 +58,8 @@ class _TaskFields(NamedTuple):
         instead; zero at all others.
     fixed : tuple of (str, float)
         Fixed numbers that differ from those of the model.
+    whitening : Whitening, optional
+        Decorrelation of the residuals in least squares; none unless given.
     """
 
     curve: ForceCurve
@@ -65,6 +69,7 @@ class _TaskFields(NamedTuple):
     velocity: Array
     per_force: Array
     fixed: tuple[tuple[str, float], ...] = ()
+    whitening: Whitening | None = None
 
 
 class FitTask(_TaskFields):
@@ -155,9 +160,22 @@ class FitTask(_TaskFields):
         drag = numbers.get("drag", 0.0) * self.velocity
         return np.asarray(numbers.get("baseline", 0.0) + numbers.get("tilt", 0.0) * self.along(numbers) + drag)
 
+    @functools.cached_property
+    def disturbances(self) -> Array:
+        """Weighted courses ``(n, q)`` of disturbances that the model does not contain."""
+        return disturbances_of(self.curve) * self.weights[:, None]
+
     def residuals(self, coordinates: Array) -> Array:
         """Return the weighted misfit, measured less predicted."""
-        return np.asarray((self.measured - self.prediction(coordinates).fitted) * self.weights)
+        return self.decorrelated((self.measured - self.prediction(coordinates).fitted) * self.weights)
+
+    def decorrelated(self, columns: Array) -> Array:
+        """Return weighted columns ``(n,)`` or ``(n, c)`` as least squares count them."""
+        return columns if self.whitening is None else self.whitening.of(columns)
+
+    def instrument(self, coordinates: Array, prediction: Prediction) -> Array:
+        """Return the weighted derivatives ``(n, p)`` to which residuals are made orthogonal at the end."""
+        return self.jacobian(coordinates, prediction)
 
     def jacobian(self, coordinates: Array, prediction: Prediction) -> Array:
         """Return the weighted derivatives ``(n, p)`` of the prediction at coordinates."""
