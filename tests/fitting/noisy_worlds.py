@@ -10,7 +10,7 @@ import dataclasses
 from collections.abc import Callable
 
 import numpy as np
-from relaxing_curves import BEAD, FIRST, model, power_law_force
+from relaxing_curves import FIRST, model, power_law_force
 from synthetic import hertz_on_spring, jkr, noise, there_and_back
 
 import winkler as wk
@@ -70,8 +70,14 @@ class World:
         disturbed += self.drag * abs(signs[2]) * np.where(self.inward, 1.0, -1.0)
         force = self.force(self.position, self.inward) + BASE + self.level * disturbed
         more = {} if self.direction is None else {"direction": self.direction}
-        return ForceCurve(self.position + ORIGIN, force, self.stiffness, time=self.time if self.time is not None else [],
-                          name=f"seed {seed}", **more)
+        return ForceCurve(
+            self.position + ORIGIN,
+            force,
+            self.stiffness,
+            time=self.time if self.time is not None else [],
+            name=f"seed {seed}",
+            **more,
+        )
 
 
 def bed(profile, young=3e4):
@@ -114,7 +120,9 @@ def worlds(count: int) -> dict[str, World]:
         return indented(wk.Cone(1.2))
 
     def glass():
-        return wk.Indentation(wk.Foundation(wk.Cone(1.2287), wk.HalfSpace.between(wk.Elastic(50e9, np.sqrt(0.1)))), wk.Depth(0.0))
+        return wk.Indentation(
+            wk.Foundation(wk.Cone(1.2287), wk.HalfSpace.between(wk.Elastic(50e9, np.sqrt(0.1)))), wk.Depth(0.0)
+        )
 
     def jkr_model():
         return AdhesiveIndentation(bed(wk.Paraboloid(RADIUS)), ShortRange(1e-3), wk.Depth(0.0))
@@ -133,10 +141,25 @@ def worlds(count: int) -> dict[str, World]:
         "ball, tilt": dataclasses.replace(on_spring, flicker=1.0 / 3.0, tilt=1.0),
         "ball, drag": dataclasses.replace(both, drag=2.0, flicker=1.0 / 3.0),
         "ball, memory": dataclasses.replace(both, memory=0.9),
-        "cone in liquid": World(cone, pyramid, elastic, twice, inward, flicker=1.0 / 3.0, drift=1.0, tilt=1.0, drag=2.0),
-        "power-law creep": World(relaxed, gel, {f"{FIRST}shear": 500.0, f"{FIRST}exponent": 0.2, "contact_point": ORIGIN, "baseline": BASE},
-                                 held, time < 1.0, level=2e-11, flicker=1.0 / 3.0, time=time + 0.5, direction=np.where(time <= 1.0, 1.0, 0.0)),
-        "JKR": dataclasses.replace(both, force=sticky, model=jkr_model, truth={**elastic, "law.work": 1e-4}, flicker=1.0 / 3.0),
-        "nanoindentation": World(pressed, glass, {PATH: 70e9, "contact_point": ORIGIN}, deep, into, level=2e-5, walk=0.02, flicker=1.0 / 3.0),
+        "cone in liquid": World(
+            cone, pyramid, elastic, twice, inward, flicker=1.0 / 3.0, drift=1.0, tilt=1.0, drag=2.0
+        ),
+        "power-law creep": World(
+            relaxed,
+            gel,
+            {f"{FIRST}shear": 500.0, f"{FIRST}exponent": 0.2, "contact_point": ORIGIN, "baseline": BASE},
+            held,
+            time < 1.0,
+            level=2e-11,
+            flicker=1.0 / 3.0,
+            time=time + 0.5,
+            direction=np.where(time <= 1.0, 1.0, 0.0),
+        ),
+        "JKR": dataclasses.replace(
+            both, force=sticky, model=jkr_model, truth={**elastic, "law.work": 1e-4}, flicker=1.0 / 3.0
+        ),
+        "nanoindentation": World(
+            pressed, glass, {PATH: 70e9, **LINE}, deep, into, level=2e-5, walk=0.02, flicker=1.0 / 3.0
+        ),
         "everything": dataclasses.replace(both, flicker=1.0 / 3.0, walk=0.01, drift=1.0, tilt=1.0, drag=1.0),
     }

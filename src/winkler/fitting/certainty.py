@@ -14,7 +14,7 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.fitting.curves.checks import Flag
 from winkler.fitting.estimate import FitEstimate
-from winkler.fitting.noise.estimate import NoiseEstimate, noise_of
+from winkler.fitting.misfit import Misfit
 from winkler.fitting.varied import Parameter
 from winkler.numerics.types import Array
 
@@ -22,13 +22,7 @@ __all__ = ["Certainty", "certainty", "doubts", "refuse_singular"]
 
 SINGULAR_RATIO = 1e-7
 CORRELATION_LIMIT = 0.99
-MISFIT_LIMIT = 2.0
-"""Squared misfit over the noise, per degree of freedom, from which on a model does not explain a curve."""
-MISFIT_CONFIDENCE = 0.999
-"""Part of correct models whose misfit in contact stays below its limit."""
-FEWEST_FREE_POINTS = 20
-"""Fewest free points for the autocorrelation of the noise."""
-POINTS_PER_PARAMETER = 3
+POINTS_PER_PARAMETER = 10
 """Fewest independent points for each parameter."""
 
 
@@ -41,19 +35,22 @@ class Certainty(NamedTuple):
         Standard errors of the coordinates.
     correlation : ndarray, (p, p)
         Of these errors.
-    noise : NoiseEstimate
+    effective_count : float
+        Number of independent points.
+    misfit : Misfit
     """
 
     errors: Array
     correlation: Array
-    noise: NoiseEstimate
+    effective_count: float
+    misfit: Misfit
 
 
-def certainty(noise: NoiseEstimate) -> Certainty:
-    """Return the uncertainty of the parameters of a fit from its noise."""
-    variances = np.diag(noise.covariance)
-    correlation = np.clip(noise.covariance / np.sqrt(np.outer(variances, variances)), -1.0, 1.0)
-    return Certainty(np.sqrt(variances), correlation, noise)
+def certainty(covariance: Array, effective_count: float, misfit: Misfit) -> Certainty:
+    """Return the uncertainty of the parameters of a fit from the covariance of its coordinates."""
+    variances = np.diag(covariance)
+    correlation = np.clip(covariance / np.sqrt(np.outer(variances, variances)), -1.0, 1.0)
+    return Certainty(np.sqrt(variances), correlation, effective_count, misfit)
 
 
 def refuse_singular(parameters: tuple[Parameter, ...], jacobian: Array, largest: float) -> None:
@@ -118,47 +115,15 @@ def doubts(
             if abs(correlation) > CORRELATION_LIMIT:
                 text = f"{second.name} and {first.name} go together (correlation {correlation:.4f})."
                 yield Flag("correlated", text)
-    if uncertainty.noise.effective_count < POINTS_PER_PARAMETER * len(parameters):
+    if uncertainty.effective_count < POINTS_PER_PARAMETER * len(parameters):
         yield Flag(
             "memory",
-            f"The curve has the information of {uncertainty.noise.effective_count:.3g} independent points: the noise "
-            "drifts, or the model misses the course of the curve; the errors are rough.",
+            f"The curve has the information of {uncertainty.effective_count:.3g} independent points: the noise "
+            "is slow, or the model misses the course of the curve.",
         )
-    clean = estimate.weights * estimate.residuals - uncertainty.noise.disturbance
-    whole, contact, limit = _misfits(estimate, clean)
-    if whole > MISFIT_LIMIT or contact > limit:
+    if not uncertainty.misfit.explained:
         yield Flag(
             "misfit",
             f"The residuals are {math.sqrt(estimate.chi_square):.3g} times the noise, in contact "
             f"{math.sqrt(estimate.chi_square_in_contact):.3g} times: the model does not explain the curve.",
         )
-
-
-def _misfits(estimate: FitEstimate, clean: Array) -> tuple[float, float, float]:
-    """Return the squared misfits over the noise, on the whole and in contact, and the limit in contact.
-
-    The noise out of contact states how far residuals in contact vary: slow noise has fewer independent points, and
-    grows with their number.  Drifts, tilts and drags are no misfit.
-
-    Parameters
-    ----------
-    estimate : FitEstimate
-    clean : ndarray, (n,)
-        Weighted residuals without disturbances.
-    """
-    from scipy.special import gammaincinv
-
-    free = ~estimate.touched & (estimate.weights > 0.0)
-    count, noise, share, growth = int(np.count_nonzero(free)), estimate.noise, 1.0, 1.0
-    if count >= FEWEST_FREE_POINTS:
-        own = clean[free] - clean[free].mean()
-        noise = min(noise, float(np.sqrt(np.mean(own**2)))) or noise
-        spectrum = noise_of(own, np.ones((count, 1)), np.zeros((count, 0))).spectrum[1:]
-        inside = max(int(estimate.contact_count), 2)
-        along = np.interp(np.arange(1, inside) / inside, np.arange(1, count) / count, spectrum)
-        share = float(along.sum() ** 2 / (along @ along)) / along.size
-        growth = max(float(along.mean() / spectrum.mean()), 1.0)
-    whole = float(clean @ clean) / max(estimate.count - len(estimate.names), 1) / noise**2
-    contact = float(np.sum(clean[estimate.touched] ** 2)) / estimate.contact_freedom / noise**2
-    half = 0.5 * max(estimate.contact_freedom * share, 1.0)
-    return whole, contact, growth * max(MISFIT_LIMIT, float(gammaincinv(half, MISFIT_CONFIDENCE)) / half)

@@ -35,7 +35,7 @@ class FitEstimate:
         highs=("", None, "upper bounds"),
         noise=(r"\sigma", "N", "standard deviation of the forces"),
         weights=("", "", "what residuals were multiplied with"),
-        scatter=("s", "N", "standard deviation of the noise in the weighted residuals"),
+        scatter=("s", "N", "standard deviation of the weighted residuals"),
         slow_share=("", "", "part of the noise's variance that is slow"),
         log_likelihood=(r"\ln L", None, "logarithm of the likelihood, integrated over the noise"),
         stretches=("", "", "factors of the half-widths of intervals"),
@@ -109,7 +109,7 @@ class FitEstimate:
         index = self.index(name)
         number, error = float(self.values[index]), float(self.standard_errors[index])
         width = self.quantile(confidence)
-        below, above = (width * _stretched(stretch, width) for stretch in self.stretches[index].tolist())
+        below, above = (width * stretch ** (width / REFERENCE_WIDTH) for stretch in self.stretches[index].tolist())
         if self.logarithmic[index]:
             part = error / number if number > 0.0 else math.inf
             high = number * math.exp(above * part) if above * part < LARGEST_EXPONENT else math.inf
@@ -168,10 +168,3 @@ class FitEstimate:
     def count(self) -> int:
         """Number of fitted points."""
         return int(np.count_nonzero(self.weights))
-
-
-def _stretched(stretch: float, width: float) -> float:
-    r"""Return the stretch :math:`f` of a half-width, from that at the reference width: :math:`f\,(1+cfw) = 1`."""
-    curvature = (1.0 / stretch - 1.0) / stretch * width / REFERENCE_WIDTH
-    root = 1.0 + 4.0 * curvature
-    return 2.0 / (1.0 + math.sqrt(root)) if root > 0.0 else 2.0

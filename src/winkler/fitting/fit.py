@@ -41,8 +41,6 @@ from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 
 __all__ = ["Fit", "fit", "fit_steps"]
 
-FEWEST_FREE_POINTS = 20
-"""Fewest free points for an estimate of the noise."""
 MOST_REWEIGHTINGS = 2
 """Most changes of the weights by the noise of the last fit."""
 
@@ -225,20 +223,17 @@ def _best(
     if not prediction.touched.any():
         raise OutsideValidity("fit: the best fit has no point in contact; the model does not describe this curve.")
     refuse_singular(task.parameters, task.jacobian(coordinates, prediction), task.size)
-    return _with_errors(task, generalised(task, task.final(coordinates), search), noise, flags)
+    return _with_errors(task, generalised(task, task.final(coordinates), noise, search), noise, flags)
 
 
 def _with_errors(task: FitTask, best: Generalised, noise: float, flags: tuple[Flag, ...]) -> AnyFit:
     """Return the fit at its final coordinates, with errors and doubts."""
     coordinates, prediction = best.coordinates, best.prediction
     numbers = task.numbers(coordinates)
-    residuals = (task.measured - prediction.fitted) * task.weights
-    uncertainty = certainty(best.noise)
+    noise = noise or best.deviation(task) or best.scatter or np.finfo(float).tiny
+    uncertainty = certainty(best.covariance, best.noise.effective_count, best.misfit(task, noise))
     values = np.array(list(numbers.values()))
     errors = uncertainty.errors * np.abs([p.change(n) for p, n in zip(task.parameters, values.tolist(), strict=True)])
-    free_residuals = residuals[task.quiet(prediction)]
-    if noise == 0.0:
-        noise = float(np.std(free_residuals)) if free_residuals.size >= FEWEST_FREE_POINTS else best.noise.scatter
     shared = {
         "curve": task.curve,
         "model": task.model_of(numbers, prediction),
@@ -248,13 +243,13 @@ def _with_errors(task: FitTask, best: Generalised, noise: float, flags: tuple[Fl
         "correlation": uncertainty.correlation,
         "lows": np.array([p.low for p in task.parameters]),
         "highs": np.array([p.high for p in task.parameters]),
-        "noise": noise or best.noise.scatter or np.finfo(float).tiny,
+        "noise": noise,
         "weights": task.weights,
-        "scatter": best.noise.scatter,
+        "scatter": best.scatter,
         "effective_count": best.noise.effective_count,
         "slow_share": best.noise.slow_share,
         "log_likelihood": best.noise.likelihood + float(np.sum(np.log(task.weights[task.weights > 0.0]))),
-        "stretches": stretches_of(task, coordinates, best.noise.covariance),
+        "stretches": stretches_of(task, coordinates, best.covariance, best.noise),
         "predicted": prediction.fitted,
         "logarithmic": tuple(p.logarithmic for p in task.parameters),
         "flags": (*flags, *task.doubts(numbers, errors)),

@@ -50,7 +50,7 @@ class Fit(FitEstimate):
     weights : ndarray, (n,)
         Factors of the residuals; 1 for uniform noise.
     scatter : float
-        Standard deviation of the noise in the weighted residuals [N], white and slow parts together.
+        Standard deviation of the weighted residuals [N].
     effective_count : float
         Number of independent points with this scatter that would determine the parameters as well.
     slow_share : float

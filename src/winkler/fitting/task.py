@@ -19,6 +19,7 @@ import numpy as np
 
 from winkler.fitting.curves.checks import CurveOutline, Flag
 from winkler.fitting.curves.curve import ForceCurve
+from winkler.fitting.estimate import LINE_PARAMETERS
 from winkler.fitting.noise.disturbances import disturbances_of
 from winkler.fitting.noise.whitening import Whitening
 from winkler.fitting.outcome import AnyFit
@@ -172,6 +173,13 @@ class FitTask(_TaskFields):
     def decorrelated(self, columns: Array) -> Array:
         """Return weighted columns ``(n,)`` or ``(n, c)`` as least squares count them."""
         return columns if self.whitening is None else self.whitening.of(columns)
+
+    def freedoms(self, prediction: Prediction) -> tuple[float, float]:
+        """Return the degrees of freedom of all fitted points, and of those in contact."""
+        counted = self.weights > 0.0
+        count, own = int(np.count_nonzero(counted)), sum(p.name not in LINE_PARAMETERS for p in self.parameters)
+        inside = int(np.count_nonzero(counted & prediction.touched)) - own
+        return float(max(count - len(self.parameters), 1)), float(max(inside, 1))
 
     def instrument(self, coordinates: Array, prediction: Prediction) -> Array:
         """Return the weighted derivatives ``(n, p)`` to which residuals are made orthogonal at the end."""

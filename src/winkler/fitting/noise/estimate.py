@@ -110,8 +110,8 @@ def noise_of(residuals: Array, jacobian: Array, disturbances: Array) -> NoiseEst
     variance = float(share @ variances)
     by_candidate = (weights * found.variances).sum(axis=0)
     by_level = (weights * found.variances).sum(axis=1)
-    white = products[0, 1 : 1 + p, 1 : 1 + p] / variance
-    loss = (np.linalg.slogdet(covariance)[1] + np.linalg.slogdet(white)[1]) / p
+    losses = np.linalg.slogdet(found.covariances)[1] - p * np.log(found.variances)
+    loss = (float(np.sum(weights * losses)) + np.linalg.slogdet(products[0, 1 : 1 + p, 1 : 1 + p])[1]) / p
     amplitude = unit * float(np.sqrt(by_level @ np.square(levels)))
     return NoiseEstimate(
         step=mean[:p] * unit / size,

@@ -32,14 +32,16 @@ __all__ = ["Candidates", "candidates", "transformed"]
 
 SINGLE_BINS, BIN_RATIO = 64, 1.03
 """Frequencies with a bin of their own, and ratio of the ends of the others."""
-EXPONENTS = (1.0, 1.5, 2.0)
-"""Exponents alpha of the power law."""
-LEAST_RATIO, GREATEST_RATIO, RATIO_STEP = 0.03, 30.0, 1.25
+EXPONENTS, EXPONENT_WEIGHTS = (1.0, 1.5, 2.0), (0.25, 0.25, 0.5)
+"""Exponents alpha of the power law, and their prior weights."""
+LEAST_RATIO, GREATEST_RATIO, RATIO_STEP = 0.03, 30.0, 1.35
 """Root mean squares g of the slow part."""
-LEAST_TIME, TIME_STEP, MOST_TIME_SHARE = 0.7, 1.8, 0.1
+LEAST_TIME, TIME_STEP, MOST_TIME_SHARE = 0.7, 1.4, 0.1
 """Correlation times of first-order processes: least in points, ratio, and greatest in parts of the curve."""
-WHITE_WEIGHT, POWER_WEIGHT, PROCESS_WEIGHT = 0.1, 0.7, 0.2
-"""Prior weights of white noise alone, of a power law, and of a first-order process; those of g fall as 1/(g + 1/g)."""
+WHITE_WEIGHT, POWER_WEIGHT, PROCESS_WEIGHT = 0.05, 0.7, 0.25
+"""Prior weights of white noise alone, of a power law, and of a first-order process."""
+RATIO_FALL = 1.4
+"""Prior weights of g fall as its power on both sides of 1: few machines have a slow part far from the white one."""
 LOWEST_FREQUENCY = 0.5
 """Index k at which the variance of the mean is read."""
 
@@ -87,9 +89,10 @@ def candidates(count: int) -> Candidates:
     processes = [(1.0 - r**2) / (1.0 + r**2 - 2.0 * r * np.cos(omega)) for r in memories.tolist()]
     shapes = np.array([*powers, *processes])
     shapes /= (shapes[:, 1:] @ sizes[1:] / max(count - 1, 1))[:, None] if count > 1 else 1.0
-    weights = np.repeat([POWER_WEIGHT / len(powers), PROCESS_WEIGHT / len(processes)], [len(powers), len(processes)])
+    own = POWER_WEIGHT * np.array(EXPONENT_WEIGHTS)
+    weights = np.concatenate([own, np.full(len(processes), PROCESS_WEIGHT / len(processes))])
     ratios = np.exp(np.arange(np.log(LEAST_RATIO), np.log(GREATEST_RATIO), np.log(RATIO_STEP)))
-    shares = 1.0 / (ratios + 1.0 / ratios)
+    shares = 1.0 / (ratios**RATIO_FALL + ratios**-RATIO_FALL)
     slow = ratios**2 / (1.0 + ratios**2)
     rows = (1.0 - slow)[:, None] + slow[:, None] * shapes[:, None, :]
     spectra = np.concatenate([np.ones((1, starts.size)), rows.reshape(-1, starts.size)])
