@@ -13,6 +13,7 @@ from winkler.fitting.compare import compare
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit
 from winkler.fitting.intervals import profile_interval
+from winkler.fitting.noise.estimate import noise_of
 from winkler.laws.adhesion import DerjaguinMullerToporov, ShortRange
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
 
@@ -42,14 +43,32 @@ def test_of_hertz_against_a_scan():
     position = np.linspace(-5e-7, 5e-7, 120)
     force = hertz(position, MODULUS, R) + 3e-10 * noise(np.random.default_rng(2), 120)
     found = fit(ForceCurve(position, force), wk.Indentation(bed(), wk.Depth(0.0)), free=[PATH, "contact_point"])
-    if found.effective_count != 120.0:
-        pytest.fail("choose a seed whose noise looks white")
     low, high = profile_interval(found, PATH)
-    allowed = found.misfit * (1.0 + stdtrit(118.0, 0.975) ** 2 / 118.0)
-    origins = np.linspace(-3e-8, 3e-8, 4001)
-    for end in (low, high):
-        squares = [np.sum((force - hertz(position - origin, end / 0.75, R)) ** 2) for origin in origins]
-        assert min(squares) == pytest.approx(allowed, rel=2e-4)
+    origins = np.linspace(-4e-8, 4e-8, 4001)
+
+    def residuals(young):
+        return np.array([force - hertz(position - origin, young / 0.75, R) for origin in origins])
+
+    k, i = np.arange(120)[:, None], np.arange(120)
+    cosines = np.sqrt(np.where(k == 0, 1.0, 2.0) / 120.0) * np.cos(np.pi * k * (i + 0.5) / 120.0)
+    along = np.sqrt(3.0) * (2.0 * i - 119.0) / np.sqrt(120.0**2 - 1.0)
+    young, place = found.value(PATH), position - found.value("contact_point")
+    moved = hertz(place + 1e-10, young / 0.75, R) - hertz(place - 1e-10, young / 0.75, R)
+    jacobian = np.stack([hertz(place, young / 0.75, R), moved], axis=1)
+    mean = noise_of(found.residuals, jacobian, along[:, None])
+    whole = cosines.T @ np.diag(mean.spectrum) @ cosines + mean.amplitudes[0] ** 2 * np.outer(along, along)
+    inverse = np.linalg.inv(whole)
+
+    def least(young):
+        return float(np.einsum("oi,ij,oj->o", residuals(young), inverse, residuals(young)).min())
+
+    best = min(least(young) for young in np.linspace(low, high, 60))
+    growths = np.array([least(end) for end in (low, high)]) - best
+    plain = np.linalg.inv(jacobian.T @ inverse @ jacobian)[0, 0]  # of a relative change
+    allowed = (found.error(PATH) / young) / np.sqrt(plain) * found.quantile(0.95)
+    assert np.sqrt(growths).mean() == pytest.approx(allowed, rel=0.01)  # the centre is the mean over noises, not one's
+    np.testing.assert_allclose(np.sqrt(growths), allowed, rtol=0.06)
+    assert found.interval(PATH) == pytest.approx((low, high), abs=0.03 * (high - low))
 
 
 def test_a_bound_ends_an_interval():

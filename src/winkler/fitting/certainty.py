@@ -1,6 +1,6 @@
 """Uncertainty of the parameters of a fit, and doubts that follow from its algebra.
 
-The covariance is that of least squares under autocorrelated noise (`winkler.fitting.curves.noise`).
+The covariance is that of generalised least squares under white and slow noise (`winkler.fitting.noise`).
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.fitting.curves.checks import Flag
-from winkler.fitting.curves.noise import memory, memory_of_fit, spread
 from winkler.fitting.estimate import FitEstimate
+from winkler.fitting.misfit import Misfit
 from winkler.fitting.varied import Parameter
 from winkler.numerics.types import Array
 
@@ -22,18 +22,12 @@ __all__ = ["Certainty", "certainty", "doubts", "refuse_singular"]
 
 SINGULAR_RATIO = 1e-7
 CORRELATION_LIMIT = 0.99
-MISFIT_LIMIT = 2.0
-"""Squared misfit over the noise, per degree of freedom, from which on a model does not explain a curve."""
-MISFIT_CONFIDENCE = 0.999
-"""Part of correct models whose misfit in contact stays below its limit."""
-FEWEST_FREE_POINTS = 20
-"""Fewest free points for the autocorrelation of the noise."""
 POINTS_PER_PARAMETER = 10
 """Fewest independent points for each parameter."""
 
 
 class Certainty(NamedTuple):
-    """Uncertainty of parameters from the residuals of their fit.
+    """Uncertainty of parameters under the noise of their fit.
 
     Parameters
     ----------
@@ -41,34 +35,22 @@ class Certainty(NamedTuple):
         Standard errors of the coordinates.
     correlation : ndarray, (p, p)
         Of these errors.
-    scatter : float
-        Standard deviation of the residuals.
     effective_count : float
-        Equivalent number of independent points.
+        Number of independent points.
+    misfit : Misfit
     """
 
     errors: Array
     correlation: Array
-    scatter: float
     effective_count: float
+    misfit: Misfit
 
 
-def certainty(residuals: Array, jacobian: Array) -> Certainty:
-    """Return the uncertainty of the parameters of a fit.
-
-    Parameters
-    ----------
-    residuals : ndarray, (n,)
-        Weighted, in the order in which they were measured.
-    jacobian : ndarray, (n, p)
-        Weighted derivatives of the prediction.
-    """
-    noise_memory = memory_of_fit(residuals, jacobian)
-    covariance, used = spread(jacobian, noise_memory.correlations)
-    scatter = math.sqrt(float(residuals @ residuals) / max(residuals.size - used, 1.0))
+def certainty(covariance: Array, effective_count: float, misfit: Misfit) -> Certainty:
+    """Return the uncertainty of the parameters of a fit from the covariance of its coordinates."""
     variances = np.diag(covariance)
     correlation = np.clip(covariance / np.sqrt(np.outer(variances, variances)), -1.0, 1.0)
-    return Certainty(scatter * np.sqrt(variances), correlation, scatter, noise_memory.effective_count)
+    return Certainty(np.sqrt(variances), correlation, effective_count, misfit)
 
 
 def refuse_singular(parameters: tuple[Parameter, ...], jacobian: Array, largest: float) -> None:
@@ -137,24 +119,11 @@ def doubts(
         yield Flag(
             "memory",
             f"The curve has the information of {uncertainty.effective_count:.3g} independent points: the noise "
-            "drifts, or the model misses the course of the curve; the errors are rough.",
+            "is slow, or the model misses the course of the curve.",
         )
-    whole, contact = estimate.chi_square, estimate.chi_square_in_contact
-    if whole > MISFIT_LIMIT or contact > _limit(estimate):
+    if not uncertainty.misfit.explained:
         yield Flag(
             "misfit",
-            f"The residuals are {math.sqrt(whole):.3g} times the noise, in contact {math.sqrt(contact):.3g} times: "
-            "the model does not explain the curve.",
+            f"The residuals are {math.sqrt(estimate.chi_square):.3g} times the noise, in contact "
+            f"{math.sqrt(estimate.chi_square_in_contact):.3g} times: the model does not explain the curve.",
         )
-
-
-def _limit(estimate: FitEstimate) -> float:
-    """Return the limit of the squared misfit in contact over the noise, from its chi-square distribution."""
-    from scipy.special import gammaincinv
-
-    free_residuals = (estimate.weights * estimate.residuals)[~estimate.touched & (estimate.weights > 0.0)]
-    count, share = free_residuals.size, 1.0
-    if count >= FEWEST_FREE_POINTS:
-        share = memory(free_residuals).effective_count / count
-    half = 0.5 * max(estimate.contact_freedom * share, 1.0)
-    return max(MISFIT_LIMIT, float(gammaincinv(half, MISFIT_CONFIDENCE)) / half)

@@ -1,11 +1,11 @@
 r"""Comparison of several models of one curve.
 
-Every model is fitted; Akaike's and Schwarz' criteria weigh the misfit S against the number p of free parameters,
+Every model is fitted; Akaike's and Schwarz' criteria weigh the likelihood L of the residuals under white and slow noise
+(`winkler.fitting.noise`) against the number p of free parameters,
 
-.. math:: \mathrm{AIC} = n_\mathrm{eff}\ln\frac Sn + 2p, \qquad
-          \mathrm{BIC} = n_\mathrm{eff}\ln\frac Sn + p\ln n_\mathrm{eff} .
+.. math:: \mathrm{AIC} = -2\ln L + 2p, \qquad \mathrm{BIC} = -2\ln L + p\ln n_\mathrm{eff} .
 
-The number of independent points is that of the best model's residuals, the same for all.
+The number of independent points is that of the likeliest model, the same for all.
 """
 
 from __future__ import annotations
@@ -113,12 +113,9 @@ def compare(
             refused.append(f"{name}: {error}")
     if not fits:
         raise OutsideValidity(f"compare: no model can be fitted; {' '.join(refused)}")
-    independent = min(fits.values(), key=lambda result: result.misfit).effective_count
-    aic, bic = {}, {}
-    for name, result in fits.items():
-        weight = independent * math.log(result.misfit / result.count)
-        aic[name] = weight + 2.0 * len(result.names)
-        bic[name] = weight + math.log(independent) * len(result.names)
+    independent = max(fits.values(), key=lambda result: result.log_likelihood).effective_count
+    aic = {name: result.aic for name, result in fits.items()}
+    bic = {name: value + (math.log(independent) - 2.0) * len(fits[name].names) for name, value in aic.items()}
     order = sorted(fits, key=lambda name: aic[name])
     return Comparison(
         tuple(order),

@@ -16,6 +16,8 @@ from winkler.values import value, words
 __all__ = ["FitEstimate"]
 
 LARGEST_EXPONENT = math.log(np.finfo(float).max)
+REFERENCE_WIDTH = 2.0
+"""Half-width in standard errors to which the stretches of intervals refer."""
 LINE_PARAMETERS = ("baseline", "tilt", "drag")
 """Parameters that follow from the free points."""
 
@@ -34,6 +36,9 @@ class FitEstimate:
         noise=(r"\sigma", "N", "standard deviation of the forces"),
         weights=("", "", "what residuals were multiplied with"),
         scatter=("s", "N", "standard deviation of the weighted residuals"),
+        slow_share=("", "", "part of the noise's variance that is slow"),
+        log_likelihood=(r"\ln L", None, "logarithm of the likelihood, integrated over the noise"),
+        stretches=("", "", "factors of the half-widths of intervals"),
         predicted=("F", "N", "fitted forces with the baseline"),
         flags=("", None, "what speaks against the numbers"),
         logarithmic=("", None, "of which numbers the logarithm was varied"),
@@ -51,6 +56,9 @@ class FitEstimate:
     weights: Array
     scatter: float
     effective_count: float
+    slow_share: float
+    log_likelihood: float
+    stretches: Array
     predicted: Array
     radius: Array
     flags: tuple[Flag, ...]
@@ -87,8 +95,9 @@ class FitEstimate:
         return float(self.standard_errors[self.index(name)])
 
     def interval(self, name: str, confidence: float = 0.95) -> tuple[float, float]:
-        """Return the interval of Wald: estimate and error, on the logarithm of positive quantities.
+        """Return the interval: estimate and error, on the logarithm of positive quantities.
 
+        Where the model is curved over the interval, its half-widths are stretched to those of the profile likelihood.
         It ends at zero and infinity where it exceeds the range of floats.
 
         Parameters
@@ -100,10 +109,12 @@ class FitEstimate:
         index = self.index(name)
         number, error = float(self.values[index]), float(self.standard_errors[index])
         width = self.quantile(confidence)
+        below, above = (width * stretch ** (width / REFERENCE_WIDTH) for stretch in self.stretches[index].tolist())
         if self.logarithmic[index]:
-            part = width * error / number if number > 0.0 else math.inf
-            return number * math.exp(-part), number * math.exp(part) if part < LARGEST_EXPONENT else math.inf
-        return number - width * error, number + width * error
+            part = error / number if number > 0.0 else math.inf
+            high = number * math.exp(above * part) if above * part < LARGEST_EXPONENT else math.inf
+            return number * math.exp(-below * part), high
+        return number - below * error, number + above * error
 
     def quantile(self, confidence: float) -> float:
         """Return the half-width of an interval in standard errors, by Student's t."""
@@ -145,20 +156,15 @@ class FitEstimate:
 
     @property
     def aic(self) -> float:
-        """Akaike's criterion, with the effective number of points; `compare` ranks models of one curve."""
-        return _likelihood(self) + 2.0 * len(self.names)
+        """Akaike's criterion by the likelihood under white and slow noise; `compare` ranks models of one curve."""
+        return 2.0 * len(self.names) - 2.0 * self.log_likelihood
 
     @property
     def bic(self) -> float:
         """Schwarz' criterion, with the effective number of points."""
-        return _likelihood(self) + math.log(self.effective_count) * len(self.names)
+        return math.log(self.effective_count) * len(self.names) - 2.0 * self.log_likelihood
 
     @property
     def count(self) -> int:
         """Number of fitted points."""
         return int(np.count_nonzero(self.weights))
-
-
-def _likelihood(fit: FitEstimate) -> float:
-    """Return minus twice the logarithm of the likelihood, up to a constant."""
-    return fit.effective_count * math.log(fit.misfit / fit.count)

@@ -3,7 +3,8 @@ r"""Fit of a model to a measured force curve: parameters, their uncertainty, and
 .. math:: F_i = F_\mathrm{model}(D_i - D_0) + F_0 + t\,(D_i-D_0) + e_i
 
 with the contact point :math:`D_0`, the baseline :math:`F_0` and its tilt t.  The whole curve counts, in contact or not.
-Least squares give the parameters; the autocorrelation of the noise (`winkler.fitting.curves.noise`) their covariance.
+Least squares begin; generalised ones, under the noise that the residuals show (`winkler.fitting.noise`), give the
+parameters and their covariance.
 
 The algorithm is the same for all models.  A response model (`winkler.fitting.task.FitTask`) defines the prediction.
 For a body that relaxes, the placeholder path of the model defines the input: with `Depth`, forces are fitted along the
@@ -21,14 +22,16 @@ import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.fitting.certainty import certainty, doubts, refuse_singular
+from winkler.fitting.curvature import stretches_of
 from winkler.fitting.curves.checks import CurveOutline, Flag, outline, refuse
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.elastic.task import elastic_task
+from winkler.fitting.generalised import Generalised, generalised
 from winkler.fitting.least_squares import solved
 from winkler.fitting.outcome import AnyFit, CreepFit, Fit, ViscoelasticFit
 from winkler.fitting.search import FitState, Search
 from winkler.fitting.start import best_start
-from winkler.fitting.task import FitTask, Prediction
+from winkler.fitting.task import FitTask
 from winkler.fitting.validity import Model
 from winkler.fitting.viscoelastic.drive import driven_task, examined_stroke
 from winkler.loading import Depth
@@ -38,8 +41,6 @@ from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 
 __all__ = ["Fit", "fit", "fit_steps"]
 
-FEWEST_FREE_POINTS = 20
-"""Fewest free points for an estimate of the noise."""
 MOST_REWEIGHTINGS = 2
 """Most changes of the weights by the noise of the last fit."""
 
@@ -221,27 +222,18 @@ def _best(
     prediction = task.prediction(coordinates)
     if not prediction.touched.any():
         raise OutsideValidity("fit: the best fit has no point in contact; the model does not describe this curve.")
-    jacobian = task.jacobian(coordinates, prediction)
-    refuse_singular(task.parameters, jacobian, task.size)
-    final = task.final(coordinates)
-    if final is not coordinates:
-        prediction = task.prediction(final)
-        jacobian = task.jacobian(final, prediction)
-    return _with_errors(task, final, prediction, jacobian, noise, flags)
+    refuse_singular(task.parameters, task.jacobian(coordinates, prediction), task.size)
+    return _with_errors(task, generalised(task, task.final(coordinates), noise, search), noise, flags)
 
 
-def _with_errors(
-    task: FitTask, coordinates: Array, prediction: Prediction, jacobian: Array, noise: float, flags: tuple[Flag, ...]
-) -> AnyFit:
+def _with_errors(task: FitTask, best: Generalised, noise: float, flags: tuple[Flag, ...]) -> AnyFit:
     """Return the fit at its final coordinates, with errors and doubts."""
+    coordinates, prediction = best.coordinates, best.prediction
     numbers = task.numbers(coordinates)
-    residuals = (task.measured - prediction.fitted) * task.weights
-    uncertainty = certainty(residuals, jacobian)
+    noise = noise or best.deviation(task) or best.scatter or np.finfo(float).tiny
+    uncertainty = certainty(best.covariance, best.noise.effective_count, best.misfit(task, noise))
     values = np.array(list(numbers.values()))
     errors = uncertainty.errors * np.abs([p.change(n) for p, n in zip(task.parameters, values.tolist(), strict=True)])
-    free_residuals = residuals[task.quiet(prediction)]
-    if noise == 0.0:
-        noise = float(np.std(free_residuals)) if free_residuals.size >= FEWEST_FREE_POINTS else uncertainty.scatter
     shared = {
         "curve": task.curve,
         "model": task.model_of(numbers, prediction),
@@ -251,10 +243,13 @@ def _with_errors(
         "correlation": uncertainty.correlation,
         "lows": np.array([p.low for p in task.parameters]),
         "highs": np.array([p.high for p in task.parameters]),
-        "noise": noise or uncertainty.scatter or np.finfo(float).tiny,
+        "noise": noise,
         "weights": task.weights,
-        "scatter": uncertainty.scatter,
-        "effective_count": uncertainty.effective_count,
+        "scatter": best.scatter,
+        "effective_count": best.noise.effective_count,
+        "slow_share": best.noise.slow_share,
+        "log_likelihood": best.noise.likelihood + float(np.sum(np.log(task.weights[task.weights > 0.0]))),
+        "stretches": stretches_of(task, coordinates, best.covariance, best.noise),
         "predicted": prediction.fitted,
         "logarithmic": tuple(p.logarithmic for p in task.parameters),
         "flags": (*flags, *task.doubts(numbers, errors)),

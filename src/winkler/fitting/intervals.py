@@ -1,11 +1,13 @@
 r"""Intervals by profile likelihood.
 
-A parameter is fixed at a value and all others are fitted again; the interval ends where the sum of squares has grown by
+A parameter is fixed at a value and all others are fitted again; the interval ends where the generalised sum of squares,
+under the mean white and slow noise of the fit, has grown by
 
-.. math:: \Delta = \sigma^2\,\frac{\mathrm{var}}{\mathrm{var}_0}\,t^2 ,
+.. math:: \Delta = \frac{\mathrm{var}}{\mathrm{var}_0}\,t^2 ,
 
-with the variance of the parameter with and without autocorrelation of the noise, and Student's t.  Unlike Wald's
-interval it follows a curved valley of the misfit, and is the same for a parameter and its logarithm.
+with the variance of the parameter with and without the uncertainty of the noise, and Student's t.  It follows a curved
+valley of the misfit, and is the same for a parameter and its logarithm.  `FitEstimate.interval` has its ends to first
+order in the curvature (`winkler.fitting.curvature`).
 """
 
 from __future__ import annotations
@@ -16,6 +18,8 @@ import numpy as np
 
 from winkler.fitting.elastic.task import ElasticTask, elastic_task
 from winkler.fitting.least_squares import bounds, solved
+from winkler.fitting.noise.estimate import noise_of
+from winkler.fitting.noise.whitening import whitening_of
 from winkler.fitting.outcome import Fit
 from winkler.fitting.search import Search
 from winkler.numerics.types import Array
@@ -58,18 +62,29 @@ def profile_interval(found: Fit, name: str, confidence: float = 0.95) -> tuple[f
     free = {one: (low, high) for one, low, high in zip(found.names, found.lows, found.highs, strict=True)}
     task = elastic_task(found.curve, found.model, free, np.mean(found.weights) / found.weights)
     parameter = task.parameters[index]
-    best = np.array([p.inward(n) for p, n in zip(task.parameters, found.values.tolist(), strict=True)])
-    jacobian = task.jacobian(best, task.prediction(best))
+    fitted = np.array([p.inward(n) for p, n in zip(task.parameters, found.values.tolist(), strict=True)])
+    task = _decorrelated(task, fitted)
+    best, least = solved(task, fitted, Search())
+    jacobian = task.decorrelated(task.jacobian(best, task.prediction(best)))
     plain = float(np.linalg.inv(jacobian.T @ jacobian)[index, index])
     error = found.error(name) / abs(parameter.change(found.value(name)))
     width = found.quantile(confidence)
-    allowed = error**2 / plain * width**2  # scatter^2 (var / var_0) t^2
+    allowed = error**2 / plain * width**2
     low, high = bounds(task.parameters, best)
     ends = []
     for side, bound in ((-1.0, float(low[index])), (1.0, float(high[index]))):
-        end = _end(task, best, index, side * width * error, bound, found.misfit, allowed)
-        ends.append(parameter.outward(end))
+        end = _end(task, best, index, side * width * error, bound, least, allowed)
+        shift = float(fitted[index] - best[index]) if end != bound else 0.0  # the noise is not one, but a mean of many
+        ends.append(parameter.outward(end + shift))
     return ends[0], ends[1]
+
+
+def _decorrelated(task: ElasticTask, coordinates: Array) -> ElasticTask:
+    """Return the task whose least squares are generalised ones, under the noise of its residuals."""
+    prediction = task.prediction(coordinates)
+    residuals = (task.measured - prediction.fitted) * task.weights
+    noise = noise_of(residuals, task.jacobian(coordinates, prediction), task.disturbances)
+    return task._replace(whitening=whitening_of(noise, task.disturbances))
 
 
 def _end(task: ElasticTask, best: Array, index: int, step: float, bound: float, least: float, allowed: float) -> float:

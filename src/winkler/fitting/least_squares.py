@@ -60,7 +60,7 @@ def solved(task: FitTask, coordinates: Array, search: Search, *, coarse: bool = 
 
     def misfit(at: Array) -> Array:
         try:
-            residuals = np.asarray((predicted(at).fitted - measured) * weights / size)
+            residuals = task.decorrelated((predicted(at).fitted - measured) * weights / size)
         except OutsideValidity:
             if np.array_equal(at, inside):
                 raise
@@ -70,7 +70,7 @@ def solved(task: FitTask, coordinates: Array, search: Search, *, coarse: bool = 
 
     def slopes(at: Array) -> Array:
         search.check()
-        return np.asarray(task.jacobian(at, predicted(at)) / size)
+        return task.decorrelated(task.jacobian(at, predicted(at)) / size)
 
     result = least_squares(
         misfit,

@@ -40,7 +40,7 @@ class Fit(FitEstimate):
     values : ndarray, (p,)
         Values of the parameters, in SI units.
     standard_errors : ndarray, (p,)
-        In the same units, with the autocorrelation of the noise.
+        In the same units, under white and slow noise.
     correlation : ndarray, (p, p)
         Of the numbers' errors.
     lows, highs : ndarray, (p,)
@@ -52,7 +52,13 @@ class Fit(FitEstimate):
     scatter : float
         Standard deviation of the weighted residuals [N].
     effective_count : float
-        Equivalent number of independent points of the curve.
+        Number of independent points with this scatter that would determine the parameters as well.
+    slow_share : float
+        Part of the noise's variance that is slow (1/f, a random walk, or correlated neighbours).
+    log_likelihood : float
+        Logarithm of the likelihood, integrated over the noise; of fits of one quantity only differences mean something.
+    stretches : ndarray, (p, 2)
+        Factors of the lower and upper half-widths of intervals by profile likelihood; 1 for nearly linear models.
     predicted : ndarray, (n,)
         Fitted forces with the baseline [N].
     radius : ndarray, (n,)

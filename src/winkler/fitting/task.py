@@ -19,6 +19,9 @@ import numpy as np
 
 from winkler.fitting.curves.checks import CurveOutline, Flag
 from winkler.fitting.curves.curve import ForceCurve
+from winkler.fitting.estimate import LINE_PARAMETERS
+from winkler.fitting.noise.disturbances import disturbances_of
+from winkler.fitting.noise.whitening import Whitening
 from winkler.fitting.outcome import AnyFit
 from winkler.fitting.parameters import changed
 from winkler.fitting.varied import CURVE_PARAMETERS, Parameter
@@ -56,6 +59,8 @@ class _TaskFields(NamedTuple):
         instead; zero at all others.
     fixed : tuple of (str, float)
         Fixed numbers that differ from those of the model.
+    whitening : Whitening, optional
+        Decorrelation of the residuals in least squares; none unless given.
     """
 
     curve: ForceCurve
@@ -65,6 +70,7 @@ class _TaskFields(NamedTuple):
     velocity: Array
     per_force: Array
     fixed: tuple[tuple[str, float], ...] = ()
+    whitening: Whitening | None = None
 
 
 class FitTask(_TaskFields):
@@ -155,9 +161,29 @@ class FitTask(_TaskFields):
         drag = numbers.get("drag", 0.0) * self.velocity
         return np.asarray(numbers.get("baseline", 0.0) + numbers.get("tilt", 0.0) * self.along(numbers) + drag)
 
+    @functools.cached_property
+    def disturbances(self) -> Array:
+        """Weighted courses ``(n, q)`` of disturbances that the model does not contain."""
+        return disturbances_of(self.curve) * self.weights[:, None]
+
     def residuals(self, coordinates: Array) -> Array:
         """Return the weighted misfit, measured less predicted."""
-        return np.asarray((self.measured - self.prediction(coordinates).fitted) * self.weights)
+        return self.decorrelated((self.measured - self.prediction(coordinates).fitted) * self.weights)
+
+    def decorrelated(self, columns: Array) -> Array:
+        """Return weighted columns ``(n,)`` or ``(n, c)`` as least squares count them."""
+        return columns if self.whitening is None else self.whitening.of(columns)
+
+    def freedoms(self, prediction: Prediction) -> tuple[float, float]:
+        """Return the degrees of freedom of all fitted points, and of those in contact."""
+        counted = self.weights > 0.0
+        count, own = int(np.count_nonzero(counted)), sum(p.name not in LINE_PARAMETERS for p in self.parameters)
+        inside = int(np.count_nonzero(counted & prediction.touched)) - own
+        return float(max(count - len(self.parameters), 1)), float(max(inside, 1))
+
+    def instrument(self, coordinates: Array, prediction: Prediction) -> Array:
+        """Return the weighted derivatives ``(n, p)`` to which residuals are made orthogonal at the end."""
+        return self.jacobian(coordinates, prediction)
 
     def jacobian(self, coordinates: Array, prediction: Prediction) -> Array:
         """Return the weighted derivatives ``(n, p)`` of the prediction at coordinates."""

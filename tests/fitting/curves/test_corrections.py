@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 import pytest
-from synthetic import hertz, there_and_back
+from synthetic import hertz, jkr, there_and_back
 
 from winkler.errors import InvalidInput
 from winkler.fitting.curves import calibration, corrections
@@ -135,3 +135,19 @@ def test_frame_and_cantilever_are_springs_in_series():
     framed = calibration.on_frame(curve, 1e-7)
     assert framed.compliance == pytest.approx(0.25e-6 + 1e-7, rel=1e-14)
     assert calibration.on_frame(clean(), 0.0).machine_stiffness == math.inf
+
+
+@pytest.mark.parametrize("tilt", [-60.0, -20.0, 20.0, 60.0])
+@pytest.mark.parametrize("adhesive", [False, True])
+def test_free_points_on_a_tilted_baseline(tilt, adhesive):
+    """A tilt of many times the noise is neither contact nor tension: most free points are found, and the drag."""
+    position, inward = there_and_back(-1e-6, 1e-6, 200)
+    force = jkr(position, inward, 1.33e4, 5e-6, 1e-4, 0.05) if adhesive else hertz(position, 1.33e4, 5e-6)
+    level = 3e-11
+    force = force + level * (tilt * 1e6 * position + 10.0 * np.where(inward, 1.0, -1.0))
+    force += level * np.random.default_rng(1).standard_normal(400)
+    curve = ForceCurve(position, force, 0.05, direction=np.where(inward, 1.0, -1.0))
+    free = corrections.free_part(curve)
+    for sign in (1.0, -1.0):
+        assert 60 < np.count_nonzero(free.direction == sign) <= 100
+    assert corrections.drag_force(curve) == pytest.approx(10.0 * level, abs=0.4 * level)  # 4 errors of 80 points each

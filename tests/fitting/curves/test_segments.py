@@ -190,3 +190,26 @@ def test_the_segments_of_a_real_curve(shared_data):
     assert [kind for kind, _ in segments(curve)] == ["hold", "loading", "hold", "last unloading"]
     starts = [curve.time[segment.first] for segment in curve.segments]
     np.testing.assert_allclose(starts, [0.0, 2.03, 12.03, 17.06], atol=0.05)
+
+
+@pytest.mark.parametrize("points", [6, 8, 60])
+@pytest.mark.parametrize("recovered", [0.03, 0.08])
+def test_a_stiff_unloading_that_a_file_numbers_is_no_hold(points, recovered):
+    """Steel: the tip comes back by a few hundredths of its depth while all of the force goes."""
+    random = np.random.default_rng(5)
+    into, creep = np.linspace(0.0, 1.0, 100), np.linspace(1.0, 1.0 + 0.1 * recovered, 50)
+    out = creep[-1] - recovered * np.linspace(0.0, 1.0, points)
+    depth = np.concatenate([into, creep, out]) + 1e-3 * random.standard_normal(150 + points)
+    force = np.concatenate([into**2, np.ones(50), np.linspace(1.0, 0.0, points) ** 1.5])
+    segment = np.repeat([0, 1, 2], [100, 50, points])
+    expected = [1.0] * 100 + [0.0] * 50 + [-1.0] * points
+    assert directions(1e-6 * depth, 1e-2 * force, segment).tolist() == expected
+
+
+def test_a_relaxing_hold_stays_one():
+    """The force falls by half while the position is kept."""
+    into, time = np.linspace(0.0, 1.0, 100), np.linspace(0.0, 1.0, 60)
+    force = np.concatenate([into**2, 1.0 - 0.5 * time, 0.5 * np.linspace(1.0, 0.0, 60)])
+    segment = np.repeat([0, 1, 2], [100, 60, 60])
+    depth = np.concatenate([into, np.ones(60), np.linspace(1.0, 0.0, 60)])
+    assert directions(depth, force, segment).tolist() == [1.0] * 100 + [0.0] * 60 + [-1.0] * 60

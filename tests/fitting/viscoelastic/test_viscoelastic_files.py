@@ -77,6 +77,6 @@ def test_a_loop_as_a_power_law(measured, shared_data):
     assert found.scatter < 0.012 * np.ptp(curve.force)
     assert 0.02 < found.value(f"{FIRST}exponent") < 0.12
     assert found.value("drag") * 5e-6 == pytest.approx(47e-12, rel=0.3)  # N at 5 um/s
-    assert "memory" in {flag.name for flag in found.flags}
+    assert "misfit" in {flag.name for flag in found.flags}
     plain = fit(curve, far, free=[f"{FIRST}shear", f"{FIRST}exponent", *IN])
     assert "drag" in {flag.name for flag in plain.flags}

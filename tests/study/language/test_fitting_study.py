@@ -291,7 +291,8 @@ def test_the_examples_give_what_is_known(root):
     )
     for found, name, truth in known:
         assert abs(found.value(name) - truth) < 4.0 * found.error(name), name
-        assert found.error(name) < 0.05 * truth, name
+        # the mean of slow noise would be a part of the baseline, and 300 points do not exclude it
+        assert found.error(name) < (0.2 if name == "baseline" else 0.05) * truth, name
 
 
 def test_the_indenter_of_an_instrument_gives_the_same_modulus(shared_data, tmp_path):

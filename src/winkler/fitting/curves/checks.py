@@ -112,7 +112,8 @@ def _missing_baselines(curve: ForceCurve) -> list[str]:
         rough_outline = outline(part)
         position, force = single_direction(part)
         pull = rough_outline.pull
-        in_tension = np.flatnonzero((force < rough_outline.baseline - 0.5 * pull) & (pull > 0.0))
+        line = rough_outline.baseline + rough_outline.slope * (position - rough_outline.contact_point)
+        in_tension = np.flatnonzero((force < line - 0.5 * pull) & (pull > 0.0))
         count = min([rough_outline.before, *in_tension[:1].tolist()])
         if count < BASELINE_POINTS:
             missing.append(f"on {word} {count} points lie out of contact")

@@ -78,7 +78,8 @@ def free_part(curve: ForceCurve) -> ForceCurve:
         rough_outline = outline(part)
         end = rough_outline.contact_point
         if rough_outline.pull > 0.0:  # an adhesive contact extends beyond first touch
-            in_tension = part.force < rough_outline.baseline - 0.5 * rough_outline.pull
+            line = rough_outline.baseline + rough_outline.slope * (part.position - end)
+            in_tension = part.force < line - 0.5 * rough_outline.pull
             end = float(part.position[in_tension].min(initial=end))
         start = float(part.position.min())
         if rough_outline.before >= FEWEST:
@@ -162,7 +163,8 @@ def without_force_drift(curve: ForceCurve, rate: float) -> ForceCurve:
 def drag_force(curve: ForceCurve) -> float:
     """Return the force of the liquid on the moving tip [N]: half the difference between approach and retraction.
 
-    Both must have the same speed.  Positive: against the motion.
+    Both must have the same speed, and are compared at the same positions: a tilt is no drag.  Positive: against the
+    motion.
 
     Raises
     ------
@@ -170,7 +172,6 @@ def drag_force(curve: ForceCurve) -> float:
         If one direction is missing, or has too few free points.
     """
     free = free_part(curve)
-    mean_forces = []
     for word, inward in (("approach", 1.0), ("retract", -1.0)):
         selected = free.direction == inward
         if np.count_nonzero(selected) < FEWEST:
@@ -178,8 +179,11 @@ def drag_force(curve: ForceCurve) -> float:
                 f"drag: curve '{curve.name}' has {int(np.count_nonzero(selected))} free points on {word}; at least "
                 f"{FEWEST} are needed in either direction."
             )
-        mean_forces.append(float(np.median(free.force[selected])))
-    return 0.5 * (mean_forces[0] - mean_forces[1])
+    middle = free.position.mean()
+    half = float(np.ptp(free.position)) or 1.0
+    columns = np.stack([np.ones(free.count), (free.position - middle) / half, free.direction], axis=1)
+    level = float(free.force.mean())
+    return float(np.linalg.lstsq(columns, free.force - level, rcond=None)[0][2])
 
 
 def without_drag(curve: ForceCurve, drag: float) -> ForceCurve:

@@ -20,6 +20,10 @@ BASELINE_POINTS = 10
 FAR_SHARE = 0.03
 """Part of the points, farthest from the sample, initially assumed free."""
 FEWEST_FAR_POINTS = 5
+MOST_SPLITS, BEHIND_DEGREE = 100, 3
+"""Most trial ends of the baseline, and degree of the polynomial behind."""
+LEAST_SLOPE_TO_ERROR, LEAST_FREE_SHARE = 4.0, 0.1
+"""Least slope of a baseline over its standard error, and least part of the points on it."""
 
 
 class CurveOutline(NamedTuple):
@@ -31,6 +35,8 @@ class CurveOutline(NamedTuple):
         Position below which the force stays within the noise [m].
     baseline : float
         Force of the line through the free points there [N].
+    slope : float
+        Of that line [N/m].
     noise : float
         Of the force [N].
     top : float
@@ -43,6 +49,7 @@ class CurveOutline(NamedTuple):
 
     contact_point: float
     baseline: float
+    slope: float
     noise: float
     top: float
     pull: float
@@ -61,12 +68,13 @@ def single_direction(curve: ForceCurve) -> tuple[Array, Array]:
 def outline(curve: ForceCurve) -> CurveOutline:
     """Return the rough outline of a curve."""
     position, force = single_direction(curve)
-    base = np.full(force.shape, far_force(force))
+    slope = _first_slope(position, force)
+    base = far_force(force - slope * position) + slope * position
     noise = float(np.median(np.abs(np.diff(force, 2)))) / (0.6745 * math.sqrt(6.0))
     tip = max(3, force.size // 200)
     for _ in range(2):
         top = float(np.median(force[-tip:] - base[-tip:]))
-        pull = _pull(curve, noise, abs(top))
+        pull = _pull(curve, noise, abs(top), slope)
         within_noise = np.flatnonzero(force <= base + max(4.0 * noise, 1e-3 * abs(top)))
         last = int(within_noise[-1]) if within_noise.size and top > 0.0 else int(0.5 * force.size)
         in_tension = np.flatnonzero(force < base - 0.5 * pull) if pull > 0.0 else within_noise[:0]
@@ -77,7 +85,45 @@ def outline(curve: ForceCurve) -> CurveOutline:
         slope = float(centred @ force[:free]) / max(float(centred @ centred), 1e-300)
         base = force[:free].mean() + slope * (position - position[:free].mean())
         noise = math.sqrt(float(np.sum((force - base)[:free] ** 2)) / (free - 2))
-    return CurveOutline(float(position[last]), float(base[last]), noise, top, pull, last)
+    return CurveOutline(float(position[last]), float(base[last]), slope, noise, top, pull, last)
+
+
+def _first_slope(position: Array, force: Array) -> float:
+    """Return the slope of the baseline, zero if a tilt is not certain or there is none [N/m].
+
+    The points before a split follow a line, those behind it a cubic; the split with the least squares is taken.
+    """
+    count, span = position.size, float(np.ptp(position))
+    splits = np.unique(np.linspace(BASELINE_POINTS, count - BASELINE_POINTS, MOST_SPLITS).astype(int))
+    if splits[0] < BASELINE_POINTS or not span > 0.0:
+        return 0.0
+    along, level = 2.0 * (position - position[0]) / span - 1.0, force - force.mean()
+    powers = along[:, None] ** np.arange(2 * BEHIND_DEGREE + 1)
+    sums = np.concatenate([np.zeros((1, powers.shape[1])), np.cumsum(powers, axis=0)])
+    right = np.concatenate(
+        [np.zeros((1, BEHIND_DEGREE + 1)), np.cumsum(powers[:, : BEHIND_DEGREE + 1] * level[:, None], 0)]
+    )
+    before = _explained(sums[splits], right[splits], 1)
+    behind = _explained(sums[-1] - sums[splits], right[-1] - right[splits], BEHIND_DEGREE)
+    split = int(splits[np.argmax(before + behind)])
+    if split < LEAST_FREE_SHARE * count:
+        return 0.0
+    x, y = along[:split] - along[:split].mean(), level[:split] - level[:split].mean()
+    spread = float(x @ x)
+    if not spread > 0.0:
+        return 0.0
+    slope = float(x @ y) / spread
+    left = y - slope * x
+    certain = abs(slope) > LEAST_SLOPE_TO_ERROR * math.sqrt(float(left @ left) / max(split - 2, 1) / spread)
+    return 2.0 * slope / span if certain else 0.0
+
+
+def _explained(sums: Array, right: Array, degree: int) -> Array:
+    """Return the squares explained by polynomials ``(m,)``, from sums of powers and of their products with levels."""
+    size = degree + 1
+    order = np.add.outer(np.arange(size), np.arange(size))
+    numbers = np.einsum("mij,mj->mi", np.linalg.pinv(sums[:, order], hermitian=True), right[:, :size])
+    return np.asarray(np.einsum("mi,mi->m", numbers, right[:, :size]))
 
 
 def far_force(force: Array) -> float:
@@ -85,15 +131,15 @@ def far_force(force: Array) -> float:
     return float(np.median(force[: max(FEWEST_FAR_POINTS, int(FAR_SHARE * force.size))]))
 
 
-def _pull(curve: ForceCurve, noise: float, top: float) -> float:
-    """Return the largest tension of either direction, relative to its far end."""
+def _pull(curve: ForceCurve, noise: float, top: float, slope: float) -> float:
+    """Return the largest tension of either direction, relative to its far end and the slope of the baseline."""
     largest = 0.0
     for direction in (1.0, -1.0):
         own_points = curve.direction == direction
         if np.count_nonzero(own_points) < FEWEST:
             continue
         order = np.argsort(curve.position[own_points], kind="stable")
-        force = curve.force[own_points][order]
+        force = (curve.force - slope * curve.position)[own_points][order]
         window = max(1, min(5, force.size // 50))
         smooth = np.convolve(force, np.ones(window) / window, mode="valid")
         pull = far_force(force) - float(smooth.min())

@@ -1,7 +1,7 @@
 r"""The power law of an unloading, F = T ((h - h_f)/(1 - h_f))^m, fitted with its covariance.
 
-Depths are counted in parts of the greatest depth and forces in parts of the greatest force.  Autocorrelated noise makes
-the covariance larger, see `winkler.fitting.curves.noise`.
+Depths are counted in parts of the greatest depth and forces in parts of the greatest force.  The covariance is that
+under white and slow noise, see `winkler.fitting.noise`.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import NotConverged
-from winkler.fitting.curves.noise import memory, spread
+from winkler.fitting.noise.estimate import noise_of
 from winkler.numerics.types import Array
 
 __all__ = ["UnloadingLaw", "fitted_power_law"]
@@ -62,7 +62,5 @@ def fitted_power_law(all_depths: Array, forces: Array, chosen: Array) -> Unloadi
             best = result
     if best is None or not best.success:
         raise NotConverged("OliverPharr: no power law fits the unloading; fit another part of it (upper, lower).")
-    noise_memory = memory(best.fun)
-    covariance, used = spread(law(best.x)[1], noise_memory.correlations)
-    scatter = math.sqrt(2.0 * best.cost / max(depth.size - used, 1.0))
-    return UnloadingLaw(best.x, scatter**2 * covariance, scatter, law(best.x, all_depths)[0])
+    noise = noise_of(-best.fun, law(best.x)[1], np.zeros((depth.size, 0)))
+    return UnloadingLaw(best.x, noise.covariance, noise.scatter, law(best.x, all_depths)[0])

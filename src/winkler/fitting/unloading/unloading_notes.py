@@ -188,7 +188,7 @@ def _points(solution: Any) -> Iterator[NoteParts]:
     standing, end = Standing.ASYMPTOTIC, "."
     if count < FEW_POINTS:
         standing, end = Standing.APPROXIMATE, f"; below {FEW_POINTS} that error itself is rough."
-    source = "covariance of the fit, with the autocorrelation of the noise"
+    source = "covariance of the fit, under white and slow noise"
     yield Assumption.CURVE, standing, f"Points: {statement}{end}", source
 
 

@@ -12,12 +12,14 @@ with the stiffness :math:`k_i` of contact and machine in series: a point has the
 from __future__ import annotations
 
 import dataclasses
+import functools
 from typing import Any
 
 import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.fitting.curves.checks import CurveOutline
+from winkler.fitting.noise.disturbances import disturbances_of
 from winkler.fitting.outcome import CreepFit
 from winkler.fitting.task import Prediction
 from winkler.fitting.viscoelastic.response import ContactHistory, ElasticTable, elastic_table, forces, positions
@@ -60,6 +62,16 @@ class UnderForce(RelaxingTask):
     def slope(self, name: str, numbers: dict[str, float], prediction: Prediction) -> Any:
         """Return None: no derivative of a position has a closed form."""
         return None
+
+    @functools.cached_property
+    def disturbances(self) -> Array:
+        """The drift of a position, weighted ``(n, 1)``."""
+        return disturbances_of(self.curve, of_force=False) * self.weights[:, None]
+
+    def instrument(self, coordinates: Array, prediction: Prediction) -> Array:
+        """Return the derivatives along the smoothed curve, which the noise of the input does not bias."""
+        del prediction
+        return self._steady.jacobian(coordinates, self._steady.prediction(coordinates))
 
     def quiet(self, prediction: Prediction) -> Array:
         """Return the points at which positions are fitted ``(n,)``."""
@@ -141,6 +153,13 @@ class UnderForce(RelaxingTask):
         """Return unbiased coordinates, with terms sorted by their times."""
         return super().final(self._unbiased(coordinates))
 
+    @functools.cached_property
+    def _steady(self) -> UnderForce:
+        """The task of the smoothed curve."""
+        curve = self.curve
+        smooth = dataclasses.replace(curve, position=_smooth(curve.position), force=_smooth(curve.force))
+        return self._replace(curve=smooth)
+
     def _unbiased(self, coordinates: Array) -> Array:
         """Return coordinates without the bias by the noise of the input, from those of least squares.
 
@@ -148,13 +167,10 @@ class UnderForce(RelaxingTask):
         vanish in the mean, and least squares are biased.  With the derivatives J' along the smoothed curve
         instead, :math:`J'^T r = 0` holds in the mean at the truth (an instrumental variable).
         """
-        curve = self.curve
-        smooth = dataclasses.replace(curve, position=_smooth(curve.position), force=_smooth(curve.force))
-        steady = self._replace(curve=smooth)
         low = np.array([parameter.inward(parameter.low) for parameter in self.parameters])
         high = np.array([parameter.inward(parameter.high) for parameter in self.parameters])
         for _ in range(BIAS_STEPS):
-            instrument = steady.jacobian(coordinates, steady.prediction(coordinates))
+            instrument = self._steady.jacobian(coordinates, self._steady.prediction(coordinates))
             here = self.prediction(coordinates)
             inner = instrument.T @ self.jacobian(coordinates, here)
             right_side = instrument.T @ ((self.measured - here.fitted) * self.weights)

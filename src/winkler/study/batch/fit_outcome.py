@@ -33,6 +33,7 @@ FIT_COLUMNS = {
     "chi_square": Word(r"\chi^2", "", "squared misfit over the noise"),
     "chi_square_in_contact": Word(r"\chi^2", "", "squared misfit over the noise, of the points in contact alone"),
     "effective_count": Word("", "", "independent points"),
+    "slow_share": Word("", "", "part of the noise's variance that is slow"),
     "largest_depth": Word("d", "m", "largest fitted depth"),
     "largest_radius": Word("a", "m", "largest fitted contact radius"),
 }

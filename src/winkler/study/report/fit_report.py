@@ -187,13 +187,15 @@ RELAXING_FORMULAS = {
 def _formulas(study: FitStudy) -> str:
     if isinstance(study.problem, ViscoelasticIndentation):
         latex, words = RELAXING_FORMULAS[study.fitted]
-        tail = "Least squares make the residuals e small, and the uncertainty follows from their autocorrelation."
+        tail = (
+            "Generalised least squares make the residuals e small; the uncertainty is that under white and slow noise."
+        )
         return section("The formulas", f"<p>{words} {tail}</p>", formula(latex))
     formulas = formulas_of(study.problem) if isinstance(study.problem, Indentation) else ()  # without adhesion g(a) = d
     lead = formula(r"d = D - D_0 - \frac{F}{k_m}, \quad F_i = F(d_i) + F_0 + t\,(D_i-D_0) + e_i")
     text = (
-        "<p>The machine of the stiffness k<sub>m</sub> deforms; least squares make the residuals e small, and "
-        "the uncertainty follows from their autocorrelation.</p>"
+        "<p>The machine of the stiffness k<sub>m</sub> deforms; generalised least squares make the residuals e small, "
+        "and the uncertainty is that under white and slow noise.</p>"
     )
     return section("The formulas", text, lead, parts.formula_list(formulas))
 

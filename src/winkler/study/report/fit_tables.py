@@ -57,8 +57,8 @@ def _single(outcome: FitOutcome, result: Fitted) -> str:
         for j in range(i)
     ]
     facts = [
-        f"{fit.count} points were fitted, worth {fit.effective_count:.0f} independent ones: the noise of "
-        "neighbours may be alike.",
+        f"{fit.count} points were fitted, worth {fit.effective_count:.0f} independent ones; {fit.slow_share:.0%} of "
+        "the variance of the noise is slow.",
         f"The noise is {with_unit(fit.noise, outcome.study.spread.unit)}; χ² per degree of freedom is "
         f"{fit.chi_square:.3g}, in contact {fit.chi_square_in_contact:.3g}.",
         f"The largest depth is {with_unit(float(fit.depth.max()), 'm')}, with a contact radius of "

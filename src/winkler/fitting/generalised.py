@@ -1,0 +1,142 @@
+"""From least squares to generalised least squares: steps under the noise that the residuals show.
+
+Where the model does not explain the curve, or hardly any independent points remain, slow noise would only stand for
+what the model misses: the numbers of least squares stay, and the step not taken is added to their errors.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.errors import OutsideValidity
+from winkler.fitting.least_squares import bounds
+from winkler.fitting.misfit import FEWEST_FREE_POINTS, Misfit, misfit_of
+from winkler.fitting.noise.estimate import NoiseEstimate, noise_of
+from winkler.fitting.search import Search
+from winkler.fitting.task import FitTask, Prediction
+from winkler.numerics.types import Array
+
+__all__ = ["Generalised", "generalised"]
+
+MOST_STEPS = 6
+SETTLED_ERRORS = 0.02
+"""Greatest last step in standard errors."""
+MOST_HALVINGS = 4
+LONGEST_STEP = 1.0
+LEAST_GAIN = -0.5
+"""Least change of the logarithm of the likelihood by a step."""
+POINTS_PER_PARAMETER = 3
+"""Fewest independent points for each parameter with which the numbers of least squares are changed."""
+
+
+class Generalised(NamedTuple):
+    """A fit at its coordinates.
+
+    Parameters
+    ----------
+    coordinates : ndarray, (p,)
+    prediction : Prediction
+    residuals : ndarray, (n,)
+        Weighted.
+    noise : NoiseEstimate
+    """
+
+    coordinates: Array
+    prediction: Prediction
+    residuals: Array
+    noise: NoiseEstimate
+
+    @property
+    def covariance(self) -> Array:
+        """Of the coordinates ``(p, p)``, with a step that was not taken."""
+        return np.asarray(self.noise.covariance + np.outer(self.noise.step, self.noise.step))
+
+    def deviation(self, task: FitTask) -> float:
+        """Return the standard deviation of the residuals out of contact, or of all if there are few."""
+        free = self.residuals[task.quiet(self.prediction)]
+        if free.size >= FEWEST_FREE_POINTS:
+            return float(np.std(free))
+        return self.scatter
+
+    @property
+    def scatter(self) -> float:
+        """Standard deviation of the residuals."""
+        return float(np.linalg.norm(self.residuals) / np.sqrt(max(self.residuals.size - self.coordinates.size, 1)))
+
+    def misfit(self, task: FitTask, noise: float) -> Misfit:
+        """Return the misfit, for a standard deviation of the noise."""
+        counted, touched = task.weights > 0.0, self.prediction.touched
+        freedoms = task.freedoms(self.prediction)
+        level = noise or np.finfo(float).tiny
+        return misfit_of(self.residuals - self.noise.disturbance, touched, counted, freedoms, level)
+
+
+def generalised(task: FitTask, coordinates: Array, noise: float, search: Search) -> Generalised:
+    """Return generalised least squares from the coordinates of least squares; at a bound, or for a misfit, these.
+
+    Parameters
+    ----------
+    task : FitTask
+    coordinates : ndarray, (p,)
+    noise : float
+        Standard deviation; zero: estimated.
+    search : Search
+        Counts the predictions.
+    """
+    begun = here = _at(task, coordinates)
+    low, high = bounds(task.parameters, coordinates)
+    margin = 1e-6 * (1.0 + np.abs(coordinates))
+    if np.any(coordinates <= low + margin) or np.any(coordinates >= high - margin) or not _is_noise(task, here, noise):
+        return here
+    for _ in range(MOST_STEPS):
+        step = here.noise.step
+        if not np.max(np.abs(step) / np.sqrt(np.diag(here.noise.covariance))) > SETTLED_ERRORS:
+            break
+        step = step * min(1.0, LONGEST_STEP / float(np.max(np.abs(step))))
+        further = _stepped(task, here, step, low + margin, high - margin, search)
+        if further is None:
+            break
+        here = further
+    if here is begun or _is_noise(task, here, noise):
+        return here
+    _record(task, begun, search)
+    return begun
+
+
+def _is_noise(task: FitTask, here: Generalised, noise: float) -> bool:
+    """Return whether the residuals may be noise."""
+    enough = here.noise.effective_count >= POINTS_PER_PARAMETER * here.coordinates.size
+    return enough and here.misfit(task, noise or here.deviation(task)).explained
+
+
+def _stepped(
+    task: FitTask, here: Generalised, step: Array, low: Array, high: Array, search: Search
+) -> Generalised | None:
+    """Return the fit after a step that does not make the residuals less likely, halved where needed."""
+    for _ in range(MOST_HALVINGS):
+        try:
+            further = _at(task, np.clip(here.coordinates + step, low, high))
+        except OutsideValidity:
+            search.check()
+        else:
+            _record(task, further, search)
+            if further.noise.likelihood - here.noise.likelihood > LEAST_GAIN:
+                return further
+        step = 0.5 * step
+    return None
+
+
+def _record(task: FitTask, here: Generalised, search: Search) -> None:
+    """Make a fit the state of the search, whatever its scatter."""
+    search.begin()
+    squares = float(here.residuals @ here.residuals)
+    search.record(task.numbers(here.coordinates), squares, int(np.count_nonzero(task.weights)))
+
+
+def _at(task: FitTask, coordinates: Array) -> Generalised:
+    prediction = task.prediction(coordinates)
+    jacobian = task.instrument(coordinates, prediction)
+    residuals = (task.measured - prediction.fitted) * task.weights
+    return Generalised(coordinates, prediction, residuals, noise_of(residuals, jacobian, task.disturbances))

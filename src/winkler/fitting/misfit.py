@@ -1,0 +1,68 @@
+"""Whether a model explains a curve: its residuals in contact against the noise out of contact."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.fitting.noise.estimate import noise_of
+from winkler.numerics.types import Array
+
+__all__ = ["FEWEST_FREE_POINTS", "Misfit", "misfit_of"]
+
+MISFIT_LIMIT = 2.0
+"""Squared misfit over the noise, per degree of freedom, from which on a model does not explain a curve."""
+MISFIT_CONFIDENCE = 0.999
+"""Part of correct models whose misfit in contact stays below its limit."""
+FEWEST_FREE_POINTS = 20
+"""Fewest free points for an estimate of the noise."""
+
+
+class Misfit(NamedTuple):
+    """Squared misfits over the noise, on the whole and in contact, and the limit in contact."""
+
+    whole: float
+    contact: float
+    limit: float
+
+    @property
+    def explained(self) -> bool:
+        """Whether the model explains the curve."""
+        return self.whole <= MISFIT_LIMIT and self.contact <= self.limit
+
+
+def misfit_of(residuals: Array, touched: Array, counted: Array, freedoms: tuple[float, float], noise: float) -> Misfit:
+    """Return the misfit of a model.
+
+    The noise out of contact states how far residuals in contact vary: slow noise has fewer independent points, and
+    grows with their number.
+
+    Parameters
+    ----------
+    residuals : ndarray, (n,)
+        Weighted, without drift, tilt and drag.
+    touched, counted : ndarray of bool, (n,)
+        Points in contact, and points that were fitted.
+    freedoms : tuple of float
+        Degrees of freedom on the whole, and in contact.
+    noise : float
+        Standard deviation, in the residuals' unit; that out of contact, where it is less.
+    """
+    from scipy.special import gammaincinv
+
+    free, share, growth = ~touched & counted, 1.0, 1.0
+    count = int(np.count_nonzero(free))
+    if count >= FEWEST_FREE_POINTS:
+        own = residuals[free] - residuals[free].mean()
+        noise = min(noise, float(np.sqrt(np.mean(own**2)))) or noise
+        spectrum = noise_of(own, np.ones((count, 1)), np.zeros((count, 0))).spectrum[1:]
+        inside = max(int(np.count_nonzero(touched & counted)), 2)
+        along = np.interp(np.arange(1, inside) / inside, np.arange(1, count) / count, spectrum)
+        share = float(along.sum() ** 2 / (along @ along)) / along.size
+        growth = max(float(along.mean() / spectrum.mean()), 1.0)
+    level = max(noise, 1e-12 * float(np.abs(residuals).max()), np.finfo(float).tiny)
+    whole, contact = (float(np.sum((r / level) ** 2)) for r in (residuals[counted], residuals[touched & counted]))
+    half = 0.5 * max(freedoms[1] * share, 1.0)
+    limit = growth * max(MISFIT_LIMIT, float(gammaincinv(half, MISFIT_CONFIDENCE)) / half)
+    return Misfit(whole / freedoms[0], contact / freedoms[1], limit)

@@ -1,0 +1,36 @@
+"""Courses of disturbances that are no part of a model: drift, tilt, and a difference between the directions."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.fitting.curves.curve import ForceCurve
+from winkler.numerics.types import Array
+
+__all__ = ["disturbances_of"]
+
+LEAST_OWN_SHARE = 0.05
+"""Least part of a course that the courses before do not contain."""
+
+
+def disturbances_of(curve: ForceCurve, *, of_force: bool = True) -> Array:
+    """Return independent courses ``(n, q)`` of unit root mean square and without a mean.
+
+    Parameters
+    ----------
+    curve : ForceCurve
+    of_force : bool, optional
+        Whether the force is disturbed (unless given): by a drift, a tilt and a drag; else the position, by a drift.
+    """
+    drift = np.arange(curve.count, dtype=float)
+    courses = [drift, curve.position, curve.direction] if of_force else [drift]
+    found: list[Array] = []
+    for course in courses:
+        centred = course - course.mean()
+        whole = float(np.linalg.norm(centred))
+        for other in found:
+            centred = centred - other * float(other @ centred) / curve.count
+        own = float(np.linalg.norm(centred))
+        if own > LEAST_OWN_SHARE * whole:
+            found.append(centred * np.sqrt(curve.count) / own)
+    return np.stack(found, axis=1) if found else np.zeros((curve.count, 0))

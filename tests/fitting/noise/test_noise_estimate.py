@@ -1,0 +1,150 @@
+"""The noise of residuals against dense matrices, known processes, and what is lost to it."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from noisy_worlds import coloured
+from synthetic import noise
+
+from winkler.fitting.noise.disturbances import disturbances_of
+from winkler.fitting.noise.estimate import AMPLITUDE_WEIGHTS, AMPLITUDES, noise_of
+from winkler.fitting.noise.spectra import candidates
+from winkler.fitting.noise.whitening import whitening_of
+
+
+def cosines(count):
+    """The cosine transform as a matrix, row k for k half periods."""
+    k, i = np.arange(count)[:, None], np.arange(count)
+    return np.sqrt(np.where(k == 0, 1.0, 2.0) / count) * np.cos(np.pi * k * (i + 0.5) / count)
+
+
+def columns(count, degree=2):
+    along = np.linspace(-1.0, 1.0, count)
+    return np.stack([along**k for k in range(degree)], axis=1)
+
+
+def tilted(count):
+    return np.sqrt(3.0) * np.linspace(-1.0, 1.0, count)[:, None]
+
+
+def test_step_and_covariance_are_those_of_dense_matrices():
+    """Every candidate with its n x n covariance: restricted likelihood, generalised least squares, and their means."""
+    count, jacobian = 30, columns(30, 3)[:, ::2]
+    disturbance = tilted(count)
+    residuals = noise(np.random.default_rng(3), count, 0.5) + 0.4 * disturbance[:, 0]
+    table, matrix = candidates(count), cosines(count)
+    logs, steps, covariances, p = [], [], [], 2
+    for spectrum, prior in zip(table.spectra, table.priors, strict=True):
+        plain = matrix.T @ np.diag(np.repeat(spectrum, table.sizes)) @ matrix
+        for amplitude, weight in zip(AMPLITUDES, AMPLITUDE_WEIGHTS, strict=True):
+            whole = plain + amplitude**2 * disturbance @ disturbance.T
+            inverse = np.linalg.inv(whole)
+            inner = jacobian.T @ inverse @ jacobian
+            step = np.linalg.solve(inner, jacobian.T @ inverse @ residuals)
+            left = residuals - jacobian @ step
+            squares = left @ inverse @ left
+            determinants = np.linalg.slogdet(whole)[1] + np.linalg.slogdet(inner)[1]
+            logs.append(np.log(prior * weight) - 0.5 * determinants - 0.5 * (count - p) * np.log(squares))
+            steps.append(step)
+            covariances.append(np.linalg.inv(inner) * squares / (count - p - 2))
+    weights = np.exp(np.array(logs) - max(logs))
+    weights /= weights.sum()
+    mean = weights @ np.array(steps)
+    apart = np.array(steps) - mean
+    covariance = np.einsum("m,mij->ij", weights, covariances) + (weights[:, None] * apart).T @ apart
+    found = noise_of(1e-9 * residuals, jacobian, disturbance)
+    np.testing.assert_allclose(found.step, 1e-9 * mean, rtol=1e-7)
+    np.testing.assert_allclose(found.covariance, 1e-18 * covariance, rtol=1e-7)
+
+
+def test_the_candidate_of_exponent_two_is_a_random_walk():
+    """Its inverse covariance is that of independent steps: 2 on the diagonal, -1 beside it, and 1 at the two ends."""
+    count = 50
+    table = candidates(count)
+    steepest = int(np.argmax(table.spectra[:, 1] / table.spectra[:, -1]))
+    slow = table.spectra[steepest, 1:] - (1.0 - table.slow[steepest])
+    matrix = cosines(count)[1:]
+    precision = matrix.T @ np.diag(1.0 / slow) @ matrix
+    steps = np.diff(np.eye(count), axis=0)
+    np.testing.assert_allclose(precision / precision[0, 0], steps.T @ steps, atol=1e-9)
+
+
+def test_whitening_makes_the_whole_covariance_one():
+    count = 60
+    residuals = coloured(np.random.default_rng(1), count, 2.0) + tilted(count)[:, 0]
+    found = noise_of(residuals, columns(count), tilted(count))
+    matrix = cosines(count)
+    whole = matrix.T @ np.diag(found.spectrum) @ matrix + found.amplitudes[0] ** 2 * tilted(count) @ tilted(count).T
+    white = whitening_of(found, tilted(count)).of(np.eye(count))
+    np.testing.assert_allclose(white @ whole @ white.T, np.eye(count), atol=1e-10)
+
+
+@pytest.mark.parametrize("remembered", [0.3, 0.7, 0.9])
+def test_neighbours_that_are_alike_are_fewer_points(remembered):
+    exact = 4000 * (1.0 - remembered) / (1.0 + remembered)  # n / (1 + 2 sum rho^k)
+    counts = [
+        noise_of(
+            noise(np.random.default_rng(seed), 4000, remembered), columns(4000), tilted(4000)[:, :0]
+        ).effective_count
+        for seed in range(8)
+    ]
+    assert np.median(counts) == pytest.approx(exact, rel=0.25)
+
+
+def test_white_noise_is_worth_nearly_all_its_points_and_slow_noise_few():
+    def found(exponent, share, seed):
+        random = np.random.default_rng(seed)
+        drawn = noise(random, 1000) + share * coloured(random, 1000, exponent)
+        return noise_of(drawn, columns(1000), np.zeros((1000, 0)))
+
+    white = [found(1.0, 0.0, seed) for seed in range(10)]
+    assert np.median([one.effective_count for one in white]) > 400.0
+    assert np.median([one.slow_share for one in white]) < 0.02
+    walk = [found(2.0, 1.0, seed) for seed in range(10)]
+    assert np.median([one.effective_count for one in walk]) < 20.0
+    assert all(0.1 < one.slow_share < 0.8 for one in walk)
+
+
+def test_a_disturbance_is_found_and_its_noise_is_not_larger():
+    random = np.random.default_rng(8)
+    drawn = noise(random, 500)
+    plain = noise_of(drawn, columns(500, 1), tilted(500))
+    found = noise_of(drawn + 2.0 * tilted(500)[:, 0], columns(500, 1), tilted(500))
+    assert np.abs(plain.disturbance).max() < 0.3
+    np.testing.assert_allclose(found.disturbance, 2.0 * tilted(500)[:, 0], atol=0.5)
+    assert found.scatter == pytest.approx(plain.scatter, rel=0.05)
+    assert found.likelihood > noise_of(drawn + 2.0 * tilted(500)[:, 0], columns(500, 1), tilted(500)[:, :0]).likelihood
+
+
+def test_units_do_not_matter():
+    residuals = noise(np.random.default_rng(2), 200, 0.6)
+    plain, small = (noise_of(unit * residuals, columns(200), tilted(200)) for unit in (1.0, 1e-12))
+    np.testing.assert_allclose(small.step, 1e-12 * plain.step, rtol=1e-9)
+    np.testing.assert_allclose(np.diag(small.covariance), 1e-24 * np.diag(plain.covariance), rtol=1e-9)
+    assert small.effective_count == pytest.approx(plain.effective_count, rel=1e-9)
+    assert small.likelihood - plain.likelihood == pytest.approx(200 * np.log(1e12))
+
+
+def test_nothing_left_and_few_points():
+    found = noise_of(np.zeros(100), columns(100), tilted(100))
+    assert np.all(found.step == 0.0)
+    assert found.scatter < 1e-9
+    few = noise_of(np.array([1.0, -1.0, 1.0, 0.5, 0.0]), columns(5, 1), np.zeros((5, 0)))
+    assert np.all(np.isfinite(few.covariance))
+    assert 1.0 <= few.effective_count <= 5.0
+
+
+def test_the_disturbances_of_a_curve():
+    """One direction: a drift that is a tilt too; two: drift, tilt and drag, of unit size and independent."""
+    from synthetic import there_and_back
+
+    import winkler as wk
+
+    once = np.linspace(0.0, 1.0, 50)
+    assert disturbances_of(wk.ForceCurve(once, once**2)).shape == (50, 1)
+    place, inward = there_and_back(0.0, 1.0, 25)
+    found = disturbances_of(wk.ForceCurve(place, place**2, direction=np.where(inward, 1.0, -1.0)))
+    np.testing.assert_allclose(found.T @ found / 50, np.eye(3), atol=1e-12)
+    drag = np.where(inward, 1.0, -1.0)
+    np.testing.assert_allclose(found @ np.linalg.lstsq(found, drag, rcond=None)[0], drag, atol=1e-9)
