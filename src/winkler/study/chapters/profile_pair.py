@@ -51,6 +51,7 @@ PROFILE_PAIR = Chapter(
     answers={
         "profile_pair": answer(
             "winkler.problems.profile_pair.profile_pair:ProfilePair",
+            headline=("peak_pressure", "area", "depth", "force", "lateral_force"),
             first=ARC,
             second=TREAD,
             second_radius="460 mm",

@@ -43,6 +43,7 @@ SUBSURFACE = Chapter(
     answers={
         "map_stress": answer(
             "winkler.problems.subsurface.map_stress:MapStress",
+            headline=("von_mises", "z", "x", "y", "yield_factor"),
             solid={"kind": "elastic", "strength": "500 MPa"},
             picture=Caption(
                 "below",
