@@ -18,8 +18,8 @@ POLONSKY = "I. A. Polonsky, L. M. Keer, Wear 231 (1999) 206-219, doi:10.1016/S00
 KALKER = "J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990, doi:10.1007/978-94-015-7889-9"
 FINE, COARSE = 0.01, 0.1
 """Change from half as many pixels up to which results count as fine, and as coarse."""
-MUCH_SUNK = 0.2
-"""What one patch may sink another one, over its overlap, before it must not be left out."""
+TURNED_SHARE = 0.3
+"""Error of what one patch sinks another one: bodies whose surface turns between them are no half-spaces."""
 FLAT, BENT = 0.1, 1.2
 """Angle over which the direction of the surface turns within a patch [rad], small, and too large for half-spaces."""
 
@@ -88,18 +88,19 @@ def pair_notes(
 
 
 def _apart(medium: HomogeneousMedium, patches: tuple[ProfilePatch, ...]) -> Note:
-    """Return how much patches on grids of their own sink each other."""
-    most = 0.0
+    """Return how much patches on grids of their own sink each other, and how far that is from the truth."""
+    most, wide = 0.0, 0.0
     for one in patches:
         for other in patches:
             far = math.hypot(one.y - other.y, one.z - other.z, one.x - other.x)
             if other is not one and far > 0.0:
                 sunk = other.force * max(float(np.cos(one.angle - other.angle)), 0.0)
                 most = max(most, sunk / (math.pi * medium.modulus * far) / one.depth)
+                wide = max(wide, max(one.longitudinal_length, one.lateral_length) / far)
     return Note(
         Assumption.SINGLE_CONTACT,
-        standing_of(most, FINE, MUCH_SUNK),
-        f"Places of contact that are far from each other are solved one by one; one sinks the other by up to "
-        f"{100.0 * most:.2g} per cent of its overlap, which is left out.",
+        standing_of(most * max(wide, TURNED_SHARE), FINE, COARSE),
+        "Places of contact far from each other have grids of their own; one sinks the other like a force at a point of "
+        f"a half-space, by up to {100.0 * most:.2g} per cent of its overlap.",
         KALKER,
     )

@@ -15,6 +15,8 @@ from winkler.problems.profile_pair.placing import PlacedBody, Placing
 
 __all__ = ["PressedPair", "Region", "change_of", "pressed_by_drop", "pressed_by_force"]
 
+ROUNDS = 3
+"""How often windows that are far from each other are solved again with what the others sink them."""
 MOST_TRIALS = 30
 FORCE_TOLERANCE = 1e-7
 HERTZ_POWER, LEAST_POWER = 1.5, 0.3
@@ -35,7 +37,7 @@ class Region(NamedTuple):
     gaps
         Along the normals.
     overlap
-        The greatest one of the undeformed bodies along a normal [m].
+        The greatest one along a normal [m], less what other windows sink this one.
     pressure
         [Pa], of the pixels of the gaps.
     """
@@ -112,17 +114,39 @@ def pressed_by_drop(
     """
     touch = float(np.nanmin(placing.gap))
     down = upper.raised(-touch - drop)
-    regions = []
-    for window in windows(lower, down, placing, touch + drop):
-        gaps = GapMap.of(lower, down, window, (pixels, pixels))
-        heights, overlap = heights_of(gaps)
-        if overlap <= 0.0:
+    maps = [GapMap.of(lower, down, window, (pixels, pixels)) for window in windows(lower, down, placing, touch + drop)]
+    regions = [_pressed(gaps, np.zeros(1), modulus, tolerance) for gaps in maps]
+    for _ in range(ROUNDS if len(maps) > 1 else 0):
+        regions = [
+            _pressed(
+                gaps, _sunk(gaps, [other for other in regions if other.gaps is not gaps], modulus), modulus, tolerance
+            )
+            for gaps in maps
+        ]
+    return PressedPair(drop, tuple(region for region in regions if np.any(region.pressure)))
+
+
+def _pressed(gaps: GapMap, sunk: Array, modulus: float, tolerance: float) -> Region:
+    """Return a window with its pressures; without any where the bodies are apart."""
+    heights, overlap = heights_of(gaps._replace(gap=gaps.gap + sunk))
+    if overlap <= 0.0:
+        return Region(gaps, 0.0, np.zeros(gaps.gap.shape))
+    solved = press(float(np.max(heights)) - heights, gaps.pixel, ByDepth(overlap), periodic=False, tolerance=tolerance)
+    return Region(gaps, overlap, modulus * solved.pressure)
+
+
+def _sunk(gaps: GapMap, others: list[Region], modulus: float) -> Array:
+    """Return how far the forces of other windows open the gap of this one, as forces at points [m]."""
+    opened = np.zeros(gaps.gap.shape)
+    for other in others:
+        whole = float(np.sum(other.pressure))
+        if whole == 0.0:
             continue
-        solved = press(
-            float(np.max(heights)) - heights, gaps.pixel, ByDepth(overlap), periodic=False, tolerance=tolerance
-        )
-        regions.append(Region(gaps, overlap, modulus * solved.pressure))
-    return PressedPair(drop, tuple(regions))
+        along, across = other.pressure.sum(axis=1) / whole, other.pressure.sum(axis=0) / whole
+        x, y, z = float(along @ other.gaps.x), float(across @ other.gaps.y), float(across @ other.gaps.z)
+        far = np.sqrt((gaps.x[:, None] - x) ** 2 + (gaps.y - y) ** 2 + (gaps.z - z) ** 2)
+        opened += np.maximum(other.force @ gaps.normal, 0.0) / (math.pi * modulus * far)
+    return opened
 
 
 def pressed_by_force(
