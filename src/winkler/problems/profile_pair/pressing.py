@@ -13,7 +13,7 @@ from winkler.numerics.types import Array
 from winkler.problems.profile_pair.gap_map import GapMap, windows
 from winkler.problems.profile_pair.placing import PlacedBody, Placing
 
-__all__ = ["PressedPair", "Region", "change_of", "pressed_by_drop", "pressed_by_force"]
+__all__ = ["PressedWindows", "Region", "change_of", "pressed_by_drop", "pressed_by_force"]
 
 ROUNDS = 3
 """How often windows that are far from each other are solved again with what the others sink them."""
@@ -60,7 +60,7 @@ class Region(NamedTuple):
         return bool(beside.any() or p[0].any() or p[-1].any() or p[:, 0].any() or p[:, -1].any())
 
 
-class PressedPair(NamedTuple):
+class PressedWindows(NamedTuple):
     """Two bodies that are pressed together.
 
     Parameters
@@ -80,7 +80,7 @@ class PressedPair(NamedTuple):
         return np.asarray(np.sum([region.force for region in self.regions], axis=0))
 
 
-def change_of(coarse: PressedPair, fine: PressedPair) -> float:
+def change_of(coarse: PressedWindows, fine: PressedWindows) -> float:
     """Return the greatest relative change of force and greatest pressure."""
     peaks = [max(float(np.max(region.pressure)) for region in pair.regions) for pair in (coarse, fine)]
     return max(abs(peaks[0] / peaks[1] - 1.0), abs(float(coarse.force[1] / fine.force[1]) - 1.0))
@@ -95,7 +95,7 @@ def heights_of(gaps: GapMap) -> tuple[Array, float]:
 
 def pressed_by_drop(
     lower: PlacedBody, upper: PlacedBody, placing: Placing, drop: float, modulus: float, pixels: int, tolerance: float
-) -> PressedPair:
+) -> PressedWindows:
     """Return the pair with the upper body let down by `drop` [m] since first touch.
 
     Parameters
@@ -123,7 +123,7 @@ def pressed_by_drop(
             )
             for gaps in maps
         ]
-    return PressedPair(drop, tuple(region for region in regions if np.any(region.pressure)))
+    return PressedWindows(drop, tuple(region for region in regions if np.any(region.pressure)))
 
 
 def _pressed(gaps: GapMap, sunk: Array, modulus: float, tolerance: float) -> Region:
@@ -151,7 +151,7 @@ def _sunk(gaps: GapMap, others: list[Region], modulus: float) -> Array:
 
 def pressed_by_force(
     lower: PlacedBody, upper: PlacedBody, placing: Placing, force: float, modulus: float, pixels: int, tolerance: float
-) -> PressedPair:
+) -> PressedWindows:
     """Return the pair under a force upwards on the upper body; parameters as of `pressed_by_drop`.
 
     Raises
@@ -178,7 +178,7 @@ def _found(
     pixels: int,
     tolerance: float,
     exactness: float,
-) -> PressedPair:
+) -> PressedWindows:
     """Return the pair at the drop where the forces agree, by secants between logarithms."""
     before: tuple[float, float] | None = None
     power = HERTZ_POWER
