@@ -31,6 +31,7 @@ from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.normal.yield_of_pressure import map_yield_notes
+from winkler.problems.rough.pixel_area import contact_area
 from winkler.problems.rough.surface_notes import surface_notes
 from winkler.problems.rough.surface_states import SurfaceState
 from winkler.profiles.rough.topography import Topography
@@ -39,10 +40,6 @@ from winkler.values import value
 
 __all__ = ["SurfaceContact", "SurfaceContactSolution"]
 
-EDGE_EXCESS = (math.pi - 1.0 + math.log(2.0)) / 24.0
-"""What counted pixels give too much, per length of the edge of the contact and pixel size."""
-AREA_ERROR = 0.25
-"""Error of the corrected area, likewise."""
 NEARBY_LOAD = 0.25
 """A load that differs by more than this part of it from the one before is begun on coarse grids: as fast."""
 PUNCH_TOLERANCE = 3e-3
@@ -198,7 +195,7 @@ class SurfaceContact:
             except NotConverged as error:
                 raise NotConverged(f"SurfaceContact: under the load {load:.6g}, {error}") from None
             yield SurfaceState(
-                solved.depth, modulus * patch * float(np.sum(start)), stiffness, *_area(touching, pixel,
+                solved.depth, modulus * patch * float(np.sum(start)), stiffness, *contact_area(touching, pixel,
                 rough.periodic), float(np.mean(solved.gap)), solved.penetration, solved.work, modulus * start,
                 np.maximum(solved.gap, 0.0),
             )  # fmt: skip
@@ -224,22 +221,6 @@ class SurfaceContact:
             If a contact is not solved to the tolerance.
         """
         return self.gathered(self.steps())
-
-
-def _area(touching: Array, pixel: tuple[float, float], periodic: bool) -> tuple[float, float]:
-    """Return the area of a contact [m^2] and its error: pixels less what its edge counts too much (Yastrebov).
-
-    Where a map that stands alone ends, its last pixels are whole.
-    """
-    counted = float(np.count_nonzero(touching)) * pixel[0] * pixel[1]
-    if touching.all():
-        return counted, 0.0
-    if periodic:
-        across, along = touching != np.roll(touching, 1, 0), touching != np.roll(touching, 1, 1)
-    else:
-        across, along = np.diff(touching, axis=0), np.diff(touching, axis=1)
-    edge = pixel[1] * np.count_nonzero(across) * pixel[0] + pixel[0] * np.count_nonzero(along) * pixel[1]
-    return counted - EDGE_EXCESS * float(edge), AREA_ERROR * float(edge)
 
 
 @value
