@@ -27,6 +27,8 @@ __all__ = ["RigidStep", "ShearedSurface", "shear"]
 
 MOST_ROUNDS = 100
 """Steps of Newton after which a surface has not converged; ten are usual."""
+USUAL_ROUNDS = 12
+"""Steps of Newton after which each is preceded by one down the energy."""
 MOST_ITERATIONS = 100
 """Conjugate gradients of one step of Newton; four are usual."""
 INNER_RATIO = 0.1
@@ -75,7 +77,7 @@ class ShearedSurface(NamedTuple):
     slipping
         Pixels at their bound that slip, (nx, ny).
     misfit
-        Sum of g |s| - q s over the sum of g |w| and q G q: zero if what slips is at its bound, along its slip.
+        Sum of g |s| - q s over that of g |s| and q G q: zero if what slips is at its bound, along its slip.
     missing
         Greatest error of a given force over the sum of g, times its mode.
     rounds
@@ -122,19 +124,22 @@ def shear(
     moved = np.where(step.by_force, 0.0, step.given)
     pushing = step.modes[forced] * inside
     borne = np.array([float(np.sum(bound * np.hypot(mode[0], mode[1]))) for mode in pushing])
-    traction = _within(start, bound)
+    traction, gentle = _within(start, bound), 1.0 / float(np.max(np.abs(grid.along)))
     for count in range(MOST_ROUNDS):
         under = grid.sheared(traction)
-        rigid = np.tensordot(moved, step.modes, 1)
-        slip = before + rigid - under
+        slip = before + np.tensordot(moved, step.modes, 1) - under
+        if count == 0 or count > USUAL_ROUNDS:  # down the energy itself: turns what slips far along its slip
+            traction = _within(traction + gentle * slip, bound)
+            under = grid.sheared(traction)
+            slip = before + np.tensordot(moved, step.modes, 1) - under
         size = np.hypot(traction[0], traction[1])
         normal = np.divide(traction, size, out=np.zeros_like(traction), where=size > 0.0)
         outward = np.sum(normal * slip, 0)
         slipping = inside & (size >= AT_BOUND * bound) & (outward > 0.0)
         lacking = step.given[forced] - np.array([float(np.sum(mode * traction)) for mode in pushing])
-        spent = float(np.sum(bound * np.hypot(slip[0], slip[1])) - np.sum(traction * slip))
-        scale = float(np.sum(bound * np.hypot(rigid[0], rigid[1])) + np.sum(traction * under))
-        misfit = max(spent, 0.0) / scale if scale > 0.0 else 0.0
+        most = float(np.sum(bound * np.hypot(slip[0], slip[1])))
+        scale = most + float(np.sum(traction * under))
+        misfit = max(most - float(np.sum(traction * slip)), 0.0) / scale if scale > 0.0 else 0.0
         missing = float(np.max(np.abs(lacking) / borne, initial=0.0)) if np.all(borne > 0.0) else 0.0
         if count and misfit <= tolerance and missing <= FORCE_TOLERANCE:
             return ShearedSurface(traction, under, slip, moved, slipping, misfit, missing, count)

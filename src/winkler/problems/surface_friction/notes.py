@@ -55,7 +55,7 @@ def surface_shear_notes(
             Assumption.SLIP,
             Standing.EXACT,
             "Coulomb's law in each pixel, in the direction of its own slip: what slips is at its bound, with tractions "
-            f"along the slip of each step, to {float(np.max(misfit)):.1g} of the energy of the step.",
+            f"along the slip of each step, to {float(np.max(misfit)):.1g} of the energy stored and lost.",
             KALKER,
         ),
     ]

@@ -29,7 +29,7 @@ class SurfaceShearState:
     stored_energy, dissipation : float
         Of the tractions along the surface, and lost by friction since the beginning [J].
     misfit : float
-        Energy above its least value that the solver left, over that of the step; see `winkler.numerics.surfaces`.
+        Sum of mu p |s| - tau s with the slip s of the last step, over that of mu p |s| and of twice the stored energy.
     penetration : float
         Greatest overlap that the solver left, over the depth.
     pressure : ndarray, (nx, ny)
@@ -48,7 +48,7 @@ class SurfaceShearState:
         shift=("u_i", "m", "sideways displacement of the bodies against each other, along x and y"),
         shear_force=("F_i", "N", "sideways force, along x and y"),
         stored_energy=("U_t", "J", "elastic energy of the tractions along the surface"),
-        misfit=("", "", "energy above its least value that the solver left, over that of the step"),
+        misfit=("", "", "what the solver left of the law of friction, over the energy"),
         slipping=("", None, "which pixels slip"),
         friction_work=("w", "J/m^2", "lost by friction since the beginning, per area"),
     )

@@ -58,7 +58,7 @@ class SurfaceTangential:
         How the bodies turn against each other beside a shift or a shear force, about the middle of the map,
         anticlockwise positive: one number, or one for each point of the path.  They do not turn unless given.
     tolerance : float, optional
-        Greatest energy above its least value, over that of the step, at which stick and slip count as solved.
+        Greatest `SurfaceShearState.misfit` at which stick and slip count as solved.
 
     Raises
     ------
