@@ -171,6 +171,7 @@ from winkler.problems.rough.reduced_bed import ReducedBed
 from winkler.problems.rough.spring_line import RoughLine
 from winkler.problems.rough.surface_conduction import SurfaceConduction, SurfaceConductionSolution
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
+from winkler.problems.surface_friction.tangential import SurfaceTangential, SurfaceTangentialSolution
 from winkler.problems.viscoelastic.adhesion import ViscoelasticAdhesion, ViscoelasticAdhesionSolution
 from winkler.problems.viscoelastic.impact import ViscoelasticImpact, ViscoelasticImpactSolution
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation, ViscoelasticSolution
@@ -196,6 +197,7 @@ from winkler.profiles.rough.line_scan import LineScan
 from winkler.profiles.rough.map_spectrum import spectrum_of
 from winkler.profiles.rough.random_rough import random_topography
 from winkler.profiles.rough.random_surface import RandomTopography
+from winkler.profiles.rough.sampled_profile import SampledProfile
 from winkler.profiles.rough.spectrum import PowerSpectrum, SelfAffine
 from winkler.profiles.rough.spikes import Spikes
 from winkler.profiles.rough.topography import Topography
@@ -257,14 +259,14 @@ __all__ = [
     "Rigid", "Rod", "RollerCentre", "RollerContact", "RollerSolution", "Rolling", "RollingSolution", "RollingStart",
     "RollingStartSolution", "RoughContact", "RoughContactSolution", "RoughIndentation", "RoughIndentationSolution",
     "RoughLine", "RoundedCone", "RoundedEnds", "RoundedPunch",
-    "SaturatingWork", "Segment", "SegmentKind", "SelfAffine", "Shape", "SharpEnds", "ShearForce", "ShearedFields",
-    "Shift",
+    "SampledProfile", "SaturatingWork", "Segment", "SegmentKind", "SelfAffine", "Shape", "SharpEnds", "ShearForce",
+    "ShearedFields", "Shift",
     "ShortRange", "SigmoidalGrading", "SimplifiedRolling", "SimplifiedRollingSolution", "SlidingResistance",
     "SlidingResistanceSolution",
     "SlidingSolution", "SlidingWear", "Sphere", "SpheroConical", "Spikes", "SpotCluster", "SpotClusterSolution",
     "SpringMarch", "SpringTrace", "Springs", "Staircase", "StandardSolid", "Standing", "Start", "StaticKinetic",
     "SubsurfaceFields", "Sum", "SurfaceConduction", "SurfaceConductionSolution", "SurfaceContact",
-    "SurfaceContactSolution", "SurfaceFields", "SurfaceFilm",
+    "SurfaceContactSolution", "SurfaceFields", "SurfaceFilm", "SurfaceTangential", "SurfaceTangentialSolution",
     "TabulatedGrading", "Tangential", "TangentialSolution", "ThermalConductor", "ThermalConstriction",
     "ThermalConstrictionSolution", "ThermalInterface", "Tilt", "Topography", "Torque", "Torsion", "TorsionSolution",
     "TransientHeating", "TransientHeatingSolution", "TransverselyIsotropic", "TransverselyIsotropicHalfSpace",

@@ -73,6 +73,7 @@ class SurfaceMarch:
     ):
         self.gaps, self.pixel, self.periodic, self.modulus = rough.gaps, rough.pixel, rough.periodic, medium.modulus
         self.compliance, self.coefficient, self.tolerance = compliance_of(medium), coefficient, tolerance
+        self.coupled = self.compliance.coupling != 0.0  # pressures draw the surface along
         nx, ny = self.gaps.shape
         self.shape, self.aspect = (nx, ny), (1.0, self.pixel[1] / self.pixel[0])
         self.patch = self.modulus * self.pixel[0] * self.pixel[1]
@@ -84,11 +85,6 @@ class SurfaceMarch:
         self.traction, self.slip = np.zeros((2, *self.shape)), np.zeros((2, *self.shape))
         self.rubbed, self.slipping = np.zeros(self.shape), np.zeros(self.shape, dtype=bool)
         self.pressed, self.stored, self.misfit = self._apart(0.0), 0.0, 0.0
-
-    @property
-    def coupled(self) -> bool:
-        """Whether pressures draw the surface along."""
-        return self.compliance.coupling != 0.0
 
     def step(self, drive: ByDepth | ByLoad, goals: Array) -> None:
         """Go to a normal load, and to a place or force of each of the three motions.

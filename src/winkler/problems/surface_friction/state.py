@@ -49,6 +49,7 @@ class SurfaceShearState:
         shear_force=("F_i", "N", "sideways force, along x and y"),
         stored_energy=("U_t", "J", "elastic energy of the tractions along the surface"),
         misfit=("", "", "what the solver left of the law of friction, over the energy"),
+        stick_share=("A_s/A", "", "part of the contact that does not slip on the way there"),
         slipping=("", None, "which pixels slip"),
         friction_work=("w", "J/m^2", "lost by friction since the beginning, per area"),
     )

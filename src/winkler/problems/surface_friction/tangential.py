@@ -215,7 +215,12 @@ class SurfaceTangentialSolution:
         The contact at the end of the path, with its maps of pressure, traction and slip.
     """
 
-    __words__ = SurfaceShearState.__words__
+    __words__ = words(
+        **{
+            name: SurfaceShearState.__words__[name]
+            for name in ("shift", "shear_force", "stick_share", "stored_energy", "misfit")
+        }
+    )
 
     problem: SurfaceTangential
     time: Array

@@ -61,17 +61,15 @@ class SampledProfile(Topography):
             )
         if self.lengths.shape != (2,):
             raise InvalidInput(f"SampledProfile: lengths are {self.lengths!r}; give two positive lengths in m.")
-        x, y = (
-            (np.arange(n) - 0.5 * (n - 1)) * (length / n) for n, length in zip(sides, self.lengths.tolist(), strict=True)
-        )
+        x, y = ((np.arange(n) - 0.5 * (n - 1)) * (length / n) for n, length in zip(sides, self.lengths, strict=True))
         try:
             rises = _rise(self.profile, x[:, None], y[None, :])
         except OutsideValidity as error:
             raise InvalidInput(f"SampledProfile: the map is wider than the profile is known: {error}") from None
         if not np.all(np.isfinite(rises)):
             raise InvalidInput(
-                "SampledProfile: on some of the map the profile is infinitely high, as behind a wall, or not known; give "
-                "smaller lengths."
+                "SampledProfile: on some of the map the profile is infinitely high, as behind a wall, or not known; "
+                "give smaller lengths."
             )
         made = Topography(0.0 - rises, self.lengths)
         object.__setattr__(self, "heights", made.heights)

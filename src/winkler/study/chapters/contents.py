@@ -19,6 +19,7 @@ from winkler.study.chapters.normal import NORMAL, normal_formulas
 from winkler.study.chapters.particles import PARTICLES
 from winkler.study.chapters.rolling import ROLLING
 from winkler.study.chapters.rough import ROUGH
+from winkler.study.chapters.surface_friction import SURFACE_FRICTION
 from winkler.study.chapters.viscoelastic import VISCOELASTIC
 from winkler.study.chapters.viscoelastic_surfaces import VISCOELASTIC_SURFACES
 from winkler.study.chapters.wear import WEAR
@@ -41,6 +42,7 @@ CHAPTERS: tuple[Chapter, ...] = (
     LINE_ROLLING,
     WEAR,
     ROUGH,
+    SURFACE_FRICTION,
 )
 """In the order of the catalogue."""
 

@@ -1,0 +1,114 @@
+"""Sheets of sheared height maps: what sticks and slips with arrows of the traction, its size, and the loop."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+import numpy as np
+
+from winkler.loading import Angle, Torque
+from winkler.numerics.types import Array
+from winkler.plot import style
+from winkler.plot.dispatch import without_extent
+from winkler.plot.friction.curves import loop_panel
+from winkler.plot.panel import NO_CONTACT, Panel, Sheet, Text, Vectors, note, titled
+from winkler.plot.rough.roughness import framed, image_of
+from winkler.plot.series import scale_of, series, with_unit
+from winkler.problems.surface_friction.state import SurfaceShearState
+from winkler.problems.surface_friction.tangential import SurfaceTangentialSolution
+from winkler.profiles.rough.topography import Topography
+
+__all__ = ["surface_shear_sheet"]
+
+FRAME_RATIO = 0.08
+"""Rim around the contact in a picture, over its size."""
+ARROWS_ACROSS = 15
+"""Arrows along the larger side of a picture."""
+FEWEST_POINTS = 2
+SHORTEST_ARROW = 0.02
+"""Traction over the greatest one below which no arrow is drawn."""
+
+
+@without_extent(SurfaceTangentialSolution)
+def surface_shear_sheet(item: SurfaceTangentialSolution) -> Sheet:
+    """Return stick and slip with arrows, the size of the traction at the end of the path, and the loop."""
+    panels, names = list(_maps(item.problem.topography, item.last)), ["stick (green) and slip", "traction"]
+    if len(panels) == 1:
+        names = ["no contact"]
+    if item.time.size >= FEWEST_POINTS:
+        loop, name = _loop(item)
+        panels.append(loop)
+        names.append(name)
+    last = item.last
+    share = f"{100.0 * last.stick_share:.3g} % of the contact sticks"
+    title = f"{with_unit(last.force, 'N')} at a depth of {with_unit(last.depth, 'm')};  {share}"
+    return Sheet(titled(panels, *names), 3, width=4.0, height=3.4, title=title)
+
+
+def _loop(item: SurfaceTangentialSolution) -> tuple[Panel, str]:
+    """Return the loop of the torque, or of the shear force along the direction in which it was greatest."""
+    turned = isinstance(item.problem.path.lateral, Angle | Torque)
+    names = ("angle", "torque") if turned else ("shift", "shear_force")
+    along, of = (np.asarray(getattr(item, name), dtype=float) for name in names)
+    if turned:
+        panel = loop_panel(series(names[0], along), series(names[1], of))
+        title = "torque over the twist"
+    else:
+        axis = int(np.argmax(np.max(np.abs(of), axis=0)))
+        ends = [f"{name}_{'xy'[axis]}" for name in names]
+        panel = loop_panel(series(ends[0], along[:, axis]), series(ends[1], of[:, axis]))
+        title = "shear force over the shift"
+    lost = float(item.dissipation[-1])
+    return panel.plus(note(f"lost: {with_unit(lost, 'J')}" if lost > 0.0 else "nothing lost", "upper left")), title
+
+
+def _maps(rough: Topography, state: SurfaceShearState) -> tuple[Panel, ...]:
+    """Return the maps of the contact in its frame; one empty panel where nothing touches."""
+    touching = state.pressure > 0.0
+    if not touching.any():
+        return (NO_CONTACT,)
+    sides = tuple(_framed_slice(np.asarray(touching.any(axis=1 - axis))) for axis in (0, 1))
+    here = sides[0], sides[1]
+    part, pixel = touching[here], rough.pixel
+    starts = [(side.start - 0.5 * n) * step for side, n, step in zip(sides, touching.shape, pixel, strict=True)]
+    ends = [np.array([start, start + n * step]) for start, n, step in zip(starts, part.shape, pixel, strict=True)]
+    box = Topography(np.zeros(part.shape), np.array(part.shape) * pixel)
+
+    def image(of: Any, colours: Any, **more: Any) -> Any:
+        return dataclasses.replace(image_of(box, of, colours, **more), x=ends[0], y=ends[1])
+
+    slipping = state.slipping[here]
+    stuck, slid = (series("pressure", np.where(part & chosen, 1.0, np.nan)) for chosen in (~slipping, slipping))
+    traction = state.traction[(slice(None), *here)]
+    size = np.hypot(traction[0], traction[1])
+    zones = tuple(
+        dataclasses.replace(image(of, (colour,)), place="", alpha=0.55)
+        for of, colour in ((stuck, style.GREEN), (slid, style.ORANGE))
+    )
+    scale = scale_of("m", box.lengths)
+    first = framed(zones[0], scale).plus(*zones[1:], *_arrows(traction, size, (starts[0], starts[1]), pixel))
+    return first, framed(image(series("traction", np.where(part, size, np.nan)), style.SHADES), scale)
+
+
+def _framed_slice(touched: Array) -> slice:
+    places = np.flatnonzero(touched)
+    rim = 1 + int(FRAME_RATIO * (places[-1] - places[0]))
+    return slice(max(int(places[0]) - rim, 0), min(int(places[-1]) + 1 + rim, touched.size))
+
+
+def _arrows(
+    traction: Array, size: Array, start: tuple[float, float], pixel: tuple[float, float]
+) -> tuple[Vectors | Text, ...]:
+    """Return arrows of the traction at some of the pixels."""
+    most = float(np.max(size))
+    if most == 0.0:
+        return (Text(0.5, 0.5, "no traction", framed=(True, True)),)
+    step = max(1, max(size.shape) // ARROWS_ACROSS)
+    chosen = np.zeros(size.shape, dtype=bool)
+    chosen[step // 2 :: step, step // 2 :: step] = True
+    i, j = np.nonzero(chosen & (size > SHORTEST_ARROW * most))
+    if not i.size:
+        return ()
+    x, y = start[0] + (i + 0.5) * pixel[0], start[1] + (j + 0.5) * pixel[1]
+    return (Vectors(x, y, traction[0][i, j], traction[1][i, j]),)
