@@ -28,7 +28,7 @@ __all__ = ["RigidStep", "ShearedSurface", "shear"]
 MOST_ROUNDS = 100
 """Steps of Newton after which a surface has not converged; ten are usual."""
 USUAL_ROUNDS = 12
-"""Steps of Newton after which each is preceded by one down the energy."""
+"""Steps of Newton in single digits, after which each is preceded by one down the energy, and takes double ones."""
 MOST_ITERATIONS = 100
 """Conjugate gradients of one step of Newton; four are usual."""
 INNER_RATIO = 0.1
@@ -41,6 +41,10 @@ DEPENDENT = 1e-10
 """Motions that the free pixels resist by less than this part are not independent: what slips everywhere."""
 MIDDLE_WAVE = 0.5 * math.pi
 """Wave number, times the size of a pixel, at which the preconditioner weighs the bound against the elasticity."""
+
+
+STIFFEST = 1e15
+"""Slip over bound, both in pixels times E*, beyond which a traction does not turn: more would leave single digits."""
 
 
 class RigidStep(NamedTuple):
@@ -124,6 +128,7 @@ def shear(
     moved = np.where(step.by_force, 0.0, step.given)
     pushing = step.modes[forced] * inside
     borne = np.array([float(np.sum(bound * np.hypot(mode[0], mode[1]))) for mode in pushing])
+    light = grid.in_single_digits()
     traction, gentle = _within(start, bound), 1.0 / float(np.max(np.abs(grid.along)))
     for count in range(MOST_ROUNDS):
         under = grid.sheared(traction)
@@ -144,7 +149,9 @@ def shear(
         if count and misfit <= tolerance and missing <= FORCE_TOLERANCE:
             return ShearedSurface(traction, under, slip, moved, slipping, misfit, missing, count)
         stiffer = np.divide(outward, bound, out=np.zeros_like(bound), where=slipping)
-        newton = _Newton(grid, inside & ~slipping, slipping, normal, stiffer, pushing)
+        newton = _Newton(
+            light if count <= USUAL_ROUNDS else grid, inside & ~slipping, slipping, normal, stiffer, pushing
+        )
         change, more = newton.solved(slip, lacking)
         moved[forced] += more
         traction = traction + change
@@ -165,26 +172,33 @@ def _within(traction: Array, bound: Array) -> Array:
 
 
 class _Newton:
-    """One step of Newton: the change of tractions that are free, and of the motions whose forces are given."""
+    """One step of Newton: the change of tractions that are free, and of the motions whose forces are given.
+
+    It may be made in single digits: what it leaves wrong is found anew before the next.
+    """
 
     def __init__(
         self, grid: TractionGrid, sticking: Array, slipping: Array, normal: Array, stiffer: Array, pushing: Array
     ):
-        self.grid, self.sticking, self.stiffer = grid, sticking, stiffer
-        self.tangent = np.stack((-normal[1], normal[0])) * slipping
-        self.weight = 1.0 / np.sqrt(1.0 + 0.5 * MIDDLE_WAVE * stiffer)
-        self.pushing = np.array([self._free(mode) for mode in pushing])
+        self.number = number = grid.along.dtype.type
+        self.grid, self.sticking = grid, sticking
+        self.stiffer = np.minimum(stiffer, STIFFEST).astype(number)
+        self.tangent = (np.stack((-normal[1], normal[0])) * slipping).astype(number)
+        self.weight = 1.0 / np.sqrt(1.0 + number(0.5 * MIDDLE_WAVE) * self.stiffer)
+        self.pushing = np.array([self._free(mode.astype(number)) for mode in pushing])
         self.pushed = np.array([self._undone(mode) for mode in self.pushing])
         count = len(pushing)
         products = self.pushing.reshape(count, -1) @ self.pushed.reshape(count, -1).T if count else np.zeros((0, 0))
-        self.inverse = np.linalg.pinv(products, rcond=DEPENDENT, hermitian=True) if count else products
+        self.inverse = np.linalg.pinv(products.astype(float), rcond=DEPENDENT, hermitian=True) if count else products
 
     def solved(self, slip: Array, lacking: Array) -> tuple[Array, Array]:
         """Return the change of the tractions and of the motions."""
-        change = np.zeros_like(slip)
-        left = self._free(slip)
+        unit = float(np.max(np.abs(self._free(slip)), initial=0.0))
+        unit = max(unit, float(np.max(np.abs(self.inverse @ lacking), initial=0.0))) or 1.0
+        change: Array = np.zeros(slip.shape, dtype=self.number)
+        left = self._free((slip / unit).astype(self.number))
         if lacking.size:
-            change = np.tensordot(self.inverse @ lacking, self.pushed, 1)
+            change = self._summed(self.inverse @ lacking / unit)
             left = left - self._bent(change)
         down = self._kept(self._undone(left))
         along, product = down, float(np.sum(left * down))
@@ -193,19 +207,21 @@ class _Newton:
             if not product > 0.0:
                 break
             bent = self._bent(along)
-            length = product / float(np.sum(along * bent))
+            length = self.number(product / float(np.sum(along * bent)))
             change = change + length * along
             left = left - length * bent
             down = self._kept(self._undone(left))
             new = float(np.sum(left * down))
             if new <= least:
                 break
-            along, product = down + new / product * along, new
-        return change, -self.inverse @ self._sums(self.pushed, left)
+            along, product = down + self.number(new / product) * along, new
+        return unit * change.astype(float), -unit * (self.inverse @ self._sums(self.pushed, left))
 
     def _free(self, field: Array) -> Array:
         """Return the part of a field along which tractions are free."""
-        return np.asarray(self.sticking * field + self.tangent * np.sum(self.tangent * field, 0))
+        turned = self.tangent[0] * field[0]
+        turned += self.tangent[1] * field[1]
+        return np.asarray(self.sticking * field + self.tangent * turned)
 
     def _bent(self, field: Array) -> Array:
         """Return the second derivative of the energy times a field."""
@@ -219,7 +235,11 @@ class _Newton:
         """Return a field that leaves the given forces as they are."""
         if not self.pushing.size:
             return field
-        return np.asarray(field - np.tensordot(self.inverse @ self._sums(self.pushing, field), self.pushed, 1))
+        return field - self._summed(self.inverse @ self._sums(self.pushing, field))
+
+    def _summed(self, factors: Array) -> Array:
+        """Return the sum of what the motions push, times these factors."""
+        return np.asarray(np.tensordot(factors.astype(self.number), self.pushed, 1))
 
     @staticmethod
     def _sums(modes: Array, field: Array) -> Array:

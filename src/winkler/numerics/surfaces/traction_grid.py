@@ -23,7 +23,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.numerics.surfaces.surface_grid import LARGEST_CACHED_PIXELS, MEAN_WAVE_RATIO, SurfaceGrid
+from winkler.numerics.surfaces.surface_grid import LARGEST_CACHED_PIXELS, MEAN_WAVE_RATIO, SINGLE, SurfaceGrid
 from winkler.numerics.types import Array
 
 __all__ = ["Compliance", "TractionGrid"]
@@ -87,6 +87,10 @@ class TractionGrid(NamedTuple):
         make = _cached_grid if shape[0] * shape[1] <= LARGEST_CACHED_PIXELS else _made
         return make(shape, pixel, compliance, periodic)
 
+    def in_single_digits(self) -> TractionGrid:
+        """Return the grid for tractions of single digits: twice as fast, and good enough for small changes."""
+        return self._replace(along=self.along.astype(SINGLE), inverse=self.inverse.astype(SINGLE))
+
     def sheared(self, traction: Array) -> Array:
         """Return the displacements along the surface [m], (2, nx, ny), under tractions along it over E*."""
         return self.grid.numbers(_turned(self.along, self.grid.waves(traction)))
@@ -114,8 +118,12 @@ class TractionGrid(NamedTuple):
 
 def _turned(matrix: Array, waves: Array) -> Array:
     """Return a symmetric matrix times vectors, (3, ...) and (2, ...)."""
-    x, y = waves[0], waves[1]
-    return np.stack((matrix[0] * x + matrix[1] * y, matrix[1] * x + matrix[2] * y))
+    turned = np.empty_like(waves)
+    np.multiply(matrix[0], waves[0], out=turned[0])
+    turned[0] += matrix[1] * waves[1]
+    np.multiply(matrix[2], waves[1], out=turned[1])
+    turned[1] += matrix[1] * waves[0]
+    return turned
 
 
 def _made(shape: tuple[int, int], pixel: tuple[float, float], compliance: Compliance, periodic: bool) -> TractionGrid:
