@@ -70,6 +70,14 @@ ROUNDED: dict[tuple[str, str], Rounded] = {
     **{("EllipticYieldOnsetSolution", name): PLACE for name in "xyz"},
     ("SurfaceContactSolution", "penetration"): ERROR,
     ("SurfaceContactSolution", "misfit"): ERROR,
+    **{
+        ("SurfaceTangentialSolution", name): ERROR
+        for name in ("shift_y", "shear_force_y", "torque", "penetration", "misfit")
+    },
+    **{
+        ("SurfaceTangentialSolution", name): Rounded(1e-4, "stick and slip have a tolerance of 1e-8 of the energy")
+        for name in ("shear_force_x", "stored_energy", "dissipation")
+    },
     ("ReductionSolution", "misfit"): Rounded(1e-6, "it is checked by contacts of a tolerance of 1e-6"),
     ("ReductionSolution", "force"): Rounded(1e-8, "each contact has a tolerance of 1e-6"),
     **{("SlidingSolution", name): STEPS for name in ("depth", "radius", "worn_depth", "mean_pressure")},

@@ -1,1 +1,1 @@
-"""Friction on contacts of any shape: stick and slip of height maps along any history, by boundary elements."""
+"""Friction on height maps: stick and slip of contacts that need not be round, by boundary elements."""

@@ -145,6 +145,7 @@ class SurfaceMarch:
             shear_force=sums[:2],
             angle=float(self.place[2]),
             torque=float(sums[2]) * self.pixel[0],
+            peak_pressure=self.modulus * float(np.max(self.pressed.pressure)),
             area=area[0],
             area_error=area[1],
             stick_share=float(np.count_nonzero(touching & ~self.slipping)) / max(count, 1),

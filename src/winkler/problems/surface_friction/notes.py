@@ -11,10 +11,11 @@ from winkler.media.medium import Medium
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.coupling import mismatch, sticking_note
 from winkler.problems.normal.unknown_yield import unknown_yield
+from winkler.problems.normal.yield_of_pressure import map_yield_notes
 from winkler.problems.rough.surface_notes import surface_notes
 from winkler.problems.surface_friction.march import NEGLIGIBLE_COUPLING
 from winkler.profiles.rough.topography import Topography
-from winkler.validity import Assumption, Note, Standing
+from winkler.validity import Assumption, Note, Standing, worst
 
 __all__ = ["surface_shear_notes"]
 
@@ -30,6 +31,7 @@ def surface_shear_notes(
     coefficient: float,
     blurred: float,
     force: Array,
+    pressure: float,
     penetration: Array,
     misfit: Array,
 ) -> tuple[Note, ...]:
@@ -45,6 +47,8 @@ def surface_shear_notes(
         Of friction.
     blurred : float
         Error of the area of contact over the area, the greatest of all points.
+    pressure : float
+        The greatest one of all points [Pa].
     force, penetration, misfit : ndarray, (points,)
         As in `winkler.problems.surface_friction.state.SurfaceShearState`.
     """
@@ -83,5 +87,12 @@ def surface_shear_notes(
         )
     else:
         notes.append(sticking_note(medium, coefficient))
-    why = "the stresses below tractions that differ from pixel to pixel are not computed"
-    return (*notes, *unknown_yield(medium, why))
+    return (*notes, *_yield_notes(medium, pressure))
+
+
+def _yield_notes(medium: Medium, pressure: float) -> tuple[Note, ...]:
+    """Return that the bodies have yielded where the pressure alone is enough, and else that it is not known."""
+    by_pressure = map_yield_notes(medium, pressure)
+    if worst(by_pressure) is Standing.OUTSIDE:
+        return by_pressure
+    return unknown_yield(medium, "the stresses below tractions that differ from pixel to pixel are not computed")

@@ -22,6 +22,8 @@ class SurfaceShearState:
         (u_x, u_y) [m] and (F_x, F_y) [N]: what drags the second body along.
     angle, torque : float
         phi [rad] and M_z [N m] about the middle of the map, anticlockwise positive.
+    peak_pressure : float
+        Greatest pressure [Pa].
     area, area_error : float
         Of the contact, and its error [m^2]; as of `SurfaceState`.
     stick_share : float
@@ -49,6 +51,7 @@ class SurfaceShearState:
         shear_force=("F_i", "N", "sideways force, along x and y"),
         stored_energy=("U_t", "J", "elastic energy of the tractions along the surface"),
         misfit=("", "", "what the solver left of the law of friction, over the energy"),
+        peak_pressure=(r"p_{max}", "Pa", "greatest pressure"),
         stick_share=("A_s/A", "", "part of the contact that does not slip on the way there"),
         slipping=("", None, "which pixels slip"),
         friction_work=("w", "J/m^2", "lost by friction since the beginning, per area"),
@@ -61,6 +64,7 @@ class SurfaceShearState:
     shear_force: Array
     angle: float
     torque: float
+    peak_pressure: float
     area: float
     area_error: float
     stick_share: float

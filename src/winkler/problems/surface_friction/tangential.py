@@ -209,7 +209,7 @@ class SurfaceTangentialSolution:
         (u_x, u_y) [m] and (F_x, F_y) [N]; what drags the second body along.
     angle, torque : ndarray, (points,)
         phi [rad] and M_z [N m] about the middle of the map.
-    area, area_error, stick_share, stored_energy, dissipation, misfit, penetration : ndarray, (points,)
+    peak_pressure, area, area_error, stick_share, stored_energy, dissipation, misfit, penetration : ndarray, (points,)
         As in `SurfaceShearState`.
     last : SurfaceShearState
         The contact at the end of the path, with its maps of pressure, traction and slip.
@@ -218,7 +218,7 @@ class SurfaceTangentialSolution:
     __words__ = words(
         **{
             name: SurfaceShearState.__words__[name]
-            for name in ("shift", "shear_force", "stick_share", "stored_energy", "misfit")
+            for name in ("shift", "shear_force", "peak_pressure", "stick_share", "stored_energy", "misfit")
         }
     )
 
@@ -230,6 +230,7 @@ class SurfaceTangentialSolution:
     shear_force: Array
     angle: Array
     torque: Array
+    peak_pressure: Array
     area: Array
     area_error: Array
     stick_share: Array
@@ -240,11 +241,31 @@ class SurfaceTangentialSolution:
     last: SurfaceShearState
 
     @property
+    def shift_x(self) -> Array:
+        """u_x [m], ``(points,)``."""
+        return self.shift[:, 0]
+
+    @property
+    def shift_y(self) -> Array:
+        """u_y [m], ``(points,)``."""
+        return self.shift[:, 1]
+
+    @property
+    def shear_force_x(self) -> Array:
+        """F_x [N], ``(points,)``."""
+        return self.shear_force[:, 0]
+
+    @property
+    def shear_force_y(self) -> Array:
+        """F_y [N], ``(points,)``."""
+        return self.shear_force[:, 1]
+
+    @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: residuals, steps, border, slopes, pixels."""
         stated, touched = self.problem, self.area > 0.0
         blurred = float(np.max(self.area_error[touched] / self.area[touched], initial=0.0))
         return surface_shear_notes(
             stated.topography, cast(Medium, stated.medium), stated.law.coefficient, blurred, self.force,
-            self.penetration, self.misfit,
+            float(np.max(self.peak_pressure)), self.penetration, self.misfit,
         )  # fmt: skip
