@@ -23,7 +23,7 @@ from winkler.errors import NotConverged
 from winkler.numerics.surfaces.traction_grid import TractionGrid
 from winkler.numerics.types import Array
 
-__all__ = ["RigidStep", "ShearedSurface", "shear"]
+__all__ = ["AT_BOUND", "RigidStep", "ShearedSurface", "shear", "within"]
 
 MOST_ROUNDS = 100
 """Steps of Newton after which a surface has not converged; ten are usual."""
@@ -129,12 +129,12 @@ def shear(
     pushing = step.modes[forced] * inside
     borne = np.array([float(np.sum(bound * np.hypot(mode[0], mode[1]))) for mode in pushing])
     light = grid.in_single_digits()
-    traction, gentle = _within(start, bound), 1.0 / float(np.max(np.abs(grid.along)))
+    traction, gentle = within(start, bound), 1.0 / float(np.max(np.abs(grid.along)))
     for count in range(MOST_ROUNDS):
         under = grid.sheared(traction)
         slip = before + np.tensordot(moved, step.modes, 1) - under
         if count == 0 or count > USUAL_ROUNDS:  # down the energy itself: turns what slips far along its slip
-            traction = _within(traction + gentle * slip, bound)
+            traction = within(traction + gentle * slip, bound)
             under = grid.sheared(traction)
             slip = before + np.tensordot(moved, step.modes, 1) - under
         size = np.hypot(traction[0], traction[1])
@@ -157,7 +157,7 @@ def shear(
         traction = traction + change
         size = np.hypot(traction[0], traction[1])
         onto = np.divide(bound, size, out=np.ones_like(bound), where=slipping & (size > 0.0))
-        traction = _within(traction * onto, bound)
+        traction = within(traction * onto, bound)
     raise NotConverged(
         f"the contact of {int(np.count_nonzero(inside))} pixels slips with an error of {misfit:.3g} of the energy, and "
         f"given forces lack {missing:.3g} of what friction bears, after {MOST_ROUNDS} rounds; allowed are "
@@ -165,7 +165,7 @@ def shear(
     )
 
 
-def _within(traction: Array, bound: Array) -> Array:
+def within(traction: Array, bound: Array) -> Array:
     """Return tractions, those beyond their bound shortened to it."""
     size = np.hypot(traction[0], traction[1])
     return np.asarray(traction * np.divide(bound, size, out=np.where(bound > 0.0, 1.0, 0.0), where=size > bound))
