@@ -4,9 +4,9 @@ Material that passes the contact towards -x slips, while the bodies roll by one 
 less what the displacement under the tractions grows on this way (`winkler.numerics.surfaces.rolled_surface`).  This is
 the exact theory of Kalker, on half-spaces, for a contact of any outline.
 
-A traction is constant in its pixel and grows towards the trailing edge.  It acts, and the slip of a spin is taken, a
-quarter of a pixel ahead of the middle: half a pixel, the middle of the passage, errs by as much to the other side as
-none, and with a quarter the coefficients of spin keep 0.2 % on 96 pixels.
+Between the leading edge and what slips a traction is constant in its pixel and grows from one to the next.  The slip of
+a spin is taken, and what sticks pulls, a quarter of a pixel ahead of the middle: half a pixel, the middle of the
+passage, errs by as much to the other side as none, and with a quarter the coefficients of spin keep 0.2 % on 96 pixels.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ __all__ = ["SurfaceRolling", "SurfaceRollingSolution"]
 APART = ("problem", "last")
 """Fields of a solution that are no numbers of its creepages."""
 AHEAD = 0.25
-"""How far ahead of the middle of a pixel its traction acts, in pixels."""
+"""How far ahead of the middle of a pixel that sticks its traction acts, in pixels."""
 
 
 @value
@@ -160,9 +160,10 @@ class SurfaceRolling:
                 ) from None
             start = q = rolled.traction
             count = np.count_nonzero(bound > 0.0)
+            at = x - AHEAD * pixel[0] * rolled.slipping
             yield SurfaceRollingState(
                 pressed.depth, patch * float(np.sum(p)), patch * float(np.sum(q[0])), patch * float(np.sum(q[1])),
-                patch * float(np.sum(x * q[1] - y * q[0])),
+                patch * float(np.sum(at * q[1] - y * q[0])),
                 float(np.count_nonzero((bound > 0.0) & ~rolled.slipping)) / count, rolled.misfit,
                 modulus * pressed.pressure, _spread(modulus * q, box, touching.shape),
                 _spread(np.where(rolled.slipping, rolled.slip, 0.0), box, touching.shape),
