@@ -207,6 +207,13 @@ ROUGHNESS = {
     **dict.fromkeys(("surface_contact", "random_topography"), TOUCHING),
     "height_map": wk.SurfaceContact(wk.Topography(PYRAMID, MILLIMETRES), STEEL_BODY, LOADS),
     "sampled_profile": wk.SurfaceContact(wk.SampledProfile(MILLIMETRES, wk.Sphere(10e-3), (65, 65)), STEEL_BODY, LOADS),
+    "surface_rolling": wk.SurfaceRolling(
+        wk.SampledProfile([0.6e-3, 0.5e-3], wk.CurvedBodies(20e-3, 10e-3), (54, 45)),
+        wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3)),
+        wk.Force(100.0),
+        FRICTION,
+        wk.Creepage(longitudinal=np.geomspace(0.0002, 0.004, 6)),
+    ),
     "surface_tangential": wk.SurfaceTangential(
         wk.SampledProfile(np.array([0.6e-3, 0.6e-3]), wk.Sphere(10e-3), (65, 65)),
         wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3)),

@@ -196,6 +196,13 @@ def test_a_ball_of_contact_is_as_it_was_printed(shared_data):
     assert values("surface_cattaneo_contact", "dissipation").tolist() == [-case["friction_work_J"]]
 
 
+def test_creep_forces_of_contact_are_as_they_were_printed(shared_data):
+    file = shared_data / "reference" / "contact" / "creep_curve_ellipse.csv"
+    rows = {float(row["creep_x"]): -float(row["force_x_N"]) for row in csv.DictReader(file.open().readlines()[1:])}
+    printed = [rows[creepage] for creepage in (4e-4, 1.2e-3, 2e-3, 2.8e-3)]
+    assert values("surface_rolling_contact", "longitudinal_force").tolist() == printed
+
+
 def test_the_table_of_kalker_is_as_it_was_printed(shared_data):
     file = shared_data / "reference" / "kalker_table_E3.csv"
     table = np.genfromtxt(file, delimiter=",", skip_header=1, usecols=range(2, 11))

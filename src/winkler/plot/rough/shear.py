@@ -13,13 +13,15 @@ from winkler.plot import style
 from winkler.plot.dispatch import without_extent
 from winkler.plot.friction.curves import loop_panel
 from winkler.plot.panel import NO_CONTACT, Panel, Sheet, Text, Vectors, note, titled
-from winkler.plot.rough.roughness import framed, image_of
-from winkler.plot.series import scale_of, series, with_unit
+from winkler.plot.rough.roughness import framed, image_of, models_panel
+from winkler.plot.series import row_of, scale_of, series, with_unit
 from winkler.problems.surface_friction.state import SurfaceShearState
 from winkler.problems.surface_friction.tangential import SurfaceTangentialSolution
+from winkler.problems.surface_rolling.state import SurfaceRollingState
+from winkler.problems.surface_rolling.steady import SurfaceRollingSolution
 from winkler.profiles.rough.topography import Topography
 
-__all__ = ["surface_shear_sheet"]
+__all__ = ["surface_rolling_sheet", "surface_shear_sheet"]
 
 FRAME_RATIO = 0.08
 """Rim around the contact in a picture, over its size."""
@@ -46,6 +48,34 @@ def surface_shear_sheet(item: SurfaceTangentialSolution) -> Sheet:
     return Sheet(titled(panels, *names), 3, width=4.0, height=3.4, title=title)
 
 
+@without_extent(SurfaceRollingSolution)
+def surface_rolling_sheet(item: SurfaceRollingSolution) -> Sheet:
+    """Return stick and slip with arrows and the size of the traction under the last creepage, and the creep curve."""
+    last = item.last
+    panels, names = (
+        list(_maps(item.problem.topography, last)),
+        ["stick (green) and slip, rolls to the right", "traction"],
+    )
+    if np.size(item.force) >= FEWEST_POINTS:
+        panels.append(_creep_panel(item))
+        names.append("creep force")
+    share = f"{100.0 * last.stick_share:.3g} % of the contact sticks"
+    title = f"{with_unit(last.force, 'N')}, drags by {with_unit(float(np.ravel(item.shear_force)[-1]), 'N')};  {share}"
+    return Sheet(titled(panels, *names), 3, width=4.0, height=3.4, title=title)
+
+
+def _creep_panel(item: SurfaceRollingSolution) -> Panel:
+    """Return forces over the creepage that changes most, in terms of its greatest value."""
+    names = ("longitudinal_creepage", "lateral_creepage", "spin_creepage")
+    spans = [float(np.ptp(np.asarray(getattr(item, name)))) for name in names]
+    size = [float(np.max(np.abs(np.asarray(getattr(item, name))))) or 1.0 for name in names]
+    name = names[int(np.argmax([span / most for span, most in zip(spans, size, strict=True)]))]
+    forces = [
+        (row_of(item, word), label) for word, label in (("longitudinal_force", "$F_x$"), ("lateral_force", "$F_y$"))
+    ]
+    return models_panel(row_of(item, name), forces, label="creep force")
+
+
 def _loop(item: SurfaceTangentialSolution) -> tuple[Panel, str]:
     """Return the loop of the torque, or of the shear force along the direction in which it was greatest."""
     turned = isinstance(item.problem.path.lateral, Angle | Torque)
@@ -63,7 +93,7 @@ def _loop(item: SurfaceTangentialSolution) -> tuple[Panel, str]:
     return panel.plus(note(f"lost: {with_unit(lost, 'J')}" if lost > 0.0 else "nothing lost", "upper left")), title
 
 
-def _maps(rough: Topography, state: SurfaceShearState) -> tuple[Panel, ...]:
+def _maps(rough: Topography, state: SurfaceShearState | SurfaceRollingState) -> tuple[Panel, ...]:
     """Return the maps of the contact in its frame; one empty panel where nothing touches."""
     touching = state.pressure > 0.0
     if not touching.any():

@@ -4,9 +4,10 @@ Material that passes the contact towards -x slips, while the bodies roll by one 
 less what the displacement under the tractions grows on this way (`winkler.numerics.surfaces.rolled_surface`).  This is
 the exact theory of Kalker, on half-spaces, for a contact of any outline.
 
-Between the leading edge and what slips a traction is constant in its pixel and grows from one to the next.  The slip of
-a spin is taken, and what sticks pulls, a quarter of a pixel ahead of the middle: half a pixel, the middle of the
-passage, errs by as much to the other side as none, and with a quarter the coefficients of spin keep 0.2 % on 96 pixels.
+From pixel to pixel tractions that stick grow towards the trailing edge: they act somewhat behind the middle of their
+pixel, and the slip of a spin, which has made them, is that of a place ahead of it.  A quarter of a pixel is taken for
+both: half a pixel, the whole way, errs by as much to the other side as none.  With a quarter the coefficients of spin
+keep half a per cent on 72 pixels.
 """
 
 from __future__ import annotations
@@ -43,7 +44,7 @@ __all__ = ["SurfaceRolling", "SurfaceRollingSolution"]
 APART = ("problem", "last")
 """Fields of a solution that are no numbers of its creepages."""
 AHEAD = 0.25
-"""How far ahead of the middle of a pixel that sticks its traction acts, in pixels."""
+"""How far ahead of the middle of a pixel the slip of a spin is taken, and how far behind what sticks acts, in pixels."""
 
 
 @value
@@ -160,7 +161,7 @@ class SurfaceRolling:
                 ) from None
             start = q = rolled.traction
             count = np.count_nonzero(bound > 0.0)
-            at = x - AHEAD * pixel[0] * rolled.slipping
+            at = x - AHEAD * pixel[0] * (2.0 - rolled.slipping)
             yield SurfaceRollingState(
                 pressed.depth, patch * float(np.sum(p)), patch * float(np.sum(q[0])), patch * float(np.sum(q[1])),
                 patch * float(np.sum(at * q[1] - y * q[0])),

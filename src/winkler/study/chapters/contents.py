@@ -20,6 +20,7 @@ from winkler.study.chapters.particles import PARTICLES
 from winkler.study.chapters.rolling import ROLLING
 from winkler.study.chapters.rough import ROUGH
 from winkler.study.chapters.surface_friction import SURFACE_FRICTION
+from winkler.study.chapters.surface_rolling import SURFACE_ROLLING
 from winkler.study.chapters.viscoelastic import VISCOELASTIC
 from winkler.study.chapters.viscoelastic_surfaces import VISCOELASTIC_SURFACES
 from winkler.study.chapters.wear import WEAR
@@ -43,6 +44,7 @@ CHAPTERS: tuple[Chapter, ...] = (
     WEAR,
     ROUGH,
     SURFACE_FRICTION,
+    SURFACE_ROLLING,
 )
 """In the order of the catalogue."""
 
