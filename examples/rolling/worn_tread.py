@@ -2,8 +2,8 @@ r"""
 A worn tread rolls
 ==================
 
-The contact of a wheel on a rail is an ellipse only as long as both are new. A tread that has worn flat presses on a wider
-and more even patch. Boundary elements roll what is no ellipse, with Coulomb's law in each pixel: material slips, while
+The contact of a wheel on a rail is an ellipse only as long as both are new. A tread that has worn hollow bears on both
+sides of its middle. Boundary elements roll what is no ellipse, with Coulomb's law in each pixel: material slips, while
 the bodies roll by :math:`\Delta x`, by the rigid slip less what its displacement grows on this way,
 
 .. math:: s(x) = w\,\Delta x - u(x) + u(x+\Delta x) .
@@ -35,7 +35,7 @@ draw(wk.SurfaceRolling(new, steel, LOAD, FRICTION, wk.Creepage(longitudinal=1e-3
 # %%
 # A worn one
 # ----------
-# Ten micrometres were worn off in the middle of the tread, which is now hollow across the rolling and bears on both sides.
+# Ten micrometres were worn off in the middle of the tread, which is now hollow across the rolling.
 
 y = (np.arange(56) - 27.5) * new.pixel[1]
 worn = wk.Topography(new.heights - 10e-6 * np.exp(-((y / 2.5e-3) ** 2)), new.lengths)

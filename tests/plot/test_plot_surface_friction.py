@@ -44,3 +44,14 @@ def test_zones_cover_the_contact_and_arrows_point_along_the_traction():
 ])  # fmt: skip
 def test_what_is_drawn_of_other_paths(normal, lateral, titles):
     assert [panel.title for panel in sheet(normal, lateral)[1].panels] == titles
+
+
+def test_a_rolling_map_shows_its_creep_curve_and_the_last_creepage():
+    def drawn(creepage):
+        return sheet_of(wk.SurfaceRolling(BALL, PAIR, wk.Depth(0.008), wk.Coulomb(0.3), creepage).solve())
+
+    zones, _, curve = drawn(wk.Creepage(longitudinal=[1e-3, 1e-2, 2e-2])).panels
+    assert zones.title == "stick (green) and slip, rolls to the right"
+    assert curve.across.label.startswith("longitudinal creepage")
+    assert drawn(wk.Creepage(spin=[0.01, 0.1])).panels[2].across.label.startswith("spin creepage")
+    assert len(drawn(wk.Creepage(longitudinal=1e-3)).panels) == 2
