@@ -172,6 +172,7 @@ from winkler.problems.rough.spring_line import RoughLine
 from winkler.problems.rough.surface_conduction import SurfaceConduction, SurfaceConductionSolution
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.surface_friction.tangential import SurfaceTangential, SurfaceTangentialSolution
+from winkler.problems.surface_rolling.start import SurfaceRollingStart, SurfaceRollingStartSolution
 from winkler.problems.surface_rolling.steady import SurfaceRolling, SurfaceRollingSolution
 from winkler.problems.viscoelastic.adhesion import ViscoelasticAdhesion, ViscoelasticAdhesionSolution
 from winkler.problems.viscoelastic.impact import ViscoelasticImpact, ViscoelasticImpactSolution
@@ -267,7 +268,8 @@ __all__ = [
     "SlidingSolution", "SlidingWear", "Sphere", "SpheroConical", "Spikes", "SpotCluster", "SpotClusterSolution",
     "SpringMarch", "SpringTrace", "Springs", "Staircase", "StandardSolid", "Standing", "Start", "StaticKinetic",
     "SubsurfaceFields", "Sum", "SurfaceConduction", "SurfaceConductionSolution", "SurfaceContact",
-    "SurfaceContactSolution", "SurfaceFields", "SurfaceFilm", "SurfaceRolling", "SurfaceRollingSolution",
+    "SurfaceContactSolution", "SurfaceFields", "SurfaceFilm", "SurfaceRolling", "SurfaceRollingSolution", "SurfaceRollingStart",
+    "SurfaceRollingStartSolution",
     "SurfaceTangential", "SurfaceTangentialSolution",
     "TabulatedGrading", "Tangential", "TangentialSolution", "ThermalConductor", "ThermalConstriction",
     "ThermalConstrictionSolution", "ThermalInterface", "Tilt", "Topography", "Torque", "Torsion", "TorsionSolution",

@@ -214,6 +214,14 @@ ROUGHNESS = {
         FRICTION,
         wk.Creepage(longitudinal=np.geomspace(0.0002, 0.004, 6)),
     ),
+    "surface_rolling_start": wk.SurfaceRollingStart(
+        wk.SampledProfile([0.6e-3, 0.5e-3], wk.CurvedBodies(20e-3, 10e-3), (54, 45)),
+        wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3)),
+        wk.Force(100.0),
+        FRICTION,
+        wk.ShearForce(15.0),
+        distance=0.5e-3,
+    ),
     "surface_tangential": wk.SurfaceTangential(
         wk.SampledProfile(np.array([0.6e-3, 0.6e-3]), wk.Sphere(10e-3), (65, 65)),
         wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3)),

@@ -94,7 +94,7 @@ SOLVED = {
     "warm and rough": (
         *("constriction", "thermal_constriction", "joule_heating", "spot_cluster", "conductance_bounds"),
         *("friction_heating", "transient_heating", "fretting_heat", "surface_contact", "surface_conduction"),
-        *("surface_tangential", "surface_rolling"),
+        *("surface_tangential", "surface_rolling", "surface_rolling_start"),
         *(
             "reduction",
             "rough_contact",

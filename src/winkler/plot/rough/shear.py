@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from winkler.loading import Angle, Torque
+from winkler.loading import Angle, ShearForce, Torque
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent
@@ -17,11 +17,12 @@ from winkler.plot.rough.roughness import framed, image_of, models_panel
 from winkler.plot.series import row_of, scale_of, series, with_unit
 from winkler.problems.surface_friction.state import SurfaceShearState
 from winkler.problems.surface_friction.tangential import SurfaceTangentialSolution
-from winkler.problems.surface_rolling.state import SurfaceRollingState
+from winkler.problems.surface_rolling.start import SurfaceRollingStartSolution
+from winkler.problems.surface_rolling.state import SurfaceRollingStartState, SurfaceRollingState
 from winkler.problems.surface_rolling.steady import SurfaceRollingSolution
 from winkler.profiles.rough.topography import Topography
 
-__all__ = ["surface_rolling_sheet", "surface_shear_sheet"]
+__all__ = ["surface_rolling_sheet", "surface_rolling_start_sheet", "surface_shear_sheet"]
 
 FRAME_RATIO = 0.08
 """Rim around the contact in a picture, over its size."""
@@ -64,6 +65,22 @@ def surface_rolling_sheet(item: SurfaceRollingSolution) -> Sheet:
     return Sheet(titled(panels, *names), 3, width=4.0, height=3.4, title=title)
 
 
+@without_extent(SurfaceRollingStartSolution)
+def surface_rolling_start_sheet(item: SurfaceRollingStartSolution) -> Sheet:
+    """Return stick and slip at the end of the way, the traction, and forces or creepages over the distance."""
+    last = item.last
+    panels = list(_maps(item.problem.topography, last))
+    names = ["stick (green) and slip, rolls to the right", "traction"]
+    if item.distance.size >= FEWEST_POINTS:
+        by_force = isinstance(item.problem.drive, ShearForce)
+        what = "creepage" if by_force else "force"
+        lines = [(row_of(item, f"{way}_{what}"), label) for way, label in (("longitudinal", "$x$"), ("lateral", "$y$"))]
+        panels.append(models_panel(row_of(item, "distance"), lines, label=what))
+        names.append(f"{what} over the distance")
+    title = f"after {with_unit(last.distance, 'm')};  {100.0 * last.stick_share:.3g} % of the contact sticks"
+    return Sheet(titled(panels, *names), 3, width=4.0, height=3.4, title=title)
+
+
 def _creep_panel(item: SurfaceRollingSolution) -> Panel:
     """Return forces over the creepage that changes most, in terms of its greatest value."""
     names = ("longitudinal_creepage", "lateral_creepage", "spin_creepage")
@@ -93,7 +110,9 @@ def _loop(item: SurfaceTangentialSolution) -> tuple[Panel, str]:
     return panel.plus(note(f"lost: {with_unit(lost, 'J')}" if lost > 0.0 else "nothing lost", "upper left")), title
 
 
-def _maps(rough: Topography, state: SurfaceShearState | SurfaceRollingState) -> tuple[Panel, ...]:
+def _maps(
+    rough: Topography, state: SurfaceShearState | SurfaceRollingState | SurfaceRollingStartState
+) -> tuple[Panel, ...]:
     """Return the maps of the contact in its frame; one empty panel where nothing touches."""
     touching = state.pressure > 0.0
     if not touching.any():

@@ -1,11 +1,11 @@
-"""A height map that rolls steadily, under one creepage."""
+"""A height map that rolls: steadily under one creepage, or after some distance from rest."""
 
 from __future__ import annotations
 
 from winkler.numerics.types import Array
 from winkler.values import value, words
 
-__all__ = ["SurfaceRollingState"]
+__all__ = ["SurfaceRollingStartState", "SurfaceRollingState"]
 
 
 @value
@@ -52,4 +52,44 @@ class SurfaceRollingState:
     pressure: Array
     traction: Array
     creep: Array
+    slipping: Array
+
+
+@value
+class SurfaceRollingStartState:
+    """A height map that has begun to roll towards +x, after some distance.
+
+    Parameters
+    ----------
+    distance : float
+        X [m] since rest.
+    longitudinal_creepage, lateral_creepage : float
+        xi and eta [-] of the last pixel; zero at rest.
+    longitudinal_force, lateral_force, moment : float
+        F_x and F_y [N], M_z [N m], as of `SurfaceRollingState`.
+    stick_share : float
+        Part of the contact that does not slip on the last pixel [-].
+    misfit : float
+        Sum of mu p |s| - tau s of the last pixel, over that of mu p |s| and of twice the stored energy.
+    pressure, traction, slipping : ndarray
+        As of `SurfaceRollingState`.
+    """
+
+    __words__ = words(
+        stick_share=("A_s/A", "", "part of the contact that does not slip"),
+        misfit=("", "", "what the solver left of the law of friction, over the energy"),
+        moment=("M_z", "N m", "moment about the normal, through the middle of the map"),
+        slipping=("", None, "which pixels slip"),
+    )
+
+    distance: float
+    longitudinal_creepage: float
+    lateral_creepage: float
+    longitudinal_force: float
+    lateral_force: float
+    moment: float
+    stick_share: float
+    misfit: float
+    pressure: Array
+    traction: Array
     slipping: Array

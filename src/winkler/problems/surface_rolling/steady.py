@@ -18,22 +18,17 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice, affordable, between
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.checks.number_checks import Advice, between
+from winkler.errors import NotConverged
 from winkler.laws.friction import Sliding
-from winkler.limits import MOST_NUMBERS
-from winkler.loading import Depth
 from winkler.media.halfspace import HalfSpace
-from winkler.numerics.surfaces.pressed_box import box_around
-from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, press
 from winkler.numerics.surfaces.rolled_surface import roll
-from winkler.numerics.surfaces.traction_grid import TractionGrid
-from winkler.numerics.types import Array, Quantity, shaped
-from winkler.path import OnePositiveNormal, numbers_of
+from winkler.numerics.types import Quantity, shaped
+from winkler.path import OnePositiveNormal
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.rolling.creepage import Creepage, CreepageSolution
-from winkler.problems.surface_friction.march import compliance_of
 from winkler.problems.surface_rolling.notes import surface_rolling_notes
+from winkler.problems.surface_rolling.patch import refuse_map, rolling_patch
 from winkler.problems.surface_rolling.state import SurfaceRollingState
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note
@@ -44,7 +39,7 @@ __all__ = ["SurfaceRolling", "SurfaceRollingSolution"]
 APART = ("problem", "last")
 """Fields of a solution that are no numbers of its creepages."""
 AHEAD = 0.25
-"""How far ahead of the middle of a pixel the slip of a spin is taken, and how far behind what sticks acts, in pixels."""
+"""How far ahead of the middle of a pixel the slip of a spin is taken, and how far behind what sticks acts [pixels]."""
 
 
 @value
@@ -103,19 +98,7 @@ class SurfaceRolling:
     assumptions: ClassVar[frozenset[Assumption]] = MAPPED | {Assumption.UNCOUPLED, Assumption.SLIP, Assumption.STEADY}
 
     def __post_init__(self) -> None:
-        pixels = 8 * self.topography.heights.size
-        affordable("SurfaceRolling", "pixels of two directions with their surroundings", pixels, MOST_NUMBERS)
-        missing = self.topography.missing
-        if missing:
-            raise InvalidInput(
-                f"SurfaceRolling: {missing} of {self.topography.heights.size} heights are missing; fill them with "
-                "topography.filled(), or cut a complete part out with topography.cropped(...)."
-            )
-        if self.topography.periodic:
-            raise InvalidInput(
-                "SurfaceRolling: a periodic map has no leading edge, where material comes in; give a map that stands "
-                "alone."
-            )
+        refuse_map("SurfaceRolling", self.topography)
 
     @property
     def total(self) -> int:
@@ -132,28 +115,13 @@ class SurfaceRolling:
         NotConverged
             If stick and slip are not found to the tolerance.
         """
-        rough, modulus, pixel = self.topography, self.medium.modulus, self.topography.pixel
-        patch = modulus * pixel[0] * pixel[1]
-        number = float(numbers_of(self.load))
-        drive = ByDepth(number) if isinstance(self.load, Depth) else ByLoad(number / patch)
-        pressed = press(rough.gaps, pixel, drive, periodic=False)
-        touching = pressed.pressure > 0.0
-        if any(np.any(side) for side in (touching[0], touching[-1], touching[:, 0], touching[:, -1])):
-            raise OutsideValidity(
-                "SurfaceRolling: the contact reaches the border of the map, and what rolls in there is not known; give "
-                "a larger map."
-            )
-        box = box_around(touching)
-        p, (nx, ny) = pressed.pressure[box], touching.shape
-        compliance = compliance_of(self.medium)._replace(coupling=0.0)
-        grid = TractionGrid.of((p.shape[0], p.shape[1]), (1.0, pixel[1] / pixel[0]), compliance, periodic=False)
-        x = np.broadcast_to(((np.arange(nx) - 0.5 * (nx - 1) + AHEAD) * pixel[0])[box[0], None], p.shape)
-        y = np.broadcast_to(((np.arange(ny) - 0.5 * (ny - 1)) * pixel[1])[None, box[1]], p.shape)
-        start, bound = np.zeros((2, *p.shape)), self.friction.coefficient * p
+        patch = rolling_patch("SurfaceRolling", self.topography, self.medium, self.load)
+        shifted = AHEAD * self.topography.pixel[0]
+        start, bound = np.zeros((2, *patch.pressure.shape)), self.friction.coefficient * patch.pressure
         for xi, eta, spin in zip(*(part.tolist() for part in self.creepage.broadcast()), strict=True):
-            rigid = np.stack((xi - spin * y, eta + spin * x))
+            rigid = np.stack((xi - spin * patch.y, eta + spin * (patch.x + shifted)))
             try:
-                rolled = roll(grid, bound, rigid, start, tolerance=self.tolerance)
+                rolled = roll(patch.grid, bound, rigid, start, tolerance=self.tolerance)
             except NotConverged as error:
                 raise NotConverged(
                     f"SurfaceRolling: at the creepage ({xi:.6g}, {eta:.6g}) with a spin of {spin:.6g} 1/m, {error}; "
@@ -161,14 +129,13 @@ class SurfaceRolling:
                 ) from None
             start = q = rolled.traction
             count = np.count_nonzero(bound > 0.0)
-            at = x - AHEAD * pixel[0] * (2.0 - rolled.slipping)
+            at, unit, modulus = patch.x - shifted * ~rolled.slipping, patch.unit, self.medium.modulus
             yield SurfaceRollingState(
-                pressed.depth, patch * float(np.sum(p)), patch * float(np.sum(q[0])), patch * float(np.sum(q[1])),
-                patch * float(np.sum(at * q[1] - y * q[0])),
+                patch.pressed.depth, unit * float(np.sum(patch.pressure)), unit * float(np.sum(q[0])),
+                unit * float(np.sum(q[1])), unit * float(np.sum(at * q[1] - patch.y * q[0])),
                 float(np.count_nonzero((bound > 0.0) & ~rolled.slipping)) / count, rolled.misfit,
-                modulus * pressed.pressure, _spread(modulus * q, box, touching.shape),
-                _spread(np.where(rolled.slipping, rolled.slip, 0.0), box, touching.shape),
-                _spread(rolled.slipping, box, touching.shape),
+                modulus * patch.pressed.pressure, patch.spread(modulus * q),
+                patch.spread(np.where(rolled.slipping, rolled.slip, 0.0)), patch.spread(rolled.slipping),
             )  # fmt: skip
 
     def gathered(self, states: Iterable[SurfaceRollingState]) -> SurfaceRollingSolution:
@@ -194,13 +161,6 @@ class SurfaceRolling:
 
 def _first(creepage: Creepage, count: int) -> Creepage:
     return Creepage(*(part[:count] for part in creepage.broadcast()))
-
-
-def _spread(part: Array, box: tuple[slice, slice], shape: tuple[int, ...]) -> Array:
-    """Return numbers in a box on the whole map, zero outside."""
-    whole = np.zeros((*part.shape[:-2], *shape), dtype=part.dtype)
-    whole[(..., *box)] = part
-    return whole
 
 
 @value

@@ -20,6 +20,11 @@ PASSED = Equation(
     "Material slips, while the bodies roll by Δx, by the rigid slip less what its displacement grows",
     r"s(x) = w\,\Delta x-u(x)+u(x+\Delta x), \quad w_x = \xi-\varphi y, \quad w_y = \eta+\varphi x",
 )
+CARRIED = Equation(
+    "Material slips, while the bodies roll by Δx, by the rigid slip less what its displacement grows; u' is that of the "
+    "step before",
+    r"s(x) = w\,\Delta x-u(x)+u'(x+\Delta x), \quad w_x = \xi-\varphi y, \quad w_y = \eta+\varphi x",
+)
 COULOMB = Equation(
     "Where it slips, the traction is at its bound, along the slip", r"|\tau| \le \mu p, \quad \tau\cdot s = \mu p\,|s|"
 )
@@ -48,6 +53,28 @@ SURFACE_ROLLING = Chapter(
             ),
             pictured=PicturedContact.NONE,
             formulas=(ELEMENTS, CERRUTI, PASSED, COULOMB, SHEAR_FORCE, MOMENT),
+        ),
+        "surface_rolling_start": answer(
+            "winkler.problems.surface_rolling.start:SurfaceRollingStart",
+            topography=WHEEL,
+            medium={"kind": "half_space", "second": {"kind": "elastic"}},
+            load={"kind": "force", "force": "100 N"},
+            drive={"kind": "shear_force", "shear_force": "15 N"},
+            distance="0.5 mm",
+            picture=Caption(
+                "surface_rolling_start",
+                "From rest to rolling by boundary elements",
+                "Stick and slip at the end of the way with arrows of the traction, its size, and creepage or force over "
+                "the distance.",
+            ),
+            curves=(
+                ("distance", "longitudinal_creepage"),
+                ("distance", "lateral_creepage"),
+                ("distance", "longitudinal_force"),
+                ("distance", "stick_share"),
+            ),
+            pictured=PicturedContact.NONE,
+            formulas=(ELEMENTS, CERRUTI, CARRIED, COULOMB, SHEAR_FORCE, MOMENT),
         ),
     },
 )
