@@ -43,6 +43,17 @@ hollow = wk.SurfaceRolling(worn, steel, LOAD, FRICTION, creepage).solve()
 draw(wk.SurfaceRolling(worn, steel, LOAD, FRICTION, wk.Creepage(longitudinal=1e-3, spin=0.2)).solve())
 
 # %%
+# It starts
+# ---------
+# Under half of the friction the new wheel creeps from its first millimetre on, and settles after two lengths of the contact.
+
+begun = wk.SurfaceRollingStart(new, steel, LOAD, FRICTION, wk.ShearForce(12e3), distance=30e-3).solve()
+print(
+    f"creepage {100 * begun.longitudinal_creepage[1]:.3f} % at first, {100 * begun.longitudinal_creepage[-1]:.3f} % then"
+)
+draw(begun)
+
+# %%
 # Creep curves of both, and simplified theory
 # -------------------------------------------
 # Simplified theory knows the new one only.

@@ -177,3 +177,51 @@ def test_too_few_rounds_are_not_converged(monkeypatch):
     monkeypatch.setattr(rolled_surface, "MOST_ROUNDS", 2)
     with pytest.raises(NotConverged, match=r"at the creepage \(0.002, 0\) with a spin of 0 1/m, .* after 2 rounds"):
         rolled(pair(0.0), 1.0, 1.0, 1e-2, wk.Creepage(2e-3))
+
+
+def test_from_rest_to_rolling_under_a_force(shared_data):
+    """A ball under 0.657 of the friction, on the pixels of CONTACT, whose steps and pixels err by 1 to 2 %."""
+    folder = shared_data / "reference" / "contact"
+    inputs = tomllib.loads((folder / "cattaneo_to_carter.toml").read_text(encoding="utf-8"))["inputs"]
+    rows = list(csv.DictReader((folder / "cattaneo_to_carter.csv").open().readlines()[1:]))
+    medium, normal, mu = pair(inputs["poisson"]), inputs["normal_force"], inputs["friction"]
+    push = -inputs["force_x_ratio"] * mu * normal
+    ball = wk.SampledProfile([34 * 0.25, 33 * 0.25], wk.Paraboloid(0.5 / inputs["gap_coefficient_B"]), (34, 33))
+    begun = wk.SurfaceRollingStart(
+        ball, medium, wk.Force(normal), wk.Coulomb(mu), wk.ShearForce(push), distance=14.0
+    ).solve()
+    np.testing.assert_allclose(begun.distance, [float(row["distance"]) for row in rows])
+    expected = np.array([float(row["creep_x"] or 0.0) for row in rows])
+    np.testing.assert_allclose(begun.longitudinal_creepage, expected, rtol=1.5e-2)
+    np.testing.assert_allclose(begun.longitudinal_force, push, rtol=1e-7)
+    np.testing.assert_allclose(begun.lateral_creepage, 0.0, atol=1e-7)
+    # rolled far enough, it is steady rolling at that creepage
+    steady = wk.SurfaceRolling(
+        ball, medium, wk.Force(normal), wk.Coulomb(mu), wk.Creepage(begun.longitudinal_creepage[-1])
+    ).solve()
+    assert steady.longitudinal_force == pytest.approx(push, rel=1e-3)
+    assert steady.stick_share == pytest.approx(begun.stick_share[-1], abs=0.01)
+
+
+def test_from_rest_to_rolling_with_creepage_and_spin():
+    medium = pair(0.3)
+    force = 4.0 / 3.0 * medium.modulus / RADIUS
+    creepage = wk.Creepage(1e-3, -5e-4, 1e-3)
+    ball = wk.SampledProfile([2.8, 2.8], wk.Paraboloid(RADIUS), (28, 28))
+    stated = (ball, medium, wk.Force(force), wk.Coulomb(MU))
+    begun = wk.SurfaceRollingStart(*stated, creepage, distance=6.0).solve()
+    steady = wk.SurfaceRolling(*stated, creepage).solve()
+    assert (begun.longitudinal_force[0], begun.longitudinal_creepage[0]) == (0.0, 0.0)
+    np.testing.assert_allclose(begun.longitudinal_creepage[1:], 1e-3)
+    assert np.all(np.diff(begun.longitudinal_force[:6]) > 0.0)
+    for name in ("longitudinal_force", "lateral_force"):
+        assert getattr(begun, name)[-1] == pytest.approx(getattr(steady, name), abs=2e-2 * MU * force)
+
+
+def test_a_start_that_would_slide_away():
+    ball = wk.SampledProfile([2.5, 2.5], wk.Paraboloid(RADIUS), (24, 24))
+    stated = (ball, pair(0.3), wk.Force(1e-2), wk.Coulomb(MU))
+    with pytest.raises(OutsideValidity, match="a shear force of 0.003 N is prescribed where friction"):
+        wk.SurfaceRollingStart(*stated, wk.ShearForce(3e-3), distance=1.0).solve()
+    with pytest.raises(InvalidInput, match="or one Creepage"):
+        wk.SurfaceRollingStart(*stated, wk.Creepage([1e-3, 2e-3]), distance=1.0)

@@ -203,6 +203,13 @@ def test_creep_forces_of_contact_are_as_they_were_printed(shared_data):
     assert values("surface_rolling_contact", "longitudinal_force").tolist() == printed
 
 
+def test_the_start_of_rolling_of_contact_is_as_it_was_printed(shared_data):
+    file = shared_data / "reference" / "contact" / "cattaneo_to_carter.csv"
+    rows = list(csv.DictReader(file.open().readlines()[1:]))
+    printed = [float(row["creep_x"] or 0.0) for row in rows[:5]]
+    assert values("surface_rolling_start_contact", "longitudinal_creepage").tolist() == printed
+
+
 def test_the_table_of_kalker_is_as_it_was_printed(shared_data):
     file = shared_data / "reference" / "kalker_table_E3.csv"
     table = np.genfromtxt(file, delimiter=",", skip_header=1, usecols=range(2, 11))

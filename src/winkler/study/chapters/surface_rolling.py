@@ -21,8 +21,8 @@ PASSED = Equation(
     r"s(x) = w\,\Delta x-u(x)+u(x+\Delta x), \quad w_x = \xi-\varphi y, \quad w_y = \eta+\varphi x",
 )
 CARRIED = Equation(
-    "Material slips, while the bodies roll by Δx, by the rigid slip less what its displacement grows; u' is that of the "
-    "step before",
+    "Material slips, while the bodies roll by Δx, by the rigid slip less what its displacement grows; u' is that "
+    "of the step before",
     r"s(x) = w\,\Delta x-u(x)+u'(x+\Delta x), \quad w_x = \xi-\varphi y, \quad w_y = \eta+\varphi x",
 )
 COULOMB = Equation(
@@ -64,8 +64,8 @@ SURFACE_ROLLING = Chapter(
             picture=Caption(
                 "surface_rolling_start",
                 "From rest to rolling by boundary elements",
-                "Stick and slip at the end of the way with arrows of the traction, its size, and creepage or force over "
-                "the distance.",
+                "Stick and slip at the end of the way with arrows of the traction, its size, and creepage or force "
+                "over the distance.",
             ),
             curves=(
                 ("distance", "longitudinal_creepage"),
