@@ -45,12 +45,11 @@ draw(wk.SurfaceRolling(worn, steel, LOAD, FRICTION, wk.Creepage(longitudinal=1e-
 # %%
 # It starts
 # ---------
-# Under half of the friction the new wheel creeps from its first millimetre on, and settles after two lengths of the contact.
+# Under half of the friction the new wheel creeps at once, and settles after about two lengths of the contact.
 
 begun = wk.SurfaceRollingStart(new, steel, LOAD, FRICTION, wk.ShearForce(12e3), distance=30e-3).solve()
-print(
-    f"creepage {100 * begun.longitudinal_creepage[1]:.3f} % at first, {100 * begun.longitudinal_creepage[-1]:.3f} % then"
-)
+first, last = 100 * begun.longitudinal_creepage[1], 100 * begun.longitudinal_creepage[-1]
+print(f"creepage {first:.3f} % at first, {last:.3f} % then")
 draw(begun)
 
 # %%
