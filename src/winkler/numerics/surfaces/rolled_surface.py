@@ -20,7 +20,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import NotConverged
-from winkler.numerics.surfaces.sheared_surface import AT_BOUND, within
+from winkler.numerics.surfaces.sheared_surface import AT_BOUND, STIFFEST, within
 from winkler.numerics.surfaces.traction_grid import TractionGrid
 from winkler.numerics.types import Array
 
@@ -90,7 +90,7 @@ def roll(grid: TractionGrid, bound: Array, rigid: Array, start: Array, *, tolera
     """
     inside = bound > 0.0
     scale = float(np.sum(bound * np.hypot(rigid[0], rigid[1])))
-    traction, misfit = within(start, bound), math.inf
+    traction, misfit, light = within(start, bound), math.inf, grid.in_single_digits()
     if scale == 0.0:
         traction = np.zeros_like(traction)
     for count in range(MOST_ROUNDS):
@@ -107,7 +107,8 @@ def roll(grid: TractionGrid, bound: Array, rigid: Array, start: Array, *, tolera
         if (count and misfit <= tolerance) or scale == 0.0:
             return RolledSurface(traction, slip, slipping, misfit, count)
         stiffer = np.divide(outward, bound, out=np.zeros_like(bound), where=slipping)
-        traction = traction + _change(grid, inside & ~slipping, slipping, normal, stiffer, slip)
+        digits = light if count <= USUAL_ROUNDS else grid
+        traction = traction + _change(digits, inside & ~slipping, slipping, normal, stiffer, slip)
         size = np.hypot(traction[0], traction[1])
         onto = np.divide(bound, size, out=np.ones_like(bound), where=slipping & (size > 0.0))
         traction = within(traction * onto, bound)
@@ -126,10 +127,12 @@ def _passed(grid: TractionGrid, traction: Array) -> Array:
 
 
 def _change(grid: TractionGrid, sticking: Array, slipping: Array, normal: Array, stiffer: Array, slip: Array) -> Array:
-    """Return the step of Newton: generalised minimal residuals, preconditioned from the right."""
-    tangent = np.stack((-normal[1], normal[0])) * slipping
-    weight = 1.0 / (1.0 + BOUND_WEIGHT * stiffer)
-    alone = (1.0 - weight) / (stiffer + OWN_RESPONSE)
+    """Return the step of Newton by generalised minimal residuals, preconditioned from the right."""
+    number = grid.along.dtype.type
+    stiffer = np.minimum(stiffer, STIFFEST).astype(number)
+    tangent = (np.stack((-normal[1], normal[0])) * slipping).astype(number)
+    weight = 1.0 / (1.0 + number(BOUND_WEIGHT) * stiffer)
+    alone = (1.0 - weight) / (stiffer + number(OWN_RESPONSE))
 
     def free(field: Array) -> Array:
         return np.asarray(sticking * field + tangent * np.sum(tangent * field, 0))
@@ -142,7 +145,7 @@ def _change(grid: TractionGrid, sticking: Array, slipping: Array, normal: Array,
     length = float(np.linalg.norm(right))
     if length == 0.0:
         return np.zeros_like(slip)
-    basis: list[Array] = [right / length]
+    basis: list[Array] = [(right / length).astype(number)]
     directions: list[Array] = []
     matrix = np.zeros((MOST_ITERATIONS + 1, MOST_ITERATIONS))
     factors: Array = np.zeros(0)
@@ -151,7 +154,7 @@ def _change(grid: TractionGrid, sticking: Array, slipping: Array, normal: Array,
         bent = free(_passed(grid, directions[k]) + stiffer * directions[k])
         for i, known in enumerate(basis):
             matrix[i, k] = float(np.sum(known * bent))
-            bent = bent - matrix[i, k] * known
+            bent -= number(matrix[i, k]) * known
         matrix[k + 1, k] = float(np.linalg.norm(bent))
         goal = np.zeros(k + 2)
         goal[0] = length
@@ -159,5 +162,8 @@ def _change(grid: TractionGrid, sticking: Array, slipping: Array, normal: Array,
         left = float(np.linalg.norm(goal - matrix[: k + 2, : k + 1] @ factors))
         if left <= INNER_RATIO * length or matrix[k + 1, k] <= LOST_DIRECTION * length:
             break
-        basis.append(bent / matrix[k + 1, k])
-    return np.asarray(sum(factor * one for factor, one in zip(factors, directions, strict=True)))
+        basis.append(bent / number(matrix[k + 1, k]))
+    change = np.zeros_like(slip)
+    for factor, one in zip(factors, directions, strict=True):
+        change += factor * one
+    return change

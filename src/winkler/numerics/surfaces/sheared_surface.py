@@ -23,7 +23,7 @@ from winkler.errors import NotConverged
 from winkler.numerics.surfaces.traction_grid import TractionGrid
 from winkler.numerics.types import Array
 
-__all__ = ["AT_BOUND", "RigidStep", "ShearedSurface", "shear", "within"]
+__all__ = ["AT_BOUND", "STIFFEST", "RigidStep", "ShearedSurface", "shear", "within"]
 
 MOST_ROUNDS = 100
 """Steps of Newton after which a surface has not converged; ten are usual."""
