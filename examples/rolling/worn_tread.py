@@ -4,7 +4,7 @@ A worn tread rolls
 
 The contact of a wheel on a rail is an ellipse only as long as both are new. A tread that has worn hollow bears on both
 sides of its middle. Boundary elements roll what is no ellipse, with Coulomb's law in each pixel: material slips, while
-the bodies roll by :math:`\Delta x`, by the rigid slip less what its displacement grows on this way,
+the bodies roll by :math:`\Delta x`, by the rigid slip less what its displacement grows meanwhile,
 
 .. math:: s(x) = w\,\Delta x - u(x) + u(x+\Delta x) .
 """

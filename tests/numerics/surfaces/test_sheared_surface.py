@@ -90,7 +90,7 @@ def test_too_few_rounds_are_not_converged(monkeypatch):
 
 
 def test_one_is_added_to_by_the_next():
-    """Half of the way and then the other half is the whole way, where nothing turns back."""
+    """Half of the shift and then the other half is the whole shift, where nothing turns back."""
     half, whole = (by_amount(part * 2.5, 0.0, 0.0) for part in (0.5, 1.0))
     first = shear(GRID, BOUND, NOTHING, half, NOTHING, tolerance=1e-12)
     second = shear(GRID, BOUND, first.displacement, half, first.traction, tolerance=1e-12)

@@ -1,7 +1,7 @@
 r"""A surface that rolls steadily on a grid, with Coulomb friction.
 
 Seen from the contact, material comes in at the leading edge, at large x, and passes pixel by pixel towards small x.  On
-its way by one pixel it slips by
+its path of one pixel it slips by
 
 .. math:: s(x) = w(x) - u(x) + u(x + \Delta x) ,
 
@@ -119,7 +119,7 @@ def roll(grid: TractionGrid, bound: Array, rigid: Array, start: Array, *, tolera
 
 
 def _passed(grid: TractionGrid, traction: Array) -> Array:
-    """Return by how much the displacement of material grows on its way by one pixel, u(x) - u(x + dx)."""
+    """Return by how much the displacement of material grows while it passes one pixel, u(x) - u(x + dx)."""
     passed = grid.sheared(traction)
     passed[:, :-1] -= passed[:, 1:]
     passed[:, -1] = 0.0

@@ -67,14 +67,16 @@ def surface_rolling_sheet(item: SurfaceRollingSolution) -> Sheet:
 
 @without_extent(SurfaceRollingStartSolution)
 def surface_rolling_start_sheet(item: SurfaceRollingStartSolution) -> Sheet:
-    """Return stick and slip at the end of the way, the traction, and forces or creepages over the distance."""
+    """Return stick and slip at the end, the traction, and forces or creepages over the distance."""
     last = item.last
     panels = list(_maps(item.problem.topography, last))
     names = ["stick (green) and slip, rolls to the right", "traction"]
     if item.distance.size >= FEWEST_POINTS:
         by_force = isinstance(item.problem.drive, ShearForce)
         what = "creepage" if by_force else "force"
-        lines = [(row_of(item, f"{way}_{what}"), label) for way, label in (("longitudinal", "$x$"), ("lateral", "$y$"))]
+        lines = [
+            (row_of(item, f"{along}_{what}"), label) for along, label in (("longitudinal", "$x$"), ("lateral", "$y$"))
+        ]
         panels.append(models_panel(row_of(item, "distance"), lines, label=what))
         names.append(f"{what} over the distance")
     title = f"after {with_unit(last.distance, 'm')};  {100.0 * last.stick_share:.3g} % of the contact sticks"

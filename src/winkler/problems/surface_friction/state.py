@@ -27,7 +27,7 @@ class SurfaceShearState:
     area, area_error : float
         Of the contact, and its error [m^2]; as of `SurfaceState`.
     stick_share : float
-        Part of the contact that does not slip on the way to this point [-].
+        Part of the contact that does not slip in the last step [-].
     stored_energy, dissipation : float
         Of the tractions along the surface, and lost by friction since the beginning [J].
     misfit : float
@@ -41,7 +41,7 @@ class SurfaceShearState:
     slip : ndarray, (2, nx, ny)
         How far the second body has slipped over the first since the beginning [m], where it touched.
     slipping : ndarray of bool, (nx, ny)
-        Which pixels slip on the way to this point.
+        Which pixels slip in the last step.
     friction_work : ndarray, (nx, ny)
         Lost since the beginning, per area [J/m^2]; over the friction coefficient it is pressure times slip.
     """
@@ -52,7 +52,7 @@ class SurfaceShearState:
         stored_energy=("U_t", "J", "elastic energy of the tractions along the surface"),
         misfit=("", "", "what the solver left of the law of friction, over the energy"),
         peak_pressure=(r"p_{max}", "Pa", "greatest pressure"),
-        stick_share=("A_s/A", "", "part of the contact that does not slip on the way there"),
+        stick_share=("A_s/A", "", "part of the contact that does not slip in the last step"),
         slipping=("", None, "which pixels slip"),
         friction_work=("w", "J/m^2", "lost by friction since the beginning, per area"),
     )

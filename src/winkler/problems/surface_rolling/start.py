@@ -1,6 +1,6 @@
 r"""A height map that begins to roll from rest, under given forces or creepages: from Cattaneo to Carter.
 
-The bodies roll pixel by pixel towards +x.  What material has slipped on its way by one pixel is
+The bodies roll pixel by pixel towards +x.  While it passes one pixel, material slips by
 
 .. math:: s(x) = w(x) - u(x) + u'(x+\Delta x) ,
 
@@ -178,14 +178,14 @@ class SurfaceRollingStart:
         )
 
     def gathered(self, states: Iterable[SurfaceRollingStartState]) -> SurfaceRollingStartSolution:
-        """Return the solution made of these states, of the whole way or of its beginning."""
+        """Return the solution made of these states, of the whole distance or of its beginning."""
         reached = list(states)
         names = [field.name for field in dataclasses.fields(SurfaceRollingStartSolution)[1:-1]]
         columns = {name: np.array([getattr(state, name) for state in reached]) for name in names}
         return SurfaceRollingStartSolution(problem=self, **columns, last=reached[-1])
 
     def solve(self) -> SurfaceRollingStartSolution:
-        """Return the contact along the whole way.
+        """Return the contact along the whole distance.
 
         Raises
         ------

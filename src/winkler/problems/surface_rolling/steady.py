@@ -1,13 +1,13 @@
 r"""A height map that rolls steadily on an elastic half-space: creep forces and the zones of stick and slip.
 
 Material that passes the contact towards -x slips, while the bodies roll by one pixel, by the rigid slip of the creepage
-less what the displacement under the tractions grows on this way (`winkler.numerics.surfaces.rolled_surface`).  This is
+less what the displacement under the tractions grows meanwhile (`winkler.numerics.surfaces.rolled_surface`).  This is
 the exact theory of Kalker, on half-spaces, for a contact of any outline.
 
 From pixel to pixel tractions that stick grow towards the trailing edge: they act somewhat behind the middle of their
 pixel, and the slip of a spin, which has made them, is that of a place ahead of it.  A quarter of a pixel is taken for
-both: half a pixel, the whole way, errs by as much to the other side as none.  With a quarter the coefficients of spin
-keep half a per cent on 72 pixels.
+both: half a pixel, the whole distance, errs by as much to the other side as none.  With a quarter the coefficients of
+spin keep one per cent on 72 pixels.
 """
 
 from __future__ import annotations

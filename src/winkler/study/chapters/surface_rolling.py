@@ -64,7 +64,7 @@ SURFACE_ROLLING = Chapter(
             picture=Caption(
                 "surface_rolling_start",
                 "From rest to rolling by boundary elements",
-                "Stick and slip at the end of the way with arrows of the traction, its size, and creepage or force "
+                "Stick and slip at the end with arrows of the traction, its size, and creepage or force "
                 "over the distance.",
             ),
             curves=(
