@@ -183,6 +183,9 @@ from winkler.problems.rough.surface_conduction import SurfaceConduction, Surface
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.subsurface.map_stress import MapStress, MapStressSolution
 from winkler.problems.subsurface.surface_load import SurfaceLoad
+from winkler.problems.surface_friction.tangential import SurfaceTangential, SurfaceTangentialSolution
+from winkler.problems.surface_rolling.start import SurfaceRollingStart, SurfaceRollingStartSolution
+from winkler.problems.surface_rolling.steady import SurfaceRolling, SurfaceRollingSolution
 from winkler.problems.viscoelastic.adhesion import ViscoelasticAdhesion, ViscoelasticAdhesionSolution
 from winkler.problems.viscoelastic.impact import ViscoelasticImpact, ViscoelasticImpactSolution
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation, ViscoelasticSolution
@@ -213,6 +216,7 @@ from winkler.profiles.rough.line_scan import LineScan
 from winkler.profiles.rough.map_spectrum import spectrum_of
 from winkler.profiles.rough.random_rough import random_topography
 from winkler.profiles.rough.random_surface import RandomTopography
+from winkler.profiles.rough.sampled_profile import SampledProfile
 from winkler.profiles.rough.spectrum import PowerSpectrum, SelfAffine
 from winkler.profiles.rough.spikes import Spikes
 from winkler.profiles.rough.topography import Topography
@@ -268,25 +272,27 @@ __all__ = [
     "RelaxationTest", "RelaxingInProportion", "Rigid", "Rod", "RollerCentre", "RollerContact", "RollerSolution",
     "Rolling", "RollingSolution", "RollingStart", "RollingStartSolution", "RoughContact", "RoughContactSolution",
     "RoughIndentation", "RoughIndentationSolution", "RoughLine", "RoundedCone", "RoundedEnds", "RoundedPunch",
-    "SaturatingWork", "Segment", "SegmentKind", "SelfAffine", "Shape", "SharpEnds", "ShearForce", "ShearedFields",
-    "Shift", "ShortRange", "SigmoidalGrading", "SimplifiedRolling", "SimplifiedRollingSolution", "SlidingResistance",
-    "SlidingResistanceSolution", "SlidingSolution", "SlidingWear", "Sphere", "SpheroConical", "Spikes", "SpotCluster",
-    "SpotClusterSolution", "SpringMarch", "SpringTrace", "Springs", "Staircase", "StandardSolid", "Standing", "Start",
-    "StaticKinetic", "SubsurfaceFields", "Sum", "SurfaceConduction", "SurfaceConductionSolution", "SurfaceContact",
-    "SurfaceContactSolution", "SurfaceFields", "SurfaceFilm", "SurfaceLoad", "TabulatedGrading", "Tangential",
-    "TangentialSolution", "ThermalConductor", "ThermalConstriction", "ThermalConstrictionSolution",
-    "ThermalInterface", "Tilt", "Topography", "Torque", "Torsion", "TorsionSolution", "TransientHeating",
-    "TransientHeatingSolution", "TransverselyIsotropic", "TransverselyIsotropicHalfSpace", "TruncatedCone",
-    "TruncatedParaboloid", "TwistedFields", "Uncalibrated", "Vickers", "ViscoelasticAdhesion",
-    "ViscoelasticAdhesionSolution", "ViscoelasticFit", "ViscoelasticHalfSpace", "ViscoelasticImpact",
-    "ViscoelasticImpactSolution", "ViscoelasticIndentation", "ViscoelasticSolution", "ViscoelasticTangential",
-    "ViscoelasticTangentialSolution", "Voltage", "Wavy", "WiedemannFranz", "WilliamsLandelFerry", "WinklerError",
-    "YieldOnset", "YieldOnsetSolution", "area_fraction", "compare", "compare_terms", "contact_reading",
-    "creep_coefficients", "design_for_pressure", "design_profile", "fit", "fit_steps", "intercept_factor", "material",
-    "material_names", "maugis_parameter", "mean_separation", "peak_stress", "random_topography", "read_bed",
-    "read_contacts", "read_creep", "read_cross_profile", "read_curve", "read_curves", "read_dynamic", "read_grading",
-    "read_path", "read_profile", "read_relaxation", "read_scan", "read_section", "read_spectrum", "read_surface_load",
-    "read_topography", "reduce", "relaxation_band", "restore", "restore_body", "restore_conduction", "restore_shift",
-    "sample_young", "spectrum_of", "staircase", "tabor_parameter", "to_pandas", "to_xarray", "which_model",
-    "write_contacts", "write_law", "write_trace", "write_vtk",
+    "SampledProfile", "SaturatingWork", "Segment", "SegmentKind", "SelfAffine", "Shape", "SharpEnds", "ShearForce",
+    "ShearedFields", "Shift", "ShortRange", "SigmoidalGrading", "SimplifiedRolling", "SimplifiedRollingSolution",
+    "SlidingResistance", "SlidingResistanceSolution", "SlidingSolution", "SlidingWear", "Sphere", "SpheroConical",
+    "Spikes", "SpotCluster", "SpotClusterSolution", "SpringMarch", "SpringTrace", "Springs", "Staircase",
+    "StandardSolid", "Standing", "Start", "StaticKinetic", "SubsurfaceFields", "Sum", "SurfaceConduction",
+    "SurfaceConductionSolution", "SurfaceContact", "SurfaceContactSolution", "SurfaceFields", "SurfaceFilm",
+    "SurfaceLoad", "SurfaceRolling", "SurfaceRollingSolution", "SurfaceRollingStart", "SurfaceRollingStartSolution",
+    "SurfaceTangential", "SurfaceTangentialSolution", "TabulatedGrading", "Tangential", "TangentialSolution",
+    "ThermalConductor", "ThermalConstriction", "ThermalConstrictionSolution", "ThermalInterface", "Tilt",
+    "Topography", "Torque", "Torsion", "TorsionSolution", "TransientHeating", "TransientHeatingSolution",
+    "TransverselyIsotropic", "TransverselyIsotropicHalfSpace", "TruncatedCone", "TruncatedParaboloid",
+    "TwistedFields", "Uncalibrated", "Vickers", "ViscoelasticAdhesion", "ViscoelasticAdhesionSolution",
+    "ViscoelasticFit", "ViscoelasticHalfSpace", "ViscoelasticImpact", "ViscoelasticImpactSolution",
+    "ViscoelasticIndentation", "ViscoelasticSolution", "ViscoelasticTangential", "ViscoelasticTangentialSolution",
+    "Voltage", "Wavy", "WiedemannFranz", "WilliamsLandelFerry", "WinklerError", "YieldOnset", "YieldOnsetSolution",
+    "area_fraction", "compare", "compare_terms", "contact_reading", "creep_coefficients", "design_for_pressure",
+    "design_profile", "fit", "fit_steps", "intercept_factor", "material", "material_names", "maugis_parameter",
+    "mean_separation", "peak_stress", "random_topography", "read_bed", "read_contacts", "read_creep",
+    "read_cross_profile", "read_curve", "read_curves", "read_dynamic", "read_grading", "read_path", "read_profile",
+    "read_relaxation", "read_scan", "read_section", "read_spectrum", "read_surface_load", "read_topography", "reduce",
+    "relaxation_band", "restore", "restore_body", "restore_conduction", "restore_shift", "sample_young",
+    "spectrum_of", "staircase", "tabor_parameter", "to_pandas", "to_xarray", "which_model", "write_contacts",
+    "write_law", "write_trace", "write_vtk",
 ]  # fmt: skip

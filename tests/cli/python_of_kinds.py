@@ -254,6 +254,33 @@ ROUGHNESS = {
         ),
     ),
     "height_map": wk.SurfaceContact(wk.Topography(PYRAMID, MILLIMETRES), STEEL_BODY, LOADS),
+    "sampled_profile": wk.SurfaceContact(wk.SampledProfile(MILLIMETRES, wk.Sphere(10e-3), (65, 65)), STEEL_BODY, LOADS),
+    "surface_rolling": wk.SurfaceRolling(
+        wk.SampledProfile([0.6e-3, 0.5e-3], wk.CurvedBodies(20e-3, 10e-3), (54, 45)),
+        wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3)),
+        wk.Force(100.0),
+        FRICTION,
+        wk.Creepage(longitudinal=np.geomspace(0.0002, 0.004, 6)),
+    ),
+    "surface_rolling_start": wk.SurfaceRollingStart(
+        wk.SampledProfile([0.6e-3, 0.5e-3], wk.CurvedBodies(20e-3, 10e-3), (54, 45)),
+        wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3)),
+        wk.Force(100.0),
+        FRICTION,
+        wk.ShearForce(15.0),
+        distance=0.5e-3,
+    ),
+    "surface_tangential": wk.SurfaceTangential(
+        wk.SampledProfile(np.array([0.6e-3, 0.6e-3]), wk.Sphere(10e-3), (65, 65)),
+        wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3)),
+        FRICTION,
+        wk.Program(
+            [
+                wk.Start(wk.Force(100.0)),
+                wk.Oscillate(lateral=wk.Shift(1e-6), cycles=1.25, count=12),
+            ]
+        ),
+    ),
     "surface_conduction": wk.SurfaceConduction(wk.SurfaceContact(STAMP, STEEL_BODY, LOADS), PAIR),
     "reduction": wk.Reduction(STAMP, STEEL_BODY, 3e-6),
     "elliptic_foundation": wk.Indentation(

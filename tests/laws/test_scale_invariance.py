@@ -72,6 +72,27 @@ ROUNDED: dict[tuple[str, str], Rounded] = {
     ("SurfaceContactSolution", "penetration"): ERROR,
     ("SurfaceContactSolution", "misfit"): ERROR,
     ("LineProfileSolution", "strip_error"): ERROR,
+    **{
+        ("SurfaceTangentialSolution", name): ERROR
+        for name in ("shift_y", "shear_force_y", "torque", "penetration", "misfit")
+    },
+    **{
+        ("SurfaceTangentialSolution", name): Rounded(1e-4, "stick and slip have a tolerance of 1e-8 of the energy")
+        for name in ("shear_force_x", "stored_energy", "dissipation")
+    },
+    **{("SurfaceRollingSolution", name): ERROR for name in ("lateral_force", "moment", "misfit")},
+    **{
+        ("SurfaceRollingSolution", name): Rounded(1e-3, "stick and slip have a tolerance of 1e-7 of the loss")
+        for name in ("longitudinal_force", "shear_force", "saturation", "loss_per_distance", "stick_share")
+    },
+    **{
+        ("SurfaceRollingStartSolution", name): ERROR
+        for name in ("lateral_creepage", "lateral_force", "moment", "misfit")
+    },
+    **{
+        ("SurfaceRollingStartSolution", name): Rounded(1e-3, "stick and slip have a tolerance of 1e-8 of the energy")
+        for name in ("longitudinal_creepage", "longitudinal_force", "stick_share")
+    },
     ("ReductionSolution", "misfit"): Rounded(1e-6, "it is checked by contacts of a tolerance of 1e-6"),
     ("ReductionSolution", "force"): Rounded(1e-8, "each contact has a tolerance of 1e-6"),
     ("ProfilePairSolution", "grid_error"): ERROR,

@@ -522,6 +522,21 @@ def line_bulk_quartic() -> Numbers:
     return [[c], [m]]
 
 
+def surface_cattaneo() -> Numbers:
+    """Shift and loss of a ball, R = F_N = E* = G* = 1 and mu = 0.3, in one direction: what is spent and not stored."""
+    mu = frac("0.3")
+    depth = mp.cbrt(frac("0.75")) ** 2
+    shifts, losses = [], []
+    for part in (frac("0.5"), frac("0.75"), frac("0.875")):
+        shift = mu * depth * (1 - mp.cbrt(1 - part) ** 2)
+        spent = mp.quad(lambda u: mu * (1 - (1 - u / (mu * depth)) ** frac("1.5")), [0, shift])
+        edges = [0, mp.sqrt(depth - shift / mu), mp.sqrt(depth)]
+        stored = mp.quad(lambda x, most=shift: min(most, mu * (depth - x * x)) ** 2, edges)
+        shifts.append(shift)
+        losses.append(spent - stored)
+    return [shifts, losses]
+
+
 def _oval(bend: str) -> Numbers:
     """F, and the semi-axes, of A x^2 + (1 - A) y^2 at d = 0.01 after Hertz."""
     small = frac(bend)

@@ -188,6 +188,28 @@ def test_a_shear_force_of_contact_is_as_it_was_written(shared_data):
     np.testing.assert_allclose(values("cattaneo_shift_contact", "shear_force"), 0.4 * rows[:, 3], rtol=1e-13)
 
 
+def test_a_ball_of_contact_is_as_it_was_printed(shared_data):
+    printed = tomllib.loads((shared_data / "reference" / "contact" / "cattaneo_ball.toml").read_text(encoding="utf-8"))
+    case = printed["case"][1]
+    assert values("surface_cattaneo_contact", "shift_x").tolist() == [case["shift_x_m"]]
+    assert values("surface_cattaneo_contact", "depth").tolist() == [case["approach_m"]]
+    assert values("surface_cattaneo_contact", "dissipation").tolist() == [-case["friction_work_J"]]
+
+
+def test_creep_forces_of_contact_are_as_they_were_printed(shared_data):
+    file = shared_data / "reference" / "contact" / "creep_curve_ellipse.csv"
+    rows = {float(row["creep_x"]): -float(row["force_x_N"]) for row in csv.DictReader(file.open().readlines()[1:])}
+    printed = [rows[creepage] for creepage in (4e-4, 1.2e-3, 2e-3, 2.8e-3)]
+    assert values("surface_rolling_contact", "longitudinal_force").tolist() == printed
+
+
+def test_the_start_of_rolling_of_contact_is_as_it_was_printed(shared_data):
+    file = shared_data / "reference" / "contact" / "cattaneo_to_carter.csv"
+    rows = list(csv.DictReader(file.open().readlines()[1:]))
+    printed = [float(row["creep_x"] or 0.0) for row in rows[:5]]
+    assert values("surface_rolling_start_contact", "longitudinal_creepage").tolist() == printed
+
+
 def test_the_table_of_kalker_is_as_it_was_printed(shared_data):
     file = shared_data / "reference" / "kalker_table_E3.csv"
     table = np.genfromtxt(file, delimiter=",", skip_header=1, usecols=range(2, 11))

@@ -96,16 +96,25 @@ class SurfaceGrid(NamedTuple):
         """
         return (_cached_grid if shape[0] * shape[1] <= LARGEST_CACHED_PIXELS else _made)(shape, pixel, periodic, digits)
 
-    def displaced(self, pressure: Array) -> Array:
-        """Return u [m] under p, over E*."""
+    def waves(self, numbers: Array) -> Array:
+        """Return the transform of numbers on the grid, (..., nx, ny), padded with zeros if it is not periodic."""
         import scipy.fft
 
-        (nx, ny), (mx, my) = self.shape, self.padded
-        rows = scipy.fft.rfft(pressure, my, axis=1, workers=self.workers)
-        both = scipy.fft.fft(rows, mx, axis=0, workers=self.workers)
+        rows = scipy.fft.rfft(numbers, self.padded[1], axis=-1, workers=self.workers)
+        return np.asarray(scipy.fft.fft(rows, self.padded[0], axis=-2, workers=self.workers, overwrite_x=True))
+
+    def numbers(self, waves: Array) -> Array:
+        """Return the numbers on the grid that have this transform, which is overwritten."""
+        import scipy.fft
+
+        back = scipy.fft.ifft(waves, axis=-2, overwrite_x=True, workers=self.workers)[..., : self.shape[0], :]
+        return np.asarray(scipy.fft.irfft(back, self.padded[1], axis=-1, workers=self.workers)[..., : self.shape[1]])
+
+    def displaced(self, pressure: Array) -> Array:
+        """Return u [m] under p, over E*."""
+        both = self.waves(pressure)
         both *= self.response
-        back = scipy.fft.ifft(both, axis=0, overwrite_x=True, workers=self.workers)[:nx]
-        return np.asarray(scipy.fft.irfft(back, my, axis=1, workers=self.workers)[:, :ny])
+        return self.numbers(both)
 
     def roughly_pressing(self, displacement: Array) -> Array:
         """Return pressures, over E*, that would displace a periodic surface so: the preconditioner."""

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from winkler.media.interior.peak import StressSpot
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
+from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.normal.yield_statement import share_of
 from winkler.problems.subsurface.below_surface import greatest_stress
 from winkler.problems.subsurface.surface_load import SurfaceLoad
-from winkler.validity import Assumption, Note, Standing
+from winkler.validity import Assumption, Note, Standing, worst
 
-__all__ = ["greatest_share", "map_yield_notes"]
+__all__ = ["greatest_share", "last_yield_notes", "map_yield_notes"]
 
 MISES = "R. von Mises, Nachr. Ges. Wiss. Goettingen (1913) 582; A. E. H. Love, doi:10.1098/rsta.1929.0009"
 
@@ -56,3 +57,21 @@ def map_yield_notes(medium: object, load: SurfaceLoad) -> tuple[Note, ...]:
         )
     statement = f"By von Mises' criterion the bodies stay elastic: the greatest stress on this grid is {where}."
     return (Note(Assumption.ELASTIC, Standing.ASYMPTOTIC, statement, MISES),)
+
+
+def last_yield_notes(medium: object, load: SurfaceLoad, others_bear_more: bool) -> tuple[Note, ...]:
+    """Return what is known of yield where the pressures and tractions are those of the last of many states.
+
+    Parameters
+    ----------
+    medium
+        A homogeneous one.
+    load : SurfaceLoad
+        What acts on the first body in the last state.
+    others_bear_more : bool
+        Whether another state has a greater pressure or shear force.
+    """
+    last = map_yield_notes(medium, load)
+    if others_bear_more and last and worst(last) is not Standing.OUTSIDE:
+        return unknown_yield(medium, "tractions are stored of the last state, and others bear more")
+    return last

@@ -101,6 +101,11 @@ class SurfaceLoad:
         if not np.any(self.loads):
             raise InvalidInput("SurfaceLoad: all pressures and tractions are zero; give a load.")
 
+    @classmethod
+    def of_map(cls, lengths: Array, pressure: Array, traction: Array, *, periodic: bool = False) -> SurfaceLoad:
+        """Return the pressures ``(nx, ny)`` and tractions ``(2, nx, ny)`` [Pa] on the first body, over a map."""
+        return cls(pressure, lengths, traction[0], traction[1], periodic=periodic)
+
     @property
     def loads(self) -> Array:
         """Pressure and tractions along x and y [Pa], (3, nx, ny)."""

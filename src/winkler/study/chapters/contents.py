@@ -24,6 +24,8 @@ from winkler.study.chapters.profile_pair import PROFILE_PAIR
 from winkler.study.chapters.rolling import ROLLING
 from winkler.study.chapters.rough import ROUGH
 from winkler.study.chapters.subsurface import SUBSURFACE
+from winkler.study.chapters.surface_friction import SURFACE_FRICTION
+from winkler.study.chapters.surface_rolling import SURFACE_ROLLING
 from winkler.study.chapters.viscoelastic import VISCOELASTIC
 from winkler.study.chapters.viscoelastic_surfaces import VISCOELASTIC_SURFACES
 from winkler.study.chapters.wear import WEAR
@@ -51,6 +53,8 @@ CHAPTERS: tuple[Chapter, ...] = (
     ROUGH,
     SUBSURFACE,
     PROFILE_PAIR,
+    SURFACE_FRICTION,
+    SURFACE_ROLLING,
 )
 """In the order of the catalogue."""
 

@@ -81,6 +81,12 @@ ROUGH = Chapter(
                 heights=PYRAMID,
                 lengths=["1 mm", "1 mm"],
             ),
+            "sampled_profile": kind(
+                "winkler.profiles.rough.sampled_profile:SampledProfile",
+                problem="surface_contact",
+                lengths=["1 mm", "1 mm"],
+                shape=[65, 65],
+            ),
         },
         "spectrum": {
             "self_affine": kind(

@@ -182,16 +182,20 @@ def table_at(table: Any, place: str) -> Any:
 def _holder(name: str) -> tuple[str, str]:
     """Return a kind of another slot that holds `name`, and the key.
 
-    The problem that its line in the catalogue names comes first, then a key that has it by default.
+    The problem that its line in the catalogue names comes first, then a key that has it by default; another problem
+    than the named one comes last.
     """
+    problem = kinds()[name].problem
+    elsewhere = ("path", "step", "problem") if problem else ("path", "step")
     rows = [
-        (holder, field, _by_default(holder, field, name) and slot_of(holder) not in ("path", "step"))
+        (holder, field, _by_default(holder, field, name) and slot_of(holder) not in elsewhere)
         for holder, line in kinds().items()
         for field, hint in hints(line.cls).items()
         if slot_of(holder) != slot_of(name) and name in (allowed_kinds(hint) or allowed_in_list(hint))
     ]
-    named = [(holder, field) for holder, field, _ in rows if holder == kinds()[name].problem]
-    return (named or [(holder, field) for holder, field, default in rows if default] or [rows[0][:2]])[0]
+    named = [(holder, field) for holder, field, _ in rows if holder == problem]
+    inner = [row[:2] for row in rows if not problem or slot_of(row[0]) != "problem"]
+    return (named or [(holder, field) for holder, field, default in rows if default] or inner or [rows[0][:2]])[0]
 
 
 def _by_default(holder: str, field: str, name: str) -> bool:

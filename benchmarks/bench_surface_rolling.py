@@ -1,0 +1,29 @@
+"""Steady rolling on 36 to 144 pixels along the contact, by boundary elements.
+
+Run it:  pytest benchmarks -m bench -n 0 --benchmark-only
+"""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import winkler as wk
+
+pytestmark = pytest.mark.bench
+
+PAIR = wk.HalfSpace.between(wk.Elastic(210e9, 0.28), wk.Elastic(210e9, 0.28))
+LIMITS = {36: 0.2, 72: 0.6, 144: 2.0}
+
+
+@pytest.mark.parametrize("count", LIMITS)
+def bench_a_creepage(benchmark, below, count):
+    """A locomotive wheel at a creepage under which half of the contact sticks."""
+    wide = count + 8
+    sides = [2.0 * axis * wide / count for axis in (6.304e-3, 12.61e-3)]
+    wheel = wk.SampledProfile(sides, wk.CurvedBodies(0.625, 1.777), (wide, wide))
+    problem = wk.SurfaceRolling(wheel, PAIR, wk.Force(106.7e3), wk.Coulomb(0.33), wk.Creepage(longitudinal=1.2e-3))
+    rolled = benchmark.pedantic(problem.solve, rounds=3, warmup_rounds=1)
+    assert math.isclose(float(rolled.saturation), 0.643, abs_tol=0.01)
+    below(LIMITS[count], f"steady rolling, {count} x {count} pixels in contact: press, stick, slip and forces")

@@ -1,0 +1,203 @@
+r"""Tractions along and across the surface of a half-space on a grid, and the displacements under both.
+
+With E* one and r the vector between two places, pressures p and tractions q on the lower body displace the surfaces of
+both bodies against each other by
+
+.. math:: u = \frac1\pi\int\Big[\frac{a}{r} + b\,\frac{\mathbf r\,\mathbf r^T}{r^3}\Big]\mathbf q\,\mathrm dA'
+    - \frac\beta\pi\int\frac{\mathbf r}{r^2}\,p\,\mathrm dA' , \qquad
+    u_z = \frac1\pi\int\frac pr\,\mathrm dA' + \frac\beta\pi\int\frac{\mathbf r\cdot\mathbf q}{r^2}\,\mathrm dA'
+
+(Cerruti, Boussinesq).  On waves these are four functions of the wave number, across and along the wave in the plane,
+out of the plane, and the coupling of both; a layered body has others.  Of a free surface the displacements at the
+centres of the pixels are in closed form, of a periodic one
+
+.. math:: \hat u = \frac 2q\,\Big[a + b\,\Big(1-\frac{\mathbf q\,\mathbf q^T}{q^2}\Big)\Big]\hat{\mathbf q}
+    + \frac{2 i\beta\,\mathbf q}{q^2}\,\hat p .
+"""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.numerics.surfaces.surface_grid import LARGEST_CACHED_PIXELS, MEAN_WAVE_RATIO, SINGLE, SurfaceGrid
+from winkler.numerics.types import Array
+
+__all__ = ["Compliance", "TractionGrid"]
+
+
+class Compliance(NamedTuple):
+    """Compliances of two bodies along their surfaces, over those across it.
+
+    Parameters
+    ----------
+    even
+        a: of all directions; one of isotropic bodies.
+    along
+        b: more in the direction of the traction; nu / (1 - nu) of two alike.
+    coupling
+        beta, the second constant of Dundurs.
+    """
+
+    even: float
+    along: float
+    coupling: float = 0.0
+
+
+class TractionGrid(NamedTuple):
+    """A grid, and its response to tractions.
+
+    Parameters
+    ----------
+    grid
+        The grid and its response to pressures.
+    compliance
+        Of the bodies.
+    along
+        Transforms of the displacements along the surface under unit tractions along it: xx, xy, yy [m].
+    across
+        Transforms of the displacement across the surface under unit tractions along it, over i: x, y [m]; empty
+        without coupling.
+    inverse
+        Transforms that roughly undo those of `along` on the grid itself: xx, xy, yy [1/m].
+    """
+
+    grid: SurfaceGrid
+    compliance: Compliance
+    along: Array
+    across: Array
+    inverse: Array
+
+    @classmethod
+    def of(
+        cls, shape: tuple[int, int], pixel: tuple[float, float], compliance: Compliance, *, periodic: bool
+    ) -> TractionGrid:
+        """Return the grid; small ones are made once.
+
+        Parameters
+        ----------
+        shape, pixel, periodic
+            As for `SurfaceGrid.of`.
+        compliance
+            Of the bodies.
+        """
+        make = _cached_grid if shape[0] * shape[1] <= LARGEST_CACHED_PIXELS else _made
+        return make(shape, pixel, compliance, periodic)
+
+    def in_single_digits(self) -> TractionGrid:
+        """Return the grid for tractions of single digits: twice as fast, and good enough for small changes."""
+        return self._replace(along=self.along.astype(SINGLE), inverse=self.inverse.astype(SINGLE))
+
+    def sheared(self, traction: Array) -> Array:
+        """Return the displacements along the surface [m], (2, nx, ny), under tractions along it over E*."""
+        return self.grid.numbers(_turned(self.along, self.grid.waves(traction)))
+
+    def drawn(self, pressure: Array) -> Array:
+        """Return the displacements along the surface [m], (2, nx, ny), under pressures over E*."""
+        if not self.across.size:
+            return np.zeros((2, *self.grid.shape))
+        return self.grid.numbers(-1j * self.across * self.grid.waves(pressure))
+
+    def sunk(self, traction: Array) -> Array:
+        """Return the displacements across the surface [m], (nx, ny), under tractions along it over E*."""
+        if not self.across.size:
+            return np.zeros(self.grid.shape)
+        both = self.grid.waves(traction)
+        return self.grid.numbers(1j * (self.across[0] * both[0] + self.across[1] * both[1]))
+
+    def roughly_shearing(self, displacement: Array) -> Array:
+        """Return tractions that would displace a periodic surface so: the preconditioner."""
+        import scipy.fft
+
+        waves = scipy.fft.rfft2(displacement, workers=self.grid.workers)
+        return np.asarray(scipy.fft.irfft2(_turned(self.inverse, waves), s=self.grid.shape, workers=self.grid.workers))
+
+
+def _turned(matrix: Array, waves: Array) -> Array:
+    """Return a symmetric matrix times vectors, (3, ...) and (2, ...)."""
+    turned = np.empty_like(waves)
+    np.multiply(matrix[0], waves[0], out=turned[0])
+    turned[0] += matrix[1] * waves[1]
+    np.multiply(matrix[2], waves[1], out=turned[1])
+    turned[1] += matrix[1] * waves[0]
+    return turned
+
+
+def _made(shape: tuple[int, int], pixel: tuple[float, float], compliance: Compliance, periodic: bool) -> TractionGrid:
+    """Return a grid."""
+    import scipy.fft
+
+    grid = SurfaceGrid.of(shape, pixel, periodic=periodic)
+    a, b, beta = compliance
+    qx = 2.0 * np.pi * scipy.fft.fftfreq(shape[0], pixel[0])[:, None]
+    qy = 2.0 * np.pi * scipy.fft.rfftfreq(shape[1], pixel[1])[None, :]
+    q = np.hypot(qx, qy)
+    q[0, 0] = 1.0
+    xx, xy, yy = (qx / q) ** 2, qx * qy / q**2, (qy / q) ** 2
+    # a change of the sign of the highest wave alone is no wave that this grid holds
+    odd = np.ones(q.shape)
+    odd[shape[0] // 2 if shape[0] % 2 == 0 else slice(0, 0)] = 0.0
+    odd[:, -1 if shape[1] % 2 == 0 else slice(0, 0)] = 0.0
+    xy = xy * odd
+    inverse = grid.wave_numbers / (a + b) * np.stack((1.0 + b / a * xx, b / a * xy, 1.0 + b / a * yy))
+    inverse[:, 0, 0] = MEAN_WAVE_RATIO * np.pi / max(shape[0] * pixel[0], shape[1] * pixel[1]) * np.array([1, 0, 1]) / a
+    if periodic:
+        along = grid.response * np.stack((a + b * yy, -b * xy, a + b * xx))
+        along[:, 0, 0] = 0.0
+        across = -2.0 * beta * odd * np.stack((qx + 0.0 * q, qy + 0.0 * q)) / q**2
+    else:
+        padded = grid.padded
+        first = _kernel(lambda x, y: x * np.arcsinh(y / np.abs(x)), shape, pixel, padded, (1, 1)) / np.pi
+        second = _kernel(lambda x, y: y * np.arcsinh(x / np.abs(y)), shape, pixel, padded, (1, 1)) / np.pi
+        crossed = _kernel(lambda x, y: -np.hypot(x, y), shape, pixel, padded, (-1, -1)) / np.pi
+        both = a * (first + second)
+        along = np.stack((both + b * second, b * crossed, both + b * first))
+        parts = (
+            _kernel(lambda x, y: y * np.log(np.hypot(x, y)) + x * np.arctan(y / x), shape, pixel, padded, (-1, 1)),
+            _kernel(lambda x, y: x * np.log(np.hypot(x, y)) + y * np.arctan(x / y), shape, pixel, padded, (1, -1)),
+        )
+        across = beta / np.pi * np.stack(parts)
+    return TractionGrid(grid, compliance, along, across if beta else np.empty(0), inverse)
+
+
+_cached_grid = functools.lru_cache(maxsize=12)(_made)
+
+
+def _kernel(
+    corner: Callable[[Array, Array], Array],
+    shape: tuple[int, int],
+    pixel: tuple[float, float],
+    padded: tuple[int, int],
+    parity: tuple[int, int],
+) -> Array:
+    """Return the transform of an integral over a pixel, over i if it is odd in one direction.
+
+    Parameters
+    ----------
+    corner
+        The integral from the origin on, as a function of the corner opposite.
+    shape, pixel, padded
+        Of the grid.
+    parity
+        Whether it is even (1) or odd (-1) in either direction.
+    """
+    import scipy.fft
+
+    (nx, ny), (mx, my) = shape, padded
+    x = ((np.arange(nx + 1) - 0.5) * pixel[0])[:, None]
+    y = ((np.arange(ny + 1) - 0.5) * pixel[1])[None, :]
+    corners = corner(x, y)
+    quarter = corners[1:, 1:] - corners[:-1, 1:] - corners[1:, :-1] + corners[:-1, :-1]
+    if parity[0] < 0:
+        quarter[0] = 0.0
+    if parity[1] < 0:
+        quarter[:, 0] = 0.0
+    whole = np.zeros(padded)
+    whole[:nx, :ny] = quarter
+    whole[mx - nx + 1 :, :ny] = parity[0] * quarter[:0:-1]
+    whole[:, my - ny + 1 :] = parity[1] * whole[:, ny - 1 : 0 : -1]
+    transform = scipy.fft.rfft2(whole)
+    return np.ascontiguousarray(transform.real if parity[0] == parity[1] else transform.imag)

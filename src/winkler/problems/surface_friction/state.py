@@ -1,0 +1,79 @@
+"""A height map that is pressed and sheared, at one point of its path."""
+
+from __future__ import annotations
+
+from winkler.numerics.types import Array
+from winkler.values import value, words
+
+__all__ = ["SurfaceShearState"]
+
+
+@value
+class SurfaceShearState:
+    """A height map that is pressed and sheared, at one point of its path.
+
+    Parameters
+    ----------
+    time : float
+        t [s].
+    depth, force : float
+        d [m] since the highest pixel touched, F_N [N]; of a periodic map on one period.
+    shift, shear_force : ndarray, (2,)
+        (u_x, u_y) [m] and (F_x, F_y) [N]: what drags the second body along.
+    angle, torque : float
+        phi [rad] and M_z [N m] about the middle of the map, anticlockwise positive.
+    peak_pressure : float
+        Greatest pressure [Pa].
+    area, area_error : float
+        Of the contact, and its error [m^2]; as of `SurfaceState`.
+    stick_share : float
+        Part of the contact that does not slip in the last step [-].
+    stored_energy, dissipation : float
+        Of the tractions along the surface, and lost by friction since the beginning [J].
+    misfit : float
+        Sum of mu p |s| - tau s with the slip s of the last step, over that of mu p |s| and of twice the stored energy.
+    penetration : float
+        Greatest overlap that the solver left, over the depth.
+    pressure : ndarray, (nx, ny)
+        p [Pa] in every pixel.
+    traction : ndarray, (2, nx, ny)
+        (tau_x, tau_y) [Pa], with which the second body drags the first.
+    slip : ndarray, (2, nx, ny)
+        How far the second body has slipped over the first since the beginning [m], where it touched.
+    slipping : ndarray of bool, (nx, ny)
+        Which pixels slip in the last step.
+    friction_work : ndarray, (nx, ny)
+        Lost since the beginning, per area [J/m^2]; over the friction coefficient it is pressure times slip.
+    """
+
+    __words__ = words(
+        shift=("u_i", "m", "sideways displacement of the bodies against each other, along x and y"),
+        shear_force=("F_i", "N", "sideways force, along x and y"),
+        stored_energy=("U_t", "J", "elastic energy of the tractions along the surface"),
+        misfit=("", "", "what the solver left of the law of friction, over the energy"),
+        peak_pressure=(r"p_{max}", "Pa", "greatest pressure"),
+        stick_share=("A_s/A", "", "part of the contact that does not slip in the last step"),
+        slipping=("", None, "which pixels slip"),
+        friction_work=("w", "J/m^2", "lost by friction since the beginning, per area"),
+    )
+
+    time: float
+    depth: float
+    force: float
+    shift: Array
+    shear_force: Array
+    angle: float
+    torque: float
+    peak_pressure: float
+    area: float
+    area_error: float
+    stick_share: float
+    stored_energy: float
+    dissipation: float
+    misfit: float
+    penetration: float
+    pressure: Array
+    traction: Array
+    slip: Array
+    slipping: Array
+    friction_work: Array

@@ -1,0 +1,292 @@
+r"""A height map pressed and sheared along any path: stick, slip and sliding by boundary elements.
+
+Tractions along the surface displace it (Cerruti), and are at most mu p; where they are, the surfaces slip along them.
+Each step of the path is the minimum of an energy (`winkler.numerics.surfaces.sheared_surface`), and what the solver
+leaves of that energy is stated with the result.  The outline of the contact does not matter, nor whether it is one spot
+or many; the bodies may be similar or dissimilar.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Iterable, Iterator
+from typing import Annotated, ClassVar, cast
+
+import numpy as np
+
+from winkler.checks.number_checks import Advice, affordable, between
+from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.laws.friction import Sliding
+from winkler.limits import MOST_NUMBERS
+from winkler.loading import Angle, Depth, ShearForce, Torque
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.medium import Medium
+from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad
+from winkler.numerics.types import Array
+from winkler.path import Path, numbers_of
+from winkler.problems.assumptions.declared import MAPPED
+from winkler.problems.subsurface.below_surface import BelowSurface
+from winkler.problems.subsurface.map_yield import last_yield_notes
+from winkler.problems.subsurface.surface_load import SurfaceLoad
+from winkler.problems.surface_friction.march import SurfaceMarch
+from winkler.problems.surface_friction.notes import surface_shear_notes
+from winkler.problems.surface_friction.state import SurfaceShearState
+from winkler.profiles.rough.topography import Topography
+from winkler.validity import Assumption, Note
+from winkler.values import value, words
+
+__all__ = ["SurfaceTangential", "SurfaceTangentialSolution"]
+
+HELD = Angle(0.0)
+"""Bodies that do not turn."""
+
+ROUNDING = 1e-9
+"""Part of a force or pressure that is none."""
+
+
+@value
+class SurfaceTangential:
+    """A height map pressed into an elastic half-space and sheared, with Coulomb friction.
+
+    Parameters
+    ----------
+    topography : Topography
+        Heights of both bodies together, up towards the other one; the medium is flat.  `SampledProfile` makes one of a
+        ball, an ellipse or another profile.
+    medium : HalfSpace or TransverselyIsotropicHalfSpace
+        Both bodies, homogeneous.
+    law : Coulomb
+        Friction.
+    path : Path
+        Depth or normal force, and shift, shear force, angle or torque, over time.  Of a shift or a shear force with one
+        component the other one is zero.
+    twist : Angle or Torque, optional
+        How the bodies turn against each other beside a shift or a shear force, about the middle of the map,
+        anticlockwise positive: one number, or one for each point of the path.  They do not turn unless given.
+    tolerance : float, optional
+        Greatest `SurfaceShearState.misfit` at which stick and slip count as solved.
+
+    Raises
+    ------
+    InvalidInput
+        If heights are missing, the map is periodic and twisted, the numbers of the twist do not fit the path, the path
+        twists and there is a twist beside it, or the map is too large.
+
+    References
+    ----------
+    J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990, doi:10.1007/978-94-015-7889-9;
+    R. D. Mindlin, J. Appl. Mech. 16 (1949) 259-268, doi:10.1115/1.4009973
+
+    Examples
+    --------
+    A ball under 7/8 of the shear force at which it slides: half of the radius sticks, a quarter of the area.
+
+    >>> from winkler.laws.friction import Coulomb
+    >>> from winkler.loading import Force
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> from winkler.profiles.rough.sampled_profile import SampledProfile
+    >>> rubber = Elastic(young=1e6, poisson=0.0)
+    >>> ball = SampledProfile([2e-3, 2e-3], Paraboloid(10e-3), (65, 65))
+    >>> path = Path.through(Force(0.02), ShearForce([0.0, 0.875 * 0.3 * 0.02]))
+    >>> pushed = SurfaceTangential(ball, HalfSpace.between(rubber, rubber), Coulomb(0.3), path).solve()
+    >>> round(float(pushed.stick_share[-1]), 2)
+    0.25
+    """
+
+    __words__ = words(twist=("", None, "how the bodies turn beside a shift or a shear force"))
+
+    topography: Topography
+    medium: Annotated[HomogeneousMedium, Advice("the boundary elements apply to no other")]
+    law: Sliding
+    path: Path
+    twist: Angle | Torque = HELD
+    tolerance: Annotated[float, between(1e-12, 1e-2)] = 1e-8
+
+    references: ClassVar[tuple[str, ...]] = (
+        "kalker_1990", "cattaneo_1938", "mindlin_1949", "spence_1975", "polonsky_keer_1999",
+    )  # fmt: skip
+    assumptions: ClassVar[frozenset[Assumption]] = MAPPED | {Assumption.UNCOUPLED, Assumption.SLIP}
+
+    def __post_init__(self) -> None:
+        around = 1 if self.topography.periodic else 4  # what is not repeated is padded to twice its lengths
+        pixels = 2 * around * self.topography.heights.size
+        affordable("SurfaceTangential", "pixels of two directions with their surroundings", pixels, MOST_NUMBERS)
+        missing = self.topography.missing
+        if missing:
+            raise InvalidInput(
+                f"SurfaceTangential: {missing} of {self.topography.heights.size} heights are missing; fill them with "
+                "topography.filled(), or cut a complete part out with topography.cropped(...)."
+            )
+        if float(np.ptp(self.topography.heights)) == 0.0 and self.topography.periodic:
+            raise InvalidInput(
+                "SurfaceTangential: the periodic map is flat and touches everywhere at once; nothing to solve."
+            )
+        turns = isinstance(self.path.lateral, Angle | Torque)
+        if turns and self.twist != HELD:
+            raise InvalidInput(
+                "SurfaceTangential: the path twists the bodies, and there is a twist beside it; leave the twist out, "
+                "or give the path a Shift or a ShearForce."
+            )
+        count = self.path.time.size
+        if np.shape(numbers_of(self.twist)) not in ((), (count,)):
+            raise InvalidInput(
+                f"SurfaceTangential: the twist has the shape {np.shape(numbers_of(self.twist))} for a path of {count} "
+                "points; give one number, or one for each point."
+            )
+        if self.topography.periodic and (turns or isinstance(self.twist, Torque) or np.any(numbers_of(self.twist))):
+            raise InvalidInput(
+                "SurfaceTangential: a periodic map goes on for ever and has no middle to be turned about; leave the "
+                "twist out, or give a map that stands alone."
+            )
+
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one for every point of the path."""
+        return int(self.path.time.size)
+
+    def _motions(self) -> tuple[Array, Array]:
+        """Return what is given of the motions along x, y and about the middle, (points, 3), and which by force."""
+        lateral, count = self.path.lateral, self.path.time.size
+        given, by_force = np.zeros((count, 3)), np.zeros(3, dtype=bool)
+        if isinstance(lateral, Angle | Torque):
+            given[:, 2], by_force[2] = numbers_of(lateral), isinstance(lateral, Torque)
+            return given, by_force
+        along = self.path.along
+        given[:, : 1 if along.ndim == 1 else 2] = along.reshape(count, -1)
+        given[:, 2] = numbers_of(self.twist)
+        by_force[:2], by_force[2] = isinstance(lateral, ShearForce), isinstance(self.twist, Torque)
+        return given, by_force
+
+    def steps(self) -> Iterator[SurfaceShearState]:
+        """Yield the contact at every point of the path.
+
+        Raises
+        ------
+        OutsideValidity
+            If friction does not bear a prescribed shear force.
+        NotConverged
+            If stick and slip are not found to the tolerance.
+        """
+        given, by_force = self._motions()
+        march = SurfaceMarch(self.topography, self.medium, self.law.coefficient, by_force, self.tolerance)
+        length = self.topography.pixel[0]
+        unit = np.where(by_force, march.patch * np.array([1.0, 1.0, length]), np.array([length, length, 1.0]))
+        for index, (time, load) in enumerate(zip(self.path.time.tolist(), self.path.across.tolist(), strict=True)):
+            drive = ByDepth(load) if isinstance(self.path.normal, Depth) else ByLoad(load / march.patch)
+            try:
+                if index == 0 and march.coupled:  # straight down first: that alone shears dissimilar bodies
+                    march.step(drive, np.zeros(3))
+                march.step(drive, given[index] / unit)
+            except (NotConverged, OutsideValidity) as error:
+                raise type(error)(f"SurfaceTangential: at index {index} of the path, {error}.") from None
+            yield march.state(time)
+
+    def gathered(self, states: Iterable[SurfaceShearState]) -> SurfaceTangentialSolution:
+        """Return the solution made of these states, of the whole path or of its beginning."""
+        reached = list(states)
+        names = [field.name for field in dataclasses.fields(SurfaceTangentialSolution)[1:-1]]
+        columns = {name: np.array([getattr(state, name) for state in reached]) for name in names}
+        return SurfaceTangentialSolution(problem=self, **columns, last=reached[-1])
+
+    def solve(self) -> SurfaceTangentialSolution:
+        """Return the contact along the whole path.
+
+        Raises
+        ------
+        OutsideValidity, NotConverged
+            As `steps`.
+        """
+        return self.gathered(self.steps())
+
+
+@value
+class SurfaceTangentialSolution(BelowSurface):
+    """The solution of a `SurfaceTangential` problem, point by point.
+
+    Parameters
+    ----------
+    problem : SurfaceTangential
+        The problem that was solved.
+    time, depth, force : ndarray, (points,)
+        t [s], d [m], F_N [N].
+    shift, shear_force : ndarray, (points, 2)
+        (u_x, u_y) [m] and (F_x, F_y) [N]; what drags the second body along.
+    angle, torque : ndarray, (points,)
+        phi [rad] and M_z [N m] about the middle of the map.
+    peak_pressure, area, area_error, stick_share, stored_energy, dissipation, misfit, penetration : ndarray, (points,)
+        As in `SurfaceShearState`.
+    last : SurfaceShearState
+        The contact at the end of the path, with its maps of pressure, traction and slip.
+    """
+
+    __words__ = words(
+        **{
+            name: SurfaceShearState.__words__[name]
+            for name in ("shift", "shear_force", "peak_pressure", "stick_share", "stored_energy", "misfit")
+        }
+    )
+
+    problem: SurfaceTangential
+    time: Array
+    depth: Array
+    force: Array
+    shift: Array
+    shear_force: Array
+    angle: Array
+    torque: Array
+    peak_pressure: Array
+    area: Array
+    area_error: Array
+    stick_share: Array
+    stored_energy: Array
+    dissipation: Array
+    misfit: Array
+    penetration: Array
+    last: SurfaceShearState
+
+    @property
+    def surface_load(self) -> SurfaceLoad:
+        """Pressures and tractions on the first body at the end of the path."""
+        rough = self.problem.topography
+        return SurfaceLoad.of_map(rough.lengths, self.last.pressure, self.last.traction, periodic=rough.periodic)
+
+    @property
+    def _medium(self) -> object:
+        return self.problem.medium
+
+    @property
+    def shift_x(self) -> Array:
+        """u_x [m], ``(points,)``."""
+        return self.shift[:, 0]
+
+    @property
+    def shift_y(self) -> Array:
+        """u_y [m], ``(points,)``."""
+        return self.shift[:, 1]
+
+    @property
+    def shear_force_x(self) -> Array:
+        """F_x [N], ``(points,)``."""
+        return self.shear_force[:, 0]
+
+    @property
+    def shear_force_y(self) -> Array:
+        """F_y [N], ``(points,)``."""
+        return self.shear_force[:, 1]
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted: residuals, steps, border, slopes, pixels."""
+        stated, touched = self.problem, self.area > 0.0
+        shear = np.hypot(self.shear_force[:, 0], self.shear_force[:, 1])
+        more = any(np.max(every) > (1.0 + ROUNDING) * every[-1] for every in (self.peak_pressure, shear))
+        load = self.surface_load if touched[-1] else None
+        yielded = last_yield_notes(stated.medium, load, more) if load else ()
+        blurred = float(np.max(self.area_error[touched] / self.area[touched], initial=0.0))
+        notes = surface_shear_notes(
+            stated.topography, cast(Medium, stated.medium), stated.law.coefficient, blurred, self.force,
+            self.penetration, self.misfit,
+        )  # fmt: skip
+        return (*notes, *yielded)

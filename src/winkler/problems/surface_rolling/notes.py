@@ -1,0 +1,60 @@
+"""How far a height map that rolls can be trusted: border, residual, slopes, pixels, steady state, yield."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.media.halfspace import HalfSpace
+from winkler.numerics.types import Array, Quantity
+from winkler.problems.assumptions.coupling import sticking_note
+from winkler.problems.rough.contact_area import contact_area
+from winkler.problems.rough.surface_notes import surface_notes
+from winkler.profiles.rough.topography import Topography
+from winkler.validity import Assumption, Note, Standing
+
+__all__ = ["surface_rolling_notes"]
+
+KALKER = "J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990, doi:10.1007/978-94-015-7889-9"
+PRESSED_TOLERANCE = 1e-6
+"""To which the pressures are solved."""
+
+
+def surface_rolling_notes(
+    rough: Topography, medium: HalfSpace, coefficient: float, pressure: Array, misfit: Quantity
+) -> tuple[Note, ...]:
+    """Return what was assumed of a map that rolls, and what the solver left.
+
+    Parameters
+    ----------
+    rough : Topography
+        The map.
+    medium : HalfSpace
+        Both bodies.
+    coefficient : float
+        Of friction.
+    pressure : ndarray, (nx, ny)
+        [Pa].
+    misfit : float or ndarray
+        As in `winkler.problems.surface_rolling.state.SurfaceRollingState`.
+    """
+    touching = pressure > 0.0
+    area, error = contact_area(touching, rough.pixel, False)
+    across = int(np.max(np.count_nonzero(touching, axis=0)))
+    law = Note(
+        Assumption.SLIP,
+        Standing.ASYMPTOTIC,
+        f"Exact theory of rolling, Coulomb's law in each pixel, to {float(np.max(misfit)):.1g} of what friction would "
+        f"lose if all slipped; along the rolling there are {across} pixels: forces err in proportion to their size, by "
+        "about 0.5 % of mu F_N with 40.",
+        KALKER,
+    )
+    steady = Note(
+        Assumption.STEADY,
+        Standing.ASYMPTOTIC,
+        "Steady rolling, after some lengths of the contact; the heights stay with the contact and do not pass.",
+        KALKER,
+    )
+    pressed = surface_notes(rough, math.inf, error / area, PRESSED_TOLERANCE, PRESSED_TOLERANCE)
+    return (*pressed, law, steady, sticking_note(medium, coefficient))

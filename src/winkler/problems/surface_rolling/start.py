@@ -1,0 +1,256 @@
+r"""A height map that begins to roll from rest, under given forces or creepages: from Cattaneo to Carter.
+
+The bodies roll pixel by pixel towards +x.  While it passes one pixel, material slips by
+
+.. math:: s(x) = w(x) - u(x) + u'(x+\Delta x) ,
+
+with the displacement u' of the step before one pixel ahead.  Each step is the least of an energy
+(`winkler.numerics.surfaces.sheared_surface`), also where the forces are given and the creepage is sought.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Iterable, Iterator
+from typing import Annotated, ClassVar
+
+import numpy as np
+
+from winkler.checks.field_checks import Condition
+from winkler.checks.number_checks import Advice, Positive, affordable, between
+from winkler.errors import NotConverged, OutsideValidity
+from winkler.laws.friction import Sliding
+from winkler.limits import PATH_POINTS
+from winkler.loading import ShearForce
+from winkler.media.halfspace import HalfSpace
+from winkler.numerics.surfaces.sheared_surface import RigidStep, ShearedSurface, shear
+from winkler.numerics.types import Array
+from winkler.path import OnePositiveNormal
+from winkler.problems.assumptions.declared import MAPPED
+from winkler.problems.rolling.creepage import Creepage
+from winkler.problems.subsurface.below_surface import BelowSurface
+from winkler.problems.subsurface.map_yield import last_yield_notes
+from winkler.problems.subsurface.surface_load import SurfaceLoad
+from winkler.problems.surface_rolling.notes import surface_rolling_notes
+from winkler.problems.surface_rolling.patch import RollingPatch, refuse_map, rolling_patch
+from winkler.problems.surface_rolling.state import SurfaceRollingStartState
+from winkler.profiles.rough.topography import Topography
+from winkler.validity import Assumption, Note
+from winkler.values import value, words
+
+__all__ = ["SurfaceRollingStart", "SurfaceRollingStartSolution"]
+
+SLIDING_RATIO = 1.0 - 1e-7
+"""Part of the friction beyond which given forces let the bodies slide."""
+
+
+MOST_PIXELS = 1e12
+"""More is refused, however much more it is."""
+
+
+def _one(drive: Creepage | ShearForce) -> bool:
+    return drive.shape == () if isinstance(drive, Creepage) else np.shape(drive.shear_force) in ((), (2,))
+
+
+ROUNDING = 1e-9
+"""Part of a force or pressure that is none."""
+
+
+@value
+class SurfaceRollingStart:
+    """A height map pressed on an elastic half-space that begins to roll towards +x.
+
+    Parameters
+    ----------
+    topography, medium, load, friction : Topography, HalfSpace, Force or Depth, Coulomb
+        As of `SurfaceRolling`.
+    drive : ShearForce or Creepage
+        What stays as it is while the bodies roll: a force F_x, or (F_x, F_y), which pushes the bodies before they roll;
+        or creepages, from bodies at rest without a shear force.
+    distance : float
+        How far the contact rolls [m]; a state for each pixel.
+    tolerance : float, optional
+        Greatest `SurfaceRollingStartState.misfit` at which a step counts as solved.
+
+    Raises
+    ------
+    InvalidInput
+        If the map cannot roll, there are several forces or creepages, or the distance is out of range.
+
+    References
+    ----------
+    J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990, doi:10.1007/978-94-015-7889-9
+
+    Examples
+    --------
+    A ball under half of the friction: it creeps while it rolls.
+
+    >>> from winkler.laws.friction import Coulomb
+    >>> from winkler.loading import Force
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.profiles.power import Paraboloid
+    >>> from winkler.profiles.rough.sampled_profile import SampledProfile
+    >>> steel = HalfSpace.between(Elastic(210e9, 0.28), Elastic(210e9, 0.28))
+    >>> ball = SampledProfile([0.6e-3, 0.6e-3], Paraboloid(10e-3), (33, 33))
+    >>> begun = SurfaceRollingStart(ball, steel, Force(100.0), Coulomb(0.3), ShearForce(15.0), distance=1e-3).solve()
+    >>> round(1e3 * float(begun.longitudinal_creepage[-1]), 1)
+    1.4
+    """
+
+    __words__ = words(drive=("", None, "forces or creepages that stay as they are while the bodies roll"))
+
+    topography: Topography
+    medium: Annotated[HalfSpace, Advice("rolling is computed on homogeneous, isotropic bodies")]
+    load: OnePositiveNormal
+    friction: Sliding
+    drive: Annotated[
+        ShearForce | Creepage, Condition(_one, "give ShearForce(F_x) or ShearForce([F_x, F_y]), or one Creepage")
+    ]
+    distance: Positive
+    tolerance: Annotated[float, between(1e-12, 1e-2)] = 1e-8
+
+    references: ClassVar[tuple[str, ...]] = ("kalker_1990", "cattaneo_1938")
+    assumptions: ClassVar[frozenset[Assumption]] = MAPPED | {Assumption.UNCOUPLED, Assumption.SLIP, Assumption.STEADY}
+
+    def __post_init__(self) -> None:
+        refuse_map("SurfaceRollingStart", self.topography)
+        affordable("SurfaceRollingStart", "pixels to roll", self.total, PATH_POINTS)
+
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one at rest, and one for each pixel."""
+        return 1 + math.ceil(min(self.distance / self.topography.pixel[0] * (1.0 - 1e-12), MOST_PIXELS))
+
+    def steps(self) -> Iterator[SurfaceRollingStartState]:
+        """Yield the contact at rest, and after each pixel.
+
+        Raises
+        ------
+        OutsideValidity
+            If the contact reaches the border of the map, or friction does not bear the force.
+        NotConverged
+            If stick and slip are not found to the tolerance.
+        """
+        patch = rolling_patch("SurfaceRollingStart", self.topography, self.medium, self.load)
+        bound, even = self.friction.coefficient * patch.pressure, np.ones(patch.pressure.shape)
+        modes = np.stack((np.stack((even, 0.0 * even)), np.stack((0.0 * even, even))))
+        given, by_force, spin = np.zeros(2), np.zeros(2, dtype=bool), 0.0
+        if isinstance(self.drive, ShearForce):
+            pushed = np.ravel(np.asarray(self.drive.shear_force, dtype=float)) / patch.unit
+            given[: pushed.size], by_force[:] = pushed, True
+            self._refuse(float(np.hypot(*given)) * patch.unit, float(np.sum(bound)) * patch.unit)
+        else:
+            spin = float(self.drive.spin)
+        turning = spin * np.stack((-patch.y, patch.x))
+        traction = before = np.zeros((2, *bound.shape))
+        for place in range(self.total):
+            if place == 1 and isinstance(self.drive, Creepage):
+                given = np.array([float(self.drive.longitudinal), float(self.drive.lateral)])
+            try:
+                moved = shear(
+                    patch.grid, bound, before + (turning if place else 0.0), RigidStep(modes, given, by_force),
+                    traction, tolerance=self.tolerance,
+                )  # fmt: skip
+            except NotConverged as error:
+                raise NotConverged(f"SurfaceRollingStart: after {place} pixels, {error}.") from None
+            traction, before = moved.traction, np.zeros_like(traction)
+            before[:, :-1] = moved.displacement[:, 1:]
+            yield self._state(patch, place, moved)
+
+    def _refuse(self, push: float, most: float) -> None:
+        if push > SLIDING_RATIO * most:
+            raise OutsideValidity(
+                f"SurfaceRollingStart: a shear force of {push:.6g} N is prescribed where friction bears less than "
+                f"{most:.6g} N, and the bodies would slide away; give a smaller one."
+            )
+
+    def _state(self, patch: RollingPatch, place: int, moved: ShearedSurface) -> SurfaceRollingStartState:
+        """Return what has been reached, in SI units; creepages are those of the last pixel, none at rest."""
+        q, unit, modulus = moved.traction, patch.unit, self.medium.modulus
+        touching = patch.pressure > 0.0
+        creeps = moved.motion if place else np.zeros(2)
+        return SurfaceRollingStartState(
+            distance=place * self.topography.pixel[0],
+            longitudinal_creepage=float(creeps[0]),
+            lateral_creepage=float(creeps[1]),
+            longitudinal_force=unit * float(np.sum(q[0])),
+            lateral_force=unit * float(np.sum(q[1])),
+            moment=unit * float(np.sum(patch.x * q[1] - patch.y * q[0])),
+            stick_share=float(np.count_nonzero(touching & ~moved.slipping)) / float(np.count_nonzero(touching)),
+            misfit=moved.misfit,
+            pressure=modulus * patch.pressed.pressure,
+            traction=patch.spread(modulus * q),
+            slipping=patch.spread(moved.slipping),
+        )
+
+    def gathered(self, states: Iterable[SurfaceRollingStartState]) -> SurfaceRollingStartSolution:
+        """Return the solution made of these states, of the whole distance or of its beginning."""
+        reached = list(states)
+        names = [field.name for field in dataclasses.fields(SurfaceRollingStartSolution)[1:-1]]
+        columns = {name: np.array([getattr(state, name) for state in reached]) for name in names}
+        return SurfaceRollingStartSolution(problem=self, **columns, last=reached[-1])
+
+    def solve(self) -> SurfaceRollingStartSolution:
+        """Return the contact along the whole distance.
+
+        Raises
+        ------
+        OutsideValidity, NotConverged
+            As `steps`.
+        """
+        return self.gathered(self.steps())
+
+
+@value
+class SurfaceRollingStartSolution(BelowSurface):
+    """The solution of a `SurfaceRollingStart`, pixel by pixel; all arrays ``(points,)``.
+
+    Parameters
+    ----------
+    problem : SurfaceRollingStart
+        The problem that was solved.
+    distance, longitudinal_creepage, lateral_creepage : ndarray
+        X [m], xi and eta [-].
+    longitudinal_force, lateral_force, moment : ndarray
+        F_x and F_y [N], with which the second body drags the first, and M_z [N m].
+    stick_share, misfit : ndarray
+        As in `SurfaceRollingStartState`.
+    last : SurfaceRollingStartState
+        The contact at the end, with its maps.
+    """
+
+    __words__ = words(
+        **{name: SurfaceRollingStartState.__words__[name] for name in ("stick_share", "misfit", "moment")}
+    )
+
+    problem: SurfaceRollingStart
+    distance: Array
+    longitudinal_creepage: Array
+    lateral_creepage: Array
+    longitudinal_force: Array
+    lateral_force: Array
+    moment: Array
+    stick_share: Array
+    misfit: Array
+    last: SurfaceRollingStartState
+
+    @property
+    def surface_load(self) -> SurfaceLoad:
+        """Pressures and tractions on the first body in the last state."""
+        return SurfaceLoad.of_map(self.problem.topography.lengths, self.last.pressure, self.last.traction)
+
+    @property
+    def _medium(self) -> object:
+        return self.problem.medium
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        stated = self.problem
+        notes = surface_rolling_notes(
+            stated.topography, stated.medium, stated.friction.coefficient, self.last.pressure, self.misfit
+        )
+        shear = np.ravel(np.hypot(self.longitudinal_force, self.lateral_force))
+        more = bool(np.max(shear) > (1.0 + ROUNDING) * shear[-1])
+        return (*notes, *last_yield_notes(stated.medium, self.surface_load, more))

@@ -1,0 +1,55 @@
+"""Friction on contacts of any shape: the problem of height maps, and its formulas."""
+
+from __future__ import annotations
+
+from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
+from winkler.study.chapters.friction import NORMAL_START
+from winkler.study.chapters.rough import ELEMENTS
+
+__all__ = ["SURFACE_FRICTION"]
+
+TO_AND_FRO = [
+    NORMAL_START,
+    {"kind": "oscillate", "lateral": {"kind": "shift", "shift": "1 um"}, "cycles": 1.25, "count": 12},
+]
+BALL = {"kind": "sampled_profile", "lengths": ["0.6 mm", "0.6 mm"], "shape": [65, 65]}
+
+CERRUTI = Equation(
+    "Tractions along the surface displace it; r points from their place to that of the displacement",
+    r"u = \frac{1}{\pi}\int\left(\frac{a}{r}\,\tau+\frac{b}{r^3}\,r\,(r\cdot\tau)\right)\mathrm{d}A, \quad "
+    r"a+b = \frac{1}{2G_t}, \quad 2a+b = \frac{2}{G^*}",
+)
+COULOMB = Equation(
+    "Where the surfaces slip, s in a step, the traction is at its bound, along the slip",
+    r"|\tau| \le \mu p, \quad \tau\cdot s = \mu p\,|s|",
+)
+SHEAR_FORCE = Equation("Their sum is the force along the surface", r"F = \int\tau\,\mathrm{d}A")
+ENERGY = Equation("Friction loses in each step what slips times its traction", r"W_d = \sum\int\mu p\,|s|\,\mathrm{d}A")
+
+SURFACE_FRICTION = Chapter(
+    "friction and impacts",
+    kinds={},
+    answers={
+        "surface_tangential": answer(
+            "winkler.problems.surface_friction.tangential:SurfaceTangential",
+            topography=BALL,
+            medium={"kind": "half_space", "second": {"kind": "elastic"}},
+            path={"kind": "program", "steps": TO_AND_FRO},
+            picture=Caption(
+                "surface_tangential",
+                "What sticks and what slips",
+                "Stick and slip at the end of the path with arrows of the traction, its size, and the loop of the "
+                "shear force, by boundary elements.",
+            ),
+            curves=(
+                ("shift_x", "shear_force_x"),
+                ("shift_y", "shear_force_y"),
+                ("angle", "torque"),
+                ("time", "stick_share"),
+                ("time", "dissipation"),
+            ),
+            pictured=PicturedContact.NONE,
+            formulas=(ELEMENTS, CERRUTI, COULOMB, SHEAR_FORCE, ENERGY),
+        ),
+    },
+)

@@ -1,0 +1,80 @@
+"""Rolling of contacts that need not be elliptic: the problem of height maps, and its formulas."""
+
+from __future__ import annotations
+
+from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
+from winkler.study.chapters.rough import ELEMENTS
+from winkler.study.chapters.surface_friction import CERRUTI, SHEAR_FORCE
+
+__all__ = ["SURFACE_ROLLING"]
+
+WHEEL = {
+    "kind": "sampled_profile",
+    "profile": {"kind": "curved_bodies", "longitudinal_curvature_radius": "20 mm", "lateral_curvature_radius": "10 mm"},
+    "lengths": ["0.6 mm", "0.5 mm"],
+    "shape": [54, 45],
+}
+CREEPS = {"kind": "creepages", "longitudinal": {"from": 0.0002, "to": 0.004, "count": 6, "spacing": "log"}}
+
+PASSED = Equation(
+    "Material slips, while the bodies roll by Δx, by the rigid slip less what its displacement grows",
+    r"s(x) = w\,\Delta x-u(x)+u(x+\Delta x), \quad w_x = \xi-\varphi y, \quad w_y = \eta+\varphi x",
+)
+CARRIED = Equation(
+    "Material slips, while the bodies roll by Δx, by the rigid slip less what its displacement grows; u' is that "
+    "of the step before",
+    r"s(x) = w\,\Delta x-u(x)+u'(x+\Delta x), \quad w_x = \xi-\varphi y, \quad w_y = \eta+\varphi x",
+)
+COULOMB = Equation(
+    "Where it slips, the traction is at its bound, along the slip", r"|\tau| \le \mu p, \quad \tau\cdot s = \mu p\,|s|"
+)
+MOMENT = Equation("They turn the first body by", r"M_z = \int(x\,\tau_y-y\,\tau_x)\,\mathrm{d}A")
+
+SURFACE_ROLLING = Chapter(
+    "rolling",
+    kinds={},
+    answers={
+        "surface_rolling": answer(
+            "winkler.problems.surface_rolling.steady:SurfaceRolling",
+            topography=WHEEL,
+            medium={"kind": "half_space", "second": {"kind": "elastic"}},
+            load={"kind": "force", "force": "100 N"},
+            creepage=CREEPS,
+            picture=Caption(
+                "surface_rolling",
+                "Rolling by boundary elements",
+                "Stick and slip under the last creepage with arrows of the traction, its size, and the creep force.",
+            ),
+            curves=(
+                ("longitudinal_creepage", "longitudinal_force"),
+                ("lateral_creepage", "lateral_force"),
+                ("spin_creepage", "lateral_force"),
+                ("longitudinal_creepage", "stick_share"),
+            ),
+            pictured=PicturedContact.NONE,
+            formulas=(ELEMENTS, CERRUTI, PASSED, COULOMB, SHEAR_FORCE, MOMENT),
+        ),
+        "surface_rolling_start": answer(
+            "winkler.problems.surface_rolling.start:SurfaceRollingStart",
+            topography=WHEEL,
+            medium={"kind": "half_space", "second": {"kind": "elastic"}},
+            load={"kind": "force", "force": "100 N"},
+            drive={"kind": "shear_force", "shear_force": "15 N"},
+            distance="0.5 mm",
+            picture=Caption(
+                "surface_rolling_start",
+                "From rest to rolling by boundary elements",
+                "Stick and slip at the end with arrows of the traction, its size, and creepage or force "
+                "over the distance.",
+            ),
+            curves=(
+                ("distance", "longitudinal_creepage"),
+                ("distance", "lateral_creepage"),
+                ("distance", "longitudinal_force"),
+                ("distance", "stick_share"),
+            ),
+            pictured=PicturedContact.NONE,
+            formulas=(ELEMENTS, CERRUTI, CARRIED, COULOMB, SHEAR_FORCE, MOMENT),
+        ),
+    },
+)

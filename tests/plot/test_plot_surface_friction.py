@@ -1,0 +1,57 @@
+"""The picture of a sheared height map: zones and arrows where it touches, and the loop that goes with the path."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import winkler as wk
+from winkler.plot import sheet_of
+from winkler.plot.panel import Map, Vectors
+
+PAIR = wk.HalfSpace.between(wk.Elastic(1.0, 0.3), wk.Elastic(1.0, 0.3))
+BALL = wk.SampledProfile([0.25, 0.25], wk.Paraboloid(1.0), (33, 33))
+
+
+def sheet(normal, lateral):
+    path = wk.Path.through(normal, lateral)
+    solution = wk.SurfaceTangential(BALL, PAIR, wk.Coulomb(0.3), path).solve()
+    return solution, sheet_of(solution)
+
+
+def test_zones_cover_the_contact_and_arrows_point_along_the_traction():
+    solution, drawn = sheet(wk.Depth(0.01), wk.Shift([0.0, 0.0015]))
+    zones, size, loop = drawn.panels
+    assert [panel.title for panel in drawn.panels] == [
+        "stick (green) and slip", "traction", "shear force over the shift",
+    ]  # fmt: skip
+    stuck, slid = (mark for mark in zones.marks if isinstance(mark, Map))
+    touching = np.count_nonzero(solution.last.pressure > 0.0)
+    assert np.nansum(stuck.z) + np.nansum(slid.z) == touching
+    assert np.nansum(slid.z) == np.count_nonzero(solution.last.slipping)
+    (arrows,) = (mark for mark in zones.marks if isinstance(mark, Vectors))
+    assert np.all(arrows.u > 0.0)
+    assert np.all(np.hypot(arrows.x, arrows.y) < 0.11)
+    (image,) = (mark for mark in size.marks if isinstance(mark, Map))
+    assert np.nanmax(image.z) == pytest.approx(np.max(np.hypot(*solution.last.traction)))
+    assert loop.across.label.startswith("shift")
+
+
+@pytest.mark.parametrize(("normal", "lateral", "titles"), [
+    (wk.Depth([0.01, -0.01]), wk.Shift(0.0), ["no contact", "shear force over the shift"]),
+    (wk.Depth(0.01), wk.Angle([0.0, 0.02]), ["stick (green) and slip", "traction", "torque over the twist"]),
+    (wk.Depth([0.01]), wk.Shift([0.0]), ["stick (green) and slip", "traction"]),
+])  # fmt: skip
+def test_what_is_drawn_of_other_paths(normal, lateral, titles):
+    assert [panel.title for panel in sheet(normal, lateral)[1].panels] == titles
+
+
+def test_a_rolling_map_shows_its_creep_curve_and_the_last_creepage():
+    def drawn(creepage):
+        return sheet_of(wk.SurfaceRolling(BALL, PAIR, wk.Depth(0.008), wk.Coulomb(0.3), creepage).solve())
+
+    zones, _, curve = drawn(wk.Creepage(longitudinal=[1e-3, 1e-2, 2e-2])).panels
+    assert zones.title == "stick (green) and slip, rolls to the right"
+    assert curve.across.label.startswith("longitudinal creepage")
+    assert drawn(wk.Creepage(spin=[0.01, 0.1])).panels[2].across.label.startswith("spin creepage")
+    assert len(drawn(wk.Creepage(longitudinal=1e-3)).panels) == 2
