@@ -184,6 +184,7 @@ from winkler.problems.viscoelastic.material_tests import CreepTest, RelaxationTe
 from winkler.problems.viscoelastic.oscillation import HarmonicIndentation
 from winkler.problems.viscoelastic.sliding import SlidingResistance, SlidingResistanceSolution
 from winkler.problems.viscoelastic.tangential import ViscoelasticTangential, ViscoelasticTangentialSolution
+from winkler.problems.wear.elliptic import EllipticWear, EllipticWearSolution
 from winkler.problems.wear.fretting import FrettingSolution, FrettingWear
 from winkler.problems.wear.limiting_profile import LimitingProfile, LimitingSolution
 from winkler.problems.wear.line_fretting import LineFrettingSolution, LineFrettingWear
@@ -232,10 +233,10 @@ __all__ = [
     "DepthGradedHalfSpace", "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData", "Elastic",
     "ElasticPlasticParticle", "ElastomerFriction", "ElastomerFrictionSolution", "ElectricalConductor",
     "ElectricalConductors", "Ellipsoid", "EllipticFields", "EllipticFoundation", "EllipticFrictionHeating",
-    "EllipticFrictionHeatingSolution", "EllipticIndentation", "EllipticSolution", "EllipticYieldOnset",
-    "EllipticYieldOnsetSolution", "EqualMaximum", "EqualMean", "Equilibrium", "EquilibriumCurve",
-    "ExponentialGrading", "Fit", "FitState", "FixedShare", "FlatPunch", "Follow", "Force", "ForceCurve", "Formula",
-    "FormulaSection", "Foundation", "FractionalZener", "FrettingHeat", "FrettingHeatSolution", "FrettingSolution",
+    "EllipticFrictionHeatingSolution", "EllipticIndentation", "EllipticSolution", "EllipticWear",
+    "EllipticWearSolution", "EllipticYieldOnset", "EllipticYieldOnsetSolution", "EqualMaximum", "EqualMean",
+    "Equilibrium", "EquilibriumCurve", "ExponentialGrading", "Fit", "FitState", "FixedShare", "FlatPunch", "Follow", "Force", "ForceCurve",
+    "Formula", "FormulaSection", "Foundation", "FractionalZener", "FrettingHeat", "FrettingHeatSolution", "FrettingSolution",
     "FrettingWear", "FrictionDamping", "FrictionDampingSolution", "FrictionHeating", "FrictionHeatingSolution",
     "GeneralisedKelvin", "GradedHalfSpace", "HalfSpace", "HalfWidth", "HarmonicIndentation", "HeatConductors",
     "HeatFields", "Hold", "Hyperboloid", "Impact", "ImpactSolution", "Indentation", "IndentationSolution",
