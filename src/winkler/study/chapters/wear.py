@@ -39,11 +39,14 @@ LIMIT = Equation(
 )
 SLID_ELLIPSE = Equation(
     "While little is worn, the slider of an elliptic contact loses in proportion to Hertz' pressure",
-    r"h(x,y) = \kappa_1\,p_0\,s\,\sqrt{1-\frac{x^2}{a^2}-\frac{y^2}{b^2}}, \qquad V = \kappa_1\,F\,s",
+    r"h(x,y) = \kappa_1\,p_0\,s\,\sqrt{1-\frac{x^2}{a^2}-\frac{y^2}{b^2}}",
 )
 TRACK = Equation(
     "and n passes in a direction at the angle θ to x wear a track of parabolic section",
-    r"h(t) = n\,\kappa_2\,\frac{3F}{4w}\left(1-\frac{t^2}{w^2}\right), \qquad "
+    r"h(t) = n\,\kappa_2\,\frac{3F}{4w}\left(1-\frac{t^2}{w^2}\right)",
+)
+TRACK_WIDTH = Equation(
+    "whose half-width is that of the ellipse across the sliding",
     r"w = \sqrt{a^2\sin^2\theta+b^2\cos^2\theta}",
 )
 
@@ -108,7 +111,7 @@ WEAR = Chapter(
                 "track.",
             ),
             pictured=PicturedContact.NONE,
-            formulas=(ELLIPSE, SLID_ELLIPSE, TRACK),
+            formulas=(ELLIPSE, SLID_ELLIPSE, TRACK, TRACK_WIDTH),
         ),
         "limiting_profile": answer(
             "winkler.problems.wear.limiting_profile:LimitingProfile",
