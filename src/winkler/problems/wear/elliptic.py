@@ -171,10 +171,6 @@ class EllipticWearSolution:
         contact=("", None, "the contact, whose pressure hardly changes"),
         worn_depth=(r"h_\mathrm{max}", "m", "greatest worn depth of the slider"),
         worn_volume=("V", "m^3", "what the slider has lost"),
-        track_depth=(r"h_\mathrm{track}", "m", "greatest depth of the track on the second body"),
-        track_half_width=("w", "m", "half-width of the track"),
-        track_area=("A", "m^2", "cross-section of the track"),
-        worn_share=("", "", "what both bodies have lost in the middle, over the approach"),
     )
 
     problem: EllipticWear

@@ -39,7 +39,7 @@ LIMIT = Equation(
 )
 SLID_ELLIPSE = Equation(
     "While little is worn, the slider of an elliptic contact loses in proportion to Hertz' pressure",
-    r"h(x,y) = \kappa_1\,p_0\,s\,\sqrt{1-\frac{x^2}{a^2}-\frac{y^2}{b^2}}",
+    r"h(x,y) = \kappa_1\,p_0\,s\,\sqrt{1-\frac{x^2}{a^2}-\frac{y^2}{b^2}}, \quad V = \kappa_1\,F\,s",
 )
 TRACK = Equation(
     "and n passes in a direction at the angle θ to x wear a track of parabolic section",
