@@ -151,3 +151,18 @@ def test_wrong_arguments_are_refused(wrong):
     given = {"bodies": BODIES, "medium": PAIR, "wear": BOTH, "load": LOAD, "distance": 1.0}
     with pytest.raises(wk.InvalidInput):
         wk.EllipticWear(**{**given, **wrong})
+
+
+def test_slender_ellipses_lose_more_pressure_as_the_note_says():
+    """A cylinder that is followed: what its pressure loses, over the approach of an ellipse of 1 : 100."""
+    radius, law = 10e-3, wk.Archard(1e-14)
+    line = wk.LineFoundation(wk.Paraboloid(radius), PAIR)
+    at_rest = wk.LineIndentation(line, wk.LineForce(1e5)).solve()
+    slender = wk.EllipticIndentation(wk.CurvedBodies(radius * 2.05e3, radius), PAIR, LOAD).solve()
+    part = slender.depth / (slender.lateral_semi_axis**2 / (2.0 * radius))
+    lost = 0.01 * float(at_rest.half_width) ** 2 / (2.0 * radius)
+    distance = lost / (law.rate * float(at_rest.peak_pressure))
+    states = wk.LineSlidingWear(line, law, wk.LineForce(1e5), [0.0, distance], count=100).solve().states
+    fallen = 1.0 - states[1].pressure[0] / states[0].pressure[0]
+    assert slender.problem.bodies.slenderness == pytest.approx(0.01, rel=0.1)
+    assert 1.7 < part * fallen / 0.01 < 2.3

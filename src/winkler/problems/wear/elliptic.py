@@ -242,13 +242,12 @@ class EllipticWearSolution:
         share = self.worn_share
         standing = standing_of(share, SMALL_WEAR, LARGE_WEAR)
         why = f"Hertz' pressure is used all the time; both bodies have lost {share:.2g} of the approach in the middle"
-        ends = {
-            Standing.ASYMPTOTIC: "which lowers it by no more than that.",
-            Standing.APPROXIMATE: "which lowers the greatest pressure by nearly as much.",
-            Standing.OUTSIDE: "after which the pressure is another one: take a shorter distance, or SlidingWear for "
-            "bodies that are round.",
-        }
-        return Note(Assumption.WEAR, standing, f"{why}, {ends[standing]}", ARCHARD)
+        effect = (
+            "after which the pressure is another one: take a shorter distance, or SlidingWear for bodies that are round."
+            if standing is Standing.OUTSIDE
+            else "which lowers the greatest pressure by about as much, under slender ellipses by two or three times that."
+        )
+        return Note(Assumption.WEAR, standing, f"{why}, {effect}", ARCHARD)
 
 
 def _slid(note: Note) -> Note:
