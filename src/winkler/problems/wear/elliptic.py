@@ -243,9 +243,9 @@ class EllipticWearSolution:
         standing = standing_of(share, SMALL_WEAR, LARGE_WEAR)
         why = f"Hertz' pressure is used all the time; both bodies have lost {share:.2g} of the approach in the middle"
         effect = (
-            "after which the pressure is another one: take a shorter distance, or SlidingWear for bodies that are round."
+            "after which it does not hold: take a shorter distance, or SlidingWear for bodies that are round."
             if standing is Standing.OUTSIDE
-            else "which lowers the greatest pressure by about as much, under slender ellipses by two or three times that."
+            else "which lowers the greatest one by about as much, under slender ellipses by two or three times that."
         )
         return Note(Assumption.WEAR, standing, f"{why}, {effect}", ARCHARD)
 
