@@ -193,6 +193,7 @@ from winkler.problems.viscoelastic.material_tests import CreepTest, RelaxationTe
 from winkler.problems.viscoelastic.oscillation import HarmonicIndentation
 from winkler.problems.viscoelastic.sliding import SlidingResistance, SlidingResistanceSolution
 from winkler.problems.viscoelastic.tangential import ViscoelasticTangential, ViscoelasticTangentialSolution
+from winkler.problems.wear.elliptic import EllipticWear, EllipticWearSolution
 from winkler.problems.wear.fretting import FrettingSolution, FrettingWear
 from winkler.problems.wear.limiting_profile import LimitingProfile, LimitingSolution
 from winkler.problems.wear.line_fretting import LineFrettingSolution, LineFrettingWear
@@ -243,12 +244,13 @@ __all__ = [
     "Depth", "DepthGradedHalfSpace", "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData", "Elastic",
     "ElasticPlasticParticle", "ElastomerFriction", "ElastomerFrictionSolution", "ElectricalConductor",
     "ElectricalConductors", "Ellipsoid", "EllipticFields", "EllipticFoundation", "EllipticFrictionHeating",
-    "EllipticFrictionHeatingSolution", "EllipticIndentation", "EllipticSolution", "EllipticYieldOnset",
-    "EllipticYieldOnsetSolution", "EqualMaximum", "EqualMean", "Equilibrium", "EquilibriumCurve",
-    "ExponentialGrading", "Fit", "FitState", "FixedShare", "FlatPunch", "Follow", "Force", "ForceCurve", "Formula",
-    "FormulaSection", "Foundation", "FractionalZener", "FrettingHeat", "FrettingHeatSolution", "FrettingSolution",
-    "FrettingWear", "FrictionDamping", "FrictionDampingSolution", "FrictionHeating", "FrictionHeatingSolution",
-    "GeneralisedKelvin", "GradedHalfSpace", "HalfSpace", "HalfWidth", "HarmonicIndentation", "HeatConductors",
+    "EllipticFrictionHeatingSolution", "EllipticIndentation", "EllipticSolution", "EllipticWear",
+    "EllipticWearSolution", "EllipticYieldOnset", "EllipticYieldOnsetSolution", "EqualMaximum", "EqualMean",
+    "Equilibrium", "EquilibriumCurve", "ExponentialGrading", "Fit", "FitState", "FixedShare", "FlatPunch",
+    "Follow", "Force", "ForceCurve", "Formula", "FormulaSection", "Foundation", "FractionalZener", "FrettingHeat",
+    "FrettingHeatSolution", "FrettingSolution", "FrettingWear", "FrictionDamping", "FrictionDampingSolution",
+    "FrictionHeating", "FrictionHeatingSolution", "GeneralisedKelvin", "GradedHalfSpace", "HalfSpace", "HalfWidth",
+    "HarmonicIndentation", "HeatConductors",
     "HeatFields", "Hold", "Hyperboloid", "Impact", "ImpactSolution", "Indentation", "IndentationSolution",
     "InvalidInput", "JouleHeating", "JouleHeatingSolution", "Kalker", "KelvinVoigt", "Layer", "LayerStress",
     "LayeredLineFoundation", "LayeredLineSolution", "LimitingProfile", "LimitingSolution", "LineAdhesion",

@@ -295,6 +295,14 @@ ROUGHNESS = {
     "elliptic_yield_onset": wk.EllipticYieldOnset(
         wk.CurvedBodies(20e-3, 10e-3), wk.HalfSpace(wk.Elastic(210e9, 0.3, strength=700e6)), wk.Coulomb(0.1)
     ),
+    "elliptic_wear": wk.EllipticWear(
+        wk.CurvedBodies(20e-3, 10e-3),
+        STEEL_BODY,
+        wk.PairWear(wk.Archard(1e-17), wk.Archard(1e-14)),
+        wk.Force(100.0),
+        distance=1.0,
+        angle=np.radians(30.0),
+    ),
     "nearly_round_indentation": wk.NearlyRoundIndentation(
         tuple(wk.Paraboloid(radius) for radius in (10e-3, 12e-3, 10e-3, 12e-3)), STEEL_BODY, wk.Depth(1e-6)
     ),

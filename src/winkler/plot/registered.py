@@ -23,6 +23,6 @@ from winkler.plot.rough import below_map, ellipse, lines, profile_pair, roughnes
 from winkler.plot.rough import surfaces as rough_surfaces  # noqa: F401
 from winkler.plot.viscoelastic import contacts, fits, material_tests, solids  # noqa: F401
 from winkler.plot.viscoelastic import surfaces as viscoelastic_surfaces  # noqa: F401
-from winkler.plot.wear import line_wear, wear  # noqa: F401
+from winkler.plot.wear import elliptic_wear, line_wear, wear  # noqa: F401
 
 __all__ = ["draw", "sheet_of"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
 from winkler.study.chapters.kind import kind
-from winkler.study.chapters.normal import normal_formulas
+from winkler.study.chapters.normal import ELLIPSE, normal_formulas
 
 __all__ = ["WEAR"]
 
@@ -37,7 +37,18 @@ LIMIT = Equation(
     r"f_\infty(r) = d-u(r) = \frac{2}{\pi}\left(\int_0^c \frac{g(x)}{\sqrt{r^2-x^2}}\,\mathrm{d}x "
     r"+ d\,\arccos\frac{c}{r}\right)",
 )
-
+SLID_ELLIPSE = Equation(
+    "While little is worn, the slider of an elliptic contact loses in proportion to Hertz' pressure",
+    r"h(x,y) = \kappa_1\,p_0\,s\,\sqrt{1-\frac{x^2}{a^2}-\frac{y^2}{b^2}}, \quad V = \kappa_1\,F\,s",
+)
+TRACK = Equation(
+    "and n passes in a direction at the angle θ to x wear a track of parabolic section",
+    r"h(t) = n\,\kappa_2\,\frac{3F}{4w}\left(1-\frac{t^2}{w^2}\right)",
+)
+TRACK_WIDTH = Equation(
+    "whose half-width is that of the ellipse across the sliding",
+    r"w = \sqrt{a^2\sin^2\theta+b^2\cos^2\theta}",
+)
 
 WEAR = Chapter(
     "wear",
@@ -85,6 +96,22 @@ WEAR = Chapter(
             curves=(("distance", "worn_volume"), ("distance", "radius"), ("distance", "mean_pressure")),
             pictured=PicturedContact.NONE,
             formulas=followed_by(normal_formulas, SLIDING_RATE, UPDATED_SPRINGS),
+        ),
+        "elliptic_wear": answer(
+            "winkler.problems.wear.elliptic:EllipticWear",
+            headline=("worn_depth", "worn_volume", "track_depth", "track_half_width"),
+            wear={"kind": "pair_wear", "first": {**STEEL, "rate": "1e-8 mm^3/(N m)"}, "second": STEEL},
+            load={"kind": "force", "force": "100 N"},
+            distance="1 m",
+            angle="30 deg",
+            picture=Caption(
+                "elliptic_wear",
+                "Worn by sliding",
+                "The worn depth of the slider over the ellipse, with the direction of sliding, and the section of the "
+                "track.",
+            ),
+            pictured=PicturedContact.NONE,
+            formulas=(ELLIPSE, SLID_ELLIPSE, TRACK, TRACK_WIDTH),
         ),
         "limiting_profile": answer(
             "winkler.problems.wear.limiting_profile:LimitingProfile",

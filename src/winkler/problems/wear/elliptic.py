@@ -1,0 +1,258 @@
+r"""Wear of an elliptic contact that slides, as long as the worn depth is small beside the approach.
+
+The pressure is then that of Hertz' ellipse all the time.  A body in whose axes the contact rests loses
+
+.. math:: h(x,y) = \kappa\,p(x,y)\,s , \qquad V = \kappa F s ,
+
+and the other one in each pass, at the distance t from the middle of the track, what the chord along the sliding makes
+of it: the projection of a half-ellipsoid is a parabola,
+
+.. math:: h(t) = \kappa\int p\,\mathrm du = \kappa\,\frac{3F}{4w}\Bigl(1-\frac{t^2}{w^2}\Bigr) , \qquad
+          w = \sqrt{a^2\sin^2\theta+b^2\cos^2\theta} .
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from typing import Annotated, ClassVar
+
+import numpy as np
+
+from winkler.checks.field_checks import Condition
+from winkler.checks.number_checks import Advice, Finite, Positive
+from winkler.checks.place_checks import common_places
+from winkler.errors import OutsideValidity
+from winkler.laws.wear import WearLaw, worn_by
+from winkler.loading import Force
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.types import Array, ArrayLike
+from winkler.problems.assumptions.coupling import sliding_note
+from winkler.problems.assumptions.declared import WORN
+from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
+from winkler.problems.wear.validity import DEBRIS
+from winkler.profiles.curved_pair import CurvedPair
+from winkler.profiles.ellipse import CurvedBodies
+from winkler.validity import Assumption, Note, Standing, standing_of
+from winkler.values import value, words
+
+__all__ = ["EllipticWear", "EllipticWearSolution"]
+
+NODES = 40
+SMALL_WEAR, LARGE_WEAR = 0.01, 0.1
+"""Worn depth over the approach up to which the pressure is as good as that of Hertz, and beyond which it is not."""
+ARCHARD = "J. F. Archard, J. Appl. Phys. 24 (1953) 981-988, doi:10.1063/1.1721448"
+
+
+def _one_positive(load: Force) -> bool:
+    return np.ndim(load.force) == 0 and float(load.force) > 0.0
+
+
+@value
+class EllipticWear:
+    """Two bodies of two curvatures each, one of which slides on the other, while little is worn.
+
+    Parameters
+    ----------
+    bodies : CurvedBodies or CurvedPair
+        R_x and R_y, or the radii of each body; x is that of both together.
+    medium : HalfSpace or TransverselyIsotropicHalfSpace
+        Both bodies, homogeneous.
+    wear : Archard, PairWear or OwnWear
+        How the surfaces wear.  The first body is the slider, in whose axes the contact rests; the second one has the
+        track, and wears only under a PairWear.
+    load : Force
+        The steady normal force, one positive number.
+    distance : float
+        s [m] slid, to and fro counted together.
+    angle : float, optional
+        Direction of sliding, from x towards y [rad]; along x unless given.
+    passes : float, optional
+        How often the slider passes over each place of the track; once unless given.
+
+    Raises
+    ------
+    InvalidInput
+        If an argument has the wrong type, or is not positive.
+
+    References
+    ----------
+    J. F. Archard, J. Appl. Phys. 24 (1953) 981-988, doi:10.1063/1.1721448
+
+    Examples
+    --------
+    A crowned pin of 10 mm and 40 mm radius slides along its short axis: what 1 m takes off it, and off the track.
+
+    >>> from winkler.laws.wear import Archard, PairWear
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> steel = HalfSpace.between(Elastic(210e9, 0.3), Elastic(210e9, 0.3))
+    >>> both = PairWear(Archard(1e-17), Archard(1e-15))
+    >>> worn = EllipticWear(CurvedBodies(10e-3, 40e-3), steel, both, Force(100.0), distance=1.0, passes=10.0).solve()
+    >>> round(worn.worn_depth * 1e9, 2), round(worn.track_depth * 1e9, 2), round(worn.track_half_width * 1e6, 1)
+    (9.09, 2.07, 362.5)
+    """
+
+    __words__ = words(
+        bodies=("", None, "curvature radii of the bodies along x and y"),
+        distance=("s", "m", "distance slid"),
+        angle=(r"\theta", "rad", "direction of sliding, from x towards y"),
+        passes=("n", "", "how often the slider passes over each place of the track"),
+    )
+
+    bodies: CurvedBodies | CurvedPair
+    medium: Annotated[HomogeneousMedium, Advice("Hertz's ellipse is known on no other")]
+    wear: WearLaw
+    load: Annotated[Force, Condition(_one_positive, "give Force(F) with one positive number, and sweep over several")]
+    distance: Positive
+    angle: Finite = 0.0
+    passes: Positive = 1.0
+
+    references: ClassVar[tuple[str, ...]] = ("archard_1953", "hertz_1882", "johnson_1985")
+    assumptions: ClassVar[frozenset[Assumption]] = WORN
+
+    def solve(self) -> EllipticWearSolution:
+        """Return what both bodies have lost.
+
+        Raises
+        ------
+        OutsideValidity
+            If the distance is shorter than the passes over the length of the contact.
+        InvalidInput
+            If the curvatures are so different that the contact is a line, or a law of wear of one's own returns
+            something else than worn depths.
+        """
+        contact = EllipticIndentation(self.bodies, self.medium, self.load).solve()
+        a, b = float(contact.longitudinal_semi_axis), float(contact.lateral_semi_axis)
+        peak = float(contact.peak_pressure)
+        half_width = math.hypot(a * math.sin(self.angle), b * math.cos(self.angle))
+        needed = 2.0 * self.passes * a * (b / half_width)
+        if self.distance < needed:
+            raise OutsideValidity(
+                f"EllipticWear: {self.passes:g} passes over the length of the contact need a distance of "
+                f"{needed:.4g} m, and it is {self.distance:.4g} m; give a longer distance or fewer passes."
+            )
+        node, weight = gauss_legendre(NODES)  # of 0 to 1
+        first, second = worn_by(self.wear, peak * node)
+        spread = 2.0 * math.pi * a * b * weight * node  # of the area, over p/p_0
+        deepest = worn_by(self.wear, np.array([peak]))[0]
+        return EllipticWearSolution(
+            self,
+            contact,
+            worn_depth=float(deepest[0]) * self.distance,
+            worn_volume=float(np.sum(first * spread)) * self.distance,
+            track_half_width=half_width,
+            track_area=float(np.sum(second * spread)) * self.passes,
+        )
+
+
+@value
+class EllipticWearSolution:
+    """The solution of an `EllipticWear`.
+
+    Parameters
+    ----------
+    problem : EllipticWear
+        The problem that was solved.
+    contact : EllipticSolution
+        The contact, whose pressure hardly changes.
+    worn_depth : float
+        Greatest worn depth of the slider [m], in the middle of the ellipse.
+    worn_volume : float
+        What the slider has lost [m^3].
+    track_half_width : float
+        w [m]: half the width of the ellipse across the sliding.
+    track_area : float
+        Cross-section of the track [m^2].
+    """
+
+    __words__ = words(
+        contact=("", None, "the contact, whose pressure hardly changes"),
+        worn_depth=(r"h_\mathrm{max}", "m", "greatest worn depth of the slider"),
+        worn_volume=("V", "m^3", "what the slider has lost"),
+    )
+
+    problem: EllipticWear
+    contact: EllipticSolution
+    worn_depth: float
+    worn_volume: float
+    track_half_width: float
+    track_area: float
+
+    def worn(self, x: ArrayLike, y: ArrayLike) -> Array:
+        """Return the worn depth of the slider [m], zero outside of the ellipse.
+
+        Parameters
+        ----------
+        x, y : array_like
+            Places on the surface [m], of one shape or one that fits.
+
+        Raises
+        ------
+        InvalidInput
+            If a place is not finite, or the shapes do not broadcast.
+        """
+        return np.asarray(worn_by(self.problem.wear, self.contact.pressure(x, y))[0] * self.problem.distance)
+
+    def track(self, t: ArrayLike) -> Array:
+        """Return the depth of the track on the second body after all passes [m], zero beside it.
+
+        Parameters
+        ----------
+        t : array_like
+            Places across the sliding [m], from the middle of the track.
+
+        Raises
+        ------
+        InvalidInput
+            If a place is not finite.
+        """
+        (across,) = common_places("EllipticWearSolution", t=t)
+        a, b = float(self.contact.longitudinal_semi_axis), float(self.contact.lateral_semi_axis)
+        chord = np.sqrt(np.maximum(1.0 - (across / self.track_half_width) ** 2, 0.0))[..., None]
+        node, weight = gauss_legendre(NODES)
+        turn = 0.5 * math.pi * node  # of the place along the chord, its sine
+        pressure = float(self.contact.peak_pressure) * chord * np.cos(turn)
+        lost = worn_by(self.problem.wear, pressure)[1] * chord * np.cos(turn)
+        length = math.pi * a * (b / self.track_half_width)
+        return np.asarray(np.sum(lost * weight, axis=-1) * length * self.problem.passes)
+
+    @property
+    def track_depth(self) -> float:
+        """Greatest depth of the track on the second body [m]; zero if that one does not wear."""
+        return float(self.track(0.0))
+
+    @property
+    def worn_share(self) -> float:
+        """Greatest worn depths of both bodies over the approach [-]."""
+        return (self.worn_depth + self.track_depth) / float(self.contact.depth)
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        return (
+            *(_slid(note) for note in self.contact.validity),
+            sliding_note(self.problem.medium, math.nan),  # type: ignore[arg-type]
+            self._wear_note(),
+            DEBRIS,
+        )
+
+    def _wear_note(self) -> Note:
+        share = self.worn_share
+        standing = standing_of(share, SMALL_WEAR, LARGE_WEAR)
+        why = f"Hertz' pressure is used all the time; both bodies have lost {share:.2g} of the approach in the middle"
+        effect = (
+            "after which it does not hold: take a shorter distance, or SlidingWear for bodies that are round."
+            if standing is Standing.OUTSIDE
+            else "which lowers the greatest one by about as much, under slender ellipses by two or three times that."
+        )
+        return Note(Assumption.WEAR, standing, f"{why}, {effect}", ARCHARD)
+
+
+def _slid(note: Note) -> Note:
+    """Return a note on the contact, that on yield without the friction, which no law of wear states."""
+    if note.assumption is not Assumption.ELASTIC or note.standing is Standing.OUTSIDE:
+        return note
+    beside = f"{note.statement} Friction adds to it; EllipticYieldOnset computes how much."
+    return dataclasses.replace(note, standing=Standing.APPROXIMATE, statement=beside)
