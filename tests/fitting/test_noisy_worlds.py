@@ -48,7 +48,6 @@ def test_a_hundred_curves_of_a_world(name):
     """All numbers: no fewer hits than a coverage of 0.92 has once in a thousand tests, and a bias below a fifth."""
     world = FULL[name]
     hits, off = outcomes(world, range(10_000, 10_100))
-    print(name, list(world.truth), hits, np.median(off, axis=0))
     assert np.all(hits >= int(binom.ppf(1e-3, 100, 0.92))), hits
     assert np.all(np.abs(np.median(off, axis=0)) < 0.2)
 
