@@ -14,8 +14,6 @@ from winkler.fitting.compare import compare
 from winkler.fitting.fit import fit
 
 QUICK, FULL = worlds(240), worlds(600)
-SLOW_NUMBERS = ("baseline",)
-"""The mean of slow noise is part of it, and its interval is wide where the noise is white."""
 
 
 def outcomes(world, seeds):
@@ -46,13 +44,11 @@ def test_a_few_curves_of_each_world():
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", FULL)
-def test_two_hundred_curves_of_a_world(name):
-    """The modulus, and all others but the mean of slow noise: 0.9 to 0.99 of the intervals, hardly any bias."""
+def test_a_hundred_curves_of_a_world(name):
+    """All numbers: no fewer hits than a coverage of 0.92 has once in a thousand tests, and a bias below a fifth."""
     world = FULL[name]
-    hits, off = outcomes(world, range(10_000, 10_200))
-    for index, number in enumerate(world.truth):
-        assert hits[index] >= 0.9 * 200, (number, hits)
-        assert hits[index] <= (200 if number in SLOW_NUMBERS else 0.995 * 200), (number, hits)
+    hits, off = outcomes(world, range(10_000, 10_100))
+    assert np.all(hits >= int(binom.ppf(1e-3, 100, 0.92))), hits
     assert np.all(np.abs(np.median(off, axis=0)) < 0.2)
 
 

@@ -182,3 +182,20 @@ def test_where_it_was_taken(shared_data):
     (placed,) = read_curves(shared_data / "force_curves" / "fmt-jpk-fd_spot3-0192.jpk-force")
     assert placed.x == pytest.approx(-16.6666667e-6)
     assert placed.y == pytest.approx(-16.6666667e-6)
+
+
+@pytest.mark.parametrize(
+    ("header", "stiffness"),
+    [("h (nm), F (mN), t (s)", None), ("t [s], F [uN], h [nm]", None), ("Piezo (nm), Defl (nm), t (s)", 0.1)],
+)
+def test_columns_as_instruments_name_them(tmp_path, header, stiffness):
+    """Symbols for words: depth h, force F, time t, and a cantilever's Piezo and Defl."""
+    names = [part.strip()[0].lower() for part in header.split(",")]
+    rows = [{"h": 10.0 * i, "p": 10.0 * i, "f": 2.0 * i, "d": 2.0 * i, "t": 0.5 * i} for i in range(12)]
+    lines = [header, *(", ".join(str(row[name]) for name in names) for row in rows)]
+    (tmp_path / "curve.csv").write_text("\n".join(lines), encoding="utf-8")
+    curve = read_curve(tmp_path / "curve.csv", spring_constant=stiffness)
+    np.testing.assert_allclose(curve.position, 1e-8 * np.arange(12), rtol=1e-12)
+    unit = {"mN": 1e-3, "uN": 1e-6}.get(header.split("F ")[-1][1:3], 1e-9 * 0.1)
+    np.testing.assert_allclose(curve.force, 2.0 * unit * np.arange(12), rtol=1e-12)
+    np.testing.assert_allclose(curve.time, 0.5 * np.arange(12), rtol=1e-12)

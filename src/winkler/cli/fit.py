@@ -188,9 +188,9 @@ def _table(outcome: FitOutcome, out: Any) -> None:
             table.add_row(free.key, plain_symbol(word.symbol), number, error, f"{low} ... {high}")
         out.print(table)
         out.print(
-            f"{fit.count} points, worth {fit.effective_count:.0f} independent ones; {fit.slow_share:.0%} of the noise's "
-            f"variance is slow; noise {with_unit(fit.noise, study.spread.unit)}; chi-square per degree of freedom "
-            f"{fit.chi_square:.3g}, in contact {fit.chi_square_in_contact:.3g}.",
+            f"{fit.count} points, worth {fit.effective_count:.0f} independent ones; {fit.slow_share:.0%} of the "
+            f"noise's variance is slow; noise {with_unit(fit.noise, study.spread.unit)}; chi-square per degree of "
+            f"freedom {fit.chi_square:.3g}, in contact {fit.chi_square_in_contact:.3g}.",
             soft_wrap=True,
         )
         return

@@ -50,7 +50,7 @@ def stretches_of(task: FitTask, coordinates: Array, covariance: Array, noise: No
     stretches = np.ones((coordinates.size, 2))
     if _is_linear(task.coarse, coordinates, covariance):
         return stretches
-    whole = task._replace(whitening=whitening_of(noise, task.disturbances))
+    whole = task._replace(whitening=whitening_of(noise))
     fitted = whole.prediction(coordinates).fitted
     jacobian = whole.decorrelated(whole.jacobian(coordinates, whole.prediction(coordinates)))
     for index in range(coordinates.size):

@@ -84,7 +84,7 @@ def _decorrelated(task: ElasticTask, coordinates: Array) -> ElasticTask:
     prediction = task.prediction(coordinates)
     residuals = (task.measured - prediction.fitted) * task.weights
     noise = noise_of(residuals, task.jacobian(coordinates, prediction), task.disturbances)
-    return task._replace(whitening=whitening_of(noise, task.disturbances))
+    return task._replace(whitening=whitening_of(noise))
 
 
 def _end(task: ElasticTask, best: Array, index: int, step: float, bound: float, least: float, allowed: float) -> float:

@@ -24,6 +24,8 @@ MOST_SPLITS, BEHIND_DEGREE = 100, 3
 """Most trial ends of the baseline, and degree of the polynomial behind."""
 LEAST_SLOPE_TO_ERROR, LEAST_FREE_SHARE = 4.0, 0.1
 """Least slope of a baseline over its standard error, and least part of the points on it."""
+MOST_SLOPE_SHARE = 0.3
+"""Greatest slope of a baseline relative to the mean slope in contact."""
 
 
 class CurveOutline(NamedTuple):
@@ -115,7 +117,8 @@ def _first_slope(position: Array, force: Array) -> float:
     slope = float(x @ y) / spread
     left = y - slope * x
     certain = abs(slope) > LEAST_SLOPE_TO_ERROR * math.sqrt(float(left @ left) / max(split - 2, 1) / spread)
-    return 2.0 * slope / span if certain else 0.0
+    behind_slope = float(np.ptp(level[split:])) / max(float(np.ptp(along[split:])), 1e-300)
+    return 2.0 * slope / span if certain and abs(slope) < MOST_SLOPE_SHARE * behind_slope else 0.0
 
 
 def _explained(sums: Array, right: Array, degree: int) -> Array:

@@ -30,8 +30,10 @@ from winkler.numerics.types import Array
 
 __all__ = ["NoiseEstimate", "noise_of"]
 
-AMPLITUDES, AMPLITUDE_WEIGHTS = (0.0, 0.05, 0.5, 5.0), (0.4, 0.2, 0.2, 0.2)
+AMPLITUDES, AMPLITUDE_WEIGHTS = (0.0, 0.05, 0.5, 5.0), (0.5, 0.2, 0.15, 0.15)
 """Standard deviations s of disturbances, in parts of that of the noise, and their prior weights."""
+LEAST_OWN_SHARE = 0.1
+"""Least part of a disturbance that no fitted number stands for: a tilt is none where it is free."""
 LEAST_SQUARES_SHARE = 1e-24
 """Least sum of squares relative to that of the residuals."""
 
@@ -55,8 +57,10 @@ class NoiseEstimate(NamedTuple):
         Logarithm of the likelihood of the residuals, integrated over noise and disturbances.
     spectrum : ndarray, (n,)
         Mean variances of the cosine transform, in squares of the residuals' unit.
+    courses : ndarray, (n, q)
+        The disturbances that no fitted number stands for already.
     amplitudes : ndarray, (q,)
-        Standard deviations of the disturbances, in the residuals' unit.
+        Their standard deviations, in the residuals' unit.
     disturbance : ndarray, (n,)
         The disturbances in the residuals.
     """
@@ -68,6 +72,7 @@ class NoiseEstimate(NamedTuple):
     effective_count: float
     likelihood: float
     spectrum: Array
+    courses: Array
     amplitudes: Array
     disturbance: Array
 
@@ -95,6 +100,7 @@ def noise_of(residuals: Array, jacobian: Array, disturbances: Array) -> NoiseEst
         Courses of disturbances, of unit root mean square.
     """
     count, p = jacobian.shape
+    disturbances = _own(disturbances, jacobian)
     unit, size = float(np.sqrt(np.mean(residuals**2))) or 1.0, np.linalg.norm(jacobian, axis=0)
     table = candidates(count)
     products = _products(table, np.concatenate([(residuals / unit)[:, None], jacobian / size, disturbances], axis=1))
@@ -121,9 +127,22 @@ def noise_of(residuals: Array, jacobian: Array, disturbances: Array) -> NoiseEst
         effective_count=float(np.clip(count * np.exp(-loss), 1.0, count)),
         likelihood=_normalised(found.plain + priors)[1] - count * float(np.log(unit)),
         spectrum=unit**2 * np.repeat(by_candidate @ table.spectra, table.sizes),
+        courses=disturbances,
         amplitudes=np.full(disturbances.shape[1], amplitude),
         disturbance=unit * (disturbances @ mean[p:]),
     )
+
+
+def _own(disturbances: Array, jacobian: Array) -> Array:
+    """Return the disturbances that no combination of fitted numbers, or of those before, stands for."""
+    basis, chosen = np.linalg.qr(jacobian)[0], []
+    for index, course in enumerate(disturbances.T):
+        left = course - basis @ (basis.T @ course)
+        length = float(np.linalg.norm(left))
+        if length > LEAST_OWN_SHARE * float(np.linalg.norm(course)):
+            chosen.append(index)
+            basis = np.concatenate([basis, left[:, None] / length], axis=1)
+    return np.asarray(disturbances[:, chosen])
 
 
 def _products(table: Candidates, columns: Array) -> Array:

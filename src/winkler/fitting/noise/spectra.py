@@ -32,15 +32,15 @@ __all__ = ["Candidates", "candidates", "transformed"]
 
 SINGLE_BINS, BIN_RATIO = 64, 1.03
 """Frequencies with a bin of their own, and ratio of the ends of the others."""
-EXPONENTS, EXPONENT_WEIGHTS = (1.0, 1.5, 2.0), (0.25, 0.25, 0.5)
+EXPONENTS, EXPONENT_WEIGHTS = (1.0, 1.5, 2.0), (0.3, 0.3, 0.4)
 """Exponents alpha of the power law, and their prior weights."""
 LEAST_RATIO, GREATEST_RATIO, RATIO_STEP = 0.03, 30.0, 1.35
 """Root mean squares g of the slow part."""
 LEAST_TIME, TIME_STEP, MOST_TIME_SHARE = 0.7, 1.4, 0.1
 """Correlation times of first-order processes: least in points, ratio, and greatest in parts of the curve."""
-WHITE_WEIGHT, POWER_WEIGHT, PROCESS_WEIGHT = 0.05, 0.7, 0.25
+WHITE_WEIGHT, POWER_WEIGHT, PROCESS_WEIGHT = 0.15, 0.65, 0.2
 """Prior weights of white noise alone, of a power law, and of a first-order process."""
-RATIO_FALL = 1.4
+RATIO_FALL = 1.2
 """Prior weights of g fall as its power on both sides of 1: few machines have a slow part far from the white one."""
 LOWEST_FREQUENCY = 0.5
 """Index k at which the variance of the mean is read."""

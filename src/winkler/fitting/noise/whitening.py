@@ -30,9 +30,9 @@ class Whitening(NamedTuple):
         return np.asarray(scaled - self.directions @ (self.reductions * (self.directions.T @ scaled).T).T)
 
 
-def whitening_of(noise: NoiseEstimate, disturbances: Array) -> Whitening:
-    """Return the decorrelation of a noise with its disturbances ``(n, q)``."""
+def whitening_of(noise: NoiseEstimate) -> Whitening:
+    """Return the decorrelation of a noise with its disturbances."""
     scale = 1.0 / np.sqrt(noise.spectrum)
-    columns = (transformed(disturbances).T * scale).T * noise.amplitudes
+    columns = (transformed(noise.courses).T * scale).T * noise.amplitudes
     directions, lengths, _ = np.linalg.svd(columns, full_matrices=False)
     return Whitening(scale, directions, 1.0 - 1.0 / np.sqrt(1.0 + lengths**2))

@@ -24,10 +24,10 @@ from winkler.units import comma_hint
 __all__ = ["is_curve_table", "read_curve_table"]
 
 POSITION = Column("position", ("position", "piezo", "stage", "z", "displacement", "travel", "z-piezo"), "m", "nm")
-DEPTH = Column("depth", ("depth", "indentation", "penetration", "d"), "m", "nm")
+DEPTH = Column("depth", ("depth", "indentation", "penetration", "d", "h"), "m", "nm")
 FORCE = Column("force", ("force", "load", "f", "p", "normal force"), "N", "nN")
-DEFLECTION = Column("deflection", ("deflection", "cantilever"), "m", "nm")
-VOLTAGE = Column("deflection", ("deflection", "voltage", "vertical deflection"), "V")
+DEFLECTION = Column("deflection", ("deflection", "cantilever", "defl"), "m", "nm")
+VOLTAGE = Column("deflection", ("deflection", "voltage", "vertical deflection", "defl"), "V")
 TIME = Column("time", ("time", "t"), "s")
 SEGMENT = Column("segment", ("segment",), "")
 SPRING_CONSTANT_LINE = re.compile(
