@@ -13,8 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from winkler.checks.number_checks import NonNegative
-from winkler.checks.physical_size import refuse_size
+from winkler.checks.number_checks import FiniteRow, NonNegative
 from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
 from winkler.values import value, words
@@ -70,20 +69,16 @@ class CrossProfile:
         ends=("", "m", "between which places the height is known"),
     )
 
-    y: Array
-    z: Array
+    y: FiniteRow
+    z: FiniteRow
     smoothing: NonNegative = 0.0
 
     def __post_init__(self) -> None:
-        if self.y.ndim != 1 or self.y.shape != self.z.shape or self.y.size < FEWEST_POINTS:
+        if self.y.shape != self.z.shape or self.y.size < FEWEST_POINTS:
             raise InvalidInput(
                 f"CrossProfile: y has the shape {self.y.shape} and z {self.z.shape}; give two rows of at least "
                 f"{FEWEST_POINTS} numbers each."
             )
-        if not (np.all(np.isfinite(self.y)) and np.all(np.isfinite(self.z))):
-            raise InvalidInput("CrossProfile: a point is missing or not finite; give numbers in m.")
-        refuse_size("CrossProfile: y", self.y)
-        refuse_size("CrossProfile: z", self.z)
         _ = self._heights
 
     @functools.cached_property

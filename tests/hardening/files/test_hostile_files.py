@@ -33,6 +33,7 @@ READERS = {
     "bed": wk.read_bed,
     "contacts": wk.read_contacts,
     "creep": wk.read_creep,
+    "cross_profile": wk.read_cross_profile,
     "curve": wk.read_curve,
     "curves": lambda path: list(wk.read_curves(path)),
     "dynamic": wk.read_dynamic,
@@ -42,8 +43,10 @@ READERS = {
     "profile": wk.read_profile,
     "relaxation": wk.read_relaxation,
     "scan": wk.read_scan,
+    "section": wk.read_section,
     "spectrum": wk.read_spectrum,
     "study": read_study,
+    "surface_load": wk.read_surface_load,
     "wear": lambda path: read_wear(BED, path),
 }
 

@@ -144,7 +144,7 @@ def test_other_tables_are_refused(tmp_path, rows, sentence):
 def test_refusals():
     with pytest.raises(wk.InvalidInput, match="the same pixels"):
         wk.SurfaceLoad(HILL, [1.0, 1.0], np.ones((2, 2)))
-    with pytest.raises(wk.InvalidInput, match="missing or not finite"):
+    with pytest.raises(wk.InvalidInput, match="finite numbers in Pa"):
         wk.SurfaceLoad(np.array([[1.0, np.nan]]), [1.0, 1.0])
     with pytest.raises(wk.InvalidInput, match="give two positive lengths"):
         wk.SurfaceLoad(HILL, [1.0])

@@ -20,6 +20,8 @@ __all__ = ["SurfaceLoad"]
 PADDING = 4
 """Numbers of a transform over the pixels of a map that stands alone."""
 
+MAP = Numbers(fewest=0, any_shape=True)
+
 
 def _none() -> Array:
     return np.zeros(0)
@@ -71,10 +73,10 @@ class SurfaceLoad:
         corner=("x_0, y_0", "m", "where the map begins"),
     )
 
-    pressure: Array
+    pressure: Annotated[Array, MAP]
     lengths: Annotated[Array, Numbers(POSITIVE), Advice("two positive lengths in m")]
-    x_traction: Array = dataclasses.field(default_factory=_none)
-    y_traction: Array = dataclasses.field(default_factory=_none)
+    x_traction: Annotated[Array, MAP] = dataclasses.field(default_factory=_none)
+    y_traction: Annotated[Array, MAP] = dataclasses.field(default_factory=_none)
     corner: Array = dataclasses.field(default_factory=_corner)
     periodic: bool = False
 
@@ -93,11 +95,6 @@ class SurfaceLoad:
                 raise InvalidInput(
                     f"SurfaceLoad: {name} has the shape {part} and the pressure {shape}; give maps of the same pixels."
                 )
-        if not np.all(np.isfinite(self.loads)):
-            raise InvalidInput(
-                "SurfaceLoad: pressures or tractions are missing or not finite; give numbers in Pa, zero where nothing "
-                "acts."
-            )
         if not np.any(self.loads):
             raise InvalidInput("SurfaceLoad: all pressures and tractions are zero; give a load.")
 

@@ -36,6 +36,7 @@ SURFACE_ROLLING = Chapter(
     answers={
         "surface_rolling": answer(
             "winkler.problems.surface_rolling.steady:SurfaceRolling",
+            headline=("longitudinal_force", "lateral_force", "moment", "stick_share"),
             topography=WHEEL,
             medium={"kind": "half_space", "second": {"kind": "elastic"}},
             load={"kind": "force", "force": "100 N"},
@@ -56,6 +57,7 @@ SURFACE_ROLLING = Chapter(
         ),
         "surface_rolling_start": answer(
             "winkler.problems.surface_rolling.start:SurfaceRollingStart",
+            headline=("longitudinal_force", "longitudinal_creepage", "stick_share", "distance"),
             topography=WHEEL,
             medium={"kind": "half_space", "second": {"kind": "elastic"}},
             load={"kind": "force", "force": "100 N"},
