@@ -366,6 +366,13 @@ def test_draw_needs_the_fields_it_shows(here, capsys):
     assert "the study restores no such fields; add [fields] with r and z." in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("part", ["contact", "profile", "curve"])
+def test_draw_a_line_contact(here, part):
+    (here / "roller.toml").write_text(template("line_limiting_profile"), encoding="utf-8")
+    assert main(["draw", "roller.toml", "--part", part, "--output", "roller.png"]) == 0
+    assert (here / "roller.png").read_bytes().startswith(b"\x89PNG")
+
+
 # ------------------------------------------------------------------------------------------------------- cite
 
 
