@@ -22,6 +22,13 @@ from winkler.validity import Assumption, Note, Standing
 __all__ = ["line_fretting_notes", "line_limiting_notes", "line_sliding_notes"]
 
 
+WORN_SLIP = Note(
+    Assumption.SLIP,
+    Standing.EXACT,
+    "Similar half-planes slip by the coefficient of friction times the distance that the contact under the load P - Q/mu "
+    "leaves open beside it, for a worn profile as for any other.",
+    SLIP_SUMS.source,
+)
 UNWORN = 1e-9
 """Worn depth over the half-width below which nothing is said of worn edges."""
 
@@ -63,7 +70,7 @@ def line_fretting_notes(
     return (
         *_march_notes(bed, tolerance, states, scale),
         sticking_note(cast(Medium, bed.medium), coefficient),
-        SLIP_SUMS,
+        WORN_SLIP,
     )
 
 
@@ -110,6 +117,6 @@ def line_limiting_notes(bed: LineFoundation, coefficient: float, force: float) -
         *_yield_notes(bed, force, before, worn_yield(bed.medium, ())),
         DEBRIS,
         sticking_note(cast(Medium, bed.medium), coefficient),
-        SLIP_SUMS,
+        WORN_SLIP,
         core_note("M. Ciavarella, D. A. Hills, Eur. J. Mech. A Solids 18 (1999) 491-497"),
     )
