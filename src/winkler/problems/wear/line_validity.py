@@ -25,8 +25,8 @@ __all__ = ["line_fretting_notes", "line_limiting_notes", "line_sliding_notes"]
 WORN_SLIP = Note(
     Assumption.SLIP,
     Standing.EXACT,
-    "Similar half-planes slip by the coefficient of friction times the distance that the contact under the load P - Q/mu "
-    "leaves open beside it, for a worn profile as for any other.",
+    "Similar half-planes slip by the coefficient of friction times the distance that the contact under the load "
+    "P - Q/mu leaves open beside it, for a worn profile as for any other.",
     SLIP_SUMS.source,
 )
 UNWORN = 1e-9
