@@ -22,6 +22,7 @@ from winkler.study.language.grammar import SECTIONS, study_form
 from winkler.study.language.reading import parse_study
 from winkler.study.language.schema import hints
 from winkler.study.language.template import example_text, inline, template
+from winkler.study.report import citing
 from winkler.study.report.citing import bibliography, cite
 
 COMMANDS = ("run", "show", "draw", "new", "cite", "validate")
@@ -365,6 +366,13 @@ def test_draw_needs_the_fields_it_shows(here, capsys):
     assert "the study restores no such fields; add [fields] with r and z." in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("part", ["contact", "profile", "curve"])
+def test_draw_a_line_contact(here, part):
+    (here / "roller.toml").write_text(template("line_limiting_profile"), encoding="utf-8")
+    assert main(["draw", "roller.toml", "--part", part, "--output", "roller.png"]) == 0
+    assert (here / "roller.png").read_bytes().startswith(b"\x89PNG")
+
+
 # ------------------------------------------------------------------------------------------------------- cite
 
 
@@ -372,6 +380,13 @@ def test_every_cited_paper_is_in_the_bibliography():
     for name, line in kinds().items():
         for key in (*line.cites, *getattr(line.cls, "references", ())):
             assert key in bibliography(), f"{name} cites {key}"
+
+
+def test_every_paper_has_a_key_of_its_own():
+    file = Path(citing.__file__).parent / "references.bib"
+    keys = re.findall(r"^@\w+\{(\w+),$", file.read_text(encoding="utf-8"), flags=re.MULTILINE)
+    assert [key for key in sorted(set(keys)) if keys.count(key) > 1] == []
+    assert kinds()["rounded_punch"].cites == ("ciavarella_hills_monno_1998",)
 
 
 def test_the_bibliography_is_complete_and_sound():

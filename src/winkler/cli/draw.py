@@ -103,7 +103,8 @@ def _drawn_value(answer: Solved, part: str, load: int) -> Any:
     from winkler.study.report.extra_pictures import extra_pictures
 
     bed = getattr(answer.problem, "bed", None)
-    outlined = bed is not None and not isinstance(bed.footprint, RoundOutline)  # its springs represent another body
+    outline = getattr(bed, "footprint", None)  # a line contact and an ellipse have none
+    outlined = outline is not None and not isinstance(outline, RoundOutline)  # its springs represent another body
     shape = None if outlined else getattr(bed, "profile", None) or getattr(bed, "plane_profile", None)
     if not -len(answer.each) <= load < len(answer.each):
         raise InvalidInput(f"draw: there is no load {load}; the study has {len(answer.each)}, counted from 0.")

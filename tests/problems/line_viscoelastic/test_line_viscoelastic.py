@@ -223,6 +223,9 @@ def test_refusals():
     contact = solved(wk.Paraboloid(1.0), HISTORY)
     with pytest.raises(wk.InvalidInput, match="no depth of its own"):
         contact.approach()
+    for place in ("far", np.nan):
+        with pytest.raises(wk.InvalidInput, match="LineViscoelasticState.pressure: x"):
+            contact.at(20).pressure(place)
     with pytest.raises(wk.OutsideValidity, match="more than 0.2"):
         contact.approach(wk.PlateBase(0.05))
 

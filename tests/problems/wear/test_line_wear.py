@@ -85,6 +85,7 @@ def test_sliding_is_that_of_boundary_elements():
     assert misses[-1] < 5e-4
 
 
+@pytest.mark.slow
 def test_the_march_ends_in_the_limiting_profile_the_closer_the_finer_the_grid():
     limit = limiting()
     misses = []
@@ -131,17 +132,20 @@ def test_the_limiting_surface_lies_under_its_pressure(profile):
     np.testing.assert_allclose(raised - base, -sunk, rtol=2e-4, atol=2e-5 * float(np.max(raised)))
 
 
-def test_the_limit_is_that_of_the_march_on_a_rounded_pad_and_for_a_law_of_its_own():
-    class Squared:
-        def depth_per_slip(self, pressure):
-            return pressure**2
+class Squared:
+    def depth_per_slip(self, pressure):
+        return pressure**2
 
+
+@pytest.mark.parametrize(
+    "law", [wk.Archard(0.1), pytest.param(Squared(), marks=pytest.mark.slow)], ids=["archard", "own"]
+)
+def test_the_limit_is_that_of_the_march_on_a_rounded_pad_and_for_a_law_of_its_own(law):
     bed = wk.LineFoundation(wk.RoundedPunch(0.05, 1.0), UNIT)
     limit = limiting(bed)
-    for law in (wk.Archard(0.1), Squared()):
-        last = fretting(bed=bed, wear=law, cycles=np.array([0.0, 1e7]), count=60).solve().states[-1]
-        assert last.worn_volume_per_length == pytest.approx(limit.worn_volume_per_length, rel=0.03)
-        assert last.stick_half_width == pytest.approx(limit.stick_half_width, rel=1e-9)
+    last = fretting(bed=bed, wear=law, cycles=np.array([0.0, 1e7]), count=60).solve().states[-1]
+    assert last.worn_volume_per_length == pytest.approx(limit.worn_volume_per_length, rel=0.03)
+    assert last.stick_half_width == pytest.approx(limit.stick_half_width, rel=1e-9)
 
 
 def test_the_first_cycle_loses_what_the_contact_without_wear_loses():
@@ -161,6 +165,7 @@ def test_what_a_cycle_wears_off_is_its_energy_times_the_rate_over_friction():
     assert trapezoid(last, last.worn) == pytest.approx(last.worn_volume_per_length, rel=2e-3)
 
 
+@pytest.mark.slow
 def test_a_roller_wears_to_a_flat_over_any_distance():
     distance = np.array([1.0, 1e2, 1e4, 1e5])
     run = sliding(distance)
@@ -168,6 +173,39 @@ def test_a_roller_wears_to_a_flat_over_any_distance():
     flat = np.cbrt(1.5 * 10e-3 * 1e-14 * 10e3 * distance[1:])
     for state, half in zip(run.states[1:], flat, strict=True):
         assert state.half_width == pytest.approx(half, abs=1.5 * state.places[1])
+
+
+def test_that_jumps_and_edges_are_coarse_is_stated():
+    unworn, worn = sliding(np.array([0.0, 1e-30])), sliding(np.array([0.0, 1e-3]), count=20)
+    words = [" ".join(note.statement for note in run.validity) for run in (unworn, worn)]
+    assert "greatest worn depth together" in words[1]
+    share = f"{np.max(worn.states[-1].pressure) / worn.mean_pressure[-1]:.3g} of the mean"
+    assert share in words[1]
+    assert "of the mean" not in words[0]
+
+
+def test_nothing_is_said_of_histories_that_are_not_followed():
+    words = " ".join(note.statement for note in limiting().validity)
+    assert "every history" not in words
+    assert "for a worn profile as for any other" in words
+
+
+@pytest.mark.parametrize(
+    ("problem", "bed", "load"),
+    [
+        (wk.LineSlidingWear, ROLLER, wk.LineForce(100e3)),
+        pytest.param(
+            wk.SlidingWear, wk.Foundation(wk.Paraboloid(10e-3), STEEL), wk.Force(100.0), marks=pytest.mark.slow
+        ),
+    ],
+    ids=["line", "round"],
+)
+def test_after_a_long_distance_the_pressure_is_even_up_to_the_edge(problem, bed, load):
+    run = problem(bed, wk.Archard(1e-14), load, np.array([1e4]), count=60).solve()
+    last = run.states[-1]
+    pressure = last.pressure / last.mean_pressure
+    assert np.max(pressure) < 1.1
+    np.testing.assert_allclose(pressure[last.nodes < 0.9 * last.edge], 1.0, atol=0.06)
 
 
 def test_a_flat_pad_wears_until_its_pressure_is_even():
@@ -243,6 +281,13 @@ def test_waves_that_would_touch_beside_are_refused():
 def test_a_wrong_question_is_refused_in_one_sentence(changes, error, words):
     with pytest.raises(error, match=words):
         fretting(**changes).solve()
+
+
+@pytest.mark.parametrize("sought", ["pressure", "worn", "height"])
+@pytest.mark.parametrize("x", ["far", math.nan])
+def test_places_that_are_none_are_refused(sought, x):
+    with pytest.raises(wk.InvalidInput, match=f"LineLimitingSolution.{sought}: x"):
+        getattr(limiting(), sought)(x)
 
 
 def test_slip_is_known_on_isotropic_bodies_only():

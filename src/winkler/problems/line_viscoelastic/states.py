@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from winkler.checks.place_checks import finite_places
 from winkler.foundation.line import LineFoundation
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.transforms import abel
@@ -93,7 +94,7 @@ class LineViscoelasticState:
         x : array_like
             Places on the surface [m], on either side of the middle.
         """
-        places = np.abs(np.asarray(x, dtype=float))
+        places = np.abs(finite_places("LineViscoelasticState.pressure", "x", x))
         flat, found = places.ravel(), np.zeros(places.size)
         if self.half_width > 0.0:
             edges, borne = self._strips

@@ -22,6 +22,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from winkler.checks.place_checks import finite_places
 from winkler.errors import OutsideValidity
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Sliding
@@ -184,7 +185,7 @@ class LineLimitingSolution(Stressed):
         x : array_like
             Places on the surface [m], on either side of the middle.
         """
-        away = np.abs(np.asarray(x, dtype=float))
+        away = np.abs(finite_places("LineLimitingSolution.worn", "x", x))
         beside = (away > self.stick_half_width) & (away < self.half_width)
         worn = np.zeros(away.shape)
         worn[beside] = np.maximum(self._core.worn(away[beside]), 0.0)
@@ -198,7 +199,8 @@ class LineLimitingSolution(Stressed):
         x : array_like
             Places on the surface [m], on either side of the middle.
         """
-        return np.asarray(self.problem.bed.profile.height(np.abs(np.asarray(x, dtype=float))) + self.worn(x))
+        away = np.abs(finite_places("LineLimitingSolution.height", "x", x))
+        return np.asarray(self.problem.bed.profile.height(away) + self.worn(away))
 
     def pressure(self, x: ArrayLike) -> Array:
         """Return the pressure in the end [Pa]: zero outside the core, infinite at its edge.
@@ -208,7 +210,8 @@ class LineLimitingSolution(Stressed):
         x : array_like
             Places on the surface [m], on either side of the middle.
         """
-        return self.problem.bed.pressure(np.asarray(x, dtype=float), self.stick_half_width, self.excess_load)
+        places = finite_places("LineLimitingSolution.pressure", "x", x)
+        return self.problem.bed.pressure(places, self.stick_half_width, self.excess_load)
 
     @property
     def validity(self) -> tuple[Note, ...]:

@@ -60,7 +60,8 @@ class LineSlidingWear:
     count : int, optional
         Cells of the grid of places on one side.
     tolerance : float, optional
-        Error of the worn depth in one jump, over the load per length over E*.
+        Error of the worn depth in one jump, over the load per length over E*; once the pressure has settled, over that
+        and the greatest worn depth together.
 
     Raises
     ------

@@ -17,9 +17,20 @@ from winkler.problems.line_friction.strips import half_widths
 from winkler.problems.line_friction.validity import SLIP_SUMS
 from winkler.problems.wear.line_states import LineWearState
 from winkler.problems.wear.validity import DEBRIS, SLIDES_EVERYWHERE, core_note, resolution_note, worn_yield
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["line_fretting_notes", "line_limiting_notes", "line_sliding_notes"]
+
+
+WORN_SLIP = Note(
+    Assumption.SLIP,
+    Standing.EXACT,
+    "Similar half-planes slip by the coefficient of friction times the distance that the contact under the load "
+    "P - Q/mu leaves open beside it, for a worn profile as for any other.",
+    SLIP_SUMS.source,
+)
+UNWORN = 1e-9
+"""Worn depth over the half-width below which nothing is said of worn edges."""
 
 
 def _yield_notes(bed: LineFoundation, force: float, half_width: float, worn: tuple[Note, ...]) -> tuple[Note, ...]:
@@ -59,19 +70,33 @@ def line_fretting_notes(
     return (
         *_march_notes(bed, tolerance, states, scale),
         sticking_note(cast(Medium, bed.medium), coefficient),
-        SLIP_SUMS,
+        WORN_SLIP,
     )
 
 
 def line_sliding_notes(bed: LineFoundation, tolerance: float, states: Sequence[LineWearState]) -> tuple[Note, ...]:
     """Return how far a sliding line contact can be trusted; parameters as `line_fretting_notes`."""
-    scale = "load per length over E*"
+    scale = "load per length over E*, or, once the pressure has settled, of that and the greatest worn depth together"
     # the law of wear does not define the friction
     return (
         *_march_notes(bed, tolerance, states, scale),
+        *_edge_notes(states[-1]),
         sliding_note(cast(Medium, bed.medium), np.nan),
         SLIDES_EVERYWHERE,
     )
+
+
+def _edge_notes(last: LineWearState) -> tuple[Note, ...]:
+    """Return how much more than the mean a node bears in a worn state."""
+    if last.worn_depth < UNWORN * last.half_width:
+        return ()
+    excess = float(np.max(last.pressure)) / last.mean_pressure
+    stated = (
+        f"In the last state the greatest pressure about a node is {excess:.3g} of the mean. A node that the edge of a "
+        "growing contact has just reached may bear about twice the mean until its corner is worn off; half-widths are "
+        "known to within a node."
+    )
+    return (Note(Assumption.RESOLUTION, Standing.APPROXIMATE, stated, "the shape is straight in x^2 between nodes"),)
 
 
 def line_limiting_notes(bed: LineFoundation, coefficient: float, force: float) -> tuple[Note, ...]:
@@ -92,6 +117,6 @@ def line_limiting_notes(bed: LineFoundation, coefficient: float, force: float) -
         *_yield_notes(bed, force, before, worn_yield(bed.medium, ())),
         DEBRIS,
         sticking_note(cast(Medium, bed.medium), coefficient),
-        SLIP_SUMS,
+        WORN_SLIP,
         core_note("M. Ciavarella, D. A. Hills, Eur. J. Mech. A Solids 18 (1999) 491-497"),
     )

@@ -4,8 +4,9 @@ What is worn off spreads the pressure, the faster the shorter its waves; a jump 
 The jumps are steps of a method that is stable for them (`winkler.numerics.equations.stabilised`); each gives its own
 error, and one that is too inaccurate is taken again, shorter.  Where all slides, and the shortest waves have decayed
 many times so far, jumps are implicit (`winkler.numerics.equations.implicit`): as long as the slow growth
-of the contact allows, over many nodes that come into contact.  The grid is fixed while the contact stays on it, finest
-beside the core that sticks, and follows a contact that grows.
+of the contact allows, over many nodes that come into contact.  A long one leaves pressures beside the edge that are
+wrong by far more than the worn depths; the last one before a goal is short, so that they settle.  The grid is fixed
+while the contact stays on it, finest beside the core that sticks, and follows a contact that grows.
 """
 
 from __future__ import annotations
@@ -40,6 +41,8 @@ UNCHECKED_SHARE = 1e-2
 """Part of the error allowed in a jump that may be worn off at once, without looking."""
 STIFF_DECAYS = 3000.0
 """How often the shortest waves must have decayed, by a factor e, before jumps are implicit."""
+SETTLING_DECAYS = 20.0
+"""How often waves as long as the contact decay in the last implicit jump before a goal: what a long one left goes."""
 EXPLICIT_STAGES = 4
 """A jump of not more stages is cheaper than an implicit one."""
 RETRY_FACTOR = 0.2
@@ -89,7 +92,7 @@ class WearProblem(Protocol):
 
     @property
     def tolerance(self) -> float:
-        """Error of the worn depth in one jump, over the depth."""
+        """Error of the worn depth in one jump, over the depth; in an implicit one, over the depth and what has worn."""
         ...
 
     @property
@@ -192,8 +195,11 @@ def _advance(problem: WearProblem, moment: WearMoment, goal: float, everywhere: 
         wanted = jump if jump > 0.0 else FIRST_JUMP * contact.depth / fastest
         length = min(wanted, goal - elapsed)
         settled = everywhere and elapsed * damping > STIFF_DECAYS and stages_for(length, damping) > EXPLICIT_STAGES
+        settling = SETTLING_DECAYS * here.nodes.size / damping
         if not settled:
             length = min(length, longest(MOST_STAGES, damping))
+        elif goal - elapsed > 2.0 * settling:
+            length = min(length, goal - elapsed - settling)
         if length < SHORTEST_JUMP * max(goal - begun, elapsed) and length < goal - elapsed:
             raise NotConverged(
                 f"Wear: after {elapsed:.6g} the jumps become too short to go on; take more nodes or a smaller "

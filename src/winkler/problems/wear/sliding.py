@@ -56,7 +56,8 @@ class SlidingWear:
     count : int, optional
         Cells of the grid of radii.
     tolerance : float, optional
-        Error of the worn depth in one jump, over the depth of the springs.
+        Error of the worn depth in one jump, over the depth of the springs; once the pressure has settled, over how far
+        the bodies have come together, wear included.
 
     Raises
     ------

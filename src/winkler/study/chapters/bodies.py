@@ -44,7 +44,10 @@ BODIES: Kinds = {
         ),
         "flat_punch": kind("winkler.profiles.flat:FlatPunch", "boussinesq_1885", "sneddon_1965", radius="1 mm"),
         "rounded_punch": kind(
-            "winkler.profiles.rounded:RoundedPunch", "ciavarella_1998", flat_radius="0.5 mm", edge_radius="1 mm"
+            "winkler.profiles.rounded:RoundedPunch",
+            "ciavarella_hills_monno_1998",
+            flat_radius="0.5 mm",
+            edge_radius="1 mm",
         ),
         "truncated_cone": kind(
             "winkler.profiles.conical:TruncatedCone", "briscoe_1994", half_angle="80 deg", flat_radius="0.1 mm"
