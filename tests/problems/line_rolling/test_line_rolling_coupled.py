@@ -105,6 +105,8 @@ def test_a_creepage_makes_the_force_that_makes_it():
     pulled = rolled(0.3, wk.LineShearForce(np.array([-1500.0, 2000.0])))
     back = rolled(0.3, wk.Creepage(pulled.longitudinal_creepage))
     np.testing.assert_allclose(back.shear_force_per_length, [-1500.0, 2000.0], rtol=1e-7)
+    assert pulled.shear_force_per_length.tolist() == [-1500.0, 2000.0]
+    assert rolled(0.2).shear_force_per_length == 0.0
     slid = rolled(0.3, wk.LineShearForce(0.3 * FORCE))
     assert slid.stick_share == 0.0
     assert slid.traction_ratio == pytest.approx(1.0, rel=1e-9)
