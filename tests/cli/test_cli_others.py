@@ -234,6 +234,12 @@ def test_what_is_commented_out_is_valid_too(load):
     assert len(outcome.solved) == 9
 
 
+def test_a_template_shows_optional_switches():
+    """Coupled rolling is found without the manual; the line is a key of the problem itself."""
+    study = parse_study(re.sub(r"^# (coupled = )", r"\1", template("line_rolling"), flags=re.MULTILINE))
+    assert study.problem.coupled is True
+
+
 def test_optional_stresses_in_a_template_are_usual_ones():
     """A strength or a bulk stress of 210 GPa, the modulus of steel, would be none."""
     study = parse_study(re.sub(r"^# (bulk_stress|strength)", r"\1", template("line_tangential"), flags=re.MULTILINE))

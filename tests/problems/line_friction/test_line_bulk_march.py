@@ -48,7 +48,13 @@ VARYING = wk.LinePath([1.0, 1.0, 1.4, 0.8, 1.2], [0.0, 0.25, 0.1, -0.1, 0.15])
 
 @pytest.mark.parametrize(
     ("bed", "path", "most"),
-    [(CYLINDER, STEADY, 1e-4), pytest.param(CYLINDER, VARYING, 4e-4, marks=pytest.mark.slow), (ROUNDED, STEADY, 3e-4)],
+    [
+        (CYLINDER, STEADY, 5e-5),
+        *(
+            pytest.param(*row, marks=pytest.mark.slow)
+            for row in ((CYLINDER, VARYING, 1.5e-4), (ROUNDED, STEADY, 1.5e-4), (ROUNDED, VARYING, 1e-4))
+        ),
+    ],
 )
 def test_without_a_bulk_stress_the_march_is_the_sum_of_earlier_contacts(bed, path, most):
     """Loss, shift and slip (root of the mean square) are compared; the sums are exact."""
@@ -56,7 +62,7 @@ def test_without_a_bulk_stress_the_march_is_the_sum_of_earlier_contacts(bed, pat
     lossy = exact.dissipation_per_length > 0.0
     lost = near.dissipation_per_length[lossy] / exact.dissipation_per_length[lossy] - 1.0
     assert np.max(np.abs(lost)) < most
-    assert near.slip_shift == pytest.approx(exact.slip_shift, abs=2.0 * most * np.max(np.abs(exact.slip_shift)))
+    assert near.slip_shift == pytest.approx(exact.slip_shift, abs=most * np.max(np.abs(exact.slip_shift)))
     assert near.stick_half_width == pytest.approx(exact.stick_half_width, abs=1.2e-3)
     share = np.linspace(-0.96, 0.96, 49)
     pairs = [[one.slip(one.half_width * share) for one in pair] for pair in zip(exact.states, near.states, strict=True)]
@@ -94,7 +100,7 @@ def test_what_sticks_under_other_profiles_is_a_tilted_contact(bulk):
 @pytest.mark.parametrize(
     ("shears", "bulks"),
     [
-        ([0.0, 0.25, -0.25, 0.1], [0.0, 0.6, -0.6, 0.24]),  # in phase, an edge slips back
+        pytest.param([0.0, 0.25, -0.25, 0.1], [0.0, 0.6, -0.6, 0.24], marks=pytest.mark.slow),  # an edge slips back
         ([0.0, 0.0, 0.2, 0.2, -0.3], [0.0, 0.4, 0.4, -0.3, 0.1]),  # one after the other
     ],
 )
@@ -113,7 +119,8 @@ def test_edges_that_slip_back_are_those_of_other_elements(shears, bulks):
     assert state.dissipation_per_length == pytest.approx(march.lost, rel=1e-3)
 
 
-@pytest.mark.parametrize("sign", [1.0, pytest.param(-1.0, marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("sign", [1.0, -1.0])
 def test_a_steady_state_sticks_as_andresen_and_others_say(sign):
     """All of P, Q and the bulk stress oscillate: the means of P less dQ/(2 mu) bears what sticks, tilted by d sigma."""
     forces, shears = [1.0, *[1.1, 0.9] * 2], [0.0, *[0.05 + sign * 0.15, 0.05 - sign * 0.15] * 2]
@@ -145,6 +152,7 @@ def test_no_history_creates_energy(bed, stress, points):
         assert np.all(np.abs(state.traction(x)) <= MU * state.pressure(x) * (1.0 + 1e-9))
 
 
+@pytest.mark.slow
 def test_forces_and_bulk_stress_do_the_work_that_is_lost():
     """Over a closed cycle out of phase: the integral of Q over the shift, and of the tractions over the strain."""
     turn = np.linspace(0.0, 4.0 * np.pi, 161)

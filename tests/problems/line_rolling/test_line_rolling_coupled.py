@@ -52,12 +52,24 @@ def test_with_hardly_any_friction_half_of_the_load_slips_to_either_side():
     assert strip.creepage == pytest.approx(0.3 * 0.01 * np.cos(angle), rel=2e-3)
 
 
-def test_almost_similar_bodies_are_carters():
-    """Errors of the elements are of the first order."""
-    share = np.sqrt(1.0 - 0.6)
-    load = 0.25 * np.pi * 0.01
-    strip = coupled_strip(1e-9, 0.3, 0.01, force=0.6 * 0.3 * load)
-    assert strip.creepage == pytest.approx(0.3 * 0.01 * (1.0 - share), rel=3e-3)
+@pytest.mark.parametrize("used", [0.05, 0.6])
+def test_almost_similar_bodies_are_carters(used):
+    """Errors of the elements are of the first order; what is lost is the creepage times the force."""
+    force, creepage = used * 0.3 * 0.25 * np.pi * 0.01, 0.3 * 0.01 * (1.0 - np.sqrt(1.0 - used))
+    strip = coupled_strip(1e-9, 0.3, 0.01, force=force)
+    assert strip.creepage == pytest.approx(creepage, rel=3e-3)
+    assert strip.loss == pytest.approx(creepage * force, rel=3e-3)
+
+
+@pytest.mark.parametrize("used", [0.3, -0.6])
+def test_what_coupled_bodies_lose_is_what_drives_them(used):
+    """The creepage times the force, and the moment of the pressure: by both integral equations."""
+    strip = coupled_strip(0.3, 0.3, 0.01, force=used * 0.3 * 0.25 * np.pi * 0.01)
+    moment = float(np.sum(strip.pressure * strip.x)) * (strip.x[1] - strip.x[0])
+    assert strip.loss == pytest.approx(strip.creepage * strip.force + 0.01 * moment, rel=3e-3)
+
+
+def test_similar_bodies_are_not_coupled():
     similar = rolled(0.3, wk.LineShearForce(1000.0), pair=(STEEL, STEEL))
     assert similar.strips == ()
     assert similar.stick_share == rolled(0.3, wk.LineShearForce(1000.0), (STEEL, STEEL), coupled=False).stick_share
@@ -93,6 +105,8 @@ def test_a_creepage_makes_the_force_that_makes_it():
     pulled = rolled(0.3, wk.LineShearForce(np.array([-1500.0, 2000.0])))
     back = rolled(0.3, wk.Creepage(pulled.longitudinal_creepage))
     np.testing.assert_allclose(back.shear_force_per_length, [-1500.0, 2000.0], rtol=1e-7)
+    assert pulled.shear_force_per_length.tolist() == [-1500.0, 2000.0]
+    assert rolled(0.2).shear_force_per_length == 0.0
     slid = rolled(0.3, wk.LineShearForce(0.3 * FORCE))
     assert slid.stick_share == 0.0
     assert slid.traction_ratio == pytest.approx(1.0, rel=1e-9)

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from winkler.loading import LineShearForce
+from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.dispatch import sheet_of
 from winkler.plot.extent import checked_extent
@@ -22,7 +23,7 @@ from winkler.problems.rolling.creepage import Creepage
 
 __all__ = ["line_resistance_sheet", "line_rolling_sheet", "line_rolling_start_sheet"]
 
-POINTS, COUPLED_POINTS = 121, 9
+POINTS, COUPLED_POINTS = 121, 15
 BEYOND_SLIDING = 1.35
 """Range of a creep curve relative to the creepage at full sliding."""
 PLACES = 401
@@ -53,21 +54,26 @@ def _some(item: LineRollingSolution) -> list[LineRollingSolution]:
 
 
 def _alone(item: LineRollingSolution, index: int) -> LineRollingSolution:
-    if isinstance(item.problem.drive, LineShearForce):
-        drive: LineShearForce | Creepage = LineShearForce(float(np.ravel(item.shear_force_per_length)[index]))
-    else:
-        drive = Creepage(longitudinal=float(np.ravel(item.longitudinal_creepage)[index]))
-    return dataclasses.replace(item.problem, drive=drive).solve()
+    creepage, force, share = (
+        float(np.ravel(column)[index])
+        for column in (item.longitudinal_creepage, item.shear_force_per_length, item.stick_share)
+    )
+    by_force = isinstance(item.problem.drive, LineShearForce)
+    problem = dataclasses.replace(item.problem, drive=LineShearForce(force) if by_force else Creepage(creepage))
+    return LineRollingSolution(problem, creepage, force, share, item.contact, item.strips[index : index + 1])
 
 
 def _creep_panel(item: LineRollingSolution) -> Panel:
-    creepage = np.ravel(np.asarray(item.longitudinal_creepage, dtype=float))
-    ratio = np.ravel(np.asarray(item.traction_ratio)) * np.sign(creepage)
+    """Return the curve, and the drives on it; of dissimilar bodies the force is zero beside no creepage."""
+    creepage, ratio = np.ravel(np.asarray(item.longitudinal_creepage, dtype=float)), _used(item)
     limit = sliding_creepage(item.contact, item.problem.friction.coefficient)
     most = max(BEYOND_SLIDING * limit, float(np.max(np.abs(creepage))))
-    along = np.linspace(-most if np.min(creepage) < 0.0 else 0.0, most, COUPLED_POINTS if item.strips else POINTS)
-    curve = dataclasses.replace(item.problem, drive=Creepage(longitudinal=along)).solve()
-    forces = np.asarray(curve.traction_ratio) * np.sign(along)
+    both = bool(item.strips) or np.min(creepage) < 0.0
+    along = np.linspace(-most if both else 0.0, most, COUPLED_POINTS if item.strips else POINTS)
+    forces = _used(dataclasses.replace(item.problem, drive=Creepage(longitudinal=along)).solve())
+    if item.strips:
+        along, places = np.unique(np.append(along, creepage), return_index=True)
+        forces = np.append(forces, ratio)[places]
     of = series("longitudinal_creepage", along, LineRollingSolution)
     across = PanelAxis.of(of)
     marks = (
@@ -76,6 +82,12 @@ def _creep_panel(item: LineRollingSolution) -> Panel:
         Rule(1.0, width=0.9, dash=style.DOTTED),
     )
     return Panel(marks, across, PanelAxis(r"force $Q/(\mu P)$", margin=0.1))
+
+
+def _used(item: LineRollingSolution) -> Array:
+    """Return Q over mu P, with the sign of Q."""
+    force = np.ravel(np.asarray(item.shear_force_per_length, dtype=float))
+    return force / (item.problem.friction.coefficient * float(item.contact.force_per_length))
 
 
 def _traction_panel(drawn: list[LineRollingSolution], end: float) -> Panel:

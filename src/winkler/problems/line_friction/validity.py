@@ -39,7 +39,7 @@ MARCHED = Note(
     "Coulomb friction step by step on boundary elements: loss and slip are within about a thousandth of their greatest "
     "values, the traction within some hundredths where zones of stick and slip meet.",
     "compared with sums of earlier contacts where those hold; D. A. Hills, D. Nowell, Mechanics of Fretting Fatigue, "
-    "1994, doi:10.1007/978-94-015-8281-0",
+    "Kluwer, 1994",
 )
 
 

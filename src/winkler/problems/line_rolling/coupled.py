@@ -65,8 +65,13 @@ class CoupledStrip(NamedTuple):
 
     @property
     def loss(self) -> float:
-        """What friction loses per distance rolled, over E* a."""
-        return float(np.sum(np.abs(self.traction * self.slip))) / COUNT
+        """What friction loses per distance rolled, over E* a.
+
+        Halfway between two nodes the traction is their mean; behind the last one it falls to zero.
+        """
+        halfway = 0.5 * (self.traction + np.append(self.traction[1:], 0.0))
+        behind = 0.5 * self.traction[0] * self.slip[0]
+        return float(np.sum(np.abs(halfway * self.slip)) + abs(behind)) / COUNT
 
 
 def coupled_strip(

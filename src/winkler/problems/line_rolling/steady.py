@@ -187,6 +187,7 @@ class LineRolling:
         )
         rows = zip(*((strip.creepage, modulus * a * strip.force, strip.stick_share) for strip in strips), strict=True)
         at, force, stick = (shaped(np.array(row), np.shape(drives)) for row in rows)
+        force = shaped(drives) if by_force else force  # that of the elements misses it by rounding
         return LineRollingSolution(self, at, force, stick, contact, strips)
 
 

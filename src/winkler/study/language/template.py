@@ -61,6 +61,18 @@ def _line(text: str, comment: str) -> str:
     return f"{text:<{COMMENT_COLUMN - 2}}  # {comment}" if comment else text
 
 
+def _such(key: Key) -> str:
+    """Return what an optional key may be, as TOML; nothing if it takes text or a kind."""
+    if key.takes == "true or false":
+        return inline(True)
+    if key.word.unit is None:
+        return ""
+    if key.takes == "whole number":
+        return "10"
+    such = sample(key.word.unit, key.name)
+    return inline(such) if key.word.unit else str(such)
+
+
 def _heading(place: str) -> str:
     """Return the heading of the table at a key; parts of lists have two brackets, and no number."""
     path = ".".join(part for part in place.split(".") if not part.isdecimal())
@@ -81,10 +93,9 @@ def _section(place: str, table: dict[str, Any]) -> list[str]:
                 below += _section(f"{place}.{key.name}.{number}", item)
         elif content is not None:
             lines.append(_line(f"{key.name} = {inline(content)}", _comment(key)))
-        elif key.word.unit is not None and not key.required and key.name in hints(kinds()[name].cls):
-            such = "10" if key.takes == "whole number" else sample(key.word.unit, key.name)
-            text = f"# {key.name} = {inline(such) if key.word.unit else such}"
-            lines.append(_line(text, f"{_comment(key)} (optional)"))
+        elif not key.required and key.name in hints(kinds()[name].cls):
+            such = _such(key)
+            lines += [_line(f"# {key.name} = {such}", f"{_comment(key)} (optional)")] if such else []
     return lines + below
 
 
