@@ -18,8 +18,8 @@ from winkler.problems.friction.slip_memory import LossPiece, SlipMemory
 
 __all__ = ["NormalStates", "SlipSums"]
 
-MOST_GAPS = 16_384
-"""Gaps that are remembered at most."""
+FEWEST_GAPS, GAPS_PER_PIECE = 256, 8
+"""Gaps that are remembered at most: so many, or so many for each piece of the longest memory."""
 NARROW_RING = 2e-3
 """Part of its outer gap below which a ring of springs is summed by itself, lest nothing be left of it by rounding."""
 
@@ -52,12 +52,13 @@ class SlipSums:
         # the gaps at which pieces meet come back step after step
         self._points: dict[float, Moments] = {0.0: (0.0, 0.0, 0.0)}
         self._rings: dict[tuple[float, float], Moments] = {}
+        self._most = FEWEST_GAPS
 
     def at(self, gap: float) -> Moments:
         """Return K, F and W at a gap [m]; nothing at zero, where a flat end comes into contact at once."""
         sums = self._points.get(gap)
         if sums is None:
-            if len(self._points) > MOST_GAPS:
+            if len(self._points) > self._most:
                 self._points = {0.0: self._points[0.0]}
             sums = self._points[gap] = self.states.at(gap)
         return sums
@@ -76,14 +77,19 @@ class SlipSums:
                     outer[1] - inner[1] - width * inner[0],
                     2.0 * (outer[2] - inner[2]) - width * (2.0 * inner[1] + width * inner[0]),
                 )
-            if len(self._rings) > MOST_GAPS:  # a long march must not remember every gap it has met
+            if len(self._rings) > self._most:  # a long march must not remember every gap it has met
                 self._rings.clear()
             self._rings[start, stop] = sums
         return sums
 
+    def _expect(self, pieces: int) -> None:
+        """Remember more gaps where many pieces come back step after step."""
+        self._most = max(self._most, GAPS_PER_PIECE * pieces)
+
     def shear(self, memory: SlipMemory) -> float:
         """Return the integral of u_t dK [N]: the shear force over the ratio."""
         total = 0.0
+        self._expect(memory.left.size)
         for start, stop, left, right in _rows(memory):
             zeroth, first, _ = self.ring(start, stop)
             total += right * zeroth + (left - right) / (stop - start) * first
@@ -92,6 +98,7 @@ class SlipSums:
     def stored(self, memory: SlipMemory) -> float:
         """Return half the integral of u_t^2 dK [J]: the stored energy over the ratio."""
         total = 0.0
+        self._expect(memory.left.size)
         for start, stop, left, right in _rows(memory):
             zeroth, first, second = self.ring(start, stop)
             slope = (left - right) / (stop - start)
@@ -100,8 +107,9 @@ class SlipSums:
 
     def lost(self, losses: Iterable[LossPiece]) -> float:
         """Return what sliding has cost, or what was spent [J], over the ratio."""
-        total = 0.0
-        for start, stop, constant, linear, square in losses:
+        total, pieces = 0.0, tuple(losses)
+        self._expect(len(pieces))
+        for start, stop, constant, linear, square in pieces:
             zeroth, first, second = self.ring(start, stop)
             total += constant * zeroth + linear * first + square * second
         return total
