@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import json
-from typing import Any
+from typing import Any, get_args, get_type_hints
 
+from winkler.checks.number_checks import Whole
 from winkler.study.language.catalogue import kinds, slot_of
 from winkler.study.language.explain import Key, example_study, keys_of, place_of, plain_symbol, summary, table_at
 from winkler.study.language.quantities import sample
@@ -82,10 +83,18 @@ def _section(place: str, table: dict[str, Any]) -> list[str]:
         elif content is not None:
             lines.append(_line(f"{key.name} = {inline(content)}", _comment(key)))
         elif key.word.unit is not None and not key.required and key.name in hints(kinds()[name].cls):
-            such = "10" if key.takes == "whole number" else sample(key.word.unit, key.name)
+            such = (
+                _whole(kinds()[name].cls, key.name) if key.takes == "whole number" else sample(key.word.unit, key.name)
+            )
             text = f"# {key.name} = {inline(such) if key.word.unit else such}"
             lines.append(_line(text, f"{_comment(key)} (optional)"))
     return lines + below
+
+
+def _whole(cls: type, name: str) -> str:
+    """Return a whole number that a field allows."""
+    _, *checks = get_args(get_type_hints(cls, include_extras=True)[name]) or (int,)
+    return str(max([10, *(check.least for check in checks if isinstance(check, Whole))]))
 
 
 def template(name: str, *, file: str = "study", **chosen: str) -> str:
