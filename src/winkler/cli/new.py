@@ -32,9 +32,7 @@ def new(
     problem: Annotated[
         str, typer.Argument(help="Kind of the problem, such as indentation.", autocompletion=_kinds("problem"))
     ] = "indentation",
-    profile: Annotated[
-        str, typer.Option(help="Kind of the profile.", autocompletion=_kinds("profile"))
-    ] = "",
+    profile: Annotated[str, typer.Option(help="Kind of the profile.", autocompletion=_kinds("profile"))] = "",
     medium: Annotated[str, typer.Option(help="Kind of the medium.", autocompletion=_kinds("medium"))] = "",
     bed: Annotated[str, typer.Option(help="Kind of the bed.", autocompletion=_kinds("bed"))] = "",
     load: Annotated[str, typer.Option(help="Kind of the load.", autocompletion=_kinds("load"))] = "",
