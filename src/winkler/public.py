@@ -210,6 +210,7 @@ from winkler.profiles.flat import CappedCylinder, Cylinder, FlatPunch
 from winkler.profiles.formula import Formula
 from winkler.profiles.measured import Measured
 from winkler.profiles.measured_section import FormulaSection, MeasuredSection
+from winkler.profiles.mirrored_section import MirroredSection
 from winkler.profiles.power import Paraboloid, PowerLaw
 from winkler.profiles.profile import Shape, Sum
 from winkler.profiles.roller_ends import CrownedEnds, LogarithmicEnds, RoundedEnds, SharpEnds
@@ -222,7 +223,7 @@ from winkler.profiles.rough.spectrum import PowerSpectrum, SelfAffine
 from winkler.profiles.rough.spikes import Spikes
 from winkler.profiles.rough.topography import Topography
 from winkler.profiles.rounded import CappedParaboloid, RoundedPunch, TruncatedParaboloid
-from winkler.profiles.section import CylinderRow, MirroredSection, PunchRow
+from winkler.profiles.section import CylinderRow, PunchRow
 from winkler.profiles.socket import BallInSocket
 from winkler.profiles.sphere import Ellipsoid, Hyperboloid, Sphere
 from winkler.profiles.wavy import Wavy

@@ -215,6 +215,26 @@ def test_new_with_other_parts(option, kind, here):
     assert kinds()[kind].cls in (type(bed), type(bed.medium))
 
 
+@pytest.mark.parametrize(
+    ("problem", "option", "kind"),
+    [("line_indentation", "--bed", name) for name in CATALOGUE["line_bed"]]
+    + [("line_profile_contact", "--profile", name) for name in ("punch_row", "formula_section")]
+    + [("line_indentation", "--load", "mean_pressure")],
+)
+def test_new_with_parts_of_line_contacts(problem, option, kind, here):
+    """`winkler show line_indentation` lists them: an option takes them too."""
+    assert main(["new", problem, option, kind, "--overwrite"]) == 0
+    found = parse_study((here / f"{problem}.toml").read_text(encoding="utf-8")).problem
+    parts = (getattr(found, "bed", None), getattr(found, "section", None), found.load)
+    assert kinds()[kind].cls in map(type, parts)
+
+
+def test_an_optional_number_in_a_template_is_allowed():
+    """Its first grid has at least 64 places: 10 would be refused."""
+    text = re.sub(r"^# (elements)", r"\1", template("line_profile_contact"), flags=re.MULTILINE)
+    assert parse_study(text).problem.elements == 64
+
+
 @pytest.mark.parametrize("load", list(CATALOGUE["load"]))
 def test_what_is_commented_out_is_valid_too(load):
     """Sweep, fields and output of the template are right when their marks are taken away."""
@@ -268,7 +288,10 @@ def test_new_does_not_replace_a_file_without_consent(here, capsys):
             + ", ".join(CATALOGUE["problem"])
             + ".",
         ),
-        (["--load", "forces"], "load: 'forces' is not known (did you mean 'force'?); there are force, depth, radius."),
+        (
+            ["--load", "forces"],
+            "load: 'forces' is not known (did you mean 'force'?); there are force, depth, radius, line_force",
+        ),
         (
             ["--output", "no/where.toml"],
             "cannot be written (no such file or directory); give another file with --output.",

@@ -13,6 +13,9 @@ from winkler.cli.streams import write_line
 
 __all__ = ["new"]
 
+ALSO = {"profile": ("section",), "bed": ("line_bed",), "load": ("line_load",)}
+"""Further groups whose kinds an option takes."""
+
 
 def _kinds(slot: str) -> Callable[[str], list[str]]:
     """Return the completion of the kinds of one group."""
@@ -20,7 +23,7 @@ def _kinds(slot: str) -> Callable[[str], list[str]]:
     def names() -> Iterable[str]:
         from winkler.study.language.catalogue import CATALOGUE
 
-        return CATALOGUE[slot]
+        return [kind for group in (slot, *ALSO.get(slot, ())) for kind in CATALOGUE[group]]
 
     return completion(names)
 
@@ -50,8 +53,8 @@ def new(
     from winkler.study.report.single_file import write_whole
 
     for slot, name in (("problem", problem), ("profile", profile), ("medium", medium), ("bed", bed), ("load", load)):
-        if name and name not in CATALOGUE[slot]:
-            names = list(CATALOGUE[slot])
+        names = [kind for group in (slot, *ALSO.get(slot, ())) for kind in CATALOGUE[group]]
+        if name and name not in names:
             raise InvalidInput(f"{slot}: '{name}' is not known{suggest(name, names)}; there are {', '.join(names)}.")
     path = output or Path(f"{problem}.toml")
     refuse_existing(path, overwrite)

@@ -24,8 +24,10 @@ from winkler.numerics.types import Array, Curve
 
 __all__ = ["averages", "smooth_modes", "transforms"]
 
-SAMPLES = 64
+SAMPLES = 64, 256
+"""Places at which a profile is read; more where it is wavy."""
 TAIL = 8
+ENTRIES = 3_000_000
 VANISHED = 1e-13
 """Last coefficients of a smooth profile, over the largest."""
 ROUNDING = 3e-15
@@ -49,12 +51,15 @@ def smooth_modes(bed: LineFoundation, half_width: Array) -> Array | None:
     """
     if any(b < float(np.max(half_width)) for b, _ in bed.profile.kinks):
         return None
-    angle = 0.5 * math.pi * (np.arange(SAMPLES) + 0.5) / SAMPLES
-    height = bed.profile.height(half_width[:, None] * np.cos(angle))
-    order = np.arange(1, SAMPLES)
-    series = 2.0 / SAMPLES * height @ np.cos(2.0 * np.outer(angle, order))
-    largest = np.max(np.abs(series), axis=1, keepdims=True)
-    if np.any(np.abs(series[:, -TAIL:]) > VANISHED * largest):
+    for count in SAMPLES:
+        angle = 0.5 * math.pi * (np.arange(count) + 0.5) / count
+        height = bed.profile.height(half_width[:, None] * np.cos(angle))
+        order = np.arange(1, count)
+        series = 2.0 / count * height @ np.cos(2.0 * np.outer(angle, order))
+        largest = np.max(np.abs(series), axis=1, keepdims=True)
+        if np.all(np.abs(series[:, -TAIL:]) <= VANISHED * largest):
+            break
+    else:
         return None
     series = np.where(np.abs(series) > ROUNDING * largest, series, 0.0)
     pushed = math.pi * order * series
@@ -66,8 +71,12 @@ def transforms(bed: LineFoundation, half_width: Array, k: Array) -> Array:
     modes = smooth_modes(bed, half_width)
     if modes is not None:
         used = 1 + int(np.max(np.nonzero(np.any(modes != 0.0, axis=0))[0], initial=0))
-        rows = bessel_rows(half_width[:, None] * k, used)
-        return np.asarray(np.einsum("an,nak->ak", modes[:, :used] * signs(used), rows))
+        pushed, found = modes[:, :used] * signs(used), np.empty((half_width.size, k.size))
+        step = max(1, ENTRIES // (used * k.size))
+        for start in range(0, half_width.size, step):
+            part = slice(start, start + step)
+            found[part] = np.einsum("an,nak->ak", pushed[part], bessel_rows(half_width[part, None] * k, used))
+        return found
     from scipy.special import j0
 
     result = np.empty((half_width.size, k.size))

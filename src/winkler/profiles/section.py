@@ -10,15 +10,13 @@ import math
 
 import numpy as np
 
-from winkler.checks.number_checks import FiniteRow, Positive, PositiveRow
+from winkler.checks.number_checks import FiniteRow, PositiveRow
 from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
-from winkler.profiles.area import AreaFunction
-from winkler.profiles.profile import Profile
 from winkler.validity import Note
 from winkler.values import value, words
 
-__all__ = ["CylinderRow", "MirroredSection", "PunchRow", "Section", "ascending"]
+__all__ = ["SIDE", "CylinderRow", "PunchRow", "Section", "ascending"]
 
 MOST_BODIES = 200
 SIDE = 1e-9
@@ -37,6 +35,11 @@ class Section:
     def end(self) -> float:
         """Last place of what is known [m]; infinite if all of it is."""
         return math.inf
+
+    @property
+    def carrying(self) -> tuple[float, float]:
+        """Places [m] between which a force can act on a body that is free to tilt."""
+        return self.start, self.end
 
     @property
     def pads(self) -> tuple[tuple[float, float], ...]:
@@ -112,6 +115,11 @@ class CylinderRow(Section):
                 f"give one of each for up to {MOST_BODIES} cylinders."
             )
         ascending("CylinderRow", self.places)
+
+    @property
+    def carrying(self) -> tuple[float, float]:
+        """As of `Section`: beyond the radius of the last cylinder there is no place on it to roll to [m]."""
+        return float(self.places[0] - self.curvature_radii[0]), float(self.places[-1] + self.curvature_radii[-1])
 
     def window(self, load: float) -> tuple[float, float]:
         """Return places [m] around all cylinders, as wide as the widest alone would touch under the load."""
@@ -211,83 +219,6 @@ class PunchRow(Section):
     def slope(self, x: Array) -> Array:
         """f'(x) = 0."""
         return np.zeros(np.shape(x))
-
-
-@value
-class MirroredSection(Section):
-    """A profile with two equal flanks, cut off vertically at a stated width.
-
-    Parameters
-    ----------
-    profile : Profile
-        Height at the distance of x from the middle, x = 0.
-    width : float
-        Of the section [m]: the body ends at half of it on either side, or at the rim of the profile.
-
-    Raises
-    ------
-    InvalidInput
-        If the profile is not known so far, or states cross-sections of a tip of revolution.
-    """
-
-    __words__ = words(width=("L", "m", "width of the section"))
-
-    profile: Profile
-    width: Positive
-
-    def __post_init__(self) -> None:
-        if isinstance(self.profile, AreaFunction):
-            raise InvalidInput(
-                "MirroredSection: an AreaFunction states the round cross-sections of a tip; give a shape."
-            )
-        if 0.5 * self.width > min(self.profile.reach, self.profile.rim):
-            raise InvalidInput(
-                f"MirroredSection: the profile ends at {min(self.profile.reach, self.profile.rim):.6g} m; give a width "
-                "of at most twice of that."
-            )
-
-    @property
-    def start(self) -> float:
-        """Left end [m]."""
-        return -0.5 * self.width
-
-    @property
-    def end(self) -> float:
-        """Right end [m]."""
-        return 0.5 * self.width
-
-    @property
-    def pads(self) -> tuple[tuple[float, float], ...]:
-        """From end to end."""
-        return ((self.start, self.end),)
-
-    @property
-    def breaks(self) -> tuple[tuple[float, float, float], ...]:
-        """Those of the profile on either side, and a sharp tip."""
-        found = []
-        for place, jump in self.profile.kinks:
-            if 0.0 < place < self.end:
-                curved = getattr(self.profile, "curvature", None)
-                sides = place * (1.0 + SIDE * np.array([-1.0, 1.0]))
-                bend = float(np.diff(curved(sides))[0]) if curved is not None else 0.0
-                found += [(place, jump, bend), (-place, jump, -bend)]
-        tip = float(self.profile.slope(np.array([np.nextafter(0.0, 1.0)]))[0])
-        if tip > 0.0:
-            found.append((0.0, 2.0 * tip, 0.0))
-        return tuple(sorted(found))
-
-    @property
-    def notes(self) -> tuple[Note, ...]:
-        """Those of the profile."""
-        return self.profile.notes
-
-    def height(self, x: Array) -> Array:
-        """f(|x|) [m]."""
-        return np.asarray(self.profile.height(np.abs(x)))
-
-    def slope(self, x: Array) -> Array:
-        """f'(|x|), negative at x < 0."""
-        return np.asarray(np.where(np.asarray(x) < 0.0, -1.0, 1.0) * self.profile.slope(np.abs(x)))
 
 
 def ascending(owner: str, places: Array) -> None:

@@ -61,6 +61,17 @@ def test_layers_of_one_solid_are_a_half_plane(profile):
         assert layered.approach(first=5.0, second=2.0) == pytest.approx(plain.approach(5.0, 2.0), rel=1e-11)
 
 
+def test_waves_of_many_lengths_under_a_strip_are_a_half_plane_on_layers_of_one_solid():
+    """Of 40 waves the profile is no polynomial of degree 128; it was taken for one with kinks."""
+    waves = wk.Sum([wk.Paraboloid(1.0), wk.Wavy(1e-6, 0.1)])
+    layered = of_width(coated(waves), 2.0)
+    plain = of_width(wk.LineFoundation(waves, wk.HalfSpace(SOLID, wk.Rigid())), 2.0)
+    assert layered.force_per_length == pytest.approx(plain.force_per_length, rel=1e-12)
+    x = np.array([0.0, 0.31, 1.7])
+    np.testing.assert_allclose(layered.pressure(x), plain.pressure(x), rtol=1e-9)
+    assert layered.problem.bed.carried(2.0, 0.0).own is not None
+
+
 @pytest.mark.parametrize("half_width", [0.03, 0.3, 1.0, 3.0, 20.0])
 @pytest.mark.parametrize("poisson", [0.0, 0.3, 0.5])
 def test_a_force_leads_back_to_its_half_width_and_grows_by_flat_punches(poisson, half_width):

@@ -184,6 +184,24 @@ def test_a_force_off_the_middle_tilts_the_body():
     np.testing.assert_allclose(again.edges, found.edges, rtol=1e-10)
 
 
+@pytest.mark.parametrize("place", [0.2, 0.45, 0.71])
+def test_a_free_cylinder_rolls_to_the_force(place):
+    """x - m = theta R: however narrow the contact is, it moves along under the force."""
+    cylinder = wk.FormulaSection("(x - m)**2/(2*R) + h*cos(2*pi*x/l)", 1.0, h=1e-9, l=0.5, m=0.5, R=10.0, cut_off=True)
+    found = pressed(cylinder, 1e-10, wk.LineOfAction(place))
+    assert found.line_of_action == pytest.approx(place, rel=1e-12)
+    assert found.refined
+    bent = 1e-9 * (4.0 * np.pi) * np.sin(4.0 * np.pi * place)
+    assert found.tilt == pytest.approx((place - 0.5) / 10.0 - bent, rel=1e-6)
+
+
+def test_a_force_beside_the_cylinders_is_refused():
+    """A cylinder of the radius 1 at 0.5 ends at 1.5."""
+    assert pressed(row(-0.5, 0.5), 1e-3, wk.LineOfAction(1.4)).tilt == pytest.approx(0.9, rel=1e-6)
+    with pytest.raises(wk.InvalidInput, match="between -1.5 m and 1.5 m"):
+        pressed(row(-0.5, 0.5), 1e-3, wk.LineOfAction(50.0))
+
+
 def test_measured_points_come_close_to_the_formula():
     x = np.linspace(0.0, 1e-2, 4001)
     lines, curved = (
@@ -233,6 +251,8 @@ def test_what_is_not_known_is_refused():
         found.stresses([0.0, 1.0], [1.0, 2.0, 3.0])
     with pytest.raises(wk.InvalidInput, match="coefficient"):
         found.stresses(0.0, 1.0, [0.1])
+    with pytest.raises(wk.InvalidInput, match="coefficient"):
+        found.stresses(0.0, 1.0, "rough")
     with pytest.raises(wk.OutsideValidity, match="no surface"):
         pressed(wk.PunchRow([-1.0], [1.0], [0.0]), 0.1).separation(2.0)
     with pytest.raises(wk.InvalidInput, match="holds 2 loads"):

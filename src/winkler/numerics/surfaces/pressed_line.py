@@ -7,6 +7,9 @@ with p >= 0, w >= 0 and p w = 0; pressures are even on each element.  Elements t
 added, until none does either; for each such set the pressures are linear in C, theta and f, found by conjugate
 gradients preconditioned with \|q\| (products by the fast Fourier transform, padded with zeros), and the force, with
 the moment if theta is free, gives C and theta.  Grids of half as many elements provide the first set.
+
+A body that is free to tilt may roll by more than its strips are wide between one set and the next, so that the sets
+repeat.  Then theta is found from solutions of a prescribed tilt, whose moment grows with it.
 """
 
 from __future__ import annotations
@@ -26,6 +29,8 @@ COARSEST = 96
 MOST_ROUNDS = 80
 """Changes of the set of elements in contact before it has not converged; five are usual."""
 MOST_ITERATIONS = 600
+TILTS = 60
+"""Doublings of the interval of tilts in which the moment is sought."""
 ACCURACY = 1e-11
 """Residual of the linear equations, over their right-hand side."""
 TOLERANCE = 1e-9
@@ -130,7 +135,9 @@ def press_line(
             pressed = _pressed(x, f, force, tilt, moment, active)
         except NotConverged:
             if part == slice(None):
-                raise
+                if math.isnan(moment):
+                    raise
+                return _balanced(x, f, force, moment, np.isfinite(f))
             active = np.isfinite(f)
             continue
         active = pressed.pressure > 0.0
@@ -170,6 +177,36 @@ def _pressed(x: Array, f: Array, force: float, tilt: float, moment: float, activ
         f"the elements in contact still change after {MOST_ROUNDS} rounds on {x.size} places; take more or fewer "
         "elements."
     )
+
+
+def _balanced(x: Array, f: Array, force: float, moment: float, active: Array) -> PressedLine:
+    """Return the profile under the tilt with which its pressures bear the moment, sought between prescribed tilts."""
+    from scipy.optimize import brentq
+
+    spacing = float(x[-1] - x[0]) / (x.size - 1)
+    touched = active
+
+    def pressed(tilt: float) -> PressedLine:
+        nonlocal touched
+        try:
+            found = _pressed(x, f, force, tilt, math.nan, touched)
+        except NotConverged:
+            found = _pressed(x, f, force, tilt, math.nan, active)
+        touched = found.pressure > 0.0
+        return found
+
+    def excess(tilt: float) -> float:
+        return spacing * float(pressed(tilt).pressure @ x) - moment
+
+    steepest = float(np.max(np.abs(np.diff(f[active])))) / spacing
+    low, high = -(steepest + force), steepest + force
+    for _ in range(TILTS):
+        if excess(low) <= 0.0 <= excess(high):
+            break
+        low, high = 2.0 * low, 2.0 * high
+    else:
+        raise NotConverged("no tilt was found under which the force acts where it was given; give a place farther in.")
+    return pressed(float(brentq(excess, low, high, xtol=1e-15 * high, rtol=1e-14)))
 
 
 def _solved(grid: _LogKernel, active: Array, right: Array, start: Array) -> Array:

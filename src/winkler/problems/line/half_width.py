@@ -197,7 +197,7 @@ def _first(bed: LineBed, level: Level, target: Array) -> Array:
         end *= 1.0 - VERTICAL[-1]
     top = min(end, _guess(bed, level, most), *_wavelengths(bed.profile))
     samples = SAMPLES if np.isinf(bed.trial) else SAMPLES_ON_LAYERS
-    while top < end and float(np.max(level(np.linspace(flat, top, samples)[1:]))) < most:
+    while top < end and _highest(level, np.linspace(flat, top, samples)[1:]) < most:
         if top > MOST_TRIALS * bed.trial:
             raise OutsideValidity(
                 f"The load is not reached up to a half-width of {top:.6g} m, {0.5 * top / bed.trial:.3g} times the "
@@ -259,6 +259,11 @@ def _refuse_far_crests(bed: LineBed, half_width: Array, beside: float) -> None:
                 "crest: they touch in several strips; give a smoother profile, PeriodicIndentation for equal crests, "
                 "or LineProfileContact."
             )
+
+
+def _highest(level: Level, places: Array) -> float:
+    """Return the greatest level; the last place, the most costly one, is refused before others are computed."""
+    return max(float(level(places[-1:])[0]), float(np.max(level(places))))
 
 
 def _wavelengths(profile: Profile) -> set[float]:

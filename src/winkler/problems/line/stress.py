@@ -13,18 +13,18 @@ These are Flamant's line loads summed over the strip; for a cylinder F is McEwen
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
+from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.line_bed import LineBed
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace, HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.values import value
 
-__all__ = ["InBody", "LineContact", "LineFields", "fields_of", "poisson_of", "stresses"]
+__all__ = ["InBody", "LineContact", "LineFields", "fields_of", "one_coefficient", "poisson_of", "stresses"]
 
 
 @value
@@ -92,6 +92,14 @@ class InBody(NamedTuple):
     poisson: float
     friction: float = 0.0
     pressed: float = 1.0
+
+
+def one_coefficient(owner: str, friction: Any) -> float:
+    """Return a coefficient of friction as given; refuse what is not one finite number."""
+    number = np.asarray(friction)
+    if number.ndim > 0 or number.dtype.kind not in "iuf" or not np.isfinite(number):
+        raise InvalidInput(f"{owner}: friction is {friction!r:.60}; give one finite coefficient.")
+    return float(number)
 
 
 def poisson_of(medium: HomogeneousMedium, below: bool) -> float:

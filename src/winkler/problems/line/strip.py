@@ -12,12 +12,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from winkler.checks.place_checks import common_places, finite_places
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.errors import OutsideValidity
 from winkler.foundation.line import LineFoundation
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.line.approach import approach
 from winkler.problems.line.references import Reference
-from winkler.problems.line.stress import LineContact, LineFields, poisson_of, stresses
+from winkler.problems.line.stress import LineContact, LineFields, one_coefficient, poisson_of, stresses
 from winkler.problems.which_body import in_first_body
 
 __all__ = ["OfStrip", "Stressed", "Strip"]
@@ -78,8 +78,7 @@ class Stressed:
         return fields if below else dataclasses.replace(fields, z=-fields.z)
 
     def _contact(self, below: bool, friction: float) -> LineContact:
-        if np.ndim(friction) > 0 or not np.isfinite(friction):
-            raise InvalidInput(f"{type(self).__name__}: friction is {friction!r}; give one finite coefficient.")
+        friction = one_coefficient(type(self).__name__, friction)
         a, edge_load = self._strip("stresses")
         if a == 0.0:
             raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")

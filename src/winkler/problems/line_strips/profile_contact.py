@@ -23,7 +23,7 @@ from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.surfaces.found_strips import FoundStrips
 from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
 from winkler.problems.assumptions.declared import PRESSED
-from winkler.problems.line.stress import InBody, LineFields, fields_of, poisson_of
+from winkler.problems.line.stress import InBody, LineFields, fields_of, one_coefficient, poisson_of
 from winkler.problems.line_strips.profile_notes import profile_notes
 from winkler.problems.line_strips.strip_search import Pushed, find_strips
 from winkler.problems.one_load import one_of, single
@@ -95,9 +95,11 @@ class LineProfileContact:
 
     def __post_init__(self) -> None:
         _, place = self._aligned
-        if isinstance(self.alignment, LineOfAction) and not self.section.start < place < self.section.end:
+        first, last = self.section.carrying
+        if isinstance(self.alignment, LineOfAction) and not first < place < last:
             raise InvalidInput(
-                f"LineProfileContact: the force at {place:.6g} m would tip the section over; give a place on it."
+                f"LineProfileContact: the force at {place:.6g} m would tip the section over; give a place between "
+                f"{first:.6g} m and {last:.6g} m."
             )
 
     def solve(self) -> LineProfileSolution:
@@ -268,13 +270,12 @@ class LineProfileSolution:
         """
         place, depth = common_places("LineProfileSolution.stresses", x=x, z=z)
         below = in_first_body(depth, "LineProfileSolution")
-        if np.ndim(friction) > 0 or not np.isfinite(friction):
-            raise InvalidInput(f"LineProfileSolution: friction is {friction!r}; give one finite coefficient.")
+        friction = one_coefficient("LineProfileSolution", friction)
         found = self._one("stresses")
         if found is None:
             raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
         deep = np.abs(depth)
-        body = InBody(poisson_of(self.problem.medium, below), float(friction))
+        body = InBody(poisson_of(self.problem.medium, below), friction)
         return dataclasses.replace(fields_of(place, deep, *found.potential(place, deep), body), z=depth)
 
     def at(self, index: int | tuple[int, ...]) -> LineProfileSolution:

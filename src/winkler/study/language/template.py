@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import json
-from typing import Any
+from typing import Any, get_args, get_type_hints
 
+from winkler.checks.number_checks import Whole
 from winkler.study.language.catalogue import kinds, slot_of
 from winkler.study.language.explain import Key, example_study, keys_of, place_of, plain_symbol, summary, table_at
 from winkler.study.language.quantities import sample
@@ -61,14 +62,14 @@ def _line(text: str, comment: str) -> str:
     return f"{text:<{COMMENT_COLUMN - 2}}  # {comment}" if comment else text
 
 
-def _such(key: Key) -> str:
+def _such(cls: type, key: Key) -> str:
     """Return what an optional key may be, as TOML; nothing if it takes text or a kind."""
     if key.takes == "true or false":
         return inline(True)
     if key.word.unit is None:
         return ""
     if key.takes == "whole number":
-        return "10"
+        return _whole(cls, key.name)
     such = sample(key.word.unit, key.name)
     return inline(such) if key.word.unit else str(such)
 
@@ -94,9 +95,15 @@ def _section(place: str, table: dict[str, Any]) -> list[str]:
         elif content is not None:
             lines.append(_line(f"{key.name} = {inline(content)}", _comment(key)))
         elif not key.required and key.name in hints(kinds()[name].cls):
-            such = _such(key)
+            such = _such(kinds()[name].cls, key)
             lines += [_line(f"# {key.name} = {such}", f"{_comment(key)} (optional)")] if such else []
     return lines + below
+
+
+def _whole(cls: type, name: str) -> str:
+    """Return a whole number that a field allows."""
+    _, *checks = get_args(get_type_hints(cls, include_extras=True)[name]) or (int,)
+    return str(max([10, *(check.least for check in checks if isinstance(check, Whole))]))
 
 
 def template(name: str, *, file: str = "study", **chosen: str) -> str:

@@ -42,7 +42,7 @@ LINE_PROFILES = Chapter(
                 drops={"values": [0, 0], "unit": "um"},
             ),
             "mirrored_section": kind(
-                "winkler.profiles.section:MirroredSection",
+                "winkler.profiles.mirrored_section:MirroredSection",
                 profile={"kind": "wavy", "amplitude": "1 um", "wavelength": "1 mm"},
                 width="4.5 mm",
             ),
