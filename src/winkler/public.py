@@ -1,7 +1,6 @@
 """What `import winkler` offers, each name from the module where it is defined.
 
-The package reads these imports without running them: a name is loaded from its module when it is first used, and the
-modules of other names are not.  Type checkers and editors take them as they stand.
+The package reads these imports without running them: a name is loaded from its module when it is first used.
 """
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity, WinklerError
@@ -202,15 +201,12 @@ from winkler.problems.wear.line_sliding import LineSlidingSolution, LineSlidingW
 from winkler.problems.wear.sliding import SlidingSolution, SlidingWear
 from winkler.profiles.area import AreaFunction
 from winkler.profiles.conical import Berkovich, Cone, CubeCorner, RoundedCone, SpheroConical, TruncatedCone, Vickers
-from winkler.profiles.cross_profile import CrossProfile
 from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.designed import Designed
 from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
 from winkler.profiles.flat import CappedCylinder, Cylinder, FlatPunch
 from winkler.profiles.formula import Formula
 from winkler.profiles.measured import Measured
-from winkler.profiles.measured_section import FormulaSection, MeasuredSection
-from winkler.profiles.mirrored_section import MirroredSection
 from winkler.profiles.power import Paraboloid, PowerLaw
 from winkler.profiles.profile import Shape, Sum
 from winkler.profiles.roller_ends import CrownedEnds, LogarithmicEnds, RoundedEnds, SharpEnds
@@ -223,7 +219,10 @@ from winkler.profiles.rough.spectrum import PowerSpectrum, SelfAffine
 from winkler.profiles.rough.spikes import Spikes
 from winkler.profiles.rough.topography import Topography
 from winkler.profiles.rounded import CappedParaboloid, RoundedPunch, TruncatedParaboloid
-from winkler.profiles.section import CylinderRow, PunchRow
+from winkler.profiles.sections.cross_profile import CrossProfile
+from winkler.profiles.sections.measured_section import FormulaSection, MeasuredSection
+from winkler.profiles.sections.mirrored_section import MirroredSection
+from winkler.profiles.sections.section import CylinderRow, PunchRow
 from winkler.profiles.socket import BallInSocket
 from winkler.profiles.sphere import Ellipsoid, Hyperboloid, Sphere
 from winkler.profiles.wavy import Wavy
@@ -236,13 +235,13 @@ from winkler.validity import Assumption, Note, Standing
 __all__ = [
     "AdhesiveCycle", "AdhesiveCycleSolution", "AdhesiveImpact", "AdhesiveImpactSolution", "AdhesiveIndentation",
     "AdhesiveShear", "AdhesiveShearSolution", "AdhesiveSolution", "Angle", "Archard", "AreaFunction", "Arrhenius",
-    "Assumption", "AtTemperature", "BallImpacts", "BallImpactsSolution", "BallInSocket", "Berkovich",
-    "BimodalDamping", "BimodalDampingSolution", "BodyFields", "CalibratedArea", "CappedCylinder", "CappedParaboloid",
-    "Circle", "CoatedHalfSpace", "Comparison", "ConductanceBounds", "ConductanceBoundsSolution", "Cone",
-    "Constriction", "ConstrictionSolution", "ContactEllipse", "ContactLaw", "ContactLawSolution", "ContactReading",
-    "ContactTrace", "Contacts", "Coulomb", "CreepData", "CreepFit", "CreepTest", "Creepage", "CrossProfile",
-    "CrownedEnds", "CubeCorner", "Current", "CurrentFields", "CurvedBodies", "CurvedPair", "Cylinder", "CylinderRow",
-    "Depth", "DepthGradedHalfSpace", "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData", "Elastic",
+    "Assumption", "AtTemperature", "BallImpacts", "BallImpactsSolution", "BallInSocket", "Berkovich", "BimodalDamping",
+    "BimodalDampingSolution", "BodyFields", "CalibratedArea", "CappedCylinder", "CappedParaboloid", "Circle",
+    "CoatedHalfSpace", "Comparison", "ConductanceBounds", "ConductanceBoundsSolution", "Cone", "Constriction",
+    "ConstrictionSolution", "ContactEllipse", "ContactLaw", "ContactLawSolution", "ContactReading", "ContactTrace",
+    "Contacts", "Coulomb", "CreepData", "CreepFit", "CreepTest", "Creepage", "CrossProfile", "CrownedEnds",
+    "CubeCorner", "Current", "CurrentFields", "CurvedBodies", "CurvedPair", "Cylinder", "CylinderRow", "Depth",
+    "DepthGradedHalfSpace", "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData", "Elastic",
     "ElasticPlasticParticle", "ElastomerFriction", "ElastomerFrictionSolution", "ElectricalConductor",
     "ElectricalConductors", "Ellipsoid", "EllipticFields", "EllipticFoundation", "EllipticFrictionHeating",
     "EllipticFrictionHeatingSolution", "EllipticIndentation", "EllipticSolution", "EllipticWear",

@@ -15,7 +15,7 @@ from winkler.io.tables.table import Column, read_table
 from winkler.io.tables.table_cells import number_in
 from winkler.io.text_file import existing, lines_of
 from winkler.numerics.types import Array
-from winkler.profiles.cross_profile import CrossProfile
+from winkler.profiles.sections.cross_profile import CrossProfile
 
 __all__ = ["read_cross_profile"]
 

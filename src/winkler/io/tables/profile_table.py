@@ -17,7 +17,7 @@ from winkler.io.foreign import in_file, reader
 from winkler.io.tables.table import Column, read_table
 from winkler.numerics.types import Array
 from winkler.profiles.measured import Measured
-from winkler.profiles.measured_section import MeasuredSection
+from winkler.profiles.sections.measured_section import MeasuredSection
 
 __all__ = ["read_profile", "read_section"]
 

@@ -11,7 +11,7 @@ from winkler.plot.panel import Line, Map, Panel, PanelAxis, Sheet, points, zero
 from winkler.plot.series import scale_of, series, with_unit
 from winkler.problems.profile_pair.patch import ProfilePatch
 from winkler.problems.profile_pair.profile_pair import ProfilePairSolution
-from winkler.profiles.cross_profile import CrossProfile
+from winkler.profiles.sections.cross_profile import CrossProfile
 
 __all__ = ["profile_pair_sheet"]
 

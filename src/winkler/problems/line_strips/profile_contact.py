@@ -3,8 +3,7 @@ r"""Sections that touch a half-plane in several strips, which do not repeat: rou
 .. math:: h(x) = f(x) - \theta x - C - \frac2{\pi E^*}\int p(s)\ln|x-s|\,\mathrm ds , \qquad
           p \ge 0, \; h \ge 0, \; p\,h = 0 , \qquad P = \int p\,\mathrm dx , \quad M = \int p\,x\,\mathrm dx .
 
-The constant C follows from the force, and has no meaning of its own: a half-plane sinks without bound.  The tilt is
-prescribed, or found from the line of action of the force.
+The constant C follows from the force, the tilt is prescribed, or follows from the line of action of the force.
 """
 
 from __future__ import annotations
@@ -28,7 +27,7 @@ from winkler.problems.line_strips.profile_notes import profile_notes
 from winkler.problems.line_strips.strip_search import Pushed, find_strips
 from winkler.problems.one_load import one_of, single
 from winkler.problems.which_body import in_first_body
-from winkler.profiles.measured_section import AnySection
+from winkler.profiles.sections.measured_section import AnySection
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -70,7 +69,7 @@ class LineProfileContact:
 
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
-    >>> from winkler.profiles.section import CylinderRow
+    >>> from winkler.profiles.sections.section import CylinderRow
     >>> steel = Elastic(210e9, 0.3)
     >>> pair = CylinderRow([10e-3, 10e-3], [-0.25e-3, 0.25e-3], [0.0, 0.0])
     >>> pressed = LineProfileContact(pair, HalfSpace.between(steel, steel), LineForce(200e3)).solve()

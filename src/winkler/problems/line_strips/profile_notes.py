@@ -15,7 +15,7 @@ from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.problems.normal.unknown_yield import MISES
 from winkler.problems.normal.validity import steepness_note
 from winkler.problems.normal.yield_statement import share_of
-from winkler.profiles.section import Section
+from winkler.profiles.sections.section import Section
 from winkler.validity import Assumption, Note, Standing, standing_of
 
 __all__ = ["profile_notes"]

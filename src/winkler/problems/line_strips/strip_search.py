@@ -19,7 +19,7 @@ from winkler.numerics.surfaces.pressed_line import PressedLine, press_line
 from winkler.numerics.surfaces.refined_strips import examined, refined
 from winkler.numerics.surfaces.strip_equations import LineCurve, Spots
 from winkler.numerics.types import Array
-from winkler.profiles.section import Section
+from winkler.profiles.sections.section import Section
 
 __all__ = ["Pushed", "find_strips"]
 

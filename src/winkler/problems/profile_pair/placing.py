@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.numerics.types import Array
-from winkler.profiles.cross_profile import CrossProfile
+from winkler.profiles.sections.cross_profile import CrossProfile
 
 __all__ = ["PlacedBody", "Placing", "lower_body", "upper_body"]
 

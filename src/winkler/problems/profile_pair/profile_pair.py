@@ -27,7 +27,7 @@ from winkler.problems.profile_pair.notes import pair_notes
 from winkler.problems.profile_pair.patch import ProfilePatch, patches_of
 from winkler.problems.profile_pair.placing import PlacedBody, Placing, lower_body, upper_body
 from winkler.problems.profile_pair.pressing import change_of, pressed_by_drop, pressed_by_force
-from winkler.profiles.cross_profile import CrossProfile
+from winkler.profiles.sections.cross_profile import CrossProfile
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 

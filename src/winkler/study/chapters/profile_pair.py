@@ -40,7 +40,7 @@ PROFILE_PAIR = Chapter(
     kinds={
         "cross_profile": {
             "cross_profile": kind(
-                "winkler.profiles.cross_profile:CrossProfile",
+                "winkler.profiles.sections.cross_profile:CrossProfile",
                 reader="winkler.io.tables.cross_profile_file:read_cross_profile",
                 problem="profile_pair",
                 y=POINTS["y"],

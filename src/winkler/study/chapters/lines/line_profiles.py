@@ -30,30 +30,30 @@ LINE_PROFILES = Chapter(
     kinds={
         "section": {
             "cylinder_row": kind(
-                "winkler.profiles.section:CylinderRow",
+                "winkler.profiles.sections.section:CylinderRow",
                 curvature_radii={"values": [10, 10], "unit": "mm"},
                 places={"values": [-0.25, 0.25], "unit": "mm"},
                 drops={"values": [0, 2], "unit": "um"},
             ),
             "punch_row": kind(
-                "winkler.profiles.section:PunchRow",
+                "winkler.profiles.sections.section:PunchRow",
                 starts={"values": [-1, 0.4], "unit": "mm"},
                 ends={"values": [-0.4, 1], "unit": "mm"},
                 drops={"values": [0, 0], "unit": "um"},
             ),
             "mirrored_section": kind(
-                "winkler.profiles.mirrored_section:MirroredSection",
+                "winkler.profiles.sections.mirrored_section:MirroredSection",
                 profile={"kind": "wavy", "amplitude": "1 um", "wavelength": "1 mm"},
                 width="4.5 mm",
             ),
             "formula_section": kind(
-                "winkler.profiles.measured_section:FormulaSection",
+                "winkler.profiles.sections.measured_section:FormulaSection",
                 expression="(x-m)**2/(2*R) + h*cos(2*pi*x/l)",
                 width="4 mm",
                 constants={"m": "1.9 mm", "R": "100 mm", "h": "0.5 um", "l": "0.4 mm"},
             ),
             "measured_section": kind(
-                "winkler.profiles.measured_section:MeasuredSection",
+                "winkler.profiles.sections.measured_section:MeasuredSection",
                 reader="winkler.io.tables.profile_table:read_section",
                 places={"from": "-0.6 mm", "to": "0.6 mm", "count": 25},
                 heights={

@@ -9,7 +9,7 @@ from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
 from winkler.profiles.area import AreaFunction
 from winkler.profiles.profile import Profile
-from winkler.profiles.section import SIDE, Section
+from winkler.profiles.sections.section import SIDE, Section
 from winkler.validity import Note
 from winkler.values import value, words
 

@@ -18,8 +18,8 @@ from winkler.errors import InvalidInput
 from winkler.limits import MEASURED_PLACES
 from winkler.numerics.equations.expression import Expression
 from winkler.numerics.types import Array
-from winkler.profiles.mirrored_section import MirroredSection
-from winkler.profiles.section import CylinderRow, PunchRow, Section, ascending
+from winkler.profiles.sections.mirrored_section import MirroredSection
+from winkler.profiles.sections.section import CylinderRow, PunchRow, Section, ascending
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
