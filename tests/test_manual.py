@@ -112,7 +112,7 @@ def test_no_page_promises_more_than_was_tested(root):
     for path in [
         root / "README.md",
         *docs.glob("*.md"),
-        *(docs / "chapters").glob("*.md"),
+        *(docs / "chapters").rglob("*.md"),
         *(docs / "tutorials").glob("*.md"),
     ]:
         text = {" ".join(words.split()).lower() for words in PROMISES.findall(path.read_text(encoding="utf-8"))}
