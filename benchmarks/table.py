@@ -35,6 +35,7 @@ GROUPS = {
         "bench_wear",
     ),
     "times-lines": ("bench_ellipse", "bench_roller"),
+    "times-surfaces": ("bench_profile_pair", "bench_subsurface", "bench_surface_friction", "bench_surface_rolling"),
 }
 """Table of the page -> the files of its benchmarks."""
 LINES, OTHERS = "times-lines", "times-tools"
