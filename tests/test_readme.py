@@ -62,7 +62,15 @@ def run(page: Path, text: str) -> int:
     return count
 
 
-@pytest.mark.parametrize("page", PAGES, ids=[path.relative_to(ROOT).as_posix() for path in PAGES])
+LONG = {"line-friction.md", "rollers.md", "surface-friction.md"}
+"""Pages whose Python takes seconds; they run among the slow tests."""
+
+
+@pytest.mark.parametrize(
+    "page",
+    [pytest.param(path, marks=pytest.mark.slow) if path.name in LONG else path for path in PAGES],
+    ids=[path.relative_to(ROOT).as_posix() for path in PAGES],
+)
 def test_the_python_of_a_page_runs(page, tmp_path, monkeypatch):
     text = page.read_text(encoding="utf-8")
     assert text.count("\n```") % 2 == 0, f"{page.name}: a fence is not closed"

@@ -104,7 +104,11 @@ def test_json_with_a_folder_writes_there_too(here, capsys):
 
 @pytest.mark.parametrize(
     ("words", "endings"),
-    [([], {"svg"}), (["--figures", "png, pdf"], {"png", "pdf"}), (["--figures", "all"], {"svg", "png", "pdf"})],
+    [
+        ([], {"svg"}),
+        (["--figures", "png, pdf"], {"png", "pdf"}),
+        pytest.param(["--figures", "all"], {"svg", "png", "pdf"}, marks=pytest.mark.slow),
+    ],
 )
 def test_figures_are_files_in_the_formats_of_the_option(words, endings, here):
     (here / "ball.toml").write_text(STUDY.partition("[output]")[0] + "[output]\nreport = false\n", encoding="utf-8")

@@ -38,6 +38,7 @@ def test_of_a_linear_fit_it_is_students():
     assert found.interval("tilt") == pytest.approx((found.value("tilt") - width, found.value("tilt") + width))
 
 
+@pytest.mark.slow
 def test_of_hertz_against_a_scan():
     """The modulus held, the contact point found by a fine scan: no least squares, no derivative."""
     position = np.linspace(-5e-7, 5e-7, 120)

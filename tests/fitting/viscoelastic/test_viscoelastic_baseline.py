@@ -30,6 +30,7 @@ def deviations(curves, begin, names, truth):
     return found, (np.array([one.values for one in found]) - truth) / errors, np.sum(inside, axis=0)
 
 
+@pytest.mark.slow
 def test_creep_with_a_baseline_on_a_slope():
     """Offset and tilt of 5 % and 2 % of the load; fewer hits than this happen once in a thousand honest tests."""
     found, off, inside = deviations(map(ramp_and_hold, range(8)), start("creep"), NAMES, TRUTH)
@@ -44,7 +45,8 @@ def test_creep_with_a_baseline_on_a_slope():
     assert not any(flag.name in ("misfit", "memory", "at_bound") for one in found for flag in one.flags)
 
 
-@pytest.mark.parametrize("scatter", [2e-10, pytest.param(1e-8, marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("scatter", [2e-10, 1e-8])
 def test_creep_whatever_the_noise_of_the_position(scatter):
     """Noise of a force that drives is in the derivatives too; least squares alone are off by three errors at 0.2 nm."""
     curves = (ramp_and_hold(seed, scatter=scatter) for seed in range(100, 108))

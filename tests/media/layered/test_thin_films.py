@@ -92,6 +92,7 @@ def test_punches_on_films_by_equal_panels(poisson, a):
     np.testing.assert_allclose(found, phi, rtol=0.0, atol=1e-9 * np.max(phi))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("a", [3.0, 30.0])
 def test_the_reference_solution_does_not_move_with_half_its_panels(a):
     _, w, phi = compared(0.5, a)

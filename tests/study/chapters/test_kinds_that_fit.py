@@ -24,6 +24,8 @@ OTHERS = sorted(name for slot, table in CATALOGUE.items() if slot != "problem" f
 PRESSED = [
     name for name in PROBLEMS if "bed" in {field.name for field in dataclasses.fields(CATALOGUE["problem"][name].cls)}
 ]
+COSTLY = {"bimodal_damping", "impact", "sliding_wear", "tangential", "viscoelastic_adhesion"}
+"""Problems that take seconds on all beds; they run among the slow tests."""
 STEEL = wk.Elastic(210e9, 0.3)
 PAIR = wk.HalfSpace.between(STEEL, STEEL)
 BALL = wk.Paraboloid(10e-3)
@@ -106,7 +108,9 @@ def test_a_problem_takes_what_it_can_answer(name):
             solve_or_refuse(changed)
 
 
-@pytest.mark.parametrize("name", PRESSED)
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=pytest.mark.slow) if name in COSTLY else name for name in PRESSED]
+)
 def test_a_problem_answers_on_a_bed_or_refuses_it(name):
     whole = example(name)
     taken = {word: replaced(whole, "bed", bed) for word, bed in beds().items()}
