@@ -158,6 +158,7 @@ def goes_together(problem: str, profile: str) -> bool:
         "viscoelastic_impact": KNOWN_TO_SMALL_RADII,
         "creep_test": KNOWN_TO_SMALL_RADII,
         **{soft: {"designed"} for soft in SOFT},
+        "line_viscoelastic_indentation": KNOWN_TO_SMALL_RADII | {"area_function"},  # the last of a tip of revolution
     }
     return profile not in refused.get(problem, set())
 

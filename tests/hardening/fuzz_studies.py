@@ -29,6 +29,10 @@ DEEPEST = 5
 """Parts inside parts that are swapped; a sum of sums of sums takes long and shows nothing."""
 LONGEST = 6
 """Entries of lists in studies that are solved."""
+MARCHED_CYCLES = 50.0
+"""Cycles of a path that is marched through: 2000 points of up to 5 ms each, and the march tells how far it is."""
+REFUSED_CYCLES = 1e6
+"""So many are more points than a path may have: they stay, to be refused."""
 
 
 @functools.cache
@@ -146,6 +150,8 @@ class Drawn:
             elif rng.random() < 0.1 and (unit := quantities.unit_of(line.cls, field)) is not None:
                 such = {int: rng.randint(1, 12), bool: True, str: "x"}.get(hint, quantities.sample(unit))
                 table[field] = self.other(such, rows)
+        if line.cls.__module__ == "winkler.path_steps" and isinstance(cycles := table.get("cycles"), float | str):
+            table["cycles"] = MARCHED_CYCLES if MARCHED_CYCLES < float(cycles) < REFUSED_CYCLES else cycles
         return table
 
     def part(self, allowed: tuple[str, ...]) -> dict[str, Any] | None:

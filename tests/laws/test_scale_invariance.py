@@ -54,14 +54,18 @@ class Rounded(NamedTuple):
         Of the greatest number in the answer; infinite where the answer is itself nothing but rounding.
     why
         The reason.
+    from_root
+        Whether it begins with a root, of which powers of two too move the last digit.
     """
 
     tolerance: float
     why: str
+    from_root: bool = False
 
 
 ERROR = Rounded(np.inf, "an error that is left, itself of the size of rounding or of a solver's tolerance")
 PLACE = Rounded(1e-7, "a stress is level where it is greatest, which leaves the place half of its digits")
+CLIMB = Rounded(1e-4, "the climb to the greatest stress, which is level there, finds its place to 1e-4 of the depth")
 STEPS = Rounded(1e-5, "the march has a tolerance of 1e-3: the end of a step is where rounding lets a node touch")
 PRESSED = Rounded(1e-7, "each contact has a tolerance of 1e-6")
 SPRING = Rounded(1e-2, "at moments that an adaptive march of tolerance 1e-3 picks, with 100 springs")
@@ -96,12 +100,16 @@ ROUNDED: dict[tuple[str, str], Rounded] = {
     ("ReductionSolution", "misfit"): Rounded(1e-6, "it is checked by contacts of a tolerance of 1e-6"),
     ("ReductionSolution", "force"): Rounded(1e-8, "each contact has a tolerance of 1e-6"),
     ("ProfilePairSolution", "grid_error"): ERROR,
+    **{("MapStressSolution", name): CLIMB for name in "xy"},
     **{
         ("ProfilePairSolution", name): PRESSED
         for name in ("peak_pressure", "height", "lateral_force", "place", "angle")
     },
     **{("SlidingSolution", name): STEPS for name in ("depth", "radius", "worn_depth", "mean_pressure")},
-    **{("LineSlidingSolution", name): STEPS for name in ("half_width", "worn_depth", "mean_pressure")},
+    **{
+        ("LineSlidingSolution", name): STEPS._replace(from_root=True)
+        for name in ("half_width", "worn_depth", "mean_pressure")
+    },
     **{
         ("ViscoelasticImpactSolution", name): SPRING
         for name in ("time", "depth", "velocity", "force", "radius", "duration", "dissipation")
@@ -116,6 +124,7 @@ NAMED = {
     "named_electrical_conductor": "a name stands for numbers in SI units",
     "named_thermal_conductor": "a name stands for numbers in SI units",
     "formula": "its constants have units that only the formula knows",
+    "formula_section": "its constants have units that only the formula knows",
 }
 """Kinds that cannot be written in other units, and why."""
 
@@ -139,8 +148,9 @@ def differences(solution: Any, other: Any, units: Units, close: float) -> list[s
         expected = np.asarray(content) * units.factor(word(owner, name).unit or "")
         got = np.asarray(after[name])
         limit = close
-        if close > SAME:
-            limit = max(close, ROUNDED.get((owner.__name__, name), Rounded(0.0, "")).tolerance)
+        rounded = ROUNDED.get((owner.__name__, name), Rounded(0.0, ""))
+        if close > SAME or rounded.from_root:
+            limit = max(close, rounded.tolerance)
         if np.isinf(limit):
             continue
         if got.shape != expected.shape:

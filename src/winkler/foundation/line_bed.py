@@ -28,7 +28,7 @@ class PressedPair(Protocol):
 
 
 class LineBed:
-    """A profile f(|x|), endless along y, pressed on two bodies; in plane strain."""
+    """A profile symmetric in x, endless along y, pressed on two bodies; in plane strain."""
 
     profile: Profile
     medium: PressedPair

@@ -31,10 +31,10 @@ BED = wk.Foundation(wk.Paraboloid(1e-2), wk.HalfSpace(wk.Elastic(210e9, 0.3)))
 
 
 def numbers(content, route=()):
-    """Yield the route to every number inside a value, but not to counts."""
+    """Yield the route to every number inside a value, but not to counts, nor to maps that are left out."""
     for field in dataclasses.fields(content):
         inside = getattr(content, field.name)
-        if field.init and isinstance(inside, float | np.ndarray) and field.name not in LASTING:
+        if field.init and isinstance(inside, float | np.ndarray) and np.size(inside) and field.name not in LASTING:
             yield (*route, field.name)
         elif field.init and dataclasses.is_dataclass(inside):
             yield from numbers(inside, (*route, field.name))
@@ -44,8 +44,14 @@ def put(content, route, size):
     """Return a value with a number of a size at a place inside it."""
     key, *rest = route
     inside = getattr(content, key)
-    new = put(inside, rest, size) if rest else size * (inside / np.max(np.abs(inside)) if np.ndim(inside) else 1.0)
-    return dataclasses.replace(content, **{key: new})
+    return dataclasses.replace(content, **{key: put(inside, rest, size) if rest else sized(inside, size)})
+
+
+def sized(number, size):
+    """Return a number of a size, or an array whose greatest number has it; all of them if it was zeros."""
+    if not np.ndim(number):
+        return size
+    return size * (number / np.max(np.abs(number)) if np.any(number) else np.ones(number.shape))
 
 
 def text(answer) -> None:

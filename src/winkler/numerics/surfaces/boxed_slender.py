@@ -35,8 +35,9 @@ FIRST_WIDTHS, FIRST_MARGIN = 0.5, 0.2
 """First half-widths over those of the overlap, and how much wider and longer the first box is."""
 SAMPLES, FEWEST_SAMPLES, MOST_ZOOMS = 1001, 20, 12
 """Places at which a contact is looked for; fewest of them that bear, or the search goes on between fewer places."""
-OUTER, FEWEST_ACROSS = 3, 6
-"""Element, counted from the edge of a slice, through which its edge is found, and how many that takes."""
+OUTER, STEP, FEWEST_ACROSS = 3, 2, 6
+"""Element, counted from the edge of a slice, through which its edge is found, how far from it the next two are at most,
+and how many elements that takes."""
 POWERS = np.linspace(0.5, 1.0, 26)
 """Of 1 - y^2/b^2, with which the pressure of a slice may fall towards its edge."""
 
@@ -73,28 +74,33 @@ class SlenderContact(NamedTuple):
 
     @property
     def half_width(self) -> Array:
-        """Half-width b of each slice: the pressure goes like (1 - y^2/b^2)^s through the axis and two inner elements.
+        """Half-width b of each slice: the pressure goes like (1 - y^2/b^2)^s through three elements near the edge.
 
         A slender contact has s = 1/2, where a sharp end presses s is greater, and near one where the contact is much
-        wider than long.  Elements at the very edge bear too much; slices of few elements are taken for semi-ellipses of
-        their force.
+        wider than long; elements finer than the length see s come back to 1/2 at the edge itself.  Elements at the very
+        edge bear too much; slices of few elements are taken for semi-ellipses of their force.
         """
         pressure, y = self.pressed.pressure, self.grid.places_across
         counts = np.count_nonzero(pressure, axis=1)
-        slices, outer, inner = np.arange(counts.size), np.maximum(counts - OUTER, 0), np.maximum(counts // 2 - 1, 0)
+        slices, step = np.arange(counts.size), np.clip((counts - OUTER) // 2, 1, STEP)
+        rows = [np.maximum(counts - OUTER - steps * step, 0) for steps in range(3)]
         axis = np.where(self.on_axis > 0.0, self.on_axis, 1.0)
-        ratios = (np.minimum(pressure[slices, row] / axis, 1.0)[:, None] ** (1.0 / POWERS) for row in (inner, outer))
-        near, far = (1.0 - ratio for ratio in ratios)
+        outer, middle, inner = ((pressure[slices, row] / axis)[:, None] ** (1.0 / POWERS) for row in rows)
+        squares = [y[row, None] ** 2 for row in rows]
+        near, far = squares[1] - squares[2], squares[0] - squares[1]
         # zero at the power with which all three lie on one curve; between two powers straight
-        missed = near * y[outer, None] ** 2 - far * y[inner, None] ** 2
+        missed = (inner - middle) * far - (middle - outer) * near
         after = np.clip(np.argmax(missed * missed[:, :1] <= 0.0, axis=1), 1, POWERS.size - 1)
         after = np.where(np.all(missed * missed[:, :1] > 0.0, axis=1) & (missed[:, 0] > 0.0), POWERS.size - 1, after)
         before = after - 1
         one, other = missed[slices, before], missed[slices, after]
         share = np.where(one * other < 0.0, one / np.where(one != other, one - other, 1.0), np.abs(one) > np.abs(other))
-        fall = far[slices, before] + share * (far[slices, after] - far[slices, before])
-        straight = (counts >= FEWEST_ACROSS) & (fall > 0.0)
-        edge = y[outer] / np.sqrt(np.where(straight, fall, 1.0))
+        rise, height = (
+            level[slices, before] + share * (level[slices, after] - level[slices, before])
+            for level in (middle - outer, outer)
+        )
+        straight = (counts >= FEWEST_ACROSS) & (rise > 0.0)
+        edge = np.sqrt(squares[0][:, 0] + far[:, 0] * height / np.where(straight, rise, 1.0))
         ellipse = 2.0 * self.force_per_length / (math.pi * axis)
         return np.where(counts > 0, np.where(straight, edge, ellipse), 0.0)
 

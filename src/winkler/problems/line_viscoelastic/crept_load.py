@@ -62,6 +62,8 @@ class Spacing:
             return np.asarray(number)
 
         whole = float(passed(np.array([duration]))[0])
+        if not math.isfinite(whole):
+            raise FloatingPointError("the number of moments comes out undefined")
         number = math.ceil(whole)
         affordable(
             "LineViscoelasticIndentation",

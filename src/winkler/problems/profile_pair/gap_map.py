@@ -102,6 +102,8 @@ def windows(lower: PlacedBody, upper: PlacedBody, placing: Placing, drop: float)
     """
     gap = np.where(np.isfinite(placing.gap), placing.gap - drop, np.inf)
     inside = np.flatnonzero(gap < 0.0)
+    if inside.size == 0:
+        return []
     runs = np.split(inside, np.flatnonzero(np.diff(inside) > 1) + 1)
     angle = np.arctan(lower.profile.slope(placing.y))
     merged: list[list[int]] = []

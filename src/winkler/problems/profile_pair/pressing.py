@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput, NotConverged
+from winkler.errors import NotConverged, OutsideValidity
 from winkler.numerics.surfaces.pressed_grid import ByDepth, press
 from winkler.numerics.types import Array
 from winkler.problems.profile_pair.gap_map import GapMap, windows
@@ -111,10 +111,20 @@ def pressed_by_drop(
         Along a side of each window.
     tolerance : float
         As of `winkler.numerics.surfaces.pressed_grid.press`.
+
+    Raises
+    ------
+    OutsideValidity
+        If the bodies overlap nowhere, or farther than they reach.
     """
     touch = float(np.nanmin(placing.gap))
     down = upper.raised(-touch - drop)
     maps = [GapMap.of(lower, down, window, (pixels, pixels)) for window in windows(lower, down, placing, touch + drop)]
+    if not all(np.any(np.isfinite(gaps.gap)) for gaps in maps):
+        raise OutsideValidity(
+            f"ProfilePair: let down by {drop:.3g} m since first touch one body goes through the other; give a smaller "
+            "load, or check its unit and those of the moduli."
+        )
     regions = [_pressed(gaps, np.zeros(1), modulus, tolerance) for gaps in maps]
     for _ in range(ROUNDS if len(maps) > 1 else 0):
         regions = [
@@ -123,7 +133,13 @@ def pressed_by_drop(
             )
             for gaps in maps
         ]
-    return PressedWindows(drop, tuple(region for region in regions if np.any(region.pressure)))
+    found = tuple(region for region in regions if np.any(region.pressure))
+    if not found:
+        raise OutsideValidity(
+            f"ProfilePair: let down by {drop:.3g} m since first touch the bodies do not overlap in any pixel: heights "
+            "of the profiles are not known so well; give a greater load, or check its unit and those of the moduli."
+        )
+    return PressedWindows(drop, found)
 
 
 def _pressed(gaps: GapMap, sunk: Array, modulus: float, tolerance: float) -> Region:
@@ -156,8 +172,8 @@ def pressed_by_force(
 
     Raises
     ------
-    InvalidInput
-        If the bodies cannot bear the force before the profile ends.
+    OutsideValidity
+        As of `pressed_by_drop`.
     NotConverged
         If the force is not found.
     """
@@ -184,8 +200,6 @@ def _found(
     power = HERTZ_POWER
     for _ in range(MOST_TRIALS):
         pair = pressed_by_drop(lower, upper, placing, drop, modulus, pixels, tolerance)
-        if not pair.regions:
-            raise InvalidInput("ProfilePair: the profiles do not meet where they should; check their places.")
         over = math.log(float(pair.force[1]) / force)
         if abs(over) <= exactness:
             return pair

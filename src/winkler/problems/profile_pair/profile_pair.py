@@ -164,6 +164,8 @@ class ProfilePair:
         ------
         InvalidInput
             If the profiles do not meet, first touch at an end, or both bodies are straight along the same direction.
+        OutsideValidity
+            If the bodies overlap by less than rounding, or farther than they reach.
         NotConverged
             If the pressures or the force are not found.
         """

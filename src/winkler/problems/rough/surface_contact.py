@@ -199,7 +199,7 @@ class SurfaceContact:
                 raise NotConverged(f"SurfaceContact: under the load {load:.6g}, {error}") from None
             yield SurfaceState(
                 solved.depth, modulus * patch * float(np.sum(start)), stiffness, *contact_area(touching, pixel,
-                rough.periodic), float(np.mean(solved.gap)), solved.penetration, solved.work, modulus * start,
+                rough.periodic), max(float(np.mean(solved.gap)), 0.0), solved.penetration, solved.work, modulus * start,
                 np.maximum(solved.gap, 0.0),
             )  # fmt: skip
 

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from winkler.checks.number_checks import FiniteRow, NonNegative
-from winkler.errors import InvalidInput
+from winkler.errors import InvalidInput, NotConverged
 from winkler.numerics.types import Array
 from winkler.values import value, words
 
@@ -30,6 +30,10 @@ PIECES = 8
 """Pieces of the height z(y) for each interval of the points."""
 SAME_PLACE = 1e-9
 """Distance of two points over the length of the profile within which they are one."""
+LAST_USABLE, MOST_LEFT = 3, 4.0
+"""Last state of FITPACK with a spline, and the sum of squares it may leave over that asked for."""
+ROUNDING = 1e-13
+"""Scatter over the greatest place or height below which it is rounding, and the spline goes through all points."""
 
 
 @value
@@ -44,12 +48,14 @@ class CrossProfile:
         Heights [m], up.
     smoothing : float, optional
         Scatter of the measured points [m]; the spline stays within about so much of them.  Zero, the default, goes
-        through all points.
+        through all points, as does one below the rounding of the places and heights.
 
     Raises
     ------
     InvalidInput
         If there are fewer than five points, their numbers differ, or all of the profile is steep.
+    NotConverged
+        If no spline is found that leaves the points by about the smoothing.
 
     Examples
     --------
@@ -115,8 +121,14 @@ class CrossProfile:
         along = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(y), np.diff(z)))])
         share = (np.arange(PIECES) / PIECES)[None, :]
         fine = np.append((along[:-1, None] + share * np.diff(along)[:, None]).ravel(), along[-1])
-        if self.smoothing > 0.0:
-            knots, _ = splprep([y, z], u=along, s=y.size * self.smoothing**2)
+        if self.smoothing > ROUNDING * max(float(np.max(np.abs(y))), float(np.max(np.abs(z)))):
+            most = y.size * self.smoothing**2
+            (knots, _), left, state, _ = splprep([y, z], u=along, s=most, full_output=True, quiet=1)
+            if state > LAST_USABLE or not left <= MOST_LEFT * most:
+                raise NotConverged(
+                    f"CrossProfile: no spline is found that stays within the smoothing of {self.smoothing:.3g} m of "
+                    "the points; give another smoothing, or zero."
+                )
             (across, up), (dy, dz) = splev(fine, knots), splev(fine, knots, der=1)
             return np.asarray(across), np.asarray(up), np.asarray(dy), np.asarray(dz)
         spline = CubicSpline(along, np.stack([y, z], axis=1))

@@ -85,9 +85,9 @@ class MirroredSection(Section):
         return self.profile.notes
 
     def height(self, x: Array) -> Array:
-        """f(|x|) [m]."""
+        """The height [m], the same on both sides of x = 0."""
         return np.asarray(self.profile.height(np.abs(x)))
 
     def slope(self, x: Array) -> Array:
-        """f'(|x|), negative at x < 0."""
+        """The slope of the height; it changes its sign at x = 0."""
         return np.asarray(np.where(np.asarray(x) < 0.0, -1.0, 1.0) * self.profile.slope(np.abs(x)))

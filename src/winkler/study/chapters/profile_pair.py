@@ -36,7 +36,7 @@ CREEPAGES = Equation(
 )
 
 PROFILE_PAIR = Chapter(
-    "profile on profile",
+    "rolling",
     kinds={
         "cross_profile": {
             "cross_profile": kind(

@@ -249,8 +249,10 @@ def _range(raw: dict[str, Any], unit: str | None) -> Array:
         wrong(f"{WHERE}.count is {count!r}; give a whole number from 1 to 1000000.")
     if spacing not in ("linear", "log"):
         wrong(f'{WHERE}.spacing is {spacing!r}{suggest(str(spacing), ("linear", "log"))}; give "linear" or "log".')
+    if not math.isfinite(2.0 * (last - first)):  # steps of so wide a range would overflow
+        wrong(f"{WHERE} goes from {first:g} to {last:g}, which is wider than numbers can be; give a narrower range.")
     if spacing == "log":
-        if not first * last > 0.0:
+        if not min(first, last) > 0.0 and not max(first, last) < 0.0:
             wrong(
                 f"{WHERE} has logarithmic spacing from {first:g} to {last:g}; both ends must have one sign, not zero."
             )
