@@ -76,6 +76,7 @@ ROUNDED: dict[tuple[str, str], Rounded] = {
     ("SurfaceContactSolution", "penetration"): ERROR,
     ("SurfaceContactSolution", "misfit"): ERROR,
     ("LineProfileSolution", "strip_error"): ERROR,
+    ("LineProfileSolution", "line_of_action"): Rounded(np.inf, "zero of an even section: what sums of rounding leave"),
     **{
         ("SurfaceTangentialSolution", name): ERROR
         for name in ("shift_y", "shear_force_y", "torque", "penetration", "misfit")

@@ -324,3 +324,9 @@ def test_cylinders_whose_valley_almost_closes_stay_apart():
 def test_a_force_beyond_the_body_is_refused():
     with pytest.raises(wk.InvalidInput, match="tip the section over"):
         pressed(wk.PunchRow([-1.0], [1.0], [0.0]), 0.1, wk.LineOfAction(1.5))
+
+
+def test_a_smooth_crest_is_no_tip():
+    """Beside the middle the slope of a wave is a number next to zero, and not zero."""
+    assert wk.MirroredSection(wk.Wavy(1e-6, 1e-3), 4.5e-3).breaks == ()
+    assert len(wk.MirroredSection(wk.Cone(1.5), 4.5e-3).breaks) == 1

@@ -15,6 +15,9 @@ from winkler.values import value, words
 
 __all__ = ["MirroredSection"]
 
+LEAST_TIP = 1e-12
+"""Slope beside the middle up to which there is no tip: that of a rounded crest, next to zero, is not quite zero."""
+
 
 @value
 class MirroredSection(Section):
@@ -75,7 +78,7 @@ class MirroredSection(Section):
                 bend = float(np.diff(curved(sides))[0]) if curved is not None else 0.0
                 found += [(place, jump, bend), (-place, jump, -bend)]
         tip = float(self.profile.slope(np.array([np.nextafter(0.0, 1.0)]))[0])
-        if tip > 0.0:
+        if tip > LEAST_TIP:
             found.append((0.0, 2.0 * tip, 0.0))
         return tuple(sorted(found))
 
