@@ -155,6 +155,16 @@ class Recovering(Protocol):
         """How far each is pressed in [m]."""
         ...
 
+    @property
+    def depth(self) -> float:
+        """Depth of the body [m]."""
+        ...
+
+    @property
+    def radius(self) -> float:
+        """Radius of the contact [m]."""
+        ...
+
 
 def is_solution(solution: Any) -> TypeGuard[Solution]:
     """Return whether a value is what a problem's ``solve()`` returns."""
