@@ -10,6 +10,9 @@ from winkler.plot.panel import PanelAxis
 
 __all__ = ["set_axis"]
 
+MOST_TICKS_ACROSS = 7
+"""Parts of a horizontal axis; more of them with labels as long as -0.25 run into each other in a narrow panel."""
+
 
 def set_axis(axes: Axes, side: str, one: PanelAxis) -> None:
     """Set label, limits, scale and ticks of one axis."""
@@ -38,6 +41,8 @@ def set_axis(axes: Axes, side: str, one: PanelAxis) -> None:
         axis.set_major_locator(
             LogLocator(numticks=one.parts) if one.log else MaxNLocator(nbins=one.parts, integer=True)
         )
+    elif not upright and not one.log:
+        axis.set_major_locator(MaxNLocator(nbins=MOST_TICKS_ACROSS, steps=[1, 2, 2.5, 5, 10]))
     if one.ticks is not None:
         axis.set_ticks(one.ticks / one.scale.factor, one.names or None)
     (axes.set_ylabel if upright else axes.set_xlabel)(one.title, color=one.colour)

@@ -107,7 +107,7 @@ def _traction_panel(item: LineTangentialState | LineMarchedState, end: float) ->
         Area(x, seen[1], 0.0, style.RED, 0.12),
         zero(),
     )
-    low = max(min(0.0, float(np.nanmin(seen[1]))), -top)
+    low = -top if float(np.nanmin(seen[1])) < 0.0 else 0.0
     of, scale = series("traction", rubbed), scale_of("Pa", [top])
     upright = PanelAxis.of(of, scale, low=1.15 * low, high=1.45 * top if top > 0.0 else scale.factor)
     return Panel(marks, _across(end), upright, legend="upper right")

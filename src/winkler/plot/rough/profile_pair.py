@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from winkler.numerics.types import Array
@@ -19,7 +21,7 @@ PLACES = 801
 GAP_DRAWN = 12.0
 """Greatest gap that is drawn, over the drop."""
 FLAT = 0.2
-"""Height over width below which profiles are drawn with a scale of their own for the height."""
+"""Height over width, or width over height, below which both are drawn with scales of their own."""
 MOST_PATCHES = 2
 """Patches whose pressures are drawn."""
 
@@ -29,7 +31,7 @@ def profile_pair_sheet(item: ProfilePairSolution) -> Sheet:
     """Return both profiles with their patches, the gap across, and the pressure on the patches that bear most."""
     panels = [_bodies(item).plus(title="profiles and contact"), _gap(item).plus(title="gap before pressing")]
     for patch in item.patches[:MOST_PATCHES]:
-        title = f"{with_unit(patch.force, 'N', 3)} at an angle of {1e3 * patch.angle:.3g} mrad"
+        title = f"{with_unit(patch.force, 'N', 3)}, inclined by {abs(math.degrees(patch.angle)):.1f}°"
         panels.append(_pressure(patch).plus(title=title))
     title = f"{with_unit(item.force, 'N')};  greatest pressure {with_unit(item.peak_pressure, 'Pa')}"
     return Sheet(tuple(panels), width=4.4, height=3.2, title=title)
@@ -81,8 +83,9 @@ def _pressure(patch: ProfilePatch) -> Panel:
     bar = PanelAxis.of(pressure, low=0.0, high=patch.peak_pressure)
     x, s = (_edges(places) for places in (patch.along, patch.across))
     image = Map(s, x, pressure.content, bar, kind="cells", colours=style.SHADES, place="inset")
-    scale = scale_of("m", np.concatenate([x, s]))
-    return Panel((image,), PanelAxis("along the arc $s$", scale), PanelAxis("along $x$", scale), equal=True, grid="")
+    scale, sides = scale_of("m", np.concatenate([x, s])), (float(np.ptp(x)), float(np.ptp(s)))
+    alike = min(sides) >= FLAT * max(sides)
+    return Panel((image,), PanelAxis("along the arc $s$", scale), PanelAxis("along $x$", scale), equal=alike, grid="")
 
 
 def _edges(middles: Array) -> Array:

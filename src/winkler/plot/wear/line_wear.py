@@ -10,7 +10,15 @@ from winkler.plot import style
 from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Line, Rule, Sheet, titled
 from winkler.plot.series import series_of, with_unit
-from winkler.plot.wear.wear import POINTS, PRESSURE_CEILING, RADII_DRAWN, over_elapsed, rows_panel, state_panels
+from winkler.plot.wear.wear import (
+    POINTS,
+    PRESSURE_CEILING,
+    RADII_DRAWN,
+    one_state,
+    over_elapsed,
+    rows_panel,
+    state_panels,
+)
 from winkler.problems.line.indentation import LineIndentation
 from winkler.problems.wear.line_fretting import LineFrettingSolution
 from winkler.problems.wear.line_limiting_profile import LineLimitingSolution
@@ -53,7 +61,7 @@ def line_sliding_sheet(item: LineSlidingSolution) -> Sheet:
 @without_extent(LineWearState, LineFrettingState)
 def line_wear_state_sheet(item: LineWearState) -> Sheet:
     """Return the worn profile and the pressure of one state."""
-    return Sheet(state_panels((item,), [f"{item.elapsed:.4g}"], "after"), width=3.9)
+    return one_state(item, item.elapsed, isinstance(item, LineFrettingState))
 
 
 @without_extent(LineLimitingSolution)

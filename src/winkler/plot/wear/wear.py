@@ -26,6 +26,7 @@ __all__ = [
     "fretting_sheet",
     "limiting_sheet",
     "moment_panels",
+    "one_state",
     "over_elapsed",
     "rows_panel",
     "sliding_sheet",
@@ -75,7 +76,7 @@ def sliding_sheet(item: SlidingSolution) -> Sheet:
 @without_extent(WearState, FrettingState)
 def wear_state_sheet(item: WearState) -> Sheet:
     """Return the worn profile and the pressure of one state."""
-    return Sheet(state_panels((item,), [f"{item.elapsed:.4g}"], "after"), width=3.9)
+    return one_state(item, item.elapsed, isinstance(item, FrettingState))
 
 
 @without_extent(LimitingSolution)
@@ -107,6 +108,29 @@ def limiting_sheet(item: LimitingSolution) -> Sheet:
     )
     chosen_states = titled((panel.plus(core, legend="best") for panel in panels), "profile", "worn depth", "pressure")
     return Sheet(chosen_states, width=3.9, title=title)
+
+
+def one_state(item: WornState, elapsed: float, by_cycles: bool) -> Sheet:
+    """Return the profile before and after wear, the worn depth and the pressure of one state.
+
+    Parameters
+    ----------
+    item : WornState
+    elapsed : float
+        Cycles [-] or distance [m].
+    by_cycles : bool
+        Which of them.
+    """
+    after = (
+        (f"{elapsed:,.0f}" if elapsed >= 10.0 else f"{elapsed:.3g}") + " cycles"
+        if by_cycles
+        else with_unit(elapsed, "m", 4)
+    )
+    height, *others = state_panels((item,), ["worn"], "")
+    before = np.asarray(item.height) - np.asarray(item.worn)
+    drawn = item.nodes <= RADII_DRAWN * item.edge
+    unworn = Line(item.nodes[drawn], before[drawn], style.MUTED, name="before wear", dash=style.DASHES[1])
+    return Sheet((height.plus(unworn), *others), width=3.9, title=f"after {after}")
 
 
 def _chosen(states: tuple[WornState, ...]) -> list[int]:
