@@ -41,14 +41,13 @@ def every() -> None:
 @until_closed()
 def one(entry: NamedMaterial) -> None:
     """Show every number of a material, with its source and how a study names it."""
-    import numpy as np
-
+    from winkler.readable import scale_of
     from winkler.vocabulary import GLOSSARY
 
     table = terminal.table("quantity", "value", "unit", "source")
     for figure in entry.figures:
-        factor, unit = terminal.prefixed(np.array([figure.number]), GLOSSARY[figure.quantity].unit)
-        table.add_row(figure.quantity, f"{figure.number * factor:.6g}", unit, figure.source)
+        scale = scale_of(GLOSSARY[figure.quantity].unit, figure.number)
+        table.add_row(figure.quantity, f"{figure.number / scale.factor:.6g}", scale.unit, figure.source)
     out = terminal.console()
     out.print(f"{entry.name}: {entry.sort}, at room temperature")
     out.print(table)

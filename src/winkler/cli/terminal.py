@@ -19,14 +19,12 @@ if TYPE_CHECKING:
     from winkler.study.batch.outcome import Outcome, ResultColumn
 
 from winkler.cli.streams import safe
+from winkler.readable import scale_of
 
-__all__ = ["add_rows", "answers", "console", "indices", "marching", "notes", "prefixed", "table", "tracked"]
+__all__ = ["add_rows", "answers", "console", "indices", "marching", "notes", "table", "tracked"]
 
 T = TypeVar("T")
 
-PREFIXES = {-18: "a", -15: "f", -12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
-PREFIXED = ("m", "N", "Pa", "J", "N/m")
-"""Units that are shown with a prefix."""
 MOST_ROWS = 24
 """Longer tables are cut in the middle."""
 WIDE_COLUMNS = 160
@@ -59,31 +57,15 @@ def table(*headings: str) -> Table:
     return Table(*headings, box=box.SIMPLE_HEAD)
 
 
-def prefixed(numbers: np.ndarray, unit: str | None) -> tuple[float, str]:
-    """Return a factor and the unit with the prefix that suits the greatest of the numbers.
-
-    Examples
-    --------
-    >>> prefixed(np.array([2e-6, 3e-5]), "m")
-    (1000000.0, 'µm')
-    """
-    sizes = np.abs(numbers[np.isfinite(numbers)])
-    greatest = float(sizes.max()) if sizes.size else 0.0
-    if unit == "rad":
-        return 180.0 / math.pi, "deg"
-    if unit not in PREFIXED or greatest == 0.0:
-        return 1.0, unit or ""
-    power = max(-18, min(12, 3 * math.floor(math.log10(greatest) / 3.0 + 1e-12)))
-    return 10.0**-power, f"{PREFIXES[power]}{unit}"
-
-
 def _column_texts(column: ResultColumn, empty: np.ndarray) -> tuple[str, list[str]]:
     """Return the unit and the texts of a column; `empty` are rows without any answer."""
     if column.content.dtype.kind not in "fiu":
         return "", [str(item) for item in column.content]
-    factor, unit = prefixed(column.content, column.word.unit)
-    numbers = (float(number * factor) + 0.0 for number in column.content)
-    return unit, [_number(number, "-" if bare else "undefined") for number, bare in zip(numbers, empty, strict=True)]
+    scale = scale_of(column.word.unit, column.content)
+    numbers = (float(number / scale.factor) + 0.0 for number in column.content)
+    return scale.unit, [
+        _number(number, "-" if bare else "undefined") for number, bare in zip(numbers, empty, strict=True)
+    ]
 
 
 def _number(number: float, undefined: str) -> str:

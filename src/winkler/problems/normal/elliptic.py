@@ -40,7 +40,13 @@ from winkler.values import value, words
 
 __all__ = ["EllipticIndentation", "EllipticSolution"]
 
-HERTZ = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 4.2, doi:10.1017/CBO9781139171731"
+ELLIPSE = Note(
+    Assumption.RESPONSE,
+    Standing.EXACT,
+    "Homogeneous, linear elastic half-spaces, pressed without friction: Hertz's ellipse is exact for bodies of two "
+    "curvatures.",
+    "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 4.2, doi:10.1017/CBO9781139171731",
+)
 
 
 @value
@@ -283,8 +289,8 @@ class EllipticSolution:
         """How far the result can be trusted: assumptions, slopes, onset of yield."""
         axes = float(np.max(self.longitudinal_semi_axis)), float(np.max(self.lateral_semi_axis))
         return (
-            *self.problem.medium.notes,
-            Note(Assumption.RESPONSE, Standing.EXACT, "Hertz's ellipse is exact for bodies of two curvatures.", HERTZ),
+            *(note for note in self.problem.medium.notes if note.standing is not Standing.EXACT),  # of a round contact
+            ELLIPSE,
             steepness_note(self.problem.bodies.steepest_slope(*axes)),
             *ellipse_yield_notes(
                 self.problem.medium, (self.longitudinal_semi_axis, self.lateral_semi_axis), self.force
