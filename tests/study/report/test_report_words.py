@@ -136,13 +136,16 @@ def test_markup_escapes_and_keeps_numbers_with_their_units():
     assert table([], ["<tr></tr>"]).count("<thead>") == 0
 
 
+ANSWERS_OVER_FORCE = ("depth", "radius", "stiffness", "mean_pressure", "peak_pressure", "energy")
+
+
 def curves(study):
     return {one.name: one for one in answers_over(run(study))}
 
 
 def test_answers_over_two_keys_are_one_curve_each():
     shown = curves(SAMPLES["two keys"])
-    assert list(shown) == [f"answer_{name}" for name in ("depth", "radius", "stiffness", "mean_pressure", "energy")]
+    assert list(shown) == [f"answer_{name}" for name in ANSWERS_OVER_FORCE]
     axes = shown["answer_depth"].picture.axes[0]
     assert [line.get_label() for line in axes.lines] == ["curvature radius = 5 mm", "curvature radius = 10 mm"]
     modulus = 210e9 / (2 * (1 - 0.3**2))

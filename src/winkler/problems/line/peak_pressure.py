@@ -5,12 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.foundation.line_bed import LineBed
-from winkler.numerics.types import Curve
+from winkler.numerics.equations.highest import highest
 
-__all__ = ["highest", "is_sharp", "peak_pressure", "rim_load"]
-
-PRESSURE_SAMPLES = 65
-REFINEMENTS = 9
+__all__ = ["is_sharp", "peak_pressure", "rim_load"]
 
 
 def rim_load(bed: LineBed, force: float, half_width: float) -> float:
@@ -61,24 +58,3 @@ def peak_pressure(bed: LineBed, force: float, half_width: float) -> float:
     if is_sharp(bed, half_width, on_rim):
         return np.inf
     return highest(lambda x: bed.pressure(x, half_width, on_rim), half_width)
-
-
-def highest(pressure: Curve, half_width: float) -> float:
-    """Return the greatest of pressures that are finite in all of a strip [Pa].
-
-    Parameters
-    ----------
-    pressure : callable
-        p(x) [Pa] at places x >= 0 [m].
-    half_width : float
-        a [m].
-    """
-    low, high = 0.0, 0.5 * np.pi
-    for _ in range(REFINEMENTS):
-        angle = np.linspace(low, high, PRESSURE_SAMPLES)
-        levels = pressure(half_width * np.sin(angle))
-        best = int(np.argmax(levels))
-        low, high = angle[max(best - 1, 0)], angle[min(best + 1, PRESSURE_SAMPLES - 1)]
-        if best == 0 or high - low < 1e-9:
-            break
-    return float(levels[best])

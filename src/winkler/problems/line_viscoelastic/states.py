@@ -15,10 +15,11 @@ import numpy as np
 from winkler.checks.place_checks import finite_places
 from winkler.foundation.line import LineFoundation
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
+from winkler.numerics.equations.highest import highest
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.line.approach import Place
-from winkler.problems.line.peak_pressure import highest, is_sharp
+from winkler.problems.line.peak_pressure import is_sharp
 from winkler.problems.line_viscoelastic.sinking import approach_of_strips
 from winkler.values import value, words
 

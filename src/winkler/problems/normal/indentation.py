@@ -20,6 +20,7 @@ from winkler.loading import Depth, Force, Load, Radius
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.declared import PRESSED
+from winkler.problems.normal.peak_pressure import peak_pressure
 from winkler.problems.normal.solve_contact import at_depth, at_force, at_radius
 from winkler.problems.normal.validity import indentation_notes
 from winkler.problems.normal.yield_statement import FRICTIONLESS, SurfaceFriction
@@ -132,6 +133,19 @@ class IndentationSolution:
         """
         area = np.asarray(self.problem.bed.footprint.area(np.asarray(self.radius)))
         return shaped(np.where(area > 0.0, self.force / np.where(area > 0.0, area, 1.0), 0.0))
+
+    @property
+    def peak_pressure(self) -> Quantity:
+        """The greatest pressure [Pa]: infinite at a sharp apex, kink or rim; zero without contact.
+
+        Raises
+        ------
+        OutsideValidity
+            If the bed does not define the pressure.
+        """
+        pairs = zip(*map(np.ravel, (self.depth, self.radius)), strict=True)
+        peaks = [peak_pressure(PressedSprings(self.problem.bed, float(d), float(a))) for d, a in pairs]
+        return shaped(np.array(peaks), np.shape(self.depth))
 
     @property
     def energy(self) -> Quantity:

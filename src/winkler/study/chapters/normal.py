@@ -228,7 +228,7 @@ NORMAL = Chapter(
             "galin_1946",
             "sneddon_1965",
             "jaeger_1995",
-            headline=("depth", "force", "radius", "mean_pressure"),
+            headline=("depth", "force", "radius", "peak_pressure"),
             formulas=normal_formulas,
         ),
         "yield_onset": answer(
