@@ -44,7 +44,7 @@ OF_OTHER_STUDIES = {
 }  # fmt: skip
 """What one contact of half-spaces does not need where nothing is written."""
 MOST_MODULES = 178
-"""Modules of the package that such a contact loads: 174, of more than 850, the records and the words of all chapters included."""
+"""Modules of the package that such a contact loads: 174, of more than 850, all records and words included."""
 OF_REPORTS = {"matplotlib", "h5netcdf", "h5py", "tomli_w", "rich"}
 
 
