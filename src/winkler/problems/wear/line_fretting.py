@@ -43,8 +43,8 @@ from winkler.values import value, words
 __all__ = ["LineFrettingSolution", "LineFrettingWear"]
 
 SAMPLES = 65
-ROOM = 1.1
-"""Of the grid beside what can wear at all."""
+LONGER = 1.1
+"""Length of the grid, over that of what can wear at all."""
 
 
 @value
@@ -225,7 +225,7 @@ def _end_of_wear(problem: LineFrettingWear) -> _EndOfWear:
         return _EndOfWear(0.0, bed.rim, np.inf)
     end = core.outer_half_width()
     beside = core.half_width + (end - core.half_width) * np.linspace(0.0, 1.0, SAMPLES) ** 2
-    return _EndOfWear(core.half_width, min(ROOM * end, bed.reach, bed.rim), float(np.max(core.worn(beside))))
+    return _EndOfWear(core.half_width, min(LONGER * end, bed.reach, bed.rim), float(np.max(core.worn(beside))))
 
 
 @value
