@@ -25,16 +25,15 @@ from winkler.laws.wear import WearLaw
 from winkler.loading import ShearForce
 from winkler.numerics.types import Array
 from winkler.path import OnePositiveNormal, OnePositiveSwing, numbers_of
-from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import WORN
 from winkler.problems.wear.grids import wear_grid
 from winkler.problems.wear.input_checks import Cells, WearTolerance, wearable
 from winkler.problems.wear.march import WearMoment
 from winkler.problems.wear.round_grid import RoundGrid, RubbedContact
-from winkler.problems.wear.states import FrettingState, goals_of
+from winkler.problems.wear.states import FrettingState
 from winkler.problems.wear.validity import fretting_notes
 from winkler.problems.wear.worn_grid import WornContact
-from winkler.problems.wear.worn_states import pressed_moment, round_nodes, worn_states
+from winkler.problems.wear.worn_states import AtGoals, pressed_moment, round_nodes, worn_history, worn_states
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -42,7 +41,7 @@ __all__ = ["FrettingSolution", "FrettingWear"]
 
 
 @value
-class FrettingWear:
+class FrettingWear(AtGoals):
     """A contact pushed to and fro along the surface, that wears.
 
     Parameters
@@ -118,12 +117,7 @@ class FrettingWear:
 
     def __post_init__(self) -> None:
         wearable("FrettingWear", self.bed)
-        goals_of("FrettingWear", "cycles", "", self.cycles)
-
-    @property
-    def goals(self) -> Array:
-        """After how many cycles the contact is returned, ``(steps,)``."""
-        return goals_of("FrettingWear", "cycles", "", self.cycles)
+        super().__post_init__()
 
     def _rubbed(self, grid: RoundGrid, contact: WornContact) -> RubbedContact:
         coefficient, size = self.law.coefficient, float(numbers_of(self.amplitude))
@@ -154,11 +148,6 @@ class FrettingWear:
         grid = wear_grid(self.bed, nodes)
         core = self._rubbed(grid, grid.press(np.zeros(nodes.size), self.normal)).stick_radius
         return core if core < radius else 0.0
-
-    @property
-    def total(self) -> int:
-        """How many states `steps` yields: one for each of `goals`."""
-        return int(self.goals.size)
 
     def steps(self, start: FrettingState | None = None) -> Iterator[FrettingState]:
         """Yield the contact at every requested number of cycles.
@@ -193,9 +182,7 @@ class FrettingWear:
 
     def gathered(self, states: Iterable[FrettingState]) -> FrettingSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""
-        reached = list(states)
-        cycles = np.array([state.elapsed for state in reached])
-        return gather(FrettingSolution, self, reached, cycles=cycles)
+        return worn_history(FrettingSolution, self, states)
 
     def solve(self) -> FrettingSolution:
         """Return the contact over all cycles.

@@ -23,7 +23,6 @@ from winkler.laws.friction import Sliding
 from winkler.laws.wear import WearLaw
 from winkler.numerics.types import Array
 from winkler.path import OnePositiveLineForce, OnePositiveLineSwing
-from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import WORN
 from winkler.problems.line_friction.isotropic import refuse_unless_isotropic
 from winkler.problems.wear.grids import wear_grid
@@ -32,11 +31,10 @@ from winkler.problems.wear.line_states import LineFrettingState
 from winkler.problems.wear.line_validity import line_fretting_notes
 from winkler.problems.wear.march import WearMoment
 from winkler.problems.wear.nodes import graded_nodes, nodes_about
-from winkler.problems.wear.states import goals_of
 from winkler.problems.wear.strip_grid import RubbedStrip, StripGrid
 from winkler.problems.wear.stuck_core import stuck_core
 from winkler.problems.wear.worn_grid import WornContact
-from winkler.problems.wear.worn_states import pressed_moment, worn_states
+from winkler.problems.wear.worn_states import AtGoals, pressed_moment, worn_history, worn_states
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -48,7 +46,7 @@ LONGER = 1.1
 
 
 @value
-class LineFrettingWear:
+class LineFrettingWear(AtGoals):
     """A line contact that is sheared to and fro, and wears.
 
     Parameters
@@ -123,12 +121,7 @@ class LineFrettingWear:
 
     def __post_init__(self) -> None:
         refuse_unless_isotropic("LineFrettingWear", self.bed)
-        goals_of("LineFrettingWear", "cycles", "", self.cycles)
-
-    @property
-    def goals(self) -> Array:
-        """After how many cycles the contact is returned, ``(steps,)``."""
-        return goals_of("LineFrettingWear", "cycles", "", self.cycles)
+        super().__post_init__()
 
     def _rubbed(self, grid: StripGrid, contact: WornContact) -> RubbedStrip:
         return grid.rub(contact, self.law.coefficient, float(self.amplitude.shear_force_per_length))
@@ -151,11 +144,6 @@ class LineFrettingWear:
         if end.core == 0.0:
             return graded_nodes(0.0, end.reach, end.reach, self.count)
         return nodes_about(end.core, end.reach, self.count)
-
-    @property
-    def total(self) -> int:
-        """How many states `steps` yields: one for each of `goals`."""
-        return int(self.goals.size)
 
     def steps(self, start: LineFrettingState | None = None) -> Iterator[LineFrettingState]:
         """Yield the contact at every requested number of cycles.
@@ -190,9 +178,7 @@ class LineFrettingWear:
 
     def gathered(self, states: Iterable[LineFrettingState]) -> LineFrettingSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""
-        reached = list(states)
-        cycles = np.array([state.elapsed for state in reached])
-        return gather(LineFrettingSolution, self, reached, cycles=cycles)
+        return worn_history(LineFrettingSolution, self, states)
 
     def solve(self) -> LineFrettingSolution:
         """Return the contact over all cycles.
