@@ -17,6 +17,7 @@ from winkler.problems.wear.march import WearMoment, WearProblem, march_wear, sca
 from winkler.problems.wear.nodes import first_nodes
 from winkler.problems.wear.states import goals_of
 from winkler.problems.wear.worn_grid import WornContact
+from winkler.values import words
 
 __all__ = ["AtGoals", "OfDistance", "PressedMoment", "pressed_moment", "round_nodes", "worn_history", "worn_states"]
 
@@ -25,6 +26,8 @@ Solution = TypeVar("Solution")
 
 class AtGoals:
     """The part of a problem of wear that says after how many cycles or distances its contact is returned."""
+
+    __words__ = words(goals=("n", None, "after how many cycles, or which distances, the contact is returned"))
 
     _along: ClassVar[str] = "cycles"
     _unit: ClassVar[str] = ""
