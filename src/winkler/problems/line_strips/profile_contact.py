@@ -39,7 +39,7 @@ STRAIGHT = Tilt(0.0)
 
 @value
 class LineProfileContact:
-    """A section of any shape pressed on a half-plane, in plane strain: it may touch in many strips.
+    """A section, stated or measured, pressed on a half-plane, in plane strain: it may touch in many strips.
 
     Parameters
     ----------

@@ -26,7 +26,7 @@ WORN_SLIP = Note(
     Assumption.SLIP,
     Standing.EXACT,
     "Similar half-planes slip by the coefficient of friction times the distance that the contact under the load "
-    "P - Q/mu leaves open beside it, for a worn profile as for any other.",
+    "P - Q/mu leaves open beside it, for a worn profile too.",
     SLIP_SUMS.source,
 )
 UNWORN = 1e-9
