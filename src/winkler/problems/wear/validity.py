@@ -23,6 +23,7 @@ __all__ = [
     "DEBRIS",
     "SLIDES_EVERYWHERE",
     "core_note",
+    "edge_notes",
     "fretting_notes",
     "limiting_notes",
     "resolution_note",
@@ -35,6 +36,9 @@ DIMAKI = "A. V. Dimaki, A. I. Dmitriev, Y. S. Chai, V. L. Popov, Int. J. Solids 
 POPOV = "V. L. Popov, Sci. Rep. 4 (2014) 3749, doi:10.1038/srep03749"
 JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sect. 7.2, doi:10.1017/CBO9781139171731"
 
+
+UNWORN = 1e-9
+"""Worn depth over the size of the contact below which nothing is said of worn edges."""
 
 DEBRIS = Note(
     Assumption.WEAR,
@@ -160,6 +164,20 @@ def sliding_notes(bed: Bed, tolerance: float, states: Sequence[WearState]) -> tu
     return (
         # the law of wear does not define the friction
         *_march_notes(bed, tolerance, states, SurfaceFriction(math.inf)),
+        *edge_notes(states[-1]),
         sliding_note(bed.medium, math.nan),
         SLIDES_EVERYWHERE,
     )
+
+
+def edge_notes(last: WornState) -> tuple[Note, ...]:
+    """Return how much more than the mean a node bears in a state worn by sliding."""
+    if last.worn_depth < UNWORN * last.edge or not last.mean_pressure > 0.0:
+        return ()
+    excess = float(np.max(last.pressure)) / last.mean_pressure
+    stated = (
+        f"In the last state the greatest pressure about a node is {excess:.3g} of the mean. A node that the edge of a "
+        "growing contact has just reached may bear about twice the mean until its corner is worn off; where the "
+        "contact ends is known to within a node."
+    )
+    return (Note(Assumption.RESOLUTION, Standing.APPROXIMATE, stated, "the shape is straight in x^2 between nodes"),)
