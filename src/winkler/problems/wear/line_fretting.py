@@ -25,6 +25,8 @@ from winkler.numerics.types import Array
 from winkler.path import OnePositiveLineForce, OnePositiveLineSwing
 from winkler.problems.assumptions.declared import WORN
 from winkler.problems.line_friction.isotropic import refuse_unless_isotropic
+from winkler.problems.line_friction.path import LinePath
+from winkler.problems.line_friction.tangential import LineTangential
 from winkler.problems.wear.grids import wear_grid
 from winkler.problems.wear.input_checks import Cells, WearTolerance
 from winkler.problems.wear.line_states import LineFrettingState
@@ -33,8 +35,9 @@ from winkler.problems.wear.march import WearMoment
 from winkler.problems.wear.nodes import graded_nodes, nodes_about
 from winkler.problems.wear.strip_grid import RubbedStrip, StripGrid
 from winkler.problems.wear.stuck_core import stuck_core
+from winkler.problems.wear.validity import slip_grid_note
 from winkler.problems.wear.worn_grid import WornContact
-from winkler.problems.wear.worn_states import AtGoals, pressed_moment, worn_history, worn_states
+from winkler.problems.wear.worn_states import AtGoals, pressed_moment, unworn, worn_history, worn_states
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -253,5 +256,14 @@ class LineFrettingSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        problem = self.problem
-        return line_fretting_notes(problem.bed, problem.law.coefficient, problem.tolerance, self.states)
+        stated = self.problem
+        found = stated.state(unworn(self.states[0].nodes)).dissipation_per_length
+        force, shear = float(stated.normal.force_per_length), float(stated.amplitude.shear_force_per_length)
+        strips = LineTangential(
+            stated.bed, stated.law, LinePath(force, shear * np.array([0.0, 1.0, -1.0, 1.0]))
+        ).solve()
+        expected = float(strips.dissipation_per_length[-1] - strips.dissipation_per_length[1])
+        return (
+            *line_fretting_notes(stated.bed, stated.law.coefficient, stated.tolerance, self.states),
+            *slip_grid_note(found, expected),
+        )

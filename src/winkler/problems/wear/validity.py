@@ -17,7 +17,7 @@ from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.normal.validity import indentation_notes
 from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.problems.wear.states import WearState, WornState
-from winkler.validity import Assumption, Note, Standing
+from winkler.validity import Assumption, Note, Standing, standing_of
 
 __all__ = [
     "DEBRIS",
@@ -28,6 +28,7 @@ __all__ = [
     "limiting_notes",
     "resolution_note",
     "sliding_notes",
+    "slip_grid_note",
     "slip_note",
     "worn_yield",
 ]
@@ -37,6 +38,8 @@ POPOV = "V. L. Popov, Sci. Rep. 4 (2014) 3749, doi:10.1038/srep03749"
 JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sect. 7.2, doi:10.1017/CBO9781139171731"
 
 
+FINE_SLIP, COARSE_SLIP = 0.01, 0.1
+"""Relative error of the loss in a cycle up to which a grid is fine, and beyond which it does not resolve the slip."""
 UNWORN = 1e-9
 """Worn depth over the size of the contact below which nothing is said of worn edges."""
 
@@ -121,6 +124,22 @@ def _march_notes(bed: Bed, tolerance: float, states: Sequence[WearState], rubbin
     pressed = indentation_notes(bed, depth, radius, rubbing)
     worn = worn_yield(bed.medium, states[1:]) if len(states) > 1 else ()
     return (*pressed, *worn, DEBRIS, resolution_note(states[-1], tolerance, "depth"))
+
+
+def slip_grid_note(found: float, expected: float) -> tuple[Note, ...]:
+    """Return the note on how well a grid resolves the slip, by its loss in a cycle before wear and that of springs.
+
+    Wear takes pressure times slip, which is this loss over the coefficient of friction.  Nothing is said where nothing
+    slips.
+    """
+    if not expected > 0.0:
+        return ()
+    error = found / expected - 1.0
+    more = "more" if error > 0.0 else "less"
+    text = f"In a cycle before wear the grid loses {100.0 * abs(error):.2g} per cent {more} than springs of no width do"
+    if abs(error) > FINE_SLIP:
+        text += ": the place that slips is narrow, and wears by so much too fast or too slowly; take more cells"
+    return (Note(Assumption.RESOLUTION, standing_of(abs(error), FINE_SLIP, COARSE_SLIP), f"{text}.", DIMAKI),)
 
 
 def worn_yield(medium: object, states: Sequence[WornState]) -> tuple[Note, ...]:

@@ -11,7 +11,7 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.numerics.types import Array
 from winkler.problems.answer import gather
-from winkler.problems.normal.indentation import Indentation
+from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.wear.grids import wear_grid
 from winkler.problems.wear.march import WearMoment, WearProblem, march_wear, scale_of
 from winkler.problems.wear.nodes import first_nodes
@@ -19,7 +19,16 @@ from winkler.problems.wear.states import goals_of
 from winkler.problems.wear.worn_grid import WornContact
 from winkler.values import words
 
-__all__ = ["AtGoals", "OfDistance", "PressedMoment", "pressed_moment", "round_nodes", "worn_history", "worn_states"]
+__all__ = [
+    "AtGoals",
+    "OfDistance",
+    "PressedMoment",
+    "pressed_moment",
+    "round_nodes",
+    "unworn",
+    "worn_history",
+    "worn_states",
+]
 
 Solution = TypeVar("Solution")
 
@@ -76,8 +85,7 @@ def worn_states(problem: Any, start: Any, nodes: Callable[[], Array], *, everywh
         As of `march_wear`.
     """
     if start is None:
-        places = nodes()
-        moment = WearMoment(0.0, 0.0, places, np.zeros((2, places.size)))
+        moment = unworn(nodes())
         if problem.goals[0] == 0.0:
             yield problem.state(moment)
     else:
@@ -86,20 +94,22 @@ def worn_states(problem: Any, start: Any, nodes: Callable[[], Array], *, everywh
         yield problem.state(reached)
 
 
-def round_nodes(problem: Any, core: Callable[[float, Array], float] | None = None) -> Array:
+def unworn(nodes: Array) -> WearMoment:
+    """Return the moment before wear, on these nodes [m]."""
+    return WearMoment(0.0, 0.0, nodes, np.zeros((2, nodes.size)))
+
+
+def round_nodes(problem: Any, core: Callable[[IndentationSolution], float] | None = None) -> Array:
     """Return the radii on which a round contact begins to wear.
 
-    Where something sticks, `core` returns the stick radius before wear, from the contact radius and even nodes [m].
+    Where something sticks, `core` returns the stick radius before wear [m], which gets a node of its own.
     """
-    radius = float(Indentation(problem.bed, problem.normal).solve().radius)
+    pressed = Indentation(problem.bed, problem.normal).solve()
+    radius = float(pressed.radius)
     if not radius > 0.0:
         owner = type(problem).__name__
         raise OutsideValidity(f"{owner}: the bodies do not touch under this load; press them together.")
-    nodes = first_nodes(problem.bed, problem.normal, radius, 0.0, problem.count)
-    if core is None:
-        return nodes
-    # it gets a node of its own
-    return first_nodes(problem.bed, problem.normal, radius, core(radius, nodes), problem.count)
+    return first_nodes(problem.bed, problem.normal, radius, core(pressed) if core else 0.0, problem.count)
 
 
 class PressedMoment(NamedTuple):
