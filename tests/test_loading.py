@@ -72,3 +72,9 @@ def test_lists_are_loads_too():
     assert contact.depth.shape == (2,)
     assert contact.at(1).force == 2.0
     assert wk.Indentation(bed, wk.Depth([[0.1], [0.2]])).solve().force.shape == (2, 1)
+
+
+@pytest.mark.parametrize("bad", [1e6, -1.6, math.nan, math.inf])
+def test_a_tilt_is_less_than_a_right_angle(bad):
+    with pytest.raises(wk.InvalidInput, match=r"^Tilt: tilt is .*; give a number between -1.5 and 1.5 in rad\.$"):
+        wk.Tilt(bad)

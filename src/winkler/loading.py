@@ -9,7 +9,9 @@ a `winkler.path.Path`.
 
 from __future__ import annotations
 
-from winkler.checks.number_checks import Finite, FiniteQuantity, NonNegativeQuantity
+from typing import Annotated
+
+from winkler.checks.number_checks import Finite, FiniteQuantity, NonNegativeQuantity, between
 from winkler.values import value, words
 
 __all__ = [
@@ -134,12 +136,12 @@ class Tilt:
     Parameters
     ----------
     tilt : float
-        [rad], positive where it presses the end at positive x.
+        [rad], positive where it presses the end at positive x; between -1.5 and 1.5, and small for the theory to hold.
     """
 
     __words__ = words(tilt=(r"\theta", "rad", "tilt of the body"))
 
-    tilt: Finite
+    tilt: Annotated[float, between(-1.5, 1.5)]
 
 
 @value

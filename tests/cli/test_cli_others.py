@@ -220,13 +220,14 @@ def test_new_with_other_parts(option, kind, here):
     ("problem", "option", "kind"),
     [("line_indentation", "--bed", name) for name in CATALOGUE["line_bed"]]
     + [("line_profile_contact", "--profile", name) for name in ("punch_row", "formula_section")]
-    + [("line_indentation", "--load", "mean_pressure")],
+    + [("line_indentation", "--load", "mean_pressure"), ("line_indentation", "--medium", "coated_half_space")],
 )
 def test_new_with_parts_of_line_contacts(problem, option, kind, here):
     """`winkler show line_indentation` lists them: an option takes them too."""
     assert main(["new", problem, option, kind, "--overwrite"]) == 0
     found = parse_study((here / f"{problem}.toml").read_text(encoding="utf-8")).problem
-    parts = (getattr(found, "bed", None), getattr(found, "section", None), found.load)
+    bed = getattr(found, "bed", None)
+    parts = (bed, getattr(bed, "medium", None), getattr(found, "section", None), found.load)
     assert kinds()[kind].cls in map(type, parts)
 
 

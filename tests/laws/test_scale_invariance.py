@@ -54,13 +54,13 @@ class Rounded(NamedTuple):
         Of the greatest number in the answer; infinite where the answer is itself nothing but rounding.
     why
         The reason.
-    from_root
-        Whether it begins with a root, of which powers of two too move the last digit.
+    beside
+        Name of another answer of the same unit, of whose greatest number the tolerance is a part.
     """
 
     tolerance: float
     why: str
-    from_root: bool = False
+    beside: str = ""
 
 
 ERROR = Rounded(np.inf, "an error that is left, itself of the size of rounding or of a solver's tolerance")
@@ -76,7 +76,7 @@ ROUNDED: dict[tuple[str, str], Rounded] = {
     ("SurfaceContactSolution", "penetration"): ERROR,
     ("SurfaceContactSolution", "misfit"): ERROR,
     ("LineProfileSolution", "strip_error"): ERROR,
-    ("LineProfileSolution", "line_of_action"): Rounded(np.inf, "zero of an even section: what sums of rounding leave"),
+    ("LineProfileSolution", "line_of_action"): Rounded(1e-13, "zero of an even section", beside="contact_length"),
     **{
         ("SurfaceTangentialSolution", name): ERROR
         for name in ("shift_y", "shear_force_y", "torque", "penetration", "misfit")
@@ -107,10 +107,7 @@ ROUNDED: dict[tuple[str, str], Rounded] = {
         for name in ("peak_pressure", "height", "lateral_force", "place", "angle")
     },
     **{("SlidingSolution", name): STEPS for name in ("depth", "radius", "worn_depth", "mean_pressure")},
-    **{
-        ("LineSlidingSolution", name): STEPS._replace(from_root=True)
-        for name in ("half_width", "worn_depth", "mean_pressure")
-    },
+    **{("LineSlidingSolution", name): STEPS for name in ("half_width", "worn_depth", "mean_pressure")},
     **{
         ("ViscoelasticImpactSolution", name): SPRING
         for name in ("time", "depth", "velocity", "force", "radius", "duration", "dissipation")
@@ -150,7 +147,9 @@ def differences(solution: Any, other: Any, units: Units, close: float) -> list[s
         got = np.asarray(after[name])
         limit = close
         rounded = ROUNDED.get((owner.__name__, name), Rounded(0.0, ""))
-        if close > SAME or rounded.from_root:
+        if rounded.beside:
+            limit = rounded.tolerance
+        elif close > SAME:
             limit = max(close, rounded.tolerance)
         if np.isinf(limit):
             continue
@@ -160,7 +159,8 @@ def differences(solution: Any, other: Any, units: Units, close: float) -> list[s
             found.append(f"{name}: finite elsewhere")
         else:
             finite = np.isfinite(expected)
-            size = float(np.max(np.abs(expected[finite]), initial=0.0))
+            scale = np.asarray(before[rounded.beside or name]) * units.factor(word(owner, name).unit or "")
+            size = float(np.max(np.abs(scale[np.isfinite(scale)]), initial=0.0))
             miss = float(np.max(np.abs(got[finite] - expected[finite]), initial=0.0))
             if miss > limit * size:
                 found.append(f"{name}: {miss / size if size else np.inf:.1e}")

@@ -9,7 +9,6 @@ from winkler.study.language.catalogue import kinds
 
 LONGEST = 300
 MEDIAN = 130
-DATA = {"vocabulary.py"}
 FORBIDDEN_NAMES = {"utils", "util", "helpers", "helper", "common", "misc"}
 ALLOWED_OF_IMPORTLIB = {"importlib.resources", "importlib.metadata"}
 LOADING_BY_NAME = ("__init__.py", "study/chapters/kind.py")
@@ -18,7 +17,7 @@ LOADING_BY_NAME = ("__init__.py", "study/chapters/kind.py")
 
 
 def test_no_page_is_too_long(pages):
-    long = {page.name: page.text.count("\n") for page in pages if page.name not in DATA}
+    long = {page.name: page.text.count("\n") for page in pages}
     assert {name: lines for name, lines in long.items() if lines > LONGEST} == {}
 
 

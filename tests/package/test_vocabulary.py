@@ -12,7 +12,7 @@ import pytest
 
 from winkler.profiles.flat import FlatPunch
 from winkler.values import words
-from winkler.vocabulary import GLOSSARY, word
+from winkler.vocabulary import CHAPTERS, GLOSSARY, word
 
 USER_LAYERS = (
     "materials", "laws", "profiles", "loading", "path", "path_steps", "program", "media", "foundation", "problems",
@@ -22,7 +22,7 @@ USER_LAYERS = (
 
 RESULT_LAYERS = ("problems", "fields", "peaks")
 """The layers whose properties are results."""
-PLACE = "put these names into __words__ of their classes, or into winkler/vocabulary.py if others have them too"
+PLACE = "put these names into __words__ of their classes, or into winkler/vocabulary if others have them too"
 
 
 def classes(modules, layers):
@@ -96,6 +96,10 @@ def test_words_are_no_part_of_a_value():
     assert [field.name for field in dataclasses.fields(punch)] == list(dataclasses.asdict(punch)) == ["radius"]
     assert repr(punch) == "FlatPunch(radius=0.001)"
     assert list(punch.__getstate__()) == ["radius"]
+
+
+def test_no_name_stands_in_two_chapters_of_the_glossary():
+    assert sum(map(len, CHAPTERS)) == len(GLOSSARY)
 
 
 def incomplete(name, entry):

@@ -230,7 +230,7 @@ def test_slopes_along_the_roller_and_its_tilt_are_stated():
     ellipse = wk.EllipticIndentation(wk.CurvedBodies(1.0, 1e-2), SOFT, wk.Force(2e-6)).solve()
     steepest = min(ellipse.longitudinal_semi_axis, ellipse.lateral_semi_axis) / 1e-2
     assert float(slopes_of(ball).statement.split(" is ")[1].split(":")[0]) == pytest.approx(steepest, rel=0.03)
-    tilted = bearing(wk.LogarithmicEnds(4e5), alignment=wk.Tilt(-2.0))
+    tilted = bearing(wk.LogarithmicEnds(4e5), alignment=wk.Tilt(-1.5))
     assert slopes_of(tilted.solve()).standing is Standing.OUTSIDE
 
 

@@ -150,6 +150,8 @@ def test_refusals():
         wk.SurfaceLoad(HILL, [1.0])
     with pytest.raises(wk.InvalidInput, match="the corner"):
         wk.SurfaceLoad(HILL, [1.0, 1.0], corner=[1.0])
+    with pytest.raises(wk.InvalidInput, match="begins at .0, 1e.30. m, so far away that pixels of 0.333333 m"):
+        wk.SurfaceLoad(HILL, [1.0, 1.0], corner=[0.0, 1e30])
     contact = pressed_ball(32, STEEL, wk.Rigid())
     with pytest.raises(wk.OutsideValidity, match="rigid"):
         contact.stresses(0.0, 0.0, -1e-4)

@@ -3,6 +3,7 @@
 import dataclasses
 import math
 
+import mpmath
 import numpy as np
 import pytest
 
@@ -235,3 +236,26 @@ def test_layers_are_refused_with_the_reason():
     coated = wk.CoatedHalfSpace([wk.Layer(solid, thickness=0.05)], on=solid)
     with pytest.raises(wk.OutsideValidity, match="use LimitingProfile"):
         fretting(bed=wk.Foundation(wk.Paraboloid(BALL), coated))
+
+
+@pytest.mark.parametrize(("part", "count", "standing"), [
+    (0.5, 80, wk.Standing.ASYMPTOTIC),
+    (1e-2, 100, wk.Standing.APPROXIMATE),
+    (1e-3, 100, wk.Standing.OUTSIDE),
+    (1e-3, 800, wk.Standing.ASYMPTOTIC),
+])  # fmt: skip
+def test_how_well_a_grid_resolves_a_small_swing_is_stated(part, count, standing):
+    """By the loss of Mindlin and Deresiewicz (1953)."""
+    force = 4.0 / 3.0 * MEDIUM.modulus * A0**3 / BALL
+    swing = wk.ShearForce(part * MU * force)
+    run = fretting(normal=wk.Force(force), amplitude=swing, cycles=np.array([1e-9]), count=count).solve()
+    with mpmath.workdps(30):
+        left = 1 - mpmath.mpf(part)
+        bracket = 1 - left ** (5 / mpmath.mpf(3)) - 5 * mpmath.mpf(part) / 6 * (1 + left ** (2 / mpmath.mpf(3)))
+        loss = float(18 * bracket / 5) * (MU * force) ** 2 / (A0 * MEDIUM.shear_modulus)
+    error = run.loss_per_cycle[0] / loss - 1.0
+    (note,) = (note for note in run.validity if "In a cycle before wear" in note.statement)
+    more = "more" if error > 0.0 else "less"
+    assert f"the grid loses {100.0 * abs(error):.2g} per cent {more} than" in note.statement
+    assert note.standing is standing
+    assert ("take more cells" in note.statement) == (abs(error) > 0.01)

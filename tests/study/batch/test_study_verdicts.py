@@ -229,7 +229,7 @@ def test_components_of_a_direction_in_the_plane():
 @pytest.mark.parametrize(
     ("quantity", "place", "sentence"),
     [
-        ("traction", (("r", 0.6),), "traction is asked at a place of 3 contacts; name one, as traction.-1 the last"),
+        ("traction", (("r", 0.6),), "traction is of 3 contacts; name one, as traction.-1 the last"),
         ("traction.3", (("r", 0.6),), "traction.3 asks for one of 3 contacts; count from 0"),
         ("traction.1.0", (("r", 0.6),), "traction has 1 component; leave out the number behind it"),
         ("slope.1", (("r", 0.6),), "'slope' is not one of ShearedFields"),

@@ -114,7 +114,7 @@ class EllipticSource:
             gradient = unit @ (slope[0] * share)
             hessian = (unit * (bend[0] * share)) @ unit.T
             step = -np.linalg.solve(hessian, gradient)
-            part = min(1.0, 0.9 * _room(place, step))
+            part = min(1.0, 0.9 * _steps_to_border(place, step))
             while (there := height(place + part * step)) < best and part > SETTLED:
                 part *= 0.5
             if there < best:
@@ -222,7 +222,7 @@ def _growing(first: float, last: float) -> list[float]:
     return [first * LENGTH_RATIO**k for k in range(count)]
 
 
-def _room(place: Array, step: Array) -> float:
+def _steps_to_border(place: Array, step: Array) -> float:
     """Return how often a step fits between a place and the unit circle."""
     square, along, left = float(step @ step), float(place @ step), 1.0 - float(place @ place)
     return left / (along + math.sqrt(along * along + square * left)) if square > 0.0 else math.inf

@@ -186,10 +186,10 @@ def _share(spots: Spots, step: Array) -> float:
     change = np.abs(_edge_steps(spots, step))
     edges = np.array([[strip.start, strip.end] for strip in spots.strips])
     halves = 0.5 * np.diff(edges, axis=1)
-    room = np.full(edges.shape, np.inf)
+    clearance = np.full(edges.shape, np.inf)
     between = 0.5 * (edges[1:, 0] - edges[:-1, 1])
-    room[1:, 0], room[:-1, 1] = between, between
-    allowed = LONGEST * np.minimum(halves, room)
+    clearance[1:, 0], clearance[:-1, 1] = between, between
+    allowed = LONGEST * np.minimum(halves, clearance)
     with np.errstate(divide="ignore", invalid="ignore"):
         shares = np.where(change > allowed, allowed / change, 1.0)
     return float(np.min(shares))

@@ -7,6 +7,7 @@ must not overlap beside it.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 import numpy as np
@@ -169,13 +170,15 @@ def _interpolated(bed: LineBed, level: Level, target: Array) -> Array:
         if float(level(np.array([flat + far]))[0]) >= np.max(target):
             break
         far = min(far * bed.search_step, 0.5 * (end - flat + far))
-    beside = np.geomspace(near, far, INTERPOLATED if np.isinf(bed.trial) else INTERPOLATED_ON_LAYERS)
+    # ratios to the farthest and the greatest: they are the same numbers in all units
+    ratios = np.geomspace(near / far, 1.0, INTERPOLATED if np.isinf(bed.trial) else INTERPOLATED_ON_LAYERS)
+    greatest = float(np.max(target))
     with np.errstate(divide="ignore"):
-        below = np.log(level(flat + beside))
+        below = np.log(level(flat + far * ratios) / greatest)
     found = np.isfinite(below)
     if not found.any():
         return np.full(target.shape, flat + far)
-    return np.asarray(flat + np.exp(np.interp(np.log(target), below[found], np.log(beside[found]))))
+    return np.asarray(flat + far * np.exp(np.interp(np.log(target / greatest), below[found], np.log(ratios[found]))))
 
 
 def _guess(bed: LineBed, level: Level, target: float) -> float:
@@ -187,7 +190,8 @@ def _guess(bed: LineBed, level: Level, target: float) -> float:
         return flat + 0.02 * (end - flat)
     if flat > 0.0:
         return 2.0 * flat
-    return 0.02 * bed.size if np.isfinite(bed.size) else rough_root(level, target)
+    # a power of two, to begin with the same number in all units
+    return 0.02 * bed.size if np.isfinite(bed.size) else 2.0 ** round(math.log2(rough_root(level, target)))
 
 
 def _first(bed: LineBed, level: Level, target: Array) -> Array:

@@ -23,6 +23,7 @@ from winkler.problems.line.greatest_stress import Placed, greatest, von_mises
 from winkler.problems.line.half_width import refuse_unless_strips, under_force, under_mean_pressure, widest_allowed
 from winkler.problems.line.layered_strip import OnLayers
 from winkler.problems.line.peak_pressure import peak_pressure, rim_load
+from winkler.problems.line.pressing_load import given_by, pressing
 from winkler.problems.line.strip import OfStrip, Strip
 from winkler.problems.line.yield_statement import line_contact_notes
 from winkler.problems.one_load import one_of, single
@@ -83,13 +84,7 @@ class LineIndentation:
             If a mean pressure does not determine the contact.
         """
         bed, modulus = self.bed, self.bed.medium.modulus
-        given = _given(self.load)
-        flat = np.atleast_1d(np.asarray(given, dtype=float)).ravel()
-        if np.any(flat < 0.0):
-            raise OutsideValidity(
-                f"LineIndentation: the load {float(np.min(flat)):.6g} is tensile; without adhesion bodies can only be "
-                "pressed together: give zero or more."
-            )
+        flat, shape = pressing("LineIndentation", self.load), np.shape(given_by(self.load))
         if isinstance(self.load, HalfWidth):
             widest_allowed(bed, flat)
             half_width = flat.copy()
@@ -101,13 +96,7 @@ class LineIndentation:
             half_width, force = under_force(bed, flat / modulus), flat
         refuse_unless_strips(bed, half_width)
         kind = LayeredLineSolution if isinstance(bed, LayeredLineFoundation) else LineSolution
-        return kind(self, shaped(force, np.shape(given)), shaped(half_width, np.shape(given)))
-
-
-def _given(load: LineForce | HalfWidth | MeanPressure) -> Quantity:
-    match load:
-        case HalfWidth(given) | MeanPressure(given) | LineForce(given):
-            return given
+        return kind(self, shaped(force, shape), shaped(half_width, shape))
 
 
 @value
@@ -183,7 +172,7 @@ class LineSolution(OfStrip):
             If there is no such load.
         """
         force, a = one_of(index, self.force_per_length, self.half_width)
-        given = type(self.problem.load)(float(np.asarray(_given(self.problem.load))[index]))
+        given = type(self.problem.load)(float(np.asarray(given_by(self.problem.load))[index]))
         return type(self)(LineIndentation(self.problem.bed, given), force, a)
 
     @property

@@ -1,4 +1,4 @@
-r"""A sheared line contact step by step on boundary elements: any history of both forces and of a bulk stress.
+r"""A sheared line contact step by step on boundary elements: histories of both forces and of a bulk stress.
 
 The second body is ahead of the first by
 

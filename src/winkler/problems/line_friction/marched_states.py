@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-import dataclasses
-
 import numpy as np
 
-from winkler.checks.place_checks import common_places, finite_places
-from winkler.errors import OutsideValidity
+from winkler.checks.place_checks import finite_places
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Coulomb
 from winkler.numerics.surfaces.strip_elements import linear_potential
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.line.peak_pressure import rim_load
-from winkler.problems.line.stress import LineContact, LineFields, poisson_of, stresses
+from winkler.problems.line.stress import LineContact, poisson_of, stresses
 from winkler.problems.line_friction.march import MarchedRow
-from winkler.problems.which_body import in_first_body
+from winkler.problems.line_friction.sheared_strip import ShearedStrip
 from winkler.values import value, words
 
 __all__ = ["LineMarchedState", "marched_state", "stuck_strip"]
@@ -25,7 +22,7 @@ PLACES = 400
 
 
 @value
-class LineMarchedState:
+class LineMarchedState(ShearedStrip):
     """A sheared line contact at one point of a path that was marched along on boundary elements.
 
     Parameters
@@ -78,13 +75,6 @@ class LineMarchedState:
         """Whether all of the contact slides."""
         return self.half_width > 0.0 and self.stick_half_width == 0.0
 
-    def pressure(self, x: ArrayLike) -> Array:
-        """Return the pressure [Pa] at places x [m], zero outside of the contact."""
-        x = finite_places("LineMarchedState.pressure", "x", x)
-        if self.half_width == 0.0:
-            return np.zeros(x.shape)
-        return self.bed.pressure(x, self.half_width, rim_load(self.bed, self.force_per_length, self.half_width))
-
     def traction(self, x: ArrayLike) -> Array:
         """Return the traction q [Pa] along x on the first body.
 
@@ -131,46 +121,24 @@ class LineMarchedState:
         found[inside] = row[cell] + share * (row[cell + 1] - row[cell])
         return found
 
-    def stresses(self, x: ArrayLike, z: ArrayLike) -> LineFields:
-        """Return the stresses below the surface: of pressure and traction, and in the first body the bulk stress.
-
-        Parameters
-        ----------
-        x : array_like
-            Places along the surface [m].
-        z : array_like
-            Depths [m]: not negative in the first body, negative in the second, of which -0.0 is the surface.
-            All in one of them.
-
-        Raises
-        ------
-        InvalidInput
-            If the depths lie in both bodies.
-        OutsideValidity
-            If there is no contact, or the body is rigid.
-        """
-        along, depth = common_places("LineMarchedState.stresses", x=x, z=z)
-        below = in_first_body(depth, "LineMarchedState")
-        if self.half_width == 0.0:
-            raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
-        poisson, deep = poisson_of(self.bed.medium, below), np.abs(depth)
+    def _stresses(self, x: Array, deep: Array, below: bool) -> tuple[Array, Array, Array, Array]:
+        poisson = poisson_of(self.bed.medium, below)
         side, mu = 1.0 if below else -1.0, self.law.coefficient
         # as if the mean of what both edges use were used everywhere, and the rest of the traction beside it
         common = 0.5 * float(self.used_friction[0] + self.used_friction[-1])
         on_rim = rim_load(self.bed, self.force_per_length, self.half_width)
         contact = LineContact(self.bed, self.half_width, on_rim, poisson, side * common * mu)
-        fields = stresses(contact, along, deep)
-        whole, slope = linear_potential(*self._rest(common), along.ravel(), deep.ravel())
-        whole, slope = side * whole.reshape(along.shape), side * slope.reshape(along.shape)
+        fields = stresses(contact, x, deep)
+        whole, slope = linear_potential(*self._rest(common), x.ravel(), deep.ravel())
+        whole, slope = side * whole.reshape(x.shape), side * slope.reshape(x.shape)
         xx, zz = -2.0 * whole.real + slope.imag, -slope.imag
         bulk = self.bulk_stress if below else 0.0
-        rows = (
+        return (
             fields.xx_stress + xx + bulk,
             fields.yy_stress + poisson * (xx + zz + bulk),
             fields.zz_stress + zz,
             fields.xz_stress + whole.imag + slope.real,
         )
-        return dataclasses.replace(LineFields(along, deep, *rows), z=depth)
 
     def _rest(self, common: float) -> tuple[Array, Array]:
         """Return places, and the traction [Pa] there less that of a contact that uses `common` of its friction."""

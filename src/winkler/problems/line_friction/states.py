@@ -2,27 +2,24 @@
 
 from __future__ import annotations
 
-import dataclasses
-
 import numpy as np
 
-from winkler.checks.place_checks import common_places, finite_places
-from winkler.errors import OutsideValidity
+from winkler.checks.place_checks import finite_places
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Coulomb
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.friction.slip_memory import SlipMemory
 from winkler.problems.line.peak_pressure import rim_load
-from winkler.problems.line.stress import LineContact, LineFields, poisson_of, stresses
+from winkler.problems.line.stress import LineContact, poisson_of, stresses
+from winkler.problems.line_friction.sheared_strip import ShearedStrip
 from winkler.problems.line_friction.strips import EarlierStrip, half_widths, slipped, strips_of, traction
-from winkler.problems.which_body import in_first_body
 from winkler.values import value, words
 
 __all__ = ["LineTangentialState"]
 
 
 @value
-class LineTangentialState:
+class LineTangentialState(ShearedStrip):
     """A sheared line contact at one point of its path.
 
     Parameters
@@ -86,13 +83,6 @@ class LineTangentialState:
         """The earlier contacts whose pressures add up to the traction."""
         return strips_of(self.bed, self.memory, self.lean) if self.half_width > 0.0 else ()
 
-    def pressure(self, x: ArrayLike) -> Array:
-        """Return the pressure [Pa] at places x [m], zero outside of the contact."""
-        x = finite_places("LineTangentialState.pressure", "x", x)
-        if self.half_width == 0.0:
-            return np.zeros(x.shape)
-        return self.bed.pressure(x, self.half_width, rim_load(self.bed, self.force_per_length, self.half_width))
-
     def traction(self, x: ArrayLike) -> Array:
         """Return the traction q [Pa] along x on the first body.
 
@@ -121,38 +111,16 @@ class LineTangentialState:
         ahead[inside] = slipped(self.bed, self.strips, x[inside])
         return ahead
 
-    def stresses(self, x: ArrayLike, z: ArrayLike) -> LineFields:
-        """Return the stresses below the surface: of pressure and traction, and in the first body the bulk stress.
-
-        Parameters
-        ----------
-        x : array_like
-            Places along the surface [m].
-        z : array_like
-            Depths [m]: not negative in the first body, negative in the second, of which -0.0 is the surface.
-            All in one of them.
-
-        Raises
-        ------
-        InvalidInput
-            If the depths lie in both bodies.
-        OutsideValidity
-            If there is no contact, or the body is rigid.
-        """
-        along, depth = common_places("LineTangentialState.stresses", x=x, z=z)
-        below = in_first_body(depth, "LineTangentialState")
-        if self.half_width == 0.0:
-            raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
-        poisson, deep = poisson_of(self.bed.medium, below), np.abs(depth)
+    def _stresses(self, x: Array, deep: Array, below: bool) -> tuple[Array, Array, Array, Array]:
+        poisson = poisson_of(self.bed.medium, below)
         on_rim = rim_load(self.bed, self.force_per_length, self.half_width)
-        fields = stresses(LineContact(self.bed, self.half_width, on_rim, poisson, 0.0), along, deep)
+        fields = stresses(LineContact(self.bed, self.half_width, on_rim, poisson, 0.0), x, deep)
         bulk = self.bulk_stress if below else 0.0
-        rows = [fields.xx_stress + bulk, fields.yy_stress + poisson * bulk, fields.zz_stress, fields.xz_stress]
+        xx, yy, zz, xz = fields.xx_stress + bulk, fields.yy_stress + poisson * bulk, fields.zz_stress, fields.xz_stress
         for strip in self.strips:
             if strip.factor != 0.0 and strip.half_width > 0.0:
                 drag = strip.factor if below else -strip.factor
                 contact = LineContact(self.bed, strip.half_width, strip.rim_load, poisson, drag, pressed=0.0)
-                part = stresses(contact, along - strip.middle, deep)
-                added = (part.xx_stress, part.yy_stress, part.zz_stress, part.xz_stress)
-                rows = [row + more for row, more in zip(rows, added, strict=True)]
-        return dataclasses.replace(LineFields(along, deep, *rows), z=depth)
+                part = stresses(contact, x - strip.middle, deep)
+                xx, yy, zz, xz = xx + part.xx_stress, yy + part.yy_stress, zz + part.zz_stress, xz + part.xz_stress
+        return xx, yy, zz, xz

@@ -27,6 +27,7 @@ from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.line.half_width import borne_at_most, refuse_unless_strips, under_force
 from winkler.problems.line.indentation import LineIndentation, LineSolution
 from winkler.problems.line.peak_pressure import rim_load
+from winkler.problems.line.pressing_load import given_by, pressing
 from winkler.problems.line.strip import Stressed, Strip
 from winkler.problems.line_strips.periodic_notes import closing_load, periodic_notes, periodic_peak
 from winkler.problems.one_load import one_of, single
@@ -115,13 +116,7 @@ class PeriodicIndentation:
             crests.
         """
         line, modulus = self._line, self.bed.medium.modulus
-        given = _given(self.load)
-        flat = np.atleast_1d(np.asarray(given, dtype=float)).ravel()
-        if np.any(flat < 0.0):
-            raise OutsideValidity(
-                f"PeriodicIndentation: the load {float(np.min(flat)):.6g} is tensile; without adhesion bodies can only "
-                "be pressed together: give zero or more."
-            )
+        flat = pressing("PeriodicIndentation", self.load)
         closing = closing_load(PeriodicBed(line, self.pitch))
         most = np.inf if np.isfinite(line.rim) else borne_at_most(line)
         if isinstance(self.load, HalfWidth):
@@ -151,14 +146,8 @@ class PeriodicIndentation:
                 )
             half_width = from_line(mapped, self.pitch)
         refuse_unless_strips(line, mapped[mapped < line.rim], np.inf)
-        shape = np.shape(given)
+        shape = np.shape(given_by(self.load))
         return PeriodicSolution(self, shaped(force, shape), shaped(half_width, shape))
-
-
-def _given(load: NominalPressure | LineForce | HalfWidth) -> Quantity:
-    match load:
-        case NominalPressure(given) | LineForce(given) | HalfWidth(given):
-            return given
 
 
 @value
@@ -265,7 +254,7 @@ class PeriodicSolution(Stressed):
             If there is no such load.
         """
         force, a = one_of(index, self.force_per_length, self.half_width)
-        load = type(self.problem.load)(float(np.asarray(_given(self.problem.load))[index]))
+        load = type(self.problem.load)(float(np.asarray(given_by(self.problem.load))[index]))
         return PeriodicSolution(PeriodicIndentation(self.problem.bed, self.problem.pitch, load), force, a)
 
     @property

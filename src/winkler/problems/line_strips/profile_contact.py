@@ -22,6 +22,7 @@ from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.surfaces.found_strips import FoundStrips
 from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
 from winkler.problems.assumptions.declared import PRESSED
+from winkler.problems.line.pressing_load import pressing
 from winkler.problems.line.stress import InBody, LineFields, fields_of, one_coefficient, poisson_of
 from winkler.problems.line_strips.profile_notes import profile_notes
 from winkler.problems.line_strips.strip_search import Pushed, find_strips
@@ -38,7 +39,7 @@ STRAIGHT = Tilt(0.0)
 
 @value
 class LineProfileContact:
-    """A section of any shape pressed on a half-plane, in plane strain: it may touch in many strips.
+    """A section, stated or measured, pressed on a half-plane, in plane strain: it may touch in many strips.
 
     Parameters
     ----------
@@ -109,13 +110,7 @@ class LineProfileContact:
         OutsideValidity, NotConverged
             If a load is tensile or leads to the end of what is known of the section; if the strips are not found.
         """
-        given = self.load.force_per_length
-        flat = np.ravel(np.asarray(given, dtype=float))
-        if np.any(flat < 0.0):
-            raise OutsideValidity(
-                f"LineProfileContact: the load {float(np.min(flat)):.6g} N/m is tensile; without adhesion bodies can "
-                "only be pressed together: give zero or more."
-            )
+        flat = pressing("LineProfileContact", self.load)
         found = [self._found(force) for force in flat.tolist()]
         still, action = self._aligned
         columns = {
@@ -126,7 +121,7 @@ class LineProfileContact:
             "peak_pressure": [float(np.max(one.peaks)) if one else 0.0 for one in found],
             "strip_error": [one.error if one else 0.0 for one in found],
         }
-        shape = np.shape(given)
+        shape = np.shape(self.load.force_per_length)
         results = {name: shaped(np.array(column), shape) for name, column in columns.items()}
         return LineProfileSolution(self, shaped(flat, shape), **results)
 

@@ -69,7 +69,7 @@ def profile_notes(
         )
         resolution = Note(Assumption.RESOLUTION, standing_of(error, FINE, COARSE), text, "comparison of two grids")
     x = _inside(found.edges)
-    steep = float(np.max(np.abs(section.slope(x) - found.tilt)))
+    steep = max(float(np.max(np.abs(section.slope(x) - found.tilt))), abs(found.tilt))
     notes = [*section.notes, response, resolution, steepness_note(steep)]
     if _sharp(found):
         text = "The pressure is infinite under a sharp crest or at a wall: a real edge yields or is rounded."

@@ -16,7 +16,7 @@ FINE_ARC = 4001
 """Places along a window's arc from which the pixels' are interpolated."""
 MARGIN = 0.06
 """By which part of its size a window is wider than where the bodies overlap."""
-ROOM = 1.5
+LONGER = 1.5
 """Half-length along the track of a window that is not trimmed yet, over that of the overlap of a parabola."""
 FIRST_PIXELS = 48
 MERGED_ANGLE = 0.2
@@ -119,7 +119,7 @@ def windows(lower: PlacedBody, upper: PlacedBody, placing: Placing, drop: float)
         bending, depth = placing.bending[part], np.maximum(-gap[part], 0.0)
         with np.errstate(invalid="ignore", divide="ignore"):
             half = np.sqrt(2.0 * depth / bending)
-        reach = ROOM * float(np.max(half[np.isfinite(half)]))
+        reach = LONGER * float(np.max(half[np.isfinite(half)]))
         along = placing.x[part][np.isfinite(half)]
         rough = Window(
             float(placing.y[first]), float(placing.y[last]), float(along.min()) - reach, float(along.max()) + reach
@@ -137,8 +137,8 @@ def _near(before: list[int], ends: list[int], y: Array, angle: Array) -> bool:
 def _trimmed(lower: PlacedBody, upper: PlacedBody, rough: Window) -> Window:
     """Return the window around the overlap along the normals."""
     low, high = lower.profile.ends
-    room = MARGIN * (rough.last - rough.first)
-    wide = rough._replace(first=max(rough.first - room, low), last=min(rough.last + room, high))
+    margin = MARGIN * (rough.last - rough.first)
+    wide = rough._replace(first=max(rough.first - margin, low), last=min(rough.last + margin, high))
     coarse = GapMap.of(lower, upper, wide, (FIRST_PIXELS, FIRST_PIXELS))
     i, j = np.nonzero(coarse.gap < 0.0)
     if i.size == 0:

@@ -20,6 +20,9 @@ __all__ = ["SurfaceLoad"]
 PADDING = 4
 """Numbers of a transform over the pixels of a map that stands alone."""
 
+FARTHEST = 1e9
+"""Distance of the corner from zero, in pixels, beyond which rounding of places matters."""
+
 MAP = Numbers(fewest=0, any_shape=True)
 
 
@@ -89,6 +92,11 @@ class SurfaceLoad:
             raise InvalidInput(f"SurfaceLoad: lengths are {self.lengths!r}; give two positive lengths in m.")
         if np.shape(self.corner) != (2,) or not np.all(np.isfinite(self.corner)):
             raise InvalidInput(f"SurfaceLoad: the corner is {self.corner!r}; give two places in m.")
+        if np.any(np.abs(self.corner) > FARTHEST * np.array(self.pixel)):
+            raise InvalidInput(
+                f"SurfaceLoad: the map begins at ({self.corner[0]:.6g}, {self.corner[1]:.6g}) m, so far away that "
+                f"pixels of {min(self.pixel):.6g} m cannot be distinguished; give a corner nearer to zero."
+            )
         for name in ("x_traction", "y_traction"):
             part = np.shape(getattr(self, name))
             if part not in (shape, (0,)):

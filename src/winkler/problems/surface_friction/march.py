@@ -33,7 +33,7 @@ NEGLIGIBLE_COUPLING = 1e-12
 NEARBY_LOAD = 0.25
 """A load that differs by more than this part of it from the one before is begun on coarse grids: as fast."""
 SLIDING_RATIO = 1.0 - 1e-7
-"""Part of the friction beyond which given forces let the bodies slide: what slips is never all parallel."""
+"""Part of the friction beyond which given forces let the bodies slide: what slips is not all parallel."""
 COUPLED_TOLERANCE = 1e-5
 """Least bound on overlap and work on gaps where pressures and tractions are found by turns."""
 

@@ -1,4 +1,4 @@
-r"""A height map pressed and sheared along any path: stick, slip and sliding by boundary elements.
+r"""A height map pressed and sheared along a path: stick, slip and sliding by boundary elements.
 
 Tractions along the surface displace it (Cerruti), and are at most mu p; where they are, the surfaces slip along them.
 Each step of the path is the minimum of an energy (`winkler.numerics.surfaces.sheared_surface`), and what the solver

@@ -45,7 +45,7 @@ def surface_rolling_notes(
     law = Note(
         Assumption.SLIP,
         Standing.ASYMPTOTIC,
-        f"Exact theory of rolling, Coulomb's law in each pixel, to {float(np.max(misfit)):.1g} of what friction would "
+        f"Half-spaces that roll, Coulomb's law in each pixel, to {float(np.max(misfit)):.1g} of what friction would "
         f"lose if all slipped; along the rolling there are {across} pixels: forces err in proportion to their size, by "
         "about 0.5 % of mu F_N with 40.",
         KALKER,

@@ -2,7 +2,7 @@ r"""A height map that rolls steadily on an elastic half-space: creep forces and 
 
 Material that passes the contact towards -x slips, while the bodies roll by one pixel, by the rigid slip of the creepage
 less what the displacement under the tractions grows meanwhile (`winkler.numerics.surfaces.rolled_surface`).  This is
-the exact theory of Kalker, on half-spaces, for a contact of any outline.
+the theory that Kalker named exact, on half-spaces; the outline of the contact is that of its pressures.
 
 From pixel to pixel tractions that stick grow towards the trailing edge: they act somewhat behind the middle of their
 pixel, and the slip of a spin, which has made them, is that of a place ahead of it.  A quarter of a pixel is taken for

@@ -15,26 +15,26 @@ import math
 from collections.abc import Iterable, Iterator
 from typing import ClassVar
 
-import numpy as np
-
 from winkler.checks.number_checks import FiniteQuantity
 from winkler.errors import OutsideValidity
 from winkler.foundation.foundation import Foundation
 from winkler.laws.friction import Sliding
 from winkler.laws.wear import WearLaw
-from winkler.loading import ShearForce
+from winkler.loading import Depth, ShearForce
 from winkler.numerics.types import Array
 from winkler.path import OnePositiveNormal, OnePositiveSwing, numbers_of
-from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import WORN
+from winkler.problems.friction.damping import FrictionDamping
+from winkler.problems.friction.damping_springs import SlippingSprings
+from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.wear.grids import wear_grid
 from winkler.problems.wear.input_checks import Cells, WearTolerance, wearable
 from winkler.problems.wear.march import WearMoment
 from winkler.problems.wear.round_grid import RoundGrid, RubbedContact
-from winkler.problems.wear.states import FrettingState, goals_of
-from winkler.problems.wear.validity import fretting_notes
+from winkler.problems.wear.states import FrettingState
+from winkler.problems.wear.validity import fretting_notes, slip_grid_note
 from winkler.problems.wear.worn_grid import WornContact
-from winkler.problems.wear.worn_states import pressed_moment, round_nodes, worn_states
+from winkler.problems.wear.worn_states import AtGoals, pressed_moment, round_nodes, unworn, worn_history, worn_states
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -42,7 +42,7 @@ __all__ = ["FrettingSolution", "FrettingWear"]
 
 
 @value
-class FrettingWear:
+class FrettingWear(AtGoals):
     """A contact pushed to and fro along the surface, that wears.
 
     Parameters
@@ -118,12 +118,7 @@ class FrettingWear:
 
     def __post_init__(self) -> None:
         wearable("FrettingWear", self.bed)
-        goals_of("FrettingWear", "cycles", "", self.cycles)
-
-    @property
-    def goals(self) -> Array:
-        """After how many cycles the contact is returned, ``(steps,)``."""
-        return goals_of("FrettingWear", "cycles", "", self.cycles)
+        super().__post_init__()
 
     def _rubbed(self, grid: RoundGrid, contact: WornContact) -> RubbedContact:
         coefficient, size = self.law.coefficient, float(numbers_of(self.amplitude))
@@ -149,16 +144,17 @@ class FrettingWear:
                 f"under a shear force of {float(self.amplitude.shear_force):.6g} N; give less, or prescribe a Shift."
             )
 
-    def _stick_radius(self, radius: float, nodes: Array) -> float:
-        """Return the radius of the core that sticks at first [m], sought on an even grid; zero if all sticks."""
-        grid = wear_grid(self.bed, nodes)
-        core = self._rubbed(grid, grid.press(np.zeros(nodes.size), self.normal)).stick_radius
-        return core if core < radius else 0.0
-
-    @property
-    def total(self) -> int:
-        """How many states `steps` yields: one for each of `goals`."""
-        return int(self.goals.size)
+    def _stick_radius(self, pressed: IndentationSolution) -> float:
+        """Return the radius of the core that sticks at first [m], as of a lower depth; zero if all sticks or slips."""
+        most = self.law.coefficient * float(pressed.force)
+        if isinstance(self.amplitude, ShearForce) and float(self.amplitude.shear_force) >= most:
+            return 0.0
+        springs = SlippingSprings(self.law.coefficient, pressed)
+        moved = float(FrictionDamping(self.bed, self.law, self.normal, self.amplitude).solve().shift)
+        if moved >= springs.reach:
+            return 0.0
+        core = float(Indentation(self.bed, Depth(springs.depth * (1.0 - moved / springs.reach))).solve().radius)
+        return core if core < springs.radius else 0.0
 
     def steps(self, start: FrettingState | None = None) -> Iterator[FrettingState]:
         """Yield the contact at every requested number of cycles.
@@ -193,9 +189,7 @@ class FrettingWear:
 
     def gathered(self, states: Iterable[FrettingState]) -> FrettingSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""
-        reached = list(states)
-        cycles = np.array([state.elapsed for state in reached])
-        return gather(FrettingSolution, self, reached, cycles=cycles)
+        return worn_history(FrettingSolution, self, states)
 
     def solve(self) -> FrettingSolution:
         """Return the contact over all cycles.
@@ -260,4 +254,10 @@ class FrettingSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        return fretting_notes(self.problem.bed, self.problem.law.coefficient, self.problem.tolerance, self.states)
+        stated = self.problem
+        found = stated.state(unworn(self.states[0].nodes)).loss_per_cycle
+        springs = FrictionDamping(stated.bed, stated.law, stated.normal, stated.amplitude).solve()
+        return (
+            *fretting_notes(stated.bed, stated.law.coefficient, stated.tolerance, self.states),
+            *slip_grid_note(found, float(springs.loss_per_cycle)),
+        )

@@ -23,32 +23,33 @@ from winkler.laws.friction import Sliding
 from winkler.laws.wear import WearLaw
 from winkler.numerics.types import Array
 from winkler.path import OnePositiveLineForce, OnePositiveLineSwing
-from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import WORN
 from winkler.problems.line_friction.isotropic import refuse_unless_isotropic
+from winkler.problems.line_friction.path import LinePath
+from winkler.problems.line_friction.tangential import LineTangential
 from winkler.problems.wear.grids import wear_grid
 from winkler.problems.wear.input_checks import Cells, WearTolerance
 from winkler.problems.wear.line_states import LineFrettingState
 from winkler.problems.wear.line_validity import line_fretting_notes
 from winkler.problems.wear.march import WearMoment
 from winkler.problems.wear.nodes import graded_nodes, nodes_about
-from winkler.problems.wear.states import goals_of
 from winkler.problems.wear.strip_grid import RubbedStrip, StripGrid
 from winkler.problems.wear.stuck_core import stuck_core
+from winkler.problems.wear.validity import slip_grid_note
 from winkler.problems.wear.worn_grid import WornContact
-from winkler.problems.wear.worn_states import pressed_moment, worn_states
+from winkler.problems.wear.worn_states import AtGoals, pressed_moment, unworn, worn_history, worn_states
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
 __all__ = ["LineFrettingSolution", "LineFrettingWear"]
 
 SAMPLES = 65
-ROOM = 1.1
-"""Of the grid beside what can wear at all."""
+LONGER = 1.1
+"""Length of the grid, over that of what can wear at all."""
 
 
 @value
-class LineFrettingWear:
+class LineFrettingWear(AtGoals):
     """A line contact that is sheared to and fro, and wears.
 
     Parameters
@@ -123,12 +124,7 @@ class LineFrettingWear:
 
     def __post_init__(self) -> None:
         refuse_unless_isotropic("LineFrettingWear", self.bed)
-        goals_of("LineFrettingWear", "cycles", "", self.cycles)
-
-    @property
-    def goals(self) -> Array:
-        """After how many cycles the contact is returned, ``(steps,)``."""
-        return goals_of("LineFrettingWear", "cycles", "", self.cycles)
+        super().__post_init__()
 
     def _rubbed(self, grid: StripGrid, contact: WornContact) -> RubbedStrip:
         return grid.rub(contact, self.law.coefficient, float(self.amplitude.shear_force_per_length))
@@ -151,11 +147,6 @@ class LineFrettingWear:
         if end.core == 0.0:
             return graded_nodes(0.0, end.reach, end.reach, self.count)
         return nodes_about(end.core, end.reach, self.count)
-
-    @property
-    def total(self) -> int:
-        """How many states `steps` yields: one for each of `goals`."""
-        return int(self.goals.size)
 
     def steps(self, start: LineFrettingState | None = None) -> Iterator[LineFrettingState]:
         """Yield the contact at every requested number of cycles.
@@ -190,9 +181,7 @@ class LineFrettingWear:
 
     def gathered(self, states: Iterable[LineFrettingState]) -> LineFrettingSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""
-        reached = list(states)
-        cycles = np.array([state.elapsed for state in reached])
-        return gather(LineFrettingSolution, self, reached, cycles=cycles)
+        return worn_history(LineFrettingSolution, self, states)
 
     def solve(self) -> LineFrettingSolution:
         """Return the contact over all cycles.
@@ -225,7 +214,7 @@ def _end_of_wear(problem: LineFrettingWear) -> _EndOfWear:
         return _EndOfWear(0.0, bed.rim, np.inf)
     end = core.outer_half_width()
     beside = core.half_width + (end - core.half_width) * np.linspace(0.0, 1.0, SAMPLES) ** 2
-    return _EndOfWear(core.half_width, min(ROOM * end, bed.reach, bed.rim), float(np.max(core.worn(beside))))
+    return _EndOfWear(core.half_width, min(LONGER * end, bed.reach, bed.rim), float(np.max(core.worn(beside))))
 
 
 @value
@@ -267,5 +256,14 @@ class LineFrettingSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        problem = self.problem
-        return line_fretting_notes(problem.bed, problem.law.coefficient, problem.tolerance, self.states)
+        stated = self.problem
+        found = stated.state(unworn(self.states[0].nodes)).dissipation_per_length
+        force, shear = float(stated.normal.force_per_length), float(stated.amplitude.shear_force_per_length)
+        strips = LineTangential(
+            stated.bed, stated.law, LinePath(force, shear * np.array([0.0, 1.0, -1.0, 1.0]))
+        ).solve()
+        expected = float(strips.dissipation_per_length[-1] - strips.dissipation_per_length[1])
+        return (
+            *line_fretting_notes(stated.bed, stated.law.coefficient, stated.tolerance, self.states),
+            *slip_grid_note(found, expected),
+        )

@@ -9,7 +9,6 @@ of the cross-section :math:`\kappa P s = 2a^3/3R`, once that is much deeper than
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Iterator
 from typing import Annotated, ClassVar
 
@@ -20,7 +19,6 @@ from winkler.foundation.line import LineFoundation
 from winkler.laws.wear import Archard, OwnWear
 from winkler.numerics.types import Array
 from winkler.path import OnePositiveLineForce
-from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import WORN
 from winkler.problems.line.half_width import refuse_unless_strips
 from winkler.problems.line_friction.strips import half_widths
@@ -29,11 +27,9 @@ from winkler.problems.wear.line_states import LineWearState
 from winkler.problems.wear.line_validity import line_sliding_notes
 from winkler.problems.wear.march import WearMoment
 from winkler.problems.wear.nodes import GRID_GROWTH, graded_nodes
-from winkler.problems.wear.states import goals_of
-from winkler.problems.wear.strip_grid import StripGrid
 from winkler.problems.wear.stuck_core import refuse_unless_rising
 from winkler.problems.wear.worn_grid import WornContact
-from winkler.problems.wear.worn_states import pressed_moment, worn_states
+from winkler.problems.wear.worn_states import OfDistance, pressed_moment, worn_history, worn_states
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -43,7 +39,7 @@ ONE_BODY = Advice("the law of the body that stays in contact; where both wear in
 
 
 @value
-class LineSlidingWear:
+class LineSlidingWear(OfDistance):
     """A cylindrical body that slides across its line under a steady load, and wears.
 
     Parameters
@@ -109,23 +105,6 @@ class LineSlidingWear:
     references: ClassVar[tuple[str, ...]] = ("archard_1953", "johnson_1985", "dimaki_2014")
     assumptions: ClassVar[frozenset[Assumption]] = WORN
 
-    def __post_init__(self) -> None:
-        goals_of("LineSlidingWear", "distance", " in m", self.distance)
-
-    @property
-    def goals(self) -> Array:
-        """After which distances the contact is returned [m], ``(steps,)``."""
-        return goals_of("LineSlidingWear", "distance", " in m", self.distance)
-
-    @property
-    def most_worn(self) -> float:
-        """Infinite: sliding goes on."""
-        return math.inf
-
-    def slipped(self, grid: StripGrid, contact: WornContact) -> Array:
-        """Return how far the surfaces slip per distance: all of it."""
-        return np.ones(grid.nodes.size)
-
     def refuse(self, contact: WornContact, elapsed: float) -> None:
         """Refuse a contact that has grown to where the profile before wear falls."""
         refuse_unless_rising("LineSlidingWear", self.bed, contact.radius)
@@ -136,11 +115,6 @@ class LineSlidingWear:
         width = half_widths(bed, np.array([load]))
         refuse_unless_strips(bed, width)
         return graded_nodes(0.0, min(GRID_GROWTH * float(width[0]), bed.reach, bed.rim), bed.rim, self.count)
-
-    @property
-    def total(self) -> int:
-        """How many states `steps` yields: one for each of `goals`."""
-        return int(self.goals.size)
 
     def steps(self, start: LineWearState | None = None) -> Iterator[LineWearState]:
         """Yield the contact at every requested distance.
@@ -167,9 +141,7 @@ class LineSlidingWear:
 
     def gathered(self, states: Iterable[LineWearState]) -> LineSlidingSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""
-        reached = list(states)
-        distance = np.array([state.elapsed for state in reached])
-        return gather(LineSlidingSolution, self, reached, distance=distance)
+        return worn_history(LineSlidingSolution, self, states)
 
     def solve(self) -> LineSlidingSolution:
         """Return the contact over the whole distance.

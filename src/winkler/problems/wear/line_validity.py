@@ -16,7 +16,14 @@ from winkler.problems.line.yield_statement import line_yield_notes
 from winkler.problems.line_friction.strips import half_widths
 from winkler.problems.line_friction.validity import SLIP_SUMS
 from winkler.problems.wear.line_states import LineWearState
-from winkler.problems.wear.validity import DEBRIS, SLIDES_EVERYWHERE, core_note, resolution_note, worn_yield
+from winkler.problems.wear.validity import (
+    DEBRIS,
+    SLIDES_EVERYWHERE,
+    core_note,
+    edge_notes,
+    resolution_note,
+    worn_yield,
+)
 from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["line_fretting_notes", "line_limiting_notes", "line_sliding_notes"]
@@ -26,11 +33,9 @@ WORN_SLIP = Note(
     Assumption.SLIP,
     Standing.EXACT,
     "Similar half-planes slip by the coefficient of friction times the distance that the contact under the load "
-    "P - Q/mu leaves open beside it, for a worn profile as for any other.",
+    "P - Q/mu leaves open beside it, for a worn profile too.",
     SLIP_SUMS.source,
 )
-UNWORN = 1e-9
-"""Worn depth over the half-width below which nothing is said of worn edges."""
 
 
 def _yield_notes(bed: LineFoundation, force: float, half_width: float, worn: tuple[Note, ...]) -> tuple[Note, ...]:
@@ -80,23 +85,10 @@ def line_sliding_notes(bed: LineFoundation, tolerance: float, states: Sequence[L
     # the law of wear does not define the friction
     return (
         *_march_notes(bed, tolerance, states, scale),
-        *_edge_notes(states[-1]),
+        *edge_notes(states[-1]),
         sliding_note(cast(Medium, bed.medium), np.nan),
         SLIDES_EVERYWHERE,
     )
-
-
-def _edge_notes(last: LineWearState) -> tuple[Note, ...]:
-    """Return how much more than the mean a node bears in a worn state."""
-    if last.worn_depth < UNWORN * last.half_width:
-        return ()
-    excess = float(np.max(last.pressure)) / last.mean_pressure
-    stated = (
-        f"In the last state the greatest pressure about a node is {excess:.3g} of the mean. A node that the edge of a "
-        "growing contact has just reached may bear about twice the mean until its corner is worn off; half-widths are "
-        "known to within a node."
-    )
-    return (Note(Assumption.RESOLUTION, Standing.APPROXIMATE, stated, "the shape is straight in x^2 between nodes"),)
 
 
 def line_limiting_notes(bed: LineFoundation, coefficient: float, force: float) -> tuple[Note, ...]:

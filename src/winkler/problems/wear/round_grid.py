@@ -7,7 +7,7 @@ bear
 .. math:: q = c_N\,v_+ , \qquad u_t = \min(U, \mu\tfrac{E^*}{G^*}\,v_+) , \qquad
           s(r) = \frac2\pi\int_0^r \frac{U-u_t(x)}{\sqrt{r^2-x^2}}\,\mathrm dx ,
 
-exactly zero where everything inside sticks.
+zero where everything inside sticks.
 """
 
 from __future__ import annotations

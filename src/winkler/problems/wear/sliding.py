@@ -9,7 +9,6 @@ volume :math:`\kappa F s = \pi a^4/4R`, once that is much deeper than the elasti
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Iterator
 from typing import Annotated, ClassVar
 
@@ -20,15 +19,13 @@ from winkler.foundation.foundation import Foundation
 from winkler.laws.wear import Archard, OwnWear
 from winkler.numerics.types import Array
 from winkler.path import OnePositiveNormal
-from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import WORN
 from winkler.problems.wear.input_checks import Cells, WearTolerance, wearable
 from winkler.problems.wear.march import WearMoment
-from winkler.problems.wear.round_grid import RoundGrid
-from winkler.problems.wear.states import WearState, goals_of
+from winkler.problems.wear.states import WearState
 from winkler.problems.wear.validity import sliding_notes
 from winkler.problems.wear.worn_grid import WornContact
-from winkler.problems.wear.worn_states import pressed_moment, round_nodes, worn_states
+from winkler.problems.wear.worn_states import OfDistance, pressed_moment, round_nodes, worn_history, worn_states
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -39,7 +36,7 @@ ONE_BODY = Advice("the law of the body that stays in contact; where both wear, u
 
 
 @value
-class SlidingWear:
+class SlidingWear(OfDistance):
     """A body that slides under a steady load, and wears.
 
     Parameters
@@ -107,29 +104,10 @@ class SlidingWear:
 
     def __post_init__(self) -> None:
         wearable("SlidingWear", self.bed)
-        goals_of("SlidingWear", "distance", " in m", self.distance)
-
-    @property
-    def goals(self) -> Array:
-        """After which distances the contact is returned [m], ``(steps,)``."""
-        return goals_of("SlidingWear", "distance", " in m", self.distance)
-
-    @property
-    def most_worn(self) -> float:
-        """Infinite: sliding goes on."""
-        return math.inf
-
-    def slipped(self, grid: RoundGrid, contact: WornContact) -> Array:
-        """Return how far the surfaces slip per distance: all of it."""
-        return np.ones(grid.nodes.size)
+        super().__post_init__()
 
     def refuse(self, contact: WornContact, elapsed: float) -> None:
         """Refuse nothing: sliding goes on."""
-
-    @property
-    def total(self) -> int:
-        """How many states `steps` yields: one for each of `goals`."""
-        return int(self.goals.size)
 
     def steps(self, start: WearState | None = None) -> Iterator[WearState]:
         """Yield the contact at every requested distance.
@@ -158,9 +136,7 @@ class SlidingWear:
 
     def gathered(self, states: Iterable[WearState]) -> SlidingSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""
-        reached = list(states)
-        distance = np.array([state.elapsed for state in reached])
-        return gather(SlidingSolution, self, reached, distance=distance)
+        return worn_history(SlidingSolution, self, states)
 
     def solve(self) -> SlidingSolution:
         """Return the contact over the whole distance.

@@ -6,7 +6,7 @@ The load per length :math:`P = E^*\,w(a)` stands for the depth: with :math:`v = 
 
 Under a shear force per length that swings by Q to each side, what sticks is the contact that the load
 :math:`\gamma = P - Q/\mu` would have, and the surfaces slip by :math:`\mu` times the distance that this one leaves open
-beside it (Ciavarella, Jaeger), for the worn profile as for any other:
+beside it (Ciavarella, Jaeger), for the worn profile too:
 
 .. math:: s(x) = \frac{2x}\pi\int_0^x\frac{(Q/E^* - \mu v(c))_+}{c\,\sqrt{x^2-c^2}}\,\mathrm dc .
 """

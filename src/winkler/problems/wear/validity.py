@@ -17,16 +17,18 @@ from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.normal.validity import indentation_notes
 from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.problems.wear.states import WearState, WornState
-from winkler.validity import Assumption, Note, Standing
+from winkler.validity import Assumption, Note, Standing, standing_of
 
 __all__ = [
     "DEBRIS",
     "SLIDES_EVERYWHERE",
     "core_note",
+    "edge_notes",
     "fretting_notes",
     "limiting_notes",
     "resolution_note",
     "sliding_notes",
+    "slip_grid_note",
     "slip_note",
     "worn_yield",
 ]
@@ -35,6 +37,11 @@ DIMAKI = "A. V. Dimaki, A. I. Dmitriev, Y. S. Chai, V. L. Popov, Int. J. Solids 
 POPOV = "V. L. Popov, Sci. Rep. 4 (2014) 3749, doi:10.1038/srep03749"
 JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sect. 7.2, doi:10.1017/CBO9781139171731"
 
+
+FINE_SLIP, COARSE_SLIP = 0.01, 0.1
+"""Relative error of the loss in a cycle up to which a grid is fine, and beyond which it does not resolve the slip."""
+UNWORN = 1e-9
+"""Worn depth over the size of the contact below which nothing is said of worn edges."""
 
 DEBRIS = Note(
     Assumption.WEAR,
@@ -119,6 +126,22 @@ def _march_notes(bed: Bed, tolerance: float, states: Sequence[WearState], rubbin
     return (*pressed, *worn, DEBRIS, resolution_note(states[-1], tolerance, "depth"))
 
 
+def slip_grid_note(found: float, expected: float) -> tuple[Note, ...]:
+    """Return the note on how well a grid resolves the slip, by its loss in a cycle before wear and that of springs.
+
+    Wear takes pressure times slip, which is this loss over the coefficient of friction.  Nothing is said where nothing
+    slips.
+    """
+    if not expected > 0.0:
+        return ()
+    error = found / expected - 1.0
+    more = "more" if error > 0.0 else "less"
+    text = f"In a cycle before wear the grid loses {100.0 * abs(error):.2g} per cent {more} than springs of no width do"
+    if abs(error) > FINE_SLIP:
+        text += ": the place that slips is narrow, and wears by so much too fast or too slowly; take more cells"
+    return (Note(Assumption.RESOLUTION, standing_of(abs(error), FINE_SLIP, COARSE_SLIP), f"{text}.", DIMAKI),)
+
+
 def worn_yield(medium: object, states: Sequence[WornState]) -> tuple[Note, ...]:
     """Return what is known of yield under the worn profile.
 
@@ -160,6 +183,20 @@ def sliding_notes(bed: Bed, tolerance: float, states: Sequence[WearState]) -> tu
     return (
         # the law of wear does not define the friction
         *_march_notes(bed, tolerance, states, SurfaceFriction(math.inf)),
+        *edge_notes(states[-1]),
         sliding_note(bed.medium, math.nan),
         SLIDES_EVERYWHERE,
     )
+
+
+def edge_notes(last: WornState) -> tuple[Note, ...]:
+    """Return how much more than the mean a node bears in a state worn by sliding."""
+    if last.worn_depth < UNWORN * last.edge or not last.mean_pressure > 0.0:
+        return ()
+    excess = float(np.max(last.pressure)) / last.mean_pressure
+    stated = (
+        f"In the last state the greatest pressure about a node is {excess:.3g} of the mean. A node that the edge of a "
+        "growing contact has just reached may bear about twice the mean until its corner is worn off; where the "
+        "contact ends is known to within a node."
+    )
+    return (Note(Assumption.RESOLUTION, Standing.APPROXIMATE, stated, "the shape is straight in x^2 between nodes"),)

@@ -2,20 +2,73 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from typing import Any, NamedTuple
+import math
+from collections.abc import Callable, Iterable, Iterator
+from typing import Any, ClassVar, NamedTuple, TypeVar
 
 import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.numerics.types import Array
-from winkler.problems.normal.indentation import Indentation
+from winkler.problems.answer import gather
+from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.wear.grids import wear_grid
 from winkler.problems.wear.march import WearMoment, WearProblem, march_wear, scale_of
 from winkler.problems.wear.nodes import first_nodes
+from winkler.problems.wear.states import goals_of
 from winkler.problems.wear.worn_grid import WornContact
+from winkler.values import words
 
-__all__ = ["PressedMoment", "pressed_moment", "round_nodes", "worn_states"]
+__all__ = [
+    "AtGoals",
+    "OfDistance",
+    "PressedMoment",
+    "pressed_moment",
+    "round_nodes",
+    "unworn",
+    "worn_history",
+    "worn_states",
+]
+
+Solution = TypeVar("Solution")
+
+
+class AtGoals:
+    """The part of a problem of wear that says after how many cycles or distances its contact is returned."""
+
+    __words__ = words(goals=("n", None, "after how many cycles, or which distances, the contact is returned"))
+
+    _along: ClassVar[str] = "cycles"
+    _unit: ClassVar[str] = ""
+
+    def __post_init__(self) -> None:
+        _ = self.goals  # refused if they do not rise
+
+    @property
+    def goals(self) -> Array:
+        """Where the contact is returned: after these cycles, or distances [m], ``(steps,)``."""
+        return goals_of(type(self).__name__, self._along, self._unit, getattr(self, self._along))
+
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one for each of `goals`."""
+        return int(self.goals.size)
+
+
+class OfDistance(AtGoals):
+    """The part of a problem of steady sliding that says where its contact is returned; wear has no end."""
+
+    _along: ClassVar[str] = "distance"
+    _unit: ClassVar[str] = " in m"
+
+    @property
+    def most_worn(self) -> float:
+        """Infinite: sliding goes on."""
+        return math.inf
+
+    def slipped(self, grid: Any, contact: WornContact) -> Array:
+        """Return how far the surfaces slip per distance: all of it."""
+        return np.ones(grid.nodes.size)
 
 
 def worn_states(problem: Any, start: Any, nodes: Callable[[], Array], *, everywhere: bool) -> Iterator[Any]:
@@ -32,8 +85,7 @@ def worn_states(problem: Any, start: Any, nodes: Callable[[], Array], *, everywh
         As of `march_wear`.
     """
     if start is None:
-        places = nodes()
-        moment = WearMoment(0.0, 0.0, places, np.zeros((2, places.size)))
+        moment = unworn(nodes())
         if problem.goals[0] == 0.0:
             yield problem.state(moment)
     else:
@@ -42,20 +94,22 @@ def worn_states(problem: Any, start: Any, nodes: Callable[[], Array], *, everywh
         yield problem.state(reached)
 
 
-def round_nodes(problem: Any, core: Callable[[float, Array], float] | None = None) -> Array:
+def unworn(nodes: Array) -> WearMoment:
+    """Return the moment before wear, on these nodes [m]."""
+    return WearMoment(0.0, 0.0, nodes, np.zeros((2, nodes.size)))
+
+
+def round_nodes(problem: Any, core: Callable[[IndentationSolution], float] | None = None) -> Array:
     """Return the radii on which a round contact begins to wear.
 
-    Where something sticks, `core` returns the stick radius before wear, from the contact radius and even nodes [m].
+    Where something sticks, `core` returns the stick radius before wear [m], which gets a node of its own.
     """
-    radius = float(Indentation(problem.bed, problem.normal).solve().radius)
+    pressed = Indentation(problem.bed, problem.normal).solve()
+    radius = float(pressed.radius)
     if not radius > 0.0:
         owner = type(problem).__name__
         raise OutsideValidity(f"{owner}: the bodies do not touch under this load; press them together.")
-    nodes = first_nodes(problem.bed, problem.normal, radius, 0.0, problem.count)
-    if core is None:
-        return nodes
-    # it gets a node of its own
-    return first_nodes(problem.bed, problem.normal, radius, core(radius, nodes), problem.count)
+    return first_nodes(problem.bed, problem.normal, radius, core(pressed) if core else 0.0, problem.count)
 
 
 class PressedMoment(NamedTuple):
@@ -84,3 +138,9 @@ def pressed_moment(problem: WearProblem, moment: WearMoment) -> PressedMoment:
     common = {"bed": problem.bed, "elapsed": moment.elapsed, "jump": moment.jump, "first_worn": moment.worn[0],
               "second_worn": moment.worn[1], "pressure": contact.pressure}  # fmt: skip
     return PressedMoment(contact, touching, common)
+
+
+def worn_history(solution: type[Solution], problem: AtGoals, states: Iterable[Any]) -> Solution:
+    """Return the solution made of these states, of the whole path or of its beginning."""
+    reached = list(states)
+    return gather(solution, problem, reached, **{problem._along: np.array([state.elapsed for state in reached])})

@@ -75,7 +75,7 @@ def _contact(solution: Any, name: str, rows: list[int]) -> tuple[Any, list[int]]
     if not count:
         return solution, rows
     if not rows:
-        raise InvalidInput(f"expect: {name} is asked at a place of {count} contacts; name one, as {name}.-1 the last.")
+        raise InvalidInput(f"expect: {name} is of {count} contacts; name one, as {name}.-1 the last.")
     if not -count <= rows[0] < count:
         raise InvalidInput(f"expect: {name}.{rows[0]} asks for one of {count} contacts; count from 0.")
     return solution.at(rows[0]), rows[1:]

@@ -1,4 +1,4 @@
-"""Friction on contacts of any shape: the problem of height maps, and its formulas."""
+"""Friction on contacts that are not round: the problem of height maps, and its formulas."""
 
 from __future__ import annotations
 

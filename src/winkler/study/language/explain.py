@@ -178,9 +178,19 @@ def table_at(table: Any, place: str) -> Any:
     return table
 
 
+def _holders(name: str) -> list[tuple[str, str]]:
+    """Return the kinds of other slots that hold `name`, and the key."""
+    return [
+        (holder, field)
+        for holder, line in kinds().items()
+        for field, hint in hints(line.cls).items()
+        if slot_of(holder) != slot_of(name) and name in (allowed_kinds(hint) or allowed_in_list(hint))
+    ]
+
+
 @functools.cache
 def _holder(name: str) -> tuple[str, str]:
-    """Return a kind of another slot that holds `name`, and the key.
+    """Return one of the kinds of another slot that hold `name`, and the key.
 
     The problem that its line in the catalogue names comes first, then a key that has it by default; another problem
     than the named one comes last.
@@ -189,9 +199,7 @@ def _holder(name: str) -> tuple[str, str]:
     elsewhere = ("path", "step", "problem") if problem else ("path", "step")
     rows = [
         (holder, field, _by_default(holder, field, name) and slot_of(holder) not in elsewhere)
-        for holder, line in kinds().items()
-        for field, hint in hints(line.cls).items()
-        if slot_of(holder) != slot_of(name) and name in (allowed_kinds(hint) or allowed_in_list(hint))
+        for holder, field in _holders(name)
     ]
     named = [(holder, field) for holder, field, _ in rows if holder == problem]
     inner = [row[:2] for row in rows if not problem or slot_of(row[0]) != "problem"]
@@ -217,7 +225,8 @@ def example_study(name: str, **chosen: str) -> dict[str, Any]:
     problem = picks.pop("problem", "") or _problem_with(name)
     table = completed({"kind": problem})
     for kind in sorted(picks.values(), key=lambda kind: place_of(kind).count(".")):
-        if not _placed(table, kind) and not (_placed(table, _holder(kind)[0]) and _placed(table, kind)):
+        holders = [_holder(kind)[0], *(holder for holder, _ in _holders(kind))]
+        if not _placed(table, kind) and not any(_placed(table, one) and _placed(table, kind) for one in holders):
             raise InvalidInput(f"{problem} has no place for {kind}, a {slot_of(kind)}; see `winkler show {problem}`.")
     return {"title": f"{problem} ({name})".replace("_", " "), "problem": table}
 

@@ -28,6 +28,7 @@ from winkler.study.report.describe import content_label, setting_text, settings_
 from winkler.study.report.extra_pictures import ExtraPicture, extra_pictures
 from winkler.study.report.figure import ReportFigure, capital, drawn
 from winkler.study.report.sweep_figures import clouds, mapped, maps, parts, varied_series
+from winkler.study.report.variation import variation_shows
 
 __all__ = ["answers_over", "figures_of", "shown_contact", "shown_point"]
 
@@ -213,7 +214,7 @@ def _loops(outcome: Outcome, answer: Answer) -> Iterator[ReportFigure]:
         return  # the picture of the answer shows them
     worth, used = _answers_worth(outcome), set[str]()
     for over, what in answer.curves:
-        if over in outcome.answers and what in worth:
+        if over in worth and what in worth:
             of = [point.answers[what] for point in points]
             if len(of) > 1 and all(np.array_equal(one, of[0]) for one in of):
                 continue  # given, not computed
@@ -237,10 +238,8 @@ def _over(outcome: Outcome, over: str) -> Iterator[ReportFigure]:
 
 def _answers_worth(outcome: Outcome) -> list[str]:
     """Return the answers whose curves vary: not those that are true or false, or constant."""
-    names = []
-    for name in outcome.answers:
-        content = np.concatenate([point.answers[name] for point in outcome.solved if name in point.answers])
-        finite = content[np.isfinite(content)]
-        if name != "stable" and finite.size and np.ptp(finite) > 1e-9 * np.max(np.abs(finite)):
-            names.append(name)
-    return names
+    answers = {
+        name: np.concatenate([point.answers[name] for point in outcome.solved if name in point.answers])
+        for name in outcome.answers
+    }
+    return [name for name in answers if name != "stable" and variation_shows(name, answers)]

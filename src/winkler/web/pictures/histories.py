@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-import numpy as np
-
 from winkler.plot import style
 from winkler.plot.normal.curves import curve_panel
 from winkler.plot.panel import Line
@@ -14,13 +10,13 @@ from winkler.study.batch.outcome import Outcome
 from winkler.study.batch.points import SolvedPoint
 from winkler.study.chapters.answer import ALONG
 from winkler.study.chapters.contents import answer_of
+from winkler.study.report.variation import variation_shows
 from winkler.web.pictures.chart import Chart, chart
 
 __all__ = ["curves_of", "draw_curves", "title_of"]
 
 MOST_CURVES = 8
 """Most curves over one quantity."""
-LEAST_VARIATION = 1e-9
 
 
 def curves_of(outcome: Outcome, point: SolvedPoint) -> tuple[tuple[str, str], ...]:
@@ -30,12 +26,7 @@ def curves_of(outcome: Outcome, point: SolvedPoint) -> tuple[tuple[str, str], ..
     if not pairs and len(next(iter(answers.values()), ())) > 1:
         over = next((name for name in ("time", *ALONG, "distance", "cycle") if name in answers), next(iter(answers)))
         pairs = tuple((over, name) for name in answers if name not in (over, "stable"))
-    return tuple((over, of) for over, of in pairs if _varies(answers[of]) and _varies(answers[over]))[:MOST_CURVES]
-
-
-def _varies(content: Any) -> bool:
-    finite = content[np.isfinite(content)]
-    return finite.size > 1 and float(np.ptp(finite)) > LEAST_VARIATION * float(np.max(np.abs(finite)))
+    return tuple(pair for pair in pairs if all(variation_shows(name, answers) for name in pair))[:MOST_CURVES]
 
 
 def draw_curves(outcome: Outcome, point: SolvedPoint, pair: tuple[str, str], moment: int = -1) -> Chart:

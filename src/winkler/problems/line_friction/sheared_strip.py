@@ -1,0 +1,59 @@
+"""What sheared line contacts have in common: the pressure of their half-width, and where stresses are computed."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.checks.place_checks import common_places, finite_places
+from winkler.errors import OutsideValidity
+from winkler.foundation.line import LineFoundation
+from winkler.numerics.types import Array, ArrayLike
+from winkler.problems.line.peak_pressure import rim_load
+from winkler.problems.line.stress import LineFields
+from winkler.problems.which_body import in_first_body
+
+__all__ = ["ShearedStrip"]
+
+
+class ShearedStrip:
+    """The part of a sheared line contact at one point of its path that no friction alters, and its stresses."""
+
+    bed: LineFoundation
+    force_per_length: float
+    half_width: float
+
+    def pressure(self, x: ArrayLike) -> Array:
+        """Return the pressure [Pa] at places x [m], zero outside of the contact."""
+        x = finite_places(f"{type(self).__name__}.pressure", "x", x)
+        if self.half_width == 0.0:
+            return np.zeros(x.shape)
+        return self.bed.pressure(x, self.half_width, rim_load(self.bed, self.force_per_length, self.half_width))
+
+    def stresses(self, x: ArrayLike, z: ArrayLike) -> LineFields:
+        """Return the stresses below the surface: of pressure and traction, and in the first body the bulk stress.
+
+        Parameters
+        ----------
+        x : array_like
+            Places along the surface [m].
+        z : array_like
+            Depths [m]: not negative in the first body, negative in the second, of which -0.0 is the surface.
+            All in one of them.
+
+        Raises
+        ------
+        InvalidInput
+            If the depths lie in both bodies.
+        OutsideValidity
+            If there is no contact, or the body is rigid.
+        """
+        owner = type(self).__name__
+        along, depth = common_places(f"{owner}.stresses", x=x, z=z)
+        below = in_first_body(depth, owner)
+        if self.half_width == 0.0:
+            raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
+        return LineFields(along, depth, *self._stresses(along, np.abs(depth), below))
+
+    def _stresses(self, x: Array, deep: Array, below: bool) -> tuple[Array, Array, Array, Array]:
+        """Return stresses xx, yy, zz, xz [Pa] at these distances from the surface, in the first body or the second."""
+        raise NotImplementedError
