@@ -93,7 +93,7 @@ class LinearSlipWeakening:
 
     def fall(self, slip: Array) -> Array:
         """Return by how much mu falls with slip [1/m]."""
-        return np.where(slip < self.distance, self._drop / self.distance, 0.0)
+        return np.asarray(np.where(slip < self.distance, self._drop / self.distance, 0.0))
 
     def lost(self, slip: Array) -> Array:
         """Return the integral of mu over the slip up to here [m]: what is lost per area, over the pressure."""
