@@ -98,7 +98,8 @@ class LinearSlipWeakening:
     def lost(self, slip: Array) -> Array:
         """Return the integral of mu over the slip up to here [m]: what is lost per area, over the pressure."""
         part = np.minimum(slip, self.distance)
-        return self.static_coefficient * slip - self._drop * (0.5 * part * part / self.distance + (slip - part))
+        fallen = 0.5 * part * part / self.distance + (slip - part)
+        return np.asarray(self.static_coefficient * slip - self._drop * fallen)
 
     @property
     def _drop(self) -> float:

@@ -16,7 +16,7 @@ import numpy as np
 
 from winkler.checks.number_checks import Advice, affordable, between
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
-from winkler.laws.varying_friction import Slipped, greatest_coefficient
+from winkler.laws.varying_friction import Slipped
 from winkler.limits import MOST_NUMBERS
 from winkler.loading import Angle, Depth, ShearForce, Torque
 from winkler.media.halfspace import HomogeneousMedium
@@ -286,7 +286,7 @@ class SurfaceTangentialSolution(BelowSurface):
         yielded = last_yield_notes(stated.medium, load, more) if load else ()
         blurred = float(np.max(self.area_error[touched] / self.area[touched], initial=0.0))
         notes = surface_shear_notes(
-            stated.topography, cast(Medium, stated.medium), greatest_coefficient(stated.law), blurred, self.force,
+            stated.topography, cast(Medium, stated.medium), stated.law, blurred, self.force,
             self.penetration, self.misfit,
         )  # fmt: skip
         return (*notes, *yielded)

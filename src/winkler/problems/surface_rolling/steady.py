@@ -235,7 +235,7 @@ class SurfaceRollingSolution(CreepageSolution, BelowSurface):
         """How far the result can be trusted: border, residual, slopes, pixels, steady state, yield."""
         stated = self.problem
         notes = surface_rolling_notes(
-            stated.topography, stated.medium, greatest_coefficient(stated.friction), self.last.pressure, self.misfit
+            stated.topography, stated.medium, stated.friction, self.last.pressure, self.misfit
         )
         shear = np.ravel(np.hypot(self.longitudinal_force, self.lateral_force))
         more = bool(np.max(shear) > (1.0 + ROUNDING) * shear[-1])
