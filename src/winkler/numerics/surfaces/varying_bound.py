@@ -37,11 +37,16 @@ class Slipping(Protocol):
     """A surface that was solved under some bound."""
 
     @property
-    def traction(self) -> Array: ...  # noqa: D102
+    def traction(self) -> Array:
+        """Tractions, (2, nx, ny)."""
+
     @property
-    def slip(self) -> Array: ...  # noqa: D102
+    def slip(self) -> Array:
+        """Slip, (2, nx, ny)."""
+
     @property
-    def slipping(self) -> Array: ...  # noqa: D102
+    def slipping(self) -> Array:
+        """Which pixels slip, (nx, ny)."""
 
 
 Surface = TypeVar("Surface", bound=Slipping)
@@ -101,8 +106,8 @@ def vary(
         growing = growing + 1 if size > last and mismatch > SETTLED_CHANGE else 0
         if growing == GROWING_TURNS:
             raise OutsideValidity(
-                f"the slip runs away: friction falls faster than the bodies unload, by {100.0 * mismatch:.2g} % more "
-                "in a turn of the solution, and they jump; give a friction that falls over more slip"
+                "the slip runs away: friction falls faster than the bodies unload, and they jump; give friction that "
+                "falls over more slip"
             )
         since, last = since + 1, size
         product, square = float(np.sum(weight * before * change)), float(np.sum(weight * before * before))
@@ -118,5 +123,5 @@ def vary(
             bound, before = wanted, change
     raise NotConverged(
         f"friction that depends on slip still misses it by {mismatch:.3g} after {MOST_TURNS} turns; allowed are "
-        f"{tolerance:.3g}. Give a friction that falls over more slip"
+        f"{tolerance:.3g}. Give friction that falls over more slip"
     )
