@@ -4,13 +4,7 @@ The package reads these imports without running them: a name is loaded from its 
 """
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity, WinklerError
-from winkler.fields import (
-    SubsurfaceFields,
-    SurfaceFields,
-    restore,
-    restore_body,
-    restore_shift,
-)
+from winkler.fields import SubsurfaceFields, SurfaceFields, restore, restore_body, restore_shift
 from winkler.fitting.compare import Comparison, compare
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.segments import Segment, SegmentKind
@@ -56,6 +50,7 @@ from winkler.laws.current import Current, Voltage, WiedemannFranz
 from winkler.laws.film import SurfaceFilm, ThermalInterface
 from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.laws.heat import EqualMaximum, EqualMean, FixedShare
+from winkler.laws.varying_friction import ExponentialSlipWeakening, FallingFriction, LinearSlipWeakening
 from winkler.laws.wear import Archard, PairWear
 from winkler.loading import (
     Angle,
@@ -246,7 +241,8 @@ __all__ = [
     "ElectricalConductors", "Ellipsoid", "EllipticFields", "EllipticFoundation", "EllipticFrictionHeating",
     "EllipticFrictionHeatingSolution", "EllipticIndentation", "EllipticSolution", "EllipticWear",
     "EllipticWearSolution", "EllipticYieldOnset", "EllipticYieldOnsetSolution", "EqualMaximum", "EqualMean",
-    "Equilibrium", "EquilibriumCurve", "ExponentialGrading", "Fit", "FitState", "FixedShare", "FlatPunch", "Follow",
+    "Equilibrium", "EquilibriumCurve", "ExponentialGrading", "ExponentialSlipWeakening", "FallingFriction",
+    "Fit", "FitState", "FixedShare", "FlatPunch", "Follow",
     "Force", "ForceCurve", "Formula", "FormulaSection", "Foundation", "FractionalZener", "FrettingHeat",
     "FrettingHeatSolution", "FrettingSolution", "FrettingWear", "FrictionDamping", "FrictionDampingSolution",
     "FrictionHeating", "FrictionHeatingSolution", "GeneralisedKelvin", "GradedHalfSpace", "HalfSpace", "HalfWidth",
@@ -261,6 +257,7 @@ __all__ = [
     "LineRollingStartSolution", "LineScan", "LineShakedown", "LineShakedownSolution", "LineShearForce",
     "LineSlidingSolution", "LineSlidingWear", "LineSolution", "LineTangential", "LineTangentialSolution",
     "LineViscoelasticIndentation", "LineViscoelasticSolution", "LineYieldOnset", "LineYieldOnsetSolution",
+    "LinearSlipWeakening",
     "LogarithmicEnds", "MapStress", "MapStressSolution", "Maxwell", "MeanPressure", "Measured", "MeasuredBed",
     "MeasuredSection", "MirroredSection", "Moment", "NamedElastic", "NamedElectricalConductor", "NamedMaterial",
     "NamedThermalConductor", "NearlyRoundIndentation", "NearlyRoundSolution", "NominalPressure", "NotConverged",

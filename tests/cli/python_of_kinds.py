@@ -261,6 +261,15 @@ ROUGHNESS = {
         wk.Force(100.0),
         FRICTION,
         wk.Creepage(longitudinal=np.geomspace(0.0002, 0.004, 6)),
+        speed=20.0,
+    ),
+    "falling_friction": wk.SurfaceRolling(
+        wk.SampledProfile([0.6e-3, 0.5e-3], wk.CurvedBodies(20e-3, 10e-3), (54, 45)),
+        wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3)),
+        wk.Force(100.0),
+        wk.FallingFriction(0.4, 0.16, 0.1),
+        wk.Creepage(longitudinal=np.geomspace(0.0002, 0.004, 6)),
+        speed=20.0,
     ),
     "surface_rolling_start": wk.SurfaceRollingStart(
         wk.SampledProfile([0.6e-3, 0.5e-3], wk.CurvedBodies(20e-3, 10e-3), (54, 45)),
@@ -274,6 +283,28 @@ ROUGHNESS = {
         wk.SampledProfile(np.array([0.6e-3, 0.6e-3]), wk.Sphere(10e-3), (65, 65)),
         wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3)),
         FRICTION,
+        wk.Program(
+            [
+                wk.Start(wk.Force(100.0)),
+                wk.Oscillate(lateral=wk.Shift(1e-6), cycles=1.25, count=12),
+            ]
+        ),
+    ),
+    "linear_slip_weakening": wk.SurfaceTangential(
+        wk.SampledProfile(np.array([0.6e-3, 0.6e-3]), wk.Sphere(10e-3), (65, 65)),
+        wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3)),
+        wk.LinearSlipWeakening(0.4, 0.3, 10e-6),
+        wk.Program(
+            [
+                wk.Start(wk.Force(100.0)),
+                wk.Oscillate(lateral=wk.Shift(1e-6), cycles=1.25, count=12),
+            ]
+        ),
+    ),
+    "exponential_slip_weakening": wk.SurfaceTangential(
+        wk.SampledProfile(np.array([0.6e-3, 0.6e-3]), wk.Sphere(10e-3), (65, 65)),
+        wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3)),
+        wk.ExponentialSlipWeakening(0.4, 0.3, 10e-6),
         wk.Program(
             [
                 wk.Start(wk.Force(100.0)),

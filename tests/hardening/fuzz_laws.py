@@ -47,6 +47,9 @@ FINITE = (
     "area",
     "shift",
 )
+FRICTION = ("Coulomb", "StaticKinetic", "LinearSlipWeakening", "ExponentialSlipWeakening", "FallingFriction")
+"""Laws by which friction bears at most its greatest coefficient times the force."""
+
 STICKY = ("law", "work_opening")
 """Fields of a problem that may hold forces of adhesion."""
 
@@ -172,15 +175,17 @@ def _pushing(content: Mapping[str, Any], problem: Any) -> bool:
 
 
 def _is_sticky(part: Any) -> bool:
-    return part is not None and type(part).__name__ not in ("Coulomb", "StaticKinetic", "WiedemannFranz")
+    return part is not None and type(part).__name__ not in (*FRICTION, "WiedemannFranz")
 
 
 @law("friction carries at most its coefficient times the force", "force", "shear_force")
 def _friction(content: Mapping[str, Any], problem: Any) -> bool:
     friction = getattr(problem, "law", getattr(problem, "friction", None))
-    if type(friction).__name__ not in ("Coulomb", "StaticKinetic"):
+    if type(friction).__name__ not in FRICTION:
         return True
-    most = max(getattr(friction, field.name) for field in dataclasses.fields(friction))
+    most = max(
+        getattr(friction, field.name) for field in dataclasses.fields(friction) if field.name.endswith("coefficient")
+    )
     shear, force = np.asarray(content["shear_force"]), np.asarray(content["force"])
     if shear.ndim == 2:
         shear = np.linalg.norm(shear, axis=1)

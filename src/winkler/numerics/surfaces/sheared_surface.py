@@ -39,6 +39,8 @@ FORCE_TOLERANCE = 1e-9
 """Largest error of a given force, over what friction bears."""
 DEPENDENT = 1e-10
 """Motions that the free pixels resist by less than this part are not independent: what slips everywhere."""
+FLAT = 1e-5
+"""Curvature of the energy, over that of the preconditioner, that is none."""
 MIDDLE_WAVE = 0.5 * math.pi
 """Wave number, times the size of a pixel, at which the preconditioner weighs the bound against the elasticity."""
 
@@ -207,7 +209,11 @@ class _Newton:
             if not product > 0.0:
                 break
             bent = self._bent(along)
-            length = self.number(product / float(np.sum(along * bent)))
+            curved = float(np.sum(along * bent))
+            if curved <= FLAT * product:  # even traction on all of a periodic map displaces nothing: up to its bound
+                change = change + self.number(1.0 / FLAT) * along
+                break
+            length = self.number(product / curved)
             change = change + length * along
             left = left - length * bent
             down = self._kept(self._undone(left))

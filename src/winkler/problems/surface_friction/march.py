@@ -13,6 +13,8 @@ import math
 import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
+from winkler.laws.friction import Coulomb
+from winkler.laws.varying_friction import SlipWeakening
 from winkler.media.halfspace import HalfSpace, HomogeneousMedium
 from winkler.numerics.surfaces.pressed_box import box_around, overlap_and_work
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, PressedSurface, press
@@ -22,6 +24,7 @@ from winkler.numerics.surfaces.traction_grid import Compliance, TractionGrid
 from winkler.numerics.types import Array
 from winkler.problems.rough.contact_area import contact_area
 from winkler.problems.surface_friction.state import SurfaceShearState
+from winkler.problems.surface_friction.weakening import loss_of, shear_weakened
 from winkler.profiles.rough.topography import Topography
 
 __all__ = ["SurfaceMarch", "compliance_of"]
@@ -60,8 +63,8 @@ class SurfaceMarch:
         Heights of both bodies together.
     medium : HomogeneousMedium
         Both bodies.
-    coefficient : float
-        Of friction.
+    law : Coulomb, LinearSlipWeakening or ExponentialSlipWeakening
+        Friction.
     by_force : ndarray of bool, (3,)
         Of which motions along x, along y and about the middle the force is given.
     tolerance : float
@@ -69,10 +72,15 @@ class SurfaceMarch:
     """
 
     def __init__(
-        self, rough: Topography, medium: HomogeneousMedium, coefficient: float, by_force: Array, tolerance: float
+        self,
+        rough: Topography,
+        medium: HomogeneousMedium,
+        law: Coulomb | SlipWeakening,
+        by_force: Array,
+        tolerance: float,
     ):
         self.gaps, self.pixel, self.periodic, self.modulus = rough.gaps, rough.pixel, rough.periodic, medium.modulus
-        self.compliance, self.coefficient, self.tolerance = compliance_of(medium), coefficient, tolerance
+        self.compliance, self.law, self.tolerance = compliance_of(medium), law, tolerance
         self.coupled = self.compliance.coupling != 0.0  # pressures draw the surface along
         nx, ny = self.gaps.shape
         self.shape, self.aspect = (nx, ny), (1.0, self.pixel[1] / self.pixel[0])
@@ -84,6 +92,7 @@ class SurfaceMarch:
         self.by_force, self.place, self.drive = by_force, np.zeros(3), 0.0
         self.traction, self.slip = np.zeros((2, *self.shape)), np.zeros((2, *self.shape))
         self.rubbed, self.slipping = np.zeros(self.shape), np.zeros(self.shape, dtype=bool)
+        self.slip_path = np.zeros(self.shape)
         self.pressed, self.stored, self.misfit = self._apart(0.0), 0.0, 0.0
 
     def step(self, drive: ByDepth | ByLoad, goals: Array) -> None:
@@ -108,7 +117,7 @@ class SurfaceMarch:
         everywhere = (slice(None), slice(None))
         if not max(drive) > 0.0:
             self.pressed = self._apart(max(drive) if isinstance(drive, ByDepth) else 0.0)
-            self._refuse(given)
+            self._refuse(given, self.pressed.pressure, everywhere)
             self.place = np.where(self.by_force, self.place, goals)
             self.traction, self.slip = np.zeros_like(self.traction), np.zeros_like(self.slip)
             self.stored = self.misfit = self.drive = 0.0
@@ -120,13 +129,9 @@ class SurfaceMarch:
         else:
             if max(drive) != self.drive:
                 self.pressed = self._press(drive, self.gaps)
-            self._refuse(given)
             box = everywhere if self.periodic else box_around(before | (self.pressed.pressure > 0.0))
             grid, old = self._grid(box), self.traction[(slice(None), *box)]
-            sheared = shear(
-                grid, self.coefficient * self.pressed.pressure[box], grid.sheared(old), self._rigid(given, box), old,
-                tolerance=self.tolerance,
-            )  # fmt: skip
+            sheared = self._sheared(grid, self.pressed.pressure, grid.sheared(old), given, old, box)
         self.drive = max(drive)
         self._remember(sheared, box)
 
@@ -156,12 +161,13 @@ class SurfaceMarch:
             pressure=self.modulus * self.pressed.pressure,
             traction=self.modulus * self.traction,
             slip=self.pixel[0] * self.slip,
+            slip_path=self.slip_path,
             slipping=self.slipping,
             friction_work=self.modulus * self.pixel[0] * self.rubbed,
         )
 
     def _remember(self, sheared: ShearedSurface, box: tuple[slice, slice]) -> None:
-        here = (slice(None), *box)
+        here, length = (slice(None), *box), self.pixel[0]
         slid = np.where(sheared.slipping, sheared.slip, 0.0)
         total = np.zeros_like(self.slip)
         total[here] = self.slip[here] + slid
@@ -169,7 +175,13 @@ class SurfaceMarch:
         self.traction = np.zeros_like(self.traction)
         self.traction[here] = sheared.traction
         self.rubbed = self.rubbed.copy()
-        self.rubbed[box] += np.sum(sheared.traction * slid, 0)
+        if isinstance(self.law, Coulomb):
+            self.rubbed[box] += np.sum(sheared.traction * slid, 0)
+        else:
+            lost = loss_of(self.law, self.pressed.pressure[box], self.slip_path[box], length * np.hypot(*slid))
+            self.rubbed[box] += lost / length
+        self.slip_path = self.slip_path.copy()
+        self.slip_path[box] += length * np.hypot(*slid)
         self.slipping[box] = sheared.slipping
         self.place = self.place + sheared.motion
         self.stored = 0.5 * float(np.sum(sheared.traction * sheared.displacement))
@@ -179,15 +191,13 @@ class SurfaceMarch:
         """Find pressures and tractions by turns."""
         everywhere = (slice(None), slice(None))
         grid, whole = self._grid(everywhere), SurfaceGrid.of(self.shape, self.aspect, periodic=self.periodic)
-        before = grid.sheared(self.traction) + grid.drawn(self.pressed.pressure)
-        rigid, start = self._rigid(given, everywhere), self.traction
+        before, start = grid.sheared(self.traction) + grid.drawn(self.pressed.pressure), self.traction
         allowed = max(self.tolerance, COUPLED_TOLERANCE)
         left = math.inf
         for _ in range(MOST_TURNS):
             self.pressed = pressed = self._press(drive, self.gaps + self.pixel[0] * grid.sunk(start))
-            self._refuse(given)
             p = pressed.pressure
-            sheared = shear(grid, self.coefficient * p, before - grid.drawn(p), rigid, start, tolerance=self.tolerance)
+            sheared = self._sheared(grid, p, before - grid.drawn(p), given, start, everywhere)
             gap = self.gaps + self.pixel[0] * (whole.displaced(p) + grid.sunk(sheared.traction)) - pressed.depth
             deeper = float(np.mean(gap[p > 0.0])) if isinstance(drive, ByLoad) else 0.0
             overlap, work = overlap_and_work(p, gap - deeper, pressed.depth + deeper, math.inf)
@@ -214,9 +224,31 @@ class SurfaceMarch:
     def _apart(self, depth: float) -> PressedSurface:
         return PressedSurface(np.zeros(self.shape), self.gaps - depth, depth, 0.0, 0.0, 0)
 
-    def _refuse(self, given: Array) -> None:
+    def _sheared(
+        self, grid: TractionGrid, pressure: Array, before: Array, given: Array, start: Array, box: tuple[slice, slice]
+    ) -> ShearedSurface:
+        """Find the tractions in a part of the map, under friction that may depend on the slip."""
+        rigid = RigidStep(self.modes[(slice(None), slice(None), *box)], given, self.by_force)
+
+        def solve(bound: Array, start: Array) -> ShearedSurface:
+            self._refuse(given, bound, box)
+            return shear(grid, bound, before, rigid, start, tolerance=self.tolerance)
+
+        length, path = self.pixel[0], self.slip_path[box]
+        return shear_weakened(
+            solve,
+            grid,
+            self.law,
+            pressure[box],
+            path,
+            length,
+            start,
+            self.tolerance,
+            by_force=bool(np.any(self.by_force)),
+        )
+
+    def _refuse(self, given: Array, bound: Array, box: tuple[slice, slice]) -> None:
         """Refuse forces that friction does not bear."""
-        bound = self.coefficient * self.pressed.pressure
         most = float(np.sum(bound))
         forces = np.where(self.by_force, given, 0.0)
         push = float(np.hypot(forces[0], forces[1]))
@@ -225,16 +257,13 @@ class SurfaceMarch:
                 f"a shear force of {push * self.patch:.6g} N is prescribed where friction bears less than "
                 f"{most * self.patch:.6g} N, and the bodies would slide away; give a smaller one"
             )
-        borne = float(np.sum(bound * np.hypot(self.modes[2, 0], self.modes[2, 1])))
+        borne = float(np.sum(bound * np.hypot(self.modes[2, 0], self.modes[2, 1])[box]))
         if abs(forces[2]) > borne * SLIDING_RATIO and forces[2] != 0.0:
             unit = self.patch * self.pixel[0]
             raise OutsideValidity(
                 f"a torque of {forces[2] * unit:.6g} N m is prescribed where friction bears less than "
                 f"{borne * unit:.6g} N m, and the bodies would turn away; give a smaller one"
             )
-
-    def _rigid(self, given: Array, box: tuple[slice, slice]) -> RigidStep:
-        return RigidStep(self.modes[(slice(None), slice(None), *box)], given, self.by_force)
 
     def _grid(self, box: tuple[slice, slice]) -> TractionGrid:
         nx, ny = self.gaps[box].shape

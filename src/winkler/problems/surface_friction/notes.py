@@ -6,6 +6,8 @@ import math
 
 import numpy as np
 
+from winkler.laws.friction import Coulomb
+from winkler.laws.varying_friction import SlipWeakening, greatest_coefficient
 from winkler.media.halfspace import HalfSpace
 from winkler.media.medium import Medium
 from winkler.numerics.types import Array
@@ -19,6 +21,7 @@ __all__ = ["surface_shear_notes"]
 
 KALKER = "J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990, doi:10.1007/978-94-015-7889-9"
 SPENCE = "D. A. Spence, J. Elast. 5 (1975) 297-319, doi:10.1007/BF00126993"
+IDA = "Y. Ida, J. Geophys. Res. 77 (1972) 3796-3805, doi:10.1029/JB077i020p03796"
 STEADY_RATIO = 1e-9
 """Change of the normal force, over the force, that is none."""
 
@@ -26,7 +29,7 @@ STEADY_RATIO = 1e-9
 def surface_shear_notes(
     rough: Topography,
     medium: Medium,
-    coefficient: float,
+    law: Coulomb | SlipWeakening,
     blurred: float,
     force: Array,
     penetration: Array,
@@ -40,8 +43,8 @@ def surface_shear_notes(
         The map.
     medium : HalfSpace or TransverselyIsotropicHalfSpace
         Both bodies.
-    coefficient : float
-        Of friction.
+    law : Coulomb, LinearSlipWeakening or ExponentialSlipWeakening
+        Friction.
     blurred : float
         Error of the area of contact over the area, the greatest of all points.
     force, penetration, misfit : ndarray, (points,)
@@ -53,11 +56,21 @@ def surface_shear_notes(
         Note(
             Assumption.SLIP,
             Standing.EXACT,
-            "Coulomb's law in each pixel, in the direction of its own slip: what slips is at its bound, with tractions "
-            f"along the slip of each step, to {float(np.max(misfit)):.1g} of the energy stored and lost.",
+            f"{_named(law)} in each pixel, in the direction of its own slip: what slips is at its bound, with "
+            f"tractions along the slip of each step, to {float(np.max(misfit)):.1g} of the energy stored and lost.",
             KALKER,
         ),
     ]
+    if not isinstance(law, Coulomb):
+        notes.append(
+            Note(
+                Assumption.SLIP,
+                Standing.ASYMPTOTIC,
+                "Each pixel has the friction coefficient that belongs to the path along which it has slipped, and does "
+                "not recover. Steps in which friction falls faster than the bodies unload, and they jump, are refused.",
+                IDA,
+            )
+        )
     if float(np.ptp(force)) > STEADY_RATIO * float(np.max(force)):
         notes.append(
             Note(
@@ -81,5 +94,9 @@ def surface_shear_notes(
             )
         )
     else:
-        notes.append(sticking_note(medium, coefficient))
+        notes.append(sticking_note(medium, greatest_coefficient(law)))
     return tuple(notes)
+
+
+def _named(law: Coulomb | SlipWeakening) -> str:
+    return "Coulomb's law" if isinstance(law, Coulomb) else "Friction weakened by slip"

@@ -40,10 +40,12 @@ class SurfaceShearState:
         (tau_x, tau_y) [Pa], with which the second body drags the first.
     slip : ndarray, (2, nx, ny)
         How far the second body has slipped over the first since the beginning [m], where it touched.
+    slip_path : ndarray, (nx, ny)
+        Length of the path along which the surfaces have slipped since the beginning [m].
     slipping : ndarray of bool, (nx, ny)
         Which pixels slip in the last step.
     friction_work : ndarray, (nx, ny)
-        Lost since the beginning, per area [J/m^2]; over the friction coefficient it is pressure times slip.
+        Lost since the beginning, per area [J/m^2]; over a steady friction coefficient it is pressure times slip.
     """
 
     __words__ = words(
@@ -53,6 +55,7 @@ class SurfaceShearState:
         misfit=("", "", "what the solver left of the law of friction, over the energy"),
         peak_pressure=(r"p_{max}", "Pa", "greatest pressure"),
         stick_share=("A_s/A", "", "part of the contact that does not slip in the last step"),
+        slip_path=("s", "m", "length of the path of slip since the beginning"),
         slipping=("", None, "which pixels slip"),
         friction_work=("w", "J/m^2", "lost by friction since the beginning, per area"),
     )
@@ -75,5 +78,6 @@ class SurfaceShearState:
     pressure: Array
     traction: Array
     slip: Array
+    slip_path: Array
     slipping: Array
     friction_work: Array

@@ -16,7 +16,7 @@ import numpy as np
 
 from winkler.checks.number_checks import Advice, affordable, between
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
-from winkler.laws.friction import Sliding
+from winkler.laws.varying_friction import Slipped
 from winkler.limits import MOST_NUMBERS
 from winkler.loading import Angle, Depth, ShearForce, Torque
 from winkler.media.halfspace import HomogeneousMedium
@@ -46,7 +46,7 @@ ROUNDING = 1e-9
 
 @value
 class SurfaceTangential:
-    """A height map pressed into an elastic half-space and sheared, with Coulomb friction.
+    """A height map pressed into an elastic half-space and sheared, with friction.
 
     Parameters
     ----------
@@ -55,8 +55,8 @@ class SurfaceTangential:
         ball, an ellipse or another profile.
     medium : HalfSpace or TransverselyIsotropicHalfSpace
         Both bodies, homogeneous.
-    law : Coulomb
-        Friction.
+    law : Coulomb, LinearSlipWeakening or ExponentialSlipWeakening
+        Friction; each pixel has the coefficient that belongs to its own path of slip.
     path : Path
         Depth or normal force, and shift, shear force, angle or torque, over time.  Of a shift or a shear force with one
         component the other one is zero.
@@ -99,7 +99,7 @@ class SurfaceTangential:
 
     topography: Topography
     medium: Annotated[HomogeneousMedium, Advice("the boundary elements apply to no other")]
-    law: Sliding
+    law: Slipped
     path: Path
     twist: Angle | Torque = HELD
     tolerance: Annotated[float, between(1e-12, 1e-2)] = 1e-8
@@ -170,7 +170,7 @@ class SurfaceTangential:
             If stick and slip are not found to the tolerance.
         """
         given, by_force = self._motions()
-        march = SurfaceMarch(self.topography, self.medium, self.law.coefficient, by_force, self.tolerance)
+        march = SurfaceMarch(self.topography, self.medium, self.law, by_force, self.tolerance)
         length = self.topography.pixel[0]
         unit = np.where(by_force, march.patch * np.array([1.0, 1.0, length]), np.array([length, length, 1.0]))
         for index, (time, load) in enumerate(zip(self.path.time.tolist(), self.path.across.tolist(), strict=True)):
@@ -286,7 +286,7 @@ class SurfaceTangentialSolution(BelowSurface):
         yielded = last_yield_notes(stated.medium, load, more) if load else ()
         blurred = float(np.max(self.area_error[touched] / self.area[touched], initial=0.0))
         notes = surface_shear_notes(
-            stated.topography, cast(Medium, stated.medium), stated.law.coefficient, blurred, self.force,
+            stated.topography, cast(Medium, stated.medium), stated.law, blurred, self.force,
             self.penetration, self.misfit,
         )  # fmt: skip
         return (*notes, *yielded)

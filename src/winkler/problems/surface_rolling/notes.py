@@ -6,6 +6,8 @@ import math
 
 import numpy as np
 
+from winkler.laws.friction import Coulomb
+from winkler.laws.varying_friction import FallingFriction, greatest_coefficient
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.assumptions.coupling import sticking_note
@@ -22,7 +24,7 @@ PRESSED_TOLERANCE = 1e-6
 
 
 def surface_rolling_notes(
-    rough: Topography, medium: HalfSpace, coefficient: float, pressure: Array, misfit: Quantity
+    rough: Topography, medium: HalfSpace, friction: Coulomb | FallingFriction, pressure: Array, misfit: Quantity
 ) -> tuple[Note, ...]:
     """Return what was assumed of a map that rolls, and what the solver left.
 
@@ -32,8 +34,8 @@ def surface_rolling_notes(
         The map.
     medium : HalfSpace
         Both bodies.
-    coefficient : float
-        Of friction.
+    friction : Coulomb or FallingFriction
+        Friction.
     pressure : ndarray, (nx, ny)
         [Pa].
     misfit : float or ndarray
@@ -45,7 +47,7 @@ def surface_rolling_notes(
     law = Note(
         Assumption.SLIP,
         Standing.ASYMPTOTIC,
-        f"Half-spaces that roll, Coulomb's law in each pixel, to {float(np.max(misfit)):.1g} of what friction would "
+        f"Half-spaces that roll, {_named(friction)} in each pixel, to {float(np.max(misfit)):.1g} of what friction would "
         f"lose if all slipped; along the rolling there are {across} pixels: forces err in proportion to their size, by "
         "about 0.5 % of mu F_N with 40.",
         KALKER,
@@ -57,4 +59,8 @@ def surface_rolling_notes(
         KALKER,
     )
     pressed = surface_notes(rough, math.inf, error / area, PRESSED_TOLERANCE, PRESSED_TOLERANCE)
-    return (*pressed, law, steady, sticking_note(medium, coefficient))
+    return (*pressed, law, steady, sticking_note(medium, greatest_coefficient(friction)))
+
+
+def _named(friction: Coulomb | FallingFriction) -> str:
+    return "Coulomb's law" if isinstance(friction, Coulomb) else "friction that falls with the velocity of slip"

@@ -249,7 +249,7 @@ class SurfaceRollingStartSolution(BelowSurface):
         """How far the result can be trusted."""
         stated = self.problem
         notes = surface_rolling_notes(
-            stated.topography, stated.medium, stated.friction.coefficient, self.last.pressure, self.misfit
+            stated.topography, stated.medium, stated.friction, self.last.pressure, self.misfit
         )
         shear = np.ravel(np.hypot(self.longitudinal_force, self.lateral_force))
         more = bool(np.max(shear) > (1.0 + ROUNDING) * shear[-1])

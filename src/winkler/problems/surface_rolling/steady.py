@@ -18,11 +18,10 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice, between
-from winkler.errors import NotConverged
-from winkler.laws.friction import Sliding
+from winkler.checks.number_checks import Advice, NonNegative, between
+from winkler.errors import NotConverged, OutsideValidity
+from winkler.laws.varying_friction import Rolled, greatest_coefficient
 from winkler.media.halfspace import HalfSpace
-from winkler.numerics.surfaces.rolled_surface import roll
 from winkler.numerics.types import Quantity, shaped
 from winkler.path import OnePositiveNormal
 from winkler.problems.assumptions.declared import MAPPED
@@ -30,6 +29,7 @@ from winkler.problems.rolling.creepage import Creepage, CreepageSolution
 from winkler.problems.subsurface.below_surface import BelowSurface
 from winkler.problems.subsurface.map_yield import last_yield_notes
 from winkler.problems.subsurface.surface_load import SurfaceLoad
+from winkler.problems.surface_rolling.falling import refuse_rest, roll_under
 from winkler.problems.surface_rolling.notes import surface_rolling_notes
 from winkler.problems.surface_rolling.patch import refuse_map, rolling_patch
 from winkler.problems.surface_rolling.state import SurfaceRollingState
@@ -61,17 +61,19 @@ class SurfaceRolling:
         Both bodies.
     load : Force or Depth
         One positive number.
-    friction : Coulomb
-        Its coefficient positive and finite.
+    friction : Coulomb or FallingFriction
+        A coefficient that is positive and finite, or one that falls with the velocity of slip.
     creepage : Creepage
         Longitudinal, lateral and spin, also arrays; spin turns about the middle of the map.
     tolerance : float, optional
         Greatest `SurfaceRollingState.misfit` at which a contact counts as solved.
+    speed : float, optional
+        Of rolling [m/s], for friction that falls with the velocity of slip, which is creepage times speed.
 
     Raises
     ------
     InvalidInput
-        If heights are missing, the map is periodic or too large, or friction is not Coulomb's.
+        If heights are missing, the map is periodic or too large, or friction falls and no speed is given.
 
     References
     ----------
@@ -96,15 +98,19 @@ class SurfaceRolling:
     topography: Topography
     medium: Annotated[HalfSpace, Advice("rolling is computed on homogeneous, isotropic bodies")]
     load: OnePositiveNormal
-    friction: Sliding
+    friction: Rolled
     creepage: Creepage
     tolerance: Annotated[float, between(1e-12, 1e-2)] = 1e-7
+    speed: NonNegative = 0.0
+
+    __words__ = words(speed=("V", "m/s", "speed of rolling"))
 
     references: ClassVar[tuple[str, ...]] = ("kalker_1990", "polonsky_keer_1999")
     assumptions: ClassVar[frozenset[Assumption]] = MAPPED | {Assumption.UNCOUPLED, Assumption.SLIP, Assumption.STEADY}
 
     def __post_init__(self) -> None:
         refuse_map("SurfaceRolling", self.topography)
+        refuse_rest("SurfaceRolling", self.friction, self.speed)
 
     @property
     def total(self) -> int:
@@ -117,29 +123,32 @@ class SurfaceRolling:
         Raises
         ------
         OutsideValidity
-            If the contact reaches the border of the map.
+            If the contact reaches the border of the map, or friction falls too steeply with the velocity of slip.
         NotConverged
             If stick and slip are not found to the tolerance.
         """
         patch = rolling_patch("SurfaceRolling", self.topography, self.medium, self.load)
         shifted = AHEAD * self.topography.pixel[0]
-        start, bound = np.zeros((2, *patch.pressure.shape)), self.friction.coefficient * patch.pressure
+        start, touching = np.zeros((2, *patch.pressure.shape)), patch.pressure > 0.0
         for xi, eta, spin in zip(*(part.tolist() for part in self.creepage.broadcast()), strict=True):
             rigid = np.stack((xi - spin * patch.y, eta + spin * (patch.x + shifted)))
             try:
-                rolled = roll(patch.grid, bound, rigid, start, tolerance=self.tolerance)
-            except NotConverged as error:
-                raise NotConverged(
-                    f"SurfaceRolling: at the creepage ({xi:.6g}, {eta:.6g}) with a spin of {spin:.6g} 1/m, {error}; "
-                    "allow a larger tolerance, or give a finer map."
+                rolled = roll_under(
+                    self.friction, self.speed, patch.grid, patch.pressure, rigid, start, tolerance=self.tolerance
+                )
+            except (NotConverged, OutsideValidity) as error:
+                more = "; allow a larger tolerance, or give a finer map" if isinstance(error, NotConverged) else ""
+                raise type(error)(
+                    f"SurfaceRolling: at the creepage ({xi:.6g}, {eta:.6g}) with a spin of {spin:.6g} 1/m, "
+                    f"{error}{more}."
                 ) from None
             start = q = rolled.traction
-            count = np.count_nonzero(bound > 0.0)
+            count = np.count_nonzero(touching)
             at, unit, modulus = patch.x - shifted * ~rolled.slipping, patch.unit, self.medium.modulus
             yield SurfaceRollingState(
                 patch.pressed.depth, unit * float(np.sum(patch.pressure)), unit * float(np.sum(q[0])),
                 unit * float(np.sum(q[1])), unit * float(np.sum(at * q[1] - patch.y * q[0])),
-                float(np.count_nonzero((bound > 0.0) & ~rolled.slipping)) / count, rolled.misfit,
+                float(np.count_nonzero(touching & ~rolled.slipping)) / count, rolled.misfit,
                 modulus * patch.pressed.pressure, patch.spread(modulus * q),
                 patch.spread(np.where(rolled.slipping, rolled.slip, 0.0)), patch.spread(rolled.slipping),
             )  # fmt: skip
@@ -211,8 +220,10 @@ class SurfaceRollingSolution(CreepageSolution, BelowSurface):
 
     @property
     def saturation(self) -> Quantity:
-        """The resultant over mu F_N [-]."""
-        return shaped(np.asarray(self.shear_force) / (self.problem.friction.coefficient * np.asarray(self.force)))
+        """The resultant over mu F_N [-]; mu is that of slow slip if friction falls."""
+        return shaped(
+            np.asarray(self.shear_force) / (greatest_coefficient(self.problem.friction) * np.asarray(self.force))
+        )
 
     @property
     def loss_per_distance(self) -> Quantity:
@@ -224,7 +235,7 @@ class SurfaceRollingSolution(CreepageSolution, BelowSurface):
         """How far the result can be trusted: border, residual, slopes, pixels, steady state, yield."""
         stated = self.problem
         notes = surface_rolling_notes(
-            stated.topography, stated.medium, stated.friction.coefficient, self.last.pressure, self.misfit
+            stated.topography, stated.medium, stated.friction, self.last.pressure, self.misfit
         )
         shear = np.ravel(np.hypot(self.longitudinal_force, self.lateral_force))
         more = bool(np.max(shear) > (1.0 + ROUNDING) * shear[-1])

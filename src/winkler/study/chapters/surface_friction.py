@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
 from winkler.study.chapters.friction import NORMAL_START
+from winkler.study.chapters.kind import kind
 from winkler.study.chapters.rough import ELEMENTS
 
 __all__ = ["SURFACE_FRICTION"]
@@ -13,6 +16,8 @@ TO_AND_FRO = [
     {"kind": "oscillate", "lateral": {"kind": "shift", "shift": "1 um"}, "cycles": 1.25, "count": 12},
 ]
 BALL = {"kind": "sampled_profile", "lengths": ["0.6 mm", "0.6 mm"], "shape": [65, 65]}
+
+WEAKENED: dict[str, Any] = {"static_coefficient": 0.4, "kinetic_coefficient": 0.3, "distance": "10 um"}
 
 CERRUTI = Equation(
     "Tractions along the surface displace it; r points from their place to that of the displacement",
@@ -28,7 +33,16 @@ ENERGY = Equation("Friction loses in each step what slips times its traction", r
 
 SURFACE_FRICTION = Chapter(
     "friction and impacts",
-    kinds={},
+    kinds={
+        "law": {
+            "linear_slip_weakening": kind(
+                "winkler.laws.varying_friction:LinearSlipWeakening", problem="surface_tangential", **WEAKENED
+            ),
+            "exponential_slip_weakening": kind(
+                "winkler.laws.varying_friction:ExponentialSlipWeakening", problem="surface_tangential", **WEAKENED
+            ),
+        },
+    },
     answers={
         "surface_tangential": answer(
             "winkler.problems.surface_friction.tangential:SurfaceTangential",

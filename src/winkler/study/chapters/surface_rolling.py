@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
+from winkler.study.chapters.kind import kind
 from winkler.study.chapters.rough import ELEMENTS
 from winkler.study.chapters.surface_friction import CERRUTI, SHEAR_FORCE
 
@@ -32,7 +33,17 @@ MOMENT = Equation("They turn the first body by", r"M_z = \int(x\,\tau_y-y\,\tau_
 
 SURFACE_ROLLING = Chapter(
     "rolling",
-    kinds={},
+    kinds={
+        "law": {
+            "falling_friction": kind(
+                "winkler.laws.varying_friction:FallingFriction",
+                problem="surface_rolling",
+                static_coefficient=0.4,
+                kinetic_coefficient=0.16,
+                velocity="0.1 m/s",
+            ),
+        },
+    },
     answers={
         "surface_rolling": answer(
             "winkler.problems.surface_rolling.steady:SurfaceRolling",
@@ -41,6 +52,7 @@ SURFACE_ROLLING = Chapter(
             medium={"kind": "half_space", "second": {"kind": "elastic"}},
             load={"kind": "force", "force": "100 N"},
             creepage=CREEPS,
+            speed="20 m/s",
             picture=Caption(
                 "surface_rolling",
                 "Rolling by boundary elements",
