@@ -16,6 +16,7 @@ from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, PressedSurfa
 from winkler.numerics.surfaces.sheared_surface import RigidStep, ShearedSurface, shear
 from winkler.numerics.surfaces.traction_grid import Compliance, TractionGrid
 from winkler.numerics.types import Array
+from winkler.problems.assumptions.coupling import NEGLIGIBLE_COUPLING
 from winkler.problems.rough.contact_area import contact_area
 from winkler.problems.surface_friction.borne import refuse_beyond
 from winkler.problems.surface_friction.by_turns import by_turns, press_from
@@ -24,8 +25,6 @@ from winkler.profiles.rough.topography import Topography
 
 __all__ = ["SurfaceMarch", "compliance_of"]
 
-NEGLIGIBLE_COUPLING = 1e-12
-"""Dundurs' second constant that is rounding."""
 NEARBY_LOAD = 0.25
 """A load that differs by more than this part of it from the one before is begun on coarse grids: as fast."""
 

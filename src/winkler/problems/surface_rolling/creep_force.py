@@ -110,6 +110,15 @@ RollingDrive = Annotated[
 ]
 """What is prescribed of a pair that rolls steadily."""
 
+OneRollingDrive = Annotated[
+    ShearForce | CreepForce | Creepage,
+    Condition(
+        lambda drive: given_of(drive).shape == () if _one_push(drive) else False,
+        "give ShearForce(F_x) or ShearForce([F_x, F_y]), one CreepForce, or one Creepage",
+    ),
+]
+"""What is prescribed of a pair that begins to roll."""
+
 
 class Given(NamedTuple):
     """What is prescribed, case by case.

@@ -108,8 +108,9 @@ class CreepSearch:
         self.modes = np.stack(
             (np.stack((even, none)), np.stack((none, even)), np.stack((-patch.y, patch.x + self.shift)))
         )
-        self.bound, self.drawn, self.most = p, np.zeros_like(self.modes[0]), self.lengths
-        still = RolledSurface(self.drawn, self.drawn, p < 0.0, 0.0, 0)
+        nothing = np.zeros_like(self.modes[0])
+        self.bound, self.drawn, self.stretch, self.most = p, nothing, nothing, self.lengths
+        still = RolledSurface(nothing, nothing, p < 0.0, 0.0, 0)
         self.last = CreptPatch(np.zeros(3), np.zeros(3), still, 0.0, 0.0)
         self.stiffness, self.sliding = np.zeros((0, 0)), 0.0
 
@@ -132,11 +133,12 @@ class CreepSearch:
         NotConverged
             If stick and slip, or the creepages are not found to the tolerance.
         """
-        drawn = self.patch.grid.drawn(pressure)
-        drawn[:, :-1] -= drawn[:, 1:]
-        drawn[:, -1] = 0.0
-        borne = self.patch.unit * bound
-        self.bound, self.drawn, self.most = bound, drawn, float(np.sum(borne)) * self.lengths
+        borne, drawn = self.patch.unit * bound, self.patch.grid.drawn(pressure)
+        self.bound, self.most = bound, float(np.sum(borne)) * self.lengths
+        self.stretch = np.zeros_like(drawn)
+        self.stretch[:, 1:-1] = 0.5 * (drawn[:, 2:] - drawn[:, :-2])
+        self.drawn = np.zeros_like(drawn)
+        self.drawn[:, :-1] = drawn[:, 1:] - drawn[:, :-1]
         forces = np.where(self.by_force, given, 0.0)
         refuse_beyond(float(np.hypot(forces[0], forces[1])), float(forces[2]), borne, self.patch.arms)
         self.last = self._sought(given, start) if np.any(self.by_force) else self._rolled(given, start)
@@ -184,12 +186,12 @@ class CreepSearch:
         if at is not None:
             longest = FARTHEST * max(float(np.linalg.norm(at.creeps * self.lengths)), self.sliding)
             step *= min(1.0, longest / max(float(np.linalg.norm(step)), longest))
-        return step / self.lengths
+        return np.asarray(step / self.lengths)
 
     def _rolled(self, creeps: Array, start: Array) -> CreptPatch:
-        rigid = np.tensordot(creeps, self.modes, 1) - self.drawn
+        rigid = np.tensordot(creeps, self.modes, 1) + self.drawn
         surface = roll(self.patch.grid, self.bound, rigid, start, tolerance=self.inner)
-        resistance = -self.patch.unit * float(np.sum(surface.traction * self.drawn))
+        resistance = self.patch.unit * float(np.sum(surface.traction * self.stretch))
         return CreptPatch(creeps, self._forces(surface), surface, 0.0, resistance)
 
     def _forces(self, surface: RolledSurface) -> Array:
@@ -198,7 +200,7 @@ class CreepSearch:
         return self.patch.unit * np.array([np.sum(q[0]), np.sum(q[1]), moment])
 
     def _slides(self, crept: CreptPatch) -> bool:
-        return float(np.hypot(crept.forces[0], crept.forces[1])) >= SLIDING * self.most[0]
+        return bool(np.hypot(crept.forces[0], crept.forces[1]) >= SLIDING * self.most[0])
 
     def _evened(self, forces: Array) -> Array:
         """Return t: numbers that grow almost in proportion to the creepages."""

@@ -29,8 +29,6 @@ class RollingPatch(NamedTuple):
 
     Parameters
     ----------
-    who : str
-        The problem, for refusals.
     gaps : ndarray
         Of the whole map [m].
     drive : ByDepth or ByLoad
@@ -51,7 +49,6 @@ class RollingPatch(NamedTuple):
         E* times the area of a pixel [N]: a sum of pressures over E* becomes a force.
     """
 
-    who: str
     gaps: Array
     drive: ByDepth | ByLoad
     pressed: PressedSurface
@@ -110,7 +107,7 @@ class RollingPatch(NamedTuple):
             self.grid, self.gaps, self.pixel[0], pressed_on, under, start, tolerance,
             by_load=isinstance(self.drive, ByLoad),
         )  # fmt: skip
-        _refuse_border(self.who, pressed.pressure > 0.0)
+        _refuse_border(pressed.pressure > 0.0)
         return self._replace(pressed=pressed, pressure=pressed.pressure), found
 
 
@@ -150,19 +147,21 @@ def rolling_patch(who: str, rough: Topography, medium: HalfSpace, load: Force | 
     drive = ByDepth(number) if isinstance(load, Depth) else ByLoad(number / unit)
     pressed = press(rough.gaps, pixel, drive, periodic=False)
     touching = pressed.pressure > 0.0
-    _refuse_border(who, touching)
+    try:
+        _refuse_border(touching)
+    except OutsideValidity as error:
+        raise OutsideValidity(f"{who}: {error}.") from None
     compliance = compliance_of(medium)
     box = (slice(None), slice(None)) if compliance.coupling else box_around(touching)
     p, (nx, ny) = pressed.pressure[box], touching.shape
     grid = TractionGrid.of((p.shape[0], p.shape[1]), (1.0, pixel[1] / pixel[0]), compliance, periodic=False)
     x = np.broadcast_to(((np.arange(nx) - 0.5 * (nx - 1)) * pixel[0])[box[0], None], p.shape)
     y = np.broadcast_to(((np.arange(ny) - 0.5 * (ny - 1)) * pixel[1])[None, box[1]], p.shape)
-    return RollingPatch(who, rough.gaps, drive, pressed, box, grid, p, x, y, pixel, unit)
+    return RollingPatch(rough.gaps, drive, pressed, box, grid, p, x, y, pixel, unit)
 
 
-def _refuse_border(who: str, touching: Array) -> None:
+def _refuse_border(touching: Array) -> None:
     if any(np.any(side) for side in (touching[0], touching[-1], touching[:, 0], touching[:, -1])):
         raise OutsideValidity(
-            f"{who}: the contact reaches the border of the map, and what rolls in there is not known; give a larger "
-            "map."
+            "the contact reaches the border of the map, and what rolls in there is not known; give a larger map"
         )

@@ -74,8 +74,8 @@ class SurfaceRollingStartState:
     ----------
     distance : float
         X [m] since rest.
-    longitudinal_creepage, lateral_creepage : float
-        xi and eta [-] of the last pixel; zero at rest.
+    longitudinal_creepage, lateral_creepage, spin_creepage : float
+        xi, eta [-] and phi [1/m] of the last pixel; zero at rest.
     longitudinal_force, lateral_force, moment : float
         F_x and F_y [N], M_z [N m], as of `SurfaceRollingState`.
     stick_share : float
@@ -96,6 +96,7 @@ class SurfaceRollingStartState:
     distance: float
     longitudinal_creepage: float
     lateral_creepage: float
+    spin_creepage: float
     longitudinal_force: float
     lateral_force: float
     moment: float

@@ -99,7 +99,7 @@ class SurfaceRolling:
     drive: RollingDrive
     tolerance: Annotated[float, between(1e-12, 1e-2)] = 1e-7
 
-    references: ClassVar[tuple[str, ...]] = ("kalker_1990", "polonsky_keer_1999")
+    references: ClassVar[tuple[str, ...]] = ("kalker_1990", "polonsky_keer_1999", "bentall_johnson_1967")
     assumptions: ClassVar[frozenset[Assumption]] = MAPPED | {Assumption.UNCOUPLED, Assumption.SLIP, Assumption.STEADY}
 
     __words__ = words(drive=("", None, "creepages, or forces that the pair transmits while it rolls"))
@@ -255,6 +255,7 @@ class SurfaceRollingSolution(LastMap):
         """How far the result can be trusted: border, residual, slopes, pixels, steady state, yield."""
         stated = self.problem
         notes = surface_rolling_notes(
-            stated.topography, stated.medium, stated.friction.coefficient, self.last.pressure, self.misfit
-        )
+            stated.topography, stated.medium, stated.friction.coefficient, self.last.pressure, self.misfit,
+            bool(np.any(given_of(stated.drive).by_force)),
+        )  # fmt: skip
         return (*notes, *self._yield_notes(self.shear_force))
