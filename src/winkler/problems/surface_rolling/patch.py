@@ -43,10 +43,14 @@ class RollingPatch(NamedTuple):
         p / E* in the box.
     x, y : ndarray
         Places of the middles of its pixels [m].
+    arms : ndarray
+        Distances of these from the middle of the map [m].
     pixel : tuple of float
         Its sides [m].
     unit : float
         E* times the area of a pixel [N]: a sum of pressures over E* becomes a force.
+    coupled : bool
+        Whether pressures draw the surface along.
     """
 
     gaps: Array
@@ -57,18 +61,10 @@ class RollingPatch(NamedTuple):
     pressure: Array
     x: Array
     y: Array
+    arms: Array
     pixel: tuple[float, float]
     unit: float
-
-    @property
-    def coupled(self) -> bool:
-        """Whether pressures draw the surface along."""
-        return self.grid.compliance.coupling != 0.0
-
-    @property
-    def arms(self) -> Array:
-        """Distances of the pixels from the middle of the map [m]."""
-        return np.hypot(self.x, self.y)
+    coupled: bool
 
     def spread(self, part: Array) -> Array:
         """Return numbers in the box on the whole map, zero outside."""
@@ -152,12 +148,13 @@ def rolling_patch(who: str, rough: Topography, medium: HalfSpace, load: Force | 
     except OutsideValidity as error:
         raise OutsideValidity(f"{who}: {error}.") from None
     compliance = compliance_of(medium)
-    box = (slice(None), slice(None)) if compliance.coupling else box_around(touching)
+    coupled = compliance.coupling != 0.0
+    box = (slice(None), slice(None)) if coupled else box_around(touching)
     p, (nx, ny) = pressed.pressure[box], touching.shape
     grid = TractionGrid.of((p.shape[0], p.shape[1]), (1.0, pixel[1] / pixel[0]), compliance, periodic=False)
     x = np.broadcast_to(((np.arange(nx) - 0.5 * (nx - 1)) * pixel[0])[box[0], None], p.shape)
     y = np.broadcast_to(((np.arange(ny) - 0.5 * (ny - 1)) * pixel[1])[None, box[1]], p.shape)
-    return RollingPatch(rough.gaps, drive, pressed, box, grid, p, x, y, pixel, unit)
+    return RollingPatch(rough.gaps, drive, pressed, box, grid, p, x, y, np.hypot(x, y), pixel, unit, coupled)
 
 
 def _refuse_border(touching: Array) -> None:

@@ -73,7 +73,7 @@ class SurfaceRollingStart:
     A ball under half of the friction: it creeps while it rolls.
 
     >>> from winkler.laws.friction import Coulomb
-    >>> from winkler.loading import Force
+    >>> from winkler.loading import Force, ShearForce
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.profiles.power import Paraboloid
     >>> from winkler.profiles.rough.sampled_profile import SampledProfile
