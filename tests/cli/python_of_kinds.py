@@ -131,6 +131,17 @@ CREEPAGES = np.linspace(0.0, 6e-3, 25)
 SPINNING = wk.Creepage(longitudinal=0.0005, spin=5.0)
 
 
+def rolled_wheel(drive, friction=FRICTION):
+    return wk.SurfaceRolling(
+        wk.SampledProfile([0.6e-3, 0.5e-3], wk.CurvedBodies(20e-3, 10e-3), (54, 45)),
+        wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3)),
+        wk.Force(100.0),
+        friction,
+        drive,
+        speed=20.0,
+    )
+
+
 def rolling(**more):
     return wk.Rolling(BED, FRICTION, wk.Creepage(longitudinal=CREEPAGES), wk.Force(100.0), **more)
 
@@ -255,22 +266,11 @@ ROUGHNESS = {
     ),
     "height_map": wk.SurfaceContact(wk.Topography(PYRAMID, MILLIMETRES), STEEL_BODY, LOADS),
     "sampled_profile": wk.SurfaceContact(wk.SampledProfile(MILLIMETRES, wk.Sphere(10e-3), (65, 65)), STEEL_BODY, LOADS),
-    "surface_rolling": wk.SurfaceRolling(
-        wk.SampledProfile([0.6e-3, 0.5e-3], wk.CurvedBodies(20e-3, 10e-3), (54, 45)),
-        wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3)),
-        wk.Force(100.0),
-        FRICTION,
-        wk.Creepage(longitudinal=np.geomspace(0.0002, 0.004, 6)),
-        speed=20.0,
+    "surface_rolling": rolled_wheel(wk.Creepage(longitudinal=np.geomspace(0.0002, 0.004, 6))),
+    "falling_friction": rolled_wheel(
+        wk.Creepage(longitudinal=np.geomspace(0.0002, 0.004, 6)), wk.FallingFriction(0.4, 0.16, 0.1)
     ),
-    "falling_friction": wk.SurfaceRolling(
-        wk.SampledProfile([0.6e-3, 0.5e-3], wk.CurvedBodies(20e-3, 10e-3), (54, 45)),
-        wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3)),
-        wk.Force(100.0),
-        wk.FallingFriction(0.4, 0.16, 0.1),
-        wk.Creepage(longitudinal=np.geomspace(0.0002, 0.004, 6)),
-        speed=20.0,
-    ),
+    **{kind: rolled_wheel(wk.CreepForce(15.0, twist=wk.Spin(5.0))) for kind in ("creep_forces", "spin")},
     "surface_rolling_start": wk.SurfaceRollingStart(
         wk.SampledProfile([0.6e-3, 0.5e-3], wk.CurvedBodies(20e-3, 10e-3), (54, 45)),
         wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3)),

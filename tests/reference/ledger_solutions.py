@@ -537,6 +537,36 @@ def surface_cattaneo() -> Numbers:
     return [shifts, losses]
 
 
+@of_case
+def surface_rolling_free() -> Numbers:
+    """xi of E* = R = 1, beta = 1/2, F_N = 0.001 and hardly any friction; lengths over a, slopes over 2 beta p0/(3 E*).
+
+    What pressures draw along is u = -(h x, h y) at r = (1 - s^2)^(1/2), h = (1 + s + s^2)/(1 + s), so that the slip is
+    (k - n cos^2, -n sin cos) of the angle, with k = xi - h and n = r h'; its direction, summed up over the angle with
+    the pressure s, is a sum of complete elliptic integrals.
+    """
+
+    def pushed(xi: mp.mpf) -> mp.mpf:
+        def part(s: mp.mpf) -> mp.mpf:
+            k, n = xi - (1 + s + s * s) / (1 + s), (s + 2) * (s - 1) / (1 + s)
+            if k == n:
+                return s * s * n / abs(k)
+            m = 1 - (k / (k - n)) ** 2
+            if m == 1:
+                return s * s * mp.sign(k - n)
+            whole = mp.ellipk(m)
+            rest = (whole - mp.ellipe(m)) / m if abs(m) > frac("1e-12") else mp.pi / 4
+            return s * s * mp.sign(k - n) * (whole + n / (k - n) * rest)
+
+        still = ((xi - 1) + mp.sqrt((xi - 1) * (xi + 3))) / 2  # where nothing slips: across, along the rolling
+        other = ((xi - 2) + mp.sqrt((xi - 2) ** 2 + 8 * (1 + xi))) / 4
+        return mp.quad(part, [0, *sorted((still, other)), 1])
+
+    xi = mp.findroot(pushed, (frac("1.24"), frac("1.26")), tol=frac("1e-14"))
+    a = mp.cbrt(frac("0.75") * frac("0.001"))
+    return [xi * 2 / 3 * 2 / mp.pi * a / 2]
+
+
 def _oval(bend: str) -> Numbers:
     """F, and the semi-axes, of A x^2 + (1 - A) y^2 at d = 0.01 after Hertz."""
     small = frac(bend)

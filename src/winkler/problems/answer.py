@@ -212,7 +212,7 @@ def gather(solution: type[Result], problem: Any, states: Iterable[object], **oth
     Parameters
     ----------
     solution : type
-        The class; its fields are attributes of the states, but for ``problem`` and ``states`` themselves.
+        The class; its fields are attributes of the states, but for ``problem``, ``states`` and the ``last`` of them.
     problem
         What was solved.
     states : iterable
@@ -221,7 +221,7 @@ def gather(solution: type[Result], problem: Any, states: Iterable[object], **oth
         Fields that are computed by other means.
     """
     reached = tuple(states)
-    fields = {"problem": problem, "states": reached, **others}
+    fields = {"problem": problem, "states": reached, **({"last": reached[-1]} if reached else {}), **others}
     return solution(
         **{
             name: fields[name] if name in fields else np.array([getattr(state, name) for state in reached])

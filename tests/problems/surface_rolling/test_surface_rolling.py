@@ -167,7 +167,7 @@ def test_what_it_refuses(change, error, sentence):
         "medium": pair(0.3),
         "load": wk.Force(1e-2),
         "friction": wk.Coulomb(MU),
-        "creepage": wk.Creepage(1e-3),
+        "drive": wk.Creepage(1e-3),
     }
     with pytest.raises(error, match=sentence):
         wk.SurfaceRolling(**(stated | change)).solve()
@@ -223,5 +223,5 @@ def test_a_start_that_would_slide_away():
     stated = (ball, pair(0.3), wk.Force(1e-2), wk.Coulomb(MU))
     with pytest.raises(OutsideValidity, match="a shear force of 0.003 N is prescribed where friction"):
         wk.SurfaceRollingStart(*stated, wk.ShearForce(3e-3), distance=1.0).solve()
-    with pytest.raises(InvalidInput, match="or one Creepage"):
+    with pytest.raises(InvalidInput, match="one CreepForce, or one Creepage"):
         wk.SurfaceRollingStart(*stated, wk.Creepage([1e-3, 2e-3]), distance=1.0)

@@ -19,7 +19,7 @@ from winkler.reference import impact, rolling, wear
 from winkler.study.ledger.ledger import remarks
 
 CASES = Path(winkler.__file__).parent / "cases"
-CLOSE = {"even_heat_speeds": 1e-10}
+CLOSE = {"even_heat_speeds": 1e-10, "surface_rolling_free": 1e-12}
 """What quadratures and integrations repeat on another machine; closed forms are met to 1e-13."""
 
 

@@ -22,9 +22,18 @@ from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.validity import Assumption, Note, Standing, standing_of
 
-__all__ = ["coefficient_of", "dundurs", "mismatch", "sliding_note", "sticking_note", "stuck_stiffening"]
+__all__ = [
+    "NEGLIGIBLE_COUPLING",
+    "coefficient_of",
+    "dundurs",
+    "mismatch",
+    "sliding_note",
+    "solved_together_note",
+    "sticking_note",
+    "stuck_stiffening",
+]
 
-MISMATCH_ROUNDING = 1e-12
+NEGLIGIBLE_COUPLING = 1e-12
 """Dundurs' constant [-] that is rounding."""
 SMALL_COUPLING, LARGE_COUPLING = 0.1, 1.0
 """beta/mu, or beta mu, up to which the theory without coupling is the limit, and from which on it is none."""
@@ -132,6 +141,29 @@ def sticking_note(medium: Medium, coefficient: float) -> Note:
     return Note(Assumption.UNCOUPLED, standing, f"{fact}; {VERDICTS[standing]}.", SPENCE)
 
 
+def solved_together_note(medium: Medium, coefficient: float, error: str) -> Note:
+    """Return the note where pressures and tractions of dissimilar bodies are found together.
+
+    Parameters
+    ----------
+    medium : Medium
+    coefficient : float
+        Coefficient of friction mu [-].
+    error : str
+        What remains inexact, a sentence.
+    """
+    beta = mismatch(medium)
+    if not isinstance(medium, HalfSpace) or abs(beta) <= NEGLIGIBLE_COUPLING:
+        return sticking_note(medium, coefficient)
+    return Note(
+        Assumption.UNCOUPLED,
+        Standing.ASYMPTOTIC,
+        f"The bodies are elastically dissimilar, Dundurs' beta = {beta:.3g}: pressures draw the surface along, and "
+        f"tractions sink it; both are solved together. {error}",
+        SPENCE,
+    )
+
+
 def sliding_note(medium: Medium, coefficient: float) -> Note:
     """Return whether the pressure may be computed as if there were no traction of sliding; parameters as above."""
     beta = mismatch(medium)
@@ -152,7 +184,7 @@ def _without_number(medium: Medium, beta: float, coefficient: float) -> Note | N
     """Return the note where there is nothing to compare; None where beta and the coefficient are numbers."""
     if coefficient == 0.0:
         return Note(Assumption.UNCOUPLED, Standing.EXACT, "There is no friction.", "the problem")
-    if abs(beta) < MISMATCH_ROUNDING:
+    if abs(beta) < NEGLIGIBLE_COUPLING:
         return Note(
             Assumption.UNCOUPLED,
             Standing.ASYMPTOTIC if isinstance(medium, CoatedHalfSpace) else Standing.EXACT,

@@ -8,37 +8,28 @@ dissimilar tractions sink the surface, and pressures draw it along; both are sol
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.laws.friction import Coulomb
 from winkler.laws.varying_friction import SlipWeakening
 from winkler.media.halfspace import HalfSpace, HomogeneousMedium
-from winkler.numerics.surfaces.pressed_box import box_around, overlap_and_work
-from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, PressedSurface, press
+from winkler.numerics.surfaces.pressed_box import box_around
+from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, PressedSurface
 from winkler.numerics.surfaces.sheared_surface import RigidStep, ShearedSurface, shear
-from winkler.numerics.surfaces.surface_grid import SurfaceGrid
 from winkler.numerics.surfaces.traction_grid import Compliance, TractionGrid
 from winkler.numerics.types import Array
+from winkler.problems.assumptions.coupling import NEGLIGIBLE_COUPLING
 from winkler.problems.rough.contact_area import contact_area
+from winkler.problems.surface_friction.borne import refuse_beyond
+from winkler.problems.surface_friction.by_turns import by_turns, press_from
 from winkler.problems.surface_friction.state import SurfaceShearState
 from winkler.problems.surface_friction.weakening import loss_of, shear_weakened
 from winkler.profiles.rough.topography import Topography
 
 __all__ = ["SurfaceMarch", "compliance_of"]
 
-MOST_TURNS = 60
-"""How often pressures and tractions are found by turns; six are usual."""
-NEGLIGIBLE_COUPLING = 1e-12
-"""Dundurs' second constant that is rounding."""
 NEARBY_LOAD = 0.25
 """A load that differs by more than this part of it from the one before is begun on coarse grids: as fast."""
-SLIDING_RATIO = 1.0 - 1e-7
-"""Part of the friction beyond which given forces let the bodies slide: what slips is not all parallel."""
-COUPLED_TOLERANCE = 1e-5
-"""Least bound on overlap and work on gaps where pressures and tractions are found by turns."""
 
 
 def compliance_of(medium: HomogeneousMedium) -> Compliance:
@@ -190,36 +181,25 @@ class SurfaceMarch:
     def _by_turns(self, drive: ByDepth | ByLoad, given: Array) -> tuple[PressedSurface, ShearedSurface]:
         """Find pressures and tractions by turns."""
         everywhere = (slice(None), slice(None))
-        grid, whole = self._grid(everywhere), SurfaceGrid.of(self.shape, self.aspect, periodic=self.periodic)
-        before, start = grid.sheared(self.traction) + grid.drawn(self.pressed.pressure), self.traction
-        allowed = max(self.tolerance, COUPLED_TOLERANCE)
-        left = math.inf
-        for _ in range(MOST_TURNS):
-            self.pressed = pressed = self._press(drive, self.gaps + self.pixel[0] * grid.sunk(start))
-            p = pressed.pressure
-            sheared = self._sheared(grid, p, before - grid.drawn(p), given, start, everywhere)
-            gap = self.gaps + self.pixel[0] * (whole.displaced(p) + grid.sunk(sheared.traction)) - pressed.depth
-            deeper = float(np.mean(gap[p > 0.0])) if isinstance(drive, ByLoad) else 0.0
-            overlap, work = overlap_and_work(p, gap - deeper, pressed.depth + deeper, math.inf)
-            left, start = max(overlap, work), sheared.traction
-            if left <= allowed:
-                depth = pressed.depth + deeper
-                return pressed._replace(gap=gap - deeper, depth=depth, penetration=overlap, work=work), sheared
-        raise NotConverged(
-            f"pressures and tractions of dissimilar bodies still miss each other by {left:.3g} of the depth after "
-            f"{MOST_TURNS} turns; allowed are {allowed:.3g}. Take shorter steps, or bodies that are more alike"
-        )
+        grid = self._grid(everywhere)
+        before = grid.sheared(self.traction) + grid.drawn(self.pressed.pressure)
+
+        def pressed_on(gaps: Array) -> PressedSurface:
+            self.pressed = self._press(drive, gaps)
+            return self.pressed
+
+        def sheared_under(p: Array, start: Array) -> ShearedSurface:
+            return self._sheared(grid, p, before - grid.drawn(p), given, start, everywhere)
+
+        return by_turns(
+            grid, self.gaps, self.pixel[0], pressed_on, sheared_under, self.traction, self.tolerance,
+            by_load=isinstance(drive, ByLoad),
+        )  # fmt: skip
 
     def _press(self, drive: ByDepth | ByLoad, gaps: Array) -> PressedSurface:
-        """Press a surface whose lowest gap need not be zero."""
-        lowest = float(np.min(gaps))
-        deeper = ByDepth(drive.depth - lowest) if isinstance(drive, ByDepth) else drive
-        if not max(deeper) > 0.0:
-            return self._apart(max(drive))
         near = self.drive > 0.0 and abs(max(drive) / self.drive - 1.0) <= NEARBY_LOAD
         start = self.pressed.pressure if near else np.empty(0)
-        pressed = press(gaps - lowest, self.pixel, deeper, periodic=self.periodic, start=start)
-        return pressed._replace(depth=pressed.depth + lowest)
+        return press_from(gaps, self.pixel, drive, periodic=self.periodic, start=start)
 
     def _apart(self, depth: float) -> PressedSurface:
         return PressedSurface(np.zeros(self.shape), self.gaps - depth, depth, 0.0, 0.0, 0)
@@ -249,21 +229,10 @@ class SurfaceMarch:
 
     def _refuse(self, given: Array, bound: Array, box: tuple[slice, slice]) -> None:
         """Refuse forces that friction does not bear."""
-        most = float(np.sum(bound))
-        forces = np.where(self.by_force, given, 0.0)
-        push = float(np.hypot(forces[0], forces[1]))
-        if push > most * SLIDING_RATIO and push > 0.0:
-            raise OutsideValidity(
-                f"a shear force of {push * self.patch:.6g} N is prescribed where friction bears less than "
-                f"{most * self.patch:.6g} N, and the bodies would slide away; give a smaller one"
-            )
-        borne = float(np.sum(bound * np.hypot(self.modes[2, 0], self.modes[2, 1])[box]))
-        if abs(forces[2]) > borne * SLIDING_RATIO and forces[2] != 0.0:
-            unit = self.patch * self.pixel[0]
-            raise OutsideValidity(
-                f"a torque of {forces[2] * unit:.6g} N m is prescribed where friction bears less than "
-                f"{borne * unit:.6g} N m, and the bodies would turn away; give a smaller one"
-            )
+        forces = np.where(self.by_force, given, 0.0) * self.patch
+        arms = self.pixel[0] * np.hypot(self.modes[2, 0], self.modes[2, 1])[box]
+        push, torque = float(np.hypot(forces[0], forces[1])), float(forces[2]) * self.pixel[0]
+        refuse_beyond(push, torque, self.patch * bound, arms)
 
     def _grid(self, box: tuple[slice, slice]) -> TractionGrid:
         nx, ny = self.gaps[box].shape

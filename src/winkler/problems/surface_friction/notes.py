@@ -8,19 +8,16 @@ import numpy as np
 
 from winkler.laws.friction import Coulomb
 from winkler.laws.varying_friction import SlipWeakening, greatest_coefficient
-from winkler.media.halfspace import HalfSpace
 from winkler.media.medium import Medium
 from winkler.numerics.types import Array
-from winkler.problems.assumptions.coupling import mismatch, sticking_note
+from winkler.problems.assumptions.coupling import solved_together_note
 from winkler.problems.rough.surface_notes import surface_notes
-from winkler.problems.surface_friction.march import NEGLIGIBLE_COUPLING
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["surface_shear_notes"]
 
 KALKER = "J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990, doi:10.1007/978-94-015-7889-9"
-SPENCE = "D. A. Spence, J. Elast. 5 (1975) 297-319, doi:10.1007/BF00126993"
 IDA = "Y. Ida, J. Geophys. Res. 77 (1972) 3796-3805, doi:10.1029/JB077i020p03796"
 STEADY_RATIO = 1e-9
 """Change of the normal force, over the force, that is none."""
@@ -81,20 +78,11 @@ def surface_shear_notes(
                 KALKER,
             )
         )
-    beta = mismatch(medium)
-    if isinstance(medium, HalfSpace) and abs(beta) > NEGLIGIBLE_COUPLING:
-        notes.append(
-            Note(
-                Assumption.UNCOUPLED,
-                Standing.ASYMPTOTIC,
-                f"The bodies are elastically dissimilar, Dundurs' beta = {beta:.3g}: pressures draw the surface along, "
-                "and tractions sink it; both are solved together. Pressing alone makes parts slip, so that results err "
-                "in proportion to the steps in which the normal load is applied.",
-                SPENCE,
-            )
-        )
-    else:
-        notes.append(sticking_note(medium, greatest_coefficient(law)))
+    stepped = (
+        "Pressing alone makes parts slip, so that results err in proportion to the steps in which the normal load is "
+        "applied."
+    )
+    notes.append(solved_together_note(medium, greatest_coefficient(law), stepped))
     return tuple(notes)
 
 

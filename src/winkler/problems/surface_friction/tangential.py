@@ -8,7 +8,6 @@ or many; the bodies may be similar or dissimilar.
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Iterable, Iterator
 from typing import Annotated, ClassVar, cast
 
@@ -24,10 +23,9 @@ from winkler.media.medium import Medium
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad
 from winkler.numerics.types import Array
 from winkler.path import Path, numbers_of
+from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import MAPPED
-from winkler.problems.subsurface.below_surface import BelowSurface
-from winkler.problems.subsurface.map_yield import last_yield_notes
-from winkler.problems.subsurface.surface_load import SurfaceLoad
+from winkler.problems.subsurface.last_map import LastMap
 from winkler.problems.surface_friction.march import SurfaceMarch
 from winkler.problems.surface_friction.notes import surface_shear_notes
 from winkler.problems.surface_friction.state import SurfaceShearState
@@ -39,9 +37,6 @@ __all__ = ["SurfaceTangential", "SurfaceTangentialSolution"]
 
 HELD = Angle(0.0)
 """Bodies that do not turn."""
-
-ROUNDING = 1e-9
-"""Part of a force or pressure that is none."""
 
 
 @value
@@ -185,10 +180,7 @@ class SurfaceTangential:
 
     def gathered(self, states: Iterable[SurfaceShearState]) -> SurfaceTangentialSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""
-        reached = list(states)
-        names = [field.name for field in dataclasses.fields(SurfaceTangentialSolution)[1:-1]]
-        columns = {name: np.array([getattr(state, name) for state in reached]) for name in names}
-        return SurfaceTangentialSolution(problem=self, **columns, last=reached[-1])
+        return gather(SurfaceTangentialSolution, self, states)
 
     def solve(self) -> SurfaceTangentialSolution:
         """Return the contact along the whole path.
@@ -202,7 +194,7 @@ class SurfaceTangential:
 
 
 @value
-class SurfaceTangentialSolution(BelowSurface):
+class SurfaceTangentialSolution(LastMap):
     """The solution of a `SurfaceTangential` problem, point by point.
 
     Parameters
@@ -247,16 +239,6 @@ class SurfaceTangentialSolution(BelowSurface):
     last: SurfaceShearState
 
     @property
-    def surface_load(self) -> SurfaceLoad:
-        """Pressures and tractions on the first body at the end of the path."""
-        rough = self.problem.topography
-        return SurfaceLoad.of_map(rough.lengths, self.last.pressure, self.last.traction, periodic=rough.periodic)
-
-    @property
-    def _medium(self) -> object:
-        return self.problem.medium
-
-    @property
     def shift_x(self) -> Array:
         """u_x [m], ``(points,)``."""
         return self.shift[:, 0]
@@ -281,9 +263,7 @@ class SurfaceTangentialSolution(BelowSurface):
         """How far the result can be trusted: residuals, steps, border, slopes, pixels."""
         stated, touched = self.problem, self.area > 0.0
         shear = np.hypot(self.shear_force[:, 0], self.shear_force[:, 1])
-        more = any(np.max(every) > (1.0 + ROUNDING) * every[-1] for every in (self.peak_pressure, shear))
-        load = self.surface_load if touched[-1] else None
-        yielded = last_yield_notes(stated.medium, load, more) if load else ()
+        yielded = self._yield_notes(self.peak_pressure, shear) if touched[-1] else ()
         blurred = float(np.max(self.area_error[touched] / self.area[touched], initial=0.0))
         notes = surface_shear_notes(
             stated.topography, cast(Medium, stated.medium), stated.law, blurred, self.force,

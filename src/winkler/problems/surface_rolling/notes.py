@@ -10,9 +10,10 @@ from winkler.laws.friction import Coulomb
 from winkler.laws.varying_friction import FallingFriction, greatest_coefficient
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array, Quantity
-from winkler.problems.assumptions.coupling import sticking_note
+from winkler.problems.assumptions.coupling import solved_together_note
 from winkler.problems.rough.contact_area import contact_area
 from winkler.problems.rough.surface_notes import surface_notes
+from winkler.problems.surface_friction.by_turns import COUPLED_TOLERANCE
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note, Standing
 
@@ -24,7 +25,12 @@ PRESSED_TOLERANCE = 1e-6
 
 
 def surface_rolling_notes(
-    rough: Topography, medium: HalfSpace, friction: Coulomb | FallingFriction, pressure: Array, misfit: Quantity
+    rough: Topography,
+    medium: HalfSpace,
+    friction: Coulomb | FallingFriction,
+    pressure: Array,
+    misfit: Quantity,
+    forced: bool,
 ) -> tuple[Note, ...]:
     """Return what was assumed of a map that rolls, and what the solver left.
 
@@ -40,16 +46,19 @@ def surface_rolling_notes(
         [Pa].
     misfit : float or ndarray
         As in `winkler.problems.surface_rolling.state.SurfaceRollingState`.
+    forced : bool
+        Whether forces are given.
     """
     touching = pressure > 0.0
     area, error = contact_area(touching, rough.pixel, False)
     across = int(np.max(np.count_nonzero(touching, axis=0)))
+    met = "; given forces are met to as much of the friction. Along" if forced else "; along"
     law = Note(
         Assumption.SLIP,
         Standing.ASYMPTOTIC,
-        f"Half-spaces that roll, {_named(friction)} in each pixel, to {float(np.max(misfit)):.1g} of what friction would "
-        f"lose if all slipped; along the rolling there are {across} pixels: forces err in proportion to their size, by "
-        "about 0.5 % of mu F_N with 40.",
+        f"Half-spaces that roll, {_named(friction)} in each pixel, to {float(np.max(misfit)):.1g} of what friction "
+        f"would lose if all slipped{met} the rolling there are {across} pixels: forces err in proportion to their "
+        "size, by about 0.5 % of mu F_N with 40.",
         KALKER,
     )
     steady = Note(
@@ -59,7 +68,8 @@ def surface_rolling_notes(
         KALKER,
     )
     pressed = surface_notes(rough, math.inf, error / area, PRESSED_TOLERANCE, PRESSED_TOLERANCE)
-    return (*pressed, law, steady, sticking_note(medium, greatest_coefficient(friction)))
+    turns = f"They agree to {COUPLED_TOLERANCE:.0e} of the depth; forces err in proportion to the pixels."
+    return (*pressed, law, steady, solved_together_note(medium, greatest_coefficient(friction), turns))
 
 
 def _named(friction: Coulomb | FallingFriction) -> str:

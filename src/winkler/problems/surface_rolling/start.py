@@ -4,34 +4,32 @@ The bodies roll pixel by pixel towards +x.  While it passes one pixel, material 
 
 .. math:: s(x) = w(x) - u(x) + u'(x+\Delta x) ,
 
-with the displacement u' of the step before one pixel ahead.  Each step is the least of an energy
+with the displacement u' of the step before one pixel ahead; of dissimilar bodies also that which pressures draw along,
+and both are found by turns.  Each step is the least of an energy
 (`winkler.numerics.surfaces.sheared_surface`), also where the forces are given and the creepage is sought.
 """
 
 from __future__ import annotations
 
-import dataclasses
 import math
 from collections.abc import Iterable, Iterator
 from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.field_checks import Condition
 from winkler.checks.number_checks import Advice, Positive, affordable, between
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.laws.friction import Sliding
 from winkler.limits import PATH_POINTS
-from winkler.loading import ShearForce
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.surfaces.sheared_surface import RigidStep, ShearedSurface, shear
 from winkler.numerics.types import Array
 from winkler.path import OnePositiveNormal
+from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import MAPPED
-from winkler.problems.rolling.creepage import Creepage
-from winkler.problems.subsurface.below_surface import BelowSurface
-from winkler.problems.subsurface.map_yield import last_yield_notes
-from winkler.problems.subsurface.surface_load import SurfaceLoad
+from winkler.problems.subsurface.last_map import LastMap
+from winkler.problems.surface_friction.borne import refuse_beyond
+from winkler.problems.surface_rolling.creep_force import OneRollingDrive, given_of
 from winkler.problems.surface_rolling.notes import surface_rolling_notes
 from winkler.problems.surface_rolling.patch import RollingPatch, refuse_map, rolling_patch
 from winkler.problems.surface_rolling.state import SurfaceRollingStartState
@@ -41,20 +39,8 @@ from winkler.values import value, words
 
 __all__ = ["SurfaceRollingStart", "SurfaceRollingStartSolution"]
 
-SLIDING_RATIO = 1.0 - 1e-7
-"""Part of the friction beyond which given forces let the bodies slide."""
-
-
 MOST_PIXELS = 1e12
 """More is refused, however much more it is."""
-
-
-def _one(drive: Creepage | ShearForce) -> bool:
-    return drive.shape == () if isinstance(drive, Creepage) else np.shape(drive.shear_force) in ((), (2,))
-
-
-ROUNDING = 1e-9
-"""Part of a force or pressure that is none."""
 
 
 @value
@@ -65,9 +51,9 @@ class SurfaceRollingStart:
     ----------
     topography, medium, load, friction : Topography, HalfSpace, Force or Depth, Coulomb
         As of `SurfaceRolling`.
-    drive : ShearForce or Creepage
-        What stays as it is while the bodies roll: a force F_x, or (F_x, F_y), which pushes the bodies before they roll;
-        or creepages, from bodies at rest without a shear force.
+    drive : ShearForce, CreepForce or Creepage
+        What stays as it is while the bodies roll: a force F_x, or (F_x, F_y), which pushes the bodies before they roll,
+        also with a spin or moment; or creepages, from bodies at rest without a shear force.
     distance : float
         How far the contact rolls [m]; a state for each pixel.
     tolerance : float, optional
@@ -87,7 +73,7 @@ class SurfaceRollingStart:
     A ball under half of the friction: it creeps while it rolls.
 
     >>> from winkler.laws.friction import Coulomb
-    >>> from winkler.loading import Force
+    >>> from winkler.loading import Force, ShearForce
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.profiles.power import Paraboloid
     >>> from winkler.profiles.rough.sampled_profile import SampledProfile
@@ -104,13 +90,11 @@ class SurfaceRollingStart:
     medium: Annotated[HalfSpace, Advice("rolling is computed on homogeneous, isotropic bodies")]
     load: OnePositiveNormal
     friction: Sliding
-    drive: Annotated[
-        ShearForce | Creepage, Condition(_one, "give ShearForce(F_x) or ShearForce([F_x, F_y]), or one Creepage")
-    ]
+    drive: OneRollingDrive
     distance: Positive
     tolerance: Annotated[float, between(1e-12, 1e-2)] = 1e-8
 
-    references: ClassVar[tuple[str, ...]] = ("kalker_1990", "cattaneo_1938")
+    references: ClassVar[tuple[str, ...]] = ("kalker_1990", "cattaneo_1938", "spence_1975")
     assumptions: ClassVar[frozenset[Assumption]] = MAPPED | {Assumption.UNCOUPLED, Assumption.SLIP, Assumption.STEADY}
 
     def __post_init__(self) -> None:
@@ -132,48 +116,49 @@ class SurfaceRollingStart:
         NotConverged
             If stick and slip are not found to the tolerance.
         """
-        patch = rolling_patch("SurfaceRollingStart", self.topography, self.medium, self.load)
-        bound, even = self.friction.coefficient * patch.pressure, np.ones(patch.pressure.shape)
-        modes = np.stack((np.stack((even, 0.0 * even)), np.stack((0.0 * even, even))))
-        given, by_force, spin = np.zeros(2), np.zeros(2, dtype=bool), 0.0
-        if isinstance(self.drive, ShearForce):
-            pushed = np.ravel(np.asarray(self.drive.shear_force, dtype=float)) / patch.unit
-            given[: pushed.size], by_force[:] = pushed, True
-            self._refuse(float(np.hypot(*given)) * patch.unit, float(np.sum(bound)) * patch.unit)
-        else:
-            spin = float(self.drive.spin)
-        turning = spin * np.stack((-patch.y, patch.x))
-        traction = before = np.zeros((2, *bound.shape))
-        for place in range(self.total):
-            if place == 1 and isinstance(self.drive, Creepage):
-                given = np.array([float(self.drive.longitudinal), float(self.drive.lateral)])
-            try:
-                moved = shear(
-                    patch.grid, bound, before + (turning if place else 0.0), RigidStep(modes, given, by_force),
-                    traction, tolerance=self.tolerance,
-                )  # fmt: skip
-            except NotConverged as error:
-                raise NotConverged(f"SurfaceRollingStart: after {place} pixels, {error}.") from None
-            traction, before = moved.traction, np.zeros_like(traction)
-            before[:, :-1] = moved.displacement[:, 1:]
-            yield self._state(patch, place, moved)
+        who, still = "SurfaceRollingStart", np.zeros(3)
+        patch = rolling_patch(who, self.topography, self.medium, self.load)
+        even, none = np.ones(patch.x.shape), np.zeros(patch.x.shape)
+        modes = np.stack((np.stack((even, none)), np.stack((none, even)), np.stack((-patch.y, patch.x))))
+        (rolling,), by_force, _ = given_of(self.drive)
+        traction = before = np.zeros_like(modes[0])
 
-    def _refuse(self, push: float, most: float) -> None:
-        if push > SLIDING_RATIO * most:
-            raise OutsideValidity(
-                f"SurfaceRollingStart: a shear force of {push:.6g} N is prescribed where friction bears less than "
-                f"{most:.6g} N, and the bodies would slide away; give a smaller one."
-            )
+        def stepped(patch: RollingPatch, given: Array) -> tuple[RollingPatch, ShearedSurface]:
+            forces, pushed = np.where(by_force, given, 0.0), np.where(by_force, given / patch.unit, given)
+
+            def under(p: Array, start: Array) -> ShearedSurface:
+                bound = self.friction.coefficient * p
+                refuse_beyond(float(np.hypot(*forces[:2])), float(forces[2]), patch.unit * bound, patch.arms)
+                return shear(
+                    patch.grid, bound, before - patch.grid.drawn(p), RigidStep(modes, pushed, by_force), start,
+                    tolerance=self.tolerance,
+                )  # fmt: skip
+
+            return patch.rubbed(under, traction, self.tolerance)
+
+        for place in range(self.total):
+            try:
+                if place == 0 and patch.coupled:  # straight down first: that alone shears dissimilar bodies
+                    patch, moved = stepped(patch, still)
+                    traction, before = moved.traction, moved.displacement + patch.grid.drawn(patch.pressure)
+                patch, moved = stepped(patch, rolling if place else np.where(by_force, rolling, 0.0))
+            except (NotConverged, OutsideValidity) as error:
+                raise type(error)(f"{who}: after {place} pixels, {error}.") from None
+            traction, ahead = moved.traction, moved.displacement + patch.grid.drawn(patch.pressure)
+            before = np.zeros_like(ahead)
+            before[:, :-1] = ahead[:, 1:]
+            yield self._state(patch, place, moved)
 
     def _state(self, patch: RollingPatch, place: int, moved: ShearedSurface) -> SurfaceRollingStartState:
         """Return what has been reached, in SI units; creepages are those of the last pixel, none at rest."""
         q, unit, modulus = moved.traction, patch.unit, self.medium.modulus
         touching = patch.pressure > 0.0
-        creeps = moved.motion if place else np.zeros(2)
+        creeps = moved.motion if place else np.zeros(3)
         return SurfaceRollingStartState(
             distance=place * self.topography.pixel[0],
             longitudinal_creepage=float(creeps[0]),
             lateral_creepage=float(creeps[1]),
+            spin_creepage=float(creeps[2]),
             longitudinal_force=unit * float(np.sum(q[0])),
             lateral_force=unit * float(np.sum(q[1])),
             moment=unit * float(np.sum(patch.x * q[1] - patch.y * q[0])),
@@ -186,10 +171,7 @@ class SurfaceRollingStart:
 
     def gathered(self, states: Iterable[SurfaceRollingStartState]) -> SurfaceRollingStartSolution:
         """Return the solution made of these states, of the whole distance or of its beginning."""
-        reached = list(states)
-        names = [field.name for field in dataclasses.fields(SurfaceRollingStartSolution)[1:-1]]
-        columns = {name: np.array([getattr(state, name) for state in reached]) for name in names}
-        return SurfaceRollingStartSolution(problem=self, **columns, last=reached[-1])
+        return gather(SurfaceRollingStartSolution, self, states)
 
     def solve(self) -> SurfaceRollingStartSolution:
         """Return the contact along the whole distance.
@@ -203,15 +185,15 @@ class SurfaceRollingStart:
 
 
 @value
-class SurfaceRollingStartSolution(BelowSurface):
+class SurfaceRollingStartSolution(LastMap):
     """The solution of a `SurfaceRollingStart`, pixel by pixel; all arrays ``(points,)``.
 
     Parameters
     ----------
     problem : SurfaceRollingStart
         The problem that was solved.
-    distance, longitudinal_creepage, lateral_creepage : ndarray
-        X [m], xi and eta [-].
+    distance, longitudinal_creepage, lateral_creepage, spin_creepage : ndarray
+        X [m], xi and eta [-], phi [1/m].
     longitudinal_force, lateral_force, moment : ndarray
         F_x and F_y [N], with which the second body drags the first, and M_z [N m].
     stick_share, misfit : ndarray
@@ -228,6 +210,7 @@ class SurfaceRollingStartSolution(BelowSurface):
     distance: Array
     longitudinal_creepage: Array
     lateral_creepage: Array
+    spin_creepage: Array
     longitudinal_force: Array
     lateral_force: Array
     moment: Array
@@ -236,21 +219,11 @@ class SurfaceRollingStartSolution(BelowSurface):
     last: SurfaceRollingStartState
 
     @property
-    def surface_load(self) -> SurfaceLoad:
-        """Pressures and tractions on the first body in the last state."""
-        return SurfaceLoad.of_map(self.problem.topography.lengths, self.last.pressure, self.last.traction)
-
-    @property
-    def _medium(self) -> object:
-        return self.problem.medium
-
-    @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         stated = self.problem
         notes = surface_rolling_notes(
-            stated.topography, stated.medium, stated.friction, self.last.pressure, self.misfit
-        )
-        shear = np.ravel(np.hypot(self.longitudinal_force, self.lateral_force))
-        more = bool(np.max(shear) > (1.0 + ROUNDING) * shear[-1])
-        return (*notes, *last_yield_notes(stated.medium, self.surface_load, more))
+            stated.topography, stated.medium, stated.friction, self.last.pressure, self.misfit,
+            bool(np.any(given_of(stated.drive).by_force)),
+        )  # fmt: skip
+        return (*notes, *self._yield_notes(np.hypot(self.longitudinal_force, self.lateral_force)))

@@ -16,14 +16,20 @@ class SurfaceRollingState:
     ----------
     depth, force : float
         d [m] and F_N [N].
+    longitudinal_creepage, lateral_creepage, spin_creepage : float
+        xi, eta [-] and phi [1/m], given or found.
     longitudinal_force, lateral_force : float
         F_x and F_y [N], with which the second body drags the first.
     moment : float
         M_z [N m], with which it turns it about the middle of the map.
+    rolling_resistance : float
+        F_r [N]: what friction loses per distance beside the work of creepages, because the pressures of dissimilar
+        bodies draw the surfaces along; they then stand ahead of the middle.  Zero of similar bodies.
     stick_share : float
         Part of the contact that does not slip [-].
     misfit : float
-        What the solver left of the law of friction: the sum of mu p |s| - tau s over that of mu p |w|.
+        What the solver left of the law of friction: the sum of mu p |s| - tau s over that of mu p |w|; or, if it is
+        more, the distance from a given force over what friction bears.
     pressure : ndarray, (nx, ny)
         p [Pa] in every pixel.
     traction : ndarray, (2, nx, ny)
@@ -38,15 +44,20 @@ class SurfaceRollingState:
         stick_share=("A_s/A", "", "part of the contact that does not slip"),
         misfit=("", "", "what the solver left of the law of friction, over what friction would lose all slipping"),
         moment=("M_z", "N m", "moment about the normal, through the middle of the map"),
+        rolling_resistance=("F_r", "N", "loss per distance beside the work of creepages, of dissimilar bodies"),
         creep=("s'", "", "slip of the second body over the first, per distance rolled"),
         slipping=("", None, "which pixels slip"),
     )
 
     depth: float
     force: float
+    longitudinal_creepage: float
+    lateral_creepage: float
+    spin_creepage: float
     longitudinal_force: float
     lateral_force: float
     moment: float
+    rolling_resistance: float
     stick_share: float
     misfit: float
     pressure: Array
@@ -63,8 +74,8 @@ class SurfaceRollingStartState:
     ----------
     distance : float
         X [m] since rest.
-    longitudinal_creepage, lateral_creepage : float
-        xi and eta [-] of the last pixel; zero at rest.
+    longitudinal_creepage, lateral_creepage, spin_creepage : float
+        xi, eta [-] and phi [1/m] of the last pixel; zero at rest.
     longitudinal_force, lateral_force, moment : float
         F_x and F_y [N], M_z [N m], as of `SurfaceRollingState`.
     stick_share : float
@@ -85,6 +96,7 @@ class SurfaceRollingStartState:
     distance: float
     longitudinal_creepage: float
     lateral_creepage: float
+    spin_creepage: float
     longitudinal_force: float
     lateral_force: float
     moment: float

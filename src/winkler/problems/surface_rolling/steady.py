@@ -4,10 +4,9 @@ Material that passes the contact towards -x slips, while the bodies roll by one 
 less what the displacement under the tractions grows meanwhile (`winkler.numerics.surfaces.rolled_surface`).  This is
 the theory that Kalker named exact, on half-spaces; the outline of the contact is that of its pressures.
 
-From pixel to pixel tractions that stick grow towards the trailing edge: they act somewhat behind the middle of their
-pixel, and the slip of a spin, which has made them, is that of a place ahead of it.  A quarter of a pixel is taken for
-both: half a pixel, the whole distance, errs by as much to the other side as none.  With a quarter the coefficients of
-spin keep one per cent on 72 pixels.
+Where forces are given, the creepages are sought (`winkler.problems.surface_rolling.creepages`).  Of dissimilar bodies
+pressures draw the surface along, and what they draw grows along the path of the material; tractions sink the surface;
+pressures and tractions are found by turns.
 """
 
 from __future__ import annotations
@@ -22,16 +21,15 @@ from winkler.checks.number_checks import Advice, NonNegative, between
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.laws.varying_friction import Rolled, greatest_coefficient
 from winkler.media.halfspace import HalfSpace
-from winkler.numerics.types import Quantity, shaped
+from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import OnePositiveNormal
 from winkler.problems.assumptions.declared import MAPPED
-from winkler.problems.rolling.creepage import Creepage, CreepageSolution
-from winkler.problems.subsurface.below_surface import BelowSurface
-from winkler.problems.subsurface.map_yield import last_yield_notes
-from winkler.problems.subsurface.surface_load import SurfaceLoad
-from winkler.problems.surface_rolling.falling import refuse_rest, roll_under
+from winkler.problems.subsurface.last_map import LastMap
+from winkler.problems.surface_rolling.creep_force import RollingDrive, first_of, given_of
+from winkler.problems.surface_rolling.creepages import CreepSearch, CreptPatch
+from winkler.problems.surface_rolling.falling import refuse_rest
 from winkler.problems.surface_rolling.notes import surface_rolling_notes
-from winkler.problems.surface_rolling.patch import refuse_map, rolling_patch
+from winkler.problems.surface_rolling.patch import RollingPatch, refuse_map, rolling_patch
 from winkler.problems.surface_rolling.state import SurfaceRollingState
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note
@@ -40,17 +38,12 @@ from winkler.values import value, words
 __all__ = ["SurfaceRolling", "SurfaceRollingSolution"]
 
 APART = ("problem", "last")
-"""Fields of a solution that are no numbers of its creepages."""
-AHEAD = 0.25
-"""How far ahead of the middle of a pixel the slip of a spin is taken, and how far behind what sticks acts [pixels]."""
-
-ROUNDING = 1e-9
-"""Part of a force or pressure that is none."""
+"""Fields of a solution that are no numbers of its cases."""
 
 
 @value
 class SurfaceRolling:
-    """A height map pressed on an elastic half-space that rolls steadily towards +x, with creepage and spin.
+    """A height map pressed on an elastic half-space that rolls steadily towards +x, with creepages or under forces.
 
     Parameters
     ----------
@@ -58,13 +51,14 @@ class SurfaceRolling:
         Heights of both bodies together, up towards the other one, as seen from the contact: they do not pass with the
         material.  It stands alone; `SampledProfile` makes one of curved bodies.
     medium : HalfSpace
-        Both bodies.
+        Both bodies; of dissimilar ones pressures draw the surface along, and tractions sink it.
     load : Force or Depth
         One positive number.
     friction : Coulomb or FallingFriction
         A coefficient that is positive and finite, or one that falls with the velocity of slip.
-    creepage : Creepage
-        Longitudinal, lateral and spin, also arrays; spin turns about the middle of the map.
+    drive : Creepage, CreepForce or ShearForce
+        Creepages and spin, or the forces F_x and F_y with the spin or the moment, also arrays; or one shear force F_x,
+        or (F_x, F_y), without spin.  Spin and moment turn about the middle of the map.
     tolerance : float, optional
         Greatest `SurfaceRollingState.misfit` at which a contact counts as solved.
     speed : float, optional
@@ -84,8 +78,9 @@ class SurfaceRolling:
     A locomotive wheel pulls with 0.65 of the friction at a creepage of 0.12 %:
 
     >>> from winkler.laws.friction import Coulomb
-    >>> from winkler.loading import Force
+    >>> from winkler.loading import Force, ShearForce
     >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.problems.rolling.creepage import Creepage
     >>> from winkler.profiles.ellipse import CurvedBodies
     >>> from winkler.profiles.rough.sampled_profile import SampledProfile
     >>> steel = HalfSpace.between(Elastic(210e9, 0.28), Elastic(210e9, 0.28))
@@ -93,19 +88,28 @@ class SurfaceRolling:
     >>> pulls = SurfaceRolling(wheel, steel, Force(106.7e3), Coulomb(0.33), Creepage(longitudinal=1.2e-3)).solve()
     >>> round(float(pulls.saturation), 2)
     0.65
+
+    The creepage at which it pulls with 20 kN:
+
+    >>> pulls = SurfaceRolling(wheel, steel, Force(106.7e3), Coulomb(0.33), ShearForce(20e3)).solve()
+    >>> round(1e3 * float(pulls.longitudinal_creepage), 2)
+    1.0
     """
 
     topography: Topography
     medium: Annotated[HalfSpace, Advice("rolling is computed on homogeneous, isotropic bodies")]
     load: OnePositiveNormal
     friction: Rolled
-    creepage: Creepage
+    drive: RollingDrive
     tolerance: Annotated[float, between(1e-12, 1e-2)] = 1e-7
     speed: NonNegative = 0.0
 
-    __words__ = words(speed=("V", "m/s", "speed of rolling"))
+    __words__ = words(
+        drive=("", None, "creepages, or forces that the pair transmits while it rolls"),
+        speed=("V", "m/s", "speed of rolling"),
+    )
 
-    references: ClassVar[tuple[str, ...]] = ("kalker_1990", "polonsky_keer_1999")
+    references: ClassVar[tuple[str, ...]] = ("kalker_1990", "polonsky_keer_1999", "bentall_johnson_1967")
     assumptions: ClassVar[frozenset[Assumption]] = MAPPED | {Assumption.UNCOUPLED, Assumption.SLIP, Assumption.STEADY}
 
     def __post_init__(self) -> None:
@@ -114,57 +118,71 @@ class SurfaceRolling:
 
     @property
     def total(self) -> int:
-        """How many states `steps` yields: one for every creepage."""
-        return int(self.creepage.broadcast()[0].size)
+        """How many states `steps` yields: one for every creepage or force."""
+        return len(given_of(self.drive).numbers)
 
     def steps(self) -> Iterator[SurfaceRollingState]:
-        """Yield the contact under every creepage.
+        """Yield the contact under every creepage or force.
 
         Raises
         ------
         OutsideValidity
-            If the contact reaches the border of the map, or friction falls too steeply with the velocity of slip.
+            If the contact reaches the border of the map, friction does not bear a force, or it falls too steeply with
+            the velocity of slip.
         NotConverged
-            If stick and slip are not found to the tolerance.
+            If stick and slip, or creepages are not found to the tolerance.
         """
         patch = rolling_patch("SurfaceRolling", self.topography, self.medium, self.load)
-        shifted = AHEAD * self.topography.pixel[0]
-        start, touching = np.zeros((2, *patch.pressure.shape)), patch.pressure > 0.0
-        for xi, eta, spin in zip(*(part.tolist() for part in self.creepage.broadcast()), strict=True):
-            rigid = np.stack((xi - spin * patch.y, eta + spin * (patch.x + shifted)))
+        given = given_of(self.drive)
+        search = CreepSearch(patch, given.by_force, self.friction, self.speed, self.tolerance)
+        start = np.zeros((2, *patch.pressure.shape))
+        for one in given.numbers:
+
+            def under(p: Array, begun: Array, one: Array = one) -> CreptPatch:
+                return search.found(p, one, begun)
+
             try:
-                rolled = roll_under(
-                    self.friction, self.speed, patch.grid, patch.pressure, rigid, start, tolerance=self.tolerance
-                )
+                patch, crept = patch.rubbed(under, start, self.tolerance)
             except (NotConverged, OutsideValidity) as error:
-                more = "; allow a larger tolerance, or give a finer map" if isinstance(error, NotConverged) else ""
-                raise type(error)(
-                    f"SurfaceRolling: at the creepage ({xi:.6g}, {eta:.6g}) with a spin of {spin:.6g} 1/m, "
-                    f"{error}{more}."
-                ) from None
-            start = q = rolled.traction
-            count = np.count_nonzero(touching)
-            at, unit, modulus = patch.x - shifted * ~rolled.slipping, patch.unit, self.medium.modulus
-            yield SurfaceRollingState(
-                patch.pressed.depth, unit * float(np.sum(patch.pressure)), unit * float(np.sum(q[0])),
-                unit * float(np.sum(q[1])), unit * float(np.sum(at * q[1] - patch.y * q[0])),
-                float(np.count_nonzero(touching & ~rolled.slipping)) / count, rolled.misfit,
-                modulus * patch.pressed.pressure, patch.spread(modulus * q),
-                patch.spread(np.where(rolled.slipping, rolled.slip, 0.0)), patch.spread(rolled.slipping),
-            )  # fmt: skip
+                raise type(error)(f"SurfaceRolling: {_stated(one, given.by_force)}, {error}.") from None
+            start = crept.traction
+            yield self._state(patch, crept)
+
+    def _state(self, patch: RollingPatch, crept: CreptPatch) -> SurfaceRollingState:
+        """Return what has been found, in SI units."""
+        modulus, (q, slip, slipping, misfit, _) = self.medium.modulus, crept.surface
+        (xi, eta, spin), (along, across, moment) = crept.creeps.tolist(), crept.forces.tolist()
+        touching = patch.pressure > 0.0
+        return SurfaceRollingState(
+            depth=patch.pressed.depth,
+            force=patch.unit * float(np.sum(patch.pressure)),
+            longitudinal_creepage=xi,
+            lateral_creepage=eta,
+            spin_creepage=spin,
+            longitudinal_force=along,
+            lateral_force=across,
+            moment=moment,
+            rolling_resistance=crept.resistance,
+            stick_share=float(np.count_nonzero(touching & ~slipping)) / np.count_nonzero(touching),
+            misfit=max(misfit, crept.missing),
+            pressure=modulus * patch.pressed.pressure,
+            traction=patch.spread(modulus * q),
+            creep=patch.spread(np.where(slipping, slip, 0.0)),
+            slipping=patch.spread(slipping),
+        )
 
     def gathered(self, states: Iterable[SurfaceRollingState]) -> SurfaceRollingSolution:
-        """Return the solution made of these states, of all creepages or of the first ones."""
-        reached, shape = list(states), self.creepage.shape
+        """Return the solution made of these states, of all creepages or forces, or of the first ones."""
+        reached, shape = list(states), given_of(self.drive).shape
         whole = len(reached) == self.total
         names = [field.name for field in dataclasses.fields(SurfaceRollingSolution) if field.name not in APART]
         rows = {name: np.array([getattr(state, name) for state in reached]) for name in names}
         columns = {name: shaped(row, shape) if whole else row for name, row in rows.items()}
-        problem = self if whole else dataclasses.replace(self, creepage=_first(self.creepage, len(reached)))
+        problem = self if whole else dataclasses.replace(self, drive=first_of(self.drive, len(reached)))
         return SurfaceRollingSolution(problem=problem, **columns, last=reached[-1])
 
     def solve(self) -> SurfaceRollingSolution:
-        """Return the creep forces.
+        """Return creep forces and creepages.
 
         Raises
         ------
@@ -174,49 +192,57 @@ class SurfaceRolling:
         return self.gathered(self.steps())
 
 
-def _first(creepage: Creepage, count: int) -> Creepage:
-    return Creepage(*(part[:count] for part in creepage.broadcast()))
+def _stated(given: Array, by_force: Array) -> str:
+    """Return which case it is, in words."""
+    if not by_force[0]:
+        return f"at the creepage ({given[0]:.6g}, {given[1]:.6g}) with a spin of {given[2]:.6g} 1/m"
+    turned = f"moment of {given[2]:.6g} N m" if by_force[2] else f"spin of {given[2]:.6g} 1/m"
+    return f"under the force ({given[0]:.6g}, {given[1]:.6g}) N with a {turned}"
 
 
 @value
-class SurfaceRollingSolution(CreepageSolution, BelowSurface):
-    """The solution of a `SurfaceRolling`; quantities have the shape of the creepage.
+class SurfaceRollingSolution(LastMap):
+    """The solution of a `SurfaceRolling`; quantities have the shape of what was prescribed.
 
     Parameters
     ----------
     problem : SurfaceRolling
         The problem that was solved.
+    longitudinal_creepage, lateral_creepage, spin_creepage : float or ndarray
+        xi, eta [-] and phi [1/m], given or found.
     longitudinal_force, lateral_force : float or ndarray
         F_x and F_y [N], with which the second body drags the first.
-    depth, force, moment, stick_share, misfit : float or ndarray
+    depth, force, moment, rolling_resistance, stick_share, misfit : float or ndarray
         As in `SurfaceRollingState`.
     last : SurfaceRollingState
-        The contact under the last creepage, with its maps of pressure, traction and slip.
+        The last contact, with its maps of pressure, traction and slip.
     """
 
-    __words__ = words(**{name: SurfaceRollingState.__words__[name] for name in ("stick_share", "misfit", "moment")})
+    __words__ = words(
+        **{
+            name: SurfaceRollingState.__words__[name]
+            for name in ("stick_share", "misfit", "moment", "rolling_resistance")
+        }
+    )
 
     problem: SurfaceRolling
+    longitudinal_creepage: Quantity
+    lateral_creepage: Quantity
+    spin_creepage: Quantity
+    longitudinal_force: Quantity
+    lateral_force: Quantity
     depth: Quantity
     force: Quantity
     moment: Quantity
+    rolling_resistance: Quantity
     stick_share: Quantity
     misfit: Quantity
     last: SurfaceRollingState
 
     @property
-    def surface_load(self) -> SurfaceLoad:
-        """Pressures and tractions on the first body in the last state."""
-        return SurfaceLoad.of_map(self.problem.topography.lengths, self.last.pressure, self.last.traction)
-
-    @property
-    def _medium(self) -> object:
-        return self.problem.medium
-
-    @property
-    def spin_creepage(self) -> Quantity:
-        """phi [1/m], in the shape of the results."""
-        return shaped(np.broadcast_to(self.problem.creepage.spin, self.problem.creepage.shape))
+    def shear_force(self) -> Quantity:
+        """The resultant of both forces [N]."""
+        return shaped(np.hypot(self.longitudinal_force, self.lateral_force))
 
     @property
     def saturation(self) -> Quantity:
@@ -227,16 +253,21 @@ class SurfaceRollingSolution(CreepageSolution, BelowSurface):
 
     @property
     def loss_per_distance(self) -> Quantity:
-        """Energy lost per distance rolled [J/m]: creepage times force, and spin times moment."""
-        return shaped(np.asarray(super().loss_per_distance) + np.asarray(self.problem.creepage.spin) * self.moment)
+        """Energy lost per distance rolled [J/m]: creepages times forces, spin times moment, rolling resistance."""
+        pairs = (
+            (self.longitudinal_creepage, self.longitudinal_force),
+            (self.lateral_creepage, self.lateral_force),
+            (self.spin_creepage, self.moment),
+        )
+        lost = sum(np.asarray(creep) * np.asarray(force) for creep, force in pairs)
+        return shaped(lost + np.asarray(self.rolling_resistance))
 
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: border, residual, slopes, pixels, steady state, yield."""
         stated = self.problem
         notes = surface_rolling_notes(
-            stated.topography, stated.medium, stated.friction, self.last.pressure, self.misfit
-        )
-        shear = np.ravel(np.hypot(self.longitudinal_force, self.lateral_force))
-        more = bool(np.max(shear) > (1.0 + ROUNDING) * shear[-1])
-        return (*notes, *last_yield_notes(stated.medium, self.surface_load, more))
+            stated.topography, stated.medium, stated.friction, self.last.pressure, self.misfit,
+            bool(np.any(given_of(stated.drive).by_force)),
+        )  # fmt: skip
+        return (*notes, *self._yield_notes(self.shear_force))

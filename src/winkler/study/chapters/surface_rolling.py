@@ -26,10 +26,19 @@ CARRIED = Equation(
     "of the step before",
     r"s(x) = w\,\Delta x-u(x)+u'(x+\Delta x), \quad w_x = \xi-\varphi y, \quad w_y = \eta+\varphi x",
 )
+DRAWN = Equation(
+    "Of dissimilar bodies u contains what pressures draw along, and tractions sink the surface",
+    r"u_p = -\frac{\beta}{\pi E^*}\int\frac{r}{r^2}\,p\,\mathrm{d}A, \quad "
+    r"u_z = \frac{\beta}{\pi E^*}\int\frac{r\cdot\tau}{r^2}\,\mathrm{d}A",
+)
 COULOMB = Equation(
     "Where it slips, the traction is at its bound, along the slip", r"|\tau| \le \mu p, \quad \tau\cdot s = \mu p\,|s|"
 )
 MOMENT = Equation("They turn the first body by", r"M_z = \int(x\,\tau_y-y\,\tau_x)\,\mathrm{d}A")
+RESISTANCE = Equation(
+    "What pressures draw along is lost beside the work of the creepages",
+    r"F_r = \int\tau\cdot\frac{\partial u_p}{\partial x}\,\mathrm{d}A",
+)
 
 SURFACE_ROLLING = Chapter(
     "rolling",
@@ -43,6 +52,17 @@ SURFACE_ROLLING = Chapter(
                 velocity="0.1 m/s",
             ),
         },
+        "creepage": {
+            "creep_forces": kind(
+                "winkler.problems.surface_rolling.creep_force:CreepForce",
+                problem="surface_rolling",
+                longitudinal="15 N",
+                twist={"kind": "spin"},
+            ),
+        },
+        "twist": {
+            "spin": kind("winkler.problems.surface_rolling.creep_force:Spin", problem="surface_rolling", spin="5 1/m"),
+        },
     },
     answers={
         "surface_rolling": answer(
@@ -51,7 +71,7 @@ SURFACE_ROLLING = Chapter(
             topography=WHEEL,
             medium={"kind": "half_space", "second": {"kind": "elastic"}},
             load={"kind": "force", "force": "100 N"},
-            creepage=CREEPS,
+            drive=CREEPS,
             speed="20 m/s",
             picture=Caption(
                 "surface_rolling",
@@ -63,9 +83,10 @@ SURFACE_ROLLING = Chapter(
                 ("lateral_creepage", "lateral_force"),
                 ("spin_creepage", "lateral_force"),
                 ("longitudinal_creepage", "stick_share"),
+                ("longitudinal_creepage", "rolling_resistance"),
             ),
             pictured=PicturedContact.NONE,
-            formulas=(ELEMENTS, CERRUTI, PASSED, COULOMB, SHEAR_FORCE, MOMENT),
+            formulas=(ELEMENTS, CERRUTI, PASSED, DRAWN, COULOMB, SHEAR_FORCE, MOMENT, RESISTANCE),
         ),
         "surface_rolling_start": answer(
             "winkler.problems.surface_rolling.start:SurfaceRollingStart",
@@ -88,7 +109,7 @@ SURFACE_ROLLING = Chapter(
                 ("distance", "stick_share"),
             ),
             pictured=PicturedContact.NONE,
-            formulas=(ELEMENTS, CERRUTI, CARRIED, COULOMB, SHEAR_FORCE, MOMENT),
+            formulas=(ELEMENTS, CERRUTI, CARRIED, DRAWN, COULOMB, SHEAR_FORCE, MOMENT),
         ),
     },
 )
