@@ -1,0 +1,24 @@
+"""Whether the creepages of bodies that roll are small, as the theory of rolling takes them."""
+
+from __future__ import annotations
+
+from winkler.validity import Assumption, Note, standing_of
+
+__all__ = ["small_creep_note"]
+
+KALKER = "J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990, doi:10.1007/978-94-015-7889-9"
+SMALL, LARGE = 0.03, 0.1
+"""Creepage [-] that is small, and from which on both bodies no longer pass the contact at one speed."""
+
+
+def small_creep_note(greatest: float) -> Note:
+    """Return whether the greatest creepage in a contact [-] is small against one."""
+    standing = standing_of(greatest, SMALL, LARGE)
+    limit = f"it takes them below {100.0 * LARGE:.0f} per cent: beyond, the bodies slide more than they roll"
+    return Note(
+        Assumption.SMALL_SLOPES,
+        standing,
+        f"The theory of rolling takes creepages as small against one; here they reach {100.0 * greatest:.2g} per cent"
+        f"{'' if greatest <= LARGE else ', and ' + limit}.",
+        KALKER,
+    )
