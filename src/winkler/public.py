@@ -161,8 +161,10 @@ from winkler.problems.particles.contacts import Contacts
 from winkler.problems.particles.elastic_plastic import ElasticPlasticParticle, ParticleSolution
 from winkler.problems.particles.impacts import BallImpacts, BallImpactsSolution
 from winkler.problems.particles.trace import ContactTrace
+from winkler.problems.profile_pair.pair_rolling import ProfilePairRolling, ProfilePairRollingSolution
 from winkler.problems.profile_pair.patch import ProfilePatch
 from winkler.problems.profile_pair.profile_pair import ProfilePair, ProfilePairSolution
+from winkler.problems.profile_pair.rolled_patch import RolledPatch
 from winkler.problems.rollers.roller_contact import RollerContact, RollerSolution
 from winkler.problems.rolling.calibration import Kalker, Uncalibrated
 from winkler.problems.rolling.creepage import Creepage
@@ -267,11 +269,12 @@ __all__ = [
     "Note", "OliverPharr", "OliverPharrSolution", "Oscillate", "OscillatingRolling", "OscillatingRollingSolution",
     "OutsideValidity", "PairWear", "Paraboloid", "ParticleSolution", "Path", "PeakStress", "PeriodicIndentation",
     "PeriodicSolution", "PlacedCurve", "PlacedStress", "PlaneFoundation", "PlateBase", "Plated", "PowerLaw",
-    "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "ProfilePair", "ProfilePairSolution", "ProfilePatch",
+    "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "ProfilePair", "ProfilePairRolling",
+    "ProfilePairRollingSolution", "ProfilePairSolution", "ProfilePatch",
     "Program", "Prony", "PullOff", "PullOffSolution", "PunchRow", "Radius", "Ramp", "RandomTopography",
     "RateDependentWork", "ReducedBed", "Reduction", "ReductionSolution", "RelaxationDamper",
     "RelaxationDamperSolution", "RelaxationData", "RelaxationTest", "RelaxingInProportion", "Rigid", "Rod",
-    "RollerCentre", "RollerContact", "RollerSolution", "Rolling", "RollingSolution", "RollingStart",
+    "RolledPatch", "RollerCentre", "RollerContact", "RollerSolution", "Rolling", "RollingSolution", "RollingStart",
     "RollingStartSolution", "RoughContact", "RoughContactSolution", "RoughIndentation", "RoughIndentationSolution",
     "RoughLine", "RoundedCone", "RoundedEnds", "RoundedPunch", "SampledProfile", "SaturatingWork", "Segment",
     "SegmentKind", "SelfAffine", "Shape", "SharpEnds", "ShearForce", "ShearedFields", "Shift", "ShortRange",

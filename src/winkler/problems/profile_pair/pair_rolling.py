@@ -154,6 +154,7 @@ class ProfilePairRolling:
         return ProfilePairRollingSolution(
             problem=self,
             depth=placed.windows.drop,
+            height=float(placed.down.place[2]),
             x_force=float(forces[0]),
             y_force=float(forces[1]),
             z_force=float(forces[2]),
@@ -181,6 +182,8 @@ class ProfilePairRollingSolution:
         The problem that was solved.
     depth : float
         How far the upper body has gone down since first touch [m].
+    height : float
+        Where z = 0 of the upper profile stands above that of the lower one [m].
     x_force, y_force, z_force : float
         What pressures and friction of all patches exert on the upper body, along, across and up [N].
     loss_per_distance : float
@@ -199,6 +202,7 @@ class ProfilePairRollingSolution:
 
     __words__ = words(
         depth=("d", "m", "how far the upper body has gone down since first touch"),
+        height=("z", "m", "height of the upper profile's zero over that of the lower one"),
         **{name: RolledPatch.__words__[name] for name in ("x_force", "y_force", "z_force", "moment", "stick_share")},
         grid_error=("", "", "change of forces from half as many pixels, over the friction"),
         misfit=("", "", "what the solver left of the law of friction, over what friction would lose all slipping"),
@@ -211,6 +215,7 @@ class ProfilePairRollingSolution:
 
     problem: ProfilePairRolling
     depth: float
+    height: float
     x_force: float
     y_force: float
     z_force: float

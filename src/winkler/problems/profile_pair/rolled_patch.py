@@ -196,6 +196,7 @@ def _rolled(
     up, across = gaps.normal[1], -gaps.normal[0]  # of the direction of the arc: across and up
     drawn = area * tau[1].sum(axis=0)
     pushed = area * patch.pressure.sum(axis=0)
+    xi, eta, spin = creepages
     middle = [float(np.interp(0.0, patch.across, row)) for row in creepages]
     return RolledPatch(
         patch=patch,
@@ -208,7 +209,7 @@ def _rolled(
         z_force=float(gaps.normal[1] @ pushed - across @ drawn),
         saturation=math.hypot(along, lateral) / (coefficient * float(np.sum(pushed))),
         stick_share=float(np.count_nonzero(inside & ~slipping)) / float(np.count_nonzero(inside)),
-        loss_per_distance=area * float(np.sum(tau * slip)),
+        loss_per_distance=area * float(np.sum(tau[0] * xi + tau[1] * (eta + spin * x))),
         greatest_rigid_slip=float(np.max(np.hypot(rigid[0], rigid[1]) * inside)),
         traction=tau,
         creep=slip,
