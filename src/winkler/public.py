@@ -42,6 +42,7 @@ from winkler.io.tables.cross_profile_file import read_cross_profile
 from winkler.io.tables.grading_table import read_grading
 from winkler.io.tables.law_table import write_law
 from winkler.io.tables.path_table import read_path
+from winkler.io.tables.profile_pair_files import read_profile_pair
 from winkler.io.tables.profile_table import read_profile, read_section
 from winkler.io.tables.relaxation_table import read_creep, read_dynamic, read_relaxation
 from winkler.io.tables.scan_table import read_scan
@@ -295,7 +296,8 @@ __all__ = [
     "compare_terms", "contact_reading", "creep_coefficients", "design_for_pressure", "design_profile", "fit",
     "fit_steps", "intercept_factor", "material", "material_names", "maugis_parameter", "mean_separation",
     "peak_stress", "random_topography", "read_bed", "read_contacts", "read_creep", "read_cross_profile", "read_curve",
-    "read_curves", "read_dynamic", "read_grading", "read_path", "read_profile", "read_relaxation", "read_scan",
+    "read_curves", "read_dynamic", "read_grading", "read_path", "read_profile", "read_profile_pair",
+    "read_relaxation", "read_scan",
     "read_section", "read_spectrum", "read_surface_load", "read_topography", "reduce", "relaxation_band", "restore",
     "restore_body", "restore_conduction", "restore_shift", "sample_young", "spectrum_of", "staircase",
     "tabor_parameter", "to_pandas", "to_xarray", "which_model", "write_contacts", "write_law", "write_trace",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 
 import numpy as np
 
@@ -28,11 +29,11 @@ def pair_rolling_sheet(item: ProfilePairRollingSolution) -> Sheet:
     panels = [bodies_panel(item.problem.pair, item.height, patches).plus(title="profiles and contact")]
     for each in item.patches[:MOST_PATCHES]:
         zones, traction = _maps(each)
-        force = f"{with_unit(each.patch.force, 'N', 3)} at {1e3 * each.patch.angle:.3g} mrad"
+        force = f"{with_unit(each.patch.force, 'N', 3)} at {math.degrees(each.patch.angle):.3g}°"
         panels += [zones.plus(title=f"stick (green) and slip; {force}"), traction.plus(title="traction")]
     lost = with_unit(item.loss_per_distance, "J/m")
     title = f"drags by {with_unit(-item.x_force, 'N')} along;  friction takes {lost}"
-    return Sheet(tuple(panels), width=4.4, height=3.2, title=title)
+    return Sheet(tuple(panels), 3, width=4.4, height=3.2, title=title)
 
 
 def _maps(each: RolledPatch) -> tuple[Panel, ...]:

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import numpy as np
+
+from winkler.numerics.types import Array, Quantity
 from winkler.validity import Assumption, Note, standing_of
 
-__all__ = ["small_creep_note"]
+__all__ = ["greatest_slip", "small_creep_note"]
 
 KALKER = "J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990, doi:10.1007/978-94-015-7889-9"
 SMALL, LARGE = 0.03, 0.1
@@ -22,3 +25,20 @@ def small_creep_note(greatest: float) -> Note:
         f"{'' if greatest <= LARGE else ', and ' + limit}.",
         KALKER,
     )
+
+
+def greatest_slip(longitudinal: Quantity, lateral: Quantity, spin: Quantity, touching: Array, pixel: Array) -> float:
+    """Return the greatest slip of rigid bodies in a contact [-].
+
+    Parameters
+    ----------
+    longitudinal, lateral, spin : float or ndarray
+        Creepages [-], [-], [1/m].
+    touching : ndarray of bool, (nx, ny)
+        Which pixels touch.
+    pixel : array_like, (2,)
+        Their size [m].
+    """
+    places = np.argwhere(touching) - 0.5 * (np.array(touching.shape) - 1.0)
+    far = float(np.max(np.hypot(*(places * pixel).T), initial=0.0))
+    return float(np.max(np.hypot(longitudinal, lateral) + np.abs(spin) * far))

@@ -34,6 +34,7 @@ from winkler.problems.subsurface.map_yield import last_yield_notes
 from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.problems.surface_rolling.notes import surface_rolling_notes
 from winkler.problems.surface_rolling.patch import RollingPatch, refuse_map, rolling_patch
+from winkler.problems.surface_rolling.small_creep import greatest_slip, small_creep_note
 from winkler.problems.surface_rolling.state import SurfaceRollingStartState
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note
@@ -253,4 +254,9 @@ class SurfaceRollingStartSolution(BelowSurface):
         )
         shear = np.ravel(np.hypot(self.longitudinal_force, self.lateral_force))
         more = bool(np.max(shear) > (1.0 + ROUNDING) * shear[-1])
-        return (*notes, *last_yield_notes(stated.medium, self.surface_load, more))
+        spin = float(stated.drive.spin) if isinstance(stated.drive, Creepage) else 0.0
+        slip = greatest_slip(
+            self.longitudinal_creepage, self.lateral_creepage, spin, self.last.pressure > 0.0,
+            np.array(stated.topography.pixel),
+        )  # fmt: skip
+        return (*notes, small_creep_note(slip), *last_yield_notes(stated.medium, self.surface_load, more))

@@ -32,6 +32,7 @@ from winkler.problems.subsurface.map_yield import last_yield_notes
 from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.problems.surface_rolling.notes import surface_rolling_notes
 from winkler.problems.surface_rolling.patch import refuse_map, rolling_patch
+from winkler.problems.surface_rolling.small_creep import greatest_slip, small_creep_note
 from winkler.problems.surface_rolling.state import SurfaceRollingState
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note
@@ -228,4 +229,6 @@ class SurfaceRollingSolution(CreepageSolution, BelowSurface):
         )
         shear = np.ravel(np.hypot(self.longitudinal_force, self.lateral_force))
         more = bool(np.max(shear) > (1.0 + ROUNDING) * shear[-1])
-        return (*notes, *last_yield_notes(stated.medium, self.surface_load, more))
+        creep, pixel = stated.creepage, np.array(stated.topography.pixel)
+        slip = greatest_slip(creep.longitudinal, creep.lateral, creep.spin, self.last.pressure > 0.0, pixel)
+        return (*notes, small_creep_note(slip), *last_yield_notes(stated.medium, self.surface_load, more))
