@@ -9,7 +9,7 @@ from winkler.study.language.catalogue import kinds
 
 LONGEST = 300
 MEDIAN = 130
-DATA = {"vocabulary.py"}
+DATA = {"public.py", "vocabulary.py"}
 FORBIDDEN_NAMES = {"utils", "util", "helpers", "helper", "common", "misc"}
 ALLOWED_OF_IMPORTLIB = {"importlib.resources", "importlib.metadata"}
 LOADING_BY_NAME = ("__init__.py", "study/chapters/kind.py")

@@ -177,7 +177,7 @@ def test_a_ball_that_slides_on_a_slope(drift):
 
 
 def test_a_turn_about_the_direction_along_moves_the_bottom_aside():
-    """The zero of the profile lies 5 mm above the bottom: with its side at +y going down the bottom moves towards -y."""
+    """The zero of the profile lies 5 mm above the bottom; with its side at +y going down that moves towards -y."""
     pair = dataclasses.replace(on_flat(pixels=32), second=wk.CrossProfile(Y, BALL.z - 5e-3), second_radius=5e-3)
     pair = dataclasses.replace(pair, rolled_radius=10e-3)
     found = wk.ProfilePairRolling(pair, MU, roll_rate=0.1).solve()

@@ -21,7 +21,7 @@ from winkler.loading import Force
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.profile_pair.creepages import Drift
-from winkler.problems.profile_pair.pressed_pair import PressedPair, pressed_pair
+from winkler.problems.profile_pair.pressed_pair import PlacedPair, pressed_pair
 from winkler.problems.profile_pair.profile_pair import ProfilePair
 from winkler.problems.profile_pair.rolled_patch import RolledPatch, rolled_patches
 from winkler.problems.profile_pair.rolling_notes import pair_rolling_notes
@@ -133,7 +133,7 @@ class ProfilePairRolling:
             "the patches change with the load: give another load or lateral position."
         )
 
-    def _rolled(self, pair: ProfilePair) -> tuple[PressedPair, list[RolledPatch], float]:
+    def _rolled(self, pair: ProfilePair) -> tuple[PlacedPair, list[RolledPatch], float]:
         placed = pressed_pair(pair)
         if any(region.reaches_end() for region in placed.windows.regions):
             raise OutsideValidity(
@@ -146,7 +146,7 @@ class ProfilePairRolling:
         return placed, *rolled_patches(placed, pair.medium, self.friction.coefficient, radius, drift, self.tolerance)
 
     def _solution(
-        self, pair: ProfilePair, placed: PressedPair, rolled: list[RolledPatch], misfit: float
+        self, pair: ProfilePair, placed: PlacedPair, rolled: list[RolledPatch], misfit: float
     ) -> ProfilePairRollingSolution:
         coarse = self._rolled(dataclasses.replace(pair, pixels=max(pair.pixels // 2, FEWEST_PIXELS)))[1]
         most = self.friction.coefficient * sum(each.patch.force for each in rolled)

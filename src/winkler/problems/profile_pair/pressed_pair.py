@@ -12,10 +12,10 @@ from winkler.problems.profile_pair.patch import ProfilePatch, patches_of
 from winkler.problems.profile_pair.placing import PlacedBody, Placing, lower_body, upper_body
 from winkler.problems.profile_pair.pressing import PressedWindows, pressed_by_drop, pressed_by_force
 
-__all__ = ["PressedPair", "placed_bodies", "pressed_pair"]
+__all__ = ["PlacedPair", "placed_bodies", "pressed_pair"]
 
 
-class PressedPair(NamedTuple):
+class PlacedPair(NamedTuple):
     """Two bodies pressed on each other.
 
     Parameters
@@ -76,7 +76,7 @@ def placed_bodies(problem: Any) -> tuple[PlacedBody, PlacedBody, Placing]:
     return lower, upper, placing
 
 
-def pressed_pair(problem: Any) -> PressedPair:
+def pressed_pair(problem: Any) -> PlacedPair:
     """Return the bodies of a `ProfilePair` in their places, and the pressures between them.
 
     Raises
@@ -93,4 +93,4 @@ def pressed_pair(problem: Any) -> PressedPair:
     down = upper.raised(-float(np.nanmin(placing.gap)) - pair.drop)
     rolled = problem.rolled_radius or problem.second_radius
     patches = tuple(tuple(patches_of(lower, down, region, problem.medium, rolled)) for region in pair.regions)
-    return PressedPair(lower, upper, placing, pair, down, patches)
+    return PlacedPair(lower, upper, placing, pair, down, patches)

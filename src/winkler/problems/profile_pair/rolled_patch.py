@@ -25,7 +25,7 @@ from winkler.problems.profile_pair.creepages import Drift, creepages_along
 from winkler.problems.profile_pair.gap_map import GapMap
 from winkler.problems.profile_pair.patch import ProfilePatch
 from winkler.problems.profile_pair.placing import PlacedBody
-from winkler.problems.profile_pair.pressed_pair import PressedPair
+from winkler.problems.profile_pair.pressed_pair import PlacedPair
 from winkler.problems.rolling.creepage import Creepage
 from winkler.problems.subsurface.below_surface import BelowSurface
 from winkler.problems.subsurface.surface_load import SurfaceLoad
@@ -113,13 +113,13 @@ class RolledPatch(BelowSurface):
 
 
 def rolled_patches(
-    placed: PressedPair, medium: HomogeneousMedium, coefficient: float, rolled: float, drift: Drift, tolerance: float
+    placed: PlacedPair, medium: HomogeneousMedium, coefficient: float, rolled: float, drift: Drift, tolerance: float
 ) -> tuple[list[RolledPatch], float]:
     """Return all patches with their tractions, and the greatest `RolledSurface.misfit`.
 
     Parameters
     ----------
-    placed : PressedPair
+    placed : PlacedPair
         The bodies and their pressures.
     medium : HomogeneousMedium
         Both bodies.
