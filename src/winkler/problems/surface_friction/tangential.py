@@ -26,7 +26,8 @@ from winkler.numerics.types import Array
 from winkler.path import Path, numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.subsurface.below_surface import BelowSurface
-from winkler.problems.subsurface.map_yield import last_yield_notes
+from winkler.problems.subsurface.loaded_history import LoadedMap, gathered_maps
+from winkler.problems.subsurface.map_yield import history_yield_notes
 from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.problems.surface_friction.march import SurfaceMarch
 from winkler.problems.surface_friction.notes import surface_shear_notes
@@ -39,9 +40,6 @@ __all__ = ["SurfaceTangential", "SurfaceTangentialSolution"]
 
 HELD = Angle(0.0)
 """Bodies that do not turn."""
-
-ROUNDING = 1e-9
-"""Part of a force or pressure that is none."""
 
 
 @value
@@ -185,10 +183,9 @@ class SurfaceTangential:
 
     def gathered(self, states: Iterable[SurfaceShearState]) -> SurfaceTangentialSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""
-        reached = list(states)
-        names = [field.name for field in dataclasses.fields(SurfaceTangentialSolution)[1:-1]]
-        columns = {name: np.array([getattr(state, name) for state in reached]) for name in names}
-        return SurfaceTangentialSolution(problem=self, **columns, last=reached[-1])
+        names = [field.name for field in dataclasses.fields(SurfaceTangentialSolution)[1:-2]]
+        found = gathered_maps(states, names)
+        return SurfaceTangentialSolution(problem=self, **found.columns, last=found.last, heaviest=found.heaviest)
 
     def solve(self) -> SurfaceTangentialSolution:
         """Return the contact along the whole path.
@@ -219,13 +216,16 @@ class SurfaceTangentialSolution(BelowSurface):
         As in `SurfaceShearState`.
     last : SurfaceShearState
         The contact at the end of the path, with its maps of pressure, traction and slip.
+    heaviest : tuple of LoadedMap
+        The states among which the greatest stress of the whole path is sought.
     """
 
     __words__ = words(
         **{
             name: SurfaceShearState.__words__[name]
             for name in ("shift", "shear_force", "peak_pressure", "stick_share", "stored_energy", "misfit")
-        }
+        },
+        heaviest=("", None, "states among which the greatest stress is sought"),
     )
 
     problem: SurfaceTangential
@@ -245,6 +245,7 @@ class SurfaceTangentialSolution(BelowSurface):
     misfit: Array
     penetration: Array
     last: SurfaceShearState
+    heaviest: tuple[LoadedMap, ...]
 
     @property
     def surface_load(self) -> SurfaceLoad:
@@ -280,10 +281,10 @@ class SurfaceTangentialSolution(BelowSurface):
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: residuals, steps, border, slopes, pixels."""
         stated, touched = self.problem, self.area > 0.0
-        shear = np.hypot(self.shear_force[:, 0], self.shear_force[:, 1])
-        more = any(np.max(every) > (1.0 + ROUNDING) * every[-1] for every in (self.peak_pressure, shear))
-        load = self.surface_load if touched[-1] else None
-        yielded = last_yield_notes(stated.medium, load, more) if load else ()
+        rough = stated.topography
+        yielded = history_yield_notes(
+            stated.medium, rough.lengths, self.heaviest, self.time.size, periodic=rough.periodic
+        )
         blurred = float(np.max(self.area_error[touched] / self.area[touched], initial=0.0))
         notes = surface_shear_notes(
             stated.topography, cast(Medium, stated.medium), stated.law.coefficient, blurred, self.force,

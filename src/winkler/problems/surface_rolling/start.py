@@ -30,7 +30,8 @@ from winkler.path import OnePositiveNormal
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.rolling.creepage import Creepage
 from winkler.problems.subsurface.below_surface import BelowSurface
-from winkler.problems.subsurface.map_yield import last_yield_notes
+from winkler.problems.subsurface.loaded_history import LoadedMap, gathered_maps
+from winkler.problems.subsurface.map_yield import history_yield_notes
 from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.problems.surface_rolling.notes import surface_rolling_notes
 from winkler.problems.surface_rolling.patch import RollingPatch, refuse_map, rolling_patch
@@ -52,10 +53,6 @@ MOST_PIXELS = 1e12
 
 def _one(drive: Creepage | ShearForce) -> bool:
     return drive.shape == () if isinstance(drive, Creepage) else np.shape(drive.shear_force) in ((), (2,))
-
-
-ROUNDING = 1e-9
-"""Part of a force or pressure that is none."""
 
 
 @value
@@ -187,10 +184,9 @@ class SurfaceRollingStart:
 
     def gathered(self, states: Iterable[SurfaceRollingStartState]) -> SurfaceRollingStartSolution:
         """Return the solution made of these states, of the whole distance or of its beginning."""
-        reached = list(states)
-        names = [field.name for field in dataclasses.fields(SurfaceRollingStartSolution)[1:-1]]
-        columns = {name: np.array([getattr(state, name) for state in reached]) for name in names}
-        return SurfaceRollingStartSolution(problem=self, **columns, last=reached[-1])
+        names = [field.name for field in dataclasses.fields(SurfaceRollingStartSolution)[1:-2]]
+        found = gathered_maps(states, names)
+        return SurfaceRollingStartSolution(problem=self, **found.columns, last=found.last, heaviest=found.heaviest)
 
     def solve(self) -> SurfaceRollingStartSolution:
         """Return the contact along the whole distance.
@@ -219,10 +215,13 @@ class SurfaceRollingStartSolution(BelowSurface):
         As in `SurfaceRollingStartState`.
     last : SurfaceRollingStartState
         The contact at the end, with its maps.
+    heaviest : tuple of LoadedMap
+        The states among which the greatest stress of the whole distance is sought.
     """
 
     __words__ = words(
-        **{name: SurfaceRollingStartState.__words__[name] for name in ("stick_share", "misfit", "moment")}
+        **{name: SurfaceRollingStartState.__words__[name] for name in ("stick_share", "misfit", "moment")},
+        heaviest=("", None, "states among which the greatest stress is sought"),
     )
 
     problem: SurfaceRollingStart
@@ -235,6 +234,7 @@ class SurfaceRollingStartSolution(BelowSurface):
     stick_share: Array
     misfit: Array
     last: SurfaceRollingStartState
+    heaviest: tuple[LoadedMap, ...]
 
     @property
     def surface_load(self) -> SurfaceLoad:
@@ -252,11 +252,10 @@ class SurfaceRollingStartSolution(BelowSurface):
         notes = surface_rolling_notes(
             stated.topography, stated.medium, stated.friction.coefficient, self.last.pressure, self.misfit
         )
-        shear = np.ravel(np.hypot(self.longitudinal_force, self.lateral_force))
-        more = bool(np.max(shear) > (1.0 + ROUNDING) * shear[-1])
         spin = float(stated.drive.spin) if isinstance(stated.drive, Creepage) else 0.0
         slip = greatest_slip(
             self.longitudinal_creepage, self.lateral_creepage, spin, self.last.pressure > 0.0,
             np.array(stated.topography.pixel),
         )  # fmt: skip
-        return (*notes, small_creep_note(slip), *last_yield_notes(stated.medium, self.surface_load, more))
+        yielded = history_yield_notes(stated.medium, stated.topography.lengths, self.heaviest, self.distance.size)
+        return (*notes, small_creep_note(slip), *yielded)

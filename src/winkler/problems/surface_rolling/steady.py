@@ -28,7 +28,8 @@ from winkler.path import OnePositiveNormal
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.rolling.creepage import Creepage, CreepageSolution
 from winkler.problems.subsurface.below_surface import BelowSurface
-from winkler.problems.subsurface.map_yield import last_yield_notes
+from winkler.problems.subsurface.loaded_history import LoadedMap, gathered_maps
+from winkler.problems.subsurface.map_yield import history_yield_notes
 from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.problems.surface_rolling.notes import surface_rolling_notes
 from winkler.problems.surface_rolling.patch import refuse_map, rolling_patch
@@ -40,13 +41,10 @@ from winkler.values import value, words
 
 __all__ = ["SurfaceRolling", "SurfaceRollingSolution"]
 
-APART = ("problem", "last")
+APART = ("problem", "last", "heaviest")
 """Fields of a solution that are no numbers of its creepages."""
 AHEAD = 0.25
 """How far ahead of the middle of a pixel the slip of a spin is taken, and how far behind what sticks acts [pixels]."""
-
-ROUNDING = 1e-9
-"""Part of a force or pressure that is none."""
 
 
 @value
@@ -147,13 +145,14 @@ class SurfaceRolling:
 
     def gathered(self, states: Iterable[SurfaceRollingState]) -> SurfaceRollingSolution:
         """Return the solution made of these states, of all creepages or of the first ones."""
-        reached, shape = list(states), self.creepage.shape
-        whole = len(reached) == self.total
+        shape = self.creepage.shape
         names = [field.name for field in dataclasses.fields(SurfaceRollingSolution) if field.name not in APART]
-        rows = {name: np.array([getattr(state, name) for state in reached]) for name in names}
-        columns = {name: shaped(row, shape) if whole else row for name, row in rows.items()}
-        problem = self if whole else dataclasses.replace(self, creepage=_first(self.creepage, len(reached)))
-        return SurfaceRollingSolution(problem=problem, **columns, last=reached[-1])
+        found = gathered_maps(states, names)
+        count = found.columns["force"].size
+        whole = count == self.total
+        columns = {name: shaped(row, shape) if whole else row for name, row in found.columns.items()}
+        problem = self if whole else dataclasses.replace(self, creepage=_first(self.creepage, count))
+        return SurfaceRollingSolution(problem=problem, **columns, last=found.last, heaviest=found.heaviest)
 
     def solve(self) -> SurfaceRollingSolution:
         """Return the creep forces.
@@ -184,9 +183,14 @@ class SurfaceRollingSolution(CreepageSolution, BelowSurface):
         As in `SurfaceRollingState`.
     last : SurfaceRollingState
         The contact under the last creepage, with its maps of pressure, traction and slip.
+    heaviest : tuple of LoadedMap
+        The states among which the greatest stress of all creepages is sought.
     """
 
-    __words__ = words(**{name: SurfaceRollingState.__words__[name] for name in ("stick_share", "misfit", "moment")})
+    __words__ = words(
+        **{name: SurfaceRollingState.__words__[name] for name in ("stick_share", "misfit", "moment")},
+        heaviest=("", None, "states among which the greatest stress is sought"),
+    )
 
     problem: SurfaceRolling
     depth: Quantity
@@ -195,6 +199,7 @@ class SurfaceRollingSolution(CreepageSolution, BelowSurface):
     stick_share: Quantity
     misfit: Quantity
     last: SurfaceRollingState
+    heaviest: tuple[LoadedMap, ...]
 
     @property
     def surface_load(self) -> SurfaceLoad:
@@ -227,8 +232,7 @@ class SurfaceRollingSolution(CreepageSolution, BelowSurface):
         notes = surface_rolling_notes(
             stated.topography, stated.medium, stated.friction.coefficient, self.last.pressure, self.misfit
         )
-        shear = np.ravel(np.hypot(self.longitudinal_force, self.lateral_force))
-        more = bool(np.max(shear) > (1.0 + ROUNDING) * shear[-1])
         creep, pixel = stated.creepage, np.array(stated.topography.pixel)
         slip = greatest_slip(creep.longitudinal, creep.lateral, creep.spin, self.last.pressure > 0.0, pixel)
-        return (*notes, small_creep_note(slip), *last_yield_notes(stated.medium, self.surface_load, more))
+        yielded = history_yield_notes(stated.medium, stated.topography.lengths, self.heaviest, np.size(self.force))
+        return (*notes, small_creep_note(slip), *yielded)
