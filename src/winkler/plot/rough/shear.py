@@ -23,7 +23,7 @@ from winkler.problems.surface_rolling.state import SurfaceRollingStartState, Sur
 from winkler.problems.surface_rolling.steady import SurfaceRollingSolution
 from winkler.profiles.rough.topography import Topography
 
-__all__ = ["surface_rolling_sheet", "surface_rolling_start_sheet", "surface_shear_sheet", "traction_maps"]
+__all__ = ["frame_of", "surface_rolling_sheet", "surface_rolling_start_sheet", "surface_shear_sheet", "traction_maps"]
 
 FRAME_RATIO = 0.08
 """Rim around the contact in a picture, over its size."""
@@ -117,6 +117,7 @@ def traction_maps(
     rough: Topography,
     state: SurfaceShearState | SurfaceRollingState | SurfaceRollingStartState | RolledPatch,
     corner: tuple[float, float] | None = None,
+    frame: tuple[slice, slice] | None = None,
 ) -> tuple[Panel, ...]:
     """Return the maps of the contact in its frame; one empty panel where nothing touches.
 
@@ -128,12 +129,13 @@ def traction_maps(
         What its pixels bear.
     corner
         Where the map begins [m]; around its middle by default.
+    frame
+        Part of the map that is drawn; around the contact by default.
     """
     touching = state.pressure > 0.0
     if not touching.any():
         return (NO_CONTACT,)
-    sides = tuple(_framed_slice(np.asarray(touching.any(axis=1 - axis))) for axis in (0, 1))
-    here = sides[0], sides[1]
+    here = sides = frame or frame_of(touching)
     part, pixel = touching[here], rough.pixel
     begins = corner or tuple(-0.5 * n * step for n, step in zip(touching.shape, pixel, strict=True))
     starts = [begin + side.start * step for begin, side, step in zip(begins, sides, pixel, strict=True)]
@@ -154,6 +156,11 @@ def traction_maps(
     scale = scale_of("m", box.lengths)
     first = framed(zones[0], scale).plus(*zones[1:], *_arrows(traction, size, (starts[0], starts[1]), pixel))
     return first, framed(image(series("traction", np.where(part, size, np.nan)), style.SHADES), scale)
+
+
+def frame_of(touching: Array) -> tuple[slice, slice]:
+    """Return the part of a map around what touches."""
+    return _framed_slice(np.asarray(touching.any(axis=1))), _framed_slice(np.asarray(touching.any(axis=0)))
 
 
 def _framed_slice(touched: Array) -> slice:

@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from winkler.numerics.types import Array
+from winkler.problems.subsurface.traction_frames import FrameKeeper
 from winkler.values import value, words
 
 __all__ = ["GatheredMaps", "LoadedMap", "gathered_maps"]
@@ -48,42 +49,46 @@ class GatheredMaps(NamedTuple):
     ----------
     columns
         Name -> number of every state.
-    last
-        The last state.
-    heaviest
-        Candidates for the greatest stress, in their order.
+    maps
+        Of the solution: the last state, candidates for the greatest stress and frames, in their order.
     """
 
-    columns: dict[str, Array]
-    last: Any
-    heaviest: tuple[LoadedMap, ...]
+    columns: dict[str, Any]
+    maps: dict[str, Any]
 
 
-def gathered_maps(states: Iterable[Any], names: list[str]) -> GatheredMaps:
+APART = ("problem", "last", "heaviest", "frames")
+"""Fields of a solution that are no numbers of its states."""
+
+
+def gathered_maps(states: Iterable[Any], solution: type) -> GatheredMaps:
     """Return the numbers of all states, the last one, and those that load the bodies most.
 
     Parameters
     ----------
     states
         With `pressure` and `traction`, maps.
-    names
-        Of their numbers.
+    solution
+        Class whose fields name their numbers, beside problem, last, heaviest and frames.
     """
+    names = [name for name in getattr(solution, "__dataclass_fields__", ()) if name not in APART]
     rows: dict[str, list[Any]] = {name: [] for name in names}
     most: dict[str, float] = {}
     found: dict[str, LoadedMap] = {}
-    last = None
+    last, keeper = None, FrameKeeper()
     for index, state in enumerate(states):
         last = state
         for name in names:
             rows[name].append(getattr(state, name))
+        keeper.add(index, state)
         loaded = LoadedMap(index, state.pressure, state.traction)
         for name, load in _loads(state.pressure, state.traction).items():
             if load > 0.0 and load > GREATER * most.get(name, 0.0):
                 most[name], found[name] = load, loaded
     heaviest = {loaded.index: loaded for loaded in found.values()}
     columns = {name: np.array(row) for name, row in rows.items()}
-    return GatheredMaps(columns, last, tuple(heaviest[index] for index in sorted(heaviest)))
+    worst = tuple(heaviest[index] for index in sorted(heaviest))
+    return GatheredMaps(columns, {"last": last, "heaviest": worst, "frames": keeper.frames})
 
 
 def _loads(pressure: Array, traction: Array) -> dict[str, float]:

@@ -8,7 +8,6 @@ or many; the bodies may be similar or dissimilar.
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Iterable, Iterator
 from typing import Annotated, ClassVar, cast
 
@@ -29,6 +28,7 @@ from winkler.problems.subsurface.below_surface import BelowSurface
 from winkler.problems.subsurface.loaded_history import LoadedMap, gathered_maps
 from winkler.problems.subsurface.map_yield import history_yield_notes
 from winkler.problems.subsurface.surface_load import SurfaceLoad
+from winkler.problems.subsurface.traction_frames import TractionFrame
 from winkler.problems.surface_friction.march import SurfaceMarch
 from winkler.problems.surface_friction.notes import surface_shear_notes
 from winkler.problems.surface_friction.state import SurfaceShearState
@@ -183,9 +183,8 @@ class SurfaceTangential:
 
     def gathered(self, states: Iterable[SurfaceShearState]) -> SurfaceTangentialSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""
-        names = [field.name for field in dataclasses.fields(SurfaceTangentialSolution)[1:-2]]
-        found = gathered_maps(states, names)
-        return SurfaceTangentialSolution(problem=self, **found.columns, last=found.last, heaviest=found.heaviest)
+        found = gathered_maps(states, SurfaceTangentialSolution)
+        return SurfaceTangentialSolution(problem=self, **found.columns, **found.maps)
 
     def solve(self) -> SurfaceTangentialSolution:
         """Return the contact along the whole path.
@@ -218,6 +217,8 @@ class SurfaceTangentialSolution(BelowSurface):
         The contact at the end of the path, with its maps of pressure, traction and slip.
     heaviest : tuple of LoadedMap
         The states among which the greatest stress of the whole path is sought.
+    frames : tuple of TractionFrame
+        What touches, sticks and slips in states along the history.
     """
 
     __words__ = words(
@@ -226,6 +227,7 @@ class SurfaceTangentialSolution(BelowSurface):
             for name in ("shift", "shear_force", "peak_pressure", "stick_share", "stored_energy", "misfit")
         },
         heaviest=("", None, "states among which the greatest stress is sought"),
+        frames=("", None, "what touches, sticks and slips in states along the history"),
     )
 
     problem: SurfaceTangential
@@ -246,6 +248,7 @@ class SurfaceTangentialSolution(BelowSurface):
     penetration: Array
     last: SurfaceShearState
     heaviest: tuple[LoadedMap, ...]
+    frames: tuple[TractionFrame, ...]
 
     @property
     def surface_load(self) -> SurfaceLoad:

@@ -10,7 +10,6 @@ with the displacement u' of the step before one pixel ahead.  Each step is the l
 
 from __future__ import annotations
 
-import dataclasses
 import math
 from collections.abc import Iterable, Iterator
 from typing import Annotated, ClassVar
@@ -33,6 +32,7 @@ from winkler.problems.subsurface.below_surface import BelowSurface
 from winkler.problems.subsurface.loaded_history import LoadedMap, gathered_maps
 from winkler.problems.subsurface.map_yield import history_yield_notes
 from winkler.problems.subsurface.surface_load import SurfaceLoad
+from winkler.problems.subsurface.traction_frames import TractionFrame
 from winkler.problems.surface_rolling.notes import surface_rolling_notes
 from winkler.problems.surface_rolling.patch import RollingPatch, refuse_map, rolling_patch
 from winkler.problems.surface_rolling.small_creep import greatest_slip, small_creep_note
@@ -184,9 +184,8 @@ class SurfaceRollingStart:
 
     def gathered(self, states: Iterable[SurfaceRollingStartState]) -> SurfaceRollingStartSolution:
         """Return the solution made of these states, of the whole distance or of its beginning."""
-        names = [field.name for field in dataclasses.fields(SurfaceRollingStartSolution)[1:-2]]
-        found = gathered_maps(states, names)
-        return SurfaceRollingStartSolution(problem=self, **found.columns, last=found.last, heaviest=found.heaviest)
+        found = gathered_maps(states, SurfaceRollingStartSolution)
+        return SurfaceRollingStartSolution(problem=self, **found.columns, **found.maps)
 
     def solve(self) -> SurfaceRollingStartSolution:
         """Return the contact along the whole distance.
@@ -217,11 +216,14 @@ class SurfaceRollingStartSolution(BelowSurface):
         The contact at the end, with its maps.
     heaviest : tuple of LoadedMap
         The states among which the greatest stress of the whole distance is sought.
+    frames : tuple of TractionFrame
+        What touches, sticks and slips in states along the history.
     """
 
     __words__ = words(
         **{name: SurfaceRollingStartState.__words__[name] for name in ("stick_share", "misfit", "moment")},
         heaviest=("", None, "states among which the greatest stress is sought"),
+        frames=("", None, "what touches, sticks and slips in states along the history"),
     )
 
     problem: SurfaceRollingStart
@@ -235,6 +237,7 @@ class SurfaceRollingStartSolution(BelowSurface):
     misfit: Array
     last: SurfaceRollingStartState
     heaviest: tuple[LoadedMap, ...]
+    frames: tuple[TractionFrame, ...]
 
     @property
     def surface_load(self) -> SurfaceLoad:

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Iterable, Iterator
-from typing import Annotated, ClassVar
+from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
@@ -31,6 +31,7 @@ from winkler.problems.subsurface.below_surface import BelowSurface
 from winkler.problems.subsurface.loaded_history import LoadedMap, gathered_maps
 from winkler.problems.subsurface.map_yield import history_yield_notes
 from winkler.problems.subsurface.surface_load import SurfaceLoad
+from winkler.problems.subsurface.traction_frames import TractionFrame
 from winkler.problems.surface_rolling.notes import surface_rolling_notes
 from winkler.problems.surface_rolling.patch import refuse_map, rolling_patch
 from winkler.problems.surface_rolling.small_creep import greatest_slip, small_creep_note
@@ -41,8 +42,6 @@ from winkler.values import value, words
 
 __all__ = ["SurfaceRolling", "SurfaceRollingSolution"]
 
-APART = ("problem", "last", "heaviest")
-"""Fields of a solution that are no numbers of its creepages."""
 AHEAD = 0.25
 """How far ahead of the middle of a pixel the slip of a spin is taken, and how far behind what sticks acts [pixels]."""
 
@@ -146,13 +145,12 @@ class SurfaceRolling:
     def gathered(self, states: Iterable[SurfaceRollingState]) -> SurfaceRollingSolution:
         """Return the solution made of these states, of all creepages or of the first ones."""
         shape = self.creepage.shape
-        names = [field.name for field in dataclasses.fields(SurfaceRollingSolution) if field.name not in APART]
-        found = gathered_maps(states, names)
+        found = gathered_maps(states, SurfaceRollingSolution)
         count = found.columns["force"].size
         whole = count == self.total
-        columns = {name: shaped(row, shape) if whole else row for name, row in found.columns.items()}
+        columns: dict[str, Any] = {name: shaped(row, shape) if whole else row for name, row in found.columns.items()}
         problem = self if whole else dataclasses.replace(self, creepage=_first(self.creepage, count))
-        return SurfaceRollingSolution(problem=problem, **columns, last=found.last, heaviest=found.heaviest)
+        return SurfaceRollingSolution(problem=problem, **columns, **found.maps)
 
     def solve(self) -> SurfaceRollingSolution:
         """Return the creep forces.
@@ -185,11 +183,14 @@ class SurfaceRollingSolution(CreepageSolution, BelowSurface):
         The contact under the last creepage, with its maps of pressure, traction and slip.
     heaviest : tuple of LoadedMap
         The states among which the greatest stress of all creepages is sought.
+    frames : tuple of TractionFrame
+        What touches, sticks and slips in states along the history.
     """
 
     __words__ = words(
         **{name: SurfaceRollingState.__words__[name] for name in ("stick_share", "misfit", "moment")},
         heaviest=("", None, "states among which the greatest stress is sought"),
+        frames=("", None, "what touches, sticks and slips in states along the history"),
     )
 
     problem: SurfaceRolling
@@ -200,6 +201,7 @@ class SurfaceRollingSolution(CreepageSolution, BelowSurface):
     misfit: Quantity
     last: SurfaceRollingState
     heaviest: tuple[LoadedMap, ...]
+    frames: tuple[TractionFrame, ...]
 
     @property
     def surface_load(self) -> SurfaceLoad:
