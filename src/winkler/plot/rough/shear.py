@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -23,7 +23,14 @@ from winkler.problems.surface_rolling.state import SurfaceRollingStartState, Sur
 from winkler.problems.surface_rolling.steady import SurfaceRollingSolution
 from winkler.profiles.rough.topography import Topography
 
-__all__ = ["frame_of", "surface_rolling_sheet", "surface_rolling_start_sheet", "surface_shear_sheet", "traction_maps"]
+__all__ = [
+    "Zones",
+    "frame_of",
+    "surface_rolling_sheet",
+    "surface_rolling_start_sheet",
+    "surface_shear_sheet",
+    "traction_maps",
+]
 
 FRAME_RATIO = 0.08
 """Rim around the contact in a picture, over its size."""
@@ -113,9 +120,17 @@ def _loop(item: SurfaceTangentialSolution) -> tuple[Panel, str]:
     return panel.plus(note(f"lost: {with_unit(lost, 'J')}" if lost > 0.0 else "nothing lost", "upper left")), title
 
 
+class Zones(NamedTuple):
+    """What is drawn of a contact: maps of pressure [Pa], traction [Pa] and of what slips."""
+
+    pressure: Array
+    traction: Array
+    slipping: Array
+
+
 def traction_maps(
     rough: Topography,
-    state: SurfaceShearState | SurfaceRollingState | SurfaceRollingStartState | RolledPatch,
+    state: SurfaceShearState | SurfaceRollingState | SurfaceRollingStartState | RolledPatch | Zones,
     corner: tuple[float, float] | None = None,
     frame: tuple[slice, slice] | None = None,
 ) -> tuple[Panel, ...]:
