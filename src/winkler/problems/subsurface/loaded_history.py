@@ -88,7 +88,7 @@ def gathered_maps(states: Iterable[Any], solution: type) -> GatheredMaps:
     heaviest = {loaded.index: loaded for loaded in found.values()}
     columns = {name: np.array(row) for name, row in rows.items()}
     worst = tuple(heaviest[index] for index in sorted(heaviest))
-    return GatheredMaps(columns, {"last": last, "heaviest": worst, "frames": keeper.frames})
+    return GatheredMaps(columns, {"last": last, "heaviest": worst, "frames": keeper.kept()})
 
 
 def _loads(pressure: Array, traction: Array) -> dict[str, float]:

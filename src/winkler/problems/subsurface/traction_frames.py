@@ -70,11 +70,10 @@ class FrameKeeper:
         self._bytes += _size(frame)
         while self._bytes > MOST_BYTES and len(self._frames) > 1:
             self._frames, self._stride = self._frames[::2], 2 * self._stride
-            self._bytes = sum(_size(kept) for kept in self._frames)
+            self._bytes = sum(_size(each) for each in self._frames)
 
-    @property
-    def frames(self) -> tuple[TractionFrame, ...]:
-        """Those kept, in their order."""
+    def kept(self) -> tuple[TractionFrame, ...]:
+        """Return the frames that are kept, in their order."""
         return tuple(self._frames)
 
 
