@@ -52,14 +52,24 @@ assert [len(pair.patches) for pair in pairs] == [1, 1, 1, 1, 1, 2]
 draw(pairs[-1])
 
 # %%
-# Onwards to creep forces
+# Friction on every patch
 # -----------------------
-# The creepages of a patch, and the ellipse that is as long and as wide, give the creep forces by Kalker's simplified
-# theory.
+# While the wheel rolls, every patch slips by what the rolled radius, the contact angle and the yaw leave. Exact theory
+# gives the creep forces; Kalker's simplified theory, on the ellipse that is as long and as wide, is near them where the
+# patch is nearly one.
 
-yawed = wk.ProfilePair(rail, wheel, track, wk.Force(80e3), yaw=1e-3, second_radius=0.46).solve()
-patch = yawed.patches[0]
-ellipse = wk.ContactEllipse(0.5 * patch.longitudinal_length, 0.5 * patch.lateral_length)
-rolling = wk.SimplifiedRolling(ellipse, track, wk.Coulomb(0.3), patch.creepage, wk.Force(patch.force)).solve()
-print(f"lateral creepage {patch.creepage.lateral:.2e}: {rolling.lateral_force / 1e3:.1f} kN")
+yawed = wk.ProfilePair(rail, wheel, track, wk.Force(80e3), yaw=1e-3, second_radius=0.46, pixels=64)
+rolls = wk.ProfilePairRolling(yawed, wk.Coulomb(0.3)).solve()
+place = rolls.patches[0].patch
+ellipse = wk.ContactEllipse(0.5 * place.longitudinal_length, 0.5 * place.lateral_length)
+springs = wk.SimplifiedRolling(
+    ellipse, track, wk.Coulomb(0.3), rolls.patches[0].creepage, wk.Force(place.force)
+).solve()
+print(f"lateral creepage {rolls.lateral_creepage[0]:.2e}: {rolls.lateral_force[0] / 1e3:.1f} kN")
+print(f"simplified theory: {springs.lateral_force / 1e3:.1f} kN")
+assert abs(rolls.lateral_force[0] / springs.lateral_force - 1.0) < 0.2
+
+on_two = wk.ProfilePairRolling(pairs[-1].problem, wk.Coulomb(0.3)).solve()
+print(f"on tread and flange friction takes {on_two.loss_per_distance:.0f} J/m")
+draw(on_two)
 plt.show()

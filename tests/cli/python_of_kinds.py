@@ -219,6 +219,16 @@ PYRAMID = (
 LOADS = wk.Force(np.geomspace(1.0, 100.0, 5))
 MEASURED_SPECTRUM = wk.PowerSpectrum(np.array([1e4, 1e5, 1e6]), np.array([1e-21, 4e-25, 1e-28]))
 TOUCHING = wk.SurfaceContact(SURFACE, STEEL_BODY, LOADS)
+PROFILES = (
+    wk.CrossProfile(
+        np.arange(-20.0, 21.0, 5.0) / 1e3,
+        np.array([-667.4e-6, -375.2e-6, -166.7e-6, -41.7e-6, 0.0, -41.7e-6, -166.7e-6, -375.2e-6, -667.4e-6]),
+    ),
+    wk.CrossProfile(
+        np.arange(-25.0, 26.0, 5.0) / 1e3,
+        np.array([-0.0125, -0.1, -0.1375, -0.125, -0.0813, 0.0, 0.1188, 0.275, 0.4625, 0.675, 0.9125]) / 1e3,
+    ),
+)
 
 
 def rough(spectrum):
@@ -230,20 +240,20 @@ ROUGHNESS = {
     **dict.fromkeys(
         ("profile_pair", "cross_profile"),
         wk.ProfilePair(
-            wk.CrossProfile(
-                np.arange(-20.0, 21.0, 5.0) / 1e3,
-                np.array([-667.4e-6, -375.2e-6, -166.7e-6, -41.7e-6, 0.0, -41.7e-6, -166.7e-6, -375.2e-6, -667.4e-6]),
-            ),
-            wk.CrossProfile(
-                np.arange(-25.0, 26.0, 5.0) / 1e3,
-                np.array([-0.0125, -0.1, -0.1375, -0.125, -0.0813, 0.0, 0.1188, 0.275, 0.4625, 0.675, 0.9125]) / 1e3,
-            ),
+            *PROFILES, wk.HalfSpace(wk.Elastic(210e9, 0.3)), wk.Force(50e3), yaw=5e-3, second_radius=0.46, pixels=64
+        ),
+    ),
+    "profile_pair_rolling": wk.ProfilePairRolling(
+        wk.ProfilePair(
+            *PROFILES,
             wk.HalfSpace(wk.Elastic(210e9, 0.3)),
             wk.Force(50e3),
-            yaw=5e-3,
+            yaw=1e-3,
             second_radius=0.46,
-            pixels=64,
+            rolled_radius=0.4602,
+            pixels=48,
         ),
+        FRICTION,
     ),
     **dict.fromkeys(
         ("map_stress", "surface_load"),

@@ -101,6 +101,15 @@ ROUNDED: dict[tuple[str, str], Rounded] = {
     ("ReductionSolution", "misfit"): Rounded(1e-6, "it is checked by contacts of a tolerance of 1e-6"),
     ("ReductionSolution", "force"): Rounded(1e-8, "each contact has a tolerance of 1e-6"),
     ("ProfilePairSolution", "grid_error"): ERROR,
+    **{("ProfilePairRollingSolution", name): ERROR for name in ("grid_error", "misfit")},
+    **{
+        ("ProfilePairRollingSolution", name): Rounded(1e-4, "stick and slip have a tolerance of 1e-7 of the loss")
+        for name in (
+            *("x_force", "y_force", "z_force", "loss_per_distance", "longitudinal_force", "lateral_force", "moment"),
+            *("saturation", "stick_share", "depth", "height", "peak_pressure", "force", "place", "angle"),
+            *("longitudinal_creepage", "lateral_creepage", "spin_creepage"),
+        )
+    },
     **{("MapStressSolution", name): CLIMB for name in "xy"},
     **{
         ("ProfilePairSolution", name): PRESSED

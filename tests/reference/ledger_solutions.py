@@ -304,6 +304,15 @@ def profiles_of_a_ball() -> Numbers:
 
 
 @of_case
+def profiles_slide_on_a_slope() -> Numbers:
+    """F = F_N (cos a - mu sin a), upwards; mu F_N along the slope, all of the friction; tan a = 0.1."""
+    slope, mu = frac("0.1"), frac("0.3")
+    cosine = 1 / mp.sqrt(1 + slope**2)
+    normal = 1000 / (cosine * (1 - mu * slope))
+    return [normal, mu * normal, mp.mpf(1)]
+
+
+@of_case
 def love_square() -> Numbers:
     """Square of side 2, p = 1, nu = 0.3: point forces along rays; sigma_xx - sigma_zz on the axis."""
     soft = 1 - 2 * frac("0.3")

@@ -25,6 +25,7 @@ PARTS = {
     "medium": "a coated or graded solid from its surface down, and the stiffness of its springs",
     "stress": "the stress below the surface; needs [fields] with r and z",
     "curve": "force, radius and stiffness over the depth, of a load that is a list",
+    "film": "stick, slip and traction of a sheared or rolling height map, state after state, as an animated .gif",
     "staircase": "the contact as a staircase of flat punches, after Jaeger",
 }
 STEPS = 12
@@ -33,7 +34,10 @@ STEPS = 12
 def draw(
     study: Annotated[Path, typer.Argument(help="A study file (TOML).", show_default=False)],
     output: Annotated[
-        Path | None, typer.Option("--output", "-o", help="The picture: .png, .svg or .pdf; NAME-PART.png if not given.")
+        Path | None,
+        typer.Option(
+            "--output", "-o", help="The picture: .png, .svg or .pdf, of a film .gif; NAME-PART.png if not given."
+        ),
     ] = None,
     part: Annotated[
         str, typer.Option(help=f"What to draw: {', '.join(PARTS)}.", autocompletion=completion(lambda: PARTS))
@@ -59,7 +63,10 @@ def draw(
         raise InvalidInput(
             f"draw: the part '{part}' is not known{suggest(part, PARTS)}; give one of {', '.join(PARTS)}."
         )
-    path = output or Path(f"{study.stem}-{part}.png")
+    path = output or Path(f"{study.stem}-{part}.{'gif' if part == 'film' else 'png'}")
+    if part == "film":
+        _write_film(study, point, path, overwrite)
+        return
     if path.suffix.lstrip(".").lower() not in PICTURES:
         endings = ", ".join(f".{ending}" for ending in PICTURES)
         raise InvalidInput(f"draw: '{path}' does not end like a picture; give {endings}.")
@@ -73,6 +80,19 @@ def draw(
     with io.BytesIO() as drawn:
         render(sheet).savefig(drawn, format=path.suffix[1:].lower())
         write_whole(path, drawn.getvalue())
+    write_line(f"Written {path}")
+
+
+def _write_film(study: Path, point: int, path: Path, overwrite: bool) -> None:
+    from winkler.errors import InvalidInput
+    from winkler.plot import film
+    from winkler.study.language.reading import read_study
+    from winkler.study.report.single_file import write_whole
+
+    if path.suffix.lower() != ".gif":
+        raise InvalidInput(f"draw: '{path}' does not end like a film; give .gif.")
+    refuse_existing(path, overwrite, "draw: ")
+    write_whole(path, film(_solved(read_study(study), point).solution))
     write_line(f"Written {path}")
 
 

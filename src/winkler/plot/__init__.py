@@ -13,8 +13,9 @@ from winkler.caches import with_fonts
 if TYPE_CHECKING:
     from winkler.plot.dispatch import sheet_of
     from winkler.plot.drawing import draw
+    from winkler.plot.rough.film import film
 
-__all__ = ["draw", "sheet_of"]
+__all__ = ["draw", "film", "sheet_of"]
 
 with_fonts()
 

@@ -1,4 +1,4 @@
-"""Profiles of wheels and rails in files: tables, Simpack, MiniProf; and what is refused."""
+"""Profiles of wheels and rails in files: tables, Simpack, MiniProf, two that touch; and what is refused."""
 
 from __future__ import annotations
 
@@ -99,3 +99,32 @@ def test_contact_and_winkler_read_the_same_rail(tmp_path, shared_data):
     other = read(tmp_path, "rail.ban", MINIPROF.format(points=points), down=True, mirrored=True)
     y = np.linspace(-0.03, 0.02, 21)
     np.testing.assert_allclose(one.height(y), other.height(y), atol=1e-8)
+
+
+def written(folder, name, heights, places=Y):
+    rows = "\n".join(f"{y},{z}" for y, z in zip(places, heights, strict=True))
+    (folder / name).write_text("y [mm],z [mm]\n" + rows, encoding="utf-8")
+    return folder / name
+
+
+def test_a_pair_is_read_each_body_in_its_own_way(tmp_path):
+    rail = written(tmp_path, "rail.csv", -Z)
+    wheel = written(tmp_path, "wheel.csv", 0.1 * Z - 0.01 * Y)
+    lower, upper = wk.read_profile_pair(rail, wheel, down=(True, False), mirrored=(False, True), smoothing=0.0)
+    assert np.array_equal(lower.z, Z / 1e3)
+    assert np.array_equal(upper.y, -Y / 1e3)
+    assert np.array_equal(upper.z, (0.1 * Z - 0.01 * Y) / 1e3)
+    for one, other in zip(wk.read_profile_pair(rail, wheel, down=True), (Z, 0.01 * Y - 0.1 * Z), strict=True):
+        assert np.allclose(one.z, other / 1e3, rtol=1e-14, atol=0.0)
+
+
+def test_a_pair_that_does_not_meet_is_refused_in_one_sentence(tmp_path):
+    rail, wheel = written(tmp_path, "rail.csv", Z), written(tmp_path, "wheel.csv", -0.5 * Z)
+    with pytest.raises(
+        wk.InvalidInput, match=r"rail\.csv and .*wheel\.csv: the profiles do not meet: .*check the units\.$"
+    ):
+        wk.read_profile_pair(rail, wheel, lateral=0.1)
+    with pytest.raises(wk.InvalidInput, match=r"nearest at an end of them, at y = .*down=True.*profiles\.$"):
+        wk.read_profile_pair(rail, wheel, down=True)
+    with pytest.raises(wk.InvalidInput, match="wheel.whl"):
+        wk.read_profile_pair(rail, tmp_path / "wheel.whl")

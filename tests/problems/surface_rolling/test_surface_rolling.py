@@ -225,3 +225,22 @@ def test_a_start_that_would_slide_away():
         wk.SurfaceRollingStart(*stated, wk.ShearForce(3e-3), distance=1.0).solve()
     with pytest.raises(InvalidInput, match="one CreepForce, or one Creepage"):
         wk.SurfaceRollingStart(*stated, wk.Creepage([1e-3, 2e-3]), distance=1.0)
+
+
+@pytest.mark.parametrize(
+    ("creepage", "standing"),
+    [
+        (wk.Creepage(0.01, 0.02), wk.Standing.ASYMPTOTIC),
+        (wk.Creepage(0.03, 0.04), wk.Standing.APPROXIMATE),
+        (wk.Creepage(0.09, 0.12), wk.Standing.OUTSIDE),
+        (wk.Creepage(spin=1.0), wk.Standing.OUTSIDE),
+    ],
+)
+def test_creepages_that_are_not_small_are_noted(creepage, standing):
+    rough = wk.SampledProfile([2.5, 2.5], wk.Paraboloid(RADIUS), (24, 24))
+    stated = wk.SurfaceRolling(rough, pair(0.3), wk.Force(1e-2), wk.Coulomb(MU), creepage)
+    begun = wk.SurfaceRollingStart(rough, pair(0.3), wk.Force(1e-2), wk.Coulomb(MU), creepage, distance=0.1)
+    for solution in (stated.solve(), begun.solve()):
+        (note,) = (note for note in solution.validity if "creepages as small against one" in note.statement)
+        assert note.standing is standing
+        assert ("takes them below 10 per cent" in note.statement) == (standing is wk.Standing.OUTSIDE)

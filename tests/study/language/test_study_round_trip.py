@@ -66,6 +66,7 @@ ELSEWHERE = {
     wk.LineFields,
     wk.LineScan,
     wk.ProfilePatch,
+    wk.RolledPatch,
     wk.RoughLine,
     wk.Spikes,
     wk.SpringMarch,

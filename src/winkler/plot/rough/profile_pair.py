@@ -12,10 +12,10 @@ from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Line, Map, Panel, PanelAxis, Sheet, points, zero
 from winkler.plot.series import scale_of, series, with_unit
 from winkler.problems.profile_pair.patch import ProfilePatch
-from winkler.problems.profile_pair.profile_pair import ProfilePairSolution
+from winkler.problems.profile_pair.profile_pair import ProfilePair, ProfilePairSolution
 from winkler.profiles.sections.cross_profile import CrossProfile
 
-__all__ = ["profile_pair_sheet"]
+__all__ = ["bodies_panel", "profile_pair_sheet"]
 
 PLACES = 801
 GAP_DRAWN = 12.0
@@ -29,7 +29,10 @@ MOST_PATCHES = 2
 @without_extent(ProfilePairSolution)
 def profile_pair_sheet(item: ProfilePairSolution) -> Sheet:
     """Return both profiles with their patches, the gap across, and the pressure on the patches that bear most."""
-    panels = [_bodies(item).plus(title="profiles and contact"), _gap(item).plus(title="gap before pressing")]
+    panels = [
+        bodies_panel(item.problem, item.height, item.patches).plus(title="profiles and contact"),
+        _gap(item).plus(title="gap before pressing"),
+    ]
     for patch in item.patches[:MOST_PATCHES]:
         title = f"{with_unit(patch.force, 'N', 3)}, inclined by {abs(math.degrees(patch.angle)):.1f}°"
         panels.append(_pressure(patch).plus(title=title))
@@ -43,16 +46,16 @@ def _line(profile: CrossProfile) -> tuple[Array, Array]:
     return y, profile.height(y)
 
 
-def _bodies(item: ProfilePairSolution) -> Panel:
-    stated = item.problem
+def bodies_panel(stated: ProfilePair, height: float, patches: tuple[ProfilePatch, ...]) -> Panel:
+    """Return both profiles, the upper one at a height [m], with the middles of their patches."""
     lower, upper = _line(stated.first), _line(stated.second)
     sine, cosine = np.sin(stated.roll), np.cos(stated.roll)
     across = stated.lateral + cosine * upper[0] + sine * upper[1]
-    up = item.height - sine * upper[0] + cosine * upper[1]
+    up = height - sine * upper[0] + cosine * upper[1]
     marks = (
         Line(*lower, style.BLUE, name="lower body"),
         Line(across, up, style.MUTED, name="upper body"),
-        points([patch.y for patch in item.patches], [patch.z for patch in item.patches], style.RED, name="contact"),
+        points([patch.y for patch in patches], [patch.z for patch in patches], style.RED, name="contact"),
     )
     y, z = np.concatenate([lower[0], across]), np.concatenate([lower[1], up])
     flat = float(np.ptp(z)) < FLAT * float(np.ptp(y))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from winkler.plot.friction.curves import loop_panel
 from winkler.plot.panel import NO_CONTACT, Panel, Sheet, Text, Vectors, note, titled
 from winkler.plot.rough.roughness import framed, image_of, models_panel
 from winkler.plot.series import row_of, scale_of, series, with_unit
+from winkler.problems.profile_pair.rolled_patch import RolledPatch
 from winkler.problems.surface_friction.state import SurfaceShearState
 from winkler.problems.surface_friction.tangential import SurfaceTangentialSolution
 from winkler.problems.surface_rolling.start import SurfaceRollingStartSolution
@@ -22,7 +23,14 @@ from winkler.problems.surface_rolling.state import SurfaceRollingStartState, Sur
 from winkler.problems.surface_rolling.steady import SurfaceRollingSolution
 from winkler.profiles.rough.topography import Topography
 
-__all__ = ["surface_rolling_sheet", "surface_rolling_start_sheet", "surface_shear_sheet"]
+__all__ = [
+    "Zones",
+    "frame_of",
+    "surface_rolling_sheet",
+    "surface_rolling_start_sheet",
+    "surface_shear_sheet",
+    "traction_maps",
+]
 
 FRAME_RATIO = 0.08
 """Rim around the contact in a picture, over its size."""
@@ -36,7 +44,7 @@ SHORTEST_ARROW = 0.02
 @without_extent(SurfaceTangentialSolution)
 def surface_shear_sheet(item: SurfaceTangentialSolution) -> Sheet:
     """Return stick and slip with arrows, the size of the traction at the end of the path, and the loop."""
-    panels, names = list(_maps(item.problem.topography, item.last)), ["stick (green) and slip", "traction"]
+    panels, names = list(traction_maps(item.problem.topography, item.last)), ["stick (green) and slip", "traction"]
     if len(panels) == 1:
         names = ["no contact"]
     if item.time.size >= FEWEST_POINTS:
@@ -54,7 +62,7 @@ def surface_rolling_sheet(item: SurfaceRollingSolution) -> Sheet:
     """Return stick and slip with arrows and the size of the traction under the last creepage, and the creep curve."""
     last = item.last
     panels, names = (
-        list(_maps(item.problem.topography, last)),
+        list(traction_maps(item.problem.topography, last)),
         ["stick (green) and slip, rolls to the right", "traction"],
     )
     if np.size(item.force) >= FEWEST_POINTS:
@@ -69,7 +77,7 @@ def surface_rolling_sheet(item: SurfaceRollingSolution) -> Sheet:
 def surface_rolling_start_sheet(item: SurfaceRollingStartSolution) -> Sheet:
     """Return stick and slip at the end, the traction, and forces or creepages over the distance."""
     last = item.last
-    panels = list(_maps(item.problem.topography, last))
+    panels = list(traction_maps(item.problem.topography, last))
     names = ["stick (green) and slip, rolls to the right", "traction"]
     if item.distance.size >= FEWEST_POINTS:
         by_force = isinstance(item.problem.drive, ShearForce)
@@ -112,17 +120,40 @@ def _loop(item: SurfaceTangentialSolution) -> tuple[Panel, str]:
     return panel.plus(note(f"lost: {with_unit(lost, 'J')}" if lost > 0.0 else "nothing lost", "upper left")), title
 
 
-def _maps(
-    rough: Topography, state: SurfaceShearState | SurfaceRollingState | SurfaceRollingStartState
+class Zones(NamedTuple):
+    """What is drawn of a contact: maps of pressure [Pa], traction [Pa] and of what slips."""
+
+    pressure: Array
+    traction: Array
+    slipping: Array
+
+
+def traction_maps(
+    rough: Topography,
+    state: SurfaceShearState | SurfaceRollingState | SurfaceRollingStartState | RolledPatch | Zones,
+    corner: tuple[float, float] | None = None,
+    frame: tuple[slice, slice] | None = None,
 ) -> tuple[Panel, ...]:
-    """Return the maps of the contact in its frame; one empty panel where nothing touches."""
+    """Return the maps of the contact in its frame; one empty panel where nothing touches.
+
+    Parameters
+    ----------
+    rough
+        Lengths of the map.
+    state
+        What its pixels bear.
+    corner
+        Where the map begins [m]; around its middle by default.
+    frame
+        Part of the map that is drawn; around the contact by default.
+    """
     touching = state.pressure > 0.0
     if not touching.any():
         return (NO_CONTACT,)
-    sides = tuple(_framed_slice(np.asarray(touching.any(axis=1 - axis))) for axis in (0, 1))
-    here = sides[0], sides[1]
+    here = sides = frame or frame_of(touching)
     part, pixel = touching[here], rough.pixel
-    starts = [(side.start - 0.5 * n) * step for side, n, step in zip(sides, touching.shape, pixel, strict=True)]
+    begins = corner or tuple(-0.5 * n * step for n, step in zip(touching.shape, pixel, strict=True))
+    starts = [begin + side.start * step for begin, side, step in zip(begins, sides, pixel, strict=True)]
     ends = [np.array([start, start + n * step]) for start, n, step in zip(starts, part.shape, pixel, strict=True)]
     box = Topography(np.zeros(part.shape), np.array(part.shape) * pixel)
 
@@ -140,6 +171,11 @@ def _maps(
     scale = scale_of("m", box.lengths)
     first = framed(zones[0], scale).plus(*zones[1:], *_arrows(traction, size, (starts[0], starts[1]), pixel))
     return first, framed(image(series("traction", np.where(part, size, np.nan)), style.SHADES), scale)
+
+
+def frame_of(touching: Array) -> tuple[slice, slice]:
+    """Return the part of a map around what touches."""
+    return _framed_slice(np.asarray(touching.any(axis=1))), _framed_slice(np.asarray(touching.any(axis=0)))
 
 
 def _framed_slice(touched: Array) -> slice:

@@ -9,10 +9,11 @@ import numpy as np
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.profile_pair.patch import ProfilePatch
-from winkler.problems.subsurface.map_yield import map_yield_notes
+from winkler.problems.subsurface.map_yield import greatest_share, map_yield_notes
+from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.validity import Assumption, Note, Standing, standing_of
 
-__all__ = ["pair_notes"]
+__all__ = ["pair_notes", "placed_notes", "yield_of_patches"]
 
 POLONSKY = "I. A. Polonsky, L. M. Keer, Wear 231 (1999) 206-219, doi:10.1016/S0043-1648(99)00113-1"
 KALKER = "J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990, doi:10.1007/978-94-015-7889-9"
@@ -42,7 +43,6 @@ def pair_notes(
     windows
         Number of grids.
     """
-    bent = max(patch.turned for patch in patches)
     notes = [
         Note(
             Assumption.RESPONSE,
@@ -57,6 +57,38 @@ def pair_notes(
             f"{100.0 * grid_error:.2g} per cent; the profiles are splines through their points.",
             "comparison of two grids",
         ),
+        *placed_notes(medium, patches, cut, windows),
+    ]
+    spot = max(patches, key=lambda patch: patch.peak_pressure)
+    return (*notes, *yield_of_patches(medium, [spot.surface_load], len(patches) > 1 and windows == 1))
+
+
+def yield_of_patches(medium: HomogeneousMedium, loads: list[SurfaceLoad], together: bool) -> tuple[Note, ...]:
+    """Return whether the bodies stay elastic below the worst of some patches.
+
+    Parameters
+    ----------
+    medium
+        Both bodies.
+    loads
+        What acts on the lower body on each patch.
+    together
+        Whether patches lie near each other.
+    """
+    worst = max(loads, key=lambda load: greatest_share(medium, load)) if len(loads) > 1 else loads[0]
+    alone = map_yield_notes(medium, worst)
+    if alone and alone[0].standing is not Standing.OUTSIDE and together:
+        why = "the stresses of patches near each other add up and only those of the worst one are computed"
+        return unknown_yield(medium, why)
+    return alone
+
+
+def placed_notes(
+    medium: HomogeneousMedium, patches: tuple[ProfilePatch, ...], cut: bool, windows: int
+) -> tuple[Note, ...]:
+    """Return what was assumed of the shape of two profiles and of their patches; parameters as of `pair_notes`."""
+    bent = max(patch.turned for patch in patches)
+    notes = [
         Note(
             Assumption.HALF_SPACE,
             standing_of(bent, FLAT, BENT),
@@ -77,14 +109,7 @@ def pair_notes(
                 "comparison of the contact and the profiles",
             )
         )
-    spot = max(patches, key=lambda patch: patch.peak_pressure)
-    alone = map_yield_notes(medium, spot.surface_load)
-    if alone and alone[0].standing is not Standing.OUTSIDE and len(patches) > 1 and windows == 1:
-        why = (
-            "the stresses of patches near each other add up and only those of the one under most pressure are computed"
-        )
-        return (*notes, *unknown_yield(medium, why))
-    return (*notes, *alone)
+    return tuple(notes)
 
 
 def _apart(medium: HomogeneousMedium, patches: tuple[ProfilePatch, ...]) -> Note:

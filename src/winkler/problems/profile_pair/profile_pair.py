@@ -19,14 +19,14 @@ import numpy as np
 
 from winkler.checks.field_checks import Condition
 from winkler.checks.number_checks import Advice, Finite, NonNegative, PositiveOrInfinite, Whole, between
-from winkler.errors import InvalidInput
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.profile_pair.notes import pair_notes
-from winkler.problems.profile_pair.patch import ProfilePatch, patches_of
-from winkler.problems.profile_pair.placing import PlacedBody, Placing, lower_body, upper_body
-from winkler.problems.profile_pair.pressing import change_of, pressed_by_drop, pressed_by_force
+from winkler.problems.profile_pair.patch import ProfilePatch
+from winkler.problems.profile_pair.placing import Placing
+from winkler.problems.profile_pair.pressed_pair import placed_bodies, pressed_pair
+from winkler.problems.profile_pair.pressing import change_of, pressed_by_drop
 from winkler.profiles.sections.cross_profile import CrossProfile
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
@@ -127,35 +127,7 @@ class ProfilePair:
     @property
     def placing(self) -> Placing:
         """The distances of both bodies across, before the upper one is let down."""
-        return self._bodies()[2]
-
-    def _bodies(self) -> tuple[PlacedBody, PlacedBody, Placing]:
-        lower = lower_body(self.first, self.first_radius)
-        upper = upper_body(self.second, self.second_radius, self.lateral, self.yaw, self.roll)
-        first, second = self.first.ends, self.second.ends
-        if first[0] >= self.lateral + second[1] or first[1] <= self.lateral + second[0]:
-            raise InvalidInput(
-                f"ProfilePair: the profiles do not meet: the lower one goes from {first[0]:.6g} m to {first[1]:.6g} m, "
-                f"the upper one from {self.lateral + second[0]:.6g} m to {self.lateral + second[1]:.6g} m; give "
-                "another lateral position."
-            )
-        with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
-            placing = Placing.of(lower, upper)
-        there = np.flatnonzero(np.isfinite(placing.gap))
-        if there.size == 0:
-            raise InvalidInput("ProfilePair: the profiles do not meet; give another lateral position.")
-        lowest = int(np.nanargmin(placing.gap))
-        if lowest <= there[0] + 1 or lowest >= there[-1] - 1:
-            raise InvalidInput(
-                f"ProfilePair: the bodies first touch at the end of a profile, at y = {placing.y[lowest]:.6g} m; give "
-                "longer profiles, or another lateral position."
-            )
-        if not placing.bending[lowest] * (first[1] - first[0]) > 1e-9:
-            raise InvalidInput(
-                "ProfilePair: both bodies are straight along the same direction; give one of them a radius of "
-                "revolution, or take LineIndentation for a cylinder."
-            )
-        return lower, upper, placing
+        return placed_bodies(self)[2]
 
     def solve(self) -> ProfilePairSolution:
         """Return the contact.
@@ -169,16 +141,12 @@ class ProfilePair:
         NotConverged
             If the pressures or the force are not found.
         """
-        lower, upper, placing = self._bodies()
-        modulus = self.medium.modulus
-        if isinstance(self.load, Force):
-            pair = pressed_by_force(lower, upper, placing, float(self.load.force), modulus, self.pixels, self.tolerance)
-        else:
-            pair = pressed_by_drop(lower, upper, placing, float(self.load.depth), modulus, self.pixels, self.tolerance)
-        coarse = pressed_by_drop(lower, upper, placing, pair.drop, modulus, self.pixels // 2, self.tolerance)
-        down = upper.raised(-float(np.nanmin(placing.gap)) - pair.drop)
-        rolled = self.rolled_radius or self.second_radius
-        patches = [patch for region in pair.regions for patch in patches_of(lower, down, region, self.medium, rolled)]
+        placed = pressed_pair(self)
+        pair, placing = placed.windows, placed.placing
+        coarse = pressed_by_drop(
+            placed.lower, placed.upper, placing, pair.drop, self.medium.modulus, self.pixels // 2, self.tolerance
+        )
+        patches = [patch for each in placed.patches for patch in each]
         across, up = pair.force.tolist()
         return ProfilePairSolution(
             problem=self,

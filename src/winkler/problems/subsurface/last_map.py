@@ -4,28 +4,25 @@ from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
-
-from winkler.numerics.types import Quantity
 from winkler.problems.subsurface.below_surface import BelowSurface
-from winkler.problems.subsurface.map_yield import last_yield_notes
+from winkler.problems.subsurface.loaded_history import LoadedMap
+from winkler.problems.subsurface.map_yield import history_yield_notes
 from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.validity import Note
 
 __all__ = ["LastMap"]
 
-ROUNDING = 1e-9
-"""Part of a force or pressure that is none."""
-
 
 class LastMap(BelowSurface):
     """The part of a solution that follows from pressures and tractions of its last state.
 
-    Its ``problem`` has a ``topography`` and a ``medium``, its ``last`` state a ``pressure`` and a ``traction``.
+    Its ``problem`` has a ``topography`` and a ``medium``, its ``last`` state a ``pressure`` and a ``traction``, and
+    ``heaviest`` are states among which the greatest stress of the whole history is sought.
     """
 
     problem: Any
     last: Any
+    heaviest: tuple[LoadedMap, ...]
 
     @property
     def surface_load(self) -> SurfaceLoad:
@@ -37,7 +34,7 @@ class LastMap(BelowSurface):
     def _medium(self) -> object:
         return self.problem.medium
 
-    def _yield_notes(self, *loads: Quantity) -> tuple[Note, ...]:
-        """Return whether the last state stays elastic, and whether others bear more of one of these loads."""
-        more = any(np.max(every) > (1.0 + ROUNDING) * every[-1] for every in (np.ravel(load) for load in loads))
-        return last_yield_notes(self.problem.medium, self.surface_load, bool(more))
+    def _yield_notes(self, count: int) -> tuple[Note, ...]:
+        """Return whether the bodies stay elastic in all of the states, and which of them strains them most."""
+        rough = self.problem.topography
+        return history_yield_notes(self.problem.medium, rough.lengths, self.heaviest, count, periodic=rough.periodic)

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from winkler.media.interior.peak import StressSpot
+from winkler.numerics.types import Array
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
-from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.normal.yield_statement import share_of
 from winkler.problems.subsurface.below_surface import greatest_stress
+from winkler.problems.subsurface.loaded_history import LoadedMap
 from winkler.problems.subsurface.surface_load import SurfaceLoad
-from winkler.validity import Assumption, Note, Standing, worst
+from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["greatest_share", "last_yield_notes", "map_yield_notes"]
+__all__ = ["greatest_share", "history_yield_notes", "map_yield_notes"]
 
 MISES = "R. von Mises, Nachr. Ges. Wiss. Goettingen (1913) 582; A. E. H. Love, doi:10.1098/rsta.1929.0009"
 
@@ -29,7 +30,7 @@ def greatest_share(medium: object, load: SurfaceLoad) -> float:
     return max((share for share, _, _ in _shares(medium, load)), default=0.0)
 
 
-def map_yield_notes(medium: object, load: SurfaceLoad) -> tuple[Note, ...]:
+def map_yield_notes(medium: object, load: SurfaceLoad, when: str = "") -> tuple[Note, ...]:
     """Return whether the bodies stay elastic; nothing where none of them has a strength.
 
     Parameters
@@ -38,13 +39,15 @@ def map_yield_notes(medium: object, load: SurfaceLoad) -> tuple[Note, ...]:
         A homogeneous one.
     load : SurfaceLoad
         What acts on the first body.
+    when : str, optional
+        Which of many states it is, added to the sentence.
     """
     found = _shares(medium, load)
     if not found:
         return ()
     share, spot, part = max(found, key=lambda each: each[0])
     depth = spot.z if part.first else -spot.z
-    where = f"{share_of(share, part)}, at x = {spot.x:.3g} m, y = {spot.y:.3g} m, z = {depth:.3g} m"
+    where = f"{share_of(share, part)}, at x = {spot.x:.3g} m, y = {spot.y:.3g} m, z = {depth:.3g} m{when}"
     if share >= 1.0:
         return (
             Note(
@@ -59,19 +62,33 @@ def map_yield_notes(medium: object, load: SurfaceLoad) -> tuple[Note, ...]:
     return (Note(Assumption.ELASTIC, Standing.ASYMPTOTIC, statement, MISES),)
 
 
-def last_yield_notes(medium: object, load: SurfaceLoad, others_bear_more: bool) -> tuple[Note, ...]:
-    """Return what is known of yield where the pressures and tractions are those of the last of many states.
+def history_yield_notes(
+    medium: object, lengths: Array, heaviest: tuple[LoadedMap, ...], count: int, *, periodic: bool = False
+) -> tuple[Note, ...]:
+    """Return whether the bodies stay elastic in all states of a history, and which one strains them most.
 
     Parameters
     ----------
     medium
         A homogeneous one.
-    load : SurfaceLoad
-        What acts on the first body in the last state.
-    others_bear_more : bool
-        Whether another state has a greater pressure or shear force.
+    lengths : ndarray, (2,)
+        Of the map [m].
+    heaviest : tuple of LoadedMap
+        States among which the greatest stress is sought.
+    count : int
+        How many states there are.
+    periodic : bool, optional
+        Whether the map is repeated.
     """
-    last = map_yield_notes(medium, load)
-    if others_bear_more and last and worst(last) is not Standing.OUTSIDE:
-        return unknown_yield(medium, "tractions are stored of the last state, and others bear more")
-    return last
+    loads = [SurfaceLoad.of_map(lengths, each.pressure, each.traction, periodic=periodic) for each in heaviest]
+    if not loads:
+        return ()
+    shares = [greatest_share(medium, load) if len(loads) > 1 else 0.0 for load in loads]
+    worst = shares.index(max(shares))
+    when = ""
+    if count > 1:
+        when = (
+            f", in state {heaviest[worst].index + 1} of {count}, the worst of those under the greatest pressure, "
+            "traction or shear force"
+        )
+    return map_yield_notes(medium, loads[worst], when)

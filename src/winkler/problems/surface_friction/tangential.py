@@ -23,9 +23,10 @@ from winkler.media.medium import Medium
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad
 from winkler.numerics.types import Array
 from winkler.path import Path, numbers_of
-from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.subsurface.last_map import LastMap
+from winkler.problems.subsurface.loaded_history import LoadedMap, gathered_maps
+from winkler.problems.subsurface.traction_frames import TractionFrame
 from winkler.problems.surface_friction.march import SurfaceMarch
 from winkler.problems.surface_friction.notes import surface_shear_notes
 from winkler.problems.surface_friction.state import SurfaceShearState
@@ -180,7 +181,8 @@ class SurfaceTangential:
 
     def gathered(self, states: Iterable[SurfaceShearState]) -> SurfaceTangentialSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""
-        return gather(SurfaceTangentialSolution, self, states)
+        found = gathered_maps(states, SurfaceTangentialSolution)
+        return SurfaceTangentialSolution(problem=self, **found.columns, **found.maps)
 
     def solve(self) -> SurfaceTangentialSolution:
         """Return the contact along the whole path.
@@ -211,13 +213,19 @@ class SurfaceTangentialSolution(LastMap):
         As in `SurfaceShearState`.
     last : SurfaceShearState
         The contact at the end of the path, with its maps of pressure, traction and slip.
+    heaviest : tuple of LoadedMap
+        The states among which the greatest stress of the whole path is sought.
+    frames : tuple of TractionFrame
+        What touches, sticks and slips in states along the history.
     """
 
     __words__ = words(
         **{
             name: SurfaceShearState.__words__[name]
             for name in ("shift", "shear_force", "peak_pressure", "stick_share", "stored_energy", "misfit")
-        }
+        },
+        heaviest=("", None, "states among which the greatest stress is sought"),
+        frames=("", None, "what touches, sticks and slips in states along the history"),
     )
 
     problem: SurfaceTangential
@@ -237,6 +245,8 @@ class SurfaceTangentialSolution(LastMap):
     misfit: Array
     penetration: Array
     last: SurfaceShearState
+    heaviest: tuple[LoadedMap, ...]
+    frames: tuple[TractionFrame, ...]
 
     @property
     def shift_x(self) -> Array:
@@ -262,8 +272,7 @@ class SurfaceTangentialSolution(LastMap):
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: residuals, steps, border, slopes, pixels."""
         stated, touched = self.problem, self.area > 0.0
-        shear = np.hypot(self.shear_force[:, 0], self.shear_force[:, 1])
-        yielded = self._yield_notes(self.peak_pressure, shear) if touched[-1] else ()
+        yielded = self._yield_notes(self.time.size)
         blurred = float(np.max(self.area_error[touched] / self.area[touched], initial=0.0))
         notes = surface_shear_notes(
             stated.topography, cast(Medium, stated.medium), stated.law, blurred, self.force,

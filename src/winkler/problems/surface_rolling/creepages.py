@@ -35,7 +35,7 @@ from winkler.problems.surface_friction.borne import refuse_beyond
 from winkler.problems.surface_rolling.falling import roll_under
 from winkler.problems.surface_rolling.patch import RollingPatch
 
-__all__ = ["CreepSearch", "CreptPatch"]
+__all__ = ["AHEAD", "CreepSearch", "CreptPatch"]
 
 AHEAD = 0.25
 """How far ahead of the middle of a pixel the slip of a spin is taken, and how far behind what sticks acts [pixels]."""

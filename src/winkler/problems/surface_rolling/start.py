@@ -25,13 +25,15 @@ from winkler.media.halfspace import HalfSpace
 from winkler.numerics.surfaces.sheared_surface import RigidStep, ShearedSurface, shear
 from winkler.numerics.types import Array
 from winkler.path import OnePositiveNormal
-from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.subsurface.last_map import LastMap
+from winkler.problems.subsurface.loaded_history import LoadedMap, gathered_maps
+from winkler.problems.subsurface.traction_frames import TractionFrame
 from winkler.problems.surface_friction.borne import refuse_beyond
 from winkler.problems.surface_rolling.creep_force import OneRollingDrive, given_of
 from winkler.problems.surface_rolling.notes import surface_rolling_notes
 from winkler.problems.surface_rolling.patch import RollingPatch, refuse_map, rolling_patch
+from winkler.problems.surface_rolling.small_creep import greatest_slip, small_creep_note
 from winkler.problems.surface_rolling.state import SurfaceRollingStartState
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note
@@ -171,7 +173,8 @@ class SurfaceRollingStart:
 
     def gathered(self, states: Iterable[SurfaceRollingStartState]) -> SurfaceRollingStartSolution:
         """Return the solution made of these states, of the whole distance or of its beginning."""
-        return gather(SurfaceRollingStartSolution, self, states)
+        found = gathered_maps(states, SurfaceRollingStartSolution)
+        return SurfaceRollingStartSolution(problem=self, **found.columns, **found.maps)
 
     def solve(self) -> SurfaceRollingStartSolution:
         """Return the contact along the whole distance.
@@ -200,10 +203,16 @@ class SurfaceRollingStartSolution(LastMap):
         As in `SurfaceRollingStartState`.
     last : SurfaceRollingStartState
         The contact at the end, with its maps.
+    heaviest : tuple of LoadedMap
+        The states among which the greatest stress of the whole distance is sought.
+    frames : tuple of TractionFrame
+        What touches, sticks and slips in states along the history.
     """
 
     __words__ = words(
-        **{name: SurfaceRollingStartState.__words__[name] for name in ("stick_share", "misfit", "moment")}
+        **{name: SurfaceRollingStartState.__words__[name] for name in ("stick_share", "misfit", "moment")},
+        heaviest=("", None, "states among which the greatest stress is sought"),
+        frames=("", None, "what touches, sticks and slips in states along the history"),
     )
 
     problem: SurfaceRollingStart
@@ -217,6 +226,8 @@ class SurfaceRollingStartSolution(LastMap):
     stick_share: Array
     misfit: Array
     last: SurfaceRollingStartState
+    heaviest: tuple[LoadedMap, ...]
+    frames: tuple[TractionFrame, ...]
 
     @property
     def validity(self) -> tuple[Note, ...]:
@@ -226,4 +237,8 @@ class SurfaceRollingStartSolution(LastMap):
             stated.topography, stated.medium, stated.friction, self.last.pressure, self.misfit,
             bool(np.any(given_of(stated.drive).by_force)),
         )  # fmt: skip
-        return (*notes, *self._yield_notes(np.hypot(self.longitudinal_force, self.lateral_force)))
+        slip = greatest_slip(
+            self.longitudinal_creepage, self.lateral_creepage, self.spin_creepage, self.last.pressure > 0.0,
+            np.array(stated.topography.pixel),
+        )  # fmt: skip
+        return (*notes, small_creep_note(slip), *self._yield_notes(self.distance.size))

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Iterable, Iterator
-from typing import Annotated, ClassVar
+from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
@@ -25,20 +25,20 @@ from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import OnePositiveNormal
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.subsurface.last_map import LastMap
+from winkler.problems.subsurface.loaded_history import LoadedMap, gathered_maps
+from winkler.problems.subsurface.traction_frames import TractionFrame
 from winkler.problems.surface_rolling.creep_force import RollingDrive, first_of, given_of
 from winkler.problems.surface_rolling.creepages import CreepSearch, CreptPatch
 from winkler.problems.surface_rolling.falling import refuse_rest
 from winkler.problems.surface_rolling.notes import surface_rolling_notes
 from winkler.problems.surface_rolling.patch import RollingPatch, refuse_map, rolling_patch
+from winkler.problems.surface_rolling.small_creep import greatest_slip, small_creep_note
 from winkler.problems.surface_rolling.state import SurfaceRollingState
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
 __all__ = ["SurfaceRolling", "SurfaceRollingSolution"]
-
-APART = ("problem", "last")
-"""Fields of a solution that are no numbers of its cases."""
 
 
 @value
@@ -173,13 +173,13 @@ class SurfaceRolling:
 
     def gathered(self, states: Iterable[SurfaceRollingState]) -> SurfaceRollingSolution:
         """Return the solution made of these states, of all creepages or forces, or of the first ones."""
-        reached, shape = list(states), given_of(self.drive).shape
-        whole = len(reached) == self.total
-        names = [field.name for field in dataclasses.fields(SurfaceRollingSolution) if field.name not in APART]
-        rows = {name: np.array([getattr(state, name) for state in reached]) for name in names}
-        columns = {name: shaped(row, shape) if whole else row for name, row in rows.items()}
-        problem = self if whole else dataclasses.replace(self, drive=first_of(self.drive, len(reached)))
-        return SurfaceRollingSolution(problem=problem, **columns, last=reached[-1])
+        shape = given_of(self.drive).shape
+        found = gathered_maps(states, SurfaceRollingSolution)
+        count = found.columns["force"].size
+        whole = count == self.total
+        columns: dict[str, Any] = {name: shaped(row, shape) if whole else row for name, row in found.columns.items()}
+        problem = self if whole else dataclasses.replace(self, drive=first_of(self.drive, count))
+        return SurfaceRollingSolution(problem=problem, **columns, **found.maps)
 
     def solve(self) -> SurfaceRollingSolution:
         """Return creep forces and creepages.
@@ -216,13 +216,19 @@ class SurfaceRollingSolution(LastMap):
         As in `SurfaceRollingState`.
     last : SurfaceRollingState
         The last contact, with its maps of pressure, traction and slip.
+    heaviest : tuple of LoadedMap
+        The states among which the greatest stress of all cases is sought.
+    frames : tuple of TractionFrame
+        What touches, sticks and slips in states along the history.
     """
 
     __words__ = words(
         **{
             name: SurfaceRollingState.__words__[name]
             for name in ("stick_share", "misfit", "moment", "rolling_resistance")
-        }
+        },
+        heaviest=("", None, "states among which the greatest stress is sought"),
+        frames=("", None, "what touches, sticks and slips in states along the history"),
     )
 
     problem: SurfaceRolling
@@ -238,6 +244,8 @@ class SurfaceRollingSolution(LastMap):
     stick_share: Quantity
     misfit: Quantity
     last: SurfaceRollingState
+    heaviest: tuple[LoadedMap, ...]
+    frames: tuple[TractionFrame, ...]
 
     @property
     def shear_force(self) -> Quantity:
@@ -270,4 +278,6 @@ class SurfaceRollingSolution(LastMap):
             stated.topography, stated.medium, stated.friction, self.last.pressure, self.misfit,
             bool(np.any(given_of(stated.drive).by_force)),
         )  # fmt: skip
-        return (*notes, *self._yield_notes(self.shear_force))
+        creeps = self.longitudinal_creepage, self.lateral_creepage, self.spin_creepage
+        slip = greatest_slip(*creeps, self.last.pressure > 0.0, np.array(stated.topography.pixel))
+        return (*notes, small_creep_note(slip), *self._yield_notes(np.size(self.force)))

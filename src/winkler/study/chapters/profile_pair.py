@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
 from winkler.study.chapters.kind import kind
+from winkler.study.chapters.surface_rolling import COULOMB, PASSED
 
 __all__ = ["PROFILE_PAIR"]
 
@@ -33,6 +34,14 @@ CREEPAGES = Equation(
     "Creepages are those of rigid bodies at the middle of the pressure, over the mean speed of both",
     r"\xi = \frac{(v_2-v_1)_x}{V}, \quad \eta = \frac{(v_2-v_1)_t}{V}, \quad "
     r"\varphi = -\frac{1}{V}\,\frac{\mathrm{d}(v_2-v_1)_x}{\mathrm{d}s}",
+)
+SLIP_ALONG_ARC = Equation(
+    "They follow the radii of both bodies along the arc s of a patch, about the middle x₀ of its pressure",
+    r"w_x = \xi(s), \quad w_t = \eta(s)+\varphi(s)\,(x-x_0)",
+)
+BALANCE = Equation(
+    "Pressures and friction together bear the vertical force",
+    r"F_z = \int (p\,n_z-\tau_t\,t_z)\,\mathrm{d}A, \quad F_y = \int (p\,n_y-\tau_t\,t_y)\,\mathrm{d}A",
 )
 
 PROFILE_PAIR = Chapter(
@@ -66,6 +75,28 @@ PROFILE_PAIR = Chapter(
             ),
             pictured=PicturedContact.NONE,
             formulas=(ALONG_NORMALS, SUMS, CREEPAGES),
+        ),
+        "profile_pair_rolling": answer(
+            "winkler.problems.profile_pair.pair_rolling:ProfilePairRolling",
+            headline=("x_force", "y_force", "loss_per_distance", "peak_pressure"),
+            pair={
+                "kind": "profile_pair",
+                "first": ARC,
+                "second": TREAD,
+                "second_radius": "460 mm",
+                "rolled_radius": "460.2 mm",
+                "load": {"kind": "force", "force": "50 kN"},
+                "yaw": "1 mrad",
+                "pixels": 48,
+            },
+            picture=Caption(
+                "rolling_profiles",
+                "Friction of the profiles while they roll",
+                "Both profiles with the places where they touch, and stick and slip with arrows of the traction on the "
+                "patches that bear most.",
+            ),
+            pictured=PicturedContact.NONE,
+            formulas=(ALONG_NORMALS, CREEPAGES, SLIP_ALONG_ARC, PASSED, COULOMB, BALANCE),
         ),
     },
 )

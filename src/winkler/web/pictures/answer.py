@@ -11,6 +11,7 @@ import orjson
 
 from winkler.errors import WinklerError
 from winkler.plot import method
+from winkler.plot.rough.film import film_panels, has_film
 from winkler.plot.wear.wear import moment_panels
 from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.answer import is_recovering, is_worn
@@ -204,6 +205,8 @@ def pictures(shown_scene: Scene) -> Iterator[InteractivePicture]:
         yield from method_pictures(contact, view)
     if shown_scene.states and is_worn(shown_scene.states[shown_scene.moment]):
         yield from _worn(shown_scene.states, shown_scene.moment)
+    if shown_scene.moment >= 0 and has_film(shown_scene.point.solution):
+        yield from _zones(shown_scene.point.solution, shown_scene.moment)
     for pair in histories.curves_of(shown_scene.outcome, shown_scene.point):
         drawn = histories.draw_curves(shown_scene.outcome, shown_scene.point, pair, shown_scene.moment)
         yield InteractivePicture("_over_".join(reversed(pair)), histories.title_of(pair), "", packed(drawn))
@@ -217,6 +220,19 @@ def _worn(states: tuple[Any, ...], moment: int) -> Iterator[InteractivePicture]:
         ("worn_pressure", "Pressure", "p(r) at this moment, at first and in the end."),
     )  # fmt: skip
     for name, panel in zip(captions, moment_panels(states, moment), strict=True):
+        yield InteractivePicture(*name, packed(chart(panel)))
+
+
+def _zones(solution: Any, moment: int) -> Iterator[InteractivePicture]:
+    captions = (
+        (
+            "stick_and_slip",
+            "Stick and slip",
+            "What sticks (green) and slips at this moment, with arrows of the traction.",
+        ),
+        ("traction", "Traction", "Its size at this moment, in one scale for all moments."),
+    )
+    for name, panel in zip(captions, film_panels(solution, moment), strict=True):
         yield InteractivePicture(*name, packed(chart(panel)))
 
 

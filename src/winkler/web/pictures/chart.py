@@ -9,7 +9,22 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.panel import Area, Arrow, Band, Dots, Line, Map, Panel, PanelAxis, Polygon, Rule, Strokes, Text
+from winkler.plot.panel import (
+    Area,
+    Arrow,
+    Band,
+    Dots,
+    Line,
+    Map,
+    Panel,
+    PanelAxis,
+    Polygon,
+    Rule,
+    Strokes,
+    Text,
+    Vectors,
+)
+from winkler.web.pictures.pixels import arrow_lines, heat_map
 from winkler.web.pictures.words import text_html
 
 __all__ = ["CONFIG", "Chart", "chart"]
@@ -239,7 +254,9 @@ def _arrow(mark: Arrow, across: float, upright: float, axis: str) -> Parts:
 
 
 def _map(mark: Map, across: float, upright: float, axis: str) -> Parts:
-    """Return contours; values above the last level have its colour."""
+    """Return pixels, or contours; values above the last level have its colour."""
+    if mark.kind == "pixels":
+        return [("data", heat_map(mark, across, upright, axis))]
     factor, levels = mark.bar.scale.factor, np.asarray(mark.levels, dtype=float)
     x, y = (part[:, 0] if part.ndim == 2 and turn else np.ravel(part[:1]) if part.ndim == 2 else part
             for part, turn in ((mark.x, True), (mark.y, False)))  # fmt: skip
@@ -277,5 +294,6 @@ MARKS: dict[type, Callable[[Any, float, float, str], Parts]] = {
     Text: _text,
     Arrow: _arrow,
     Map: _map,
+    Vectors: lambda mark, *scales: [("data", arrow_lines(mark, *scales))],
 }
 """Traces of each mark; three-dimensional bodies are drawn by `winkler.web.pictures.solid`."""

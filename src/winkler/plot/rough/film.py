@@ -1,0 +1,121 @@
+"""Films of sheared and rolling height maps: stick, slip and traction at each state of their history."""
+
+from __future__ import annotations
+
+import dataclasses
+import tempfile
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.numerics.types import Array
+from winkler.plot.marks import Map
+from winkler.plot.panel import NO_CONTACT, Panel, Sheet, titled
+from winkler.plot.rough.shear import Zones, frame_of, traction_maps
+from winkler.problems.subsurface.traction_frames import TractionFrame, frame_at
+
+__all__ = ["film", "film_panels", "film_sheet", "has_film"]
+
+PER_SECOND = 8
+"""States shown in a second."""
+DOTS_PER_INCH = 80
+
+
+def has_film(item: Any) -> bool:
+    """Return whether a solution has frames of a history."""
+    return len(getattr(item, "frames", ())) > 0
+
+
+def film(item: Any, *, per_second: float = PER_SECOND) -> bytes:
+    """Return the history of a sheared or rolling height map as an animated GIF.
+
+    Parameters
+    ----------
+    item : SurfaceTangentialSolution, SurfaceRollingSolution or SurfaceRollingStartSolution
+        With frames of its states.
+    per_second : float, optional
+        States shown in a second.
+
+    Returns
+    -------
+    bytes
+        Contents of the file.
+
+    Raises
+    ------
+    InvalidInput
+        If the solution has no frames, or nothing is shown in a second.
+    """
+    if not has_film(item):
+        raise InvalidInput(
+            f"film: {type(item).__name__} has no frames; give a solution of SurfaceTangential, SurfaceRolling or "
+            "SurfaceRollingStart."
+        )
+    if not per_second > 0.0:
+        raise InvalidInput(f"film: per_second is {per_second!r}; give a positive number.")
+    from matplotlib.animation import PillowWriter
+
+    from winkler.plot.render import render
+
+    writer = PillowWriter(fps=per_second)  # type: ignore[arg-type]
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder, "film.gif")
+        for place, frame in enumerate(item.frames):
+            figure = render(film_sheet(item, frame.index))
+            if place == 0:
+                writer.setup(figure, path, dpi=DOTS_PER_INCH)
+            writer.fig = figure
+            writer.grab_frame()
+        writer.finish()
+        return path.read_bytes()
+
+
+def film_sheet(item: Any, index: int) -> Sheet:
+    """Return stick and slip with arrows, and the traction, in the frame kept at or before a state."""
+    frame = frame_at(item.frames, index)
+    panels = film_panels(item, index)
+    count = int(np.count_nonzero(frame.touching))
+    sticks = 100.0 * float(np.count_nonzero(frame.touching & ~frame.slipping)) / max(count, 1)
+    title = f"state {frame.index + 1} of {np.shape(item.misfit)[0] if np.ndim(item.misfit) else 1}"
+    names = ("stick (green) and slip", "traction")
+    return Sheet(titled(panels, *names), 2, width=4.0, height=3.4, title=f"{title};  {sticks:.3g} % sticks")
+
+
+def film_panels(item: Any, index: int) -> tuple[Panel, Panel]:
+    """Return the two maps of a state, in one frame and with one scale for all states of the history."""
+    frames, rough = item.frames, item.problem.topography
+    ever = np.zeros(rough.heights.shape, dtype=bool)
+    for each in frames:
+        ever[_part(each)] |= each.touching
+    if not ever.any():
+        return NO_CONTACT, NO_CONTACT
+    frame = frame_at(frames, index)
+    state = Zones(
+        pressure=_on_map(ever, frame, frame.touching).astype(float),
+        slipping=_on_map(ever, frame, frame.slipping),
+        traction=np.stack([_on_map(ever, frame, part) for part in frame.traction]).astype(float),
+    )
+    most = max(float(np.max(np.hypot(*each.traction))) for each in frames)
+    zones, size = traction_maps(rough, state, frame=frame_of(ever)) if frame.touching.any() else (NO_CONTACT,) * 2
+    marks = tuple(_scaled(mark, most) for mark in size.marks)
+    return zones, dataclasses.replace(size, marks=marks)
+
+
+def _part(frame: TractionFrame) -> tuple[slice, slice]:
+    (i, j), (n, m) = frame.corner, frame.touching.shape
+    return slice(i, i + n), slice(j, j + m)
+
+
+def _on_map(whole: Array, frame: TractionFrame, part: Array) -> Array:
+    made = np.zeros(whole.shape, dtype=part.dtype)
+    made[_part(frame)] = part
+    return made
+
+
+def _scaled(mark: Any, most: float) -> Any:
+    """Return a map with colours up to the greatest traction of all states."""
+    if not (isinstance(mark, Map) and most > 0.0):
+        return mark
+    return dataclasses.replace(mark, bar=dataclasses.replace(mark.bar, low=0.0, high=most))

@@ -1,0 +1,293 @@
+r"""Two bodies of given profiles that roll over each other with friction: a wheel on a rail, a ball in its groove.
+
+`ProfilePair` finds the patches; on each of them the bodies slip by what their motion as rigid bodies leaves, as far as
+friction does not bear it (`winkler.problems.profile_pair.rolled_patch`).  Friction on an inclined patch lifts or lowers
+the upper body, so that under a given force the pressures follow from the balance of both,
+
+.. math:: F_z = \sum \int (p\,n_z - \tau_t\,t_z)\,\mathrm dA .
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Annotated, ClassVar
+
+import numpy as np
+
+from winkler.checks.number_checks import between
+from winkler.errors import NotConverged, OutsideValidity
+from winkler.laws.friction import Sliding
+from winkler.loading import Force
+from winkler.numerics.types import Array
+from winkler.problems.assumptions.declared import PRESSED
+from winkler.problems.profile_pair.creepages import Drift
+from winkler.problems.profile_pair.pressed_pair import PlacedPair, pressed_pair
+from winkler.problems.profile_pair.profile_pair import ProfilePair
+from winkler.problems.profile_pair.rolled_patch import RolledPatch, rolled_patches
+from winkler.problems.profile_pair.rolling_notes import pair_rolling_notes
+from winkler.validity import Assumption, Note
+from winkler.values import value, words
+
+__all__ = ["ProfilePairRolling", "ProfilePairRollingSolution"]
+
+MOST_TRIALS = 20
+FORCE_TOLERANCE = 1e-5
+"""Part of the vertical force to which pressures and friction balance it."""
+LEAST_BORNE = 0.2
+"""Part of the pressures that the vertical force is at least: else friction carries the upper body."""
+FEWEST_PIXELS = 16
+"""Along a side, of the grid with which results are compared."""
+FASTEST_DRIFT = 0.5
+"""Largest lateral drift [-]."""
+
+
+@value
+class ProfilePairRolling:
+    """Two bodies of given profiles that roll over each other steadily, with friction.
+
+    Parameters
+    ----------
+    pair : ProfilePair
+        The bodies, how they stand, their load and the rolled radius; the force is the vertical one of pressures and
+        friction together.
+    friction : Coulomb
+        Its coefficient positive and finite.
+    lateral_drift : float, optional
+        How far the upper body moves towards +y per distance rolled [-].
+    yaw_rate, roll_rate : float, optional
+        How far it turns meanwhile, as yaw and roll of the pair, per distance rolled [rad/m], about the zero of its
+        profile.
+    tolerance : float, optional
+        Greatest `misfit` of a patch that counts as solved.
+
+    Raises
+    ------
+    InvalidInput
+        If a number is out of range.
+
+    References
+    ----------
+    J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990, doi:10.1007/978-94-015-7889-9;
+    E. A. H. Vollebregt, Vehicle Syst. Dyn. 52 (2014) suppl. 267-283
+
+    Examples
+    --------
+    A ball that is braked by 0.1 %:
+
+    >>> import numpy as np
+    >>> from winkler.laws.friction import Coulomb
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.sections.cross_profile import CrossProfile
+    >>> y = np.linspace(-2e-3, 2e-3, 41)
+    >>> flat, ball = CrossProfile(y, 0.0 * y), CrossProfile(y, 10e-3 - np.sqrt(10e-3**2 - y**2))
+    >>> steel = HalfSpace.between(Elastic(210e9, 0.3), Elastic(210e9, 0.3))
+    >>> pair = ProfilePair(flat, ball, steel, Force(100.0), second_radius=10e-3, rolled_radius=10.01e-3, pixels=48)
+    >>> rolls = ProfilePairRolling(pair, Coulomb(0.3)).solve()
+    >>> round(float(rolls.saturation[0]), 2)
+    0.38
+    """
+
+    __words__ = words(
+        pair=("", None, "two bodies of given profiles and how they stand"),
+        lateral_drift=("", "", "how far the upper body moves across per distance rolled"),
+        yaw_rate=("", "rad/m", "turn of the upper body about the vertical per distance rolled"),
+        roll_rate=("", "rad/m", "turn of the upper body about the direction along per distance rolled"),
+    )
+
+    pair: ProfilePair
+    friction: Sliding
+    lateral_drift: Annotated[float, between(-FASTEST_DRIFT, FASTEST_DRIFT)] = 0.0
+    yaw_rate: float = 0.0
+    roll_rate: float = 0.0
+    tolerance: Annotated[float, between(1e-12, 1e-2)] = 1e-7
+
+    references: ClassVar[tuple[str, ...]] = ("kalker_1990", "polonsky_keer_1999", "shackleton_iwnicki_2008")
+    assumptions: ClassVar[frozenset[Assumption]] = PRESSED | {Assumption.UNCOUPLED, Assumption.SLIP, Assumption.STEADY}
+
+    def solve(self) -> ProfilePairRollingSolution:
+        """Return the patches with their creep forces, and the sums of these.
+
+        Raises
+        ------
+        InvalidInput, OutsideValidity
+            As `ProfilePair.solve`; also if a contact reaches the end of a profile, or friction carries the upper body.
+        NotConverged
+            If the pressures, stick and slip, or the balance of both are not found.
+        """
+        pair, wanted = self.pair, float(self.pair.load.force) if isinstance(self.pair.load, Force) else 0.0
+        for _ in range(MOST_TRIALS):
+            placed, rolled, misfit = self._rolled(pair)
+            borne = sum(each.z_force for each in rolled)
+            if not wanted or abs(borne / wanted - 1.0) <= FORCE_TOLERANCE:
+                return self._solution(pair, placed, rolled, misfit)
+            pressed = float(placed.windows.force[1])
+            if borne < LEAST_BORNE * pressed:
+                raise OutsideValidity(
+                    f"ProfilePairRolling: of {pressed:.6g} N that press the upper body up, friction takes "
+                    f"{pressed - borne:.6g} N: it all but carries the body; give less friction, or other creepages."
+                )
+            pair = dataclasses.replace(pair, load=Force(pressed * wanted / borne))
+        raise NotConverged(
+            f"ProfilePairRolling: pressures and friction do not balance {wanted:.6g} N within {MOST_TRIALS} trials; "
+            "the patches change with the load: give another load or lateral position."
+        )
+
+    def _rolled(self, pair: ProfilePair) -> tuple[PlacedPair, list[RolledPatch], float]:
+        placed = pressed_pair(pair)
+        if any(region.reaches_end() for region in placed.windows.regions):
+            raise OutsideValidity(
+                "ProfilePairRolling: the contact is cut by the end of a profile, or by the steep part where its height "
+                "is not known, and what rolls beyond is not known either; give a longer profile, or another lateral "
+                "position."
+            )
+        drift = Drift(self.lateral_drift, self.yaw_rate, self.roll_rate)
+        radius = pair.rolled_radius or pair.second_radius
+        return placed, *rolled_patches(placed, pair.medium, self.friction.coefficient, radius, drift, self.tolerance)
+
+    def _solution(
+        self, pair: ProfilePair, placed: PlacedPair, rolled: list[RolledPatch], misfit: float
+    ) -> ProfilePairRollingSolution:
+        coarse = self._rolled(dataclasses.replace(pair, pixels=max(pair.pixels // 2, FEWEST_PIXELS)))[1]
+        most = self.friction.coefficient * sum(each.patch.force for each in rolled)
+        forces, before = _sums(rolled), _sums(coarse)
+        return ProfilePairRollingSolution(
+            problem=self,
+            depth=placed.windows.drop,
+            height=float(placed.down.place[2]),
+            x_force=float(forces[0]),
+            y_force=float(forces[1]),
+            z_force=float(forces[2]),
+            loss_per_distance=sum(each.loss_per_distance for each in rolled),
+            peak_pressure=max(each.patch.peak_pressure for each in rolled),
+            grid_error=float(np.max(np.abs(forces - before))) / most,
+            misfit=misfit,
+            windows=len(placed.windows.regions),
+            patches=tuple(sorted(rolled, key=lambda each: -each.patch.force)),
+        )
+
+
+def _sums(patches: list[RolledPatch]) -> Array:
+    """Return the forces on the upper body, along, across and up [N]."""
+    return np.asarray(np.sum([[each.x_force, each.y_force, each.z_force] for each in patches], axis=0))
+
+
+@value
+class ProfilePairRollingSolution:
+    """The solution of `ProfilePairRolling`; arrays have a number for each patch, that which bears most first.
+
+    Parameters
+    ----------
+    problem : ProfilePairRolling
+        The problem that was solved.
+    depth : float
+        How far the upper body has gone down since first touch [m].
+    height : float
+        Where z = 0 of the upper profile stands above that of the lower one [m].
+    x_force, y_force, z_force : float
+        What pressures and friction of all patches exert on the upper body, along, across and up [N].
+    loss_per_distance : float
+        What friction takes per distance rolled [J/m]; times the speed it is the power.
+    peak_pressure : float
+        The greatest [Pa].
+    grid_error : float
+        Greatest change of a force from half as many pixels along a side, over the friction that there can be.
+    misfit : float
+        What the solver left of the law of friction: the sum of mu p |s| - tau s over that of mu p |w|.
+    windows : int
+        Number of grids, which do not know of each other.
+    patches : tuple of RolledPatch
+        Where the bodies touch, with maps of pressure, traction and slip.
+    """
+
+    __words__ = words(
+        depth=("d", "m", "how far the upper body has gone down since first touch"),
+        height=("z", "m", "height of the upper profile's zero over that of the lower one"),
+        **{name: RolledPatch.__words__[name] for name in ("x_force", "y_force", "z_force", "moment", "stick_share")},
+        grid_error=("", "", "change of forces from half as many pixels, over the friction"),
+        misfit=("", "", "what the solver left of the law of friction, over what friction would lose all slipping"),
+        windows=("", None, "number of grids of elements"),
+        patches=("", None, "places of contact, the one that bears most first"),
+        place=("y", "m", "middle of the pressure of a patch, across"),
+        angle=(r"\alpha", "rad", "contact angle of a patch"),
+        force=("F_N", "N", "force that presses a patch"),
+    )
+
+    problem: ProfilePairRolling
+    depth: float
+    height: float
+    x_force: float
+    y_force: float
+    z_force: float
+    loss_per_distance: float
+    peak_pressure: float
+    grid_error: float
+    misfit: float
+    windows: int
+    patches: tuple[RolledPatch, ...]
+
+    def _row(self, name: str) -> Array:
+        return np.array([getattr(each, name) for each in self.patches])
+
+    @property
+    def place(self) -> Array:
+        """Where across the middles of the patches are [m], ``(patches,)``."""
+        return np.array([each.patch.y for each in self.patches])
+
+    @property
+    def angle(self) -> Array:
+        """Contact angles [rad], ``(patches,)``."""
+        return np.array([each.patch.angle for each in self.patches])
+
+    @property
+    def force(self) -> Array:
+        """Forces that press the patches [N], ``(patches,)``."""
+        return np.array([each.patch.force for each in self.patches])
+
+    @property
+    def longitudinal_creepage(self) -> Array:
+        """xi [-] at the middles, ``(patches,)``."""
+        return np.array([float(each.creepage.longitudinal) for each in self.patches])
+
+    @property
+    def lateral_creepage(self) -> Array:
+        """eta [-] at the middles, ``(patches,)``."""
+        return np.array([float(each.creepage.lateral) for each in self.patches])
+
+    @property
+    def spin_creepage(self) -> Array:
+        """phi [1/m] at the middles, ``(patches,)``."""
+        return np.array([float(each.creepage.spin) for each in self.patches])
+
+    @property
+    def longitudinal_force(self) -> Array:
+        """With which the upper body drags the lower one along x [N], ``(patches,)``."""
+        return self._row("longitudinal_force")
+
+    @property
+    def lateral_force(self) -> Array:
+        """With which it drags it along the arc, towards +y [N], ``(patches,)``."""
+        return self._row("lateral_force")
+
+    @property
+    def moment(self) -> Array:
+        """Moments about the normals [N m], ``(patches,)``."""
+        return self._row("moment")
+
+    @property
+    def saturation(self) -> Array:
+        """Creep forces over mu F_N [-], ``(patches,)``."""
+        return self._row("saturation")
+
+    @property
+    def stick_share(self) -> Array:
+        """Parts of the patches that do not slip [-], ``(patches,)``."""
+        return self._row("stick_share")
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted: pixels, conformity, friction, creepages, yield."""
+        stated = self.problem
+        return pair_rolling_notes(
+            stated.pair.medium, stated.friction.coefficient, self.patches, self.windows, self.grid_error, self.misfit
+        )

@@ -1,0 +1,114 @@
+"""Films of height maps that are sheared or roll: a frame for each state, in the app and as a file."""
+
+from __future__ import annotations
+
+import io
+import json
+
+import numpy as np
+import pytest
+import tomli_w
+from PIL import Image
+
+import winkler as wk
+from winkler.cli import main
+from winkler.plot import film
+from winkler.plot.panel import NO_CONTACT, Map
+from winkler.plot.rough.film import film_panels, film_sheet
+from winkler.problems.subsurface import traction_frames
+from winkler.study.batch.run import run
+from winkler.study.language.explain import example_study
+from winkler.study.language.reading import parse_study
+from winkler.web.pictures import answer
+from winkler.web.pictures.moments import moments_of
+from winkler.web.pictures.view import NO_VIEW
+
+PAIR = wk.HalfSpace.between(wk.Elastic(1.0, 0.3), wk.Elastic(1.0, 0.3))
+BALL = wk.SampledProfile([0.25, 0.25], wk.Paraboloid(1.0), (33, 33))
+
+
+@pytest.fixture(scope="module")
+def swung():
+    """A ball that touches from the second state on and is pushed to and fro."""
+    path = wk.Path.through(wk.Depth([0.0, 0.01, 0.01, 0.01]), wk.Shift([0.0, 0.0, 0.0015, -0.0005]))
+    return wk.SurfaceTangential(BALL, PAIR, wk.Coulomb(0.3), path)
+
+
+def test_each_state_has_its_zones_and_one_scale(swung):
+    solution, states = swung.solve(), list(swung.steps())
+    assert [frame.index for frame in solution.frames] == [0, 1, 2, 3]
+    assert film_panels(solution, 0)[0] is NO_CONTACT
+    highest = max(float(np.max(np.hypot(*state.traction))) for state in states)
+    ends = set()
+    for index, state in enumerate(states[1:], 1):
+        zones, size = film_panels(solution, index)
+        stuck, slid = (mark for mark in zones.marks if isinstance(mark, Map))
+        assert np.nansum(slid.z) == np.count_nonzero(state.slipping)
+        assert np.nansum(stuck.z) == np.count_nonzero((state.pressure > 0.0) & ~state.slipping)
+        (image,) = (mark for mark in size.marks if isinstance(mark, Map))
+        assert np.nanmax(image.z) == pytest.approx(np.max(np.hypot(*state.traction)), rel=1e-6)
+        ends.add((*image.x.tolist(), *image.y.tolist(), image.bar.low, image.bar.high))
+    assert len(ends) == 1
+    assert next(iter(ends))[-1] == pytest.approx(highest, rel=1e-6)
+    assert film_sheet(solution, 2).title.startswith("state 3 of 4;")
+
+
+def test_a_film_is_an_animated_picture(swung):
+    made = film(swung.gathered(list(swung.steps())[1:3]), per_second=4)
+    with Image.open(io.BytesIO(made)) as picture:
+        assert picture.format == "GIF"
+        assert picture.n_frames == 2
+        assert picture.info["duration"] == 250
+
+
+def test_what_has_no_film_is_refused(swung):
+    with pytest.raises(wk.InvalidInput, match=r"^film: int has no frames; give a solution of SurfaceTangential, .*\.$"):
+        film(3)
+    with pytest.raises(wk.InvalidInput, match="per_second is 0"):
+        film(swung.gathered(list(swung.steps())[:1]), per_second=0)
+
+
+def test_large_histories_keep_every_second_frame(swung, monkeypatch):
+    states = list(swung.steps())[1:] * 4
+    monkeypatch.setattr(traction_frames, "MOST_BYTES", 50_000)
+    kept = swung.gathered(states).frames
+    assert [frame.index for frame in kept] == list(range(0, 12, kept[1].index))
+    assert kept[1].index == 4
+    assert sum(frame.traction.nbytes for frame in kept) <= 50_000
+    assert traction_frames.frame_at(kept, 11) is kept[-1]
+    assert traction_frames.frame_at(kept, kept[1].index - 1) is kept[0]
+
+
+def test_the_app_draws_the_zones_of_the_moment():
+    table = example_study("surface_rolling") | {}
+    table["problem"]["topography"]["shape"] = [24, 24]
+    outcome = run(parse_study(tomli_w.dumps(table)))
+    moments = moments_of(outcome.points[0])
+    assert moments.total == 6
+    shares = []
+    for moment in (0, 5):
+        shown = {
+            each.name: json.loads(each.chart)
+            for each in answer.pictures(answer.scene(outcome, moments, moment, NO_VIEW, still=False))
+        }
+        stuck, slid, arrows = shown["stick_and_slip"]["data"]
+        assert stuck["type"] == slid["type"] == "heatmap"
+        assert len(arrows["x"]) % 6 == 0
+        counts = [sum(cell is not None for row in part["z"] for cell in row) for part in (stuck, slid)]
+        shares.append(counts[0] / sum(counts))
+        assert shown["traction"]["data"][0]["zmax"] > 0.0
+    assert shares == pytest.approx(outcome.points[0].solution.stick_share[[0, 5]])
+
+
+@pytest.mark.slow
+def test_the_command_writes_a_film(tmp_path, capsys):
+    study = tmp_path / "rolls.toml"
+    table = example_study("surface_rolling")
+    table["problem"]["topography"]["shape"] = [24, 24]
+    study.write_text(tomli_w.dumps(table), encoding="utf-8")
+    made = tmp_path / "rolls.gif"
+    assert main(["draw", str(study), "--part", "film", "--output", str(made)]) == 0
+    with Image.open(made) as picture:
+        assert picture.n_frames == 6
+    assert main(["draw", str(study), "--part", "film", "--output", str(tmp_path / "rolls.png")]) == 2
+    assert "does not end like a film; give .gif." in capsys.readouterr().err
