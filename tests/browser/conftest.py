@@ -114,6 +114,14 @@ class AppPage:
         """Wait until something was requested."""
         self.page.locator('.answer-side[data-state="busy"]').wait_for(timeout=20_000)
 
+    def answered(self, before):
+        """Wait until other numbers stand on the page, and below their pictures too, which come after them."""
+        both = """before => {
+          const [head, tail] = ['.head', '.tail'].map(name => document.querySelector(name).innerHTML);
+          return head !== before && tail !== '' && head.includes(tail);
+        }"""
+        self.page.wait_for_function(both, arg=before, timeout=90_000)
+
     def choose(self, path, name):
         """Choose a kind at a place of the form."""
         self.page.locator(f'[data-choice="{path}"]').first.click()

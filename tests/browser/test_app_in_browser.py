@@ -26,8 +26,28 @@ def numbers_of(content):
     return {name.split(" ")[0]: [row[name] for row in rows] for name in rows[0]}
 
 
-@pytest.mark.parametrize("kind", [kind for kind in CATALOGUE["problem"] if kind != "indentation"] + ["indentation"])
+WHOLE = (
+    "line_indentation", "roller_contact", "equilibrium", "tangential", "impact", "creep_test", "constriction",
+    "friction_heating", "rolling", "sliding_wear", "surface_contact", "map_stress", "indentation",
+)  # fmt: skip
+"""A kind of each form of a page: lines, maps, histories, spectra, sheets alone; with the last the next test goes on."""
+
+
+@pytest.mark.parametrize("kind", [kind for kind in CATALOGUE["problem"] if kind not in WHOLE])
+def test_each_other_kind_shows_numbers_pictures_and_notes(kind, app_page):
+    """The page does not wait for the sheets, which `tests/web/test_web_pictures.py` draws, and goes on to the next."""
+    before = app_page.page.locator(".head").inner_html()
+    app_page.choose("problem", kind)
+    app_page.answered(before)
+    assert app_page.page.locator(".tail ul.notes li").count() >= 1
+    assert not app_page.page.locator(".refused").is_visible()
+    app_page.page.locator("[data-picture] .main-svg, .sheets figure svg").first.wait_for(timeout=60_000)
+    assert app_page.page.locator('[data-choice="problem"]').first.inner_text().endswith(kind.replace("_", " "))
+
+
+@pytest.mark.parametrize("kind", WHOLE)
 def test_from_opening_to_a_result(kind, app_page):
+    app_page.settled()  # with the sheets of the kind before
     app_page.choose("problem", kind)
     app_page.busy()
     app_page.settled()

@@ -146,6 +146,7 @@ def test_what_is_infinite_is_written_in_words(here, capsys):
     page = (here / "results" / "c" / "report.html").read_text(encoding="utf-8")
     assert "infinite" in page
     assert ">∞" not in page
+    (here / "c.toml").write_text(SPHERE.format(title="5 µm", report="false"), encoding="utf-8")
     assert main(["run", "c.toml", "--json", "--overwrite"]) == 0
     answers = json.loads(capsys.readouterr().out, parse_constant=pytest.fail)["answers"]
     resistance = next(one["values"] for one in answers if one["name"] == "resistance")

@@ -228,13 +228,14 @@ def assert_same(problem: Any, changes: list[Units]) -> None:
 
 @pytest.mark.parametrize("name", PROBLEMS)
 def test_every_problem_in_other_units(name):
-    assert_same(specimen(name), [BINARY, DECIMAL])
+    """Powers of ten find what powers of two find and more, to two digits less; these are among the slow tests."""
+    assert_same(specimen(name), [DECIMAL])
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", PROBLEMS)
 def test_every_problem_at_all_scales(name):
-    assert_same(specimen(name), ALL)
+    assert_same(specimen(name), [BINARY, *ALL])
 
 
 @pytest.mark.slow

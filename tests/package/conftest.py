@@ -45,9 +45,3 @@ def module_names() -> list[str]:
 def modules() -> list[ModuleType]:
     """Every module of the package, imported."""
     return [importlib.import_module(name) for name in module_names()]
-
-
-def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
-    """Give one test for each module for each use of a `module_name`."""
-    if "module_name" in metafunc.fixturenames:
-        metafunc.parametrize("module_name", module_names())

@@ -25,6 +25,7 @@ from winkler.study.language.catalogue import CATALOGUE
 from winkler.study.language.explain import example_study
 from winkler.study.language.reading import parse_study
 from winkler.study.language.study import Axis, Study
+from winkler.study.language.template import template
 from winkler.study.language.writing import study_text
 from winkler.study.report.citing import cite
 from winkler.study.report.describe import in_words, inputs
@@ -133,7 +134,8 @@ def test_a_path_in_a_file_lies_beside_the_study(tmp_path, monkeypatch):
     rows = "\n".join(f"{t};{n};{u}" for t, n, u in zip(LOOP.time, LOOP.across, LOOP.along * 1e6, strict=True))
     (tmp_path / "loop.csv").write_text(f"time [s];force [N];shift [um]\n{rows}\n", encoding="utf-8")
     head = TEXT.partition("[problem.path]")[0]
-    (tmp_path / "loop.toml").write_text(f'{head}[problem.path]\nkind = "path"\nfile = "loop.csv"\n', encoding="utf-8")
+    path = '[problem.path]\nkind = "path"\nfile = "loop.csv"\n'
+    (tmp_path / "loop.toml").write_text(head + path + "[output]\nfigures = []\nreport = false\n", encoding="utf-8")
     assert main(["run", "loop.toml", "--output", "out", "--quiet"]) == 0
     with (tmp_path / "out" / "results.csv").open(encoding="utf-8") as file:
         table = list(csv.DictReader(file))
@@ -270,9 +272,9 @@ def test_the_inputs_of_a_path_are_its_steps():
 
 def test_figures_of_a_sweep_lay_loops_side_by_side():
     outcome = run(Study("", RUBBED, sweep=(Axis("problem.law.coefficient", (0.1, 0.2)),)))
-    names = [shown.name for shown in figures_of(outcome)]
-    assert {"answer_tangential", "answer_shear_force", "answer_dissipation"} <= set(names)
-    assert all(shown.picture is not None for shown in figures_of(outcome) if not shown.of_method)
+    drawn = list(figures_of(outcome))
+    assert {"answer_tangential", "answer_shear_force", "answer_dissipation"} <= {shown.name for shown in drawn}
+    assert all(shown.picture is not None for shown in drawn if not shown.of_method)
 
 
 def test_stages_of_an_impact_are_a_table(tmp_path, monkeypatch):
@@ -318,7 +320,8 @@ def test_the_command_states_what_an_interrupted_march_stored(tmp_path, monkeypat
 
     monkeypatch.setattr(Tangential, "steps", cut)
     study, folder = tmp_path / "loop.toml", tmp_path / "loop"
-    assert main(["new", "tangential", "--output", str(study)]) == 0
+    text = template("tangential") + "\n[output]\nfigures = []\nreport = false\n"
+    study.write_text(text, encoding="utf-8")
     assert main(["run", str(study), "--output", str(folder)]) == 130
     message = capsys.readouterr().err.splitlines()[-1]
     assert message == f"winkler: interrupted; the points that were reached are kept in {folder}."
