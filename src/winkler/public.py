@@ -167,6 +167,7 @@ from winkler.problems.rollers.roller_contact import RollerContact, RollerSolutio
 from winkler.problems.rolling.calibration import Kalker, Uncalibrated
 from winkler.problems.rolling.creepage import Creepage
 from winkler.problems.rolling.kalker import creep_coefficients
+from winkler.problems.rolling.linear_theory import linear_creep_coefficients
 from winkler.problems.rolling.oscillating import OscillatingRolling, OscillatingRollingSolution
 from winkler.problems.rolling.simplified_theory import SimplifiedRolling, SimplifiedRollingSolution
 from winkler.problems.rolling.start import RollingStart, RollingStartSolution
@@ -279,22 +280,21 @@ __all__ = [
     "SlidingResistanceSolution", "SlidingSolution", "SlidingWear", "Sphere", "SpheroConical", "Spikes", "SpotCluster",
     "SpotClusterSolution", "SpringMarch", "SpringTrace", "Springs", "Staircase", "StandardSolid", "Standing", "Start",
     "StaticKinetic", "SubsurfaceFields", "Sum", "SurfaceConduction", "SurfaceConductionSolution", "SurfaceContact",
-    "SurfaceContactSolution", "SurfaceFields", "SurfaceFilm", "SurfaceLoad", "SurfaceRolling",
-    "SurfaceRollingSolution", "SurfaceRollingStart", "SurfaceRollingStartSolution", "SurfaceTangential",
-    "SurfaceTangentialSolution", "TabulatedGrading", "Tangential", "TangentialSolution", "ThermalConductor",
-    "ThermalConstriction", "ThermalConstrictionSolution", "ThermalInterface", "Tilt", "Topography", "Torque",
-    "Torsion", "TorsionSolution", "TransientHeating", "TransientHeatingSolution", "TransverselyIsotropic",
-    "TransverselyIsotropicHalfSpace", "TruncatedCone", "TruncatedParaboloid", "TwistedFields", "Uncalibrated",
-    "Vickers", "ViscoelasticAdhesion", "ViscoelasticAdhesionSolution", "ViscoelasticFit", "ViscoelasticHalfSpace",
-    "ViscoelasticImpact", "ViscoelasticImpactSolution", "ViscoelasticIndentation", "ViscoelasticSolution",
-    "ViscoelasticTangential", "ViscoelasticTangentialSolution", "Voltage", "Wavy", "WiedemannFranz",
-    "WilliamsLandelFerry", "WinklerError", "YieldOnset", "YieldOnsetSolution", "area_fraction", "compare",
-    "compare_terms", "contact_reading", "creep_coefficients", "design_for_pressure", "design_profile", "fit",
-    "fit_steps", "intercept_factor", "material", "material_names", "maugis_parameter", "mean_separation",
-    "peak_stress", "random_topography", "read_bed", "read_contacts", "read_creep", "read_cross_profile", "read_curve",
-    "read_curves", "read_dynamic", "read_grading", "read_path", "read_profile", "read_relaxation", "read_scan",
-    "read_section", "read_spectrum", "read_surface_load", "read_topography", "reduce", "relaxation_band", "restore",
-    "restore_body", "restore_conduction", "restore_shift", "sample_young", "spectrum_of", "staircase",
-    "tabor_parameter", "to_pandas", "to_xarray", "which_model", "write_contacts", "write_law", "write_trace",
-    "write_vtk",
+    "SurfaceContactSolution", "SurfaceFields", "SurfaceFilm", "SurfaceLoad", "SurfaceRolling", "SurfaceRollingSolution",
+    "SurfaceRollingStart", "SurfaceRollingStartSolution", "SurfaceTangential", "SurfaceTangentialSolution",
+    "TabulatedGrading", "Tangential", "TangentialSolution", "ThermalConductor", "ThermalConstriction",
+    "ThermalConstrictionSolution", "ThermalInterface", "Tilt", "Topography", "Torque", "Torsion", "TorsionSolution",
+    "TransientHeating", "TransientHeatingSolution", "TransverselyIsotropic", "TransverselyIsotropicHalfSpace",
+    "TruncatedCone", "TruncatedParaboloid", "TwistedFields", "Uncalibrated", "Vickers", "ViscoelasticAdhesion",
+    "ViscoelasticAdhesionSolution", "ViscoelasticFit", "ViscoelasticHalfSpace", "ViscoelasticImpact",
+    "ViscoelasticImpactSolution", "ViscoelasticIndentation", "ViscoelasticSolution", "ViscoelasticTangential",
+    "ViscoelasticTangentialSolution", "Voltage", "Wavy", "WiedemannFranz", "WilliamsLandelFerry", "WinklerError",
+    "YieldOnset", "YieldOnsetSolution", "area_fraction", "compare", "compare_terms", "contact_reading",
+    "creep_coefficients", "design_for_pressure", "design_profile", "fit", "fit_steps", "intercept_factor",
+    "linear_creep_coefficients", "material", "material_names", "maugis_parameter", "mean_separation", "peak_stress",
+    "random_topography", "read_bed", "read_contacts", "read_creep", "read_cross_profile", "read_curve", "read_curves",
+    "read_dynamic", "read_grading", "read_path", "read_profile", "read_relaxation", "read_scan", "read_section",
+    "read_spectrum", "read_surface_load", "read_topography", "reduce", "relaxation_band", "restore", "restore_body",
+    "restore_conduction", "restore_shift", "sample_young", "spectrum_of", "staircase", "tabor_parameter", "to_pandas",
+    "to_xarray", "which_model", "write_contacts", "write_law", "write_trace", "write_vtk",
 ]  # fmt: skip
