@@ -9,6 +9,7 @@ import csv
 import tomllib
 from pathlib import Path
 
+import mpmath as mp
 import numpy as np
 import pytest
 from theory_solutions import REFERENCES
