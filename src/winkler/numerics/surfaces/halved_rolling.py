@@ -13,18 +13,23 @@ from winkler.numerics.types import Array
 
 __all__ = ["doubled_traction", "halved_grid", "halved_means"]
 
+AHEAD = 1
+"""Pixels added ahead of a coarse grid: what rolls in must be seen before it touches."""
+
 
 def halved_grid(grid: TractionGrid) -> TractionGrid:
-    """Return the grid of twice the pixel size that covers this one."""
+    """Return the grid of twice the pixel size that covers this one, with free pixels ahead."""
     (nx, ny), (dx, dy) = grid.grid.shape, grid.grid.pixel
-    return TractionGrid.of(((nx + 1) // 2, (ny + 1) // 2), (2.0 * dx, 2.0 * dy), grid.compliance, periodic=False)
+    shape = (nx + 1) // 2 + AHEAD, (ny + 1) // 2
+    return TractionGrid.of(shape, (2.0 * dx, 2.0 * dy), grid.compliance, periodic=False)
 
 
 def halved_means(field: Array) -> Array:
-    """Return means over two by two pixels, (..., nx, ny), with zeros beyond an odd border."""
+    """Return means over two by two pixels of `halved_grid`, (..., nx, ny), with zeros beyond the border."""
     nx, ny = field.shape[-2:]
-    even = np.pad(field, [(0, 0)] * (field.ndim - 2) + [(0, nx % 2), (0, ny % 2)])
-    return np.asarray(even.reshape(*field.shape[:-2], (nx + 1) // 2, 2, (ny + 1) // 2, 2).mean(axis=(-3, -1)))
+    even = np.pad(field, [(0, 0)] * (field.ndim - 2) + [(0, nx % 2 + 2 * AHEAD), (0, ny % 2)])
+    pairs = even.reshape(*field.shape[:-2], even.shape[-2] // 2, 2, even.shape[-1] // 2, 2)
+    return np.asarray(pairs.mean(axis=(-3, -1)))
 
 
 def doubled_traction(coarse: Array, coarse_bound: Array, bound: Array) -> Array:

@@ -49,6 +49,8 @@ COARSEST_PIXELS = 32
 """Grids of fewer pixels along a side are not begun from coarser ones."""
 COARSE_TOLERANCE = 1e-4
 """Bound on the misfit of the coarser grids, which only begin."""
+NEAR_MISFIT = 1e-2
+"""Misfit of a start below which it is as good as one from a coarser grid."""
 LOST_DIRECTION = 1e-14
 
 
@@ -88,7 +90,7 @@ def roll(grid: TractionGrid, bound: Array, rigid: Array, start: Array, *, tolera
     rigid
         w, (2, nx, ny): rigid slip while the bodies roll by one pixel.
     start
-        Tractions to begin with, over E*: on the coarsest grid.
+        Tractions to begin with, over E*: on this grid if they are near, else on the coarsest one.
     tolerance
         Bound on `RolledSurface.misfit`.
 
@@ -100,7 +102,11 @@ def roll(grid: TractionGrid, bound: Array, rigid: Array, start: Array, *, tolera
     inside = bound > 0.0
     scale = float(np.sum(bound * np.hypot(rigid[0], rigid[1])))
     misfit, light = math.inf, grid.in_single_digits()
-    traction = within(_begun(grid, bound, rigid, start, tolerance), bound) if scale > 0.0 else np.zeros_like(rigid)
+    traction = (
+        within(_begun(grid, bound, rigid, within(start, bound), tolerance), bound)
+        if scale > 0.0
+        else np.zeros_like(rigid)
+    )
     for count in range(MOST_ROUNDS):
         slip = rigid - _passed(grid, traction)
         if count == 0 or count > USUAL_ROUNDS:
@@ -110,8 +116,7 @@ def roll(grid: TractionGrid, bound: Array, rigid: Array, start: Array, *, tolera
         normal = np.divide(traction, size, out=np.zeros_like(traction), where=size > 0.0)
         outward = np.sum(normal * slip, 0)
         slipping = inside & (size >= AT_BOUND * bound) & (outward > 0.0)
-        wrong = float(np.sum(bound * np.hypot(slip[0], slip[1])) - np.sum(traction * slip))
-        misfit = max(wrong, 0.0) / scale if scale > 0.0 else 0.0
+        misfit = _wrong(bound, traction, slip) / scale if scale > 0.0 else 0.0
         if (count and misfit <= tolerance) or scale == 0.0:
             return RolledSurface(traction, slip, slipping, misfit, count)
         stiffer = np.divide(outward, bound, out=np.zeros_like(bound), where=slipping)
@@ -128,7 +133,9 @@ def roll(grid: TractionGrid, bound: Array, rigid: Array, start: Array, *, tolera
 
 def _begun(grid: TractionGrid, bound: Array, rigid: Array, start: Array, tolerance: float) -> Array:
     """Return tractions to begin with, from a grid of half as many pixels along a side if it is no coarse one."""
-    if min(bound.shape) < 2 * COARSEST_PIXELS:
+    lost = float(np.sum(bound * np.hypot(rigid[0], rigid[1])))
+    near = np.any(start) and _wrong(bound, start, rigid - _passed(grid, start)) <= NEAR_MISFIT * lost
+    if near or min(bound.shape) < 2 * COARSEST_PIXELS:
         return start
     coarse = halved_means(bound)
     try:
@@ -139,6 +146,11 @@ def _begun(grid: TractionGrid, bound: Array, rigid: Array, start: Array, toleran
     except NotConverged:  # the coarse grid is only a first guess
         return start
     return doubled_traction(begun.traction, coarse, bound)
+
+
+def _wrong(bound: Array, traction: Array, slip: Array) -> float:
+    """Return the sum of g |s| - q s."""
+    return max(float(np.sum(bound * np.hypot(slip[0], slip[1])) - np.sum(traction * slip)), 0.0)
 
 
 def _passed(grid: TractionGrid, traction: Array) -> Array:
