@@ -104,3 +104,17 @@ def test_half_of_the_pixels(shape):
     inner = (slice(1, nx - 3), slice(1, ny - 1))
     np.testing.assert_allclose((fine[0] / bound)[inner], (v + 0.0 * bound)[inner], rtol=1e-12)
     np.testing.assert_allclose((fine[1] / bound)[inner], (0.2 - 0.3 * v + 0.0 * bound)[inner], rtol=1e-12, atol=1e-12)
+
+
+def test_a_strip_is_too_long_by_a_seventh_of_a_pixel():
+    """In plane strain F = pi L w / 4 under a slope w, and acts at -L/4: what pixels make of it, as the manual states."""
+    for count in (24, 96):
+        grid = TractionGrid.of((count + 4, 1), (1.0, 1e6), Compliance(1.0, 0.0), periodic=False)
+        bound = np.zeros((count + 4, 1))
+        bound[2:-2] = 1e9
+        rigid = np.stack((np.ones_like(bound), np.zeros_like(bound)))
+        traction = roll(grid, bound, rigid, np.zeros_like(rigid), tolerance=1e-12).traction[0, :, 0]
+        longer = np.sum(traction) / (0.25 * np.pi) - count
+        assert longer == pytest.approx(0.151, abs=1e-3)
+        middle = np.sum(traction * (np.arange(count + 4) - 0.5 * (count + 3))) / np.sum(traction)
+        assert middle + 0.25 * (count + longer) == pytest.approx(0.25, abs=1e-3)
