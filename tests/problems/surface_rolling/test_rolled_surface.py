@@ -107,7 +107,7 @@ def test_half_of_the_pixels(shape):
 
 
 def test_a_strip_is_too_long_by_a_seventh_of_a_pixel():
-    """In plane strain F = pi L w / 4 under a slope w, and acts at -L/4: what pixels make of it, as the manual states."""
+    """In plane strain F = pi L w / 4 under a slope w, and acts at -L/4: what pixels make of it, as in the manual."""
     for count in (24, 96):
         grid = TractionGrid.of((count + 4, 1), (1.0, 1e6), Compliance(1.0, 0.0), periodic=False)
         bound = np.zeros((count + 4, 1))
