@@ -165,6 +165,7 @@ from winkler.problems.rollers.roller_contact import RollerContact, RollerSolutio
 from winkler.problems.rolling.calibration import Kalker, Uncalibrated
 from winkler.problems.rolling.creepage import Creepage
 from winkler.problems.rolling.kalker import creep_coefficients
+from winkler.problems.rolling.linear_theory import linear_creep_coefficients
 from winkler.problems.rolling.oscillating import OscillatingRolling, OscillatingRollingSolution
 from winkler.problems.rolling.simplified_theory import SimplifiedRolling, SimplifiedRollingSolution
 from winkler.problems.rolling.start import RollingStart, RollingStartSolution
@@ -289,11 +290,11 @@ __all__ = [
     "ViscoelasticSolution", "ViscoelasticTangential", "ViscoelasticTangentialSolution", "Voltage", "Wavy",
     "WiedemannFranz", "WilliamsLandelFerry", "WinklerError", "YieldOnset", "YieldOnsetSolution", "area_fraction",
     "compare", "compare_terms", "contact_reading", "creep_coefficients", "design_for_pressure", "design_profile",
-    "fit", "fit_steps", "intercept_factor", "material", "material_names", "maugis_parameter", "mean_separation",
-    "peak_stress", "random_topography", "read_bed", "read_contacts", "read_creep", "read_cross_profile", "read_curve",
-    "read_curves", "read_dynamic", "read_grading", "read_path", "read_profile", "read_profile_pair", "read_relaxation",
-    "read_scan", "read_section", "read_spectrum", "read_surface_load", "read_topography", "reduce", "relaxation_band",
-    "restore", "restore_body", "restore_conduction", "restore_shift", "sample_young", "spectrum_of", "staircase",
-    "tabor_parameter", "to_pandas", "to_xarray", "which_model", "write_contacts", "write_law", "write_trace",
-    "write_vtk",
+    "fit", "fit_steps", "intercept_factor", "linear_creep_coefficients", "material", "material_names",
+    "maugis_parameter", "mean_separation", "peak_stress", "random_topography", "read_bed", "read_contacts",
+    "read_creep", "read_cross_profile", "read_curve", "read_curves", "read_dynamic", "read_grading", "read_path",
+    "read_profile", "read_profile_pair", "read_relaxation", "read_scan", "read_section", "read_spectrum",
+    "read_surface_load", "read_topography", "reduce", "relaxation_band", "restore", "restore_body",
+    "restore_conduction", "restore_shift", "sample_young", "spectrum_of", "staircase", "tabor_parameter", "to_pandas",
+    "to_xarray", "which_model", "write_contacts", "write_law", "write_trace", "write_vtk",
 ]  # fmt: skip

@@ -9,6 +9,7 @@ import csv
 import tomllib
 from pathlib import Path
 
+import mpmath as mp
 import numpy as np
 import pytest
 from theory_solutions import REFERENCES
@@ -236,6 +237,23 @@ def test_the_coefficients_of_contact_are_extrapolated(shared_data, name, of, qua
         limit = np.polyfit(element, [float(row[name.upper()]) for row in found], 1)[1]
         forces.append(80e9 * (1e-6 * ratio) ** power * limit * size)
     np.testing.assert_allclose(values(f"kalker_{name}{of}", quantity), forces, rtol=1e-10)
+
+
+@pytest.mark.parametrize("name", ["c22", "c33"])
+def test_the_coefficients_of_contact_on_a_circle_are_extrapolated(shared_data, name):
+    with (shared_data / "reference" / "creep_coefficients_circle.csv").open() as file:
+        rows = [row for row in csv.DictReader(file) if row["nu"] == "0.25"]
+    element = np.array([1.0 / float(row["n"]) for row in rows])
+    limit = np.polyfit(element, [float(row[name.upper()]) for row in rows], 1)[1]
+    np.testing.assert_allclose(values(f"kalker_linear_{name}_contact", "creep_coefficient"), limit, rtol=1e-12)
+
+
+def test_the_linear_coefficients_of_a_disc():
+    """The leading edge wants sum k_j U_j(y) = -2 sqrt(1 - y^2): F = 2 k_0; the moment is that of the plain X."""
+    k0 = 2 / mp.pi * mp.quad(lambda y: 2 * (1 - y**2), [-1, 1])
+    np.testing.assert_allclose(values("kalker_linear_c11_disc", "creep_coefficient"), float(2 * k0), rtol=1e-15)
+    turned = mp.quad(lambda r: 2 / mp.pi * r**3 / mp.sqrt(1 - r**2), [0, 1]) * mp.pi
+    np.testing.assert_allclose(values("kalker_linear_c23_disc", "creep_coefficient"), float(turned), rtol=1e-15)
 
 
 def test_the_particle_of_lammps_is_as_it_was_written(shared_data):

@@ -12,6 +12,7 @@ from winkler.fitting.unloading.contact_reading import CalibratedArea, contact_re
 from winkler.materials.elastic import Elastic
 from winkler.problems.adhesion.tabor import maugis_parameter
 from winkler.problems.rolling.kalker import creep_coefficients
+from winkler.problems.rolling.linear_theory import linear_creep_coefficients
 from winkler.problems.rough.persson import area_fraction
 
 __all__ = ["FUNCTIONS", "Function"]
@@ -59,6 +60,12 @@ def _young(
 
 CREEP_ARGUMENTS = {"ratio": "", "poisson": ""}
 
+
+def _linear(part: str) -> Function:
+    """Return a coefficient of the linear theory of rolling."""
+    return Function(linear_creep_coefficients, "rolling", "creep_coefficient", CREEP_ARGUMENTS, part)
+
+
 FUNCTIONS: dict[str, Function] = {
     "area_fraction": Function(
         area_fraction,
@@ -77,6 +84,10 @@ FUNCTIONS: dict[str, Function] = {
         creep_coefficients, "rolling", "creep_coefficient", CREEP_ARGUMENTS, "longitudinal"
     ),
     "creep_coefficients.spin": Function(creep_coefficients, "rolling", "creep_coefficient", CREEP_ARGUMENTS, "spin"),
+    "linear_creep_coefficients.lateral": _linear("lateral"),
+    "linear_creep_coefficients.longitudinal": _linear("longitudinal"),
+    "linear_creep_coefficients.spin": _linear("spin"),
+    "linear_creep_coefficients.turning": _linear("turning"),
     "maugis_parameter": Function(
         maugis_parameter,
         "adhesion",
