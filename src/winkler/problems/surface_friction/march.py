@@ -13,40 +13,28 @@ import math
 import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
-from winkler.media.halfspace import HalfSpace, HomogeneousMedium
+from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.surfaces.pressed_box import box_around, overlap_and_work
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, PressedSurface, press
 from winkler.numerics.surfaces.sheared_surface import RigidStep, ShearedSurface, shear
 from winkler.numerics.surfaces.surface_grid import SurfaceGrid
-from winkler.numerics.surfaces.traction_grid import Compliance, TractionGrid
+from winkler.numerics.surfaces.traction_grid import TractionGrid
 from winkler.numerics.types import Array
+from winkler.problems.rough.compliance import compliance_of
 from winkler.problems.rough.contact_area import contact_area
 from winkler.problems.surface_friction.state import SurfaceShearState
 from winkler.profiles.rough.topography import Topography
 
-__all__ = ["SurfaceMarch", "compliance_of"]
+__all__ = ["SurfaceMarch"]
 
 MOST_TURNS = 60
 """How often pressures and tractions are found by turns; six are usual."""
-NEGLIGIBLE_COUPLING = 1e-12
-"""Dundurs' second constant that is rounding."""
 NEARBY_LOAD = 0.25
 """A load that differs by more than this part of it from the one before is begun on coarse grids: as fast."""
 SLIDING_RATIO = 1.0 - 1e-7
 """Part of the friction beyond which given forces let the bodies slide: what slips is never all parallel."""
 COUPLED_TOLERANCE = 1e-5
 """Least bound on overlap and work on gaps where pressures and tractions are found by turns."""
-
-
-def compliance_of(medium: HomogeneousMedium) -> Compliance:
-    """Return the compliances of the bodies along their surfaces.
-
-    Those in all directions, and more along the traction, follow from G* and G_t: a disc is pushed, and twisted.
-    """
-    pushed, twisted = 2.0 * medium.modulus / medium.shear_modulus, 0.5 * medium.modulus / medium.torsional_modulus
-    beta = medium.mismatch if isinstance(medium, HalfSpace) else 0.0
-    beta = beta if abs(beta) > NEGLIGIBLE_COUPLING else 0.0
-    return Compliance(pushed - twisted, 2.0 * twisted - pushed, beta)
 
 
 class SurfaceMarch:

@@ -10,8 +10,8 @@ from winkler.media.halfspace import HalfSpace
 from winkler.media.medium import Medium
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.coupling import mismatch, sticking_note
+from winkler.problems.rough.compliance import NEGLIGIBLE_COUPLING
 from winkler.problems.rough.surface_notes import surface_notes
-from winkler.problems.surface_friction.march import NEGLIGIBLE_COUPLING
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note, Standing
 
