@@ -76,6 +76,11 @@ class DirectionalBed(MeasuredBed):
         )
 
     @property
+    def pressed(self) -> MeasuredBed:
+        """The same springs for what is pressed only: equal for both directions."""
+        return MeasuredBed(self.radii, self.stiffnesses, self.depths, self.scatter, self.mindlin_ratio, self.disc)
+
+    @property
     def directional(self) -> float:
         """Greatest difference of both ratios, over the lesser of them [-]."""
         return float(np.max(np.abs(np.log(self.ratios_along / self.ratios_across))))

@@ -13,7 +13,7 @@ from winkler.numerics.types import Array
 __all__ = ["between", "bracketed", "invert", "rough_root"]
 
 MOST_ITERATIONS = 200
-USUAL_ITERATIONS = 40
+USUAL_ITERATIONS = 10
 """Steps after which every other one halves the bracket; ten are usual."""
 STEP_TOLERANCE = 3e-9
 """A step of this part of the distance from the nearer end is the last."""

@@ -36,8 +36,11 @@ from winkler.values import value, words
 
 __all__ = ["ReducedFriction", "ReducedFrictionSolution"]
 
-SHARES = (0.0, 0.25, 0.5, 0.75, 0.9, 0.0, -0.5, -0.9)
+SHARES = (0.0, 0.25, 0.5, 0.75, 0.9, 0.45, 0.0, -0.5, -0.9)
 """Shear forces at which both are compared, over what friction bears."""
+
+LOSS_POWER = 3.0
+"""Of the shear force, with which losses begin to grow."""
 
 
 @value
@@ -210,15 +213,19 @@ class ReducedFrictionSolution:
 
     @property
     def shift_error(self) -> float:
-        """Greatest difference of a shift over the greatest shift [-], of both directions."""
+        """Greatest difference of a shift over the greatest shift [-], of both directions, and the misfit of forces."""
         pairs = (self.shift_x, self.spring_shift_x), (self.shift_y, self.spring_shift_y)
-        return max(_difference(exact, found) for exact, found in pairs)
+        return max(_difference(exact, found) for exact, found in pairs) + self.reduction.misfit
 
     @property
     def loss_error(self) -> float:
-        """Greatest difference of a loss over the greatest loss [-], of both directions."""
+        """Greatest difference of a loss over the greatest loss [-], of both directions, and thrice the misfit of forces.
+
+        Losses of partial slip grow with the third power of the shear force.
+        """
         loops = (self.along, self.springs_along), (self.across, self.springs_across)
-        return max(_difference(exact.dissipation, found.dissipation) for exact, found in loops)
+        missed = max(_difference(exact.dissipation, found.dissipation) for exact, found in loops)
+        return missed + LOSS_POWER * self.reduction.misfit
 
     @property
     def validity(self) -> tuple[Note, ...]:
