@@ -94,7 +94,7 @@ def test_the_error_is_that_of_the_same_loop(found):
 
 @pytest.mark.parametrize("name", ["ellipse", pytest.param("ball", marks=pytest.mark.slow)])
 def test_without_poissons_ratio_the_springs_are_right(name):
-    """Cattaneo, Mindlin, Ciavarella, Jaeger: bodies of Poisson's ratio zero slip along the shear, whatever the shape."""
+    """Cattaneo, Mindlin, Ciavarella, Jaeger: without Poisson's ratio bodies slip along the shear, of any shape."""
     topography, depth = maps(41)[name]
     found = ReducedFriction(topography, pair(0.0), wk.Coulomb(MU), depth).solve()
     assert found.shift_error < 2e-3
@@ -115,7 +115,7 @@ def test_the_note_states_the_error_wherever_the_springs_are_used(found):
 
 @pytest.mark.slow
 def test_dissimilar_bodies_are_far_off_and_say_so():
-    """Springs know nothing of what pressures do along the surface: on a rigid body, Poisson's ratio 0.1, 5 % and more."""
+    """Springs know nothing of what pressures do along the surface: on a rigid body 5 % and more."""
     found = ReducedFriction(ball(33), wk.HalfSpace(wk.Elastic(1.0, 0.1)), wk.Coulomb(MU), 0.06).solve()
     assert found.shift_error > 0.05
     assert any("the greatest, from boundary elements" in note.statement for note in found.validity)

@@ -52,8 +52,8 @@ def _directional_note(bed: DirectionalBed) -> Note:
     measured = bed.shift_error > 0.0 or bed.loss_error > 0.0
     error = (
         f"shifts differ by up to {_per_cent(bed.shift_error)} % of the greatest, losses by up to "
-        f"{_per_cent(bed.loss_error)} % of the greatest, from boundary elements in a loop of 0.9 of what friction bears, "
-        "at the greatest depth"
+        f"{_per_cent(bed.loss_error)} % of the greatest, from boundary elements in a loop of 0.9 of what friction "
+        "bears, at the greatest depth"
         if measured
         else "how far that leads, ReducedFriction measures"
     )

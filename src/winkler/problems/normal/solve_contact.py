@@ -214,8 +214,8 @@ def _bracket(bed: Bed, value: Curve, target: Array) -> tuple[float, float | Arra
     Layers are not solved for contacts far wider than those sought: these take long, or cannot be carried.
     """
     if isinstance(bed, MeasuredBed):  # whose splines bend from point to point: begin between the right ones
-        places = bed.radii[bed.depths > 0.0]
-        return end_of(bed), np.exp(np.interp(np.log(target), np.log(value(places)), np.log(places)))
+        points = bed.radii[bed.depths > 0.0]
+        return end_of(bed), np.exp(np.interp(np.log(target), np.log(value(points)), np.log(points)))
     end, place = end_of(bed), _guesses(bed, value)(float(np.max(target)))
     if not np.isfinite(thickness_of(bed.medium)):
         return end, place

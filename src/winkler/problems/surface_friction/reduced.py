@@ -219,7 +219,7 @@ class ReducedFrictionSolution:
 
     @property
     def loss_error(self) -> float:
-        """Greatest difference of a loss over the greatest loss [-], of both directions, and thrice the misfit of forces.
+        """Greatest difference of a loss over the greatest loss [-], of both directions, and the misfit thrice.
 
         Losses of partial slip grow with the third power of the shear force.
         """
