@@ -182,6 +182,7 @@ from winkler.problems.rough.surface_conduction import SurfaceConduction, Surface
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.subsurface.map_stress import MapStress, MapStressSolution
 from winkler.problems.subsurface.surface_load import SurfaceLoad
+from winkler.problems.surface_friction.reduced import ReducedFriction, ReducedFrictionSolution
 from winkler.problems.surface_friction.tangential import SurfaceTangential, SurfaceTangentialSolution
 from winkler.problems.surface_rolling.start import SurfaceRollingStart, SurfaceRollingStartSolution
 from winkler.problems.surface_rolling.steady import SurfaceRolling, SurfaceRollingSolution
@@ -269,9 +270,9 @@ __all__ = [
     "PeriodicSolution", "PlacedCurve", "PlacedStress", "PlaneFoundation", "PlateBase", "Plated", "PowerLaw",
     "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "ProfilePair", "ProfilePairSolution", "ProfilePatch",
     "Program", "Prony", "PullOff", "PullOffSolution", "PunchRow", "Radius", "Ramp", "RandomTopography",
-    "RateDependentWork", "ReducedBed", "Reduction", "ReductionSolution", "RelaxationDamper",
-    "RelaxationDamperSolution", "RelaxationData", "RelaxationTest", "RelaxingInProportion", "Rigid", "Rod",
-    "RollerCentre", "RollerContact", "RollerSolution", "Rolling", "RollingSolution", "RollingStart",
+    "RateDependentWork", "ReducedBed", "ReducedFriction", "ReducedFrictionSolution", "Reduction", "ReductionSolution",
+    "RelaxationDamper", "RelaxationDamperSolution", "RelaxationData", "RelaxationTest", "RelaxingInProportion", "Rigid",
+    "Rod", "RollerCentre", "RollerContact", "RollerSolution", "Rolling", "RollingSolution", "RollingStart",
     "RollingStartSolution", "RoughContact", "RoughContactSolution", "RoughIndentation", "RoughIndentationSolution",
     "RoughLine", "RoundedCone", "RoundedEnds", "RoundedPunch", "SampledProfile", "SaturatingWork", "Segment",
     "SegmentKind", "SelfAffine", "Shape", "SharpEnds", "ShearForce", "ShearedFields", "Shift", "ShortRange",

@@ -19,7 +19,7 @@ from winkler.plot.line import friction as line_friction  # noqa: F401
 from winkler.plot.line import rolling as line_rolling  # noqa: F401
 from winkler.plot.particles import elastic_plastic  # noqa: F401
 from winkler.plot.rolling import rolling  # noqa: F401
-from winkler.plot.rough import below_map, ellipse, lines, profile_pair, roughness, shear  # noqa: F401
+from winkler.plot.rough import below_map, ellipse, lines, profile_pair, reduced_friction, roughness, shear  # noqa: F401
 from winkler.plot.rough import surfaces as rough_surfaces  # noqa: F401
 from winkler.plot.viscoelastic import contacts, fits, material_tests, solids  # noqa: F401
 from winkler.plot.viscoelastic import surfaces as viscoelastic_surfaces  # noqa: F401

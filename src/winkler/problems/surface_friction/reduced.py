@@ -163,8 +163,10 @@ class ReducedFrictionSolution:
         springs_along=("", None, "the loop along x by springs"),
         springs_across=("", None, "the loop along y by springs"),
         reduction=("", None, "the springs under normal forces"),
-        spring_shift_x=("u_x", "m", "shift of the springs along x"),
-        spring_shift_y=("u_y", "m", "shift of the springs along y"),
+        shift=("u_i", "m", "shift of the bodies by boundary elements, along x and y"),
+        spring_shift=("u_i", "m", "shift of the bodies by springs, along x and y"),
+        spring_shift_x=("u_x", "m", "shift of the bodies by springs, along x"),
+        spring_shift_y=("u_y", "m", "shift of the bodies by springs, along y"),
         shift_error=("", "", "greatest difference of a shift from boundary elements, over the greatest shift"),
         loss_error=("", "", "greatest difference of a loss from boundary elements, over the greatest loss"),
     )
@@ -192,29 +194,19 @@ class ReducedFrictionSolution:
         return self.along.shear_force_x
 
     @property
-    def shift_x(self) -> Array:
-        """u_x [m] by boundary elements, ``(points,)``."""
-        return self.along.shift_x
+    def shift(self) -> Array:
+        """(u_x, u_y) [m] by boundary elements, ``(points, 2)``: of the loop along x, and of the one along y."""
+        return np.stack((self.along.shift_x, self.across.shift_y), axis=1)
 
     @property
-    def shift_y(self) -> Array:
-        """u_y [m] by boundary elements, ``(points,)``."""
-        return self.across.shift_y
-
-    @property
-    def spring_shift_x(self) -> Array:
-        """u_x [m] by springs, ``(points,)``."""
-        return self.springs_along.shift
-
-    @property
-    def spring_shift_y(self) -> Array:
-        """u_y [m] by springs, ``(points,)``."""
-        return self.springs_across.shift
+    def spring_shift(self) -> Array:
+        """(u_x, u_y) [m] by springs, ``(points, 2)``."""
+        return np.stack((self.springs_along.shift, self.springs_across.shift), axis=1)
 
     @property
     def shift_error(self) -> float:
         """Greatest difference of a shift over the greatest shift [-], of both directions, and the misfit of forces."""
-        pairs = (self.shift_x, self.spring_shift_x), (self.shift_y, self.spring_shift_y)
+        pairs = zip(self.shift.T, self.spring_shift.T, strict=True)
         return max(_difference(exact, found) for exact, found in pairs) + self.reduction.misfit
 
     @property
