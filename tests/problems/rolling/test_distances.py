@@ -103,3 +103,10 @@ def test_notes_state_the_distance_under_their_own_creepage(creepage, sentence):
 
 def test_notes_say_where_nothing_was_compared():
     assert any("were not compared" in note for note in simplified(0.08, 0.01, 0.3, wk.Creepage(1e-3)))
+
+
+def test_the_manual_has_the_same_table():
+    page = (SCRIPT.parents[1] / "docs" / "chapters" / "rolling.md").read_text(encoding="utf-8")
+    lines = page.split("| | $a/b=0.2$ |")[1].split("\n\n")[0].splitlines()[2:]
+    rows = np.array([[float(part) for part in line.strip("|").split("|")[1:]] for line in lines])
+    assert rows.reshape(3, 3, 5) == pytest.approx(np.moveaxis(OF_ELLIPSES[:, :, :3], (0, 1, 2), (2, 1, 0)))
