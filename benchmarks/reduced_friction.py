@@ -1,7 +1,7 @@
 """How far springs of height maps are from boundary elements under friction: the table of the manual.
 
-`python benchmarks/reduced_friction.py` prints it again, in a minute; tests/problems/surface_friction/test_manual_table.py
-compares it with what the manual states.
+`python benchmarks/reduced_friction.py` prints it again, in a minute; the test
+tests/problems/surface_friction/test_manual_table.py compares it with what the manual states.
 """
 
 from __future__ import annotations

@@ -5,7 +5,13 @@ touch at the radius a have the part of it that comes with them,
 
 .. math:: c_T(a) = \frac12\frac{\mathrm d K_x}{\mathrm d a} , \qquad K_x = r_x\,k ,
 
-so that partial slip, which shrinks to contacts of less depth, meets their stiffnesses (Ciavarella, Jaeger).
+so that partial slip, which shrinks to contacts of less depth, meets their stiffnesses (Ciavarella, Jaeger).  Where all
+that touched since a depth d* slips, the tractions are those of the pressures since, whose sum dF shifts by
+:math:`\mu\,\mathrm dF/K_x`: springs slide at
+
+.. math:: u_x = \mu\,(D(d)-D(\gamma)) , \qquad D(d) = \int_0^d\frac{k}{K_x}\,\mathrm d\gamma ,
+
+as those of a bed of the stiffness :math:`K_x` and the depth D would, which bears the same normal force.
 """
 
 from __future__ import annotations
@@ -18,13 +24,17 @@ import numpy as np
 
 from winkler.checks.number_checks import POSITIVE, NonNegative, Numbers
 from winkler.errors import InvalidInput
+from winkler.foundation.bed import Bed
 from winkler.foundation.force_curve import FEWEST_POINTS
 from winkler.foundation.measured import MeasuredBed
 from winkler.limits import MEASURED_PLACES
 from winkler.numerics.types import Array
 from winkler.values import value, words
 
-__all__ = ["DirectionalBed"]
+__all__ = ["DirectionalBed", "slipping_depth", "slipping_springs"]
+
+PARTS = np.arange(1, 17) / 16.0
+"""Of the way from a radius to the next, where the depth of slipping springs is summed."""
 
 
 @value
@@ -67,6 +77,12 @@ class DirectionalBed(MeasuredBed):
                 f"DirectionalBed: there are {self.radii.size} radii, {self.ratios_along.size} ratios along and "
                 f"{self.ratios_across.size} across; give one of each for each radius."
             )
+        for ratios in (self.ratios_along, self.ratios_across):
+            if np.any(np.diff(ratios * self.stiffnesses) <= 0.0):
+                raise InvalidInput(
+                    "DirectionalBed: the stiffness along the surface falls where the contact grows; give ratios that "
+                    "fall less than the stiffness rises."
+                )
 
     @property
     def turned(self) -> DirectionalBed:
@@ -81,6 +97,14 @@ class DirectionalBed(MeasuredBed):
         return MeasuredBed(self.radii, self.stiffnesses, self.depths, self.scatter, self.mindlin_ratio, self.disc)
 
     @property
+    def sheared(self) -> MeasuredBed:
+        """Springs of the stiffness K_x under the depth D, for what slips: as stiff along the surface as across it.
+
+        At the same radius they bear the same normal force.
+        """
+        return _sheared(self)
+
+    @property
     def directional(self) -> float:
         """Greatest difference of both ratios, over the lesser of them [-]."""
         return float(np.max(np.abs(np.log(self.ratios_along / self.ratios_across))))
@@ -89,6 +113,17 @@ class DirectionalBed(MeasuredBed):
         """c_T(x) [Pa] of a shear along x."""
         ratio, rise = _ratio(self, np.asarray(x, dtype=float))
         return np.asarray(ratio * self.normal_stiffness(x) + 0.5 * rise * self.stiffness(x))
+
+
+def slipping_springs(bed: Bed) -> Bed:
+    """Return the springs that slide as a bed does: its own, unless their ratio changes with the depth."""
+    return bed.sheared if isinstance(bed, DirectionalBed) and np.ptp(bed.ratios_along) > 0.0 else bed
+
+
+def slipping_depth(bed: Bed, depth: Array, radius: Array) -> Array:
+    """Return the depths [m] of the slipping springs of a bed at its own depths and radii."""
+    springs = slipping_springs(bed)
+    return depth if springs is bed else np.where(radius > 0.0, springs.gap(radius), np.minimum(depth, 0.0))
 
 
 def _stated(bed: DirectionalBed) -> dict[str, Any]:
@@ -112,3 +147,13 @@ def _curve(bed: DirectionalBed) -> Any:
 
     inner = bed.radii > 0.0
     return PchipInterpolator(np.log(bed.radii[inner]), bed.ratios_along[inner])
+
+
+@functools.lru_cache(maxsize=64)
+def _sheared(bed: DirectionalBed) -> MeasuredBed:
+    radii = bed.radii
+    fine = np.concatenate([radii[:1], (radii[:-1, None] + np.diff(radii)[:, None] * PARTS).ravel()])
+    depth, softness = bed.gap(fine), 1.0 / _ratio(bed, fine)[0]
+    steps = (0.5 * (softness[1:] + softness[:-1]) * np.diff(depth)).reshape(-1, PARTS.size)
+    depths = bed.depths[0] * softness[0] + np.concatenate([[0.0], np.cumsum(np.sum(steps, axis=1))])
+    return MeasuredBed(radii, bed.ratios_along * bed.stiffnesses, depths, bed.scatter, 1.0, bed.disc)

@@ -92,15 +92,29 @@ def test_the_stiffness_of_all_springs_is_that_of_the_contact():
 
 
 def test_partial_slip_meets_the_stiffness_of_the_contact_that_sticks():
-    """dF/du under rising shift is K_x of the radius of stick; all slides at mu F_N."""
+    """dF/du under rising shift is K_x of the radius of stick, and u = mu times the sum of dd/r since; all at mu F_N."""
     bed = ratioed(lambda a: 0.8 + 0.1 * a, lambda a: 0.9 + 0.0 * a)
     shifts = np.linspace(0.0, 0.5, 401)
     pushed = wk.Tangential(bed, wk.Coulomb(0.3), wk.Path(np.arange(401.0), wk.Depth(0.9), wk.Shift(shifts))).solve()
     slope = np.gradient(pushed.shear_force, shifts)[40:160]
     sticks = pushed.stick_radius[40:160]
     assert slope == pytest.approx(2.0 * sticks * (0.8 + 0.1 * sticks), rel=2e-2)
-    assert pushed.shear_force[-1] == pytest.approx(0.3 * pushed.force[-1], rel=1e-9)
+    assert pushed.shear_force[-1] == pytest.approx(0.3 * pushed.force[-1], rel=1e-5)  # the depths are summed
     assert pushed.force[-1] == pytest.approx(4.0 / 3.0 * 0.9**1.5, rel=1e-6)
+    # d = a^2: the sum of 2 a da / (0.8 + 0.1 a) from the radius of stick on
+    inner, outer = (20.0 * (a - 8.0 * np.log(0.8 + 0.1 * a)) for a in (sticks, np.sqrt(0.9)))
+    assert shifts[40:160] == pytest.approx(0.3 * (outer - inner), rel=1e-4)
+
+
+def test_springs_one_by_one_agree_with_those_by_their_gap():
+    bed = ratioed(lambda a: 0.8 + 0.1 * a, lambda a: 0.9 + 0.0 * a)
+    path = wk.Path(np.arange(5.0), wk.Depth([0.5, 0.9, 0.7, 0.8, 0.6]), wk.Shift([0.0, 0.1, -0.1, 0.05, 0.1]))
+    one, two = (
+        wk.Tangential(bed, wk.Coulomb(0.3), path).solve(),
+        wk.SpringMarch(bed, wk.Coulomb(0.3), path, 2000).solve(),
+    )
+    assert one.shear_force == pytest.approx(two.shear_force, abs=3e-4)
+    assert one.dissipation == pytest.approx(two.dissipation, abs=3e-4)
 
 
 def test_bodies_of_poissons_ratio_zero_need_no_solution():

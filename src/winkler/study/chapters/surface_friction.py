@@ -37,8 +37,8 @@ SHEAR_FORCE = Equation("Their sum is the force along the surface", r"F = \int\ta
 ENERGY = Equation("Friction loses in each step what slips times its traction", r"W_d = \sum\int\mu p\,|s|\,\mathrm{d}A")
 
 STIFFNESSES = Equation(
-    "Of each contact the stiffness along x and along y without slip is known; springs have what comes with them",
-    r"c_T(a) = \frac{1}{2}\frac{\mathrm{d}K_x}{\mathrm{d}a}, \quad K_x = r_x k",
+    "Of each contact the stiffness along x without slip is known; what sticks is an earlier contact, of the depth d*",
+    r"F_x = \mu\left(F_N-F_N^*\right), \quad u_x = \mu\int_{d^*}^{d}\frac{k}{K_x}\,\mathrm{d}d'",
 )
 
 SURFACE_FRICTION = Chapter(
