@@ -39,6 +39,8 @@ __all__ = ["ReducedFriction", "ReducedFrictionSolution"]
 SHARES = (0.0, 0.25, 0.5, 0.75, 0.9, 0.45, 0.0, -0.5, -0.9)
 """Shear forces at which both are compared, over what friction bears."""
 
+BETWEEN = 1.1
+"""Differences at other shear forces than those compared, over the greatest there."""
 LOSS_POWER = 3.0
 """Of the shear force, with which losses begin to grow."""
 
@@ -205,19 +207,19 @@ class ReducedFrictionSolution:
 
     @property
     def shift_error(self) -> float:
-        """Greatest difference of a shift over the greatest shift [-], of both directions, and the misfit of forces."""
+        """Greatest difference of a shift over the greatest shift [-], and a tenth, and the misfit of forces."""
         pairs = zip(self.shift.T, self.spring_shift.T, strict=True)
-        return max(_difference(exact, found) for exact, found in pairs) + self.reduction.misfit
+        return BETWEEN * max(_difference(exact, found) for exact, found in pairs) + self.reduction.misfit
 
     @property
     def loss_error(self) -> float:
-        """Greatest difference of a loss over the greatest loss [-], of both directions, and the misfit thrice.
+        """Greatest difference of a loss over the greatest loss [-], and a tenth, and the misfit of forces thrice.
 
         Losses of partial slip grow with the third power of the shear force.
         """
         loops = (self.along, self.springs_along), (self.across, self.springs_across)
         missed = max(_difference(exact.dissipation, found.dissipation) for exact, found in loops)
-        return missed + LOSS_POWER * self.reduction.misfit
+        return BETWEEN * missed + LOSS_POWER * self.reduction.misfit
 
     @property
     def validity(self) -> tuple[Note, ...]:
