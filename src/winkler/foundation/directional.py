@@ -24,14 +24,13 @@ import numpy as np
 
 from winkler.checks.number_checks import POSITIVE, NonNegative, Numbers
 from winkler.errors import InvalidInput
-from winkler.foundation.bed import Bed
 from winkler.foundation.force_curve import FEWEST_POINTS
 from winkler.foundation.measured import MeasuredBed
 from winkler.limits import MEASURED_PLACES
 from winkler.numerics.types import Array
 from winkler.values import value, words
 
-__all__ = ["DirectionalBed", "slipping_depth", "slipping_springs"]
+__all__ = ["DirectionalBed"]
 
 PARTS = np.arange(1, 17) / 16.0
 """Of the way from a radius to the next, where the depth of slipping springs is summed."""
@@ -61,6 +60,7 @@ class DirectionalBed(MeasuredBed):
     __words__ = words(
         ratios_along=("K_x/k", "", "tangential over normal stiffness of the contact, along x"),
         ratios_across=("K_y/k", "", "tangential over normal stiffness of the contact, along y"),
+        directional=("", "", "greatest difference of both ratios, over the lesser of them"),
         shift_error=("", "", "greatest difference of a shift from boundary elements, over the greatest shift"),
         loss_error=("", "", "greatest difference of a loss from boundary elements, over the greatest loss"),
     )
@@ -100,9 +100,9 @@ class DirectionalBed(MeasuredBed):
     def sheared(self) -> MeasuredBed:
         """Springs of the stiffness K_x under the depth D, for what slips: as stiff along the surface as across it.
 
-        At the same radius they bear the same normal force.
+        At the same radius they bear the same normal force.  These springs themselves where the ratio is constant.
         """
-        return _sheared(self)
+        return _sheared(self) if np.ptp(self.ratios_along) > 0.0 else self
 
     @property
     def directional(self) -> float:
@@ -113,17 +113,6 @@ class DirectionalBed(MeasuredBed):
         """c_T(x) [Pa] of a shear along x."""
         ratio, rise = _ratio(self, np.asarray(x, dtype=float))
         return np.asarray(ratio * self.normal_stiffness(x) + 0.5 * rise * self.stiffness(x))
-
-
-def slipping_springs(bed: Bed) -> Bed:
-    """Return the springs that slide as a bed does: its own, unless their ratio changes with the depth."""
-    return bed.sheared if isinstance(bed, DirectionalBed) and np.ptp(bed.ratios_along) > 0.0 else bed
-
-
-def slipping_depth(bed: Bed, depth: Array, radius: Array) -> Array:
-    """Return the depths [m] of the slipping springs of a bed at its own depths and radii."""
-    springs = slipping_springs(bed)
-    return depth if springs is bed else np.where(radius > 0.0, springs.gap(radius), np.minimum(depth, 0.0))
 
 
 def _stated(bed: DirectionalBed) -> dict[str, Any]:

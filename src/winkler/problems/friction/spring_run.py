@@ -7,8 +7,7 @@ from typing import Protocol
 import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
-from winkler.foundation.bed import Bed
-from winkler.foundation.directional import slipping_springs
+from winkler.foundation.bed import Bed, slipping_springs
 from winkler.foundation.springs import Springs
 from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.loading import Depth, Force, Shift

@@ -19,8 +19,7 @@ from typing import ClassVar
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.foundation.bed import Bed
-from winkler.foundation.directional import slipping_depth, slipping_springs
+from winkler.foundation.bed import Bed, slipping_depth, slipping_springs
 from winkler.laws.friction import Coulomb
 from winkler.loading import Depth, Force, ShearForce, Shift
 from winkler.numerics.types import Array

@@ -7,8 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from winkler.foundation.bed import Bed, PressedSprings
-from winkler.foundation.directional import slipping_springs
+from winkler.foundation.bed import Bed, PressedSprings, slipping_springs
 from winkler.foundation.sheared import ShearedSprings
 from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.materials.elastic import Elastic

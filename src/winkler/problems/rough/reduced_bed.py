@@ -54,6 +54,7 @@ class ReducedBed(DirectionalBed):
     """
 
     __words__ = words(
+        directional=("", "", "greatest difference of both ratios of stiffness"),
         certain=("", None, "whether every contact is known to be one disc"),
         rising=("", None, "whether the depth rises with the radius"),
         depth=("d", "m", "greatest depth up to which the springs are known"),

@@ -87,6 +87,8 @@ class ReducedFriction:
     (True, True)
     """
 
+    __words__ = words(reduction=("", None, "the problem of the springs under normal forces"))
+
     topography: Topography
     medium: Annotated[HomogeneousMedium, Advice("the boundary elements apply to no other")]
     law: Sliding
@@ -204,6 +206,16 @@ class ReducedFrictionSolution:
     def spring_shift(self) -> Array:
         """(u_x, u_y) [m] by springs, ``(points, 2)``."""
         return np.stack((self.springs_along.shift, self.springs_across.shift), axis=1)
+
+    @property
+    def spring_shift_x(self) -> Array:
+        """u_x [m] by springs, ``(points,)``."""
+        return self.springs_along.shift
+
+    @property
+    def spring_shift_y(self) -> Array:
+        """u_y [m] by springs, ``(points,)``."""
+        return self.springs_across.shift
 
     @property
     def shift_error(self) -> float:
