@@ -71,6 +71,22 @@ def bench_a_reduction(benchmark, below):
     below(2.0, "128 x 128 pixels reduced to springs that bear F(d) to 1e-3")
 
 
+def bench_both_directions_on_reduced_springs(benchmark, below):
+    """A loop along x and one along y, of 40 points each, on the springs of a rough height map."""
+    spectrum = wk.SelfAffine(hurst=0.8, rms_height=1e-6, longest=1e-3, shortest=6e-5)
+    rough = wk.RandomTopography([1e-3, 1e-3], spectrum, (128, 128), seed=1, periodic=False)
+    bed = wk.reduce(rough, wk.HalfSpace.between(wk.Elastic(1.0, 0.3), wk.Elastic(1.0, 0.3)), 3e-6)
+    path = wk.Path.through(wk.Depth(2.5e-6), wk.Shift(8e-7 * np.sin(np.linspace(0.0, 8.0, 40))))
+    springs = bed, bed.turned
+
+    def loops():
+        return [wk.Tangential(each, wk.Coulomb(0.3), path).solve() for each in springs]
+
+    both = benchmark.pedantic(loops, rounds=20, warmup_rounds=2)
+    assert all(np.all(np.diff(loop.dissipation) >= 0.0) for loop in both)
+    below(0.2, "loops of 40 points along x and along y on the springs of a rough height map")
+
+
 def bench_a_history_on_reduced_springs(benchmark, below):
     """A thousand steps of friction, against one boundary-element solution for each of them: 500 springs."""
     spectrum = wk.SelfAffine(hurst=0.8, rms_height=1e-6, longest=1e-3, shortest=6e-5)

@@ -323,6 +323,12 @@ ROUGHNESS = {
         ),
     ),
     "surface_conduction": wk.SurfaceConduction(wk.SurfaceContact(STAMP, STEEL_BODY, LOADS), PAIR),
+    "reduced_friction": wk.ReducedFriction(
+        wk.SampledProfile(np.array([0.52e-3, 0.26e-3]), wk.CurvedBodies(20e-3, 5e-3), (65, 65)),
+        wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3)),
+        FRICTION,
+        1.5e-6,
+    ),
     "reduction": wk.Reduction(STAMP, STEEL_BODY, 3e-6),
     "elliptic_foundation": wk.Indentation(
         wk.EllipticFoundation(wk.CurvedBodies(20e-3, 10e-3), STEEL_BODY), wk.Force(100.0)

@@ -576,6 +576,14 @@ def surface_rolling_free() -> Numbers:
     return [xi * 2 / 3 * 2 / mp.pi * a / 2]
 
 
+def reduced_friction_ellipse() -> Numbers:
+    """Depth 0.04, mu = 0.3, G* = E*: at 0.9 of the friction, and back at 0.45; the same along both axes."""
+    most = frac("0.3") * frac("0.04")
+    pushed = most * (1 - mp.cbrt(1 - frac("0.9")) ** 2)
+    back = pushed - 2 * most * (1 - mp.cbrt(1 - (frac("0.9") - frac("0.45")) / 2) ** 2)
+    return [pushed, back] * 4
+
+
 def _oval(bend: str) -> Numbers:
     """F, and the semi-axes, of A x^2 + (1 - A) y^2 at d = 0.01 after Hertz."""
     small = frac(bend)

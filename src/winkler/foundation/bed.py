@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Protocol
+from typing import Protocol, cast
 
 import numpy as np
 
@@ -13,7 +13,7 @@ from winkler.numerics.types import Array
 from winkler.validity import Note
 from winkler.values import value
 
-__all__ = ["Bed", "PressedSprings", "StretchedSprings"]
+__all__ = ["Bed", "PressedSprings", "StretchedSprings", "measured_radii", "slipping_depth", "slipping_springs"]
 
 
 @offered("a bed, such as Foundation(profile, medium)")
@@ -107,6 +107,22 @@ class Bed(Protocol):
     def tangential_stiffness(self, x: Array) -> Array:
         """c_T(x) [Pa]."""
         ...
+
+
+def slipping_springs(bed: Bed) -> Bed:
+    """Return the springs that slide as a bed does: its own, unless it has others (`DirectionalBed.sheared`)."""
+    return cast(Bed, getattr(bed, "sheared", bed))
+
+
+def slipping_depth(bed: Bed, depth: Array, radius: Array) -> Array:
+    """Return the depths [m] of the slipping springs of a bed at its own depths and radii."""
+    springs = slipping_springs(bed)
+    return depth if springs is bed else np.where(radius > 0.0, springs.gap(radius), np.minimum(depth, 0.0))
+
+
+def measured_radii(bed: Bed) -> Array:
+    """Return the radii at which a bed was measured [m], where its splines bend; empty of others."""
+    return np.asarray(getattr(bed, "radii", ()), dtype=float)
 
 
 @value

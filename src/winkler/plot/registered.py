@@ -19,7 +19,16 @@ from winkler.plot.line import friction as line_friction  # noqa: F401
 from winkler.plot.line import rolling as line_rolling  # noqa: F401
 from winkler.plot.particles import elastic_plastic  # noqa: F401
 from winkler.plot.rolling import rolling  # noqa: F401
-from winkler.plot.rough import below_map, ellipse, lines, pair_rolling, profile_pair, roughness, shear  # noqa: F401
+from winkler.plot.rough import (  # noqa: F401
+    below_map,
+    ellipse,
+    lines,
+    pair_rolling,
+    profile_pair,
+    reduced_friction,
+    roughness,
+    shear,
+)  # fmt: skip
 from winkler.plot.rough import surfaces as rough_surfaces  # noqa: F401
 from winkler.plot.rough.film import film
 from winkler.plot.viscoelastic import contacts, fits, material_tests, solids  # noqa: F401

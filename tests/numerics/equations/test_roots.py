@@ -132,3 +132,16 @@ def test_a_bracket_without_a_root_is_an_error_of_winkler():
 
     with pytest.raises(OutsideValidity, match="beyond what is known"):
         between(refused, 1.0, 2.0)
+
+
+def test_newton_that_swings_about_a_root_is_halved():
+    """Of sign(z) |z|^0.505 in logarithms each step of Newton leads to -0.98 z, always within its bracket."""
+
+    def swinging(x):
+        z = np.log(x)
+        size = np.maximum(np.abs(z), 1e-300)
+        value = np.exp(np.sign(z) * size**0.505)
+        return value, value * 0.505 * size**-0.495 / x
+
+    found = invert(swinging, np.array([1.0]), lower=0.0, upper=np.inf, guess=3.0)
+    assert found == pytest.approx(1.0, rel=1e-8)  # the last step is of 3e-9

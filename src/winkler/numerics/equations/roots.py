@@ -13,6 +13,8 @@ from winkler.numerics.types import Array
 __all__ = ["between", "bracketed", "invert", "rough_root"]
 
 MOST_ITERATIONS = 200
+USUAL_ITERATIONS = 10
+"""Steps after which every other one halves the bracket; ten are usual."""
 STEP_TOLERANCE = 3e-9
 """A step of this part of the distance from the nearer end is the last."""
 MOST_OCTAVES_PER_STEP = 20.0
@@ -57,7 +59,7 @@ def invert(
     low = np.full(target.shape, lower)
     high = np.full(target.shape, upper)
     x = np.full(target.shape, guess)
-    for _ in range(MOST_ITERATIONS):
+    for count in range(MOST_ITERATIONS):
         value, slope = function(x)
         step = _newton_step(x - lower, value, slope, target)
         below = value < target
@@ -68,6 +70,8 @@ def invert(
         # singular, leaves nothing to do after it
         settled = np.abs(step) <= np.maximum(STEP_TOLERANCE * np.minimum(x - lower, upper - x), 4e-16 * x)
         inside = (new > low) & (new < high)
+        if count > USUAL_ITERATIONS and count % 2:  # Newton's method goes to and fro about a bend: halve the bracket
+            inside &= settled | np.isinf(high)
         new = np.where(settled & ~inside, x, new)
         if settled.all():
             return new

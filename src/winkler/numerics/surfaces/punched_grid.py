@@ -6,14 +6,17 @@ punch that nearly fills a periodic surface hardly bends it; there all of it take
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from winkler.errors import NotConverged
 from winkler.numerics.surfaces.pressed_box import box_around
 from winkler.numerics.surfaces.surface_grid import DOUBLE, SINGLE, SurfaceGrid
+from winkler.numerics.surfaces.traction_grid import Compliance, TractionGrid
 from winkler.numerics.types import Array
 
-__all__ = ["punch"]
+__all__ = ["punch", "stuck_stiffness"]
 
 MOST_ITERATIONS = 2000
 """Iterations after which a punch has not converged; ten are usual."""
@@ -76,7 +79,8 @@ def punch(
             inner = exact = SurfaceGrid.of(shape, aspect, periodic=periodic)
         before = left
         try:
-            p -= _correction(inner, there, wrong.astype(inner.response.dtype), INNER_RATIO * tolerance)
+            wanted = wrong.astype(inner.response.dtype)
+            p -= _correction(inner.displaced, inner.roughly_pressing, there, wanted, INNER_RATIO * tolerance)
         except NotConverged:
             if inner.response.dtype == DOUBLE:
                 raise
@@ -91,8 +95,45 @@ def _not_converged(touching: Array) -> NotConverged:
     )
 
 
-def _correction(grid: SurfaceGrid, there: Array, wrong: Array, tolerance: float) -> Array:
-    """Return the pressures that displace the pixels under the punch by `wrong`, up to the tolerance."""
+def stuck_stiffness(
+    touching: Array, pixel: tuple[float, float], compliance: Compliance, *, tolerance: float = 1e-3
+) -> tuple[float, float]:
+    """Return the force over E* [m] that shifts a contact in which nothing slips by a unit, along x and along y.
+
+    The bodies neither turn nor shift across.  As of `punch`, the error is of the order of the square of the tolerance.
+
+    Parameters
+    ----------
+    touching, pixel
+        As for `punch`, of a surface that is not periodic.
+    compliance
+        Of the bodies; the coupling with pressures is left out.
+    tolerance
+        Greatest error of the shift of a pixel.
+
+    Raises
+    ------
+    NotConverged
+        If the tolerance is not met.
+    """
+    box = box_around(touching)
+    there = touching[box]
+    shape, aspect = (there.shape[0], there.shape[1]), (1.0, pixel[1] / pixel[0])
+    grid = TractionGrid.of(shape, aspect, compliance._replace(coupling=0.0), periodic=False)
+    found = []
+    for axis in range(2):
+        shift = np.zeros((2, *shape))
+        shift[axis] = there
+        traction = _correction(grid.sheared, grid.roughly_shearing, there, shift, tolerance)
+        wrong = np.where(there, grid.sheared(traction) - shift, 0.0)
+        found.append(pixel[1] * float(np.sum(traction * (shift - wrong))))
+    return found[0], found[1]
+
+
+def _correction(
+    displaced: Callable[[Array], Array], undone: Callable[[Array], Array], there: Array, wrong: Array, tolerance: float
+) -> Array:
+    """Return the pressures or tractions that displace the pixels under the punch by `wrong`, up to the tolerance."""
     number = wrong.dtype.type
     none = number(0.0)
     p = along = np.zeros_like(wrong)
@@ -105,10 +146,10 @@ def _correction(grid: SurfaceGrid, there: Array, wrong: Array, tolerance: float)
             best, last = left, count
         elif count - last > ITERATIONS_WITHOUT_GAIN:
             break
-        uphill = np.where(there, grid.roughly_pressing(wrong), none)
+        uphill = np.where(there, undone(wrong), none)
         new = float(np.sum(wrong * uphill))
         along = uphill + number(new / product if product > 0.0 else 0.0) * along
-        sunk = np.where(there, grid.displaced(along), none)
+        sunk = np.where(there, displaced(along), none)
         bent = float(np.sum(along * sunk))
         if not bent > 0.0:
             break

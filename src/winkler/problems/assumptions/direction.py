@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
+import math
+
 from winkler.footprint import EllipticOutline, UnknownOutline
 from winkler.foundation.bed import Bed
+from winkler.foundation.directional import DirectionalBed
 from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["direction_notes"]
 
 MINDLIN = "R. D. Mindlin, J. Appl. Mech. 16 (1949) 259-268, doi:10.1115/1.4009973"
+JAEGER = (
+    "M. Ciavarella, Int. J. Solids Struct. 35 (1998) 2349-2362, doi:10.1016/S0020-7683(97)00154-6; J. Jaeger, "
+    "Arch. Appl. Mech. 65 (1995) 478-487, doi:10.1007/BF00835661"
+)
 MEAN = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
@@ -21,6 +28,8 @@ MEAN = Note(
 
 def direction_notes(bed: Bed) -> tuple[Note, ...]:
     """Return the notes on the direction of shear; none for a disc."""
+    if isinstance(bed, DirectionalBed):
+        return (_directional_note(bed),)
     outline = bed.footprint
     if isinstance(outline, UnknownOutline):
         return (MEAN,)
@@ -36,3 +45,31 @@ def direction_notes(bed: Bed) -> tuple[Note, ...]:
             "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 7.2, doi:10.1017/CBO9781139171731",
         ),
     )
+
+
+def _directional_note(bed: DirectionalBed) -> Note:
+    """Return what springs behind a contact of any outline leave out, and how far that leads if it was measured."""
+    measured = bed.shift_error > 0.0 or bed.loss_error > 0.0
+    error = (
+        f"shifts differ by up to {_per_cent(bed.shift_error)} % of the greatest, losses by up to "
+        f"{_per_cent(bed.loss_error)} % of the greatest, from boundary elements in a loop of 0.9 of what friction "
+        "bears, at the greatest depth"
+        if measured
+        else "how far that leads, ReducedFriction measures"
+    )
+    return Note(
+        Assumption.SLIP,
+        Standing.APPROXIMATE,
+        f"The shear is along x, with {bed.ratios_along[-1]:.4g} of the normal stiffness at the greatest depth "
+        f"({bed.ratios_across[-1]:.4g} along y), of the contact without slip by boundary elements. What slips is taken "
+        f"to leave a contact of less depth (Ciavarella, Jaeger), with tractions along the shear alone: {error}.",
+        JAEGER,
+    )
+
+
+def _per_cent(error: float) -> str:
+    """Return an error in per cent, two digits, rounded up."""
+    if error == 0.0:
+        return "0"
+    digit = 10.0 ** (math.floor(math.log10(100.0 * error)) - 1)
+    return f"{math.ceil(100.0 * error / digit) * digit:.2g}"

@@ -7,7 +7,7 @@ from typing import Protocol
 import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
-from winkler.foundation.bed import Bed
+from winkler.foundation.bed import Bed, slipping_springs
 from winkler.foundation.springs import Springs
 from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.loading import Depth, Force, Shift
@@ -69,7 +69,7 @@ def row_of(problem: RowProblem, radius: float) -> Springs:
     """Return springs up to a radius; none if nothing touches."""
     if radius == 0.0:
         return Springs(np.zeros(0), np.zeros(0), np.zeros(0), np.zeros(0))
-    return Springs.of(problem.bed, radius, problem.count)
+    return Springs.of(slipping_springs(problem.bed), radius, problem.count)
 
 
 class SpringRun:
@@ -110,7 +110,7 @@ class SpringRun:
         law = self.problem.law
         if isinstance(law, Coulomb | StaticKinetic):
             return np.asarray(self.slope * pressed)
-        density = self.springs.density(self.problem.bed)
+        density = self.springs.density(slipping_springs(self.problem.bed))
         borne = np.asarray(law.shear_bound(density * pressed), dtype=float)
         if borne.shape != pressed.shape or not np.all(np.isfinite(borne)) or np.any(borne < 0.0):
             raise InvalidInput(

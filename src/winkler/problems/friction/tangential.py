@@ -12,13 +12,14 @@ and on layered media the springs march one by one (`winkler.problems.friction.sp
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Iterable, Iterator
 from typing import ClassVar
 
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.foundation.bed import Bed
+from winkler.foundation.bed import Bed, slipping_depth, slipping_springs
 from winkler.laws.friction import Coulomb
 from winkler.loading import Depth, Force, ShearForce, Shift
 from winkler.numerics.types import Array
@@ -113,13 +114,16 @@ class Tangential:
         NotConverged
             If a step that is curved by prescribed forces is too long to be followed; give more points.
         """
-        contact = self.normal
+        contact, bed = self.normal, slipping_springs(self.bed)
         widest = float(np.max(contact.radius, initial=0.0))
-        ratios = stiffness_ratios(self.bed, widest) if widest > 0.0 else (1.0, 1.0)
+        ratios = stiffness_ratios(bed, widest) if widest > 0.0 else (1.0, 1.0)
         if not isinstance(self.law, Coulomb) or self.path.in_plane or not alike(ratios):
             yield from SpringMarch(self.bed, self.law, self.path).steps()
             return
-        steps_ = SlipPath(self.bed, self.law.coefficient, ratios[1], self.path, contact)
+        moved = dataclasses.replace(
+            contact, depth=slipping_depth(self.bed, np.asarray(contact.depth), np.asarray(contact.radius))
+        )
+        steps_ = SlipPath(bed, self.law.coefficient, ratios[1], self.path, moved)
         pressed = (np.asarray(quantity).tolist() for quantity in (contact.depth, contact.force, contact.radius))
         points = zip(self.path.time.tolist(), *pressed, strict=True)
         lost = work = 0.0

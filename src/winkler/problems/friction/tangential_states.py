@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from winkler.foundation.bed import Bed, PressedSprings
+from winkler.foundation.bed import Bed, PressedSprings, slipping_springs
 from winkler.foundation.sheared import ShearedSprings
 from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.materials.elastic import Elastic
@@ -81,7 +81,7 @@ class TangentialState:
     @property
     def stick_radius(self) -> float:
         """Radius c within which nothing slides [m]; a where all sticks, zero where all slides."""
-        return float(_stick_radii(self.bed, np.array([self.memory.stick_gap]), self.depth, self.radius)[0])
+        return float(_stick_radii(self.bed, np.array([self.memory.stick_gap]), self.memory.depth, self.radius)[0])
 
     @property
     def sliding(self) -> bool:
@@ -97,7 +97,8 @@ class TangentialState:
     def sheared(self) -> ShearedSprings:
         """The springs' displacement along the surface, as a sum of earlier contacts: fields are restored from it."""
         memory = self.memory
-        return sheared_by_pieces(self.bed, self.depth, self.shift, memory.edges, memory.left, memory.right)
+        bed = slipping_springs(self.bed)
+        return sheared_by_pieces(bed, memory.depth, self.shift, memory.edges, memory.left, memory.right)
 
 
 def stick_radii(bed: Bed, states: Sequence[TangentialState | SpringState]) -> Array:
@@ -106,7 +107,7 @@ def stick_radii(bed: Bed, states: Sequence[TangentialState | SpringState]) -> Ar
     if len(ours) < len(states):
         return np.array([state.stick_radius for state in states])
     gaps, depths, radii = (
-        np.array(column) for column in zip(*((s.memory.stick_gap, s.depth, s.radius) for s in ours), strict=True)
+        np.array(column) for column in zip(*((s.memory.stick_gap, s.memory.depth, s.radius) for s in ours), strict=True)
     )
     return _stick_radii(bed, gaps, depths, radii)
 
@@ -115,7 +116,7 @@ def _stick_radii(bed: Bed, gaps: Array, depth: Quantity, radius: Quantity) -> Ar
     """Return where springs of given gaps stand [m], within contacts of given depth and radius; zero for no gap."""
     inner = (gaps > 0.0) & (gaps < depth)
     distinct, where = np.unique(np.where(inner, gaps, 0.0), return_inverse=True)
-    return np.where(inner, at_depth(bed, distinct)[1][where], np.where(gaps > 0.0, radius, 0.0))
+    return np.where(inner, at_depth(slipping_springs(bed), distinct)[1][where], np.where(gaps > 0.0, radius, 0.0))
 
 
 def friction_notes(

@@ -12,6 +12,7 @@ All springs that share one gap :math:`\gamma=g(x)` touch and part together, so t
 
 from __future__ import annotations
 
+import functools
 import math
 from bisect import bisect_left, bisect_right
 from itertools import pairwise
@@ -21,6 +22,7 @@ import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
+from winkler.foundation.directional import DirectionalBed
 from winkler.loading import Depth
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.equations.roots import between, invert, rough_root
@@ -123,6 +125,12 @@ def normal_curve(bed: Bed, depth: float) -> NormalCurve:
     NotConverged
         If the profile is too rough.
     """
+    return _normal_curve(bed.pressed if isinstance(bed, DirectionalBed) else bed, depth)
+
+
+@functools.lru_cache(maxsize=32)
+def _normal_curve(bed: Bed, depth: float) -> NormalCurve:
+    """Return the curve; the histories of a bed share it."""
     end = _limit(bed)
     last = min(depth * (1.0 + DEPTH_MARGIN), end)
     kinks = np.array([b for b, _ in bed.kinks if b < min(bed.reach, bed.rim)])

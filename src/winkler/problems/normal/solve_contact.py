@@ -13,7 +13,7 @@ from functools import partial
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.foundation.bed import Bed
+from winkler.foundation.bed import Bed, measured_radii
 from winkler.media.body_of import thickness_of
 from winkler.numerics.equations.roots import invert, rough_root
 from winkler.numerics.types import Array, Curve
@@ -212,6 +212,10 @@ def _bracket(bed: Bed, value: Curve, target: Array) -> tuple[float, float | Arra
 
     Layers are not solved for contacts far wider than those sought: these take long, or cannot be carried.
     """
+    points = measured_radii(bed)
+    if points.size:  # splines bend from point to point: begin between the right ones
+        points = points[points > flat_radius(bed)]
+        return end_of(bed), np.exp(np.interp(np.log(target), np.log(value(points)), np.log(points)))
     end, place = end_of(bed), _guesses(bed, value)(float(np.max(target)))
     if not np.isfinite(thickness_of(bed.medium)):
         return end, place

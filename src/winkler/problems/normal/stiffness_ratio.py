@@ -7,12 +7,15 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.footprint import EllipticOutline
 from winkler.foundation.bed import Bed
+from winkler.foundation.directional import DirectionalBed
 from winkler.path import Path
 
 __all__ = ["alike", "common_ratio", "refuse_plane", "stiffness_ratios"]
 
 RATIO_TOLERANCE = 1e-9
 """Springs whose ratio differs by less, relatively, are alike."""
+PLANE_TOLERANCE = 0.01
+"""Springs of a map that yield along x and along y with less difference may be moved in the plane."""
 
 
 def stiffness_ratios(bed: Bed, radius: float) -> tuple[float, float]:
@@ -42,6 +45,12 @@ def refuse_plane(owner: str, bed: Bed, path: Path) -> None:
         raise OutsideValidity(
             f"{owner}: the path leaves its line, and an ellipse yields differently along and across; give a path in "
             "one direction, with EllipticFoundation(bodies, medium) for shear along x, its `turned` for y."
+        )
+    if path.in_plane and isinstance(bed, DirectionalBed) and bed.directional > PLANE_TOLERANCE:
+        raise OutsideValidity(
+            f"{owner}: the path leaves its line, and this contact yields differently along x and along y, by "
+            f"{100.0 * bed.directional:.2g} %; give a path in one direction, with the bed for shear along x, its "
+            "`turned` for y."
         )
 
 

@@ -27,9 +27,9 @@ from winkler.problems.profile_pair.patch import ProfilePatch
 from winkler.problems.profile_pair.placing import PlacedBody
 from winkler.problems.profile_pair.pressed_pair import PlacedPair
 from winkler.problems.rolling.creepage import Creepage
+from winkler.problems.rough.compliance import compliance_of
 from winkler.problems.subsurface.below_surface import BelowSurface
 from winkler.problems.subsurface.surface_load import SurfaceLoad
-from winkler.problems.surface_friction.march import compliance_of
 from winkler.problems.surface_rolling.creepages import AHEAD
 from winkler.values import value, words
 

@@ -13,6 +13,7 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.foundation.bed import Bed
+from winkler.problems.rolling.distances import MEASURED_BY, ball_distances
 from winkler.problems.rolling.kalker import creep_coefficients, rolling_pair
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
@@ -53,10 +54,12 @@ class Kalker:
     def notes(self, bed: Bed, radius: float) -> tuple[Note, ...]:
         """Return what was measured of calibrated springs."""
         part = departure(bed, radius)
+        one, both = ball_distances(rolling_pair(bed.medium).poisson)
         statement, source = (
             "The springs' stiffness is calibrated by Kalker's coefficients: the creep force begins as his does, and up "
-            "to sliding it stays within 0.03 of mu F_N of the exact theory.",
-            "compared with CONTACT's curves of a circle, Poisson's ratio 0 and 0.25",
+            f"to sliding it stays within {one:.2g} of mu F_N of the exact theory under longitudinal or lateral "
+            f"creepage alone, within {both:.2g} under both.",
+            MEASURED_BY,
         )
         if part > HERTZIAN_DEPARTURE:
             statement, source = (

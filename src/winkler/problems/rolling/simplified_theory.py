@@ -29,7 +29,7 @@ from winkler.problems.assumptions.declared import ROLLING
 from winkler.problems.normal.yield_of_pressure import ellipse_yield_notes
 from winkler.problems.rolling.creepage import Creepage, CreepageSolution
 from winkler.problems.rolling.kalker import CreepCoefficients, creep_coefficients, rolling_pair
-from winkler.problems.rolling.simplified_validity import CREEP, SPIN, moment_note, size_note
+from winkler.problems.rolling.simplified_validity import distance_notes, moment_note, size_note
 from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
 from winkler.validity import Assumption, Note
@@ -215,11 +215,12 @@ class SimplifiedRollingSolution(CreepageSolution):
         """How far the result can be trusted."""
         problem, axes = self.problem, (self.longitudinal_semi_axis, self.lateral_semi_axis)
         creep = problem.creepage
-        with_spin, aside = (bool(np.any(np.asarray(part) != 0.0)) for part in (creep.spin, creep.lateral))
-        moments = (*((moment_note(self.coefficients, *axes),) if aside else ()), *((SPIN,) if with_spin else ()))
+        aside = bool(np.any(np.asarray(creep.lateral) != 0.0))
+        moments = (moment_note(self.coefficients, *axes),) if aside else ()
+        distances = distance_notes(creep, axes[0] / axes[1], rolling_pair(problem.medium).poisson)
         coupled = sticking_note(problem.medium, problem.friction.coefficient)
         yielding = ellipse_yield_notes(problem.medium, axes, problem.load.force, problem.friction.coefficient)
-        return (*problem.medium.notes, size_note(problem.footprint, *axes), coupled, CREEP, *moments, *yielding)
+        return (*problem.medium.notes, size_note(problem.footprint, *axes), coupled, *distances, *moments, *yielding)
 
 
 @value

@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
+from winkler.problems.rolling.creepage import Creepage
+from winkler.problems.rolling.distances import MEASURED_BY, ellipse_distances
 from winkler.problems.rolling.kalker import CreepCoefficients
 from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["CREEP", "SPIN", "moment_note", "size_note"]
+__all__ = ["distance_notes", "moment_note", "size_note"]
 
 JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 4.2, doi:10.1017/CBO9781139171731"
 PRESCRIBED_ELLIPSE = Note(
@@ -18,21 +22,45 @@ PRESCRIBED_ELLIPSE = Note(
     "The ellipse was given: that these bodies touch on it under this load, and are large beside it, is not checked.",
     JOHNSON,
 )
-CREEP = Note(
+FIRST_DIGITS = Note(
     Assumption.CALIBRATION,
     Standing.APPROXIMATE,
+    "The moment under spin, which has no coefficient of its own in the springs, begins up to 27 per cent too low on "
+    "ellipses of 1 : 5 to 2 : 1.",
+    "compared with CONTACT's coefficients of ellipses",
+)
+THEORY = (
     "Simplified theory: one spring for every point, its flexibility chosen by Kalker's coefficients, under a parabolic "
-    "bound; creep forces of a circle stay within 0.04 of mu F_N of the exact theory.",
-    "compared with CONTACT's curves of a circle",
+    "bound; "
 )
-SPIN = Note(
-    Assumption.CALIBRATION,
-    Standing.APPROXIMATE,
-    "Under spin the lateral force stays within 0.11 of mu F_N of the exact theory for a circle; the moment about the "
-    "normal, which has no coefficient of its own in the springs, begins up to 27 per cent too low on ellipses of 1 : 5 "
-    "to 2 : 1 and stays within 0.1 of mu F_N a for a circle.",
-    "compared with CONTACT's curves of a circle and its coefficients of ellipses",
-)
+
+
+def distance_notes(creepage: Creepage, ratio: float, poisson: float) -> tuple[Note, ...]:
+    """Return how far forces and moments are from the exact theory on an ellipse of a ratio a/b.
+
+    Parameters
+    ----------
+    creepage : Creepage
+    ratio : float
+        a/b [-].
+    poisson : float
+        Of the pair of bodies [-].
+    """
+    known = ellipse_distances(ratio, poisson)
+    spun = bool(np.any(np.asarray(creepage.spin) != 0.0))
+    both = bool(np.any(np.multiply(creepage.longitudinal, creepage.lateral) != 0.0))
+    if known is None:
+        statement = f"{THEORY}on an ellipse of a/b = {ratio:.3g} creep forces were not compared with the exact theory."
+        return (Note(Assumption.CALIBRATION, Standing.APPROXIMATE, statement, MEASURED_BY),)
+    under = "with spin" if spun else "under both creepages" if both else "under longitudinal or lateral creepage alone"
+    distance = known.spun if spun else known.both if both else known.one
+    turned = known.spun_moment if spun else known.moment
+    statement = (
+        f"{THEORY}{under} the force stays within {distance:.2g} of mu F_N, and the moment within {turned:.2g} of "
+        "mu F_N sqrt(a b), of the exact theory (the greatest distances beside this ellipse and this Poisson's ratio)."
+    )
+    first = Note(Assumption.CALIBRATION, Standing.APPROXIMATE, statement, MEASURED_BY)
+    return (first, FIRST_DIGITS) if spun else (first,)
 
 
 def moment_note(coefficients: CreepCoefficients, longitudinal: float, lateral: float) -> Note:
@@ -47,8 +75,8 @@ def moment_note(coefficients: CreepCoefficients, longitudinal: float, lateral: f
         Assumption.CALIBRATION,
         Standing.APPROXIMATE,
         f"The moment under lateral creepage begins at {100.0 * part:.2g} per cent of that of the exact theory on "
-        "this ellipse, and stays within 0.03 of mu F_N a of it for a circle.",
-        "Kalker's coefficient c23, by reciprocity; compared with CONTACT's curves of a circle",
+        "this ellipse.",
+        "Kalker's coefficient c23, by reciprocity",
     )
 
 

@@ -15,6 +15,7 @@ import numpy as np
 
 from winkler.checks.number_checks import Positive, between
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.foundation.directional import DirectionalBed
 from winkler.foundation.measured import MeasuredBed
 from winkler.foundation.measured_profile import MeasuredPlaneProfile
 from winkler.foundation.plane import PlaneFoundation
@@ -25,6 +26,7 @@ from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.rough.contact_springs import ContactPoints, force_uncertainty, springs_of
+from winkler.problems.rough.stuck_contacts import StuckContacts
 from winkler.problems.rough.surface_contact import SurfaceContact
 from winkler.problems.rough.surface_states import SurfaceState
 from winkler.profiles.rough.topography import Topography
@@ -156,9 +158,13 @@ class Reduction:
         OutsideValidity
             If they are too few for springs.
         """
-        points = _points(sorted(_row(state) for state in states))  # not the states, whose maps would fill the memory
+        rows, stuck = [], StuckContacts(self.medium, self.topography.pixel)
+        for state in states:  # which are not kept, since their maps would fill the memory
+            rows.append(_row(state))
+            stuck.add(state)
+        points = _points(sorted(rows))
         bed, misfit = self._springs(points)
-        return ReductionSolution(self, bed, misfit, points.depth, points.force, points.stiffness)
+        return ReductionSolution(self, stuck.turned_to(bed), misfit, points.depth, points.force, points.stiffness)
 
     def solve(self) -> ReductionSolution:
         """Return the springs.
@@ -189,8 +195,9 @@ class ReductionSolution:
     ----------
     problem : Reduction
         The problem that was solved.
-    bed : MeasuredBed
-        The springs; `bed.scatter` is the root mean square by which they miss the computed forces [N].
+    bed : DirectionalBed
+        The springs; `bed.scatter` is the root mean square by which they miss the computed forces [N].  They are sheared
+        along x, those of `bed.turned` along y.
     misfit : float
         Bound on the difference between the forces of springs and map at any depth, over the greatest force: both bend
         upwards, which leaves little uncertainty between computed contacts.
@@ -199,7 +206,7 @@ class ReductionSolution:
     """
 
     problem: Reduction
-    bed: MeasuredBed
+    bed: DirectionalBed
     misfit: float
     depth: Array
     force: Array
@@ -244,7 +251,9 @@ class ReductionSolution:
         return PlaneFoundation(MeasuredPlaneProfile(self.bed), medium)
 
 
-def reduce(topography: Topography, medium: HomogeneousMedium, depth: float, *, tolerance: float = 1e-3) -> MeasuredBed:
+def reduce(
+    topography: Topography, medium: HomogeneousMedium, depth: float, *, tolerance: float = 1e-3
+) -> DirectionalBed:
     """Return springs that bear forces like a height map.
 
     Parameters
@@ -254,8 +263,8 @@ def reduce(topography: Topography, medium: HomogeneousMedium, depth: float, *, t
 
     Returns
     -------
-    MeasuredBed
-        For every problem that requires no more than forces and depths.
+    DirectionalBed
+        For problems that require no more than forces and depths, sheared along x; `turned` is sheared along y.
 
     Raises
     ------

@@ -9,7 +9,7 @@ from typing import ClassVar
 import numpy as np
 
 from winkler.footprint import UnknownOutline
-from winkler.foundation.measured import MeasuredBed
+from winkler.foundation.directional import DirectionalBed
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.problems.rough.reduce import Reduction
@@ -31,7 +31,7 @@ def _none() -> Array:
 
 
 @value
-class ReducedBed(MeasuredBed):
+class ReducedBed(DirectionalBed):
     """Springs that bear forces like a height map, for every problem that needs no more than forces and depths.
 
     Making one solves some ten contacts by boundary elements; its forces and depths afterwards take milliseconds.
@@ -54,6 +54,7 @@ class ReducedBed(MeasuredBed):
     """
 
     __words__ = words(
+        directional=("", "", "greatest difference of both ratios of stiffness"),
         certain=("", None, "whether every contact is known to be one disc"),
         rising=("", None, "whether the depth rises with the radius"),
         depth=("d", "m", "greatest depth up to which the springs are known"),
@@ -66,6 +67,10 @@ class ReducedBed(MeasuredBed):
     scatter: float = dataclasses.field(init=False, repr=False, default=0.0)
     mindlin_ratio: float = dataclasses.field(init=False, repr=False, default=0.0)
     disc: bool = dataclasses.field(init=False, repr=False, default=False)
+    ratios_along: Array = dataclasses.field(init=False, repr=False, default_factory=_none)
+    ratios_across: Array = dataclasses.field(init=False, repr=False, default_factory=_none)
+    shift_error: float = dataclasses.field(init=False, repr=False, default=0.0)
+    loss_error: float = dataclasses.field(init=False, repr=False, default=0.0)
     topography: Topography = dataclasses.field()
     pressed_into: HomogeneousMedium = dataclasses.field()
     depth: float = dataclasses.field()
@@ -80,11 +85,11 @@ class ReducedBed(MeasuredBed):
 
     def __post_init__(self) -> None:
         reduced = _springs(Reduction(self.topography, self.pressed_into, self.depth, self.tolerance))
-        for field in dataclasses.fields(MeasuredBed):
+        for field in dataclasses.fields(DirectionalBed):
             object.__setattr__(self, field.name, getattr(reduced, field.name))
 
 
 @functools.lru_cache(maxsize=16)
-def _springs(problem: Reduction) -> MeasuredBed:
+def _springs(problem: Reduction) -> DirectionalBed:
     """Return the springs; equal surfaces are pressed once."""
     return problem.solve().bed

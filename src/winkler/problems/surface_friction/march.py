@@ -12,13 +12,13 @@ import numpy as np
 
 from winkler.laws.friction import Coulomb
 from winkler.laws.varying_friction import SlipWeakening
-from winkler.media.halfspace import HalfSpace, HomogeneousMedium
+from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.surfaces.pressed_box import box_around
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, PressedSurface
 from winkler.numerics.surfaces.sheared_surface import RigidStep, ShearedSurface, shear
-from winkler.numerics.surfaces.traction_grid import Compliance, TractionGrid
+from winkler.numerics.surfaces.traction_grid import TractionGrid
 from winkler.numerics.types import Array
-from winkler.problems.assumptions.coupling import NEGLIGIBLE_COUPLING
+from winkler.problems.rough.compliance import compliance_of
 from winkler.problems.rough.contact_area import contact_area
 from winkler.problems.surface_friction.borne import refuse_beyond
 from winkler.problems.surface_friction.by_turns import by_turns, press_from
@@ -26,21 +26,10 @@ from winkler.problems.surface_friction.state import SurfaceShearState
 from winkler.problems.surface_friction.weakening import loss_of, shear_weakened
 from winkler.profiles.rough.topography import Topography
 
-__all__ = ["SurfaceMarch", "compliance_of"]
+__all__ = ["SurfaceMarch"]
 
 NEARBY_LOAD = 0.25
 """A load that differs by more than this part of it from the one before is begun on coarse grids: as fast."""
-
-
-def compliance_of(medium: HomogeneousMedium) -> Compliance:
-    """Return the compliances of the bodies along their surfaces.
-
-    Those in all directions, and more along the traction, follow from G* and G_t: a disc is pushed, and twisted.
-    """
-    pushed, twisted = 2.0 * medium.modulus / medium.shear_modulus, 0.5 * medium.modulus / medium.torsional_modulus
-    beta = medium.mismatch if isinstance(medium, HalfSpace) else 0.0
-    beta = beta if abs(beta) > NEGLIGIBLE_COUPLING else 0.0
-    return Compliance(pushed - twisted, 2.0 * twisted - pushed, beta)
 
 
 class SurfaceMarch:

@@ -17,8 +17,8 @@ from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, PressedSurfa
 from winkler.numerics.surfaces.traction_grid import TractionGrid
 from winkler.numerics.types import Array
 from winkler.path import numbers_of
+from winkler.problems.rough.compliance import compliance_of
 from winkler.problems.surface_friction.by_turns import Found, by_turns, press_from
-from winkler.problems.surface_friction.march import compliance_of
 from winkler.profiles.rough.topography import Topography
 
 __all__ = ["RollingPatch", "refuse_map", "rolling_patch"]

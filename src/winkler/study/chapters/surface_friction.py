@@ -7,7 +7,7 @@ from typing import Any
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
 from winkler.study.chapters.friction import NORMAL_START
 from winkler.study.chapters.kind import kind
-from winkler.study.chapters.rough import ELEMENTS
+from winkler.study.chapters.rough import DISC, ELEMENTS, SAME_AREA
 
 __all__ = ["SURFACE_FRICTION"]
 
@@ -16,6 +16,16 @@ TO_AND_FRO = [
     {"kind": "oscillate", "lateral": {"kind": "shift", "shift": "1 um"}, "cycles": 1.25, "count": 12},
 ]
 BALL = {"kind": "sampled_profile", "lengths": ["0.6 mm", "0.6 mm"], "shape": [65, 65]}
+OBLONG = {
+    "kind": "sampled_profile",
+    "lengths": ["0.52 mm", "0.26 mm"],
+    "shape": [65, 65],
+    "profile": {
+        "kind": "curved_bodies",
+        "longitudinal_curvature_radius": "20 mm",
+        "lateral_curvature_radius": "5 mm",
+    },
+}
 
 WEAKENED: dict[str, Any] = {"static_coefficient": 0.4, "kinetic_coefficient": 0.3, "distance": "10 um"}
 
@@ -30,6 +40,11 @@ COULOMB = Equation(
 )
 SHEAR_FORCE = Equation("Their sum is the force along the surface", r"F = \int\tau\,\mathrm{d}A")
 ENERGY = Equation("Friction loses in each step what slips times its traction", r"W_d = \sum\int\mu p\,|s|\,\mathrm{d}A")
+
+STIFFNESSES = Equation(
+    "Of each contact the stiffness along x without slip is known; what sticks is an earlier contact, of the depth d*",
+    r"F_x = \mu\left(F_N-F_N^*\right), \quad u_x = \mu\int_{d^*}^{d}\frac{k}{K_x}\,\mathrm{d}d'",
+)
 
 SURFACE_FRICTION = Chapter(
     "friction and impacts",
@@ -65,6 +80,22 @@ SURFACE_FRICTION = Chapter(
             ),
             pictured=PicturedContact.NONE,
             formulas=(ELEMENTS, CERRUTI, COULOMB, SHEAR_FORCE, ENERGY),
+        ),
+        "reduced_friction": answer(
+            "winkler.problems.surface_friction.reduced:ReducedFriction",
+            headline=("shift_error", "loss_error", "force", "shift", "spring_shift"),
+            topography=OBLONG,
+            medium={"kind": "half_space", "second": {"kind": "elastic"}},
+            depth="1.5 um",
+            picture=Caption(
+                "reduced_friction",
+                "Springs and boundary elements under the same shear force",
+                "The loops along x and along y: springs as lines, boundary elements as points; and the stiffness of "
+                "both directions over the depth.",
+            ),
+            curves=(("shift_x", "shear_force"), ("shift_y", "shear_force")),
+            pictured=PicturedContact.NONE,
+            formulas=(ELEMENTS, SAME_AREA, DISC, STIFFNESSES, CERRUTI, COULOMB),
         ),
     },
 )

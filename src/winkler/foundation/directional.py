@@ -1,0 +1,148 @@
+r"""A measured bed that yields differently along x and along y: springs of a contact that is no disc.
+
+Of each depth the stiffness of the whole contact is known where nothing slips, :math:`K_x` and :math:`K_y`; springs that
+touch at the radius a have the part of it that comes with them,
+
+.. math:: c_T(a) = \frac12\frac{\mathrm d K_x}{\mathrm d a} , \qquad K_x = r_x\,k ,
+
+so that partial slip, which shrinks to contacts of less depth, meets their stiffnesses (Ciavarella, Jaeger).  Where all
+that touched since a depth d* slips, the tractions are those of the pressures since, whose sum dF shifts by
+:math:`\mu\,\mathrm dF/K_x`: springs slide at
+
+.. math:: u_x = \mu\,(D(d)-D(\gamma)) , \qquad D(d) = \int_0^d\frac{k}{K_x}\,\mathrm d\gamma ,
+
+as those of a bed of the stiffness :math:`K_x` and the depth D would, which bears the same normal force.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+from typing import Annotated, Any
+
+import numpy as np
+
+from winkler.checks.number_checks import POSITIVE, NonNegative, Numbers
+from winkler.errors import InvalidInput
+from winkler.foundation.force_curve import FEWEST_POINTS
+from winkler.foundation.measured import MeasuredBed
+from winkler.limits import MEASURED_PLACES
+from winkler.numerics.types import Array
+from winkler.values import value, words
+
+__all__ = ["DirectionalBed"]
+
+PARTS = np.arange(1, 17) / 16.0
+"""Of the way from a radius to the next, where the depth of slipping springs is summed."""
+
+
+@value
+class DirectionalBed(MeasuredBed):
+    """Springs of known stiffness and gap, and of known stiffness along the surface in two directions.
+
+    Parameters
+    ----------
+    radii, stiffnesses, depths, scatter, mindlin_ratio, disc
+        As of `MeasuredBed`; the ratio is that of a disc.
+    ratios_along, ratios_across : array_like, (n,)
+        K_x/k and K_y/k [-] at these radii, of the whole contact without slip.  A shear force or shift is along x;
+        `turned` has it along y.
+    shift_error, loss_error : float, optional
+        Greatest differences from boundary elements with friction: of shifts over the greatest shift, of losses over the
+        greatest loss.  Zero if they were not compared.
+
+    Raises
+    ------
+    InvalidInput
+        If the arrays do not fit one another, or do not rise.
+    """
+
+    __words__ = words(
+        ratios_along=("K_x/k", "", "tangential over normal stiffness of the contact, along x"),
+        ratios_across=("K_y/k", "", "tangential over normal stiffness of the contact, along y"),
+        directional=("", "", "greatest difference of both ratios, over the lesser of them"),
+        shift_error=("", "", "greatest difference of a shift from boundary elements, over the greatest shift"),
+        loss_error=("", "", "greatest difference of a loss from boundary elements, over the greatest loss"),
+    )
+
+    ratios_along: Annotated[Array, Numbers(POSITIVE, FEWEST_POINTS, MEASURED_PLACES)] = dataclasses.field(kw_only=True)
+    ratios_across: Annotated[Array, Numbers(POSITIVE, FEWEST_POINTS, MEASURED_PLACES)] = dataclasses.field(kw_only=True)
+    shift_error: NonNegative = 0.0
+    loss_error: NonNegative = 0.0
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if not self.ratios_along.size == self.ratios_across.size == self.radii.size:
+            raise InvalidInput(
+                f"DirectionalBed: there are {self.radii.size} radii, {self.ratios_along.size} ratios along and "
+                f"{self.ratios_across.size} across; give one of each for each radius."
+            )
+        for ratios in (self.ratios_along, self.ratios_across):
+            if np.any(np.diff(ratios * self.stiffnesses) <= 0.0):
+                raise InvalidInput(
+                    "DirectionalBed: the stiffness along the surface falls where the contact grows; give ratios that "
+                    "fall less than the stiffness rises."
+                )
+
+    @property
+    def turned(self) -> DirectionalBed:
+        """The same springs sheared along y."""
+        return DirectionalBed(
+            **_stated(self) | {"ratios_along": self.ratios_across, "ratios_across": self.ratios_along}
+        )
+
+    @property
+    def pressed(self) -> MeasuredBed:
+        """The same springs for what is pressed only: equal for both directions."""
+        return MeasuredBed(self.radii, self.stiffnesses, self.depths, self.scatter, self.mindlin_ratio, self.disc)
+
+    @property
+    def sheared(self) -> MeasuredBed:
+        """Springs of the stiffness K_x under the depth D, for what slips: as stiff along the surface as across it.
+
+        At the same radius they bear the same normal force.  These springs themselves where the ratio is constant.
+        """
+        return _sheared(self) if np.ptp(self.ratios_along) > 0.0 else self
+
+    @property
+    def directional(self) -> float:
+        """Greatest difference of both ratios, over the lesser of them [-]."""
+        return float(np.max(np.abs(np.log(self.ratios_along / self.ratios_across))))
+
+    def tangential_stiffness(self, x: Array) -> Array:
+        """c_T(x) [Pa] of a shear along x."""
+        ratio, rise = _ratio(self, np.asarray(x, dtype=float))
+        return np.asarray(ratio * self.normal_stiffness(x) + 0.5 * rise * self.stiffness(x))
+
+
+def _stated(bed: DirectionalBed) -> dict[str, Any]:
+    """Return what a bed was made of."""
+    return {field.name: getattr(bed, field.name) for field in dataclasses.fields(DirectionalBed)}
+
+
+def _ratio(bed: DirectionalBed, x: Array) -> tuple[Array, Array]:
+    """Return K_x/k and its slope [1/m]; constant below the first radius that is not zero."""
+    if np.ptp(bed.ratios_along) == 0.0:
+        return np.full(x.shape, bed.ratios_along[0]), np.zeros(x.shape)
+    first = float(bed.radii[0] if bed.radii[0] > 0.0 else bed.radii[1])
+    curve = _curve(bed)
+    place = np.log(np.maximum(x, first))
+    return curve(place), np.where(x > first, curve(place, 1) / np.maximum(x, first), 0.0)
+
+
+@functools.lru_cache(maxsize=64)
+def _curve(bed: DirectionalBed) -> Any:
+    from scipy.interpolate import PchipInterpolator
+
+    inner = bed.radii > 0.0
+    return PchipInterpolator(np.log(bed.radii[inner]), bed.ratios_along[inner])
+
+
+@functools.lru_cache(maxsize=64)
+def _sheared(bed: DirectionalBed) -> MeasuredBed:
+    radii = bed.radii
+    fine = np.concatenate([radii[:1], (radii[:-1, None] + np.diff(radii)[:, None] * PARTS).ravel()])
+    depth, softness = bed.gap(fine), 1.0 / _ratio(bed, fine)[0]
+    steps = (0.5 * (softness[1:] + softness[:-1]) * np.diff(depth)).reshape(-1, PARTS.size)
+    depths = bed.depths[0] * softness[0] + np.concatenate([[0.0], np.cumsum(np.sum(steps, axis=1))])
+    return MeasuredBed(radii, bed.ratios_along * bed.stiffnesses, depths, bed.scatter, 1.0, bed.disc)
