@@ -183,6 +183,8 @@ from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContac
 from winkler.problems.subsurface.map_stress import MapStress, MapStressSolution
 from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.problems.surface_friction.tangential import SurfaceTangential, SurfaceTangentialSolution
+from winkler.problems.surface_heating.rolling import SurfaceRollingHeating, SurfaceRollingHeatingSolution
+from winkler.problems.surface_heating.sliding import SurfaceFrictionHeating, SurfaceFrictionHeatingSolution
 from winkler.problems.surface_rolling.start import SurfaceRollingStart, SurfaceRollingStartSolution
 from winkler.problems.surface_rolling.steady import SurfaceRolling, SurfaceRollingSolution
 from winkler.problems.viscoelastic.adhesion import ViscoelasticAdhesion, ViscoelasticAdhesionSolution
@@ -279,9 +281,11 @@ __all__ = [
     "SlidingResistanceSolution", "SlidingSolution", "SlidingWear", "Sphere", "SpheroConical", "Spikes", "SpotCluster",
     "SpotClusterSolution", "SpringMarch", "SpringTrace", "Springs", "Staircase", "StandardSolid", "Standing", "Start",
     "StaticKinetic", "SubsurfaceFields", "Sum", "SurfaceConduction", "SurfaceConductionSolution", "SurfaceContact",
-    "SurfaceContactSolution", "SurfaceFields", "SurfaceFilm", "SurfaceLoad", "SurfaceRolling",
-    "SurfaceRollingSolution", "SurfaceRollingStart", "SurfaceRollingStartSolution", "SurfaceTangential",
-    "SurfaceTangentialSolution", "TabulatedGrading", "Tangential", "TangentialSolution", "ThermalConductor",
+    "SurfaceContactSolution", "SurfaceFields", "SurfaceFilm", "SurfaceFrictionHeating",
+    "SurfaceFrictionHeatingSolution", "SurfaceLoad", "SurfaceRolling", "SurfaceRollingHeating",
+    "SurfaceRollingHeatingSolution", "SurfaceRollingSolution", "SurfaceRollingStart",
+    "SurfaceRollingStartSolution", "SurfaceTangential", "SurfaceTangentialSolution",
+    "TabulatedGrading", "Tangential", "TangentialSolution", "ThermalConductor",
     "ThermalConstriction", "ThermalConstrictionSolution", "ThermalInterface", "Tilt", "Topography", "Torque",
     "Torsion", "TorsionSolution", "TransientHeating", "TransientHeatingSolution", "TransverselyIsotropic",
     "TransverselyIsotropicHalfSpace", "TruncatedCone", "TruncatedParaboloid", "TwistedFields", "Uncalibrated",
