@@ -95,12 +95,12 @@ def _panels(
     moves = speeds[0] if speeds[0] != 0.0 else speeds[1]
     which = "first" if speeds[0] != 0.0 or speeds[1] == 0.0 else "second"
     warm = series(f"{which}_temperature", getattr(state, f"{which}_temperature")[frame.part], SurfaceHeatState)
-    hottest = points([place[0]], [place[1]], style.INK, marker="+", size=9.0)
+    hottest = points([place[0]], [place[1]], "white", marker="+", size=9.0)
     marks: list[Any] = [_outline(touching, frame), hottest]
     if moves != 0.0:
         marks.append(_passing(frame, moves))
     return titled(
-        (_map(frame, flux), _map(frame, warm).plus(*marks), _along(state, middles, frame, place)),
+        (_map(frame, flux), _map(frame, warm).plus(*marks), _along(state, middles, frame, place, moves)),
         "heat of friction",
         f"surface of the {which} body; + hottest" + (", → its motion" if moves else ""),
         f"along x at y = {with_unit(place[1], 'm', 3)}",
@@ -146,7 +146,9 @@ def _passing(frame: Frame, velocity: float) -> Arrow:
     return Arrow((start, high), (stop, high), style.INK)
 
 
-def _along(state: SurfaceHeatState, middles: tuple[Array, Array], frame: Frame, place: tuple[float, float]) -> Panel:
+def _along(
+    state: SurfaceHeatState, middles: tuple[Array, Array], frame: Frame, place: tuple[float, float], moves: float
+) -> Panel:
     """Return the temperature of both surfaces on the line along the motion through the hottest place."""
     row = int(np.argmin(np.abs(middles[1] - place[1])))
     lines = [
@@ -170,5 +172,5 @@ def _along(state: SurfaceHeatState, middles: tuple[Array, Array], frame: Frame, 
         tuple(marks),
         PanelAxis("place $x$", scale_of("m", frame.x), margin=0.0),
         PanelAxis("temperature $T$", both, margin=0.12),
-        legend="upper right",
+        legend="upper left" if moves > 0.0 else "upper right",
     )
