@@ -4,13 +4,7 @@ The package reads these imports without running them: a name is loaded from its 
 """
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity, WinklerError
-from winkler.fields import (
-    SubsurfaceFields,
-    SurfaceFields,
-    restore,
-    restore_body,
-    restore_shift,
-)
+from winkler.fields import SubsurfaceFields, SurfaceFields, restore, restore_body, restore_shift
 from winkler.fitting.compare import Comparison, compare
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.segments import Segment, SegmentKind
@@ -283,11 +277,10 @@ __all__ = [
     "StaticKinetic", "SubsurfaceFields", "Sum", "SurfaceConduction", "SurfaceConductionSolution", "SurfaceContact",
     "SurfaceContactSolution", "SurfaceFields", "SurfaceFilm", "SurfaceFrictionHeating",
     "SurfaceFrictionHeatingSolution", "SurfaceLoad", "SurfaceRolling", "SurfaceRollingHeating",
-    "SurfaceRollingHeatingSolution", "SurfaceRollingSolution", "SurfaceRollingStart",
-    "SurfaceRollingStartSolution", "SurfaceTangential", "SurfaceTangentialSolution",
-    "TabulatedGrading", "Tangential", "TangentialSolution", "ThermalConductor",
-    "ThermalConstriction", "ThermalConstrictionSolution", "ThermalInterface", "Tilt", "Topography", "Torque",
-    "Torsion", "TorsionSolution", "TransientHeating", "TransientHeatingSolution", "TransverselyIsotropic",
+    "SurfaceRollingHeatingSolution", "SurfaceRollingSolution", "SurfaceRollingStart", "SurfaceRollingStartSolution",
+    "SurfaceTangential", "SurfaceTangentialSolution", "TabulatedGrading", "Tangential", "TangentialSolution",
+    "ThermalConductor", "ThermalConstriction", "ThermalConstrictionSolution", "ThermalInterface", "Tilt", "Topography",
+    "Torque", "Torsion", "TorsionSolution", "TransientHeating", "TransientHeatingSolution", "TransverselyIsotropic",
     "TransverselyIsotropicHalfSpace", "TruncatedCone", "TruncatedParaboloid", "TwistedFields", "Uncalibrated",
     "Vickers", "ViscoelasticAdhesion", "ViscoelasticAdhesionSolution", "ViscoelasticFit", "ViscoelasticHalfSpace",
     "ViscoelasticImpact", "ViscoelasticImpactSolution", "ViscoelasticIndentation", "ViscoelasticSolution",

@@ -96,7 +96,7 @@ SOLVED = {
     "warm and rough": (
         *("constriction", "thermal_constriction", "joule_heating", "spot_cluster", "conductance_bounds"),
         *("friction_heating", "transient_heating", "fretting_heat", "surface_contact", "surface_conduction"),
-        *("map_stress", "profile_pair"),
+        *("map_stress", "profile_pair", "surface_friction_heating", "surface_rolling_heating"),
         *("surface_tangential", "surface_rolling", "surface_rolling_start"),
         *(
             "reduction",

@@ -18,7 +18,7 @@ PULLS = {
     "load": {"kind": "force", "force": "100 N"},
     "creepage": {
         "kind": "creepages",
-        "longitudinal": {"from": 0.0005, "to": 0.01, "count": 4, "spacing": "log"},
+        "longitudinal": {"from": 0.0005, "to": 0.01, "count": 6, "spacing": "log"},
     },
 }
 RUBBED = {
