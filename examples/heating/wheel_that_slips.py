@@ -30,13 +30,13 @@ new = wk.SampledProfile([18e-3, 14e-3], wheel, (72, 56))
 pulls = wk.SurfaceRolling(new, steel, wk.Force(80e3), wk.Coulomb(0.3), wk.Creepage(longitudinal=3e-3, spin=0.2))
 warm = wk.SurfaceRollingHeating(pulls, SPEED, pair).solve()
 assert np.isclose(warm.heat_rate, warm.creep_power, rtol=5e-3)
-print(f"{warm.heat_rate / 1e3:.2f} kW, up to {warm.max_temperature:.1f} K, {warm.x * 1e3:.1f} mm behind the middle")
+print(f"{warm.heat_rate / 1e3:.2f} kW, up to {warm.max_temperature:.1f} K, {-warm.x * 1e3:.1f} mm behind the middle")
 draw(warm)
 
 # %%
 # A worn one
 # ----------
-# Ten micrometres were worn off the middle of the tread: it bears on both sides, and these get warmer.
+# Ten micrometres were worn off the middle of the tread: it bears on both sides, and that is where it gets warm.
 
 y = (np.arange(56) - 27.5) * new.pixel[1]
 worn = wk.Topography(new.heights - 10e-6 * np.exp(-((y / 2.5e-3) ** 2)), new.lengths)
@@ -62,13 +62,13 @@ plt.show()
 # %%
 # A locked wheel
 # --------------
-# It slides at 1 m/s and rests against the contact: the rail takes nearly all of the heat, and the wheel is hotter than
+# It slides at 0.1 m/s and rests against the contact: the rail takes nearly all of the heat, and the wheel is hotter than
 # one that rolls and slips as fast, as the heat stays at one place of its tread.
 
 pressed = wk.SurfaceContact(new, steel, wk.Force(80e3)).solve().surface_load
 rubbed = dataclasses.replace(pressed, x_traction=-0.3 * pressed.pressure)
-locked = wk.SurfaceFrictionHeating(rubbed, pair, first_speed=1.0).solve()
-rolls = wk.SurfaceFrictionHeating(rubbed, pair, first_speed=SPEED, second_speed=SPEED - 1.0).solve()
+locked = wk.SurfaceFrictionHeating(rubbed, pair, first_speed=0.1).solve()
+rolls = wk.SurfaceFrictionHeating(rubbed, pair, first_speed=SPEED, second_speed=SPEED - 0.1).solve()
 assert locked.max_temperature > rolls.max_temperature
 print(f"locked: {locked.max_temperature:.0f} K, {locked.first_share:.1%} to the rail")
 print(f"slips as fast while it rolls: {rolls.max_temperature:.0f} K, {rolls.first_share:.1%} to the rail")
