@@ -274,7 +274,7 @@ ROUGHNESS = {
         wk.HeatConductors(wk.ThermalConductor(45.0, 12e-6), wk.ThermalConductor(45.0, 12e-6)),
     ),
     "surface_friction_heating": wk.SurfaceFrictionHeating(
-        wk.SurfaceLoad(HILL, [1e-3, 1e-3], x_traction=-0.1 * HILL),
+        wk.SurfaceLoad(HILL, [1e-3, 1e-3], x_traction=HILL / -10.0 + 0.0),
         wk.HeatConductors(wk.ThermalConductor(45.0, 12e-6), wk.ThermalConductor(45.0, 12e-6)),
         first_speed=2.0,
     ),

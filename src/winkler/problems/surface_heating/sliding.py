@@ -15,7 +15,6 @@ from winkler.checks.number_checks import Finite
 from winkler.errors import InvalidInput
 from winkler.media.conduction.conductors import HeatConductors
 from winkler.numerics.types import Array
-from winkler.problems.assumptions.declared import HEATED
 from winkler.problems.heating.input_checks import RubbingBodies, peclet_numbers
 from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.problems.surface_heating.notes import surface_heating_notes
@@ -86,7 +85,9 @@ class SurfaceFrictionHeating(RubbingBodies):
     second_bulk_temperature: Finite = 0.0
 
     references: ClassVar[tuple[str, ...]] = ("jaeger_1942", "blok_1963")
-    assumptions: ClassVar[frozenset[Assumption]] = HEATED
+    assumptions: ClassVar[frozenset[Assumption]] = frozenset(
+        (Assumption.CONDUCTION, Assumption.TEMPERATURE, Assumption.RESOLUTION)
+    )
 
     def __post_init__(self) -> None:
         super().__post_init__()

@@ -25,7 +25,13 @@ RUBBED = {
     "kind": "surface_load",
     "pressure": HILL,
     "lengths": ["1 mm", "1 mm"],
-    "x_traction": [[f"-{0.1 * float(part.split()[0]):g} MPa" for part in row] for row in HILL],
+    "x_traction": [
+        ["0 MPa", "-10 MPa", "-15 MPa", "-10 MPa", "0 MPa"],
+        ["-10 MPa", "-25 MPa", "-30 MPa", "-25 MPa", "-10 MPa"],
+        ["-15 MPa", "-30 MPa", "-35 MPa", "-30 MPa", "-15 MPa"],
+        ["-10 MPa", "-25 MPa", "-30 MPa", "-25 MPa", "-10 MPa"],
+        ["0 MPa", "-10 MPa", "-15 MPa", "-10 MPa", "0 MPa"],
+    ],
 }
 
 ROLLING_FLUX = Equation(
