@@ -62,8 +62,8 @@ plt.show()
 # %%
 # A locked wheel
 # --------------
-# It slides at 0.1 m/s and rests against the contact: the rail takes nearly all of the heat, and the wheel is hotter than
-# one that rolls and slips as fast, as the heat stays at one place of its tread.
+# It slides at 0.1 m/s and rests against the contact: the rail takes most of the heat, and the wheel is hotter than one
+# that rolls and slips as fast, as the heat stays at one place of its tread.
 
 pressed = wk.SurfaceContact(new, steel, wk.Force(80e3)).solve().surface_load
 rubbed = dataclasses.replace(pressed, x_traction=-0.3 * pressed.pressure)
