@@ -29,7 +29,7 @@ from winkler.values import value, words
 
 __all__ = ["SurfaceRollingHeating", "SurfaceRollingHeatingSolution"]
 
-NAMED = ("exchanged_heat_rate", "x", "y", "mean_temperature", "mismatch", "grid_error")
+NAMED = ("x", "y", "mean_temperature", "mismatch", "grid_error")
 SMALL_CREEPAGE, LARGE_CREEPAGE = 0.01, 0.25
 """Change of a share up to which the speeds of both bodies count as one, and beyond which they do not."""
 APART = ("problem", "contact", "first_peclet", "second_peclet", "last")

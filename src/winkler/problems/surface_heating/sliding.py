@@ -140,7 +140,7 @@ class SurfaceFrictionHeating(RubbingBodies):
         )  # fmt: skip
 
 
-WORDED = ("exchanged_heat_rate", "x", "y", "mean_temperature", "mismatch", "grid_error")
+WORDED = ("x", "y", "mean_temperature", "mismatch", "grid_error")
 
 
 @value

@@ -44,11 +44,6 @@ class SurfaceHeatState:
     """
 
     __words__ = words(
-        exchanged_heat_rate=(
-            "Q_{21}",
-            "W",
-            "heat per time from the second to the first body, besides that of friction",
-        ),
         mean_temperature=(r"\bar T", "K", "mean temperature of the contact"),
         x=("x", "m", "place of the greatest temperature along the motion"),
         y=("y", "m", "place of the greatest temperature across the motion"),
