@@ -35,7 +35,13 @@ GROUPS = {
         "bench_wear",
     ),
     "times-lines": ("bench_ellipse", "bench_roller"),
-    "times-surfaces": ("bench_profile_pair", "bench_subsurface", "bench_surface_friction", "bench_surface_rolling"),
+    "times-surfaces": (
+        "bench_profile_pair",
+        "bench_subsurface",
+        "bench_surface_friction",
+        "bench_surface_heating",
+        "bench_surface_rolling",
+    ),
 }
 """Table of the page -> the files of its benchmarks."""
 LINES, OTHERS = "times-lines", "times-tools"

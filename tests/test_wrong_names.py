@@ -13,12 +13,14 @@ import pytest
 import winkler
 import winkler as wk
 from winkler.errors import nearest, suggest
-from winkler.public import __all__ as PUBLIC
+from winkler.public import __all__ as OTHERS
+from winkler.public_problems import __all__ as PROBLEMS
 from winkler.study.language.reading import parse_study
 from winkler.synonyms import SYNONYMS
 from winkler.values import value
 from winkler.vocabulary import GLOSSARY
 
+PUBLIC = [*OTHERS, *PROBLEMS]
 BED = wk.Foundation(wk.Sphere(0.01), wk.HalfSpace(wk.Elastic(210e9, 0.3)))
 CONTACT = wk.Indentation(BED, wk.Force(1.0)).solve()
 

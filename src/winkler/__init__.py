@@ -15,25 +15,26 @@ TYPE_CHECKING = False  # the name that type checkers evaluate; `typing` takes lo
 
 if TYPE_CHECKING:
     from winkler.public import *  # noqa: F403
+    from winkler.public_problems import *  # noqa: F403
 
     __version__: str
 else:
     _MODULES = {}
 
     def _modules():
-        """Return public name -> module, read from the imports in `winkler.public`, which is not run for it."""
+        """Return public name -> module, read from the imports of two modules, which are not run for it."""
         if not _MODULES:
             import ast
+            from importlib import import_module
             from importlib.util import find_spec
 
-            source = find_spec("winkler.public").loader.get_source("winkler.public")
-            if source is None:  # compiled modules without their text: all names come at once
-                from winkler.public import __all__ as names
-
-                _MODULES.update(dict.fromkeys(names, "winkler.public"))
-                return _MODULES
-            imports = [line for line in ast.parse(source).body if isinstance(line, ast.ImportFrom)]
-            _MODULES.update({imported.name: line.module for line in imports for imported in line.names})
+            for page in ("winkler.public", "winkler.public_problems"):
+                source = find_spec(page).loader.get_source(page)
+                if source is None:  # compiled modules without their text: all names come at once
+                    _MODULES.update(dict.fromkeys(import_module(page).__all__, page))
+                    continue
+                imports = [line for line in ast.parse(source).body if isinstance(line, ast.ImportFrom)]
+                _MODULES.update({imported.name: line.module for line in imports for imported in line.names})
         return _MODULES
 
     def __getattr__(name):

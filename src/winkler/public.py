@@ -1,6 +1,7 @@
-"""What `import winkler` offers, each name from the module where it is defined.
+"""What `import winkler` offers beside the problems, each name from the module where it is defined.
 
-The package reads these imports without running them: a name is loaded from its module when it is first used.
+The package reads these imports and those of `winkler.public_problems` without running them: a name is loaded from its
+module when it is first used.
 """
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity, WinklerError
@@ -101,105 +102,6 @@ from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.path import Path
 from winkler.path_steps import Circle, Follow, Hold, Oscillate, Ramp, Start
 from winkler.peaks import PeakStress, PlacedStress, peak_stress
-from winkler.problems.adhesion.cycle import AdhesiveCycle, AdhesiveCycleSolution
-from winkler.problems.adhesion.equilibrium import Equilibrium, EquilibriumCurve
-from winkler.problems.adhesion.indentation import AdhesiveIndentation, AdhesiveSolution
-from winkler.problems.adhesion.model_choice import which_model
-from winkler.problems.adhesion.pull_off import PullOff, PullOffSolution
-from winkler.problems.adhesion.shear import AdhesiveShear, AdhesiveShearSolution
-from winkler.problems.adhesion.tabor import maugis_parameter, tabor_parameter
-from winkler.problems.conduction.bounds import ConductanceBounds, ConductanceBoundsSolution
-from winkler.problems.conduction.constriction import Constriction, ConstrictionSolution
-from winkler.problems.conduction.fields import CurrentFields, HeatFields, restore_conduction
-from winkler.problems.conduction.joule_heating import JouleHeating, JouleHeatingSolution
-from winkler.problems.conduction.line_constriction import LineConstriction, LineConstrictionSolution
-from winkler.problems.conduction.spots import SpotCluster, SpotClusterSolution
-from winkler.problems.conduction.thermal_constriction import ThermalConstriction, ThermalConstrictionSolution
-from winkler.problems.friction.bimodal_damping import BimodalDamping, BimodalDampingSolution
-from winkler.problems.friction.damping import FrictionDamping, FrictionDampingSolution
-from winkler.problems.friction.relaxation_damping import RelaxationDamper, RelaxationDamperSolution
-from winkler.problems.friction.spring_march import SpringMarch, SpringTrace
-from winkler.problems.friction.tangential import Tangential, TangentialSolution
-from winkler.problems.friction.torsion import Torsion, TorsionSolution
-from winkler.problems.friction.torsion_fields import TwistedFields
-from winkler.problems.heating.elliptic_heating import EllipticFrictionHeating, EllipticFrictionHeatingSolution
-from winkler.problems.heating.fretting import FrettingHeat, FrettingHeatSolution
-from winkler.problems.heating.line_heating import LineFrictionHeating, LineFrictionHeatingSolution
-from winkler.problems.heating.steady import FrictionHeating, FrictionHeatingSolution
-from winkler.problems.heating.transient import TransientHeating, TransientHeatingSolution
-from winkler.problems.impact.adhesive_impact import AdhesiveImpact, AdhesiveImpactSolution
-from winkler.problems.impact.impact import Impact, ImpactSolution
-from winkler.problems.line.adhesion import LineAdhesion, LineAdhesionSolution
-from winkler.problems.line.indentation import LayeredLineSolution, LineIndentation, LineSolution
-from winkler.problems.line.layered_stress import LayerStress
-from winkler.problems.line.references import PlateBase, RollerCentre
-from winkler.problems.line.shakedown import LineShakedown, LineShakedownSolution
-from winkler.problems.line.stress import LineFields
-from winkler.problems.line.yielding import LineYieldOnset, LineYieldOnsetSolution
-from winkler.problems.line_friction.path import LinePath
-from winkler.problems.line_friction.tangential import LineTangential, LineTangentialSolution
-from winkler.problems.line_rolling.resistance import LineRollingResistance, LineRollingResistanceSolution
-from winkler.problems.line_rolling.start import LineRollingStart, LineRollingStartSolution
-from winkler.problems.line_rolling.steady import LineRolling, LineRollingSolution
-from winkler.problems.line_strips.periodic import PeriodicIndentation, PeriodicSolution
-from winkler.problems.line_strips.profile_contact import LineProfileContact, LineProfileSolution
-from winkler.problems.line_viscoelastic.indentation import LineViscoelasticIndentation, LineViscoelasticSolution
-from winkler.problems.line_viscoelastic.path import LineForcePath
-from winkler.problems.normal.design import design_for_pressure, design_profile
-from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
-from winkler.problems.normal.elliptic_fields import EllipticFields
-from winkler.problems.normal.elliptic_yielding import EllipticYieldOnset, EllipticYieldOnsetSolution
-from winkler.problems.normal.indentation import Indentation, IndentationSolution
-from winkler.problems.normal.near_round import NearlyRoundIndentation, NearlyRoundSolution
-from winkler.problems.normal.yielding import YieldOnset, YieldOnsetSolution
-from winkler.problems.particles.contact_law import ContactLaw, ContactLawSolution
-from winkler.problems.particles.contacts import Contacts
-from winkler.problems.particles.elastic_plastic import ElasticPlasticParticle, ParticleSolution
-from winkler.problems.particles.impacts import BallImpacts, BallImpactsSolution
-from winkler.problems.particles.trace import ContactTrace
-from winkler.problems.profile_pair.pair_rolling import ProfilePairRolling, ProfilePairRollingSolution
-from winkler.problems.profile_pair.patch import ProfilePatch
-from winkler.problems.profile_pair.profile_pair import ProfilePair, ProfilePairSolution
-from winkler.problems.profile_pair.rolled_patch import RolledPatch
-from winkler.problems.rollers.roller_contact import RollerContact, RollerSolution
-from winkler.problems.rolling.calibration import Kalker, Uncalibrated
-from winkler.problems.rolling.creepage import Creepage
-from winkler.problems.rolling.kalker import creep_coefficients
-from winkler.problems.rolling.linear_theory import linear_creep_coefficients
-from winkler.problems.rolling.oscillating import OscillatingRolling, OscillatingRollingSolution
-from winkler.problems.rolling.simplified_theory import SimplifiedRolling, SimplifiedRollingSolution
-from winkler.problems.rolling.start import RollingStart, RollingStartSolution
-from winkler.problems.rolling.steady import Rolling, RollingSolution
-from winkler.problems.rough.elastomer_friction import ElastomerFriction, ElastomerFrictionSolution
-from winkler.problems.rough.line_contact import RoughContact, RoughContactSolution
-from winkler.problems.rough.line_indentation import RoughIndentation, RoughIndentationSolution
-from winkler.problems.rough.persson import area_fraction, mean_separation
-from winkler.problems.rough.reduce import Reduction, ReductionSolution, reduce
-from winkler.problems.rough.reduced_bed import ReducedBed
-from winkler.problems.rough.spring_line import RoughLine
-from winkler.problems.rough.surface_conduction import SurfaceConduction, SurfaceConductionSolution
-from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
-from winkler.problems.subsurface.map_stress import MapStress, MapStressSolution
-from winkler.problems.subsurface.surface_load import SurfaceLoad
-from winkler.problems.surface_friction.reduced import ReducedFriction, ReducedFrictionSolution
-from winkler.problems.surface_friction.tangential import SurfaceTangential, SurfaceTangentialSolution
-from winkler.problems.surface_rolling.creep_force import CreepForce, Spin
-from winkler.problems.surface_rolling.start import SurfaceRollingStart, SurfaceRollingStartSolution
-from winkler.problems.surface_rolling.steady import SurfaceRolling, SurfaceRollingSolution
-from winkler.problems.viscoelastic.adhesion import ViscoelasticAdhesion, ViscoelasticAdhesionSolution
-from winkler.problems.viscoelastic.impact import ViscoelasticImpact, ViscoelasticImpactSolution
-from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation, ViscoelasticSolution
-from winkler.problems.viscoelastic.material_tests import CreepTest, RelaxationTest
-from winkler.problems.viscoelastic.oscillation import HarmonicIndentation
-from winkler.problems.viscoelastic.sliding import SlidingResistance, SlidingResistanceSolution
-from winkler.problems.viscoelastic.tangential import ViscoelasticTangential, ViscoelasticTangentialSolution
-from winkler.problems.wear.elliptic import EllipticWear, EllipticWearSolution
-from winkler.problems.wear.fretting import FrettingSolution, FrettingWear
-from winkler.problems.wear.limiting_profile import LimitingProfile, LimitingSolution
-from winkler.problems.wear.line_fretting import LineFrettingSolution, LineFrettingWear
-from winkler.problems.wear.line_limiting_profile import LineLimitingProfile, LineLimitingSolution
-from winkler.problems.wear.line_sliding import LineSlidingSolution, LineSlidingWear
-from winkler.problems.wear.sliding import SlidingSolution, SlidingWear
 from winkler.profiles.area import AreaFunction
 from winkler.profiles.conical import Berkovich, Cone, CubeCorner, RoundedCone, SpheroConical, TruncatedCone, Vickers
 from winkler.profiles.curved_pair import CurvedPair
@@ -232,71 +134,33 @@ from winkler.punch_staircase import Staircase, staircase
 from winkler.study.report.exchange import to_pandas, to_xarray
 from winkler.validity import Assumption, Note, Standing
 
-# packed, a letter a paragraph: one name a line would not fit a page
 __all__ = [
-    "AdhesiveCycle", "AdhesiveCycleSolution", "AdhesiveImpact", "AdhesiveImpactSolution", "AdhesiveIndentation",
-    "AdhesiveShear", "AdhesiveShearSolution", "AdhesiveSolution", "Angle", "Archard", "AreaFunction", "Arrhenius",
-    "Assumption", "AtTemperature", "BallImpacts", "BallImpactsSolution", "BallInSocket", "Berkovich", "BimodalDamping",
-    "BimodalDampingSolution", "BodyFields", "CalibratedArea", "CappedCylinder", "CappedParaboloid", "Circle",
-    "CoatedHalfSpace", "Comparison", "ConductanceBounds", "ConductanceBoundsSolution", "Cone", "Constriction",
-    "ConstrictionSolution", "ContactEllipse", "ContactLaw", "ContactLawSolution", "ContactReading", "ContactTrace",
-    "Contacts", "Coulomb", "CreepData", "CreepFit", "CreepForce", "CreepTest", "Creepage", "CrossProfile",
-    "CrownedEnds", "CubeCorner", "Current", "CurrentFields", "CurvedBodies", "CurvedPair", "Cylinder", "CylinderRow",
-    "Depth", "DepthGradedHalfSpace", "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData", "Elastic",
-    "ElasticPlasticParticle", "ElastomerFriction", "ElastomerFrictionSolution", "ElectricalConductor",
-    "ElectricalConductors", "Ellipsoid", "EllipticFields", "EllipticFoundation", "EllipticFrictionHeating",
-    "EllipticFrictionHeatingSolution", "EllipticIndentation", "EllipticSolution", "EllipticWear",
-    "EllipticWearSolution", "EllipticYieldOnset", "EllipticYieldOnsetSolution", "EqualMaximum", "EqualMean",
-    "Equilibrium", "EquilibriumCurve", "ExponentialGrading", "ExponentialSlipWeakening", "FallingFriction", "Fit",
-    "FitState", "FixedShare", "FlatPunch", "Follow", "Force", "ForceCurve", "Formula", "FormulaSection", "Foundation",
-    "FractionalZener", "FrettingHeat", "FrettingHeatSolution", "FrettingSolution", "FrettingWear", "FrictionDamping",
-    "FrictionDampingSolution", "FrictionHeating", "FrictionHeatingSolution", "GeneralisedKelvin", "GradedHalfSpace",
-    "HalfSpace", "HalfWidth", "HarmonicIndentation", "HeatConductors", "HeatFields", "Hold", "Hyperboloid", "Impact",
-    "ImpactSolution", "Indentation", "IndentationSolution", "InvalidInput", "JouleHeating", "JouleHeatingSolution",
-    "Kalker", "KelvinVoigt", "Layer", "LayerStress", "LayeredLineFoundation", "LayeredLineSolution", "LimitingProfile",
-    "LimitingSolution", "LineAdhesion", "LineAdhesionSolution", "LineConstriction", "LineConstrictionSolution",
-    "LineFields", "LineForce", "LineForcePath", "LineFoundation", "LineFrettingSolution", "LineFrettingWear",
-    "LineFrictionHeating", "LineFrictionHeatingSolution", "LineIndentation", "LineLimitingProfile",
-    "LineLimitingSolution", "LineOfAction", "LinePath", "LineProfileContact", "LineProfileSolution", "LineRolling",
-    "LineRollingResistance", "LineRollingResistanceSolution", "LineRollingSolution", "LineRollingStart",
-    "LineRollingStartSolution", "LineScan", "LineShakedown", "LineShakedownSolution", "LineShearForce",
-    "LineSlidingSolution", "LineSlidingWear", "LineSolution", "LineTangential", "LineTangentialSolution",
-    "LineViscoelasticIndentation", "LineViscoelasticSolution", "LineYieldOnset", "LineYieldOnsetSolution",
-    "LinearSlipWeakening", "LogarithmicEnds", "MapStress", "MapStressSolution", "Maxwell", "MeanPressure", "Measured",
-    "MeasuredBed", "MeasuredSection", "MirroredSection", "Moment", "NamedElastic", "NamedElectricalConductor",
-    "NamedMaterial", "NamedThermalConductor", "NearlyRoundIndentation", "NearlyRoundSolution", "NominalPressure",
-    "NotConverged", "Note", "OliverPharr", "OliverPharrSolution", "Oscillate", "OscillatingRolling",
-    "OscillatingRollingSolution", "OutsideValidity", "PairWear", "Paraboloid", "ParticleSolution", "Path",
-    "PeakStress", "PeriodicIndentation", "PeriodicSolution", "PlacedCurve", "PlacedStress", "PlaneFoundation",
-    "PlateBase", "Plated", "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "ProfilePair",
-    "ProfilePairRolling", "ProfilePairRollingSolution", "ProfilePairSolution", "ProfilePatch", "Program", "Prony",
-    "PullOff", "PullOffSolution", "PunchRow", "Radius", "Ramp", "RandomTopography", "RateDependentWork", "ReducedBed",
-    "ReducedFriction", "ReducedFrictionSolution", "Reduction", "ReductionSolution", "RelaxationDamper",
-    "RelaxationDamperSolution", "RelaxationData", "RelaxationTest", "RelaxingInProportion", "Rigid", "Rod",
-    "RolledPatch", "RollerCentre", "RollerContact", "RollerSolution", "Rolling", "RollingSolution", "RollingStart",
-    "RollingStartSolution", "RoughContact", "RoughContactSolution", "RoughIndentation", "RoughIndentationSolution",
-    "RoughLine", "RoundedCone", "RoundedEnds", "RoundedPunch", "SampledProfile", "SaturatingWork", "Segment",
-    "SegmentKind", "SelfAffine", "Shape", "SharpEnds", "ShearForce", "ShearedFields", "Shift", "ShortRange",
-    "SigmoidalGrading", "SimplifiedRolling", "SimplifiedRollingSolution", "SlidingResistance",
-    "SlidingResistanceSolution", "SlidingSolution", "SlidingWear", "Sphere", "SpheroConical", "Spikes", "Spin",
-    "SpotCluster", "SpotClusterSolution", "SpringMarch", "SpringTrace", "Springs", "Staircase", "StandardSolid",
-    "Standing", "Start", "StaticKinetic", "SubsurfaceFields", "Sum", "SurfaceConduction", "SurfaceConductionSolution",
-    "SurfaceContact", "SurfaceContactSolution", "SurfaceFields", "SurfaceFilm", "SurfaceLoad", "SurfaceRolling",
-    "SurfaceRollingSolution", "SurfaceRollingStart", "SurfaceRollingStartSolution", "SurfaceTangential",
-    "SurfaceTangentialSolution", "TabulatedGrading", "Tangential", "TangentialSolution", "ThermalConductor",
-    "ThermalConstriction", "ThermalConstrictionSolution", "ThermalInterface", "Tilt", "Topography", "Torque",
-    "Torsion", "TorsionSolution", "TransientHeating", "TransientHeatingSolution", "TransverselyIsotropic",
-    "TransverselyIsotropicHalfSpace", "TruncatedCone", "TruncatedParaboloid", "TwistedFields", "Uncalibrated",
-    "Vickers", "ViscoelasticAdhesion", "ViscoelasticAdhesionSolution", "ViscoelasticFit", "ViscoelasticHalfSpace",
-    "ViscoelasticImpact", "ViscoelasticImpactSolution", "ViscoelasticIndentation", "ViscoelasticSolution",
-    "ViscoelasticTangential", "ViscoelasticTangentialSolution", "Voltage", "Wavy", "WiedemannFranz",
-    "WilliamsLandelFerry", "WinklerError", "YieldOnset", "YieldOnsetSolution", "area_fraction", "compare",
-    "compare_terms", "contact_reading", "creep_coefficients", "design_for_pressure", "design_profile", "fit",
-    "fit_steps", "intercept_factor", "linear_creep_coefficients", "material", "material_names", "maugis_parameter",
-    "mean_separation", "peak_stress", "random_topography", "read_bed", "read_contacts", "read_creep",
+    "Angle", "Archard", "AreaFunction", "Arrhenius", "Assumption", "AtTemperature", "BallInSocket", "Berkovich",
+    "BodyFields", "CalibratedArea", "CappedCylinder", "CappedParaboloid", "Circle", "CoatedHalfSpace", "Comparison",
+    "Cone", "ContactEllipse", "ContactReading", "Coulomb", "CreepData", "CreepFit", "CrossProfile", "CrownedEnds",
+    "CubeCorner", "Current", "CurvedBodies", "CurvedPair", "Cylinder", "CylinderRow", "Depth", "DepthGradedHalfSpace",
+    "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData", "Elastic", "ElectricalConductor",
+    "ElectricalConductors", "Ellipsoid", "EllipticFoundation", "EqualMaximum", "EqualMean", "ExponentialGrading",
+    "ExponentialSlipWeakening", "FallingFriction", "Fit", "FitState", "FixedShare", "FlatPunch", "Follow", "Force",
+    "ForceCurve", "Formula", "FormulaSection", "Foundation", "FractionalZener", "GeneralisedKelvin", "GradedHalfSpace",
+    "HalfSpace", "HalfWidth", "HeatConductors", "Hold", "Hyperboloid", "InvalidInput", "KelvinVoigt", "Layer",
+    "LayeredLineFoundation", "LineForce", "LineFoundation", "LineOfAction", "LineScan", "LineShearForce",
+    "LinearSlipWeakening", "LogarithmicEnds", "Maxwell", "MeanPressure", "Measured", "MeasuredBed", "MeasuredSection",
+    "MirroredSection", "Moment", "NamedElastic", "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor",
+    "NominalPressure", "NotConverged", "Note", "OliverPharr", "OliverPharrSolution", "Oscillate", "OutsideValidity",
+    "PairWear", "Paraboloid", "Path", "PeakStress", "PlacedCurve", "PlacedStress", "PlaneFoundation", "Plated",
+    "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "Program", "Prony", "PunchRow", "Radius", "Ramp",
+    "RandomTopography", "RateDependentWork", "RelaxationData", "RelaxingInProportion", "Rigid", "Rod", "RoundedCone",
+    "RoundedEnds", "RoundedPunch", "SampledProfile", "SaturatingWork", "Segment", "SegmentKind", "SelfAffine", "Shape",
+    "SharpEnds", "ShearForce", "ShearedFields", "Shift", "ShortRange", "SigmoidalGrading", "Sphere", "SpheroConical",
+    "Spikes", "Springs", "Staircase", "StandardSolid", "Standing", "Start", "StaticKinetic", "SubsurfaceFields", "Sum",
+    "SurfaceFields", "SurfaceFilm", "TabulatedGrading", "ThermalConductor", "ThermalInterface", "Tilt", "Topography",
+    "Torque", "TransverselyIsotropic", "TransverselyIsotropicHalfSpace", "TruncatedCone", "TruncatedParaboloid",
+    "Vickers", "ViscoelasticFit", "ViscoelasticHalfSpace", "Voltage", "Wavy", "WiedemannFranz", "WilliamsLandelFerry",
+    "WinklerError", "compare", "compare_terms", "contact_reading", "fit", "fit_steps", "intercept_factor", "material",
+    "material_names", "peak_stress", "random_topography", "read_bed", "read_contacts", "read_creep",
     "read_cross_profile", "read_curve", "read_curves", "read_dynamic", "read_grading", "read_path", "read_profile",
     "read_profile_pair", "read_relaxation", "read_scan", "read_section", "read_spectrum", "read_surface_load",
-    "read_topography", "reduce", "relaxation_band", "restore", "restore_body", "restore_conduction", "restore_shift",
-    "sample_young", "spectrum_of", "staircase", "tabor_parameter", "to_pandas", "to_xarray", "which_model",
-    "write_contacts", "write_law", "write_trace", "write_vtk",
+    "read_topography", "relaxation_band", "restore", "restore_body", "restore_shift", "sample_young", "spectrum_of",
+    "staircase", "to_pandas", "to_xarray", "write_contacts", "write_law", "write_trace", "write_vtk",
 ]  # fmt: skip

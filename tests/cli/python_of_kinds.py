@@ -210,6 +210,15 @@ BLASTED = wk.SelfAffine(hurst=0.8, rms_height=1e-6, longest=1e-3, shortest=60e-6
 MILLIMETRES = np.array([1e-3, 1e-3])
 SURFACE = wk.RandomTopography(MILLIMETRES, BLASTED, (64, 64))
 STAMP = wk.RandomTopography(MILLIMETRES, BLASTED, (64, 64), seed=1, periodic=False)
+HILL = 1e6 * np.array(
+    [
+        [0, 100, 150, 100, 0],
+        [100, 250, 300, 250, 100],
+        [150, 300, 350, 300, 150],
+        [100, 250, 300, 250, 100],
+        [0, 100, 150, 100, 0],
+    ]
+)
 PYRAMID = (
     np.array(
         [[0, 0, 0, 0, 0, 0], [0, 2, 2, 2, 2, 0], [0, 2, 5, 4, 2, 0], [0, 2, 4, 4, 2, 0], [0, 2, 2, 2, 2, 0], [0] * 6]
@@ -259,16 +268,7 @@ ROUGHNESS = {
         ("map_stress", "surface_load"),
         wk.MapStress(
             wk.SurfaceLoad(
-                1e6
-                * np.array(
-                    [
-                        [0, 100, 150, 100, 0],
-                        [100, 250, 300, 250, 100],
-                        [150, 300, 350, 300, 150],
-                        [100, 250, 300, 250, 100],
-                        [0, 100, 150, 100, 0],
-                    ]
-                ),
+                HILL,
                 [1e-3, 1e-3],
             ),
             wk.Elastic(210e9, 0.3, strength=500e6),
@@ -281,6 +281,22 @@ ROUGHNESS = {
         wk.Creepage(longitudinal=np.geomspace(0.0002, 0.004, 6)), wk.FallingFriction(0.4, 0.16, 0.1)
     ),
     **{kind: rolled_wheel(wk.CreepForce(15.0, twist=wk.Spin(5.0))) for kind in ("creep_forces", "spin")},
+    "surface_rolling_heating": wk.SurfaceRollingHeating(
+        wk.SurfaceRolling(
+            wk.SampledProfile([0.6e-3, 0.5e-3], wk.CurvedBodies(20e-3, 10e-3), (42, 35)),
+            wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3)),
+            wk.Force(100.0),
+            FRICTION,
+            wk.Creepage(longitudinal=np.geomspace(0.0005, 0.01, 6)),
+            speed=20.0,
+        ),
+        wk.HeatConductors(wk.ThermalConductor(45.0, 12e-6), wk.ThermalConductor(45.0, 12e-6)),
+    ),
+    "surface_friction_heating": wk.SurfaceFrictionHeating(
+        wk.SurfaceLoad(HILL, [1e-3, 1e-3], x_traction=HILL / -10.0 + 0.0),
+        wk.HeatConductors(wk.ThermalConductor(45.0, 12e-6), wk.ThermalConductor(45.0, 12e-6)),
+        first_speed=2.0,
+    ),
     "surface_rolling_start": wk.SurfaceRollingStart(
         wk.SampledProfile([0.6e-3, 0.5e-3], wk.CurvedBodies(20e-3, 10e-3), (54, 45)),
         wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3)),

@@ -98,6 +98,11 @@ ROUNDED: dict[tuple[str, str], Rounded] = {
         ("SurfaceRollingStartSolution", name): Rounded(1e-3, "stick and slip have a tolerance of 1e-8 of the energy")
         for name in ("longitudinal_creepage", "longitudinal_force", "stick_share")
     },
+    **{(name, "mismatch"): ERROR for name in ("SurfaceRollingHeatingSolution", "SurfaceFrictionHeatingSolution")},
+    **{
+        ("SurfaceRollingHeatingSolution", name): Rounded(1e-3, "stick and slip have a tolerance of 1e-7 of the loss")
+        for name in ("heat_rate", "creep_power", "max_temperature", "mean_temperature", "grid_error")
+    },
     ("ReductionSolution", "misfit"): Rounded(1e-6, "it is checked by contacts of a tolerance of 1e-6"),
     ("ReductionSolution", "force"): Rounded(1e-8, "each contact has a tolerance of 1e-6"),
     ("ProfilePairSolution", "grid_error"): ERROR,

@@ -10,7 +10,17 @@ import pytest
 
 import winkler as wk
 
-COMPUTING = ("numpy", "scipy", "numba", "pandas", "xarray", "pint", "matplotlib", "winkler.public")
+COMPUTING = (
+    "numpy",
+    "scipy",
+    "numba",
+    "pandas",
+    "xarray",
+    "pint",
+    "matplotlib",
+    "winkler.public",
+    "winkler.public_problems",
+)
 """Not pydantic: typer itself imports it where it is installed, before it shows the help of a command."""
 
 
@@ -33,8 +43,8 @@ profile = { kind = "sphere", curvature_radius = "10 mm" }
 medium = { kind = "half_space", first = { kind = "elastic", young = "210 GPa", poisson = 0.3 } }
 """
 ELSEWHERE = {
-    "pint", "numba", "scipy", "pandas", "xarray", "dask", "distributed", "sympy", "winkler.public", "winkler.web",
-    "winkler.reference",
+    "pint", "numba", "scipy", "pandas", "xarray", "dask", "distributed", "sympy", "winkler.public",
+    "winkler.public_problems", "winkler.web", "winkler.reference",
 }  # fmt: skip
 """What one elastic contact does not need."""
 OF_OTHER_STUDIES = {

@@ -130,6 +130,61 @@ def elliptic_heating_skew() -> Numbers:
 
 
 # ---------------------------------------------------------------------------------------------------------------------
+# maps of pixels
+
+
+@of_case
+def square_heat_moving() -> Numbers:
+    """lambda T is the integral over kappa t of X Y / sqrt(pi t): what a square that moves on holds of Gaussians."""
+    side, wave = frac("1e-3"), frac("0.06") / frac("12e-6")
+    heat = frac("20e6") * frac("0.03")
+
+    def rate(s: Any) -> Any:
+        """At x = 0.2 mm and y = 0 from the middle, with kappa t = s^2."""
+        at = frac("2e-4") - wave * s * s
+        along = (mp.erf((at + side / 2) / (2 * s)) - mp.erf((at - side / 2) / (2 * s))) / 2
+        return 2 / mp.sqrt(mp.pi) * along * mp.erf(side / (4 * s))
+
+    pieces = [0, *(frac(part) * side for part in ("0.02", "0.1", "0.25", "0.5", "1", "2", "4", "20"))]
+    peak = heat * mp.quad(rate, pieces) / (45 + 15)
+    return [peak, frac("45") / (45 + 15), heat * side**2, frac("0.7e-3"), wave * side / 4]
+
+
+WHEEL = {"a": "5.88e-3", "b": "10.54e-3", "speed": "30"}
+
+
+def wheel_effusivity() -> mp.mpf:
+    """Of the steel of CONTACT's wheel, sqrt(lambda rho c)."""
+    return mp.sqrt(frac("50") * frac("7850") * frac("450"))
+
+
+@of_case
+def wheel_temperature_sliding() -> Numbers:
+    """Hertz' flux at 1 m/s on a strip of the ellipse, half into each body; heat goes into the depth only."""
+    a, b = (frac(WHEEL[name]) for name in "ab")
+    heat = frac("0.03") * 3 * frac("1e5") / (2 * mp.pi * a * b)
+
+    def passed(t: Any) -> Any:
+        """The integral of sqrt(1 - s^2)/sqrt(t - s) from -1 to t, with t - s = (1 + t) sin(u)^2."""
+        return mp.quad(
+            lambda u: 2 * (1 + t) * mp.cos(u) ** 2 * mp.sqrt(1 - t + (1 + t) * mp.sin(u) ** 2), [0, mp.pi / 2]
+        )
+
+    at = mp.findroot(lambda t: mp.diff(passed, t), (frac("0.6"), frac("0.7")), solver="anderson")
+    rise = heat / 2 * mp.sqrt(a / (mp.pi * frac(WHEEL["speed"]))) / wheel_effusivity() * passed(at)
+    return [rise, frac("0.03") * frac("1e5")]
+
+
+@of_case
+def wheel_hot_on_rail() -> Numbers:
+    """Like bodies that pass fast have the mean; heat flows as from one half-space to another since they touched."""
+    a, b = (frac(WHEEL[name]) for name in "ab")
+    flow = 150 / frac(2) * wheel_effusivity() * mp.sqrt(frac(WHEEL["speed"]) / mp.pi)
+    widths = mp.quad(lambda s: (1 - s * s) ** frac("0.25"), [-1, 1])
+    return [frac(75), flow * 2 * mp.sqrt(2 * a) * b * widths]
+
+
+# ---------------------------------------------------------------------------------------------------------------------
 # current through a strip
 
 

@@ -12,6 +12,7 @@ from winkler.plot.fitting import unloading  # noqa: F401
 from winkler.plot.friction import damping  # noqa: F401
 from winkler.plot.friction import sheets as friction_sheets  # noqa: F401
 from winkler.plot.heating import ellipses, heating, strips  # noqa: F401
+from winkler.plot.heating import surfaces as heated_surfaces  # noqa: F401
 from winkler.plot.impact import impact  # noqa: F401
 from winkler.plot.line import adhesion as line_adhesion  # noqa: F401
 from winkler.plot.line import contact, periodic, profile_strips, relaxing, roller  # noqa: F401

@@ -92,6 +92,9 @@ RUBBING: dict[str, Word] = {
     "film_voltage": Word("V_f", "V", "voltage over the film"),
     "lorenz_number": Word("L", "V^2/K^2", "thermal conductivity times resistivity over absolute temperature"),
     "heat_rate": Word("Q", "W", "heat per time"),
+    "exchanged_heat_rate": Word(
+        "Q_{21}", "W", "heat per time from the second to the first body, besides that of friction"
+    ),
     "heat_per_length": Word("Q", "W/m", "heat per time and length of a line contact"),
     "contact_temperature": Word("T_c", "K", "temperature of the contact"),
     "max_temperature": Word("T_{max}", "K", "greatest temperature"),

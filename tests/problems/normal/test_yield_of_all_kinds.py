@@ -37,6 +37,7 @@ WITHOUT = {
     "line_shakedown": "the limit after yield is its answer",
     "line_yield_onset": "the onset is its answer",
     "spot_cluster": "no elastic bodies",
+    "surface_friction_heating": "a map of loads without elastic bodies",
     "yield_onset": "the onset is its answer",
 }
 UNKNOWN = {

@@ -25,6 +25,7 @@ from winkler.study.chapters.rolling import ROLLING
 from winkler.study.chapters.rough import ROUGH
 from winkler.study.chapters.subsurface import SUBSURFACE
 from winkler.study.chapters.surface_friction import SURFACE_FRICTION
+from winkler.study.chapters.surface_heating import SURFACE_HEATING
 from winkler.study.chapters.surface_rolling import SURFACE_ROLLING
 from winkler.study.chapters.viscoelastic import VISCOELASTIC
 from winkler.study.chapters.viscoelastic_surfaces import VISCOELASTIC_SURFACES
@@ -55,6 +56,7 @@ CHAPTERS: tuple[Chapter, ...] = (
     PROFILE_PAIR,
     SURFACE_FRICTION,
     SURFACE_ROLLING,
+    SURFACE_HEATING,
 )
 """In the order of the catalogue."""
 

@@ -1,0 +1,1 @@
+"""Heat of friction on contacts of any outline: temperatures of height maps by boundary elements."""

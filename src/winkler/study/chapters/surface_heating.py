@@ -1,0 +1,87 @@
+"""Heat of friction on contacts of any outline: the problems of height maps and of given maps, and their formulas."""
+
+from __future__ import annotations
+
+from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
+from winkler.study.chapters.heating import STEELS
+from winkler.study.chapters.rough import ELEMENTS
+from winkler.study.chapters.subsurface import HILL
+from winkler.study.chapters.surface_friction import CERRUTI
+from winkler.study.chapters.surface_rolling import COULOMB, PASSED, WHEEL
+
+__all__ = ["SURFACE_HEATING"]
+
+PULLS = {
+    "kind": "surface_rolling",
+    "topography": {**WHEEL, "shape": [42, 35]},
+    "medium": {"kind": "half_space", "second": {"kind": "elastic"}},
+    "load": {"kind": "force", "force": "100 N"},
+    "speed": "20 m/s",
+    "drive": {
+        "kind": "creepages",
+        "longitudinal": {"from": 0.0005, "to": 0.01, "count": 6, "spacing": "log"},
+    },
+}
+RUBBED = {
+    "kind": "surface_load",
+    "pressure": HILL,
+    "lengths": ["1 mm", "1 mm"],
+    "x_traction": [
+        ["0 MPa", "-10 MPa", "-15 MPa", "-10 MPa", "0 MPa"],
+        ["-10 MPa", "-25 MPa", "-30 MPa", "-25 MPa", "-10 MPa"],
+        ["-15 MPa", "-30 MPa", "-35 MPa", "-30 MPa", "-15 MPa"],
+        ["-10 MPa", "-25 MPa", "-30 MPa", "-25 MPa", "-10 MPa"],
+        ["0 MPa", "-10 MPa", "-15 MPa", "-10 MPa", "0 MPa"],
+    ],
+}
+
+ROLLING_FLUX = Equation(
+    "Where it slips, friction turns into heat",
+    r"q = V\,\tau\cdot s', \quad Q = \int q\,\mathrm{d}A = V\,(\xi F_x+\eta F_y+\varphi M_z)",
+)
+SLIDING_FLUX = Equation(
+    "Where the bodies rub, friction turns into heat", r"q = \tau_x\,(V_2-V_1), \quad Q = \int q\,\mathrm{d}A"
+)
+WARMED = Equation(
+    "Each body moves past the contact; the pixels add up, each a moving source (Jaeger)",
+    r"T_i(x,y) = T_i^\infty+\frac{1}{2\pi\lambda_i}\int \frac{q_i}{r}\,"
+    r"e^{-\frac{1}{2\kappa_i}\left(|V_i|\,r-V_i\,(x-x')\right)}\,\mathrm{d}x'\mathrm{d}y'",
+)
+CONTINUOUS = Equation(
+    "The surfaces have one temperature wherever they touch (Blok)", r"q_1+q_2 = q, \quad T_1 = T_2 \text{ where } p > 0"
+)
+MAPS = (
+    "The heat of friction, the temperature of the surface of the first body with the outline of the contact and the "
+    "place of the greatest, and both surfaces along the line through it{more}."
+)
+
+SURFACE_HEATING = Chapter(
+    "frictional heat",
+    kinds={},
+    answers={
+        "surface_rolling_heating": answer(
+            "winkler.problems.surface_heating.rolling:SurfaceRollingHeating",
+            headline=("max_temperature", "heat_rate", "first_share", "mean_temperature", "x"),
+            rolling=PULLS,
+            conductors=STEELS,
+            picture=Caption(
+                "surface_heating",
+                "Temperatures of a contact that rolls",
+                MAPS.format(more=", under the last creepage"),
+            ),
+            curves=(("heat_rate", "max_temperature"), ("heat_rate", "mean_temperature")),
+            pictured=PicturedContact.NONE,
+            formulas=(ELEMENTS, CERRUTI, PASSED, COULOMB, ROLLING_FLUX, WARMED, CONTINUOUS),
+        ),
+        "surface_friction_heating": answer(
+            "winkler.problems.surface_heating.sliding:SurfaceFrictionHeating",
+            headline=("max_temperature", "heat_rate", "first_share", "mean_temperature", "x"),
+            load=RUBBED,
+            conductors=STEELS,
+            first_speed="2 m/s",
+            picture=Caption("surface_heating", "Temperatures of a contact that slides", MAPS.format(more="")),
+            pictured=PicturedContact.NONE,
+            formulas=(SLIDING_FLUX, WARMED, CONTINUOUS),
+        ),
+    },
+)

@@ -1,0 +1,231 @@
+"""Temperatures of contacts of any outline: CONTACT, closed forms, energy, and what is refused."""
+
+from __future__ import annotations
+
+import csv
+import dataclasses
+import math
+import tomllib
+
+import numpy as np
+import pytest
+from scipy.integrate import quad
+
+import winkler as wk
+from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.numerics.surfaces import shared_heat
+from winkler.validity import Assumption, Standing
+
+STEEL = wk.ThermalConductor.of(conductivity=50.0, density=7850.0, heat_capacity=450.0)
+STEELS = wk.HeatConductors(STEEL, STEEL)
+
+
+def elastic(shear: float, poisson: float) -> wk.HalfSpace:
+    body = wk.Elastic(2.0 * shear * (1.0 + poisson), poisson)
+    return wk.HalfSpace(body, body)
+
+
+def tables(shared_data, name):
+    folder = shared_data / "reference" / "contact"
+    if not folder.exists():
+        pytest.skip("reference data are not here")
+    return folder, tomllib.loads((folder / name).read_text(encoding="utf-8"))
+
+
+@pytest.fixture(scope="module")
+def wheel(shared_data):
+    """CONTACT's wheel that slides, on pixels of its size, and its answers."""
+    _, table = tables(shared_data, "temperature_wheel.toml")
+    given = table["inputs"]
+    radii = [0.5 / given[f"gap_coefficient_{name}_1_per_m"] for name in "AB"]
+    rough = wk.SampledProfile([14e-3, 23e-3], wk.CurvedBodies(*radii), (70, 46))
+    medium = elastic(given["shear_modulus_Pa"], given["poisson"])
+
+    def warm(creepage: float, hot: float) -> wk.SurfaceRollingHeatingSolution:
+        rolling = wk.SurfaceRolling(
+            rough,
+            medium,
+            wk.Force(given["normal_force_N"]),
+            wk.Coulomb(given["friction"]),
+            wk.Creepage(creepage),
+            speed=given["speed_m_per_s"],
+        )
+        return wk.SurfaceRollingHeating(rolling, STEELS, second_bulk_temperature=hot).solve()
+
+    return warm, table
+
+
+def test_wheel_that_slides(wheel):
+    """The closed form of conduction into the depth to 2 %, CONTACT to 12 % and its friction power to 0.3 %."""
+    warm, table = wheel
+    slides, printed = warm(-table["case"][0]["creep_x"], 0.0), table["case"][0]
+    expected = table["closed_form"]["peak_temperature_case_1_degC"]
+    assert math.isclose(slides.max_temperature, expected, rel_tol=0.02)
+    assert math.isclose(slides.max_temperature, printed["peak_temperature_degC"], rel_tol=0.12)
+    assert math.isclose(slides.heat_rate, -printed["friction_power_W"], rel_tol=3e-3)
+    assert math.isclose(slides.heat_rate, slides.creep_power, rel_tol=1e-4)
+    a = table["inputs"]["semi_axis_a_m"]
+    assert abs(slides.x + 0.652 * a) < 0.06 * a  # towards the trailing edge; elastic slip pushes it further back
+    assert abs(slides.y) < 1e-12
+    assert math.isclose(slides.first_peclet, 0.5 * 30.0 * a / STEEL.diffusivity, rel_tol=0.03)
+    assert slides.first_share == pytest.approx(0.5, abs=1e-12)
+
+
+def test_hot_wheel_on_a_cold_rail(wheel):
+    """In fast rolling the contact has the mean of both; heat flows as in two touching half-spaces."""
+    warm, table = wheel
+    rolls = warm(0.0, 150.0)
+    assert math.isclose(rolls.max_temperature, table["closed_form"]["peak_temperature_case_2_degC"], rel_tol=1e-6)
+    assert math.isclose(rolls.mean_temperature, 75.0, rel_tol=1e-8)
+    assert rolls.mismatch < 1e-6
+    assert rolls.heat_rate == 0.0
+    assert rolls.first_share == pytest.approx(0.5)
+    given = table["inputs"]
+    a, b = given["semi_axis_a_m"], given["semi_axis_b_m"]
+    flow = 75.0 * 50.0 * math.sqrt(30.0 / (math.pi * STEEL.diffusivity))
+    along = quad(lambda s: 2.0 * b * 2.0 * math.sqrt(2.0 * a * math.sqrt(1.0 - s * s)), 0.0, 1.0)[0]
+    assert math.isclose(rolls.exchanged_heat_rate, flow * along, rel_tol=5e-3)
+
+
+def test_creep_curve_with_temperatures(shared_data):
+    """CONTACT to 15 %; to 0.1 % where all slides, once the half of its own element is added that it counts too much.
+
+    Where not all slides it differs then by as much as its friction power, which is too low, or less.  In sliding,
+    temperature grows by the same for each creepage: the rest is the slip of the strain that friction makes.
+    """
+    folder, table = tables(shared_data, "creep_curve_temperature.toml")
+    given = table["inputs"]
+    rows = (folder / table["data"]).read_text(encoding="utf-8").splitlines()
+    printed = {float(row["creep_x"]): row for row in csv.DictReader(row for row in rows if not row.startswith("#"))}
+    creeps = np.array([8e-4, 1.2e-3, 2e-3, 3.2e-3, 1e-2, 0.15, 0.2, 0.25])
+    medium, pixel = elastic(given["shear_modulus_Pa"], given["poisson"]), 0.3152e-3
+    rough = wk.SampledProfile([44 * pixel, 88 * pixel], wk.CurvedBodies(0.625, 1.77672), (44, 44))
+    problem = wk.SurfaceRollingHeating(
+        wk.SurfaceRolling(
+            rough,
+            medium,
+            wk.Force(given["normal_force_N"]),
+            wk.Coulomb(given["friction"]),
+            wk.Creepage(creeps),
+            speed=given["speed_m_per_s"],
+        ),
+        STEELS,
+    )
+    states = list(problem.steps())
+    curve = problem.gathered(states)
+    peak = np.array([float(printed[creep]["peak_temperature_degC"]) for creep in creeps])
+    assert np.all(np.abs(curve.max_temperature / peak - 1.0) < 0.15)
+    effusivity = 50.0 / math.sqrt(STEEL.diffusivity)
+    own = math.sqrt(0.5 * pixel / (math.pi * given["speed_m_per_s"])) / effusivity
+    like = [np.max(state.first_temperature + own * state.flux) for state in states]
+    power = np.array([-float(printed[creep]["friction_power_W"]) for creep in creeps])
+    assert np.all(np.abs(np.array(like) / peak - 1.0) < np.abs(curve.heat_rate / power - 1.0) + 1e-3)
+    assert np.all(np.abs(np.array(like[-3:]) / peak[-3:] - 1.0) < 1e-3)
+    rate = np.diff(curve.max_temperature[-3:])
+    assert math.isclose(rate[0], rate[1], rel_tol=1e-5)
+    assert np.allclose(curve.heat_rate, curve.creep_power, rtol=2e-3, atol=0.0)
+    assert np.allclose(curve.first_share, 0.5, atol=1e-12)
+    assert problem.gathered(states[:3]).max_temperature.tolist() == curve.max_temperature[:3].tolist()
+
+
+def test_power_of_lateral_creepage_and_spin():
+    """Forces times creepages and moment times spin, to 1 % on forty pixels."""
+    rough = wk.SampledProfile([0.3e-3, 0.3e-3], wk.Paraboloid(10e-3), (45, 45))
+    rolling = wk.SurfaceRolling(
+        rough, elastic(82e9, 0.28), wk.Force(30.0), wk.Coulomb(0.3), wk.Creepage(1e-3, -2e-3, 10.0), speed=5.0
+    )
+    warm = wk.SurfaceRollingHeating(rolling, STEELS).solve()
+    assert math.isclose(warm.heat_rate, warm.creep_power, rel_tol=0.01)
+
+
+def ball(count: int = 48, friction: float = 0.2) -> wk.SurfaceLoad:
+    """A map of Hertz' pressure on a circle of 1 mm, which a body that rests holds back."""
+    rim = (np.arange(count) + 0.5) / count * 2.2 - 1.1
+    pressure = 300e6 * np.sqrt(np.maximum(1.0 - rim[:, None] ** 2 - rim**2, 0.0))
+    return wk.SurfaceLoad(pressure, [2.2e-3, 2.2e-3], x_traction=-friction * pressure, corner=[-1.1e-3, -1.1e-3])
+
+
+def test_both_at_rest_have_the_closed_form_of_hertz():
+    """3 Q / (8 (lambda_1 + lambda_2) a), shared as the conductivities; slower than 1e-9 of diffusion."""
+    load, pair = ball(), wk.HeatConductors(STEEL, wk.ThermalConductor(20.0, 3e-6))
+    warm = wk.SurfaceFrictionHeating(load, pair, first_speed=1e-9).solve()
+    assert math.isclose(warm.max_temperature, 3.0 * warm.heat_rate / (8.0 * 70.0 * 1e-3), rel_tol=2e-3)
+    assert math.isclose(warm.first_share, 50.0 / 70.0, rel_tol=1e-6)
+    assert math.isclose(warm.heat_rate, 0.2e-9 * load.force, rel_tol=1e-12)
+    assert warm.x == warm.y == pytest.approx(0.0, abs=1e-15)
+
+
+@pytest.mark.parametrize(("first", "second", "part"), [(5.0, 4.0, 2e-3), (0.5, 0.4, 2e-3), (1.0, 0.0, 0.05)])
+def test_hertz_against_one_share_for_the_whole_contact(first, second, part):
+    """Bodies that move alike need no more than one share; one at rest differs by a few per cent (Blok's rule)."""
+    load = ball(64)
+    warm = wk.SurfaceFrictionHeating(load, STEELS, first, second).solve()
+    medium = elastic(82e9, 0.3)
+    radius = (1e-3) ** 3 * 4.0 * medium.modulus / (3.0 * load.force)
+    rule = wk.EllipticFrictionHeating(
+        wk.CurvedBodies(radius, radius), medium, wk.Coulomb(0.2), wk.Force(load.force), STEELS, first, second
+    ).solve()
+    assert math.isclose(warm.heat_rate, rule.heat_rate, rel_tol=1e-12)
+    assert math.isclose(warm.max_temperature, rule.flash_temperature, rel_tol=part)
+    assert math.isclose(warm.first_share, rule.first_share, rel_tol=part)
+    assert math.isclose(warm.first_peclet, rule.first_peclet, rel_tol=0.03)
+
+
+def test_a_round_spot_conducts_as_the_constriction_of_a_disc():
+    """4 a lambda D with 1 / lambda = 1 / lambda_1 + 1 / lambda_2, for bodies at rest."""
+    rim = (np.arange(96) + 0.5) / 96 * 2.1 - 1.05
+    spot = np.where(rim[:, None] ** 2 + rim**2 < 1.0, 1e6, 0.0)
+    pair = wk.HeatConductors(STEEL, wk.ThermalConductor(75.0, 3e-6))
+    load = wk.SurfaceLoad(spot, [2.1e-3, 2.1e-3])
+    warm = wk.SurfaceFrictionHeating(load, pair, 0.0, 0.0, 20.0, 30.0).solve()
+    assert math.isclose(warm.exchanged_heat_rate, 4.0 * 1e-3 * 30.0 * 10.0, rel_tol=5e-3)
+    assert math.isclose(warm.mean_temperature, 26.0, rel_tol=1e-6)
+
+
+def test_mirrored_motion_and_exchanged_bodies_mirror_and_exchange():
+    other = wk.ThermalConductor(20.0, 3e-6)
+    load = ball(33)
+    one = wk.SurfaceFrictionHeating(load, wk.HeatConductors(STEEL, other), 0.3, 0.1, 5.0, 0.0).solve()
+    mirrored = dataclasses.replace(load, x_traction=-load.x_traction)
+    back = wk.SurfaceFrictionHeating(mirrored, wk.HeatConductors(STEEL, other), -0.3, -0.1, 5.0, 0.0).solve()
+    assert np.allclose(back.last.first_temperature[::-1], one.last.first_temperature, atol=1e-6)
+    turned = wk.SurfaceFrictionHeating(mirrored, wk.HeatConductors(other, STEEL), 0.1, 0.3, 0.0, 5.0).solve()
+    assert math.isclose(turned.max_temperature, one.max_temperature, rel_tol=1e-8)
+    assert math.isclose(turned.first_share, 1.0 - one.first_share, rel_tol=1e-6)
+    assert math.isclose(turned.exchanged_heat_rate, -one.exchanged_heat_rate, rel_tol=1e-6)
+    apart = one.last.first_temperature - one.last.second_temperature
+    assert np.max(np.abs(apart[load.pressure > 0.0])) == one.mismatch < 1e-6
+    assert math.isclose(np.sum(one.last.first_flux) * np.prod(load.pixel),
+                        one.first_share * one.heat_rate + one.exchanged_heat_rate, rel_tol=1e-9)  # fmt: skip
+
+
+def test_refusals(monkeypatch):
+    load = ball(9)
+    for changed, words in (
+        ({"first_speed": -1.0}, "change the sign"),
+        ({"load": dataclasses.replace(load, periodic=True)}, "repeated for ever"),
+        ({"load": wk.SurfaceLoad([[1e6, 2e6]], [1e-3, 1e-3])}, "two pixels"),
+        ({"load": wk.SurfaceLoad(-load.pressure, [1e-3, 1e-3])}, "nothing touches"),
+        ({"conductors": wk.HeatConductors(STEEL, STEEL, wk.ThermalInterface(1e4))}, "leave the interface out"),
+        ({"first_bulk_temperature": math.nan}, "first_bulk_temperature"),
+    ):
+        given = {"load": load, "conductors": STEELS, "first_speed": 1.0}
+        with pytest.raises(InvalidInput, match=words):
+            wk.SurfaceFrictionHeating(**(given | changed))
+    with pytest.raises(OutsideValidity, match="Peclet"):
+        wk.SurfaceFrictionHeating(load, STEELS, 1e9).solve()
+    monkeypatch.setattr(shared_heat, "MOST_ROUNDS", 1)
+    monkeypatch.setattr(shared_heat, "ROUND", 1)
+    with pytest.raises(NotConverged, match="SurfaceFrictionHeating: the temperatures"):
+        wk.SurfaceFrictionHeating(load, STEELS, 1.0).solve()
+
+
+def test_a_contact_of_few_pixels_and_hot_bodies_say_so():
+    coarse = wk.SurfaceFrictionHeating(ball(4), STEELS, 20.0).solve()
+    notes = {note.assumption: note.standing for note in coarse.validity}
+    assert notes[Assumption.RESOLUTION] is not Standing.ASYMPTOTIC
+    fine = wk.SurfaceFrictionHeating(ball(64), STEELS, 20.0).solve()
+    notes = {note.assumption: note.standing for note in fine.validity}
+    assert notes[Assumption.RESOLUTION] is Standing.ASYMPTOTIC
+    assert notes[Assumption.TEMPERATURE] is not Standing.ASYMPTOTIC
+    assert fine.grid_error < 0.005
