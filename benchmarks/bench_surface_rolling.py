@@ -1,4 +1,4 @@
-"""Steady rolling on 36 to 288 pixels along the contact, by boundary elements.
+"""Steady rolling on 36 to 288 pixels along the contact, by boundary elements: creepages, forces, unlike bodies.
 
 Run it:  pytest benchmarks -m bench -n 0 --benchmark-only
 """
@@ -15,15 +15,38 @@ pytestmark = pytest.mark.bench
 
 PAIR = wk.HalfSpace.between(wk.Elastic(210e9, 0.28), wk.Elastic(210e9, 0.28))
 LIMITS = {36: 0.2, 72: 0.6, 144: 2.0, 288: 8.0}
+FORCE_LIMITS = {36: 1.0, 72: 3.0}
+UNLIKE_LIMIT = 2.0
 
 
 @pytest.mark.parametrize("count", LIMITS)
 def bench_a_creepage(benchmark, below, count):
     """A locomotive wheel at a creepage under which half of the contact sticks."""
-    wide = count + 8
-    sides = [2.0 * axis * wide / count for axis in (6.304e-3, 12.61e-3)]
-    wheel = wk.SampledProfile(sides, wk.CurvedBodies(0.625, 1.777), (wide, wide))
-    problem = wk.SurfaceRolling(wheel, PAIR, wk.Force(106.7e3), wk.Coulomb(0.33), wk.Creepage(longitudinal=1.2e-3))
+    problem = _driven(count, wk.Creepage(longitudinal=1.2e-3))
     rolled = benchmark.pedantic(problem.solve, rounds=3, warmup_rounds=1)
     assert math.isclose(float(rolled.saturation), 0.643, abs_tol=0.01)
     below(LIMITS[count], f"steady rolling, {count} x {count} pixels in contact: press, stick, slip and forces")
+
+
+@pytest.mark.parametrize("count", FORCE_LIMITS)
+def bench_a_force(benchmark, below, count):
+    """The creepages of the wheel under given forces."""
+    problem = _driven(count, wk.CreepForce(20e3, 5e3))
+    rolled = benchmark.pedantic(problem.solve, rounds=3, warmup_rounds=1)
+    assert math.isclose(float(rolled.longitudinal_force), 20e3, rel_tol=1e-6)
+    below(FORCE_LIMITS[count], f"steady rolling under forces, {count} x {count} pixels in contact: creepages")
+
+
+def bench_dissimilar_bodies(benchmark, below):
+    """A wheel on a softer rail, with pressures and tractions by turns."""
+    problem = _driven(72, wk.Creepage(longitudinal=1.2e-3), wk.HalfSpace.between(PAIR.first, wk.Elastic(180e9, 0.2)))
+    rolled = benchmark.pedantic(problem.solve, rounds=3, warmup_rounds=1)
+    assert rolled.misfit <= problem.tolerance
+    below(UNLIKE_LIMIT, "steady rolling of dissimilar bodies, 72 x 72 pixels in contact")
+
+
+def _driven(count: int, drive, pair: wk.HalfSpace = PAIR) -> wk.SurfaceRolling:
+    wide = count + 8
+    sides = [2.0 * axis * wide / count for axis in (6.304e-3, 12.61e-3)]
+    wheel = wk.SampledProfile(sides, wk.CurvedBodies(0.625, 1.777), (wide, wide))
+    return wk.SurfaceRolling(wheel, pair, wk.Force(106.7e3), wk.Coulomb(0.33), drive)

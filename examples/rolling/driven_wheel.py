@@ -57,6 +57,6 @@ left.semilogx(friction, [100 * found.longitudinal_creepage for found in free], "
 left.axhline(100 * slides, color="0.5", ls="--", label="no friction")
 left.set(xlabel="coefficient of friction", ylabel="creepage [%]", title="free rolling", ylim=(0.0, None))
 left.legend(frameon=False)
-right.loglog(friction, [1e6 * found.rolling_resistance for found in free], "s-")
-right.set(xlabel="coefficient of friction", ylabel="resistance to rolling [µN]", title="what it takes")
+right.semilogx(friction, [100 * found.stick_share for found in free], "s-")
+right.set(xlabel="coefficient of friction", ylabel="part of the contact that sticks [%]", title="what sticks")
 plt.show()

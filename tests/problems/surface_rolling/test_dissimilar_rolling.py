@@ -171,19 +171,25 @@ def test_friction_takes_the_work_of_creepage_and_of_the_resistance_to_rolling():
     assert 0.0 < left[1] < 0.6 * left[0] < 0.1
 
 
-def test_from_rest_to_steady_rolling_of_dissimilar_bodies():
+@pytest.mark.parametrize("drive", [
+    wk.ShearForce(8e-8), pytest.param(wk.Creepage(1e-3, 5e-4), marks=pytest.mark.slow),
+])  # fmt: skip
+def test_from_rest_to_steady_rolling_of_dissimilar_bodies(drive):
     medium, force = wk.HalfSpace.between(STEEL, ALUMINIUM), 1e-6
     a, shape = ball(medium, force, 1.0, 20)
     stated = (shape, medium, wk.Force(force), wk.Coulomb(0.2))
-    for drive in (wk.ShearForce(0.4 * 0.2 * force), wk.Creepage(1e-3, 5e-4)):
-        begun = wk.SurfaceRollingStart(*stated, drive, distance=5.0 * a).solve()
-        steady = wk.SurfaceRolling(*stated, drive).solve()
-        size = {"creepage": 0.2 * a, "force": 0.2 * force}
-        for name, scale in size.items():
-            for along in ("longitudinal", "lateral"):
-                found, expected = getattr(begun, f"{along}_{name}")[-1], getattr(steady, f"{along}_{name}")
-                assert found == pytest.approx(expected, abs=2e-2 * scale)
-    # at rest it is what pressing and pushing make
+    begun = wk.SurfaceRollingStart(*stated, drive, distance=4.0 * a).solve()
+    steady = wk.SurfaceRolling(*stated, drive).solve()
+    for name, scale in {"creepage": 0.2 * a, "force": 0.2 * force}.items():
+        for along in ("longitudinal", "lateral"):
+            found, expected = getattr(begun, f"{along}_{name}")[-1], getattr(steady, f"{along}_{name}")
+            assert found == pytest.approx(expected, abs=2e-2 * scale)
+
+
+def test_at_rest_it_is_what_pressing_and_pushing_make():
+    medium, force = wk.HalfSpace.between(STEEL, ALUMINIUM), 1e-6
+    _, shape = ball(medium, force, 1.0, 20)
+    stated = (shape, medium, wk.Force(force), wk.Coulomb(0.2))
     pushed = wk.SurfaceTangential(
         shape, medium, wk.Coulomb(0.2), wk.Path.through(wk.Force([force]), wk.ShearForce([0.4 * 0.2 * force]))
     ).solve()
@@ -215,3 +221,25 @@ def test_what_is_said_of_the_coupling(monkeypatch):
     monkeypatch.setattr(by_turns, "MOST_TURNS", 1)
     with pytest.raises(NotConverged, match="pressures and tractions of dissimilar bodies still miss each other"):
         problem.solve()
+
+
+@pytest.mark.parametrize("seed", [0, *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(1, 20))])
+def test_random_dissimilar_bodies(seed):
+    """Any two materials, frictions from a hundredth to two, under loads, depths, forces and moments: all is met."""
+    rng = np.random.default_rng(seed)
+    for number in range(3):
+        second = wk.Rigid() if rng.uniform() < 0.5 else wk.Elastic(10.0 ** rng.uniform(0.0, 2.0), 0.3)
+        medium = wk.HalfSpace.between(wk.Elastic(1.0, rng.choice([0.0, 0.3, 0.45])), second)
+        mu, a = 10.0 ** rng.uniform(-2.0, 0.3), 1e-2
+        shape = wk.SampledProfile([3.0 * a, 3.0 * a], wk.Paraboloid(1.0), (24, 24))
+        normal = wk.Depth(a * a) if number == 2 else wk.Force(4.0 / 3.0 * medium.modulus * a**3)
+        push, towards = rng.uniform(0.0, 0.85) * mu * 4.0 / 3.0 * medium.modulus * a**3, rng.uniform(0.0, 2.0 * np.pi)
+        twist = wk.Torque(0.0) if number else wk.Spin(10.0 ** rng.uniform(-3.0, 1.0))
+        drive = wk.CreepForce(push * np.cos(towards), push * np.sin(towards), twist)
+        done = wk.SurfaceRolling(shape, medium, normal, wk.Coulomb(mu), drive).solve()
+        assert done.misfit <= 1e-7
+        most = mu * done.force
+        assert done.longitudinal_force == pytest.approx(drive.longitudinal, abs=1e-7 * most)
+        assert done.lateral_force == pytest.approx(drive.lateral, abs=1e-7 * most)
+        assert np.all(np.hypot(*done.last.traction) <= mu * done.last.pressure * (1.0 + 1e-9))
+        assert np.sum(done.last.traction * done.last.creep) >= 0.0

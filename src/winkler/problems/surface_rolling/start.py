@@ -124,17 +124,18 @@ class SurfaceRollingStart:
         modes = np.stack((np.stack((even, none)), np.stack((none, even)), np.stack((-patch.y, patch.x))))
         (rolling,), by_force, _ = given_of(self.drive)
         traction = before = np.zeros_like(modes[0])
+        sought = 3 if by_force[2] else 2  # a given spin is a known slip
 
         def stepped(patch: RollingPatch, given: Array) -> tuple[RollingPatch, ShearedSurface]:
             forces, pushed = np.where(by_force, given, 0.0), np.where(by_force, given / patch.unit, given)
+            step = RigidStep(modes[:sought], pushed[:sought], by_force[:sought])
+            spun = before + (0.0 if by_force[2] else float(given[2])) * modes[2]
 
             def under(p: Array, start: Array) -> ShearedSurface:
                 bound = self.friction.coefficient * p
                 refuse_beyond(float(np.hypot(*forces[:2])), float(forces[2]), patch.unit * bound, patch.arms)
-                return shear(
-                    patch.grid, bound, before - patch.grid.drawn(p), RigidStep(modes, pushed, by_force), start,
-                    tolerance=self.tolerance,
-                )  # fmt: skip
+                drawn = patch.grid.drawn(p)
+                return shear(patch.grid, bound, spun - drawn, step, start, tolerance=self.tolerance)
 
             return patch.rubbed(under, traction, self.tolerance)
 
@@ -149,13 +150,13 @@ class SurfaceRollingStart:
             traction, ahead = moved.traction, moved.displacement + patch.grid.drawn(patch.pressure)
             before = np.zeros_like(ahead)
             before[:, :-1] = ahead[:, 1:]
-            yield self._state(patch, place, moved)
+            yield self._state(patch, place, moved, np.append(moved.motion, rolling[sought:]))
 
-    def _state(self, patch: RollingPatch, place: int, moved: ShearedSurface) -> SurfaceRollingStartState:
+    def _state(self, patch: RollingPatch, place: int, moved: ShearedSurface, creeps: Array) -> SurfaceRollingStartState:
         """Return what has been reached, in SI units; creepages are those of the last pixel, none at rest."""
         q, unit, modulus = moved.traction, patch.unit, self.medium.modulus
         touching = patch.pressure > 0.0
-        creeps = moved.motion if place else np.zeros(3)
+        creeps = creeps if place else np.zeros(3)
         return SurfaceRollingStartState(
             distance=place * self.topography.pixel[0],
             longitudinal_creepage=float(creeps[0]),
