@@ -107,7 +107,7 @@ def written(folder, name, heights, places=Y):
     return folder / name
 
 
-def test_a_pair_is_read_each_body_in_its_own_way(tmp_path):
+def test_each_body_of_a_pair_is_read_by_its_own_convention(tmp_path):
     rail = written(tmp_path, "rail.csv", -Z)
     wheel = written(tmp_path, "wheel.csv", 0.1 * Z - 0.01 * Y)
     lower, upper = wk.read_profile_pair(rail, wheel, down=(True, False), mirrored=(False, True), smoothing=0.0)

@@ -193,7 +193,7 @@ class ProfilePairRollingSolution:
     grid_error : float
         Greatest change of a force from half as many pixels along a side, over the friction that there can be.
     misfit : float
-        What the solver left of the law of friction: the sum of mu p |s| - tau s over that of mu p |w|.
+        What the solver left of the law of friction, over what friction would lose if all slipped.
     windows : int
         Number of grids, which do not know of each other.
     patches : tuple of RolledPatch
