@@ -55,3 +55,15 @@ def test_a_rolling_map_shows_its_creep_curve_and_the_last_creepage():
     assert curve.across.label.startswith("longitudinal creepage")
     assert drawn(wk.Creepage(spin=[0.01, 0.1])).panels[2].across.label.startswith("spin creepage")
     assert len(drawn(wk.Creepage(longitudinal=1e-3)).panels) == 2
+
+
+def test_springs_are_drawn_beside_the_elements_in_both_directions():
+    oblong = wk.SampledProfile([0.25, 0.17], wk.CurvedBodies(1.0, 0.5), (41, 41))
+    found = wk.ReducedFriction(oblong, PAIR, wk.Coulomb(0.3), 0.006).solve()
+    along, across, ratios = sheet_of(found).panels
+    for axis, panel in enumerate((along, across)):
+        springs, elements = (mark for mark in panel.marks if hasattr(mark, "marker"))
+        assert np.array_equal(elements.x, found.shift[:, axis])
+        assert springs.x[-1] == pytest.approx(found.spring_shift[-1, axis])
+        assert panel.across.label.startswith(f"shift {'xy'[axis]}")
+    assert {mark.name for mark in ratios.marks} == {"along $x$", "along $y$"}

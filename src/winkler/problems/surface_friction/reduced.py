@@ -168,9 +168,6 @@ class ReducedFrictionSolution:
         springs_across=("", None, "the loop along y by springs"),
         reduction=("", None, "the springs under normal forces"),
         shift=("u_i", "m", "shift of the bodies by boundary elements, along x and y"),
-        spring_shift=("u_i", "m", "shift of the bodies by springs, along x and y"),
-        spring_shift_x=("u_x", "m", "shift of the bodies by springs, along x"),
-        spring_shift_y=("u_y", "m", "shift of the bodies by springs, along y"),
         shift_error=("", "", "greatest difference of a shift from boundary elements, over the greatest shift"),
         loss_error=("", "", "greatest difference of a loss from boundary elements, over the greatest loss"),
     )
