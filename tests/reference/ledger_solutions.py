@@ -531,6 +531,7 @@ def line_bulk_quartic() -> Numbers:
     return [[c], [m]]
 
 
+@of_case
 def surface_cattaneo() -> Numbers:
     """Shift and loss of a ball, R = F_N = E* = G* = 1 and mu = 0.3, in one direction: what is spent and not stored."""
     mu = frac("0.3")

@@ -205,6 +205,16 @@ class ReducedFrictionSolution:
         return np.stack((self.springs_along.shift, self.springs_across.shift), axis=1)
 
     @property
+    def shift_x(self) -> Array:
+        """u_x [m] by boundary elements, ``(points,)``."""
+        return self.along.shift_x
+
+    @property
+    def shift_y(self) -> Array:
+        """u_y [m] by boundary elements, ``(points,)``."""
+        return self.across.shift_y
+
+    @property
     def spring_shift_x(self) -> Array:
         """u_x [m] by springs, ``(points,)``."""
         return self.springs_along.shift
