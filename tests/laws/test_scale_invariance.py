@@ -87,7 +87,7 @@ ROUNDED: dict[tuple[str, str], Rounded] = {
     },
     **{
         ("ReducedFrictionSolution", name): Rounded(
-            1e-4, "small differences of shifts, after splines of logarithms", True
+            1e-4, "small differences of shifts, after splines of logarithms", beside=name
         )
         for name in ("shift_error", "loss_error")
     },

@@ -41,6 +41,7 @@ READERS = {
     "map": lambda path: wk.read_topography(path, **SIZES),
     "path": wk.read_path,
     "profile": wk.read_profile,
+    "profile_pair": lambda path: wk.read_profile_pair(path, path),
     "relaxation": wk.read_relaxation,
     "scan": wk.read_scan,
     "section": wk.read_section,

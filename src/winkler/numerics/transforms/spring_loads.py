@@ -60,7 +60,7 @@ def pressure(
     radii = r.ravel()[inside]
     total = np.zeros(radii.shape)
     singular = [(b, strength) for b, strength in kinks if strength != 0.0 and 0.0 < b < end]
-    open_ = ~np.isin(radii, [b for b, _ in singular])
+    open_ = np.all(radii[:, None] != np.array([b for b, _ in singular]), axis=1)
     near = 1e-9 * min([end] + [b for b, _ in kinks if b > 0.0])
     sample = np.abs(slope(np.linspace(0.0, end, 66)[1:-1]))
     steepest = float(np.max(sample[np.isfinite(sample)], initial=0.0))
