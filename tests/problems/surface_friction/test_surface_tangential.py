@@ -206,6 +206,17 @@ def test_dissimilar_bodies_are_solved_together():
     assert "dissimilar" in notes[0].statement
 
 
+@pytest.mark.parametrize("left", [0.1, 0.3, 0.5])
+def test_what_is_let_go_together_is_gone(left):
+    """What is left in contact never slipped, and comes back: no shear force, no traction, no shift."""
+    path = wk.Path.through(wk.Force([FORCE, FORCE, left * FORCE]), wk.ShearForce([0.0, 0.3 * MU * FORCE, 0.0]))
+    states = list(wk.SurfaceTangential(ball(33), DULL, wk.Coulomb(MU), path).steps())
+    traction = [np.max(np.hypot(*state.traction)) for state in states]
+    assert traction[1] > 0.1 * MU * states[1].peak_pressure
+    assert traction[2] < 1e-6 * traction[1]
+    assert abs(states[2].shift[0]) < 1e-6 * states[1].shift[0]
+
+
 def test_apart_and_together_again():
     path = wk.Path.through(wk.Depth([DEPTH, -DEPTH, DEPTH]), wk.Shift([0.3 * FAR, 0.3 * FAR, 0.3 * FAR]))
     found = wk.SurfaceTangential(ball(33), DULL, wk.Coulomb(MU), path).solve()

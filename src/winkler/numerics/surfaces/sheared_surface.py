@@ -83,7 +83,8 @@ class ShearedSurface(NamedTuple):
     slipping
         Pixels at their bound that slip, (nx, ny).
     misfit
-        Sum of g |s| - q s over that of g |s| and q G q: zero if what slips is at its bound, along its slip.
+        Sum of g |s| - q s over that of g |s| and q G q, now and at the beginning of the step: zero if what slips is at
+        its bound, along its slip.
     missing
         Greatest error of a given force over the sum of g, times its mode.
     rounds
@@ -130,6 +131,7 @@ def shear(
     moved = np.where(step.by_force, 0.0, step.given)
     pushing = step.modes[forced] * inside
     borne = np.array([float(np.sum(bound * np.hypot(mode[0], mode[1]))) for mode in pushing])
+    held = abs(float(np.sum(start * before)))  # if all of it is let go, what is left is small against it, not zero
     light = grid.in_single_digits()
     traction, gentle = within(start, bound), 1.0 / float(np.max(np.abs(grid.along)))
     for count in range(MOST_ROUNDS):
@@ -145,7 +147,7 @@ def shear(
         slipping = inside & (size >= AT_BOUND * bound) & (outward > 0.0)
         lacking = step.given[forced] - np.array([float(np.sum(mode * traction)) for mode in pushing])
         most = float(np.sum(bound * np.hypot(slip[0], slip[1])))
-        scale = most + float(np.sum(traction * under))
+        scale = most + float(np.sum(traction * under)) + held
         misfit = max(most - float(np.sum(traction * slip)), 0.0) / scale if scale > 0.0 else 0.0
         missing = float(np.max(np.abs(lacking) / borne, initial=0.0)) if np.all(borne > 0.0) else 0.0
         if count and misfit <= tolerance and missing <= FORCE_TOLERANCE:
