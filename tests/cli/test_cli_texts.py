@@ -12,11 +12,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from rich.console import Console
 
+import winkler as wk
 import winkler.cli
 from winkler.cli import main, terminal
 from winkler.cli.streams import plain_json, safe, write_line
 from winkler.study.batch.outcome import ResultColumn
+from winkler.study.batch.run import run
+from winkler.study.language.study import Study
 from winkler.vocabulary import GLOSSARY
 
 SPHERE = """title = "{title}"
@@ -179,3 +183,18 @@ def test_everything_is_written_in_one_place():
         names = {node.func.id for node in calls if isinstance(node.func, ast.Name)}
         assert "print" not in names or path.name == "streams.py", path.name
         assert "Console" not in names or path.name == "terminal.py", path.name
+
+
+def test_a_narrow_table_leaves_columns_out_and_cuts_no_number():
+    bed = wk.Foundation(wk.Paraboloid(1.0), wk.HalfSpace(wk.Elastic(1.0, 0.3)))
+    outcome = run(Study("two loads", wk.Indentation(bed, wk.Force(np.array([1e-5, 2e-5])))))
+    out = Console(file=io.StringIO(), width=60)
+    terminal.answers(outcome, out)
+    text = out.file.getvalue()
+    table, left_out = text.split("Not shown, for want of width: ")
+    assert "…" not in text
+    assert max(len(line) for line in table.splitlines()) <= 60
+    later = left_out.strip().rstrip(".").replace("\n", " ").split(", ")
+    headings = table.split()
+    assert all((name in headings) != (name in later) for name in outcome.answers)
+    assert outcome.answers[0] in table

@@ -50,6 +50,8 @@ def test_each_state_has_its_zones_and_one_scale(swung):
         ends.add((*image.x.tolist(), *image.y.tolist(), image.bar.low, image.bar.high))
     assert len(ends) == 1
     assert next(iter(ends))[-1] == pytest.approx(highest, rel=1e-6)
+    bars = {film_panels(solution, index)[1].marks[0].bar for index in (1, 2, 3)}  # without traction in the first one
+    assert len({bar.scale.unit for bar in bars}) == 1
     assert film_sheet(solution, 2).title.startswith("state 3 of 4;")
 
 

@@ -19,6 +19,7 @@ from winkler.plot.series import (
     series,
     with_unit,
 )
+from winkler.problems.surface_heating.state import SurfaceHeatState
 
 
 @pytest.mark.parametrize(
@@ -108,6 +109,8 @@ def test_a_label_has_name_symbol_and_unit():
     assert force.label(Scale(1.0, "N")) == "force $F_N$ [N]"
     assert series("poisson", 0.3).label() == r"Poisson's ratio $\nu$"
     assert series("gap", 1.0, SurfaceFields).word.symbol == "h"
+    assert series("x", 1e-3).label() == "place along the springs $x$ [mm]"
+    assert series("x", 1e-3, SurfaceHeatState).label() == "place $x$ [mm]"
 
 
 def test_every_symbol_of_the_glossary_can_be_drawn(entries):

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 import pytest
 
 import winkler as wk
 from winkler.plot import sheet_of
 from winkler.plot.panel import Map, Vectors
+from winkler.plot.render import render
 
 PAIR = wk.HalfSpace.between(wk.Elastic(1.0, 0.3), wk.Elastic(1.0, 0.3))
 BALL = wk.SampledProfile([0.25, 0.25], wk.Paraboloid(1.0), (33, 33))
@@ -67,3 +70,21 @@ def test_springs_are_drawn_beside_the_elements_in_both_directions():
         assert springs.x[-1] == pytest.approx(found.spring_shift[-1, axis])
         assert panel.across.label.startswith(f"shift {'xy'[axis]}")
     assert {mark.name for mark in ratios.marks} == {"along $x$", "along $y$"}
+
+
+def test_a_narrow_map_has_few_ticks_and_its_colours_end_with_the_bar():
+    map_ = wk.SampledProfile([0.14, 0.28], wk.CurvedBodies(0.3, 1.0), (30, 60))
+    rolls = wk.SurfaceRolling(map_, PAIR, wk.Depth(0.005), wk.Coulomb(0.3), wk.Creepage(longitudinal=0.05)).solve()
+    figure = render(sheet_of(rolls))
+    figure.canvas.draw()
+    zones, size = figure.axes[:2]
+    bar = size.child_axes[0]
+    for axes in (zones, size):
+        width = axes.get_window_extent().width
+        labels = [label.get_window_extent() for label in axes.get_xticklabels() if label.get_text()]
+        inside = [box for box in labels if box.x1 > axes.bbox.x0 and box.x0 < axes.bbox.x0 + width]
+        assert all(one.x1 < other.x0 for one, other in itertools.pairwise(inside))
+    assert bar.get_window_extent().height == pytest.approx(size.get_window_extent().height, rel=1e-6)
+    greatest = np.max(np.hypot(*rolls.last.traction))
+    factor = size.images[0].norm.vmax / greatest
+    assert bar.get_ylim()[1] == pytest.approx(greatest * factor, rel=1e-6)

@@ -29,6 +29,8 @@ MOST_ROWS = 24
 """Longer tables are cut in the middle."""
 WIDE_COLUMNS = 160
 """Columns of text where the output is no terminal."""
+UNLIMITED = 10_000
+"""Columns of text in which a table is measured."""
 
 
 def console(*, stderr: bool = False) -> Console:
@@ -76,6 +78,7 @@ def _number(number: float, undefined: str) -> str:
 
 def answers(outcome: Outcome, out: Console) -> None:
     """Show the answers: a list for one load, a table for many."""
+    from winkler.study.chapters.contents import answer_of
     from winkler.study.language.explain import plain_symbol
 
     swept = [axis.key for axis in outcome.study.sweep]
@@ -95,13 +98,37 @@ def answers(outcome: Outcome, out: Console) -> None:
         for column, (unit, texts) in zip(columns, formatted, strict=True):
             word = column.word
             shown.add_row(column.name, plain_symbol(word.symbol), texts[0], unit, word.meaning)
-    else:
-        shown = table()
-        for column, (unit, _) in zip(columns, formatted, strict=True):
-            name = column.name.removeprefix("problem.")
-            shown.add_column(f"{name}\n[{unit}]" if unit else name, justify="left" if not unit else "right")
-        add_rows(shown, [texts for _, texts in formatted])
+        out.print(shown)
+        return
+    written = [(column.name, unit, texts) for column, (unit, texts) in zip(columns, formatted, strict=True)]
+    first = {*swept, *answer_of(outcome.study.problem).headline}
+    shown = _many(written)
+    left_out: list[str] = []
+    later = [each for each in written if each[0] not in first]
+    while later and _width(shown, out) > out.width:
+        dropped = later.pop()
+        written.remove(dropped)
+        left_out.insert(0, dropped[0])
+        shown = _many(written)
     out.print(shown)
+    if left_out:
+        out.print(f"Not shown, for want of width: {', '.join(left_out)}.")
+
+
+def _many(columns: list[tuple[str, str, list[str]]]) -> Table:
+    """Return a table of many loads, from the name, unit and texts of each column."""
+    shown = table()
+    for key, unit, _ in columns:
+        name = key.removeprefix("problem.")
+        shown.add_column(f"{name}\n[{unit}]" if unit else name, justify="left" if not unit else "right")
+    add_rows(shown, [texts for _, _, texts in columns])
+    return shown
+
+
+def _width(shown: Table, out: Console) -> int:
+    from rich.measure import Measurement
+
+    return Measurement.get(out, out.options.update(max_width=UNLIMITED), shown).maximum
 
 
 def add_rows(shown: Table, columns: list[list[str]]) -> None:

@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 
 from winkler.plot.panel import Line, Panel, Rule, Sheet
 from winkler.plot.picture import Picture, empty_figure, styled
-from winkler.plot.render_axis import set_axis
+from winkler.plot.render_axis import set_axis, thin_ticks
 from winkler.plot.render_marks import draw_mark
 
 __all__ = ["fill_axes", "render"]
@@ -73,6 +73,8 @@ def fill_axes(axes: Axes, panel: Panel) -> None:
         axes.set_aspect("equal")
     set_axis(axes, "x", panel.across)
     set_axis(axes, "y", panel.upright)
+    if panel.equal:
+        thin_ticks(axes, panel.across)
     if panel.beside:
         set_axis(beside, "y", panel.beside[0])
         beside.spines["right"].set_visible(True)

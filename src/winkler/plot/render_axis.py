@@ -8,10 +8,13 @@ from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormat
 
 from winkler.plot.panel import PanelAxis
 
-__all__ = ["set_axis"]
+__all__ = ["set_axis", "thin_ticks"]
 
 MOST_TICKS_ACROSS = 7
 """Parts of a horizontal axis; more of them with labels as long as -0.25 run into each other in a narrow panel."""
+
+NARROW = 0.8
+"""Width over height of a panel with equal scales below which its horizontal axis has fewer ticks."""
 
 
 def set_axis(axes: Axes, side: str, one: PanelAxis) -> None:
@@ -46,3 +49,12 @@ def set_axis(axes: Axes, side: str, one: PanelAxis) -> None:
     if one.ticks is not None:
         axis.set_ticks(one.ticks / one.scale.factor, one.names or None)
     (axes.set_ylabel if upright else axes.set_xlabel)(one.title, color=one.colour)
+
+
+def thin_ticks(axes: Axes, across: PanelAxis) -> None:
+    """Leave fewer ticks on the horizontal axis of a panel that equal scales make narrow."""
+    (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
+    ratio = abs((right - left) / (top - bottom)) if top != bottom else 1.0
+    if ratio < NARROW and across.ticks is None and not (across.parts or across.log):
+        parts = max(2, round(MOST_TICKS_ACROSS * ratio / NARROW) - 1)
+        axes.xaxis.set_major_locator(MaxNLocator(nbins=parts, steps=[1, 2, 2.5, 5, 10]))

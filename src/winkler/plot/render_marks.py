@@ -216,7 +216,8 @@ def _colour_bar(axes: Axes, mark: marks.Map, drawn: Any) -> None:
     figure: Any = axes.figure
     if mark.place == "inset":
         bar = figure.colorbar(drawn, cax=axes.inset_axes((1.025, 0.0, 0.035, 1.0)))
-        bar.set_ticks(bar.get_ticks()[:: max(1, round(len(bar.get_ticks()) / 8))])
+        ticks = bar.get_ticks()[:: max(1, round(len(bar.get_ticks()) / 8))]
+        bar.set_ticks(ticks[(ticks >= bar.vmin) & (ticks <= bar.vmax)])
     else:
         pad = {} if mark.pad is None else {"pad": mark.pad}
         beyond = {} if mark.kind == "contours" else {"extend": mark.extend}

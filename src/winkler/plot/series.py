@@ -37,7 +37,8 @@ __all__ = [
 
 NAMES_IN_WORDS = {
     "r": "distance from the axis",
-    "x": "place along the springs",
+    "x": "place",
+    "y": "place across",
     "z": "depth below the surface",
     "von_mises": "von Mises stress",
     "radius": "contact radius",
@@ -50,6 +51,8 @@ NAMES_IN_WORDS = {
     "shear": "shear modulus",
 }
 """Names in words that differ from the field names."""
+
+ALONG_THE_SPRINGS = Word("x", "m", "place along the line of springs")
 
 
 HEADLINE_SYMBOLS = {
@@ -100,7 +103,8 @@ class Series:
         """Return the label of an axis that shows these numbers: name, symbol, unit."""
         unit = (scale or self.scale).unit
         symbol = f" ${self.word.symbol}$" if self.word.symbol else ""
-        return f"{name_in_words(self.name)}{symbol}" + (f" [{unit}]" if unit else "")
+        name = "place along the springs" if self.word == ALONG_THE_SPRINGS else name_in_words(self.name)
+        return f"{name}{symbol}" + (f" [{unit}]" if unit else "")
 
     def shown(self, scale: Scale | None = None) -> Array:
         """Return the numbers in the unit of the label."""

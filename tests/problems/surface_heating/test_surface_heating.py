@@ -199,6 +199,16 @@ def test_mirrored_motion_and_exchanged_bodies_mirror_and_exchange():
                         one.first_share * one.heat_rate + one.exchanged_heat_rate, rel_tol=1e-9)  # fmt: skip
 
 
+def test_two_spots_as_hot_as_each_other_are_hottest_within_one():
+    pressure = np.zeros((20, 21))
+    pressure[8:12, 2:6] = pressure[8:12, 15:19] = 1e8
+    load = wk.SurfaceLoad(pressure, [2e-3, 2.1e-3], x_traction=-0.2 * pressure)
+    warm = wk.SurfaceFrictionHeating(load, STEELS, 1.0).solve()
+    middles = [load.places[1][part].mean() for part in (slice(2, 6), slice(15, 19))]
+    assert min(abs(warm.y - middle) for middle in middles) < 0.6 * load.pixel[1]
+    assert warm.x > load.places[0][10]  # the first body carries heat towards +x
+
+
 def test_refusals(monkeypatch):
     load = ball(9)
     for changed, words in (

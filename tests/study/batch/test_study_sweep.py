@@ -22,6 +22,7 @@ from winkler.study.batch.sweep import solve_points
 from winkler.study.batch.tasks import tasks
 from winkler.study.language.designs import Zipped
 from winkler.study.language.study import Axis, Fields, Places, Study
+from winkler.validity import Standing
 
 BED = wk.Foundation(wk.Paraboloid(1e-3), wk.HalfSpace(wk.Elastic(1e9, 0.25)))
 PROBLEM = wk.Indentation(BED, wk.Force(1.0))
@@ -46,6 +47,18 @@ def test_together():
     assert study.shape == (2,)
     assert [task.settings for task in tasks(study)] == [(1e9, wk.Paraboloid(1e-3)), (2e9, wk.Cone(1.0))]
     assert [point.index for point in run(study).points] == [(0,), (1,)]
+
+
+def test_a_sweep_in_which_one_point_yields_is_not_said_to_stay_elastic():
+    medium = wk.HalfSpace(wk.Elastic(210e9, 0.3, strength=1e9))
+    ball = wk.SampledProfile([0.4e-3, 0.4e-3], wk.Paraboloid(10e-3), (16, 16))
+    problem = wk.SurfaceContact(ball, medium, wk.Force(1.0))
+    elastic, both = (
+        run(Study("x", problem, sweep=(Axis("problem.load.force", forces),))) for forces in ((1.0, 2.0), (1.0, 100.0))
+    )
+    for outcome, standing in ((elastic, Standing.ASYMPTOTIC), (both, Standing.OUTSIDE)):
+        stated = [note for note in outcome.validity if "von Mises" in note.statement]
+        assert [note.standing for note in stated] == [standing]
 
 
 def test_without_a_sweep_there_is_one_point():

@@ -6,7 +6,7 @@ by D far away,
 .. math:: (K_1 + K_2)\,q_1 = K_2\,q + D
 
 where they touch (Blok's condition of continuity).  The operator is not symmetric, as heat goes downstream; generalised
-minimal residuals take some ten steps, preconditioned by the waves of temperature
+minimal residuals take ten to thirty-five steps, preconditioned by the waves of temperature
 
 .. math:: \hat T = \frac{\hat q}{\lambda\sqrt{\mathbf k^2 + i k_x V/\kappa}} .
 """

@@ -15,6 +15,7 @@ from winkler.plot.marks import Map
 from winkler.plot.panel import NO_CONTACT, Panel, Sheet, titled
 from winkler.plot.rough.shear import Zones, frame_of, traction_maps
 from winkler.problems.subsurface.traction_frames import TractionFrame, frame_at
+from winkler.readable import scale_of
 
 __all__ = ["film", "film_panels", "film_sheet", "has_film"]
 
@@ -118,4 +119,4 @@ def _scaled(mark: Any, most: float) -> Any:
     """Return a map with colours up to the greatest traction of all states."""
     if not (isinstance(mark, Map) and most > 0.0):
         return mark
-    return dataclasses.replace(mark, bar=dataclasses.replace(mark.bar, low=0.0, high=most))
+    return dataclasses.replace(mark, bar=dataclasses.replace(mark.bar, scale=scale_of("Pa", most), low=0.0, high=most))

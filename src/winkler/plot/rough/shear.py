@@ -170,7 +170,8 @@ def traction_maps(
     )
     scale = scale_of("m", box.lengths)
     first = framed(zones[0], scale).plus(*zones[1:], *_arrows(traction, size, (starts[0], starts[1]), pixel))
-    return first, framed(image(series("traction", np.where(part, size, np.nan)), style.SHADES), scale)
+    traction_image = image(series("traction", np.where(part, size, np.nan)), style.SHADES)
+    return first, framed(dataclasses.replace(traction_image, place="inset"), scale)
 
 
 def frame_of(touching: Array) -> tuple[slice, slice]:

@@ -71,9 +71,9 @@ class RolledPatch(BelowSurface):
     __words__ = words(
         patch=("", None, "its place, size and pressures"),
         moment=("M_n", "N m", "moment of friction about the normal at the middle of the pressure"),
-        x_force=("F_x", "N", "force on the upper body, along"),
-        y_force=("F_y", "N", "force on the upper body, across"),
-        z_force=("F_z", "N", "force on the upper body, up"),
+        x_force=("F_{2x}", "N", "force on the upper body, along"),
+        y_force=("F_{2y}", "N", "force on the upper body, across"),
+        z_force=("F_{2z}", "N", "force on the upper body, up"),
         stick_share=("A_s/A", "", "part of the contact that does not slip"),
         greatest_rigid_slip=("w", "", "greatest slip of rigid bodies on the patch, per distance rolled"),
         creep=("s'", "", "slip of the upper body over the lower one, per distance rolled"),

@@ -20,6 +20,8 @@ COARSEST = 4
 """Pixels of the contact below which no coarser map is compared."""
 ALIKE = 1e-6
 """Part of the greatest rise within which pixels count as equally hot: the middle of them is its place."""
+NEARLY = 0.05
+"""Part of it by which that middle may be colder; else the place is that of one of them and of those beside it."""
 
 
 class HeatedPatch(NamedTuple):
@@ -101,10 +103,7 @@ class HeatedPatch(NamedTuple):
         warm = self.bulk[0] + first.warmed(inflow), self.bulk[1] + second.warmed(flux - inflow)
         hottest = np.where(touching, np.maximum(*warm), -np.inf)
         peak, low = float(np.max(hottest)), min(self.bulk)
-        x, y = (
-            float(np.mean(row[at]))
-            for row, at in zip(self.places, np.nonzero(hottest >= peak - ALIKE * (peak - low)), strict=True)
-        )
+        x, y = _middle(self.places, hottest, peak - low)
         change = 0.0
         if self.coarse is not None and peak > low:
             change = abs((self.coarse.heated(_halved(flux)).max_temperature - low) / (peak - low) - 1.0)
@@ -142,6 +141,16 @@ def _solved(owner: str, sharing: HeatSharing, flux: Array, difference: float) ->
 def _step(places: Array) -> float:
     """Return the distance of middles of pixels [m]."""
     return float((places[-1] - places[0]) / (places.size - 1))
+
+
+def _middle(places: tuple[Array, Array], hottest: Array, rise: float) -> tuple[float, float]:
+    """Return the middle of the hottest pixels; where it is not hot itself, of the first one and of those beside it."""
+    i, j = np.unravel_index(int(np.argmax(hottest)), hottest.shape)
+    rows, columns = np.nonzero(hottest >= hottest[i, j] - ALIKE * rise)
+    if hottest[round(float(rows.mean())), round(float(columns.mean()))] < hottest[i, j] - NEARLY * rise:
+        near = (np.abs(rows - i) <= 1) & (np.abs(columns - j) <= 1)
+        rows, columns = rows[near], columns[near]
+    return float(np.mean(places[0][rows])), float(np.mean(places[1][columns]))
 
 
 def _doubled(places: Array) -> Array:

@@ -41,7 +41,7 @@ from winkler.study.batch.points import ComparedNumber, Failed, Point, Recalled, 
 from winkler.study.language import keys
 from winkler.study.language.designs import Sensitivity
 from winkler.study.language.study import Study
-from winkler.validity import Note, worst
+from winkler.validity import Assumption, Note, Standing, worst
 from winkler.values import value
 from winkler.vocabulary import Word, word
 
@@ -180,6 +180,10 @@ def worst_of_each(notes: Iterable[Note]) -> tuple[Note, ...]:
     return tuple(collected.values())
 
 
+def _yields(note: Note) -> bool:
+    return note.assumption is Assumption.ELASTIC and note.standing is Standing.OUTSIDE
+
+
 @value
 class Outcome:
     """The outcome of a study; see the module for its parts."""
@@ -206,8 +210,17 @@ class Outcome:
 
     @functools.cached_property
     def validity(self) -> tuple[Note, ...]:
-        """The notes of all points; of statements that differ in their numbers only, the worst."""
-        each = {(note.standing, note.statement): note for point in self.solved for note in point.validity}
+        """The notes of all points; of statements that differ in their numbers only, the worst.
+
+        Where bodies yield at some points, it is not stated that they stay elastic at others.
+        """
+        yields = [any(_yields(note) for note in point.validity) for point in self.solved]
+        each = {
+            (note.standing, note.statement): note
+            for point, yielded in zip(self.solved, yields, strict=True)
+            for note in point.validity
+            if yielded or not any(yields) or note.assumption is not Assumption.ELASTIC
+        }
         return worst_of_each(each.values())
 
     @functools.cached_property

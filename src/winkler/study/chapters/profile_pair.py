@@ -41,7 +41,7 @@ SLIP_ALONG_ARC = Equation(
 )
 BALANCE = Equation(
     "Pressures and friction together bear the vertical force",
-    r"F_z = \int (p\,n_z-\tau_t\,t_z)\,\mathrm{d}A, \quad F_y = \int (p\,n_y-\tau_t\,t_y)\,\mathrm{d}A",
+    r"F_{2z} = \int (p\,n_z-\tau_t\,t_z)\,\mathrm{d}A, \quad F_{2y} = \int (p\,n_y-\tau_t\,t_y)\,\mathrm{d}A",
 )
 
 PROFILE_PAIR = Chapter(

@@ -19,7 +19,7 @@ PULLS = {
     "speed": "20 m/s",
     "drive": {
         "kind": "creepages",
-        "longitudinal": {"from": 0.0005, "to": 0.01, "count": 6, "spacing": "log"},
+        "longitudinal": {"from": 0.001, "to": 0.01, "count": 6, "spacing": "log"},
     },
 }
 RUBBED = {

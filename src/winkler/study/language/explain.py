@@ -50,7 +50,7 @@ class Key(NamedTuple):
 
 def plain_symbol(symbol: str) -> str:
     """Return a LaTeX symbol as plain text."""
-    symbol = symbol.replace(r"\mathrm", "")
+    symbol = re.sub(r"\\bar ?\{?([A-Za-z])\}?", "\\1\u0304", symbol.replace(r"\mathrm", ""))
     for name, letter in GREEK.items():
         symbol = symbol.replace(f"\\{name}", letter)
     return re.sub(r"[{}\\]", "", symbol.replace("^*", "*"))

@@ -16,6 +16,8 @@ def symbol_html(symbol: str) -> str:
     --------
     >>> symbol_html("F_N"), symbol_html("E^*"), symbol_html(r"\sigma_{vM}")
     ('<i>F</i><sub>N</sub>', '<i>E</i><sup>*</sup>', '<i>σ</i><sub>vM</sub>')
+    >>> symbol_html(r"\bar T") == "<i>T\u0304</i>"
+    True
     """
     if not symbol:
         return ""
