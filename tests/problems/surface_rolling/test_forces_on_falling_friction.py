@@ -64,6 +64,14 @@ def test_up_to_the_maximum_of_the_creep_curve_and_not_beyond():
         rolled(wk.ShearForce(1.01 * most))
 
 
+def test_forces_after_one_near_the_maximum_of_the_creep_curve():
+    """Where the curve is flat no stiffness leads on: each force begins from rest, in any order."""
+    most = float(np.max(rolled(wk.Creepage(longitudinal=np.linspace(2e-3, 5e-3, 61))).longitudinal_force))
+    push = most * np.array([0.999, 0.1, -0.999, 0.5])
+    together = rolled(wk.CreepForce(push)).longitudinal_creepage
+    np.testing.assert_array_equal(together, [float(rolled(wk.CreepForce(one)).longitudinal_creepage) for one in push])
+
+
 def test_a_force_and_a_moment_of_which_friction_bears_each_alone():
     with pytest.raises(NotConverged, match=r"after [24]1 rolls; .* together they may be more than friction bears"):
         rolled(wk.CreepForce(0.95 * STATIC * NORMAL, 0.0, wk.Torque(100.0)), friction=wk.Coulomb(STATIC))

@@ -128,8 +128,8 @@ class CreepSearch:
         nothing = np.zeros_like(self.modes[0])
         self.pressure, self.drawn, self.stretch, self.most = p, nothing, nothing, self.lengths
         still = RolledSurface(nothing, nothing, p < 0.0, 0.0, 0)
-        self.last = CreptPatch(np.zeros(3), np.zeros(3), still, 0.0, 0.0)
-        self.stiffness, self.sliding = np.zeros((0, 0)), 0.0
+        self.rest = self.last = CreptPatch(np.zeros(3), np.zeros(3), still, 0.0, 0.0)
+        self.stiffness, self.sliding, self.sought = np.zeros((0, 0)), 0.0, np.zeros(0)
 
     def found(self, pressure: Array, given: Array, start: Array) -> CreptPatch:
         """Return the patch under creepages and forces.
@@ -162,6 +162,10 @@ class CreepSearch:
         return self.last
 
     def _sought(self, given: Array, start: Array) -> CreptPatch:
+        varies = isinstance(self.friction, FallingFriction)
+        if varies and not np.array_equal(given, self.sought):  # from the maximum of a creep curve no step leads on
+            self.stiffness, self.last, start = np.zeros((0, 0)), self.rest, self.rest.traction
+        self.sought = given
         if not self.stiffness.size:
             self.stiffness = self._stuck()
             self.sliding = 3.0 / float(np.max(np.diag(self.stiffness)))
