@@ -155,6 +155,20 @@ def test_a_study_knows_the_usual_words_too():
     assert "add it" not in str(caught.value)  # what was meant is not missing as well
 
 
+def test_a_map_that_rolls_has_a_drive():
+    """As `Rolling` has a creepage, and `SurfaceRolling` once had one."""
+    with pytest.raises(TypeError, match=r"SurfaceRolling: there is no argument 'creepage' \(did you mean 'drive'\?\)"):
+        wk.SurfaceRolling(creepage=wk.Creepage(1e-3))
+    text = """
+        title = "a wheel"
+        problem.kind = "surface_rolling"
+        problem.creepage = { kind = "creepages", longitudinal = 1e-3 }
+    """
+    with pytest.raises(wk.WinklerError, match=r"problem.creepage is not known \(did you mean 'drive'\?\)") as caught:
+        parse_study(text, file="wheel.toml")
+    assert "no 'drive'" not in str(caught.value)
+
+
 def test_what_is_like_nothing_gets_no_suggestion():
     assert nearest("xyzzy", ["depth", "force"]) == ""
     assert suggest("xyzzy", ["depth"]) == ""

@@ -44,6 +44,8 @@ SYNONYMS: dict[str, tuple[str, ...]] = {
     "angle": ("half_angle",),
     "approach": ("depth",),
     "contact_size": ("radius",),
+    "creepage": ("drive",),
+    "creepages": ("drive",),
     "dist": ("stroke", "distance"),
     "elastic_modulus": ("young", "modulus"),
     "extent": ("reach",),

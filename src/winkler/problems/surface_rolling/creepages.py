@@ -41,6 +41,8 @@ AHEAD = 0.25
 """How far ahead of the middle of a pixel the slip of a spin is taken, and how far behind what sticks acts [pixels]."""
 MOST_ROLLS = 100
 """Rolls after which the creepages of given forces count as not found; six are usual."""
+STALLED_ROLLS = 20
+"""Rolls in which the distance from given forces must halve; where friction does not bear them it hardly changes."""
 FORCE_TOLERANCE = 1e-9
 """Least bound on the distance from a given force, over what friction bears."""
 INNER_RATIO, LEAST_INNER = 0.01, 1e-12
@@ -126,8 +128,8 @@ class CreepSearch:
         nothing = np.zeros_like(self.modes[0])
         self.pressure, self.drawn, self.stretch, self.most = p, nothing, nothing, self.lengths
         still = RolledSurface(nothing, nothing, p < 0.0, 0.0, 0)
-        self.last = CreptPatch(np.zeros(3), np.zeros(3), still, 0.0, 0.0)
-        self.stiffness, self.sliding = np.zeros((0, 0)), 0.0
+        self.rest = self.last = CreptPatch(np.zeros(3), np.zeros(3), still, 0.0, 0.0)
+        self.stiffness, self.sliding, self.sought = np.zeros((0, 0)), 0.0, np.zeros(0)
 
     def found(self, pressure: Array, given: Array, start: Array) -> CreptPatch:
         """Return the patch under creepages and forces.
@@ -160,6 +162,10 @@ class CreepSearch:
         return self.last
 
     def _sought(self, given: Array, start: Array) -> CreptPatch:
+        varies = isinstance(self.friction, FallingFriction)
+        if varies and not np.array_equal(given, self.sought):  # from the maximum of a creep curve no step leads on
+            self.stiffness, self.last, start = np.zeros((0, 0)), self.rest, self.rest.traction
+        self.sought = given
         if not self.stiffness.size:
             self.stiffness = self._stuck()
             self.sliding = 3.0 / float(np.max(np.diag(self.stiffness)))
@@ -167,11 +173,15 @@ class CreepSearch:
         guess = np.where(self.by_force, self.last.creeps, given)
         behind = self._behind(given, self.last) - self.stiffness @ ((guess - self.last.creeps) * self.lengths)
         best = self._rolled(guess + self._step(behind), start)
-        length, measured = 1.0, False
-        for _ in range(MOST_ROLLS):
+        length, measured, rolls, earlier = 1.0, False, 0, np.inf
+        for rolls in range(1, MOST_ROLLS + 1):
             missing = float(np.max(np.abs((given - best.forces) / self.most)[self.by_force]))
             if missing <= allowed:
                 return best._replace(missing=missing)
+            if rolls % STALLED_ROLLS == 1:
+                if missing > 0.5 * earlier:
+                    break
+                earlier = missing
             behind, slid = self._behind(given, best), self._slides(best)
             step = np.where(self.by_force, -0.5 * best.creeps, 0.0) if slid else length * self._step(behind, best)
             tried = self._rolled(best.creeps + step, best.traction)
@@ -186,9 +196,18 @@ class CreepSearch:
                 self._measure(best)
                 measured = True
         raise NotConverged(
-            f"the given forces are missed by {missing:.3g} of what friction bears, after {MOST_ROLLS} rolls; allowed "
-            f"are {allowed:.3g}"
+            f"the given forces are missed by {missing:.3g} of what friction bears, after {rolls} rolls; allowed "
+            f"are {allowed:.3g}; {self._why()}"
         )
+
+    def _why(self) -> str:
+        """Return what may be wrong with forces that are not met, and what to do."""
+        if isinstance(self.friction, FallingFriction):
+            return (
+                "friction that falls with the velocity of slip bears less than the static coefficient says, and what "
+                "is beyond the maximum of the creep curve has creepages only: give smaller forces, or a Creepage"
+            )
+        return "together they may be more than friction bears: give smaller ones, or a Creepage"
 
     def _behind(self, given: Array, at: CreptPatch) -> Array:
         """Return what t lacks where forces are given."""

@@ -28,8 +28,9 @@ class SurfaceRollingState:
     stick_share : float
         Part of the contact that does not slip [-].
     misfit : float
-        What the solver left of the law of friction: the sum of mu p |s| - tau s over that of mu p |w|; or, if it is
-        more, the distance from a given force over what friction bears.
+        What the solver left of the law of friction: the sum of mu p |s| - tau s over that of mu p |w|; or, if they are
+        more, the distance from a given force over what friction bears, and of friction that falls the sum of
+        |g - mu p| over that of mu p, with the bound g that was used.
     pressure : ndarray, (nx, ny)
         p [Pa] in every pixel.
     traction : ndarray, (2, nx, ny)
