@@ -1,6 +1,6 @@
 """How far the simplified theories of rolling are from boundary elements: the tables that their notes read.
 
-`python benchmarks/rolling_distances.py` prints them again, in a minute; tests/problems/rolling/test_distances.py
+`python benchmarks/rolling_distances.py` prints them again, in minutes; tests/problems/rolling/test_distances.py
 compares them with what stands in the package, and with creepages, ellipses and bodies between the tabulated ones.
 """
 
@@ -14,7 +14,7 @@ from scipy.optimize import brentq
 import winkler as wk
 from winkler.problems.rolling.kalker import creep_coefficients
 
-BETWEEN = 3e-3
+BETWEEN = 5e-3
 """What the distances change by on half the pixels, or at creepages between."""
 Rows = tuple[tuple[float, float, float], ...]
 """Amount, direction [deg] and spin of creepages."""
@@ -23,11 +23,12 @@ COUNT, MARGIN = 72, 4
 """Pixels along each axis of the ellipse, and beside it."""
 AMOUNTS, ANGLES = (0.3, 0.5, 0.7, 1.0, 1.4, 2.0, 4.0), (15.0, 30.0, 45.0, 60.0, 75.0)
 """Creepages over 3 mu F_N / (G ab c_ii), and the directions of both together [deg]."""
-SPINS = (0.3, 0.8, 1.5, 3.0)
+SPINS = (0.3, 0.5, 0.8, 1.2, 1.5, 2.2, 3.0)
 """Spins over 3 mu F_N / (G (ab)^1.5 c_23)."""
 ONE = tuple((amount, angle, 0.0) for amount in AMOUNTS for angle in (0.0, 90.0))
 BOTH = tuple((amount, angle, 0.0) for amount in AMOUNTS for angle in ANGLES)
-BESIDE = ((0.0, 0.0), *((amount, angle) for amount in (0.8, 2.0) for angle in (0.0, 45.0, 90.0, -45.0, -90.0)))
+TURNED = (0.0, 45.0, 75.0, 90.0, -45.0, -75.0, -90.0)
+BESIDE = ((0.0, 0.0), *((amount, angle) for amount in (0.3, 0.8, 2.0, 2.8, 4.0) for angle in TURNED))
 SPUN = tuple((*beside, spin) for spin in SPINS for beside in BESIDE)
 
 
@@ -86,7 +87,7 @@ def ball_row(poisson: float, one: Rows = ONE, both: Rows = BOTH) -> list[float]:
         _, exact, _ = rolled(1.0, poisson, rows)
         problem = exact.problem
         bed = wk.Foundation(wk.Paraboloid(1.0), problem.medium)
-        line = wk.Rolling(bed, wk.Coulomb(MU), problem.creepage, wk.Force(FORCE)).solve()
+        line = wk.Rolling(bed, wk.Coulomb(MU), problem.drive, wk.Force(FORCE)).solve()
         off = [np.subtract(getattr(line, n), getattr(exact, n)) for n in ("longitudinal_force", "lateral_force")]
         found.append(float(np.max(np.hypot(*off))) / (MU * FORCE))
     return found

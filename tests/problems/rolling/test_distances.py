@@ -30,7 +30,7 @@ def test_the_table_of_ellipses_is_that_of_the_script(script, row):
             continue
         found = np.array(script.ellipse_row(RATIOS[row], poisson))
         assert np.all(found <= OF_ELLIPSES[row, column])
-        assert np.all(found > OF_ELLIPSES[row, column] - 0.0131)  # rounded up
+        assert np.all(found > OF_ELLIPSES[row, column] - 0.0151)  # rounded up
 
 
 @pytest.mark.slow
@@ -38,7 +38,7 @@ def test_the_table_of_balls_is_that_of_the_script(script):
     for poisson, stated in zip(POISSON, OF_BALLS, strict=True):
         found = np.array(script.ball_row(poisson))
         assert np.all(found <= stated)
-        assert np.all(found > stated - 0.0131)
+        assert np.all(found > stated - 0.0151)
 
 
 OTHER_AMOUNTS, OTHER_SPINS = (0.45, 0.95, 1.5, 2.7), (0.5, 1.1, 2.2)
@@ -55,6 +55,24 @@ SPUN = tuple(
 def test_other_creepages_ellipses_and_bodies_are_within_what_is_stated(script, ratio, poisson):
     stated = ellipse_distances(ratio, poisson)
     assert np.all(np.array(script.ellipse_row(ratio, poisson, ONE, BOTH, SPUN)) <= np.array(stated))
+
+
+@pytest.mark.parametrize(
+    ("ratio", "poisson", "row"),
+    [
+        (1.0, 0.5, (2.74, -77.0, 1.45)),
+        (0.5, 0.5, (2.88, 83.0, -1.37)),
+        (0.5, 0.25, (2.27, 84.0, -1.0)),
+        (2.0, 0.0, (0.14, -66.0, 0.44)),
+        (2.0, 0.5, (0.47, 77.0, -1.24)),
+    ],
+)
+def test_the_farthest_of_random_creepages_are_within_what_is_stated(script, ratio, poisson, row):
+    """Of 150 with up to three times the creepage and spin of sliding, on ellipses and bodies of the table itself."""
+    force, moment = script.apart(*script.rolled(ratio, poisson, (row,)))
+    stated = ellipse_distances(ratio, poisson)
+    assert force <= stated.spun
+    assert moment <= stated.spun_moment
 
 
 @pytest.mark.slow
@@ -94,7 +112,7 @@ def simplified(a, b, poisson, creepage):
             wk.Creepage(1e-3, 1e-3),
             "under both creepages the force stays within 0.14 of mu F_N, and the moment within 0.06",
         ),
-        (wk.Creepage(1e-3, 1e-3, 0.1), "with spin the force stays within 0.17 of mu F_N, and the moment within 0.09"),
+        (wk.Creepage(1e-3, 1e-3, 0.1), "with spin the force stays within 0.19 of mu F_N, and the moment within 0.09"),
     ],
 )
 def test_notes_state_the_distance_under_their_own_creepage(creepage, sentence):

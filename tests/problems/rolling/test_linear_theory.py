@@ -10,6 +10,8 @@ import pytest
 
 import winkler as wk
 from winkler.errors import NotConverged, OutsideValidity
+from winkler.numerics.surfaces.rolled_surface import roll
+from winkler.numerics.surfaces.traction_grid import Compliance, TractionGrid
 from winkler.problems.rolling import linear_theory
 from winkler.problems.rolling.kalker import ACROSS, ALONG
 
@@ -62,11 +64,62 @@ def test_beside_contact_on_circles(shared_data, nu):
 
 
 @pytest.mark.slow
-def test_long_strips_across():
-    """An ellipse narrow along rolling is strips in plane strain: c22 -> pi^2 / 4, c11 -> that over 1 - nu."""
-    found = coefficients(0.02, 0.25)
-    assert found[1] == pytest.approx(math.pi**2 / 4.0, rel=3e-3)
-    assert found[0] == pytest.approx(math.pi**2 / 3.0, rel=3e-3)
+@pytest.mark.parametrize("nu", [0.0, 0.25, 0.5])
+def test_narrow_along_rolling(nu):
+    """Kalker's limit g = a/b -> 0, strips in plane strain: the next terms are of the order of g squared times logs."""
+    g = 0.02
+    limits = np.array(
+        [
+            math.pi**2 / (4.0 * (1.0 - nu)),
+            math.pi**2 / 4.0,
+            math.pi
+            * math.sqrt(g)
+            / (3.0 * (1.0 - nu))
+            * (1.0 + nu * (0.5 * math.log(16.0 / g**2) + math.log(4.0) - 5.0)),
+            math.pi**2 / (16.0 * (1.0 - nu) * g),
+        ]
+    )
+    assert np.all(np.abs(coefficients(g, nu) / limits - 1.0) < [3e-3, 3e-3, 4e-3, 8e-3])
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("nu", [0.0, 0.25, 0.5])
+def test_long_along_rolling(nu):
+    """Kalker's limit g = b/a -> 0; the second power of 1/log(16/g^2) is left out of the forces."""
+    g, log = 0.02, math.log(16.0 / 0.02**2)
+    scales = np.array([log - 2.0 * nu, (1.0 - nu) * log + 2.0 * nu])
+    forces = 2.0 * math.pi / (g * scales) * (1.0 + np.array([1.0, 1.0 - nu]) * (3.0 - math.log(4.0)) / scales)
+    spin = 2.0 * math.pi / (3.0 * g**1.5 * ((1.0 - nu) * log - 2.0 + 4.0 * nu))
+    found = coefficients(50.0, nu)
+    assert found[:2] == pytest.approx(forces, rel=4.0 / log**2)
+    assert found[2] == pytest.approx(spin, rel=3e-3)
+
+
+@pytest.mark.slow
+def test_beside_boundary_elements_of_randomly_placed_pixels():
+    """Grids of 20, 40 and 80 pixels, scaled to the area of their pixels, extrapolated: forces within 0.05 %."""
+    ratio, nu = 0.6, 0.28
+    a, b, means = math.sqrt(ratio), 1.0 / math.sqrt(ratio), []
+    offsets = np.random.default_rng(1).uniform(-0.5, 0.5, (3, 16, 2))
+    for count, places in zip((20, 40, 80), offsets, strict=True):
+        pixel = 2.0 * a / count, 2.0 * b / count
+        grid = TractionGrid.of((count + 4, count + 4), pixel, Compliance(1.0, nu / (1.0 - nu)), periodic=False)
+        found = []
+        for place in places:
+            rows = np.arange(count + 4) - 0.5 * (count + 3)
+            x, y = np.meshgrid((rows + place[0]) * pixel[0], (rows + place[1]) * pixel[1], indexing="ij")
+            bound = np.where((x / a) ** 2 + (y / b) ** 2 < 1.0, 1e9, 0.0)
+            area = pixel[0] * pixel[1] * np.count_nonzero(bound) / math.pi
+            matrix = np.zeros((3, 3))
+            for i, (xi, eta, phi) in enumerate(np.eye(3)):
+                rigid = pixel[0] * np.stack((xi - phi * y, eta + phi * x))
+                traction = roll(grid, bound, rigid, np.zeros_like(rigid), tolerance=1e-10).traction
+                matrix[i] = *traction.sum((1, 2)), np.sum(x * traction[1] - y * traction[0])
+            c = [matrix[0, 0] / area, matrix[1, 1] / area, matrix[2, 1] / area**1.5, matrix[2, 2] / area**2]
+            found.append(np.array(c) * pixel[0] * pixel[1] / (1.0 - nu))
+        means.append(np.mean(found, axis=0))
+    limit = 2.0 * means[2] - means[1]
+    assert np.all(np.abs(limit / coefficients(ratio, nu) - 1.0) < [5e-4, 5e-4, 2e-3, 4e-3])
 
 
 @pytest.mark.parametrize(("ratio", "nu", "sentence"), [

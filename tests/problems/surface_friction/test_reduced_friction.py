@@ -125,3 +125,26 @@ def test_dissimilar_bodies_are_far_off_and_say_so():
 def test_friction_that_does_not_slip_or_does_not_bear_is_refused(coefficient):
     with pytest.raises(InvalidInput, match="coefficient"):
         ReducedFriction(ball(), pair(0.3), wk.Coulomb(coefficient), 0.05)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("angle", [0.0, 35.0])
+def test_a_depth_that_changes_triples_the_error_of_losses_at_most(angle):
+    x, y = square(47)
+    along, across = (
+        np.cos(np.radians(angle - turn)) * x + np.sin(np.radians(angle - turn)) * y for turn in (0.0, -90.0)
+    )
+    tip, most = wk.Topography(-0.25 * along**2 - 1.2 * across**2, [1.0, 1.0]), 0.04
+    found = ReducedFriction(tip, pair(0.5), wk.Coulomb(MU), most).solve()
+    turns, steps = np.arange(7.0), np.linspace(0.0, 6.0, 97)
+    depth = np.interp(steps, turns, most * np.array([0.6, 0.8, 1.0, 0.9, 0.75, 0.9, 1.0]))
+    force = MU * found.force * np.interp(steps, turns, [0.0, 0.34, 0.78, 0.16, -0.37, -0.7, -0.1])
+    for axis, bed in enumerate((found.bed, found.bed.turned)):
+        forces = np.zeros((97, 2))
+        forces[:, axis] = force
+        path = wk.Path.through(wk.Depth(depth), wk.ShearForce(forces))
+        exact = wk.SurfaceTangential(tip, found.problem.medium, wk.Coulomb(MU), path).solve()
+        springs = wk.Tangential(bed, wk.Coulomb(MU), wk.Path.through(wk.Depth(depth), wk.ShearForce(force))).solve()
+        shift, loss = exact.shift[:, axis], exact.dissipation
+        assert np.max(np.abs(springs.shift - shift)) <= found.shift_error * np.max(np.abs(shift))
+        assert np.max(np.abs(springs.dissipation - loss)) <= 3.0 * found.loss_error * np.max(loss)

@@ -259,3 +259,11 @@ def test_how_well_a_grid_resolves_a_small_swing_is_stated(part, count, standing)
     assert f"the grid loses {100.0 * abs(error):.2g} per cent {more} than" in note.statement
     assert note.standing is standing
     assert ("take more cells" in note.statement) == (abs(error) > 0.01)
+
+
+def test_a_swing_whose_loss_is_rounding_is_stated():
+    force = 4.0 / 3.0 * MEDIUM.modulus * A0**3 / BALL
+    run = fretting(normal=wk.Force(force), amplitude=wk.ShearForce(1e-12 * MU * force), cycles=np.array([1e-9]))
+    (note,) = (note for note in run.solve().validity if "In a cycle before wear" in note.statement)
+    assert note.standing is wk.Standing.OUTSIDE
+    assert "is rounding" in note.statement

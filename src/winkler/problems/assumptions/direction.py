@@ -53,7 +53,7 @@ def _directional_note(bed: DirectionalBed) -> Note:
     error = (
         f"shifts differ by up to {_per_cent(bed.shift_error)} % of the greatest, losses by up to "
         f"{_per_cent(bed.loss_error)} % of the greatest, from boundary elements in a loop of 0.9 of what friction "
-        "bears, at the greatest depth"
+        "bears, held at the greatest depth (losses thrice as much at most where it changed)"
         if measured
         else "how far that leads, ReducedFriction measures"
     )

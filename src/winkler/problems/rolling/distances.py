@@ -2,7 +2,7 @@
 
 Over longitudinal, lateral and spin creepages from a tenth of sliding to beyond it, and several together, the greatest
 difference of the force over mu F_N and of the moment over mu F_N sqrt(ab), rounded up to hundredths
-with 0.003 for pixels and creepages between.
+with 0.005 for pixels and creepages between.
 `benchmarks/rolling_distances.py` made the tables; between their entries the greatest neighbour is stated.
 """
 
@@ -25,14 +25,14 @@ RATIOS = (0.2, 0.5, 1.0, 2.0, 5.0)
 POISSON = (0.0, 0.25, 0.5)
 """Poisson's ratios, its columns."""
 OF_ELLIPSES: Array = np.array([
-    [[0.06, 0.06, 0.14, 0.02, 0.09], [0.06, 0.13, 0.20, 0.05, 0.09], [0.06, 0.28, 0.30, 0.10, 0.16]],
-    [[0.05, 0.05, 0.16, 0.03, 0.08], [0.05, 0.10, 0.18, 0.05, 0.08], [0.06, 0.21, 0.23, 0.07, 0.07]],
-    [[0.04, 0.04, 0.18, 0.03, 0.10], [0.05, 0.06, 0.17, 0.04, 0.09], [0.05, 0.14, 0.17, 0.06, 0.08]],
-    [[0.04, 0.04, 0.19, 0.04, 0.12], [0.04, 0.04, 0.16, 0.04, 0.11], [0.04, 0.05, 0.14, 0.05, 0.09]],
-    [[0.04, 0.04, 0.15, 0.05, 0.16], [0.04, 0.04, 0.12, 0.05, 0.14], [0.04, 0.06, 0.12, 0.05, 0.12]],
+    [[0.06, 0.06, 0.15, 0.02, 0.17], [0.06, 0.13, 0.20, 0.05, 0.14], [0.06, 0.29, 0.30, 0.10, 0.18]],
+    [[0.05, 0.05, 0.16, 0.03, 0.09], [0.05, 0.10, 0.19, 0.05, 0.08], [0.06, 0.21, 0.24, 0.07, 0.08]],
+    [[0.05, 0.05, 0.18, 0.03, 0.11], [0.05, 0.07, 0.19, 0.05, 0.09], [0.05, 0.14, 0.19, 0.06, 0.09]],
+    [[0.04, 0.04, 0.19, 0.04, 0.13], [0.04, 0.04, 0.17, 0.05, 0.12], [0.04, 0.06, 0.15, 0.05, 0.10]],
+    [[0.04, 0.04, 0.16, 0.05, 0.17], [0.04, 0.04, 0.14, 0.05, 0.14], [0.04, 0.06, 0.13, 0.05, 0.13]],
 ])  # fmt: skip
 """Entries in the order of `EllipseDistances`."""
-OF_BALLS: Array = np.array([[0.03, 0.03], [0.04, 0.06], [0.04, 0.14]])
+OF_BALLS: Array = np.array([[0.03, 0.03], [0.04, 0.07], [0.04, 0.14]])
 """Under one creepage and under both."""
 
 

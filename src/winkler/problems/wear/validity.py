@@ -126,6 +126,15 @@ def _march_notes(bed: Bed, tolerance: float, states: Sequence[WearState], rubbin
     return (*pressed, *worn, DEBRIS, resolution_note(states[-1], tolerance, "depth"))
 
 
+LOST_SLIP = Note(
+    Assumption.RESOLUTION,
+    Standing.OUTSIDE,
+    "In a cycle before wear springs of no width lose less than can be computed: what the grid wears off is rounding; "
+    "give a larger amplitude.",
+    DIMAKI,
+)
+
+
 def slip_grid_note(found: float, expected: float) -> tuple[Note, ...]:
     """Return the note on how well a grid resolves the slip, by its loss in a cycle before wear and that of springs.
 
@@ -133,7 +142,7 @@ def slip_grid_note(found: float, expected: float) -> tuple[Note, ...]:
     slips.
     """
     if not expected > 0.0:
-        return ()
+        return (LOST_SLIP,) if found > 0.0 else ()
     error = found / expected - 1.0
     more = "more" if error > 0.0 else "less"
     text = f"In a cycle before wear the grid loses {100.0 * abs(error):.2g} per cent {more} than springs of no width do"
