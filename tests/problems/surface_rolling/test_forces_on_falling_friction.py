@@ -72,6 +72,13 @@ def test_forces_after_one_near_the_maximum_of_the_creep_curve():
     np.testing.assert_array_equal(together, [float(rolled(wk.CreepForce(one)).longitudinal_creepage) for one in push])
 
 
+def test_a_force_that_nearly_slides_after_its_opposite():
+    """While all slides the distance from a force stays as it is: that is no sign that friction does not bear it."""
+    push = STATIC * NORMAL * np.array([0.99999, -0.99999, 0.01])
+    done = rolled(wk.CreepForce(push), friction=wk.Coulomb(STATIC))
+    np.testing.assert_allclose(done.longitudinal_force, push, atol=1e-7 * STATIC * NORMAL)
+
+
 def test_a_force_and_a_moment_of_which_friction_bears_each_alone():
     with pytest.raises(NotConverged, match=r"after [24]1 rolls; .* together they may be more than friction bears"):
         rolled(wk.CreepForce(0.95 * STATIC * NORMAL, 0.0, wk.Torque(100.0)), friction=wk.Coulomb(STATIC))

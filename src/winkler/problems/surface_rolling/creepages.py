@@ -42,7 +42,8 @@ AHEAD = 0.25
 MOST_ROLLS = 100
 """Rolls after which the creepages of given forces count as not found; six are usual."""
 STALLED_ROLLS = 20
-"""Rolls in which the distance from given forces must halve; where friction does not bear them it hardly changes."""
+"""Rolls in which the distance from given forces must halve, unless all slides; where
+friction does not bear them it hardly changes."""
 FORCE_TOLERANCE = 1e-9
 """Least bound on the distance from a given force, over what friction bears."""
 INNER_RATIO, LEAST_INNER = 0.01, 1e-12
@@ -179,7 +180,7 @@ class CreepSearch:
             if missing <= allowed:
                 return best._replace(missing=missing)
             if rolls % STALLED_ROLLS == 1:
-                if missing > 0.5 * earlier:
+                if missing > 0.5 * earlier and not self._slides(best):
                     break
                 earlier = missing
             behind, slid = self._behind(given, best), self._slides(best)
@@ -195,6 +196,9 @@ class CreepSearch:
             else:
                 self._measure(best)
                 measured = True
+        if self.last is not self.rest:  # what the case before has shown may not lead on: from rest
+            self.stiffness, self.last = np.zeros((0, 0)), self.rest
+            return self._sought(given, self.rest.traction)
         raise NotConverged(
             f"the given forces are missed by {missing:.3g} of what friction bears, after {rolls} rolls; allowed "
             f"are {allowed:.3g}; {self._why()}"
