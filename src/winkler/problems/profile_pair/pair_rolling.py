@@ -14,7 +14,7 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import between
+from winkler.checks.number_checks import Finite, between
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.laws.friction import Sliding
 from winkler.loading import Force
@@ -98,8 +98,8 @@ class ProfilePairRolling:
     pair: ProfilePair
     friction: Sliding
     lateral_drift: Annotated[float, between(-FASTEST_DRIFT, FASTEST_DRIFT)] = 0.0
-    yaw_rate: float = 0.0
-    roll_rate: float = 0.0
+    yaw_rate: Finite = 0.0
+    roll_rate: Finite = 0.0
     tolerance: Annotated[float, between(1e-12, 1e-2)] = 1e-7
 
     references: ClassVar[tuple[str, ...]] = ("kalker_1990", "polonsky_keer_1999", "shackleton_iwnicki_2008")

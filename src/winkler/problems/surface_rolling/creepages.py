@@ -46,8 +46,9 @@ STALLED_ROLLS = 20
 friction does not bear them it hardly changes."""
 FORCE_TOLERANCE = 1e-9
 """Least bound on the distance from a given force, over what friction bears."""
-INNER_RATIO, LEAST_INNER = 0.01, 1e-12
-"""Tolerance of a roll over that of the forces, and the least one."""
+INNER_RATIO, FALLING_RATIO, LEAST_INNER = 1e-5, 0.01, 1e-12
+"""Tolerance of a roll over that of the forces, which err like the root of its energy; the same where friction falls and
+forces err with its coefficients; and the least one."""
 STICKING_RATIO = 1e9
 """Coefficient of friction under which all sticks."""
 SMALL_CREEPAGE = 1e-6
@@ -118,7 +119,9 @@ class CreepSearch:
     ):
         self.patch, self.by_force, self.tolerance = patch, by_force, tolerance
         self.friction, self.speed, self.coefficient = friction, speed, greatest_coefficient(friction)
-        self.inner = max(INNER_RATIO * tolerance, LEAST_INNER) if np.any(by_force) else tolerance
+        falls = isinstance(friction, FallingFriction) and friction.kinetic_coefficient < friction.static_coefficient
+        ratio = FALLING_RATIO if falls else INNER_RATIO
+        self.inner = max(ratio * tolerance, LEAST_INNER) if np.any(by_force) else tolerance
         p, self.shift = patch.pressure, AHEAD * patch.pixel[0]
         arm = float(np.sqrt(np.sum(p * patch.arms**2) / np.sum(p)))
         self.lengths = np.array([1.0, 1.0, arm])
