@@ -287,7 +287,7 @@ ROUGHNESS = {
             wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3)),
             wk.Force(100.0),
             FRICTION,
-            wk.Creepage(longitudinal=np.geomspace(0.0005, 0.01, 6)),
+            wk.Creepage(longitudinal=np.geomspace(0.001, 0.01, 6)),
             speed=20.0,
         ),
         wk.HeatConductors(wk.ThermalConductor(45.0, 12e-6), wk.ThermalConductor(45.0, 12e-6)),
