@@ -10,7 +10,7 @@ from winkler.numerics.types import Array
 __all__ = ["SLIDING_RATIO", "refuse_beyond"]
 
 SLIDING_RATIO = 1.0 - 1e-7
-"""Part of the friction beyond which given forces let the bodies slide: what slips is never all parallel."""
+"""Part of the friction beyond which given forces let the bodies slide: tractions that slip are not all parallel."""
 
 
 def refuse_beyond(push: float, torque: float, bound: Array, arms: Array) -> None:

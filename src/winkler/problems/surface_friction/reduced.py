@@ -230,7 +230,7 @@ class ReducedFrictionSolution:
     def shift_error(self) -> float:
         """Greatest difference of a shift over the greatest shift [-], and a tenth, and the misfit of forces."""
         pairs = zip(self.shift.T, self.spring_shift.T, strict=True)
-        return BETWEEN * max(_difference(exact, found) for exact, found in pairs) + self.reduction.misfit
+        return BETWEEN * max(_difference(elements, springs) for elements, springs in pairs) + self.reduction.misfit
 
     @property
     def loss_error(self) -> float:
@@ -239,7 +239,7 @@ class ReducedFrictionSolution:
         Losses of partial slip grow with the third power of the shear force.
         """
         loops = (self.along, self.springs_along), (self.across, self.springs_across)
-        missed = max(_difference(exact.dissipation, found.dissipation) for exact, found in loops)
+        missed = max(_difference(elements.dissipation, springs.dissipation) for elements, springs in loops)
         return BETWEEN * missed + LOSS_POWER * self.reduction.misfit
 
     @property
@@ -248,6 +248,6 @@ class ReducedFrictionSolution:
         return (self.reduction.validity[0], *direction_notes(self.bed), *self.along.validity)
 
 
-def _difference(exact: Array, found: Array) -> float:
+def _difference(elements: Array, springs: Array) -> float:
     """Return the greatest difference over the greatest number."""
-    return float(np.max(np.abs(found - exact)) / np.max(np.abs(exact)))
+    return float(np.max(np.abs(springs - elements)) / np.max(np.abs(elements)))

@@ -62,7 +62,8 @@ class SurfaceRolling:
     tolerance : float, optional
         Greatest `SurfaceRollingState.misfit` at which a contact counts as solved.
     speed : float, optional
-        Of rolling [m/s], for friction that falls with the velocity of slip, which is creepage times speed.
+        Of rolling [m/s], for friction that falls with the velocity of slip, which is creepage times speed, and for the
+        heat of friction; under Coulomb's law forces do not depend on it.
 
     Raises
     ------
