@@ -12,6 +12,7 @@ corrected ones.
 from __future__ import annotations
 
 import dataclasses
+import functools
 import math
 from collections.abc import Sequence
 from typing import Annotated
@@ -21,8 +22,13 @@ import numpy as np
 from winkler.checks.number_checks import POSITIVE_OR_INFINITE, Advice, Numbers
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.directions import found_directions
+from winkler.fitting.curves.events.found import events_of
+from winkler.fitting.curves.events.kinds import CurveEvents
+from winkler.fitting.curves.events.record import Record
+from winkler.fitting.curves.events.stated import stated_marks
 from winkler.fitting.curves.segments import Segment, segments_of, stated_directions
 from winkler.numerics.types import Array
+from winkler.readable import with_unit
 from winkler.values import value, words
 
 __all__ = ["ForceCurve"]
@@ -61,6 +67,9 @@ class ForceCurve:
         and force: turns, holds and partial unloadings.  `segments` shows the result, `with_segments` replaces it.
     name : str, optional
         Origin of the curve.
+    marks : ndarray, (n,) or (0,), optional
+        What is stated of each point: 0 nothing, 1 out of contact, 2 pop-in, 3 snap-in, 4 pull-off; empty (unless
+        given): events are found.  `events` shows the result, `with_events` replaces it.
 
     Raises
     ------
@@ -81,6 +90,7 @@ class ForceCurve:
         position=("D", "m", "how far the machine has moved towards the sample"),
         direction=("", "", "+1 going in, -1 coming out, 0 held"),
         name=("", None, "where the curve comes from"),
+        marks=("", "", "what is stated of each point"),
     )
 
     position: Annotated[Array, Numbers(fewest=FEWEST), POINTS_ADVICE]
@@ -91,18 +101,21 @@ class ForceCurve:
     )
     direction: Annotated[Array, Numbers(fewest=0), POINTS_ADVICE] = dataclasses.field(default_factory=_empty)
     name: str = ""
+    marks: Annotated[Array, Numbers(fewest=0), POINTS_ADVICE] = dataclasses.field(default_factory=_empty)
 
     def __post_init__(self) -> None:
         if not self.direction.size:
             object.__setattr__(self, "direction", _directions(self.position, self.force))
-        for word in ("force", "time", "direction"):
+        for word in ("force", "time", "direction", "marks"):
             count = getattr(self, word).size
-            if count != self.position.size and not (word == "time" and count == 0):
+            if count != self.position.size and not (word in ("time", "marks") and count == 0):
                 raise InvalidInput(
                     f"ForceCurve: position has {self.position.size} points, {word} has {count}; give one for each."
                 )
         if not np.all(np.isin(self.direction, (-1.0, 0.0, 1.0))):
             raise InvalidInput("ForceCurve: direction holds other numbers than +1 (in), 0 (held) and -1 (out).")
+        if not np.all(np.isin(self.marks, (0.0, 1.0, 2.0, 3.0, 4.0))):
+            raise InvalidInput("ForceCurve: marks holds other numbers than 0 to 4; state events by with_events.")
         object.__setattr__(self, "machine_stiffness", float(self.machine_stiffness))
 
     @property
@@ -141,8 +154,13 @@ class ForceCurve:
         if which.size < FEWEST:
             raise InvalidInput(f"curve '{self.name}': {which.size} points are chosen; at least {FEWEST} make a curve.")
         time = self.time[which] if self.timed else _empty()
-        return ForceCurve(
-            self.position[which], self.force[which], self.machine_stiffness, time, self.direction[which], self.name
+        return dataclasses.replace(
+            self,
+            position=self.position[which],
+            force=self.force[which],
+            time=time,
+            direction=self.direction[which],
+            marks=self.marks[which] if self.marks.size else self.marks,
         )
 
     @property
@@ -171,6 +189,45 @@ class ForceCurve:
         [('loading', 0, 1), ('hold', 2, 3), ('last unloading', 4, 5)]
         """
         return dataclasses.replace(self, direction=stated_directions(stated, self.count))
+
+    @property
+    def record(self) -> Record:
+        """The columns in which events are sought."""
+        return Record(self.position, self.force, self.time, self.direction, self.marks, self.compliance)
+
+    @functools.cached_property
+    def events(self) -> CurveEvents:
+        """What was done, and what happened, in its order: segments, baselines, snap-in, pop-ins, pull-off and more."""
+        return events_of(self.record)
+
+    def with_events(self, stated: Sequence[tuple[str, int, int]]) -> ForceCurve:
+        """Return the curve with stated events in place of those that are found.
+
+        Parameters
+        ----------
+        stated : sequence of (str, int, int)
+            "baseline", "pop-in", "snap-in" or "pull-off", and the indices of the first and the last point; empty:
+            nothing happened.  Without a baseline among them, the points out of contact are still found.
+
+        Raises
+        ------
+        InvalidInput
+            If a kind is unknown, or a range leaves the curve.
+
+        Examples
+        --------
+        >>> curve = ForceCurve([0.0, 1e-9, 3e-9, 4e-9], [0.0, 1e-9, 1e-9, 2e-9]).with_events([("pop-in", 2, 2)])
+        >>> print(curve.events.of("pop-in"))
+        point 2: pop-in, step 2 nm, stated
+        """
+        return dataclasses.replace(self, marks=stated_marks(stated, self.count))
+
+    def __str__(self) -> str:
+        """Return what was done, in its order, as a notebook says it."""
+        machine = "" if math.isinf(self.machine_stiffness) else f", machine {with_unit(self.machine_stiffness, 'N/m')}"
+        clock = f" in {with_unit(float(self.time[-1] - self.time[0]), 's')}" if self.timed else ""
+        title = f"force curve{f' {self.name!r}' if self.name else ''}: {self.count} points{clock}{machine}"
+        return "\n".join([title, *(f"  {line}" for line in self.events.lines(self.time if self.timed else ()))])
 
     @property
     def approach(self) -> ForceCurve:

@@ -1,4 +1,4 @@
-"""Pictures of a measured indentation: its segments, and the evaluation of its last unloading."""
+"""Picture of a measured indentation: its segments, and the evaluation of its last unloading."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from winkler.plot.panel import Band, Line, Panel, PanelAxis, Rule, Sheet, Text, 
 from winkler.plot.series import Series
 from winkler.vocabulary import Word
 
-__all__ = ["segments_sheet", "unloading_sheet"]
+__all__ = ["unloading_sheet"]
 
 COLOURS = {
     SegmentKind.LOADING: style.BLUE,
@@ -28,19 +28,6 @@ LEAST_LABELLED_SHARE = 0.03
 """Least part of the axis over which a segment is labelled."""
 HEADROOM = 0.45
 """Part of the range of forces left free above for the labels."""
-
-
-@without_extent(ForceCurve)
-def segments_sheet(curve: ForceCurve) -> Sheet:
-    """Return a curve: its segments in their order, each with its name, and force over position.
-
-    Parameters
-    ----------
-    curve : ForceCurve
-    """
-    position = Series("position", Word("D", "m", "position"), curve.position)
-    panels = _over_time(curve, curve.segments), _over_depth(position, curve, curve.segments)
-    return Sheet(titled(panels, "segments", "force over position"), width=4.6, height=3.4)
 
 
 @without_extent(OliverPharrSolution)

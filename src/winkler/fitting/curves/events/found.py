@@ -1,0 +1,225 @@
+"""The events of a curve, in the order in which they began."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.fitting.curves.directions import OUT
+from winkler.fitting.curves.events.adhesion import tension
+from winkler.fitting.curves.events.clock import ClockOffset, clock_offset_of, is_certain
+from winkler.fitting.curves.events.drag import Drag, drag_of
+from winkler.fitting.curves.events.free import FEWEST_FREE, FreeParts, free_parts
+from winkler.fitting.curves.events.interference import Interference, interference_of
+from winkler.fitting.curves.events.kinds import CurveEvent, CurveEvents, EventKind, confidence_of, with_error
+from winkler.fitting.curves.events.popins import pop_ins
+from winkler.fitting.curves.events.record import Record
+from winkler.fitting.curves.events.saturation import saturated_rows
+from winkler.fitting.curves.events.stated import FREE, MARKS, NOTHING
+from winkler.fitting.curves.segments import Segment, SegmentKind
+from winkler.numerics.types import Array
+from winkler.readable import with_unit
+
+__all__ = ["clock_offset_in", "drag_in", "events_of", "free_points", "interference_in"]
+
+KEPT_FREE_SHARE = 0.9
+"""Part of the free travel in which interference and drag are sought: attraction bends the rest."""
+LEAST_DRAG_RATIO = 5.0
+KINDS = {kind: EventKind(kind.value) for kind in SegmentKind}
+
+
+def free_points(record: Record) -> tuple[Array, Array]:
+    """Return the points out of contact before and after it, as indices: those stated, else those found."""
+    stated = np.flatnonzero(record.marks == FREE)
+    if stated.size:
+        touched = np.flatnonzero(record.marks != FREE)
+        middle = touched[0] if touched.size else record.count
+        return stated[stated < middle], stated[stated >= middle]
+    parts = free_parts(record)
+    return parts.before_points, parts.after_points
+
+
+def _kept(record: Record, parts: tuple[Array, Array]) -> tuple[Array, Array]:
+    """Return the free points without those next to contact, unless they are stated."""
+    if np.any(record.marks == FREE):
+        return parts
+    before, after = parts
+    return before[: int(KEPT_FREE_SHARE * before.size)], after[after.size - int(KEPT_FREE_SHARE * after.size) :]
+
+
+def interference_in(record: Record) -> Interference | None:
+    """Return the interference in the free points; None if there is none."""
+    return interference_of(
+        [(record.position[part], record.force[part]) for part in _kept(record, free_points(record)) if part.size]
+    )
+
+
+def drag_in(record: Record) -> Drag | None:
+    """Return the drag; None with fewer than ten free points in either direction."""
+    free = np.concatenate(_kept(record, free_points(record)))
+    free = free[record.direction[free] != 0.0]
+    moving = record.direction[free]
+    if min(np.count_nonzero(moving > 0.0), np.count_nonzero(moving < 0.0)) < FEWEST_FREE:
+        return None
+    order = record.time[free] if record.timed else free.astype(float)
+    return drag_of(order, record.position[free], record.force[free], moving)
+
+
+def clock_offset_in(record: Record) -> ClockOffset | None:
+    """Return the time by which the force is late; None where no edge determines it."""
+    contact = np.ones(record.count, dtype=bool)
+    contact[np.concatenate(free_points(record))] = False
+    return clock_offset_of(record, contact)
+
+
+def events_of(record: Record) -> CurveEvents:
+    """Return the events of a curve; those that are stated are not sought."""
+    stated = bool(record.marks.size)
+    free = free_points(record)
+    events = [*_segment_events(record), *_baselines(record, free)]
+    if stated:
+        events += _stated(record)
+        if not np.any(record.marks != NOTHING):
+            return _ordered([event for event in events if "baseline" not in event.kind.value])
+    else:
+        events += _happened(record, free_parts(record))
+    events += _saturations(record, free)
+    if (found := interference_in(record)) is not None:
+        points = np.concatenate(_kept(record, free))
+        remark = f"period {with_error(found.period, found.period_error, 'm')}"
+        events.append(
+            CurveEvent(
+                EventKind.INTERFERENCE,
+                int(points.min()),
+                int(points.max()),
+                found.amplitude,
+                found.amplitude_error,
+                "N",
+                found.confidence,
+                remark,
+            )
+        )
+    offset = clock_offset_in(record)
+    if offset is not None and is_certain(offset, record):
+        confidence = confidence_of(offset.ratio, len(offset.edges))
+        remark = f"by {len(offset.edges)} edges of the motion" if len(offset.edges) > 1 else "by one edge of the motion"
+        ends = offset.edges[0], offset.edges[-1]
+        events.append(CurveEvent(EventKind.CLOCK_OFFSET, *ends, offset.offset, offset.error, "s", confidence, remark))
+    drag = drag_in(record)
+    if drag is not None and drag.force > LEAST_DRAG_RATIO * drag.error:
+        points = np.concatenate(free)
+        remark = f"beside a drift of {with_unit(drag.drift, 'N')}" if drag.drift else ""
+        confidence = confidence_of(drag.force / drag.error if drag.error > 0.0 else 40.0, 1)
+        ends = int(points.min()), int(points.max())
+        events.append(CurveEvent(EventKind.DRAG, *ends, drag.force, drag.error, "N", confidence, remark))
+    return _ordered(events)
+
+
+def _ordered(events: list[CurveEvent]) -> CurveEvents:
+    order = list(EventKind)
+    return CurveEvents(sorted(events, key=lambda event: (event.first, order.index(event.kind))))
+
+
+def _segment_events(record: Record) -> list[CurveEvent]:
+    return [_segment_event(record, segment) for segment in record.segments]
+
+
+def _segment_event(record: Record, segment: Segment) -> CurveEvent:
+    """Return the event of a segment; it begins at the last point of the one before."""
+    before, last = max(segment.first - 1, 0), segment.last
+    force = float(record.force[last] - record.force[before])
+    travel = float(record.position[last] - record.position[before])
+    kind = KINDS[segment.kind]
+    ends = segment.first, segment.last
+    if segment.kind is not SegmentKind.HOLD:
+        return CurveEvent(kind, *ends, force, unit="N", remark=f"position by {with_unit(travel, 'm')}")
+    level = with_unit(float(np.median(record.force[segment.first : last + 1])), "N")
+    remark = f"at {level}, position by {with_unit(travel, 'm')}, force by {with_unit(force, 'N')}"
+    if not record.timed:
+        return CurveEvent(kind, *ends, float(segment.count), remark=remark)
+    duration = float(record.time[last] - record.time[before])
+    return CurveEvent(kind, *ends, duration, unit="s", remark=remark)
+
+
+def _baselines(record: Record, free: tuple[Array, Array]) -> list[CurveEvent]:
+    events = []
+    for kind, points in zip((EventKind.BASELINE_BEFORE, EventKind.BASELINE_AFTER), free, strict=True):
+        if points.size > 1:
+            along = np.arange(points.size)
+            force = record.force[points]
+            left = force - np.polyval(np.polyfit(along, force - force.mean(), 1), along) - force.mean()
+            remark = f"noise {with_unit(float(np.sqrt(left @ left / max(points.size - 2, 1))), 'N')}"
+            travel = float(np.ptp(record.position[points]))
+            events.append(CurveEvent(kind, int(points[0]), int(points[-1]), travel, unit="m", remark=remark))
+    return events
+
+
+def _happened(record: Record, parts: FreeParts) -> list[CurveEvent]:
+    """Return snap-in, pop-ins and pull-off as they are found."""
+    events = []
+    going, coming = record.incoming, record.outgoing
+    first = going.start + parts.before.count
+    if (snap := tension(record.force[going], parts.before)) is not None and parts.before.count < going.stop:
+        ends = going.start + snap.first, going.start + snap.last
+        first = max(first, ends[1] + 1)
+        confidence = confidence_of(snap.size / snap.error if snap.error else 40.0, parts.before.count)
+        remark = "sudden" if snap.sudden else "gradual"
+        events.append(CurveEvent(EventKind.SNAP_IN, *ends, snap.size, snap.error, "N", confidence, remark))
+    for each in pop_ins(record, first):
+        confidence = confidence_of(min(each.ratio, 40.0), record.count)
+        remark = f"at {with_unit(float(record.force[each.index - 1]), 'N')}"
+        ends = each.index - 1, each.index
+        events.append(CurveEvent(EventKind.POP_IN, *ends, each.size, each.error, each.unit, confidence, remark))
+    if (pull := tension(record.force[coming][::-1], parts.after)) is not None:
+        ends = coming.stop - 1 - pull.last, coming.stop - 1 - pull.first
+        confidence = confidence_of(pull.size / pull.error if pull.error else 40.0, parts.after.count)
+        remark = "sudden" if pull.sudden else "gradual"
+        events.append(CurveEvent(EventKind.PULL_OFF, *ends, pull.size, pull.error, "N", confidence, remark))
+    return events
+
+
+def _stated(record: Record) -> list[CurveEvent]:
+    """Return the events that are stated, with the sizes that the curve shows there."""
+    events = []
+    names = {mark: EventKind(name) for name, mark in MARKS.items() if mark != FREE}
+    turns = np.flatnonzero(np.diff(record.marks)) + 1
+    for part in np.split(np.arange(record.count), turns):
+        kind = names.get(float(record.marks[part[0]]))
+        if kind is None:
+            continue
+        first, last = int(part[0]), int(part[-1])
+        ends = [max(first - 1, 0), last]
+        force, travel = (float(np.diff(column[ends])[0]) for column in (record.force, record.position))
+        if kind is EventKind.POP_IN:
+            size, unit = (-force, "N") if force < 0.0 else (travel, "m")
+        else:
+            level = float(np.median(record.force[free])) if (free := _next_free(record, kind)).size else 0.0
+            size, unit = level - float(record.force[part].min()), "N"
+        events.append(CurveEvent(kind, first, last, size, unit=unit, remark="stated"))
+    return events
+
+
+def _next_free(record: Record, kind: EventKind) -> Array:
+    before, after = free_points(record)
+    return before if kind is EventKind.SNAP_IN else after
+
+
+def _saturations(record: Record, free: tuple[Array, Array]) -> list[CurveEvent]:
+    out = np.concatenate(free)
+    level = float(np.median(record.force[out])) if out.size else float(record.force[0])
+    moving = np.flatnonzero(record.direction != 0.0)
+    if moving.size < 2 or not float(np.ptp(record.force)) > 0.0:
+        return []
+    branch = moving[record.direction[moving] > 0.0]
+    branch = branch if branch.size > 1 else moving[record.direction[moving] == OUT]
+    rows = saturated_rows(record.position[branch], record.force[branch], level)
+    return [
+        CurveEvent(
+            EventKind.SATURATION,
+            int(branch[row[0]]),
+            int(branch[row[-1]]),
+            float(record.force[branch[row[0]]]),
+            unit="N",
+            remark=f"{row.size} points",
+        )
+        for row in rows
+    ]
