@@ -11,7 +11,7 @@ from winkler.fitting.curves.events.kinds import CurveEvent, CurveEvents, EventKi
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent
-from winkler.plot.panel import Band, Line, Panel, PanelAxis, Rule, Sheet, Text, note, titled
+from winkler.plot.panel import Band, Line, Panel, PanelAxis, Rule, Sheet, Text, titled
 from winkler.plot.series import Series
 from winkler.vocabulary import Word
 
@@ -114,8 +114,9 @@ def _over_position(curve: ForceCurve, phases: list[_Phase], events: CurveEvents)
         named.add(name)
         marks.append(Line(position.content[own], force.content[own], COLOURS[phase.kind], name=shown, **look))
     marks += _event_marks(events, position.content, force.content, named=True)
-    if noted := [_noted(event) for kind in NOTED for event in events.of(kind)]:
-        marks.append(note("\n".join(noted), "lower right"))
+    nowhere = np.full(1, np.nan)
+    for event in (event for kind in NOTED for event in events.of(kind)):
+        marks.append(Line(nowhere, nowhere, style.INK, width=0.0, name=_noted(event)))
     upright = PanelAxis.of(force, margin=0.06, headroom=0.0)
     return Panel(tuple(marks), PanelAxis.of(position, margin=0.02), upright, legend="upper left", marker_scale=2.0)
 
@@ -147,5 +148,5 @@ def _place(event: CurveEvent, force: Array) -> int:
 
 def _noted(event: CurveEvent) -> str:
     """Return an event of the whole curve in one line."""
-    remark = f", {event.remark}" if event.kind is EventKind.INTERFERENCE else ""
-    return f"{event.kind.value} {with_error(event.size, event.error, event.unit)}{remark}"
+    remark = f",\n{event.remark}" if event.kind is EventKind.INTERFERENCE else ""
+    return f"{event.kind.value}, {with_error(event.size, event.error, event.unit)}{remark}"

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.fitting.curves.events.record import Record
+from winkler.fitting.curves.events.record import Record, deviation
 from winkler.numerics.types import Array
 
 __all__ = ["ClockOffset", "clock_offset_of", "is_certain"]
@@ -22,10 +22,14 @@ MOST_LATE = 150
 """Greatest offset that is sought, in points."""
 LEAST_KINK_RATIO = 8.0
 """Least change of slope over its standard error."""
-LEAST_RATIO, LEAST_POINTS = 5.0, 0.3
+LEAST_RATIO, LEAST_POINTS = 6.0, 0.5
 """Least offset over its standard error, and in points."""
 MOST_CHI_SQUARE = 9.0
 """Greatest squared difference between the offsets of two edges, over its variance."""
+LEAST_FORCE_SHARE = 0.2
+"""Least force at an edge above the least force, in parts of the range: at first contact the force has no kink."""
+MOST_LEFT_RATIO, MOST_LEFT_SHARE = 2.0, 1e-3
+"""Greatest scatter about two parabolas over the noise between neighbours, or else over the range of the signal."""
 SYSTEMATIC_POINTS = 0.05
 """Error of a kink between points that two parabolas leave, in points."""
 
@@ -61,12 +65,13 @@ def clock_offset_of(record: Record, contact: Array) -> ClockOffset | None:
     """
     if not record.timed:
         return None
+    loaded = contact & (record.force > record.force.min() + LEAST_FORCE_SHARE * float(np.ptp(record.force)))
     turns = (np.flatnonzero(np.diff(record.direction)) + 1).tolist()
     bounds = [0, *turns, record.count]
     found: list[tuple[int, float, float]] = []
     for place, turn in enumerate(turns, start=1):
         room = min(turn - bounds[place - 1], bounds[place + 1] - turn)
-        if room < 2 * FEWEST_POINTS or not contact[max(turn - 1, 0) : turn + 1].all():
+        if room < 2 * FEWEST_POINTS or not loaded[turn]:
             continue
         reach = min(room // 2, MOST_LATE)
         kinks = [_kink(record.time, signal, turn, reach) for signal in (record.position, record.force)]
@@ -100,8 +105,16 @@ def _kink(time: Array, signal: Array, turn: int, reach: int) -> _Kink | None:
     centres = np.arange(first, last)
     centre = int(centres[np.argmax(np.abs(slopes[centres] - slopes[centres - size]))])
     size = int(np.clip(2 * size, FEWEST_POINTS, MOST_POINTS))
-    own = np.arange(max(centre - size, 0), min(centre + size + 1, signal.size))
-    return _located(time[own] - time[centre], signal[own], time[centre])
+    located = []
+    for reached in (size, size // 2):
+        own = np.arange(max(centre - reached, 0), min(centre + reached + 1, signal.size))
+        located.append(_located(time[own] - time[centre], signal[own], time[centre]))
+    wide, narrow = located
+    if wide is None or narrow is None:
+        return None
+    # where a parabola does not describe one side, the kink moves with the window
+    error = math.hypot(max(wide.error, narrow.error), wide.time - narrow.time)
+    return _Kink(narrow.time, error, min(wide.ratio, narrow.ratio))
 
 
 def _located(time: Array, signal: Array, origin: float) -> _Kink | None:
@@ -123,6 +136,9 @@ def _located(time: Array, signal: Array, origin: float) -> _Kink | None:
     rest = y - columns @ numbers
     freedom = max(x.size - 6, 1)
     variance = float(rest @ rest) / freedom
+    noise = deviation(np.diff(y, 2)) / math.sqrt(6.0)
+    if math.sqrt(variance) > max(MOST_LEFT_RATIO * noise, MOST_LEFT_SHARE * float(np.ptp(y))):
+        return None
     # the derivative with respect to the place of the kink joins the columns
     moved = (_columns(x, at + 0.01)[:, 3:] - columns[:, 3:]) @ numbers[3:] / 0.01
     spread = np.linalg.pinv(np.column_stack([columns, moved]).T @ np.column_stack([columns, moved]))

@@ -27,6 +27,8 @@ LEAST_PERSISTENCE = 3
 KEPT_SHARE = 0.97
 MOST_LINE_SHARE = 0.4
 """Greatest change of the force along a free line, relative to the range of forces."""
+MOST_SLOPE_SHARE = 0.5
+"""Greatest slope of a free line, relative to the mean slope behind it."""
 ROUNDS = 4
 
 
@@ -102,7 +104,7 @@ def free_branch(force: Array) -> FreeBranch:
     if count < FEWEST_FREE:
         return FreeBranch(0)
     branch = _line(force, count, averaged)
-    return FreeBranch(0) if _is_contact(branch, span) else branch
+    return FreeBranch(0) if _is_contact(force, branch, span) else branch
 
 
 def _split(force: Array) -> int:
@@ -155,6 +157,12 @@ def _departure(force: Array, branch: FreeBranch, span: float) -> int:
     return int(found[0]) if found.size else int(force.size)
 
 
-def _is_contact(branch: FreeBranch, span: float) -> bool:
-    """Return whether the line itself is a good part of the force: a machine that drives the force, or no contact."""
-    return abs(branch.slope) * branch.count > MOST_LINE_SHARE * span
+def _is_contact(force: Array, branch: FreeBranch, span: float) -> bool:
+    """Return whether the line is a good part of the force, or nearly as steep as what follows it."""
+    change = abs(branch.slope) * branch.count
+    behind = force.size - branch.count
+    if change > MOST_LINE_SHARE * span:
+        return True
+    steepest = abs(float(force[-3:].mean() - branch.line(force.size)[branch.count - 1])) / max(behind, 1)
+    is_certain = change > DEPARTURE_TO_NOISE * branch.noise
+    return behind >= FEWEST_FREE and is_certain and abs(branch.slope) > MOST_SLOPE_SHARE * steepest

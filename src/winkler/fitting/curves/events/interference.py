@@ -120,7 +120,9 @@ def interference_of(parts: list[tuple[Array, Array]]) -> Interference | None:
     if found is None or found.score < LEAST_SCORE or not _is_shared(parts, origin, found.frequency):
         return None
     wave, numbers, design = _refined(2.0 * math.pi * found.frequency, place, free, left)
-    covariance = found.variance * np.linalg.pinv(design.T @ design)
+    sizes = np.linalg.norm(design, axis=0)
+    unit = design / sizes
+    covariance = found.variance * np.linalg.pinv(unit.T @ unit) / np.outer(sizes, sizes)
     cosine, sine = float(numbers[0]), float(numbers[1])
     amplitude = math.hypot(cosine, sine)
     along = np.array([cosine, sine]) / amplitude
@@ -232,7 +234,8 @@ def _refined(wave: float, place: Array, free: Array, left: Array) -> tuple[float
         slope = place * (numbers[1] * pair[:, 0] - numbers[0] * pair[:, 1])
         slope = slope - free @ (free.T @ slope)
         design = np.column_stack([pair_free, slope])
-        step = float(np.linalg.lstsq(design, left - pair_free @ numbers, rcond=None)[0][2])
+        sizes = np.linalg.norm(design, axis=0)
+        step = float(np.linalg.lstsq(design / sizes, left - pair_free @ numbers, rcond=None)[0][2]) / float(sizes[2])
         wave += step
         if abs(step) < 1e-10 * wave:
             break

@@ -48,6 +48,10 @@ SIZES = {
 """What the size of an event is, in words."""
 
 
+MOST_DIGITS = 6
+"""Most decimal places of a number with its error."""
+
+
 @value
 class CurveEvent:
     """One event of a force curve.
@@ -152,6 +156,8 @@ def with_error(number: float, error: float, unit: str) -> str:
         return with_unit(number, unit)
     scale = scale_of(unit, number)
     digits = max(1 - math.floor(math.log10(error / scale.factor)), 0)
+    if digits > MOST_DIGITS:
+        return f"{with_unit(number, unit)} ± {with_unit(error, unit, 2)}"
     return f"{number / scale.factor:.{digits}f} ± {error / scale.factor:.{digits}f} {scale.unit}".replace("-", "−")
 
 
