@@ -25,6 +25,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
+from winkler.fitting.curves.events.saturation import saturated_rows
 from winkler.fitting.curves.outline import (
     BASELINE_POINTS,
     FEWEST,
@@ -42,10 +43,6 @@ __all__ = ["CurveOutline", "Flag", "examined", "outline", "refuse", "unsaturated
 LONGEST_TRAVEL, GREATEST_FORCE = 0.1, 1e5
 MOST_DEFLECTION_RATIO = 1.5
 """Greatest deflection of a machine over its travel, up to the zero of force."""
-FEWEST_EQUAL_POINTS = 5
-LEAST_EQUAL_TRAVEL = 0.01
-LEAST_TENSION_SHARE = 0.05
-"""Least tension over the range of forces for a detector at its lower end."""
 LEAST_SLOPE_RATIO = 5.0
 """Least slope at the beginning over that at the end of a reversed curve."""
 TAIL_SHARE = 0.1
@@ -75,21 +72,8 @@ class Flag:
 
 def _saturated_points(curve: ForceCurve) -> Array:
     """Return the points of the longest plateaus at the largest and the least force during motion."""
-    level = far_force(single_direction(curve)[1])
-    least = float(curve.force.min())
-    # a coarse baseline may be constant, a tension is not
-    has_tension = level - least > LEAST_TENSION_SHARE * float(np.ptp(curve.force))
-    ends = [float(curve.force.max()), *([least] if has_tension else [])]
-    return np.concatenate([_longest_plateau(curve, end) for end in ends])
-
-
-def _longest_plateau(curve: ForceCurve, force: float) -> Array:
-    same = np.flatnonzero(curve.force == force)
-    rows = np.split(same, np.flatnonzero(np.diff(same) != 1) + 1)
-    longest = max(rows, key=len)
-    moved = float(np.ptp(curve.position[longest])) if longest.size else 0.0
-    enough = longest.size >= FEWEST_EQUAL_POINTS and moved > LEAST_EQUAL_TRAVEL * float(np.ptp(curve.position))
-    return longest if enough else longest[:0]
+    rows = saturated_rows(curve.position, curve.force, far_force(single_direction(curve)[1]))
+    return np.concatenate([np.zeros(0, dtype=int), *rows])
 
 
 def unsaturated(curve: ForceCurve) -> ForceCurve:

@@ -1,15 +1,18 @@
-r"""Corrections of a force curve: baseline, drift, drag.  Each is an explicit step.
+r"""Corrections of a force curve: baseline, drift, drag, interference, clock.  Each is an explicit step.
 
 `free_line`, `drift_rate` and `drag_force` estimate a correction; functions `without_...` return a corrected curve.
 """
 
 from __future__ import annotations
 
+import dataclasses
+
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.fitting.curves.checks import outline
 from winkler.fitting.curves.curve import ForceCurve
+from winkler.fitting.curves.events.found import drag_in, kept_points
+from winkler.fitting.curves.events.interference import Interference
 from winkler.numerics.types import Array
 from winkler.values import value, words
 
@@ -20,14 +23,14 @@ __all__ = [
     "free_line",
     "free_part",
     "without_baseline",
+    "without_clock_offset",
     "without_drag",
     "without_drift",
     "without_force_drift",
+    "without_interference",
 ]
 
 FEWEST = 10
-EXCLUDED_SHARE = 0.1
-"""Part of the approach before contact that is not counted as free, because of attraction."""
 
 
 @value
@@ -62,7 +65,9 @@ class FreeLine:
 
 
 def free_part(curve: ForceCurve) -> ForceCurve:
-    """Return the points out of contact: before first touch, less a tenth of that distance.
+    """Return the points out of contact, less the tenth of them nearest to contact, because of attraction.
+
+    Points that are stated as baseline (`ForceCurve.with_events`) are taken as they are.
 
     Raises
     ------
@@ -70,20 +75,8 @@ def free_part(curve: ForceCurve) -> ForceCurve:
         If there are fewer than ten.
     """
     free = np.zeros(curve.count, dtype=bool)
-    for direction in (1.0, -1.0):
-        selected = curve.direction == direction
-        if np.count_nonzero(selected) < FEWEST:
-            continue
-        part = curve.chosen(selected)
-        rough_outline = outline(part)
-        end = rough_outline.contact_point
-        if rough_outline.pull > 0.0:  # an adhesive contact extends beyond first touch
-            line = rough_outline.baseline + rough_outline.slope * (part.position - end)
-            in_tension = part.force < line - 0.5 * rough_outline.pull
-            end = float(part.position[in_tension].min(initial=end))
-        start = float(part.position.min())
-        if rough_outline.before >= FEWEST:
-            free |= selected & (curve.position < start + (1.0 - EXCLUDED_SHARE) * (end - start))
+    for points in kept_points(curve.record):
+        free[points] = True
     if np.count_nonzero(free) < FEWEST:
         raise InvalidInput(
             f"no_baseline: curve '{curve.name}' has {int(np.count_nonzero(free))} points out of contact; at least "
@@ -163,13 +156,13 @@ def without_force_drift(curve: ForceCurve, rate: float) -> ForceCurve:
 def drag_force(curve: ForceCurve) -> float:
     """Return the force of the liquid on the moving tip [N]: half the difference between approach and retraction.
 
-    Both must have the same speed, and are compared at the same positions: a tilt is no drag.  Positive: against the
-    motion.
+    Both must have the same speed.  They are compared at the same positions, so that a tilt is no drag; a drift of the
+    force in the order of measurement is taken into account where it is certain.  Positive: against the motion.
 
     Raises
     ------
     InvalidInput
-        If one direction is missing, or has too few free points.
+        If one direction is missing, or has too few free points, or the drift between them is too large.
     """
     free = free_part(curve)
     for word, inward in (("approach", 1.0), ("retract", -1.0)):
@@ -179,11 +172,13 @@ def drag_force(curve: ForceCurve) -> float:
                 f"drag: curve '{curve.name}' has {int(np.count_nonzero(selected))} free points on {word}; at least "
                 f"{FEWEST} are needed in either direction."
             )
-    middle = free.position.mean()
-    half = float(np.ptp(free.position)) or 1.0
-    columns = np.stack([np.ones(free.count), (free.position - middle) / half, free.direction], axis=1)
-    level = float(free.force.mean())
-    return float(np.linalg.lstsq(columns, free.force - level, rcond=None)[0][2])
+    drag = drag_in(curve.record)
+    if drag is None:
+        raise InvalidInput(
+            f"drag: the force of curve '{curve.name}' drifts by more than its own range between approach and "
+            "retraction, so that drag is not determined; correct nothing, or state the baseline."
+        )
+    return drag.force
 
 
 def without_drag(curve: ForceCurve, drag: float) -> ForceCurve:
@@ -198,8 +193,45 @@ def without_drag(curve: ForceCurve, drag: float) -> ForceCurve:
     return _with(curve, curve.position, curve.force - drag * curve.direction)
 
 
+def without_interference(curve: ForceCurve, found: Interference) -> ForceCurve:
+    """Return a curve without the sinusoid over the position, in contact as well.
+
+    Parameters
+    ----------
+    curve : ForceCurve
+    found : Interference
+        As from `winkler.fitting.curves.events.found.interference_in`.
+    """
+    return _with(curve, curve.position, curve.force - found.at(curve.position))
+
+
+def without_clock_offset(curve: ForceCurve, offset: float) -> ForceCurve:
+    """Return a curve whose forces are those of the times of its positions, interpolated between the points.
+
+    Points whose force lies outside the measurement are left out.
+
+    Parameters
+    ----------
+    curve : ForceCurve
+    offset : float
+        Time by which the force is recorded late [s]; negative: early.
+
+    Raises
+    ------
+    InvalidInput
+        If the times are unknown, or the offset is as long as the curve.
+    """
+    if not curve.timed:
+        raise InvalidInput(f"clock: curve '{curve.name}' has no times; give them, or correct nothing.")
+    wanted = curve.time + offset
+    inside = (wanted >= curve.time[0]) & (wanted <= curve.time[-1])
+    if np.count_nonzero(inside) < FEWEST:
+        raise InvalidInput(f"clock: an offset of {offset:.3g} s leaves no points of curve '{curve.name}'; give less.")
+    return _with(curve, curve.position, np.interp(wanted, curve.time, curve.force)).chosen(inside)
+
+
 def _with(curve: ForceCurve, position: Array, force: Array) -> ForceCurve:
-    return ForceCurve(position, force, curve.machine_stiffness, curve.time, curve.direction, curve.name)
+    return dataclasses.replace(curve, position=position, force=force)
 
 
 def _elapsed(curve: ForceCurve) -> Array:

@@ -18,11 +18,11 @@ from winkler.vocabulary import Word
 __all__ = ["curve_sheet"]
 
 COLOURS = {
-    EventKind.BASELINE_BEFORE: style.MUTED,
     EventKind.LOADING: style.BLUE,
     EventKind.HOLD: style.ORANGE,
     EventKind.PARTIAL_UNLOADING: style.SKY,
     EventKind.LAST_UNLOADING: style.GREEN,
+    EventKind.BASELINE_BEFORE: style.MUTED,
     EventKind.BASELINE_AFTER: style.MUTED,
 }
 """Phases, drawn as bands; baselines cover the segments that they belong to."""
@@ -107,7 +107,7 @@ def _over_position(curve: ForceCurve, phases: list[_Phase], events: CurveEvents)
     marks: list[Any] = []
     look: dict[str, Any] = {"width": 0.8, "marker": ".", "size": 2.5, "coarse": curve.count > MOST_DOTS}
     named: set[str] = set()
-    for phase in phases:
+    for phase in sorted(phases, key=lambda phase: list(COLOURS).index(phase.kind)):
         own = slice(max(phase.first - 1, 0), phase.last + 1)
         name = "baseline" if "baseline" in phase.kind.value else phase.kind.value
         shown = "" if name in named else name

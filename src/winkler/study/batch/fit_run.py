@@ -40,9 +40,10 @@ from winkler.study.batch.stream import results
 from winkler.study.language.canonical import how_fitted
 from winkler.study.language.correcting import corrected
 from winkler.study.language.fit_study import FitStudy
+from winkler.study.language.segmenting import segmented, with_stated_events
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["FitWatch", "fit_curves", "fit_study", "gather_fits", "pieces"]
+__all__ = ["FitWatch", "fit_curves", "fit_study", "gather_fits", "measured_curve", "pieces"]
 
 NO_RESULTS: Mapping[int, Results] = MappingProxyType({})
 FitWatch = Callable[[Iterable[FitState | AnyFit]], Iterable[FitState | AnyFit]]
@@ -178,7 +179,8 @@ def _fit_curve(study: FitStudy, one: PlacedCurve | UnreadCurve, where: str, watc
         reason = re.sub(rf"^\S*{re.escape(file)}: ", "", one.reason)
         return Refused(name, math.nan, math.nan, reason, InvalidInput.exit_code)
     try:
-        curve, steps = corrected(one.curve, study.correct, study.frame_stiffness, study.part, study.segments)
+        how = study.correct, study.frame_stiffness, study.part, study.segments, study.events
+        curve, steps = corrected(one.curve, *how)
         fitted = _fit_of(study, curve, watch)
         return Fitted(name, one.x, one.y, steps, fitted, _notes(fitted))
     except WinklerError as error:
@@ -197,6 +199,23 @@ def _fit_of(study: FitStudy, curve: ForceCurve, watch: FitWatch | None) -> AnyFi
     last = list(watch(steps))[-1]
     assert isinstance(last, AnyFit)
     return last
+
+
+def measured_curve(study: FitStudy, result: Fitted) -> ForceCurve:
+    """Return the curve of a file with its stated segments and events; the fitted part of it if it cannot be read again.
+
+    Curves of a map are not read again.
+    """
+    for path in study.sources:
+        if path_from_study(study, path) == result.name:
+            try:
+                (one,) = _read(study, path)
+                if isinstance(one, PlacedCurve):
+                    curve = segmented(one.curve, study.segments) if study.segments else one.curve
+                    return with_stated_events(curve, study.events)
+            except (WinklerError, ValueError):  # changed since, or several curves
+                break
+    return result.fit.curve
 
 
 def _notes(fitted: AnyFit) -> tuple[Note, ...]:

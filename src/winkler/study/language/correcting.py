@@ -14,12 +14,17 @@ from winkler.fitting.curves.corrections import (
     drift_rate,
     free_line,
     without_baseline,
+    without_clock_offset,
     without_drag,
     without_drift,
+    without_interference,
 )
 from winkler.fitting.curves.curve import ForceCurve
+from winkler.fitting.curves.events.clock import is_certain
+from winkler.fitting.curves.events.found import clock_offset_in, interference_in
+from winkler.fitting.curves.events.kinds import with_error
 from winkler.readable import with_unit
-from winkler.study.language.segmenting import segmented, segments_text
+from winkler.study.language.segmenting import events_text, segmented, segments_text, with_stated_events
 
 __all__ = ["CORRECTIONS", "Corrected", "corrected"]
 
@@ -60,17 +65,51 @@ def _saturation(curve: ForceCurve) -> Corrected:
     return Corrected(left, (sentence,))
 
 
+def _interference(curve: ForceCurve) -> Corrected:
+    found = interference_in(curve.record)
+    if found is None:
+        sentence = "interference: no sinusoid over the position stands out of the noise; nothing was subtracted."
+        return Corrected(curve, (sentence,))
+    deepest = float(found.error_at(curve.position[np.argmax(curve.force)]))
+    sentence = (
+        f"interference: a sinusoid of the amplitude {with_error(found.amplitude, found.amplitude_error, 'N')} and the "
+        f"period {with_error(found.period, found.period_error, 'm')} over the position was fitted out of contact and "
+        f"subtracted everywhere; at the largest force it is uncertain by {with_unit(deepest, 'N', 2)}."
+    )
+    return Corrected(without_interference(curve, found), (sentence,))
+
+
+def _clock(curve: ForceCurve) -> Corrected:
+    found = clock_offset_in(curve.record)
+    if found is None:
+        sentence = "clock: no edge of the motion determines an offset of force and position; nothing was shifted."
+        return Corrected(curve, (sentence,))
+    offset = with_error(found.offset, found.error, "s")
+    if not is_certain(found, curve.record):
+        sentence = f"clock: the force is late by {offset}, which is not certain; nothing was shifted."
+        return Corrected(curve, (sentence,))
+    sentence = f"clock: the force was recorded late by {offset}, and was shifted by interpolation in time."
+    return Corrected(without_clock_offset(curve, found.offset), (sentence,))
+
+
 CORRECTIONS: dict[str, Callable[[ForceCurve], Corrected]] = {
     "baseline": _baseline,
     "drift": _drift,
     "drag": _drag,
     "saturation": _saturation,
+    "interference": _interference,
+    "clock": _clock,
 }
 """Corrections that ``correct`` may list."""
 
 
 def corrected(
-    curve: ForceCurve, names: tuple[str, ...], frame_stiffness: float, part: str, segments: tuple[str, ...] = ()
+    curve: ForceCurve,
+    names: tuple[str, ...],
+    frame_stiffness: float,
+    part: str,
+    segments: tuple[str, ...] = (),
+    events: tuple[str, ...] = (),
 ) -> Corrected:
     """Return the part of a curve that is fitted, after the corrections in their order.
 
@@ -86,14 +125,16 @@ def corrected(
         approach, hold (with the approach), retract or both.
     segments : tuple of str, optional
         As they are stated, from `winkler.study.language.segmenting`.
+    events : tuple of str, optional
+        As they are stated, from `winkler.study.language.segmenting`.
 
     Raises
     ------
     InvalidInput
         If the curve does not hold what a correction needs.
     """
-    curve = segmented(curve, segments) if segments else curve
-    steps = list(segments_text(curve))
+    curve = with_stated_events(segmented(curve, segments) if segments else curve, events)
+    steps = [*segments_text(curve), *events_text(events)]
     if np.isfinite(frame_stiffness):
         curve = on_frame(curve, 1.0 / frame_stiffness)
         steps.append(f"frame: its stiffness of {with_unit(frame_stiffness, 'N/m')} was taken into account.")

@@ -12,7 +12,7 @@ from winkler.study.language import quantities
 from winkler.study.language.correcting import CORRECTIONS
 from winkler.study.language.quantities import WHERE, wrong
 from winkler.study.language.schema import FORBID, MISSING
-from winkler.study.language.segmenting import stated_segments
+from winkler.study.language.segmenting import stated_events, stated_segments
 
 __all__ = ["fit_form"]
 
@@ -49,6 +49,7 @@ def fit_form() -> type[BaseModel]:
         curve=(StrictStr, ...),
         part=(PARTS, ...),
         segments=(Annotated[Any, BeforeValidator(stated_segments)], MISSING),
+        events=(Annotated[Any, BeforeValidator(stated_events)], MISSING),
         fitted=(FITTED_QUANTITIES, MISSING),
         free=(dict[str, Any], ...),
         spring_constant=(_positive("N/m"), MISSING),

@@ -88,6 +88,8 @@ class FitStudy:
         approach, hold (with the approach), retract or both.
     segments : tuple of str
         "found", or kinds with their beginnings, as "hold 12 s"; empty: as the file states, or as detected.
+    events : tuple of str
+        "none", or events with their places, as "pop-in 3.1 s"; empty: as found.
     fitted
         force, or of a body that relaxes position, under the measured forces.
     correct : tuple of str
@@ -114,6 +116,7 @@ class FitStudy:
     free: tuple[Free, ...]
     part: str = "approach"
     segments: tuple[str, ...] = ()
+    events: tuple[str, ...] = ()
     fitted: str = "force"
     correct: tuple[str, ...] = ()
     spring_constant: float = 0.0

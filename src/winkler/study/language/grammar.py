@@ -43,12 +43,14 @@ SECTIONS: dict[str, dict[str, str]] = {
         "part": "approach, hold (with the approach, of a body that relaxes), retract or both",
         "segments": 'where the curve is loaded, held and unloaded, if not as detected: a list such as "hold 12 s" or, '
         'by the number of the point, "hold 1200"; or "found", whatever the file states',
+        "events": 'what happened, if not as found: a list such as "baseline 0 s to 2.5 s", "pop-in 3.1 s", also by the '
+        'numbers of the points; or "none"',
         "fitted": "force, or of a body that relaxes position, which then follows from the measured forces",
         "free": "what is fitted: a table, one key of the problem or of the curve in each line",
         "spring_constant": "of the cantilever, where the file does not state it; replaces the file's",
         "sensitivity": "deflection per volt, where the file holds a voltage",
         "frame_stiffness": "of the frame of the machine, which deforms too",
-        "correct": "corrections in their order: a list of baseline, drift, drag, saturation",
+        "correct": "corrections in their order: a list of baseline, drift, drag, saturation, interference, clock",
         "noise": "standard deviation of what is fitted; read from the points out of contact if left out",
         "time_limit": "the longest that the fit of one curve may take; without end if left out",
     },

@@ -16,6 +16,7 @@ from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.readable import with_unit
 from winkler.study.batch.fit_outcome import FitOutcome
 from winkler.study.batch.fit_recording import path_from_study
+from winkler.study.batch.fit_run import measured_curve
 from winkler.study.chapters.contents import formulas_of
 from winkler.study.language.fit_study import FitStudy, Free
 from winkler.study.language.study import Study
@@ -32,6 +33,8 @@ __all__ = ["figures_of", "figures_of_curves", "figures_of_many", "page", "steps"
 
 MOST_CURVES_DRAWN = 12
 """Curves that are drawn, spread evenly over all."""
+MOST_MEASURED_DRAWN = 3
+"""Curves that are also drawn as they were measured, with what was done: the first ones."""
 PLACEHOLDERS = ("load", "path", "normal", "lateral")
 """Parts of a model that its curve replaces."""
 LEAST_SHOWN_TOGETHER = 3
@@ -75,7 +78,12 @@ def figures_of_curves(outcome: FitOutcome) -> Iterator[ReportFigure]:
                 "Left the curve and the fitted model over time, below what is left over; right the force over the "
                 "depth, and the relaxation with its 95 % interval, grey where the curve does not determine it."
             )
-        yield drawn(f"curve_{outcome.results.index(result) + 1}", result.name, sentence, sheet_of(result.fit))
+        number = outcome.results.index(result) + 1
+        yield drawn(f"curve_{number}", result.name, sentence, sheet_of(result.fit))
+        if place in chosen[:MOST_MEASURED_DRAWN]:
+            curve = measured_curve(outcome.study, result)
+            events = " ".join(f"{line}." for line in curve.events.lines(curve.time if curve.timed else ()))
+            yield drawn(f"measured_{number}", f"{result.name}: what was done", events, sheet_of(curve))
 
 
 def _stem(free: Free) -> str:

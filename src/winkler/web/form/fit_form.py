@@ -204,5 +204,6 @@ def measurement(table: dict[str, Any]) -> tuple[FormEntry, ...]:
     return (
         *numbers,
         form.entry_at(table, "fit.segments", "segments", hints["segments"], "list of text"),
+        form.entry_at(table, "fit.events", "events", hints["events"], "list of text"),
         form.entry_at(table, "fit.correct", "corrections", steps, "list of text"),
     )

@@ -19,9 +19,9 @@ from winkler.fitting.curves.segments import Segment, SegmentKind
 from winkler.numerics.types import Array
 from winkler.readable import with_unit
 
-__all__ = ["clock_offset_in", "drag_in", "events_of", "free_points", "interference_in"]
+__all__ = ["clock_offset_in", "drag_in", "events_of", "free_points", "interference_in", "kept_points"]
 
-KEPT_FREE_SHARE = 0.9
+KEPT_FREE_SHARE = 0.92
 """Part of the free travel in which interference and drag are sought: attraction bends the rest."""
 LEAST_DRAG_RATIO = 5.0
 KINDS = {kind: EventKind(kind.value) for kind in SegmentKind}
@@ -38,24 +38,24 @@ def free_points(record: Record) -> tuple[Array, Array]:
     return parts.before_points, parts.after_points
 
 
-def _kept(record: Record, parts: tuple[Array, Array]) -> tuple[Array, Array]:
-    """Return the free points without those next to contact, unless they are stated."""
+def kept_points(record: Record) -> tuple[Array, Array]:
+    """Return the free points before and after contact without those next to it, unless they are stated."""
+    before, after = free_points(record)
     if np.any(record.marks == FREE):
-        return parts
-    before, after = parts
+        return before, after
     return before[: int(KEPT_FREE_SHARE * before.size)], after[after.size - int(KEPT_FREE_SHARE * after.size) :]
 
 
 def interference_in(record: Record) -> Interference | None:
     """Return the interference in the free points; None if there is none."""
     return interference_of(
-        [(record.position[part], record.force[part]) for part in _kept(record, free_points(record)) if part.size]
+        [(record.position[part], record.force[part]) for part in kept_points(record) if part.size]
     )
 
 
 def drag_in(record: Record) -> Drag | None:
     """Return the drag; None with fewer than ten free points in either direction."""
-    free = np.concatenate(_kept(record, free_points(record)))
+    free = np.concatenate(kept_points(record))
     free = free[record.direction[free] != 0.0]
     moving = record.direction[free]
     if min(np.count_nonzero(moving > 0.0), np.count_nonzero(moving < 0.0)) < FEWEST_FREE:
@@ -84,7 +84,7 @@ def events_of(record: Record) -> CurveEvents:
         events += _happened(record, free_parts(record))
     events += _saturations(record, free)
     if (found := interference_in(record)) is not None:
-        points = np.concatenate(_kept(record, free))
+        points = np.concatenate(kept_points(record))
         remark = f"period {with_error(found.period, found.period_error, 'm')}"
         events.append(
             CurveEvent(

@@ -25,7 +25,7 @@ LEAST_PERIODS, POINTS_PER_PERIOD = 2.0, 4.0
 OVERSAMPLING = 3
 MOST_POINTS, MOST_FREQUENCIES = 600, 600
 """Most points of a direction, means of neighbours beyond, and most trial frequencies."""
-LEAST_SCORE = 16.0
+LEAST_SCORE = 18.0
 """Least squares explained over those that noise explains."""
 LEAST_SHARED = 0.6
 """Least part of the squares of each direction that the common sinusoid explains."""
