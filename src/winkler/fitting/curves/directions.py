@@ -17,6 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.fitting.curves.turn_holds import turn_hold
 from winkler.numerics.types import Array
 
 __all__ = ["HELD", "IN", "OUT", "found_directions"]
@@ -30,9 +31,12 @@ HOLD_BANDS = (5e-4, 1.5e-3, 5e-3)
 """Widths of a hold about its level, in parts of the span."""
 HOLD_DENSITY_RATIO, FEWEST_HOLD_POINTS, WIDE_BAND_RATIO = 6.0, 5, 1.7
 """Least density of samples in a hold over that of a motion, fewest samples, and greatest ratio in a wider band."""
+MOST_STRAYS = 4
+"""Most points beside a hold that belong to it, although they lead to the turn."""
 MOST_AVERAGED, POINTS_PER_AVERAGED = 5, 60
 """Most averaged neighbours under noise, and samples required for each."""
-LEVEL_COUNT = 25
+LEVEL_COUNT, SAMPLES_PER_LEVEL = 25, 8
+"""Most levels, and samples in each, by which the evenness of a signal is measured."""
 FREE_FORCE_SHARE = 0.05
 """Part of the span of the force below which the tip may be out of contact."""
 CREEP_SPEED_RATIO = 1.0 / 3.0
@@ -102,12 +106,23 @@ def _by_force(place: Array, load: _Signal, is_loaded: Array) -> Array:
         travel = place[part.last] - place[part.first]
         free = np.mean(is_loaded[own_points]) <= 0.5 and abs(travel) > FREE_FORCE_SHARE
         direction[own_points] = np.sign(travel) if free else HELD
-    return direction
+    return _without_strays(direction)
 
 
 def _with_holds(direction: Array, holds: list[_Plateau]) -> Array:
     for part in holds:
         direction[part.first : part.last + 1] = HELD
+    return _without_strays(direction)
+
+
+def _without_strays(direction: Array) -> Array:
+    """Return directions in which a few points between a hold and a motion the other way belong to the hold."""
+    edges = [0, *(np.flatnonzero(np.diff(direction)) + 1).tolist(), direction.size]
+    for before, first, end, behind in zip(edges[:-3], edges[1:-2], edges[2:-1], edges[3:], strict=True):
+        neighbours = {float(direction[before]), float(direction[end])}
+        is_stray = end - first <= MOST_STRAYS and min(first - before, behind - end) > MOST_STRAYS
+        if is_stray and direction[first] != HELD and neighbours == {HELD, -float(direction[first])}:
+            direction[first:end] = HELD
     return direction
 
 
@@ -167,9 +182,9 @@ def _stretches(signal: _Signal) -> list[Array]:
     return [signal.level[a : b + 1] for a, b in zip(signal.turns[:-1], signal.turns[1:], strict=True) if b > a]
 
 
-def _counts(samples: Array) -> Array:
+def _counts(samples: Array, levels: int = LEVEL_COUNT) -> Array:
     """Return the number of samples in each level."""
-    return np.asarray(np.histogram(samples, bins=LEVEL_COUNT)[0])
+    return np.asarray(np.histogram(samples, bins=levels)[0])
 
 
 def _unevenness(signal: _Signal) -> float:
@@ -178,9 +193,16 @@ def _unevenness(signal: _Signal) -> float:
     travels = np.array([np.ptp(samples) for samples in parts])
     if not travels.size or not travels.sum() > 0.0:
         return 0.0
-    quartiles = np.array([np.quantile(_counts(samples), (0.25, 0.5, 0.75)) for samples in parts])
+    quartiles = np.array(
+        [np.quantile(_counts(samples, _levels(samples.size)), (0.25, 0.5, 0.75)) for samples in parts]
+    )
     spread = (quartiles[:, 2] - quartiles[:, 0]) / np.maximum(quartiles[:, 1], 1.0)
     return float(spread @ travels / travels.sum())
+
+
+def _levels(count: int) -> int:
+    """Return a number of levels that hold enough of `count` samples for their numbers to be compared."""
+    return max(min(LEVEL_COUNT, count // SAMPLES_PER_LEVEL), FEWEST_HOLD_POINTS)
 
 
 def _density(samples: Array) -> float:
@@ -220,7 +242,18 @@ def _plateaus(signal: _Signal) -> list[_Plateau]:
                 result.append(part)
         for place, (first, last) in enumerate(zip(turns[:-1], turns[1:], strict=True)):
             result += _within(level, first, last, width, densities[place + 1])
-    return _trimmed(level, result)
+    return [*_trimmed(level, result), *_short(signal, result)]
+
+
+def _short(signal: _Signal, found: list[_Plateau]) -> list[_Plateau]:
+    """Return the short holds at turns under noise, where none was found."""
+    turns, result = signal.turns, list[_Plateau]()
+    for before, turn, behind in zip(turns[:-2], turns[1:-1], turns[2:], strict=True):
+        if any(part.first - FEWEST_HOLD_POINTS <= turn <= part.last + FEWEST_HOLD_POINTS for part in found):
+            continue
+        hold = turn_hold(signal.level, signal.noise, before, turn, behind) if _averaged(signal) > 1 else None
+        result += [_Plateau(*hold)] if hold else []
+    return result
 
 
 def _reach(turns: list[int], place: int) -> tuple[int, int]:

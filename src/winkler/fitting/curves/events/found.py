@@ -23,7 +23,7 @@ __all__ = ["clock_offset_in", "drag_in", "events_of", "free_points", "interferen
 
 KEPT_FREE_SHARE = 0.92
 """Part of the free travel in which interference and drag are sought: attraction bends the rest."""
-LEAST_DRAG_RATIO = 5.0
+LEAST_DRAG_RATIO = 6.0
 KINDS = {kind: EventKind(kind.value) for kind in SegmentKind}
 
 
@@ -74,44 +74,47 @@ def clock_offset_in(record: Record) -> ClockOffset | None:
 def events_of(record: Record) -> CurveEvents:
     """Return the events of a curve; those that are stated are not sought."""
     stated = bool(record.marks.size)
-    free = free_points(record)
-    events = [*_segment_events(record), *_baselines(record, free)]
-    if stated:
-        events += _stated(record)
-        if not np.any(record.marks != NOTHING):
-            return _ordered([event for event in events if "baseline" not in event.kind.value])
-    else:
-        events += _happened(record, free_parts(record))
+    if stated and not np.any(record.marks != NOTHING):
+        return _ordered(_segment_events(record))
+    interference = interference_in(record)
+    plain = record
+    if interference is not None:  # what else happened is sought without it
+        plain = record._replace(force=record.force - interference.at(record.position))
+    free = free_points(plain)
+    events = [*_segment_events(record), *_baselines(plain, free)]
+    events += _stated(plain) if stated else _happened(plain, free_parts(plain))
     events += _saturations(record, free)
-    if (found := interference_in(record)) is not None:
-        points = np.concatenate(kept_points(record))
-        remark = f"period {with_error(found.period, found.period_error, 'm')}"
-        events.append(
-            CurveEvent(
-                EventKind.INTERFERENCE,
-                int(points.min()),
-                int(points.max()),
-                found.amplitude,
-                found.amplitude_error,
-                "N",
-                found.confidence,
-                remark,
-            )
-        )
-    offset = clock_offset_in(record)
-    if offset is not None and is_certain(offset, record):
-        confidence = confidence_of(offset.ratio, len(offset.edges))
-        remark = f"by {len(offset.edges)} edges of the motion" if len(offset.edges) > 1 else "by one edge of the motion"
-        ends = offset.edges[0], offset.edges[-1]
-        events.append(CurveEvent(EventKind.CLOCK_OFFSET, *ends, offset.offset, offset.error, "s", confidence, remark))
-    drag = drag_in(record)
+    if interference is not None:
+        events.append(_interference_event(record, interference))
+    offset = clock_offset_in(plain)
+    if offset is not None and is_certain(offset, plain):
+        events.append(_clock_event(offset))
+    drag = drag_in(plain)
     if drag is not None and drag.force > LEAST_DRAG_RATIO * drag.error:
-        points = np.concatenate(free)
-        remark = f"beside a drift of {with_unit(drag.drift, 'N')}" if drag.drift else ""
-        confidence = confidence_of(drag.force / drag.error if drag.error > 0.0 else 40.0, 1)
-        ends = int(points.min()), int(points.max())
-        events.append(CurveEvent(EventKind.DRAG, *ends, drag.force, drag.error, "N", confidence, remark))
+        events.append(_drag_event(drag, free))
     return _ordered(events)
+
+
+def _interference_event(record: Record, found: Interference) -> CurveEvent:
+    points = np.concatenate(kept_points(record))
+    size = found.amplitude, found.amplitude_error, "N", found.confidence
+    remark = f"period {with_error(found.period, found.period_error, 'm')}"
+    return CurveEvent(EventKind.INTERFERENCE, int(points.min()), int(points.max()), *size, remark)
+
+
+def _clock_event(found: ClockOffset) -> CurveEvent:
+    count = len(found.edges)
+    remark = f"by {count} edges of the motion" if count > 1 else "by one edge of the motion"
+    size = found.offset, found.error, "s", confidence_of(found.ratio, count)
+    return CurveEvent(EventKind.CLOCK_OFFSET, found.edges[0], found.edges[-1], *size, remark)
+
+
+def _drag_event(found: Drag, free: tuple[Array, Array]) -> CurveEvent:
+    points = np.concatenate(free)
+    remark = f"beside a drift of {with_unit(found.drift, 'N')}" if found.drift else ""
+    confidence = confidence_of(found.force / found.error if found.error > 0.0 else 40.0, 1)
+    size = found.force, found.error, "N", confidence
+    return CurveEvent(EventKind.DRAG, int(points.min()), int(points.max()), *size, remark)
 
 
 def _ordered(events: list[CurveEvent]) -> CurveEvents:
