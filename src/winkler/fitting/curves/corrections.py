@@ -199,7 +199,7 @@ def without_drag(curve: ForceCurve, drag: float) -> ForceCurve:
 
 
 def _with(curve: ForceCurve, position: Array, force: Array) -> ForceCurve:
-    return ForceCurve(position, force, curve.machine_stiffness, curve.time, curve.direction, curve.name)
+    return ForceCurve(position, force, curve.machine_stiffness, curve.time, curve.direction, curve.name, curve.reading)
 
 
 def _elapsed(curve: ForceCurve) -> Array:

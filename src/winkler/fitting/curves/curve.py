@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+import textwrap
 from collections.abc import Sequence
 from typing import Annotated
 
@@ -61,6 +62,9 @@ class ForceCurve:
         and force: turns, holds and partial unloadings.  `segments` shows the result, `with_segments` replaces it.
     name : str, optional
         Origin of the curve.
+    reading : str, optional
+        How its file was read: the instrument, which column was taken for what, its units, what the instrument had
+        subtracted, and where spring constant and sensitivity come from.
 
     Raises
     ------
@@ -81,6 +85,7 @@ class ForceCurve:
         position=("D", "m", "how far the machine has moved towards the sample"),
         direction=("", "", "+1 going in, -1 coming out, 0 held"),
         name=("", None, "where the curve comes from"),
+        reading=("", None, "how the file was read"),
     )
 
     position: Annotated[Array, Numbers(fewest=FEWEST), POINTS_ADVICE]
@@ -91,6 +96,7 @@ class ForceCurve:
     )
     direction: Annotated[Array, Numbers(fewest=0), POINTS_ADVICE] = dataclasses.field(default_factory=_empty)
     name: str = ""
+    reading: str = ""
 
     def __post_init__(self) -> None:
         if not self.direction.size:
@@ -104,6 +110,11 @@ class ForceCurve:
         if not np.all(np.isin(self.direction, (-1.0, 0.0, 1.0))):
             raise InvalidInput("ForceCurve: direction holds other numbers than +1 (in), 0 (held) and -1 (out).")
         object.__setattr__(self, "machine_stiffness", float(self.machine_stiffness))
+
+    def __str__(self) -> str:
+        """Return the outline of the curve, with the whole of its reading."""
+        fields = [line for line in repr(self).splitlines() if not line.startswith("  reading ")]
+        return "\n".join([*fields, *textwrap.wrap(self.reading, 100, initial_indent="  ", subsequent_indent="    ")])
 
     @property
     def count(self) -> int:
@@ -141,9 +152,8 @@ class ForceCurve:
         if which.size < FEWEST:
             raise InvalidInput(f"curve '{self.name}': {which.size} points are chosen; at least {FEWEST} make a curve.")
         time = self.time[which] if self.timed else _empty()
-        return ForceCurve(
-            self.position[which], self.force[which], self.machine_stiffness, time, self.direction[which], self.name
-        )
+        position, force, direction = self.position[which], self.force[which], self.direction[which]
+        return ForceCurve(position, force, self.machine_stiffness, time, direction, self.name, self.reading)
 
     @property
     def segments(self) -> tuple[Segment, ...]:
