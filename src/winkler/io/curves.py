@@ -173,9 +173,10 @@ def _curves_of_afmformats(
             _refuse_large_contents(path)
             group = afmformats.load_data(path, meta_override=overrides)
         except MissingMetaDataError:
+            other = "; if it is no curve of a microscope, write a header such as 'depth [nm], force [uN]'"
             raise InvalidInput(
                 f"{path}: the file does not state how a deflection becomes a force; give spring_constant in N/m and "
-                "sensitivity in m/V."
+                f"sensitivity in m/V{other * _is_text(path)}."
             ) from None
         except (InvalidInput, MemoryError):
             raise

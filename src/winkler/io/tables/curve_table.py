@@ -10,7 +10,7 @@ import dataclasses
 import math
 import os
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -30,9 +30,8 @@ from winkler.io.foreign import in_file
 from winkler.io.placed_curves import PlacedCurve
 from winkler.io.segments import directions
 from winkler.io.swapped_columns import swap_note
-from winkler.io.tables.table import Column, names_columns, read_table
+from winkler.io.tables.table import Column, header_lines, names_columns, read_table
 from winkler.io.tables.table_makers import maker_in
-from winkler.io.text_file import head_of
 from winkler.units import comma_hint
 
 __all__ = ["is_curve_table", "read_curve_table"]
@@ -58,9 +57,12 @@ def is_curve_table(path: str | os.PathLike[str]) -> bool:
     InvalidInput
         If the file cannot be read as text.
     """
-    return any(
-        names_columns(path, (place, load)) for place in (POSITION, DEPTH) for load in (FORCE, DEFLECTION, VOLTAGE)
-    )
+    return _is_curve(path, header_lines(path, (DEPTH, FORCE)))
+
+
+def _is_curve(path: str | os.PathLike[str], head: Sequence[str]) -> bool:
+    pairs = ((place, load) for place in (POSITION, DEPTH) for load in (FORCE, DEFLECTION, VOLTAGE))
+    return any(names_columns(path, pair, head=head) for pair in pairs)
 
 
 def read_curve_table(
@@ -96,19 +98,22 @@ def read_curve_table(
         If columns, units or numbers are missing; the message names the line.
     """
     units = units or {}
-    place, load = _place(path, prefer_position=spring_constant is not None), _load(path, units)
-    if place is None or load is None or not is_curve_table(path):
+    head = header_lines(path, (DEPTH, FORCE))
+    place, load = _place(path, head, prefer_position=spring_constant is not None), _load(path, head, units)
+    if place is None or load is None or not _is_curve(path, head):
         raise InvalidInput(
             f"{path}: there is no table of a force curve in this text; it needs one line that names a {DEPTH.word} "
             f"({', '.join(DEPTH.names[:5])} ...) or {POSITION.word} ({', '.join(POSITION.names)}) and a {FORCE.word} "
             f"({', '.join(FORCE.names[:5])} ...) with units, as in '{DEPTH.example}, {FORCE.example}', and "
             "numbers below."
         )
-    further = tuple(column for column in (TIME, STIFFNESS, SEGMENT) if names_columns(path, (place, load, column)))
-    wanted = [_narrowed(path, column) for column in (place, load, *further)]
+    further = tuple(
+        column for column in (TIME, STIFFNESS, SEGMENT) if names_columns(path, (place, load, column), head=head)
+    )
+    wanted = [_narrowed(path, head, column) for column in (place, load, *further)]
     table = read_table(path, wanted, units=units, decimal_comma=True)
     found = {column.word: table.values[:, 2 + index] for index, column in enumerate(further)}
-    stiffness = _stiffness(path, spring_constant)
+    stiffness = _stiffness(path, head, spring_constant)
     position, force = table.values[:, 0], table.values[:, 1]
     if load is not FORCE:
         if stiffness is None:
@@ -141,7 +146,7 @@ def read_curve_table(
             f"given units: {', '.join(f'{key} {unit}' for key, unit in units.items())}" if units else "",
             swap_note(position, force),
         )
-        reading = f"{maker_in(Path(path))}: " + "; ".join(fact for fact in facts if fact)
+        reading = f"{maker_in(head)}: " + "; ".join(fact for fact in facts if fact)
         directed = directions(position, force, segment)
         curve = ForceCurve(position, force, machine, time, directed, name, reading)
     return PlacedCurve(curve, math.nan, math.nan, continuous)
@@ -151,48 +156,46 @@ def _origin_of_spring(stiffness: float | None, given: float | None) -> str:
     return f"spring constant {stiffness:g} N/m {'given' if given is not None else 'from the file'}"
 
 
-def _narrowed(path: str | os.PathLike[str], column: Column) -> Column:
+def _narrowed(path: str | os.PathLike[str], head: Sequence[str], column: Column) -> Column:
     """Return the column under the instrument's own name for it, such as "Load On Sample", where the header has one."""
     for name in by_preference(column.names):
-        if " " in name and names_columns(path, (one := dataclasses.replace(column, names=(name,)),)):
+        if " " in name and names_columns(path, (one := dataclasses.replace(column, names=(name,)),), head=head):
             return one
     return column
 
 
-def _place(path: str | os.PathLike[str], *, prefer_position: bool = False) -> Column | None:
+def _place(path: str | os.PathLike[str], head: Sequence[str], *, prefer_position: bool = False) -> Column | None:
     """Return the column of the tip's position; a piezo with a stated cantilever precedes the instrument's own depth."""
-    position, depth = (names_columns(path, (column,)) for column in (POSITION, DEPTH))
-    if position and (prefer_position or not depth or _stated_cantilever(path) is not None):
+    position, depth = (names_columns(path, (column,), head=head) for column in (POSITION, DEPTH))
+    if position and (prefer_position or not depth or _stated_cantilever(path, head) is not None):
         return POSITION
     return DEPTH if depth else None
 
 
-def _load(path: str | os.PathLike[str], units: Mapping[str, str]) -> Column | None:
-    if names_columns(path, (FORCE,)):
+def _load(path: str | os.PathLike[str], head: Sequence[str], units: Mapping[str, str]) -> Column | None:
+    if names_columns(path, (FORCE,), head=head):
         return FORCE
     for column in (DEFLECTION, VOLTAGE):
-        if names_columns(path, (column,)):
+        if names_columns(path, (column,), head=head):
             try:
                 read_table(path, (column,), units=units, decimal_comma=True)
             except InvalidInput:
                 continue
             return column
-    return DEFLECTION if names_columns(path, (DEFLECTION,)) else None
+    return DEFLECTION if names_columns(path, (DEFLECTION,), head=head) else None
 
 
-def _stiffness(path: str | os.PathLike[str], given: float | None) -> float | None:
+def _stiffness(path: str | os.PathLike[str], head: Sequence[str], given: float | None) -> float | None:
     if given is None:
-        return _stated_cantilever(path)
+        return _stated_cantilever(path, head)
     if isinstance(given, bool) or not isinstance(given, int | float) or not given > 0.0:
         raise InvalidInput(f"{path}: spring_constant is {given!r}; it must be positive, in N/m.")
     return float(given)
 
 
-def _stated_cantilever(path: str | os.PathLike[str]) -> float | None:
+def _stated_cantilever(path: str | os.PathLike[str], head: Sequence[str]) -> float | None:
     """Return the spring constant [N/m] that stands above the table, if one does."""
-    stated_line = next(
-        (match for line in head_of(path, "a table") if (match := SPRING_CONSTANT_LINE.fullmatch(line))), None
-    )
+    stated_line = next((match for line in head if (match := SPRING_CONSTANT_LINE.fullmatch(line))), None)
     if stated_line is None:
         return None
     if "," in stated_line[1]:

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import math
 import os
+import re
 from array import array
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
@@ -30,10 +31,11 @@ from winkler.numerics.types import Array
 from winkler.units import scale
 from winkler.values import value
 
-__all__ = ["Column", "Table", "names_columns", "read_table"]
+__all__ = ["Column", "Table", "header_lines", "names_columns", "read_table"]
 
 SEPARATORS_TRIED = ("\t", ";", ",", None)
 COMMENT_MARKS = "#% \t"
+NO_NUMBERS = re.compile(r"[^\d\s.,;eE+-]", re.ASCII)
 
 
 @value
@@ -117,6 +119,8 @@ def read_table(
             if "_" in line:
                 raise ValueError("float() reads 1_000")
             row = [float(cells[place]) for place in header.places]
+            if commas is not None:
+                commas.see_points(cells)
         except ValueError:
             row = [
                 number_in(
@@ -152,7 +156,9 @@ def read_table(
     return Table(file, values, np.array(places), read_as)
 
 
-def names_columns(path: str | os.PathLike[str], columns: Sequence[Column]) -> bool:
+def names_columns(
+    path: str | os.PathLike[str], columns: Sequence[Column], *, head: Sequence[str] | None = None
+) -> bool:
     """Return whether the header of a table names all of these columns.
 
     Parameters
@@ -161,19 +167,29 @@ def names_columns(path: str | os.PathLike[str], columns: Sequence[Column]) -> bo
         The file.
     columns : sequence of Column
         The columns.
+    head : sequence of str, optional
+        Lines among which its header stands, where they are known; see `header_lines`.
 
     Raises
     ------
     InvalidInput
         If the file cannot be read.
     """
-    texts = [
-        line.lstrip(COMMENT_MARKS).rstrip()
-        for line in head_of(path, _needs(columns))
-        if _may_name(line.lower(), columns)
-    ]
+    lines = head_of(path, _needs(columns)) if head is None else head
+    texts = [line.lstrip(COMMENT_MARKS).rstrip() for line in lines if _may_name(line.lower(), columns)]
     rows = [cells_of(text, separator) for text in texts if text for separator in SEPARATORS_TRIED]
     return any(all(any(named(cell, column.names)[0] for cell in cells) for column in columns) for cells in rows)
+
+
+def header_lines(path: str | os.PathLike[str], columns: Sequence[Column]) -> list[str]:
+    """Return the lines that may be the header of a table: those among the first that are no row of numbers.
+
+    Raises
+    ------
+    InvalidInput
+        If the file cannot be read.
+    """
+    return [line for line in head_of(path, _needs(columns)) if NO_NUMBERS.search(line)]
 
 
 def _may_name(line: str, columns: Sequence[Column]) -> bool:

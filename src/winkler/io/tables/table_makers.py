@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
-from winkler.io.text_file import head_of
+from collections.abc import Sequence
 
 __all__ = ["maker_in"]
 
@@ -21,7 +19,7 @@ MAKERS = {
 HEAD_LINES = 60
 
 
-def maker_in(path: Path) -> str:
-    """Return who has written a text table, by a word above it; "text table" if none is known."""
-    head = "\n".join(head_of(path, "a force curve")[:HEAD_LINES])
-    return next((maker for word, maker in MAKERS.items() if word in head), "text table")
+def maker_in(head: Sequence[str]) -> str:
+    """Return who has written a text table, by a word in the lines above it; "text table" if none is known."""
+    above = "\n".join(head[:HEAD_LINES])
+    return next((maker for word, maker in MAKERS.items() if word in above), "text table")
