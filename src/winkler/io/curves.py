@@ -147,6 +147,8 @@ def _is_text(path: Path) -> bool:
     """Return whether the file may be a table: it is text."""
     with path.open("rb") as file:
         start = file.read(4096)
+    if start.startswith((b"\xff\xfe", b"\xfe\xff")):  # UTF-16, which its reader refuses by name
+        return True
     return b"\x00" not in start and not start.startswith((b"PK", b"\x89HDF"))
 
 
