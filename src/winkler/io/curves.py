@@ -10,7 +10,7 @@ import contextlib
 import logging
 import os
 import zipfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -21,12 +21,16 @@ from winkler.fitting.curves.curve import ForceCurve
 from winkler.io.archive_file import is_archive, refuse_large_archive
 from winkler.io.foreign import in_file, quiet, sentence_of
 from winkler.io.hdf5_file import refuse_other_files
+from winkler.io.instruments.find import instrument_tests
+from winkler.io.instruments.instrument_test import InstrumentTest
+from winkler.io.instruments.to_curve import curve_of_test
 from winkler.io.memory import limited_memory
+from winkler.io.placed_curves import PlacedCurve, UnreadCurve
 from winkler.io.segments import directions
 from winkler.io.tables.curve_table import is_curve_table, read_curve_table
+from winkler.io.tables.given_units import checked_units
 from winkler.io.text_file import existing, refuse_large
 from winkler.limits import FILE_BYTES
-from winkler.values import value
 
 __all__ = ["PlacedCurve", "UnreadCurve", "read_curve", "read_curves", "try_curves"]
 
@@ -36,63 +40,40 @@ ARCHIVE_ENDINGS = (".jpk", ".zip")
 HEIGHT_COLUMNS = ("height (measured)", "height (piezo)")
 
 
-@value
-class PlacedCurve:
-    """A force curve, and where on the sample it was taken.
-
-    Parameters
-    ----------
-    curve : ForceCurve
-    x, y : float
-        Place on the sample [m]; nan where the file does not state it.
-    """
-
-    curve: ForceCurve
-    x: float
-    y: float
-
-
-@value
-class UnreadCurve:
-    """A curve that could not be read, and why.
-
-    Parameters
-    ----------
-    name : str
-        The file; within a map also the number of the curve.
-    reason : str
-        One sentence.
-    """
-
-    name: str
-    reason: str
-
-
 def read_curve(
-    path: str | os.PathLike[str], *, spring_constant: float | None = None, sensitivity: float | None = None
+    path: str | os.PathLike[str],
+    *,
+    spring_constant: float | None = None,
+    sensitivity: float | None = None,
+    units: Mapping[str, str] | None = None,
 ) -> ForceCurve:
     """Read the force curve of a file.
 
     Parameters
     ----------
     path : str or path
-        A text table (see `winkler.io.tables.curve_table`), or with the extra ``afm`` what afmformats reads: JPK,
-        NT-MDT, Asylum, AFM workshop and others.
+        A text table (see `winkler.io.tables.curve_table`); a file of a nanoindenter (Hysitron, FischerScope, Micro
+        Materials, FemtoTools, with the extra ``nanoindentation`` workbooks of Agilent, Keysight, KLA and MTS); or with
+        the extra ``afm`` what afmformats reads: JPK, NT-MDT, Asylum, AFM workshop and others.
     spring_constant : float, optional
         Of the cantilever [N/m]; needed where the file does not state it; replaces that of the file.
     sensitivity : float, optional
         Deflection per volt [m/V], likewise.
+    units : mapping of str to str, optional
+        Units of columns that the file does not state: ``{"position": "nm", "force": "uN", "time": "s"}``.
 
     Returns
     -------
     ForceCurve
+        Its ``reading`` says what was taken for what.
 
     Raises
     ------
     InvalidInput
-        If the file cannot be read, needs a number that it does not hold, or holds several curves.
+        If the file cannot be read, needs a number or unit that it does not hold, contradicts a given unit, or holds
+        several curves.
     """
-    curves = list(read_curves(path, spring_constant=spring_constant, sensitivity=sensitivity))
+    curves = list(read_curves(path, spring_constant=spring_constant, sensitivity=sensitivity, units=units))
     if len(curves) > 1:
         raise InvalidInput(f"{path}: the file holds {len(curves)} curves; take read_curves(path), it yields them all.")
     if not curves:
@@ -101,7 +82,11 @@ def read_curve(
 
 
 def read_curves(
-    path: str | os.PathLike[str], *, spring_constant: float | None = None, sensitivity: float | None = None
+    path: str | os.PathLike[str],
+    *,
+    spring_constant: float | None = None,
+    sensitivity: float | None = None,
+    units: Mapping[str, str] | None = None,
 ) -> Iterator[PlacedCurve]:
     """Yield every force curve of a file, of a force map one after the other; parameters as for `read_curve`.
 
@@ -110,39 +95,60 @@ def read_curves(
     InvalidInput
         As `read_curve`; of a curve within a map the message names its number.
     """
-    for placed_or_unread in _each(path, spring_constant, sensitivity):
+    for placed_or_unread in _each(path, spring_constant, sensitivity, checked_units({} if units is None else units)):
         if isinstance(placed_or_unread, UnreadCurve):
             raise InvalidInput(placed_or_unread.reason)
         yield placed_or_unread
 
 
 def try_curves(
-    path: str | os.PathLike[str], *, spring_constant: float | None = None, sensitivity: float | None = None
+    path: str | os.PathLike[str],
+    *,
+    spring_constant: float | None = None,
+    sensitivity: float | None = None,
+    units: Mapping[str, str] | None = None,
 ) -> Iterator[PlacedCurve | UnreadCurve]:
     """Yield every curve of a file like `read_curves`, and in the place of one that cannot be read the reason."""
     try:
-        yield from _each(path, spring_constant, sensitivity)
+        yield from _each(path, spring_constant, sensitivity, checked_units({} if units is None else units))
     except InvalidInput as error:
         yield UnreadCurve(Path(path).name, str(error))
 
 
 def _each(
-    path: str | os.PathLike[str], spring_constant: float | None, sensitivity: float | None
+    path: str | os.PathLike[str], spring_constant: float | None, sensitivity: float | None, units: Mapping[str, str]
 ) -> Iterator[PlacedCurve | UnreadCurve]:
     with sentence_of(path, "a force curve cannot be read from it", "check the file, or save it anew"):
         file = existing(path, "a force curve")
         refuse_large(file, FILE_BYTES)
-        if _is_text(file) and is_curve_table(file):
-            curve = read_curve_table(file, spring_constant=spring_constant, sensitivity=sensitivity)
-            yield PlacedCurve(curve, np.nan, np.nan)
+        is_text = _is_text(file)
+        if (tests := instrument_tests(file, is_text=is_text, units=units)) is not None:
+            yield from _curves_of_tests(tests, file, units, spring_constant)
+            return
+        if is_text and is_curve_table(file):
+            yield read_curve_table(file, spring_constant=spring_constant, sensitivity=sensitivity, units=units)
             return
         yield from _curves_of_afmformats(file, spring_constant, sensitivity)
+
+
+def _curves_of_tests(
+    tests: Iterator[InstrumentTest], path: Path, units: Mapping[str, str], spring_constant: float | None
+) -> Iterator[PlacedCurve | UnreadCurve]:
+    for test in tests:
+        try:
+            placed = curve_of_test(test, path, units, spring_constant=spring_constant)
+        except InvalidInput as error:
+            yield UnreadCurve(test.name, str(error))
+        else:
+            yield placed
 
 
 def _is_text(path: Path) -> bool:
     """Return whether the file may be a table: it is text."""
     with path.open("rb") as file:
         start = file.read(4096)
+    if start.startswith((b"\xff\xfe", b"\xfe\xff")):  # UTF-16, which its reader refuses by name
+        return True
     return b"\x00" not in start and not start.startswith((b"PK", b"\x89HDF"))
 
 
@@ -169,9 +175,10 @@ def _curves_of_afmformats(
             _refuse_large_contents(path)
             group = afmformats.load_data(path, meta_override=overrides)
         except MissingMetaDataError:
+            other = "; if it is no curve of a microscope, write a header such as 'depth [nm], force [uN]'"
             raise InvalidInput(
                 f"{path}: the file does not state how a deflection becomes a force; give spring_constant in N/m and "
-                "sensitivity in m/V."
+                f"sensitivity in m/V{other * _is_text(path)}."
             ) from None
         except (InvalidInput, MemoryError):
             raise
@@ -254,5 +261,18 @@ def _translated(data: Any, name: str, file_name: str, overrides: dict[str, float
     segment = np.asarray(data["segment"]) if "segment" in columns else np.zeros(0)
     time = np.asarray(data["time"], dtype=float) if "time" in columns else np.zeros(0)
     with in_file(file_name):
-        curve = ForceCurve(position, force, float(stiffness), time, directions(position, force, segment), name)
+        directed = directions(position, force, segment)
+        reading = _reading(data, height, bool(time.size), overrides)
+        curve = ForceCurve(position, force, float(stiffness), time, directed, name, reading)
     return PlacedCurve(curve, *(float(data.metadata.get(f"position {axis}", np.nan)) for axis in "xy"))
+
+
+def _reading(data: Any, height: str, timed: bool, overrides: dict[str, float]) -> str:
+    """Return what was taken for what, and where spring constant and sensitivity come from."""
+    software = str(data.metadata.get("software", "") or data.metadata.get("format", "")).strip()
+    facts = [f"position from '{height}', its sign changed, force from 'force'" + ", time from 'time'" * timed]
+    for word, unit in (("spring constant", "N/m"), ("sensitivity", "m/V")):
+        number = overrides.get(word, data.metadata.get(word, np.nan))
+        if np.isfinite(number):
+            facts.append(f"{word} {number:.5g} {unit} {'given' if word in overrides else 'from the file'}")
+    return f"afmformats{f', file of {software}' if software else ''}: {'; '.join(facts)}"

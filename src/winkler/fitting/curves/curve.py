@@ -14,6 +14,7 @@ from __future__ import annotations
 import dataclasses
 import functools
 import math
+import textwrap
 from collections.abc import Sequence
 from typing import Annotated
 
@@ -70,6 +71,9 @@ class ForceCurve:
     marks : ndarray, (n,) or (0,), optional
         What is stated of each point: 0 nothing, 1 out of contact, 2 pop-in, 3 snap-in, 4 pull-off; empty (unless
         given): events are found.  `events` shows the result, `with_events` replaces it.
+    reading : str, optional
+        How its file was read: the instrument, which column was taken for what, its units, what the instrument had
+        subtracted, and where spring constant and sensitivity come from.
 
     Raises
     ------
@@ -91,6 +95,7 @@ class ForceCurve:
         direction=("", "", "+1 going in, -1 coming out, 0 held"),
         name=("", None, "where the curve comes from"),
         marks=("", "", "what is stated of each point"),
+        reading=("", None, "how the file was read"),
     )
 
     position: Annotated[Array, Numbers(fewest=FEWEST), POINTS_ADVICE]
@@ -102,6 +107,7 @@ class ForceCurve:
     direction: Annotated[Array, Numbers(fewest=0), POINTS_ADVICE] = dataclasses.field(default_factory=_empty)
     name: str = ""
     marks: Annotated[Array, Numbers(fewest=0), POINTS_ADVICE] = dataclasses.field(default_factory=_empty)
+    reading: str = ""
 
     def __post_init__(self) -> None:
         if not self.direction.size:
@@ -117,6 +123,11 @@ class ForceCurve:
         if not np.all(np.isin(self.marks, (0.0, 1.0, 2.0, 3.0, 4.0))):
             raise InvalidInput("ForceCurve: marks holds other numbers than 0 to 4; state events by with_events.")
         object.__setattr__(self, "machine_stiffness", float(self.machine_stiffness))
+
+    def __str__(self) -> str:
+        """Return the outline of the curve, with the whole of its reading."""
+        fields = [line for line in repr(self).splitlines() if not line.startswith("  reading ")]
+        return "\n".join([*fields, *textwrap.wrap(self.reading, 100, initial_indent="  ", subsequent_indent="    ")])
 
     @property
     def count(self) -> int:

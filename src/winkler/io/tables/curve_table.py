@@ -6,29 +6,43 @@ stiffness stands above the table as ``k (N/m)``.
 
 from __future__ import annotations
 
+import dataclasses
 import math
 import os
 import re
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
+from winkler.io.continuous_loading import loading_stiffness, stiffness_fact
+from winkler.io.curve_columns import (
+    DEPTH_NAMES,
+    FORCE_NAMES,
+    POSITION_NAMES,
+    STIFFNESS_NAMES,
+    TIME_NAMES,
+    by_preference,
+)
 from winkler.io.foreign import in_file
+from winkler.io.placed_curves import PlacedCurve
 from winkler.io.segments import directions
-from winkler.io.tables.table import Column, names_columns, read_table
-from winkler.io.text_file import head_of
+from winkler.io.swapped_columns import swap_note
+from winkler.io.tables.table import Column, header_lines, names_columns, read_table
+from winkler.io.tables.table_makers import maker_in
 from winkler.units import comma_hint
 
 __all__ = ["is_curve_table", "read_curve_table"]
 
-POSITION = Column("position", ("position", "piezo", "stage", "z", "displacement", "travel", "z-piezo"), "m", "nm")
-DEPTH = Column("depth", ("depth", "indentation", "penetration", "d", "h"), "m", "nm")
-FORCE = Column("force", ("force", "load", "f", "p", "normal force"), "N", "nN")
+POSITION = Column("position", POSITION_NAMES, "m", "nm")
+DEPTH = Column("depth", DEPTH_NAMES, "m", "nm")
+FORCE = Column("force", FORCE_NAMES, "N", "nN")
 DEFLECTION = Column("deflection", ("deflection", "cantilever", "defl"), "m", "nm")
 VOLTAGE = Column("deflection", ("deflection", "voltage", "vertical deflection", "defl"), "V")
-TIME = Column("time", ("time", "t"), "s")
+TIME = Column("time", TIME_NAMES, "s")
+STIFFNESS = Column("stiffness", STIFFNESS_NAMES, "N/m")
 SEGMENT = Column("segment", ("segment",), "")
 SPRING_CONSTANT_LINE = re.compile(
     r"\s*+(?:k|spring constant)\s*+[\[(]N/m[\])]\s*+(?:[:=]\s*+)?([0-9.,eE+-]{1,100}+)\s*+"
@@ -43,14 +57,21 @@ def is_curve_table(path: str | os.PathLike[str]) -> bool:
     InvalidInput
         If the file cannot be read as text.
     """
-    return any(
-        names_columns(path, (place, load)) for place in (POSITION, DEPTH) for load in (FORCE, DEFLECTION, VOLTAGE)
-    )
+    return _is_curve(path, header_lines(path, (DEPTH, FORCE)))
+
+
+def _is_curve(path: str | os.PathLike[str], head: Sequence[str]) -> bool:
+    pairs = ((place, load) for place in (POSITION, DEPTH) for load in (FORCE, DEFLECTION, VOLTAGE))
+    return any(names_columns(path, pair, head=head) for pair in pairs)
 
 
 def read_curve_table(
-    path: str | os.PathLike[str], *, spring_constant: float | None = None, sensitivity: float | None = None
-) -> ForceCurve:
+    path: str | os.PathLike[str],
+    *,
+    spring_constant: float | None = None,
+    sensitivity: float | None = None,
+    units: Mapping[str, str] | None = None,
+) -> PlacedCurve:
     """Read a force curve from a text table.
 
     Parameters
@@ -63,28 +84,37 @@ def read_curve_table(
         Of the cantilever [N/m].  With a column ``depth`` it is not needed: that is the travel of the tip itself.
     sensitivity : float, optional
         Deflection per volt [m/V], where the table holds the detector's voltage.
+    units : mapping of str to str, optional
+        Units that the header lacks; see `winkler.io.tables.given_units`.
 
     Returns
     -------
-    ForceCurve
+    PlacedCurve
+        The curve, and the stiffness measured during the loading if there is such a column.
 
     Raises
     ------
     InvalidInput
         If columns, units or numbers are missing; the message names the line.
     """
-    place, load = _place(path, prefer_position=spring_constant is not None), _load(path)
-    if place is None or load is None or not is_curve_table(path):
+    units = units or {}
+    head = header_lines(path, (DEPTH, FORCE))
+    place, load = _place(path, head, prefer_position=spring_constant is not None), _load(path, head, units)
+    if place is None or load is None or not _is_curve(path, head):
         raise InvalidInput(
             f"{path}: there is no table of a force curve in this text; it needs one line that names a {DEPTH.word} "
-            f"({', '.join(DEPTH.names)}) or {POSITION.word} ({', '.join(POSITION.names)}) and a {FORCE.word} "
-            f"({', '.join(FORCE.names)}) with units, as in '{DEPTH.example}, {FORCE.example}', and numbers below."
+            f"({', '.join(DEPTH.names[:5])} ...) or {POSITION.word} ({', '.join(POSITION.names)}) and a {FORCE.word} "
+            f"({', '.join(FORCE.names[:5])} ...) with units, as in '{DEPTH.example}, {FORCE.example}', and "
+            "numbers below."
         )
-    has_time = names_columns(path, (place, load, TIME))
-    has_segments = names_columns(path, (place, load, SEGMENT))
-    table = read_table(path, (place, load, *(TIME,) * has_time, *(SEGMENT,) * has_segments))
-    stiffness = _stiffness(path, spring_constant)
-    force = table.values[:, 1]
+    further = tuple(
+        column for column in (TIME, STIFFNESS, SEGMENT) if names_columns(path, (place, load, column), head=head)
+    )
+    wanted = [_narrowed(path, head, column) for column in (place, load, *further)]
+    table = read_table(path, wanted, units=units, decimal_comma=True)
+    found = {column.word: table.values[:, 2 + index] for index, column in enumerate(further)}
+    stiffness = _stiffness(path, head, spring_constant)
+    position, force = table.values[:, 0], table.values[:, 1]
     if load is not FORCE:
         if stiffness is None:
             raise InvalidInput(
@@ -100,47 +130,72 @@ def read_curve_table(
             "tip itself."
         )
     machine = stiffness if place is POSITION and stiffness is not None else math.inf
-    position = table.values[:, 0]
-    time = table.values[:, 2] if has_time else np.zeros(0)
-    segment = table.values[:, -1] if has_segments else np.zeros(0)
+    name, none = Path(path).name, np.zeros(0)
+    time, segment = found.get("time", none), found.get("segment", none)
+    read_as = dict(zip(("place", "load", *found), table.read_as, strict=True))
     with in_file(path):
-        return ForceCurve(position, force, machine, time, directions(position, force, segment), Path(path).name)
+        measured = "stiffness" in found and place is DEPTH
+        continuous = loading_stiffness(position, force, found["stiffness"], time, name) if measured else None
+        facts = (
+            f"{place.word} from '{read_as['place']}', {load.word} from '{read_as['load']}'"
+            + (f", time from '{read_as['time']}'" if "time" in found else ""),
+            stiffness_fact(f"'{read_as['stiffness']}'", continuous) if measured else "",
+            f"segments from '{read_as['segment']}'" if "segment" in found else "",
+            _origin_of_spring(stiffness, spring_constant) if place is POSITION or load is not FORCE else "",
+            f"sensitivity {sensitivity:g} m/V given" if load is VOLTAGE else "",
+            f"given units: {', '.join(f'{key} {unit}' for key, unit in units.items())}" if units else "",
+            swap_note(position, force),
+        )
+        reading = f"{maker_in(head)}: " + "; ".join(fact for fact in facts if fact)
+        directed = directions(position, force, segment)
+        curve = ForceCurve(position, force, machine, time, directed, name, reading)
+    return PlacedCurve(curve, math.nan, math.nan, continuous)
 
 
-def _place(path: str | os.PathLike[str], *, prefer_position: bool = False) -> Column | None:
+def _origin_of_spring(stiffness: float | None, given: float | None) -> str:
+    return f"spring constant {stiffness:g} N/m {'given' if given is not None else 'from the file'}"
+
+
+def _narrowed(path: str | os.PathLike[str], head: Sequence[str], column: Column) -> Column:
+    """Return the column under the instrument's own name for it, such as "Load On Sample", where the header has one."""
+    for name in by_preference(column.names):
+        if " " in name and names_columns(path, (one := dataclasses.replace(column, names=(name,)),), head=head):
+            return one
+    return column
+
+
+def _place(path: str | os.PathLike[str], head: Sequence[str], *, prefer_position: bool = False) -> Column | None:
     """Return the column of the tip's position; a piezo with a stated cantilever precedes the instrument's own depth."""
-    position, depth = (names_columns(path, (column,)) for column in (POSITION, DEPTH))
-    if position and (prefer_position or not depth or _stated_cantilever(path) is not None):
+    position, depth = (names_columns(path, (column,), head=head) for column in (POSITION, DEPTH))
+    if position and (prefer_position or not depth or _stated_cantilever(path, head) is not None):
         return POSITION
     return DEPTH if depth else None
 
 
-def _load(path: str | os.PathLike[str]) -> Column | None:
-    if names_columns(path, (FORCE,)):
+def _load(path: str | os.PathLike[str], head: Sequence[str], units: Mapping[str, str]) -> Column | None:
+    if names_columns(path, (FORCE,), head=head):
         return FORCE
     for column in (DEFLECTION, VOLTAGE):
-        if names_columns(path, (column,)):
+        if names_columns(path, (column,), head=head):
             try:
-                read_table(path, (column,))
+                read_table(path, (column,), units=units, decimal_comma=True)
             except InvalidInput:
                 continue
             return column
-    return DEFLECTION if names_columns(path, (DEFLECTION,)) else None
+    return DEFLECTION if names_columns(path, (DEFLECTION,), head=head) else None
 
 
-def _stiffness(path: str | os.PathLike[str], given: float | None) -> float | None:
+def _stiffness(path: str | os.PathLike[str], head: Sequence[str], given: float | None) -> float | None:
     if given is None:
-        return _stated_cantilever(path)
+        return _stated_cantilever(path, head)
     if isinstance(given, bool) or not isinstance(given, int | float) or not given > 0.0:
         raise InvalidInput(f"{path}: spring_constant is {given!r}; it must be positive, in N/m.")
     return float(given)
 
 
-def _stated_cantilever(path: str | os.PathLike[str]) -> float | None:
+def _stated_cantilever(path: str | os.PathLike[str], head: Sequence[str]) -> float | None:
     """Return the spring constant [N/m] that stands above the table, if one does."""
-    stated_line = next(
-        (match for line in head_of(path, "a table") if (match := SPRING_CONSTANT_LINE.fullmatch(line))), None
-    )
+    stated_line = next((match for line in head if (match := SPRING_CONSTANT_LINE.fullmatch(line))), None)
     if stated_line is None:
         return None
     if "," in stated_line[1]:

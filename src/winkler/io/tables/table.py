@@ -13,52 +13,29 @@ from __future__ import annotations
 
 import math
 import os
+import re
 from array import array
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from winkler.checks.physical_size import LARGEST_NUMBER
 from winkler.errors import InvalidInput
+from winkler.io.tables.column import Column, example_of
+from winkler.io.tables.decimal_commas import DecimalCommas
+from winkler.io.tables.given_units import filled_units, refuse_contradiction
 from winkler.io.tables.table_cells import cells_of, is_number, like_number, named, number_in
 from winkler.io.text_file import head_of, headed, lines_of
 from winkler.numerics.types import Array
 from winkler.units import scale
 from winkler.values import value
 
-__all__ = ["Column", "Table", "names_columns", "read_table"]
+__all__ = ["Column", "Table", "header_lines", "names_columns", "read_table"]
 
 SEPARATORS_TRIED = ("\t", ";", ",", None)
 COMMENT_MARKS = "#% \t"
-
-
-@value
-class Column:
-    """A column to read from a table.
-
-    Parameters
-    ----------
-    word : str
-        Name of the quantity, for messages.
-    names : tuple of str
-        Names that it may have in the header, in lower case.
-    unit : str
-        SI unit in which it is returned; empty for a plain number, which needs no unit in the header.
-    usual : str, optional
-        A customary unit, for messages; the SI unit unless given.
-    """
-
-    word: str
-    names: tuple[str, ...]
-    unit: str
-    usual: str = ""
-
-    @property
-    def example(self) -> str:
-        """How it may stand in a header."""
-        unit = self.usual or self.unit
-        return f"{self.names[0]} [{unit}]" if unit else self.names[0]
+NO_NUMBERS = re.compile(r"[^\d\s.,;eE+-]", re.ASCII)
 
 
 @value
@@ -73,11 +50,14 @@ class Table:
         Numbers in SI units, in the order of the requested columns.
     lines : ndarray, (rows,)
         The line of the file, counted from 1, on which each row stands.
+    read_as : tuple of str
+        Name and unit of each column as they stand in the header, such as "Load [uN]".
     """
 
     path: str
     values: Array
     lines: Array
+    read_as: tuple[str, ...] = ()
 
 
 class _Header(NamedTuple):
@@ -88,7 +68,13 @@ class _Header(NamedTuple):
     units: tuple[str, ...]
 
 
-def read_table(path: str | os.PathLike[str], columns: Sequence[Column]) -> Table:
+def read_table(
+    path: str | os.PathLike[str],
+    columns: Sequence[Column],
+    *,
+    units: Mapping[str, str] | None = None,
+    decimal_comma: bool = False,
+) -> Table:
     """Read columns of numbers from a text file with a header.
 
     Parameters
@@ -97,6 +83,10 @@ def read_table(path: str | os.PathLike[str], columns: Sequence[Column]) -> Table
         The file.
     columns : sequence of Column
         The columns to read; each must stand in the header once, with a unit that fits.
+    units : mapping of str to str, optional
+        Units of columns that have none in the header, by the word of the column; see `winkler.io.tables.given_units`.
+    decimal_comma : bool, optional
+        Whether ``1,5`` is read as 1.5 where it can mean nothing else.
 
     Returns
     -------
@@ -110,8 +100,9 @@ def read_table(path: str | os.PathLike[str], columns: Sequence[Column]) -> Table
     file = str(path)
     lines = lines_of(path, _needs(columns))
     head = headed(lines, file)
-    header = _header(head, columns, file)
+    header = _header(head, columns, file, units)
     separator = _separator(lines, header)
+    commas = DecimalCommas(file) if decimal_comma and separator != "," else None
     numbers, places, gaps = array("d"), array("d"), list[int]()
     for index in range(header.line, len(lines)):
         line = lines[index].partition("#")[0]
@@ -128,9 +119,15 @@ def read_table(path: str | os.PathLike[str], columns: Sequence[Column]) -> Table
             if "_" in line:
                 raise ValueError("float() reads 1_000")
             row = [float(cells[place]) for place in header.places]
+            if commas is not None:
+                commas.see_points(cells)
         except ValueError:
             row = [
-                number_in(cells[p], f"{file}, line {index + 1}", f"in the column '{header.cells[p]}' is not a number")
+                number_in(
+                    cells[p] if commas is None else commas.with_point(cells[p], index + 1),
+                    f"{file}, line {index + 1}",
+                    f"in the column '{header.cells[p]}' is not a number",
+                )
                 for p in header.places
             ]
         if not all(map(math.isfinite, row)):
@@ -141,6 +138,8 @@ def read_table(path: str | os.PathLike[str], columns: Sequence[Column]) -> Table
         listed = ", ".join(map(str, gaps[:5])) + (f" and {len(gaps) - 5} more" if len(gaps) > 5 else "")
         few = "line" if len(gaps) == 1 else "lines"
         raise InvalidInput(f"{file}: {few} {listed}: a number is missing or not finite; complete or delete the {few}.")
+    if commas is not None:
+        commas.refuse_ambiguous()
     if not places:
         raise InvalidInput(f"{file}: there are no numbers below the header in line {header.line}.")
     factors = np.array([scale(column.unit, unit) for column, unit in zip(columns, header.units, strict=True)])
@@ -150,10 +149,16 @@ def read_table(path: str | os.PathLike[str], columns: Sequence[Column]) -> Table
     if not np.all(computable):
         place = places[int(np.argmin(computable))]
         raise InvalidInput(f"{file}, line {place}: a number is too large to be computed with in SI units; check it.")
-    return Table(file, values, np.array(places))
+    read_as = tuple(
+        header.cells[place] if not unit or unit in header.cells[place] else f"{header.cells[place]} [{unit}]"
+        for place, unit in zip(header.places, header.units, strict=True)
+    )
+    return Table(file, values, np.array(places), read_as)
 
 
-def names_columns(path: str | os.PathLike[str], columns: Sequence[Column]) -> bool:
+def names_columns(
+    path: str | os.PathLike[str], columns: Sequence[Column], *, head: Sequence[str] | None = None
+) -> bool:
     """Return whether the header of a table names all of these columns.
 
     Parameters
@@ -162,19 +167,29 @@ def names_columns(path: str | os.PathLike[str], columns: Sequence[Column]) -> bo
         The file.
     columns : sequence of Column
         The columns.
+    head : sequence of str, optional
+        Lines among which its header stands, where they are known; see `header_lines`.
 
     Raises
     ------
     InvalidInput
         If the file cannot be read.
     """
-    texts = [
-        line.lstrip(COMMENT_MARKS).rstrip()
-        for line in head_of(path, _needs(columns))
-        if _may_name(line.lower(), columns)
-    ]
+    lines = head_of(path, _needs(columns)) if head is None else head
+    texts = [line.lstrip(COMMENT_MARKS).rstrip() for line in lines if _may_name(line.lower(), columns)]
     rows = [cells_of(text, separator) for text in texts if text for separator in SEPARATORS_TRIED]
     return any(all(any(named(cell, column.names)[0] for cell in cells) for column in columns) for cells in rows)
+
+
+def header_lines(path: str | os.PathLike[str], columns: Sequence[Column]) -> list[str]:
+    """Return the lines that may be the header of a table: those among the first that are no row of numbers.
+
+    Raises
+    ------
+    InvalidInput
+        If the file cannot be read.
+    """
+    return [line for line in head_of(path, _needs(columns)) if NO_NUMBERS.search(line)]
 
 
 def _may_name(line: str, columns: Sequence[Column]) -> bool:
@@ -182,15 +197,11 @@ def _may_name(line: str, columns: Sequence[Column]) -> bool:
     return all(any(name in line for name in column.names) for column in columns)
 
 
-def _example(columns: Sequence[Column]) -> str:
-    return ", ".join(column.example for column in columns)
-
-
 def _needs(columns: Sequence[Column]) -> str:
-    return f"a header such as '{_example(columns)}', and numbers below"
+    return f"a header such as '{example_of(columns)}', and numbers below"
 
 
-def _header(lines: Sequence[str], columns: Sequence[Column], file: str) -> _Header:
+def _header(lines: Sequence[str], columns: Sequence[Column], file: str, given: Mapping[str, str] | None) -> _Header:
     """Return the first line in which every column is named; one behind a comment mark only if there is no other."""
     for index, line in sorted(enumerate(lines), key=lambda numbered: numbered[1].lstrip()[:1] in ("#", "%")):
         text = line.lstrip(COMMENT_MARKS).rstrip()
@@ -213,7 +224,7 @@ def _header(lines: Sequence[str], columns: Sequence[Column], file: str) -> _Head
                 named(cells[places[0]], column.names)[1] for column, places in zip(columns, candidates, strict=True)
             )
             header = _Header(index + 1, separator, tuple(cells), tuple(places[0] for places in candidates), units)
-            return _with_units(header, lines, columns, file)
+            return _with_units(header, lines, columns, file, given)
     raise InvalidInput(f"{file}: {_without_header(lines, columns)}.")
 
 
@@ -229,8 +240,10 @@ def _fitting(cells: Sequence[str], places: list[int], column: Column) -> list[in
     return fitting if len(fitting) == 1 else places
 
 
-def _with_units(header: _Header, lines: Sequence[str], columns: Sequence[Column], file: str) -> _Header:
-    """Take units that are not in the header from the row below it, and check that all fit."""
+def _with_units(
+    header: _Header, lines: Sequence[str], columns: Sequence[Column], file: str, given: Mapping[str, str] | None
+) -> _Header:
+    """Take units that are not in the header from the row below it or from those given, and check that all fit."""
     where = f"{file}, line {header.line}"
     needs = [bool(column.unit) for column in columns]
     stated_units = zip(header.places, header.units, needs, strict=True)
@@ -239,21 +252,23 @@ def _with_units(header: _Header, lines: Sequence[str], columns: Sequence[Column]
         below = cells_of(lines[header.line].lstrip(COMMENT_MARKS), header.separator) if header.line < len(lines) else []
         wanted = [below[place].strip("[]() ") for place in header.places] if len(below) == len(header.cells) else []
         missing = [need and (not unit or like_number(unit)) for unit, need in zip(wanted, needs, strict=False)]
-        if not wanted or any(missing):
-            listed = " and ".join(f"'{name}'" for name in bare)
-            example = _example(columns)
-            raise InvalidInput(f"{where}: no unit stands with {listed}; write it in the header, as '{example}'.")
-        header = header._replace(line=header.line + 1, units=tuple(wanted))
-        where = f"{file}, line {header.line}"
+        if wanted and not any(missing):
+            header = header._replace(line=header.line + 1, units=tuple(wanted))
+            where = f"{file}, line {header.line}"
+        else:
+            header = header._replace(
+                units=filled_units(header.units, header.cells, header.places, columns, given, where)
+            )
     plain = tuple(unit if need else unit.strip("-") for unit, need in zip(header.units, needs, strict=True))
     for column, unit in zip(columns, plain, strict=True):
         scale(unit, column.unit, what=f"{where}, {column.word}")
+        refuse_contradiction(column, unit, given, where)
     return header._replace(units=plain)
 
 
 def _without_header(lines: Sequence[str], columns: Sequence[Column]) -> str:
     """Return why no header was found."""
-    example = _example(columns)
+    example = example_of(columns)
     above: list[str] = []
     for index, line in enumerate(lines):
         text = line.lstrip(COMMENT_MARKS).rstrip()

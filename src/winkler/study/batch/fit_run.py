@@ -158,7 +158,12 @@ def gather_fits(
 
 
 def _read(study: FitStudy, path: str) -> Iterator[PlacedCurve | UnreadCurve]:
-    return try_curves(path, spring_constant=study.spring_constant or None, sensitivity=study.sensitivity or None)
+    return try_curves(
+        path,
+        spring_constant=study.spring_constant or None,
+        sensitivity=study.sensitivity or None,
+        units=dict(study.units),
+    )
 
 
 def _fit_piece(study: FitStudy, piece: Piece, watch: FitWatch | None = None) -> tuple[Fitted | Refused, ...]:

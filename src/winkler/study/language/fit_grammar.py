@@ -7,7 +7,8 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, BeforeValidator, StrictStr, create_model
 
-from winkler.errors import suggest
+from winkler.errors import InvalidInput, suggest
+from winkler.io.tables.given_units import checked_units
 from winkler.study.language import quantities
 from winkler.study.language.correcting import CORRECTIONS
 from winkler.study.language.quantities import WHERE, wrong
@@ -28,6 +29,14 @@ def corrections(raw: Any) -> tuple[str, ...]:
         if item not in CORRECTIONS:
             wrong(f"{WHERE} asks for '{item}'{suggest(item, CORRECTIONS)}; there are {', '.join(CORRECTIONS)}.")
     return tuple(raw)
+
+
+def stated_units(raw: Any) -> tuple[tuple[str, str], ...]:
+    """Refuse what is not a table of quantities and their units; return pairs in the order of their names."""
+    try:
+        return tuple(sorted(checked_units(raw, WHERE).items()))
+    except InvalidInput as error:
+        wrong(str(error))
 
 
 def _positive(unit: str) -> Any:
@@ -54,6 +63,7 @@ def fit_form() -> type[BaseModel]:
         free=(dict[str, Any], ...),
         spring_constant=(_positive("N/m"), MISSING),
         sensitivity=(_positive("m/V"), MISSING),
+        units=(Annotated[Any, BeforeValidator(stated_units)], MISSING),
         frame_stiffness=(_positive("N/m"), MISSING),
         correct=(Annotated[Any, BeforeValidator(corrections)], MISSING),
         noise=(Any, MISSING),

@@ -96,6 +96,8 @@ class FitStudy:
         Corrections in their order.
     spring_constant, sensitivity
         [N/m] and [m/V], zero where the files state them.
+    units : tuple of pairs of str
+        Quantity and unit of columns whose unit the files do not state.
     frame_stiffness
         [N/m].
     noise
@@ -121,6 +123,7 @@ class FitStudy:
     correct: tuple[str, ...] = ()
     spring_constant: float = 0.0
     sensitivity: float = 0.0
+    units: tuple[tuple[str, str], ...] = ()
     frame_stiffness: float = math.inf
     noise: float = 0.0
     time_limit: float = math.inf

@@ -35,6 +35,8 @@ MOST_CURVES_DRAWN = 12
 """Curves that are drawn, spread evenly over all."""
 MOST_MEASURED_DRAWN = 3
 """Curves that are also drawn as they were measured, with what was done: the first ones."""
+MOST_READINGS = 12
+"""How many different readings of files are listed."""
 PLACEHOLDERS = ("load", "path", "normal", "lateral")
 """Parts of a model that its curve replaces."""
 LEAST_SHOWN_TOGETHER = 3
@@ -166,13 +168,32 @@ def _in_words(study: FitStudy) -> str:
 def steps(outcome: FitOutcome) -> str:
     """Return the corrections of the curves before the fit."""
     study = outcome.study
+    readings = _readings(outcome)
     if not any(result.steps for result in outcome.fitted):
-        return section("What was done to the curves", "<p>Nothing: they were fitted as they were measured.</p>")
+        nothing = "<p>Nothing: they were fitted as they were measured.</p>"
+        return section("What was done to the curves", nothing, readings)
     first = outcome.fitted[0]
     of_many = f"<p>In this order; the numbers are those of {safe(first.name)}.</p>" if len(outcome.fitted) > 1 else ""
     items = "".join(f"<li>{safe(step)}</li>" for step in first.steps)
     order = f"<p class='small'>correct = {safe(list(study.correct))}</p>"
-    return section("What was done to the curves", of_many, f"<ol>{items}</ol>", order)
+    return section("What was done to the curves", of_many, f"<ol>{items}</ol>", order, readings)
+
+
+def _readings(outcome: FitOutcome) -> str:
+    """Return how the files were read, each reading once with the curves that share it."""
+    shared: dict[str, list[str]] = {}
+    for result in outcome.fitted:
+        if result.fit.curve.reading:
+            shared.setdefault(result.fit.curve.reading, []).append(result.name)
+    if not shared:
+        return ""
+    rows = [
+        f"<li>{safe(names[0])}{f' and {len(names) - 1} more' if len(names) > 1 else ''}: {safe(reading)}</li>"
+        for reading, names in list(shared.items())[:MOST_READINGS]
+    ]
+    if left := len(shared) - len(rows):
+        rows.append(f"<li>{left} more.</li>")
+    return f"<p>How the files were read:</p><ul>{''.join(rows)}</ul>"
 
 
 RELAXING_FORMULAS = {

@@ -1,0 +1,64 @@
+"""Names that instruments give to position, depth, force, time and stiffness, in lower case.
+
+Where a file has several of them, a name of two or more words counts before one of a single word, then the order here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+__all__ = ["DEPTH_NAMES", "FORCE_NAMES", "POSITION_NAMES", "STIFFNESS_NAMES", "TIME_NAMES", "by_preference"]
+
+POSITION_NAMES = ("position", "piezo", "stage", "z", "displacement", "travel", "z-piezo")
+"""Travel of a machine whose cantilever bends."""
+DEPTH_NAMES = (
+    "depth",
+    "indentation",
+    "penetration",
+    "d",
+    "h",
+    "pd",
+    "disp",
+    "displacement into surface",
+    "indentation depth",
+    "penetration depth",
+    "sample displacement",
+    "sample displace",
+    "indent disp.",
+)
+"""Travel of the tip."""
+FORCE_NAMES = (
+    "force",
+    "load",
+    "f",
+    "p",
+    "fn",
+    "normal force",
+    "load on sample",
+    "force on surface",
+    "real force",
+    "indent load",
+    "indent act. load",
+    "force a",
+)
+TIME_NAMES = ("time", "t", "time on sample", "time in contact", "test time")
+STIFFNESS_NAMES = (
+    "stiffness",
+    "harmonic contact stiffness",
+    "dynamic contact stiffness",
+    "real stiffness",
+    "contact stiffness",
+    "storage stiff.",
+    "s=dp/dh",
+)
+
+
+def by_preference(names: Sequence[str]) -> list[str]:
+    """Return names in the order in which they are looked for.
+
+    Examples
+    --------
+    >>> by_preference(["load", "p", "load on sample"])
+    ['load on sample', 'load', 'p']
+    """
+    return sorted(names, key=lambda name: " " not in name)

@@ -1,0 +1,40 @@
+"""Archives (.zip) of texts of one instrument."""
+
+from __future__ import annotations
+
+import zipfile
+from collections.abc import Iterator
+from pathlib import Path
+
+from winkler.io.archive_file import refuse_large_archive
+from winkler.io.instruments.instrument_test import InstrumentTest
+from winkler.io.instruments.micro_materials import NAME, is_micro_materials, tests_of_micro_materials
+from winkler.limits import HEADER_LETTERS
+
+__all__ = ["is_archive_of_tests", "tests_of_archive"]
+
+
+def is_archive_of_tests(path: Path) -> bool:
+    """Return whether an archive holds exports of Micro Materials and nothing else."""
+    if path.suffix.lower() != ".zip" or not zipfile.is_zipfile(path):
+        return False
+    with zipfile.ZipFile(path) as archive:
+        names = _texts(archive)
+        if not names or not all(NAME.fullmatch(Path(name).name) for name in names):
+            return False
+        refuse_large_archive(path, "save a part of the tests")
+        with archive.open(names[0]) as file:
+            head = file.read(HEADER_LETTERS).decode("latin-1").splitlines()
+    return is_micro_materials(head, Path(names[0]).name)
+
+
+def tests_of_archive(path: Path) -> Iterator[InstrumentTest]:
+    """Yield the tests of an archive, in the order of their names."""
+    with zipfile.ZipFile(path) as archive:
+        for name in _texts(archive):
+            lines = archive.read(name).decode("latin-1").splitlines()
+            yield from tests_of_micro_materials(lines, Path(name).name, f"{path}, {name}")
+
+
+def _texts(archive: zipfile.ZipFile) -> list[str]:
+    return sorted(name for name in archive.namelist() if not name.endswith("/") and "__MACOSX" not in name)

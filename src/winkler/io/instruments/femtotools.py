@@ -1,0 +1,64 @@
+"""Text files of FemtoTools indenters (FT-NMT, FT-I): comment lines behind ``//``, names with units, many tests.
+
+A test ends where the phase (approach, loading, unloading) begins again, or at the next comment lines.  The column
+"Sample Displace" is the depth; a "Displacement" still contains the bending of the sensor.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.io.instruments.instrument_test import InstrumentTest
+from winkler.io.instruments.number_block import columns_of, rows_of, split_unit
+
+__all__ = ["is_femtotools", "tests_of_femtotools"]
+
+COMMENT = "//"
+HEAD_LINES = 200
+
+
+def is_femtotools(head: Sequence[str]) -> bool:
+    """Return whether a comment line names a displacement, a force and a phase."""
+    return any(_names(line) for line in head[:HEAD_LINES])
+
+
+def tests_of_femtotools(lines: Sequence[str], name: str, path: object) -> Iterator[InstrumentTest]:
+    """Yield the tests of a file.
+
+    Raises
+    ------
+    InvalidInput
+        If there are no numbers below the names.
+    """
+    headers = [index for index, line in enumerate(lines) if _names(line)]
+    blocks = []
+    cells: list[str] = []
+    for header in headers:
+        cells = _names(lines[header])
+        rows = rows_of(lines, header + 1, len(cells), path)
+        if not rows.size:
+            continue
+        phase = rows[:, next(k for k, cell in enumerate(cells) if cell.lower().startswith("phase"))]
+        blocks += [(cells, part) for part in np.split(rows, np.flatnonzero(np.diff(phase) < 0.0) + 1)]
+    if not blocks:
+        raise InvalidInput(f"{path}: there are no numbers below the names of the columns; export the tests again.")
+    for number, (cells, part) in enumerate(blocks):
+        names, units = zip(*map(split_unit, cells), strict=True)
+        notes = ()
+        if "sample displace" not in [one.lower() for one in names]:
+            notes = ("the displacement may contain the bending of the sensor",)
+        test = name if len(blocks) == 1 else f"{name}, test {number + 1}"
+        yield InstrumentTest("FemtoTools, text file", test, columns_of(names, units, part, path), notes)
+
+
+def _names(line: str) -> list[str]:
+    """Return the names in a comment line, if it names a displacement, a force and a phase; else none."""
+    if not line.startswith(COMMENT):
+        return []
+    cells = [cell.strip() for cell in line.lstrip("/ ").rstrip().split("\t")]
+    words = [cell.lower() for cell in cells]
+    named = all(any(word in cell for cell in words) for word in ("phase", "displace", "force"))
+    return cells if named else []

@@ -1,0 +1,143 @@
+"""From the columns of a test to its force curve: which of them is taken for what, and what is left out."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.fitting.curves.curve import ForceCurve
+from winkler.io.continuous_loading import loading_stiffness, stiffness_fact
+from winkler.io.curve_columns import (
+    DEPTH_NAMES,
+    FORCE_NAMES,
+    POSITION_NAMES,
+    STIFFNESS_NAMES,
+    TIME_NAMES,
+    by_preference,
+)
+from winkler.io.foreign import in_file
+from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest
+from winkler.io.placed_curves import PlacedCurve
+from winkler.io.swapped_columns import swap_note
+from winkler.io.tables.given_units import USUAL, key_of
+from winkler.numerics.types import Array
+from winkler.units import scale
+
+__all__ = ["curve_of_test"]
+
+LARGEST_NUMBER = 1e100
+"""Instruments write 1.8e308 for a number that they could not compute."""
+ROLES = {
+    "depth": ((*DEPTH_NAMES, *POSITION_NAMES), "m"),
+    "force": (FORCE_NAMES, "N"),
+    "time": (TIME_NAMES, "s"),
+    "stiffness": (STIFFNESS_NAMES, "N/m"),
+}
+NEEDED = ("depth", "force")
+
+
+def curve_of_test(
+    test: InstrumentTest, path: object, units: Mapping[str, str], *, spring_constant: float | None = None
+) -> PlacedCurve:
+    """Return the curve of a test, with what was taken for what in its ``reading``.
+
+    Parameters
+    ----------
+    test : InstrumentTest
+    path
+        The file, for messages.
+    units : mapping
+        Given units of columns without one; see `winkler.io.tables.given_units`.
+    spring_constant : float, optional
+        Of a spring behind the tip whose bending the depth still contains [N/m].
+
+    Raises
+    ------
+    InvalidInput
+        If there is no depth or no force, a unit is missing or contradicts the file, or hardly a row has both.
+    """
+    where = f"{path}: '{test.name}'"
+    found = {role: _column(test.columns, names, unit) for role, (names, unit) in ROLES.items()}
+    if missing := [role for role in NEEDED if found[role] is None]:
+        there = ", ".join(f"'{column.name}'" for column in test.columns[:20])
+        names = "; ".join(f"{role} ({', '.join(ROLES[role][0][:7])} ...)" for role in missing)
+        raise InvalidInput(f"{where} has no column for {names}; there are {there}.")
+    chosen = {role: column for role, column in found.items() if column is not None}
+    factors = {role: _factor(role, column, units, where) for role, column in chosen.items()}
+    numbers = {role: column.values * factors[role] for role, column in chosen.items()}
+    usable = np.all([_is_number(chosen[role].values) for role in ("depth", "force", "time") if role in chosen], axis=0)
+    left_out = int(np.count_nonzero(~usable))
+    if np.count_nonzero(usable) < 2:
+        raise InvalidInput(f"{where}: {np.count_nonzero(usable)} rows hold depth and force; it needs at least 2.")
+    depth, force = numbers["depth"][usable], numbers["force"][usable]
+    time = numbers["time"][usable] if "time" in numbers else np.zeros(0)
+    averaged = any(column.name.lower().startswith("standard deviation") for column in test.columns)
+    if falling := averaged and bool(np.any(np.diff(time) < 0.0)):
+        time = np.zeros(0)
+    direction = test.direction[usable] if test.direction.size else np.zeros(0)
+    machine = spring_constant if spring_constant is not None else math.inf
+    continuous = None
+    if "stiffness" in chosen:
+        valid = _is_number(chosen["stiffness"].values)[usable]
+        stiffness = np.where(valid, numbers["stiffness"][usable], math.nan)
+        with in_file(path):
+            continuous = loading_stiffness(depth, force, stiffness, time, test.name)
+    facts = [
+        ", ".join(f"{role} from {_named(chosen[role], role, units)}" for role in chosen if role != "stiffness"),
+        stiffness_fact(_named(chosen["stiffness"], "stiffness", units), continuous) if "stiffness" in chosen else "",
+        "an average of several tests, whose time falls and is left out" if falling else "",
+        f"{left_out} row{'s' * (left_out != 1)} without numbers left out" if left_out else "",
+        f"spring constant {spring_constant:g} N/m given" if spring_constant is not None else "",
+        *test.notes,
+        swap_note(depth, force),
+    ]
+    reading = f"{test.instrument}: " + "; ".join(fact for fact in facts if fact)
+    with in_file(path):
+        curve = ForceCurve(depth, force, machine, time, direction, test.name, reading)
+    return PlacedCurve(curve, test.x, test.y, continuous)
+
+
+def _column(columns: Sequence[InstrumentColumn], names: Sequence[str], unit: str) -> InstrumentColumn | None:
+    """Return the column with the first of the names whose unit fits or is not stated."""
+    for name in by_preference(names):
+        for column in columns:
+            if column.name.lower().strip() == name and (not column.unit or _measures(column.unit, unit)):
+                return column
+    return None
+
+
+def _measures(unit: str, wanted: str) -> bool:
+    try:
+        scale(unit, wanted)
+    except InvalidInput:
+        return False
+    return True
+
+
+def _factor(role: str, column: InstrumentColumn, units: Mapping[str, str], where: str) -> float:
+    key, wanted = key_of(role), ROLES[role][1]
+    given = units.get(key, "")
+    if not column.unit and not given:
+        raise InvalidInput(
+            f"{where}: no unit stands with '{column.name}'; give it as units = {{ {key} = \"{USUAL[key]}\" }}."
+        )
+    if column.unit and given and scale(column.unit, wanted) != scale(given, wanted):
+        raise InvalidInput(
+            f"{where}: the file states '{column.unit}' for '{column.name}', and units gives {key} = '{given}'; leave "
+            f"{key} out of units, or correct the file."
+        )
+    return scale(column.unit or given, wanted)
+
+
+def _named(column: InstrumentColumn, role: str, units: Mapping[str, str]) -> str:
+    if column.unit:
+        return f"'{column.name}' [{column.unit}]"
+    return f"'{column.name}' [{units[key_of(role)]}, given]"
+
+
+def _is_number(values: Array) -> Array:
+    with np.errstate(invalid="ignore"):
+        return np.isfinite(values) & (np.abs(values) < LARGEST_NUMBER)

@@ -1,0 +1,123 @@
+"""Sheets of a workbook as rows of texts and numbers, by xlrd (.xls) and openpyxl (.xlsx)."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from winkler.errors import InvalidInput
+from winkler.io.archive_file import refuse_large_archive
+from winkler.io.foreign import quiet, sentence_of
+from winkler.io.memory import limited_memory
+from winkler.io.text_file import refuse_large
+from winkler.limits import TEXT_BYTES
+
+__all__ = ["Cell", "Sheet", "is_workbook", "sheets_of"]
+
+Cell = str | float
+OLD, NEW = b"\xd0\xcf\x11\xe0", b"PK\x03\x04"
+ENDINGS = (".xls", ".xlsx", ".xlsm")
+MOST_COLUMNS = 500
+
+
+class Sheet(NamedTuple):
+    """A sheet: its name, and its rows of texts and numbers; empty cells are empty texts."""
+
+    name: str
+    rows: list[list[Cell]]
+
+
+def is_workbook(path: Path) -> bool:
+    """Return whether a file is named and begins as a workbook."""
+    with path.open("rb") as file:
+        start = file.read(4)
+    return path.suffix.lower() in ENDINGS and start in (OLD, NEW)
+
+
+def sheets_of(path: Path) -> Iterator[Sheet]:
+    """Yield the sheets of a workbook, one at a time.
+
+    Raises
+    ------
+    InvalidInput
+        If the package that reads it is not installed, the file is damaged, or it is too large.
+    """
+    refuse_large(path, TEXT_BYTES)
+    with path.open("rb") as file:
+        old = file.read(4) == OLD
+    remedy = "save it anew, or a sheet as text (CSV)"
+    with sentence_of(path, "the workbook cannot be read", remedy, also=(AssertionError,)), quiet():
+        if not old:
+            refuse_large_archive(path, "save a part of the tests")
+        yield from _old(path) if old else _new(path)
+
+
+def _old(path: Path) -> Iterator[Sheet]:
+    try:
+        import xlrd
+    except ImportError:
+        raise _missing(path, "xlrd") from None
+    with limited_memory(path):
+        book = xlrd.open_workbook(
+            str(path), logfile=io.StringIO(), on_demand=True, ignore_workbook_corruption=True, formatting_info=False
+        )
+    with contextlib.closing(_Released(book)):
+        for name in book.sheet_names():
+            with limited_memory(path):
+                sheet = book.sheet_by_name(name)
+                _refuse_wide(path, name, sheet.ncols)
+                rows = [[_cell(cell) for cell in sheet.row_values(row)] for row in range(sheet.nrows)]
+                book.unload_sheet(name)
+            yield Sheet(name, rows)
+
+
+class _Released:
+    """Releases the memory of a book of xlrd when it is closed."""
+
+    def __init__(self, book: Any) -> None:
+        self.book = book
+
+    def close(self) -> None:
+        self.book.release_resources()
+
+
+def _new(path: Path) -> Iterator[Sheet]:
+    try:
+        import openpyxl
+    except ImportError:
+        raise _missing(path, "openpyxl") from None
+    with limited_memory(path):
+        book = openpyxl.load_workbook(path, read_only=True, data_only=True, keep_links=False)
+    with contextlib.closing(book):
+        for sheet in book.worksheets:
+            with limited_memory(path):
+                sheet.reset_dimensions()
+                rows = []
+                for row in sheet.iter_rows(values_only=True):
+                    _refuse_wide(path, sheet.title, len(row))
+                    rows.append([_cell(cell) for cell in row])
+            yield Sheet(sheet.title, rows)
+
+
+def _cell(content: Any) -> Cell:
+    if isinstance(content, bool) or content is None:
+        return "" if content is None else str(content)
+    return float(content) if isinstance(content, int | float) else str(content).strip()
+
+
+def _refuse_wide(path: Path, name: str, count: int) -> None:
+    if count > MOST_COLUMNS:
+        raise InvalidInput(
+            f"{path}: the sheet '{name}' has {count} columns, at most {MOST_COLUMNS} are read; delete those "
+            "that are not needed."
+        )
+
+
+def _missing(path: Path, package: str) -> InvalidInput:
+    return InvalidInput(
+        f"{path}: workbooks need {package}; install it with pip install 'winkler[nanoindentation]', or save a sheet as "
+        "text (CSV)."
+    )

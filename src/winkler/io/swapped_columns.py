@@ -1,0 +1,45 @@
+"""Doubts about columns that were taken for each other.
+
+Under a rigid tip whose section grows the force rises at least as fast as the depth, F ~ d^m with m >= 1.  Position
+taken for force, and force for position, gives m <= 1: a concave loading.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.numerics.types import Array
+
+__all__ = ["swap_note"]
+
+CONCAVE = 0.58
+"""Force at half of the way over the greatest: 0.5 for a punch, 0.35 for a ball, 0.25 for a cone; swapped 0.5 to 1."""
+WINDOW = 0.03
+"""Half the width of the middle, relative to the travel of the loading."""
+FEWEST = 10
+
+
+def swap_note(position: Array, force: Array) -> str:
+    """Return a doubt, as a phrase, if the loading is concave; else an empty text.
+
+    Parameters
+    ----------
+    position, force : ndarray, (n,)
+        As they were read [m], [N].
+    """
+    top = int(np.argmax(force))
+    if top < FEWEST or not np.ptp(position[: top + 1]) > 0.0:
+        return ""
+    x, y = position[: top + 1], force[: top + 1]
+    low, high = float(x.min()), float(x[-1])
+    if not high > low:
+        return ""
+    inside = np.abs(x - 0.5 * (low + high)) <= WINDOW * (high - low)
+    first = float(np.mean(y[: 1 + y.size // 50]))
+    share = (float(np.mean(y[inside])) - first) / (y[-1] - first) if np.any(inside) and y[-1] > first else 0.0
+    if share <= CONCAVE:
+        return ""
+    return (
+        f"doubtful: half of the way bears {100 * share:.0f} % of the greatest force, and the loading is concave; "
+        "position and force may be exchanged"
+    )

@@ -1,0 +1,112 @@
+"""Units that a file does not state, given by one key: ``units = { position = "nm", force = "uN", time = "s" }``.
+
+A given unit fills a column without one.  One that contradicts the file is refused.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from winkler.errors import InvalidInput, suggest
+from winkler.io.tables.column import Column, example_of
+from winkler.units import scale
+
+__all__ = ["checked_units", "filled_units", "key_of", "refuse_contradiction"]
+
+USUAL = {"position": "nm", "force": "uN", "time": "s", "deflection": "nm", "stiffness": "N/m"}
+"""The quantities whose unit can be given, each with a customary unit."""
+KINDS = {"position": ("m",), "force": ("N",), "time": ("s",), "deflection": ("m", "V"), "stiffness": ("N/m",)}
+EXAMPLE = 'units = { position = "nm", force = "uN", time = "s" }'
+
+
+def key_of(word: str) -> str:
+    """Return the key under which the unit of a column is given: a depth counts as a position."""
+    return "position" if word == "depth" else word
+
+
+def checked_units(raw: Any, what: str = "units") -> dict[str, str]:
+    """Return given units, checked.
+
+    Parameters
+    ----------
+    raw
+        Quantity -> unit, as a mapping or pairs of texts.
+    what : str, optional
+        How it is named in messages.
+
+    Raises
+    ------
+    InvalidInput
+        If it is no mapping of texts, a quantity is unknown, or a unit does not measure it.
+    """
+    if not isinstance(raw, Mapping) or not all(isinstance(part, str) for pair in raw.items() for part in pair):
+        raise InvalidInput(f"{what} is {raw!r}; give the unit of each quantity, as in {EXAMPLE}.")
+    for quantity, unit in raw.items():
+        if quantity not in KINDS:
+            hint = suggest(quantity, list(KINDS))
+            raise InvalidInput(f"{what}: '{quantity}' is not known{hint}; there are {', '.join(KINDS)}.")
+        reasons = []
+        for kind in KINDS[quantity]:
+            try:
+                scale(unit, kind, what=f"{what}, {quantity}")
+            except InvalidInput as error:
+                reasons.append(str(error))
+        if len(reasons) == len(KINDS[quantity]):
+            raise InvalidInput(reasons[0])
+    return dict(raw)
+
+
+def filled_units(
+    stated: Sequence[str],
+    cells: Sequence[str],
+    places: Sequence[int],
+    columns: Sequence[Column],
+    given: Mapping[str, str] | None,
+    where: str,
+) -> tuple[str, ...]:
+    """Return the units of columns, those that the header lacks as given.
+
+    Raises
+    ------
+    InvalidInput
+        If one is neither stated nor given: one sentence that names the columns and the key.
+    """
+    units, lacking, keys = [], [], []
+    for unit, place, column in zip(stated, places, columns, strict=True):
+        key = key_of(column.word)
+        units.append(unit or ((given or {}).get(key, "") if column.unit else ""))
+        if column.unit and not units[-1]:
+            lacking.append(cells[place])
+            keys.append(key)
+    if not lacking:
+        return tuple(units)
+    listed, example = " and ".join(f"'{name}'" for name in lacking), example_of(columns)
+    if given is None:
+        raise InvalidInput(f"{where}: no unit stands with {listed}; write it in the header, as '{example}'.")
+    pairs = ", ".join(f'{key} = "{USUAL[key]}"' for key in dict.fromkeys(keys) if key in USUAL)
+    raise InvalidInput(
+        f"{where}: no unit stands with {listed}; give it as units = {{ {pairs} }}, or write it in the header, as "
+        f"'{example}'."
+    )
+
+
+def refuse_contradiction(column: Column, stated: str, given: Mapping[str, str] | None, where: str) -> None:
+    """Refuse a given unit that differs from the one in the file.
+
+    Raises
+    ------
+    InvalidInput
+    """
+    key = key_of(column.word)
+    if not given or key not in given or not column.unit:
+        return
+    try:
+        same = scale(given[key], column.unit) == scale(stated, column.unit)
+    except InvalidInput:  # a deflection in volts, asked for as a length
+        same = False
+    if not same:
+        raise InvalidInput(
+            f"{where}: the file states '{stated}' for the {column.word}, and units gives {key} = '{given[key]}'; leave "
+            f"{key} out of units, or correct the file."
+        )

@@ -1,0 +1,146 @@
+"""Workbooks of Agilent, Keysight and MTS indenters, in both formats."""
+
+import sys
+
+import numpy as np
+import pytest
+from old_workbook import old_workbook
+
+import winkler as wk
+from winkler.io.curves import read_curve, read_curves
+
+INVALID = 1.7976931348623157e308
+NAMES = ["Segment", "Displacement Into Surface", "Load On Sample", "Time On Sample", "Harmonic Contact Stiffness"]
+UNITS = ["", "nm", "mN", "s", "N/m"]
+
+
+def csm_sheet(scale):
+    """Return 6 points of loading, of which 4 are in contact and 3 have a stiffness, a hold, and an unloading."""
+    depth = [-20.0, -10.0, 10.0, 20.0, 30.0, 40.0, 40.0, 40.5, 30.0, 20.0]
+    load = [0.0, 0.0, *(scale * 0.01 * h for h in (10.0, 40.0, 90.0, 160.0)), scale * 1.6, scale * 1.6, scale, 0.4]
+    stiffness = [-5.0, INVALID, 1e3, 2e3, INVALID, 4e3, INVALID, INVALID, INVALID, INVALID]
+    marks = ["Load Segment Type", *[""] * 5, "Hold Segment Type", "", "Unload From Peak Segment Type", ""]
+    numbers = zip(marks, depth, load, np.arange(10.0), stiffness, strict=True)
+    return [NAMES, UNITS, *([mark, *map(float, row)] for mark, *row in numbers), ["END"]]
+
+
+SHEETS = {
+    "Results": [
+        ["Test", "E", "Drift Correction", "Tip Name", "Displacement", "Load"],
+        ["", "GPa", "nm/s", "", "nm", "mN"],
+        ["1", "72.8", "0.025", "TB22169", "40", "1.6"],
+    ],
+    "Required Inputs": [
+        ["Test", "Poissons Ratio", "X Test Position", "Y Test Position"],
+        ["", "", "um", "um"],
+        [1.0, 0.18, 40.0, 60.0],
+        [10.0, 0.18, 140.0, 60.0],
+    ],
+    "Test 010": csm_sheet(2.0),
+    "Test 001": csm_sheet(1.0),
+}
+
+
+def new_workbook(path, sheets):
+    openpyxl = pytest.importorskip("openpyxl")
+    book = openpyxl.Workbook()
+    book.remove(book.active)
+    for name, rows in sheets.items():
+        sheet = book.create_sheet(name)
+        for row in rows:
+            sheet.append([None if cell == "" else cell for cell in row])
+    book.save(path)
+    return path
+
+
+def written(tmp_path, ending, sheets):
+    if ending == "xlsx":
+        return new_workbook(tmp_path / "steel.xlsx", sheets)
+    pytest.importorskip("xlrd")
+    path = tmp_path / "steel.xls"
+    path.write_bytes(old_workbook(sheets))
+    return path
+
+
+@pytest.mark.parametrize("ending", ["xls", "xlsx"])
+def test_a_workbook_of_many_tests(tmp_path, ending):
+    first, tenth = read_curves(written(tmp_path, ending, SHEETS))
+    assert [placed.curve.name for placed in (first, tenth)] == [f"steel.{ending}, Test 0{n}" for n in ("01", "10")]
+    np.testing.assert_allclose(first.curve.position[2:6], [10e-9, 20e-9, 30e-9, 40e-9])
+    np.testing.assert_allclose(tenth.curve.force[2:6], [0.2e-3, 0.8e-3, 1.8e-3, 3.2e-3])
+    np.testing.assert_array_equal(first.curve.direction, [1, 1, 1, 1, 1, 1, 0, 0, -1, -1])
+    assert (tenth.x, tenth.y) == pytest.approx((140e-6, 60e-6))
+    np.testing.assert_allclose(first.continuous.stiffness, [1e3, 2e3, 4e3])
+    np.testing.assert_allclose(first.continuous.depth, [10e-9, 20e-9, 40e-9])
+    for fact in ("'Displacement Into Surface' [nm]", "subtracted drift and frame", "drift 0.025 nm/s", "tip TB22169"):
+        assert fact in first.curve.reading
+    assert "drift 0.025" not in tenth.curve.reading
+
+
+@pytest.mark.parametrize("ending", ["xls", "xlsx"])
+def test_cycles_are_found_from_the_curve(tmp_path, ending):
+    """The marks of a method with cycles do not say where it is held, so that the segments are detected."""
+    load = np.concatenate(
+        [np.linspace(0, 4, 30), np.linspace(3.9, 1, 20), np.linspace(1.1, 8, 30), np.linspace(7.9, 0, 30)]
+    )
+    marks = {0: "Cycle Begin Marker 1", 30: "Cycle Unload Marker 1", 50: "Cycle Begin Marker 2"}
+    rows = [[marks.get(i, ""), 10.0 * float(p) ** 0.5, float(p), 0.1 * i] for i, p in enumerate(load)]
+    path = written(tmp_path, ending, {"Test 002": [NAMES[:4], UNITS[:4], *rows, ["END", "", "", ""]]})
+    kinds = [segment.kind.value for segment in read_curve(path).segments]
+    assert kinds == ["loading", "partial unloading", "loading", "last unloading"]
+
+
+def test_a_sheet_of_any_program(tmp_path):
+    path = new_workbook(
+        tmp_path / "own.xlsx",
+        {"Notes": [["for Monday"]], "Curve": [["h (nm)", "P (mN)"], [0.0, 0.0], [1.0, 2.0], ["", 3.0], [2.0, 4.0]]},
+    )
+    curve = read_curve(path)
+    np.testing.assert_allclose(curve.force, [0.0, 2e-3, 4e-3])
+    assert "1 row without numbers left out" in curve.reading
+
+
+def test_an_average_whose_time_falls(tmp_path):
+    names = ["", "Displacement Into Surface", "STANDARD DEVIATION (Displacement)", "Load On Sample", "Time On Sample"]
+    rows = [["", 1.0, 0.1, 1.0, 5.0], ["", 2.0, 0.1, 3.0, 4.0], ["", 3.0, 0.1, 6.0, 7.0]]
+    path = new_workbook(tmp_path / "mean.xlsx", {"Sample": [names, ["", "nm", "nm", "mN", "s"], *rows]})
+    curve = read_curve(path)
+    assert not curve.timed
+    assert "an average of several tests, whose time falls and is left out" in curve.reading
+
+
+@pytest.mark.parametrize(
+    ("sheets", "why"),
+    [
+        ({"Sheet1": [["a", "b"], [1.0, 2.0]]}, "no sheet of the workbook has a row that names a depth and a force"),
+        (
+            {"S": [["h", "P"], [0.0, 0.0], [1.0, 2.0]]},
+            r"no unit stands with 'h'; give it as units = \{ position = \"nm\"",
+        ),
+        ({"S": [["h (nm)", "P (mN)"], [0.0, 0.0]]}, "1 rows hold depth and force; it needs at least 2"),
+        ({"S": [["h (nm)", "P (mN)", *map(str, range(900))], [0.0] * 902]}, "has 902 columns, at most 500 are read"),
+    ],
+)
+def test_workbooks_that_are_refused(tmp_path, sheets, why):
+    path = new_workbook(tmp_path / "own.xlsx", sheets)
+    with pytest.raises(wk.InvalidInput, match=why) as error:
+        read_curve(path)
+    assert "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize("start", [b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", b"PK\x03\x04"])
+@pytest.mark.parametrize("ending", ["xls", "xlsx"])
+def test_a_damaged_workbook(tmp_path, start, ending):
+    path = tmp_path / f"damaged.{ending}"
+    path.write_bytes(start + bytes(range(256)) * 20)
+    with pytest.raises(wk.InvalidInput, match=r"damaged\.xlsx?: .*(save|unpack)") as error:
+        read_curve(path)
+    assert "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize(("ending", "package"), [("xls", "xlrd"), ("xlsx", "openpyxl")])
+def test_without_the_package(tmp_path, monkeypatch, ending, package):
+    path = written(tmp_path, ending, SHEETS)
+    monkeypatch.setitem(sys.modules, package, None)
+    with pytest.raises(wk.InvalidInput, match=rf"workbooks need {package}; install it with pip install 'winkler\[nano"):
+        read_curve(path)
