@@ -104,6 +104,7 @@ from winkler.path import Path
 from winkler.path_steps import Circle, Follow, Hold, Oscillate, Ramp, Start
 from winkler.peaks import PeakStress, PlacedStress, peak_stress
 from winkler.profiles.area import AreaFunction
+from winkler.profiles.calibrated_tip import CalibratedTip, TabulatedTip
 from winkler.profiles.conical import Berkovich, Cone, CubeCorner, RoundedCone, SpheroConical, TruncatedCone, Vickers
 from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.designed import Designed
@@ -113,6 +114,8 @@ from winkler.profiles.formula import Formula
 from winkler.profiles.measured import Measured
 from winkler.profiles.power import Paraboloid, PowerLaw
 from winkler.profiles.profile import Shape, Sum
+from winkler.profiles.pyramids.pyramid import Pyramid, PyramidByEdges
+from winkler.profiles.pyramids.rounded_pyramid import RoundedPyramid
 from winkler.profiles.roller_ends import CrownedEnds, LogarithmicEnds, RoundedEnds, SharpEnds
 from winkler.profiles.rough.line_scan import LineScan
 from winkler.profiles.rough.map_spectrum import spectrum_of
@@ -137,25 +140,26 @@ from winkler.validity import Assumption, Note, Standing
 
 __all__ = [
     "Angle", "Archard", "AreaFunction", "Arrhenius", "Assumption", "AtTemperature", "BallInSocket", "Berkovich",
-    "BodyFields", "CalibratedArea", "CappedCylinder", "CappedParaboloid", "Circle", "CoatedHalfSpace", "Comparison",
-    "Cone", "ContactEllipse", "ContactReading", "ContinuousStiffness", "Coulomb", "CreepData", "CreepFit", "CrossProfile", "CrownedEnds",
-    "CubeCorner", "Current", "CurvedBodies", "CurvedPair", "Cylinder", "CylinderRow", "Depth", "DepthGradedHalfSpace",
-    "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData", "Elastic", "ElectricalConductor",
-    "ElectricalConductors", "Ellipsoid", "EllipticFoundation", "EqualMaximum", "EqualMean", "ExponentialGrading",
-    "ExponentialSlipWeakening", "FallingFriction", "Fit", "FitState", "FixedShare", "FlatPunch", "Follow", "Force",
-    "ForceCurve", "Formula", "FormulaSection", "Foundation", "FractionalZener", "GeneralisedKelvin", "GradedHalfSpace",
-    "HalfSpace", "HalfWidth", "HeatConductors", "Hold", "Hyperboloid", "InvalidInput", "KelvinVoigt", "Layer",
-    "LayeredLineFoundation", "LineForce", "LineFoundation", "LineOfAction", "LineScan", "LineShearForce",
+    "BodyFields", "CalibratedArea", "CalibratedTip", "CappedCylinder", "CappedParaboloid", "Circle", "CoatedHalfSpace",
+    "Comparison", "Cone", "ContactEllipse", "ContactReading", "ContinuousStiffness", "Coulomb", "CreepData", "CreepFit",
+    "CrossProfile", "CrownedEnds", "CubeCorner", "Current", "CurvedBodies", "CurvedPair", "Cylinder", "CylinderRow",
+    "Depth", "DepthGradedHalfSpace", "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData", "Elastic",
+    "ElectricalConductor", "ElectricalConductors", "Ellipsoid", "EllipticFoundation", "EqualMaximum", "EqualMean",
+    "ExponentialGrading", "ExponentialSlipWeakening", "FallingFriction", "Fit", "FitState", "FixedShare", "FlatPunch",
+    "Follow", "Force", "ForceCurve", "Formula", "FormulaSection", "Foundation", "FractionalZener", "GeneralisedKelvin",
+    "GradedHalfSpace", "HalfSpace", "HalfWidth", "HeatConductors", "Hold", "Hyperboloid", "InvalidInput", "KelvinVoigt",
+    "Layer", "LayeredLineFoundation", "LineForce", "LineFoundation", "LineOfAction", "LineScan", "LineShearForce",
     "LinearSlipWeakening", "LogarithmicEnds", "Maxwell", "MeanPressure", "Measured", "MeasuredBed", "MeasuredSection",
     "MirroredSection", "Moment", "NamedElastic", "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor",
     "NominalPressure", "NotConverged", "Note", "OliverPharr", "OliverPharrSolution", "Oscillate", "OutsideValidity",
     "PairWear", "Paraboloid", "Path", "PeakStress", "PlacedCurve", "PlacedStress", "PlaneFoundation", "Plated",
-    "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "Program", "Prony", "PunchRow", "Radius", "Ramp",
-    "RandomTopography", "RateDependentWork", "RelaxationData", "RelaxingInProportion", "Rigid", "Rod", "RoundedCone",
-    "RoundedEnds", "RoundedPunch", "SampledProfile", "SaturatingWork", "Segment", "SegmentKind", "SelfAffine", "Shape",
-    "SharpEnds", "ShearForce", "ShearedFields", "Shift", "ShortRange", "SigmoidalGrading", "Sphere", "SpheroConical",
-    "Spikes", "Springs", "Staircase", "StandardSolid", "Standing", "Start", "StaticKinetic", "SubsurfaceFields", "Sum",
-    "SurfaceFields", "SurfaceFilm", "TabulatedGrading", "ThermalConductor", "ThermalInterface", "Tilt", "Topography",
+    "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "Program", "Prony", "PunchRow", "Pyramid",
+    "PyramidByEdges", "Radius", "Ramp", "RandomTopography", "RateDependentWork", "RelaxationData",
+    "RelaxingInProportion", "Rigid", "Rod", "RoundedCone", "RoundedEnds", "RoundedPunch", "RoundedPyramid",
+    "SampledProfile", "SaturatingWork", "Segment", "SegmentKind", "SelfAffine", "Shape", "SharpEnds", "ShearForce",
+    "ShearedFields", "Shift", "ShortRange", "SigmoidalGrading", "Sphere", "SpheroConical", "Spikes", "Springs",
+    "Staircase", "StandardSolid", "Standing", "Start", "StaticKinetic", "SubsurfaceFields", "Sum", "SurfaceFields",
+    "SurfaceFilm", "TabulatedGrading", "TabulatedTip", "ThermalConductor", "ThermalInterface", "Tilt", "Topography",
     "Torque", "TransverselyIsotropic", "TransverselyIsotropicHalfSpace", "TruncatedCone", "TruncatedParaboloid",
     "Vickers", "ViscoelasticFit", "ViscoelasticHalfSpace", "Voltage", "Wavy", "WiedemannFranz", "WilliamsLandelFerry",
     "WinklerError", "compare", "compare_terms", "contact_reading", "fit", "fit_steps", "intercept_factor", "material",

@@ -66,6 +66,16 @@ PYTHON = {
     "berkovich": pressed(wk.Berkovich()),
     "vickers": pressed(wk.Vickers()),
     "cube_corner": pressed(wk.CubeCorner()),
+    "pyramid": pressed(wk.Pyramid(4, math.radians(68.0))),
+    "pyramid_by_edges": pressed(wk.PyramidByEdges(3, math.radians(54.7356))),
+    "rounded_pyramid": pressed(wk.RoundedPyramid(4, math.radians(70.0), 1e-3)),
+    "calibrated_tip": pressed(wk.CalibratedTip((24.5, 40e-6), 1e-6, 200e-6)),
+    "tabulated_tip": pressed(
+        wk.TabulatedTip(
+            np.array([1e-6, 3e-6, 10e-6, 30e-6, 100e-6, 200e-6]),
+            np.array([64.5e-12, 340.5e-12, 2850e-12, 23250e-12, 249e-9, 988e-9]),
+        )
+    ),
     "area_function": pressed(wk.AreaFunction((24.5, 2e-6, 3e-6))),
     "capped_cylinder": pressed(wk.CappedCylinder(0.2e-3, BALL)),
     "wavy": pressed(wk.Paraboloid(10e-3) + wk.Wavy(0.1e-6, 1e-3)),

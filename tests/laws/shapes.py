@@ -48,6 +48,13 @@ ball_in_socket = st.builds(
 hyperboloid = st.builds(lambda big, t: Specimen(lambda s: wk.Hyperboloid(s * big, t), 3.0 * big), length, angle)
 cone = st.builds(lambda t: Specimen(lambda s: wk.Cone(t), 1.0), angle)
 pyramid = st.sampled_from([wk.Berkovich, wk.Vickers, wk.CubeCorner]).map(lambda tip: Specimen(lambda s: tip(), 1.0))
+sharp_pyramid = st.builds(lambda n, t: Specimen(lambda s: wk.Pyramid(n, t), 1.0), st.integers(3, 8), angle)
+rounded_pyramid = st.builds(
+    lambda n, t, big: Specimen(lambda s: wk.RoundedPyramid(n, t, s * big), 3.0 * big / math.tan(t)),
+    st.integers(3, 4),
+    angle,
+    length,
+)
 truncated_cone = st.builds(lambda t, b: Specimen(lambda s: wk.TruncatedCone(t, s * b), 5.0 * b, flat=b), angle, length)
 rounded_cone = st.builds(
     lambda big, t: Specimen(lambda s: wk.RoundedCone(s * big, t), 3.0 * big / math.tan(t)), length, angle
@@ -139,6 +146,8 @@ SMOOTH = {
     "pyramid": pyramid,
     "sphero_conical": sphero_conical,
     "rounded_cone": rounded_cone,
+    "sharp_pyramid": sharp_pyramid,
+    "rounded_pyramid": rounded_pyramid,
 }
 EDGED = {
     "truncated_cone": truncated_cone,

@@ -1,4 +1,4 @@
-r"""Cones, sharp, cut and rounded, and the pyramids that are commonly replaced by them.
+r"""Cones, sharp, cut and rounded, and the cones of equal cross-section that commonly replace pyramids (`winkler.profiles.pyramids`).
 
 Half-angles are measured from the axis, :math:`f = r/\tan\theta`.
 """
@@ -213,7 +213,7 @@ class _EqualAreaCone(PowerPieces):
                 Standing.APPROXIMATE,
                 f"The pyramid is replaced by the cone of equal cross-section (half-angle "
                 f"{math.degrees(self.half_angle):.2f} deg): on an elastic half-space its force at a given depth is "
-                f"{self._error} below the pyramid's.",
+                f"{self._error} below the pyramid's, which `Pyramid` has.",
                 "boundary-element solution of the sharp pyramid, theory sheet 1.3",
             ),
         )
@@ -228,7 +228,7 @@ class Berkovich(_EqualAreaCone):
     """The modified Berkovich pyramid (three faces, 65.27 deg to the axis) as the cone of equal area."""
 
     _area = _three_sided(65.27)
-    _error = "7 %"
+    _error = "7.2 %"
 
 
 @value
@@ -236,7 +236,7 @@ class CubeCorner(_EqualAreaCone):
     """The cube corner (three faces, 35.264 deg to the axis) as the cone of equal area."""
 
     _area = 1.5 * math.sqrt(3.0)
-    _error = "7 %"
+    _error = "7.2 %"
 
 
 @value

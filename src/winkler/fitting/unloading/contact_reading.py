@@ -18,7 +18,10 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import Elastic, Rigid, Solid
 from winkler.numerics.equations.roots import between
 from winkler.profiles.area import AreaFunction
+from winkler.profiles.calibrated_tip import CalibratedTip
 from winkler.profiles.profile import Profile
+from winkler.profiles.pyramids.pyramid import PyramidShape
+from winkler.profiles.pyramids.rounded_pyramid import RoundedPyramid
 from winkler.values import value, words
 
 __all__ = [
@@ -97,6 +100,16 @@ class CalibratedArea:
     def area(self, height: float) -> float:
         """Return A [m^2] at a distance from the apex [m]."""
         return polynomial(self.coefficients, height)
+
+    def profile(self, shape_factor: float = 1.0) -> CalibratedTip:
+        """Return the body of revolution with these areas, for contacts and fits; both depths must be known.
+
+        Parameters
+        ----------
+        shape_factor : float, optional
+            beta [-], by which its radii are greater.
+        """
+        return CalibratedTip(self.coefficients, self.shallowest, self.deepest, shape_factor)
 
 
 Tip = Profile | CalibratedArea
@@ -197,6 +210,13 @@ def area_at(tip: Tip, height: float) -> float:
                 "calibrated for depths like that."
             )
         return area
+    if isinstance(tip, PyramidShape):
+        return tip.cross_section(height)
+    if isinstance(tip, RoundedPyramid):
+        raise OutsideValidity(
+            "OliverPharr: a RoundedPyramid stands for a force, its cross-sections are not known; give the tip's "
+            "CalibratedArea, or a sharp Pyramid."
+        )
     return math.pi * _radius(tip, height) ** 2
 
 

@@ -11,6 +11,7 @@ from winkler.foundation.bed import Bed
 from winkler.materials.elastic import Elastic
 from winkler.media.families import CoatedBody
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
+from winkler.problems.assumptions.pyramid_film import pyramid_notes
 from winkler.validity import Assumption, Note, Standing, standing_of
 
 __all__ = ["film_note", "film_notes", "film_strain"]
@@ -42,7 +43,7 @@ def film_strain(medium: CoatedBody, depth: float, force: float, radius: float) -
 
 
 def film_notes(bed: Bed, depth: float, force: float, radius: float) -> tuple[Note, ...]:
-    """Return what the depth means for the layers of a coated body; nothing for other bodies.
+    """Return what the depth means for the layers of a coated body, and what a pyramid misses; else nothing.
 
     Parameters
     ----------
@@ -51,9 +52,10 @@ def film_notes(bed: Bed, depth: float, force: float, radius: float) -> tuple[Not
         d [m], F_N [N] and a [m] of the deepest contact.
     """
     medium = bed.medium.elastic if isinstance(bed.medium, RelaxingMedium) else bed.medium
+    pyramid = pyramid_notes(bed, medium, radius)
     if not isinstance(medium, CoatedBody) or radius <= 0.0 or depth <= 0.0:
-        return ()
-    return (film_note(depth / medium.thickness, film_strain(medium, depth, force, radius)),)
+        return pyramid
+    return (film_note(depth / medium.thickness, film_strain(medium, depth, force, radius)), *pyramid)
 
 
 def film_note(depth: float, strain: float) -> Note:

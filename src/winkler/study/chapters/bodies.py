@@ -77,6 +77,37 @@ BODIES: Kinds = {
         "berkovich": kind("winkler.profiles.conical:Berkovich", "oliver_pharr_1992"),
         "vickers": kind("winkler.profiles.conical:Vickers", "oliver_pharr_1992"),
         "cube_corner": kind("winkler.profiles.conical:CubeCorner", "oliver_pharr_1992"),
+        "pyramid": kind(
+            "winkler.profiles.pyramids.pyramid:Pyramid", "bilodeau_1992", "love_1939", sides=4, face_angle="68 deg"
+        ),
+        "pyramid_by_edges": kind(
+            "winkler.profiles.pyramids.pyramid:PyramidByEdges",
+            "bilodeau_1992",
+            "love_1939",
+            sides=3,
+            edge_angle="54.7356 deg",
+        ),
+        "rounded_pyramid": kind(
+            "winkler.profiles.pyramids.rounded_pyramid:RoundedPyramid",
+            "rico_2005",
+            "bilodeau_1992",
+            sides=4,
+            face_angle="70 deg",
+            curvature_radius="1 mm",
+        ),
+        "calibrated_tip": kind(
+            "winkler.profiles.calibrated_tip:CalibratedTip",
+            "oliver_pharr_1992",
+            coefficients=["24.5", "40 um"],
+            shallowest="1 um",
+            deepest="200 um",
+        ),
+        "tabulated_tip": kind(
+            "winkler.profiles.calibrated_tip:TabulatedTip",
+            "oliver_pharr_1992",
+            depths=["1 um", "3 um", "10 um", "30 um", "100 um", "200 um"],
+            areas=["64.5 um^2", "340.5 um^2", "2850 um^2", "23250 um^2", "249000 um^2", "988000 um^2"],
+        ),
         "area_function": kind(
             "winkler.profiles.area:AreaFunction", "oliver_pharr_1992", coefficients=["24.5", "2 um", "3e-6 m^1.5"]
         ),

@@ -66,6 +66,7 @@ RANGE_KEYS = ("from", "to", "count", "spacing")
 
 INDEXED: dict[tuple[str, str], Callable[[int], str]] = {
     ("AreaFunction", "coefficients"): lambda place: f"m^{2.0 - 2.0 ** (1 - place):g}" if place else "",
+    ("CalibratedTip", "coefficients"): lambda place: f"m^{2.0 - 2.0 ** (1 - place):g}" if place else "",
 }
 """Fields whose entries each have their own unit, by their place in the list."""
 
