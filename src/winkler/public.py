@@ -20,6 +20,7 @@ from winkler.fitting.unloading.contact_reading import (
     intercept_factor,
     sample_young,
 )
+from winkler.fitting.unloading.continuous_stiffness import ContinuousStiffness
 from winkler.fitting.unloading.oliver_pharr import OliverPharr, OliverPharrSolution
 from winkler.fitting.viscoelastic.band import relaxation_band
 from winkler.foundation.elliptic import EllipticFoundation
@@ -137,7 +138,7 @@ from winkler.validity import Assumption, Note, Standing
 __all__ = [
     "Angle", "Archard", "AreaFunction", "Arrhenius", "Assumption", "AtTemperature", "BallInSocket", "Berkovich",
     "BodyFields", "CalibratedArea", "CappedCylinder", "CappedParaboloid", "Circle", "CoatedHalfSpace", "Comparison",
-    "Cone", "ContactEllipse", "ContactReading", "Coulomb", "CreepData", "CreepFit", "CrossProfile", "CrownedEnds",
+    "Cone", "ContactEllipse", "ContactReading", "ContinuousStiffness", "Coulomb", "CreepData", "CreepFit", "CrossProfile", "CrownedEnds",
     "CubeCorner", "Current", "CurvedBodies", "CurvedPair", "Cylinder", "CylinderRow", "Depth", "DepthGradedHalfSpace",
     "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData", "Elastic", "ElectricalConductor",
     "ElectricalConductors", "Ellipsoid", "EllipticFoundation", "EqualMaximum", "EqualMean", "ExponentialGrading",
