@@ -43,6 +43,8 @@ CONVERGED = 0.03
 """Change of the frame compliance between two rounds, in parts of its error, that ends the iteration."""
 MOST_TERMS = 4
 DEPTH_STEP = 1e-5
+COMMON_ZERO = 0.5
+"""Part of the variance of the zero points that all curves share: the shape of the first contact is the same."""
 
 
 @value
@@ -85,6 +87,7 @@ class _Readings(NamedTuple):
     compliance: Array
     intercept: Array
     reference: Array
+    zero: Array
     blocks: list[tuple[Array, Callable[[Array, Array], Array]]]
 
 
@@ -172,7 +175,8 @@ def _readings(ready: list[Prepared], references: list[Reference], solid: Elastic
         size = one.peaks.force.size
         blocks.append((np.arange(first, first + size), _covariance_of(one)))
         first += size
-    return _Readings(force, depth, compliance, intercept, moduli, blocks)
+    zero = np.concatenate([np.full(one.peaks.force.size, one.zero_point.error) for one in ready])
+    return _Readings(force, depth, compliance, intercept, moduli, zero, blocks)
 
 
 def _covariance_of(one: Prepared) -> Callable[[Array, Array], Array]:
@@ -188,7 +192,8 @@ def _covariance_of(one: Prepared) -> Callable[[Array, Array], Array]:
         )
         moved = by_depth * zero
         drifted = drift * (waited * by_depth + fits.pace * by_compliance)
-        return np.asarray(np.diag(own) + np.outer(moved, moved) + np.outer(drifted, drifted))
+        alone = (1.0 - COMMON_ZERO) * np.outer(moved, moved)
+        return np.asarray(np.diag(own) + alone + np.outer(drifted, drifted))
 
     return covariance
 
@@ -289,6 +294,8 @@ def _covariance(numbers: Array, readings: _Readings, shape_factor: float) -> Arr
     covariance = np.zeros((readings.force.size, readings.force.size))
     for which, block in readings.blocks:
         covariance[np.ix_(which, which)] = block(by_depth[which], by_compliance[which])
+    together = by_depth * readings.zero
+    covariance += COMMON_ZERO * np.outer(together, together)
     floor = (1e-6) ** 2 * np.eye(covariance.shape[0])
     return covariance + floor
 
