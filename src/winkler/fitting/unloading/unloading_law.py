@@ -1,7 +1,8 @@
 r"""The power law of an unloading, F = T ((h - h_f)/(1 - h_f))^m, fitted with its covariance.
 
 Depths are counted in parts of the greatest depth and forces in parts of the greatest force.  The covariance is that
-under white and slow noise, see `winkler.fitting.noise`.
+under white and slow noise, see `winkler.fitting.noise`.  Its derivatives are taken at smoothed depths: at measured ones
+they contain the noise of the residuals, and would seem to explain it.
 """
 
 from __future__ import annotations
@@ -18,19 +19,37 @@ from winkler.numerics.types import Array
 __all__ = ["UnloadingLaw", "fitted_power_law"]
 
 MOST_EVALUATIONS = 200
+SMOOTH_DEGREE = 5
 
 
 class UnloadingLaw(NamedTuple):
-    """Numbers (ln of the force at the top, h_f, ln(m - 1)), their covariance, scatter, and the force at all depths."""
+    """Numbers (ln of the force at the top, h_f, ln(m - 1)), their covariance, scatter, the force at all depths.
+
+    Last are the part of the scatter's variance that is slow, the residuals of the fitted points, and their derivatives.
+    """
 
     numbers: Array
     covariance: Array
     scatter: float
     fitted: Array
+    slow_share: float
+    residuals: Array
+    jacobian: Array
 
 
-def fitted_power_law(all_depths: Array, forces: Array, chosen: Array) -> UnloadingLaw:
-    """Return the fitted law F = T ((h - h_f)/(1 - h_f))^m, everything in parts of the greatest."""
+def _smooth(depth: Array) -> Array:
+    """Return depths without their noise: a polynomial of the order of the points."""
+    from numpy.polynomial import legendre
+
+    along = np.linspace(-1.0, 1.0, depth.size)
+    return np.asarray(legendre.legval(along, legendre.legfit(along, depth, SMOOTH_DEGREE)))
+
+
+def fitted_power_law(all_depths: Array, forces: Array, chosen: Array, *, with_noise: bool = True) -> UnloadingLaw:
+    """Return the fitted law F = T ((h - h_f)/(1 - h_f))^m, everything in parts of the greatest.
+
+    Without the noise of this unloading alone, covariance, scatter and its slow part are zero.
+    """
     from scipy.optimize import least_squares
 
     depth, force = all_depths[chosen], forces[chosen]
@@ -62,5 +81,11 @@ def fitted_power_law(all_depths: Array, forces: Array, chosen: Array) -> Unloadi
             best = result
     if best is None or not best.success:
         raise NotConverged("OliverPharr: no power law fits the unloading; fit another part of it (upper, lower).")
-    noise = noise_of(-best.fun, law(best.x)[1], np.zeros((depth.size, 0)))
-    return UnloadingLaw(best.x, noise.covariance, noise.scatter, law(best.x, all_depths)[0])
+    jacobian = law(best.x, np.maximum(_smooth(depth), least))[1]
+    fitted = law(best.x, all_depths)[0]
+    if not with_noise:
+        return UnloadingLaw(best.x, np.zeros((3, 3)), 0.0, fitted, 0.0, np.asarray(-best.fun), jacobian)
+    noise = noise_of(-best.fun, jacobian, np.zeros((depth.size, 0)))
+    return UnloadingLaw(
+        best.x, noise.covariance, noise.scatter, fitted, noise.slow_share, np.asarray(-best.fun), jacobian
+    )

@@ -1,0 +1,76 @@
+"""The result of a calibration: the indenter, and the readings from which it was made."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
+from winkler.fitting.nanoindentation.readings import area_of
+from winkler.numerics.types import Array
+from winkler.values import value, words
+
+__all__ = ["IndenterCalibration"]
+
+
+@value
+class IndenterCalibration:
+    """A calibrated indenter with the readings of its references.
+
+    Parameters
+    ----------
+    indenter : CalibratedIndenter
+        Area function, frame compliance and their covariance.
+    force, contact_depth, measured_area : ndarray, (n,)
+        Of every unloading: force [N], contact depth [m], and the area [m^2] that its stiffness demands.
+    residuals : ndarray, (n,)
+        ln of the measured compliance of the contact over that of the fit.
+    curve_names : tuple of str
+        Curve of every unloading.
+    factor : float
+        Squared scatter of the residuals over that of noise, zero point and drift; errors are widened where it is
+        above 1.
+    references : tuple
+        The reference samples.
+    skipped : tuple of str
+        Curves that were not evaluated, with the reason.
+    """
+
+    __words__ = words(
+        indenter=("", None, "area function, frame compliance and their covariance"),
+        measured_area=("A", "m^2", "area that the stiffness demands"),
+        residuals=("r", "", "ln of the measured compliance of the contact over the fitted one"),
+        curve_names=("", None, "curve of every unloading"),
+        factor=(r"\chi^2", "", "squared scatter over that of noise, zero point and drift"),
+        references=("", None, "reference samples"),
+        skipped=("", None, "curves that were not evaluated"),
+    )
+
+    indenter: CalibratedIndenter
+    force: Array
+    contact_depth: Array
+    measured_area: Array
+    residuals: Array
+    curve_names: tuple[str, ...]
+    factor: float
+    references: tuple[Any, ...]
+    skipped: tuple[str, ...] = ()
+
+    @property
+    def frame_compliance(self) -> float:
+        """C_f [m/N]."""
+        return self.indenter.frame_compliance
+
+    @property
+    def frame_compliance_error(self) -> float:
+        """Standard uncertainty of the frame compliance [m/N]."""
+        return float(np.sqrt(self.indenter.covariance[0, 0]))
+
+    def area_error(self, contact_depth: Array) -> Array:
+        """Return the standard uncertainty of A [m^2] at contact depths [m]."""
+        height = np.asarray(contact_depth, dtype=float)
+        count = len(self.indenter.area.coefficients)
+        rows = np.stack([area_of(np.eye(count)[place], height) for place in range(count)], axis=-1)
+        own = self.indenter.covariance[1:, 1:]
+        return np.asarray(np.sqrt(np.maximum(np.einsum("...i,ij,...j->...", rows, own, rows), 0.0)))

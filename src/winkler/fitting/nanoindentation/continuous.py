@@ -1,0 +1,159 @@
+"""Modulus and hardness over depth from continuously measured stiffness."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from winkler.checks.number_checks import NonNegative, PoissonRatio
+from winkler.errors import InvalidInput
+from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
+from winkler.fitting.nanoindentation.readings import Peaks, moved_by, readings_of
+from winkler.fitting.unloading.continuous_stiffness import ContinuousStiffness
+from winkler.numerics.types import Array
+from winkler.values import value, words
+
+__all__ = ["ContinuousIndentation", "ContinuousIndentationSolution"]
+
+INTERCEPT = 0.75
+
+
+@value
+class ContinuousIndentation:
+    """Continuously measured stiffness, the calibrated indenter, and Poisson's ratio of the sample.
+
+    Parameters
+    ----------
+    data : ContinuousStiffness
+    indenter : CalibratedIndenter
+        Its frame compliance is subtracted from depth and stiffness, with that of the data.
+    poisson : float
+        nu of the sample [-].
+    shallowest : float, optional
+        Least depth that is evaluated [m]; zero (unless given): from where readings are possible.
+    depth_offset_error : float, optional
+        Standard uncertainty of the point of first touch [m].
+    stiffness_error : float, optional
+        Relative standard uncertainty of the stiffness scale [-].
+
+    References
+    ----------
+    X. Li, B. Bhushan, Mater. Charact. 48 (2002) 11-36, doi:10.1016/S1044-5803(02)00192-4
+    """
+
+    __words__ = words(
+        data=("", None, "continuously measured stiffness"),
+        indenter=("", None, "calibrated indenter on its frame"),
+        shallowest=("h", "m", "least depth that is evaluated"),
+        depth_offset_error=("u(D_0)", "m", "standard uncertainty of the point of first touch"),
+        stiffness_error=("u(S)/S", "", "relative standard uncertainty of the stiffness scale"),
+    )
+
+    data: ContinuousStiffness
+    indenter: CalibratedIndenter
+    poisson: PoissonRatio
+    shallowest: NonNegative = 0.0
+    depth_offset_error: NonNegative = 0.0
+    stiffness_error: NonNegative = 0.0
+
+    def solve(self) -> ContinuousIndentationSolution:
+        """Return modulus and hardness at every depth at which a reading is possible.
+
+        Raises
+        ------
+        InvalidInput
+            If no depth is left.
+        """
+        data, frame = self.data, self.indenter.numbers[0]
+        extra = 1.0 / data.machine_stiffness if math.isfinite(data.machine_stiffness) else 0.0
+        with np.errstate(divide="ignore", invalid="ignore"):
+            compliance = 1.0 / data.stiffness - extra
+            depth = data.depth - extra * data.force
+            contact = depth - frame * data.force - INTERCEPT * data.force * (compliance - frame)
+            area = sum(c * np.maximum(contact, 0.0) ** (2.0 ** (1 - n)) for n, c in enumerate(self.indenter.numbers[1:]))
+            modulus = 0.5 * np.sqrt(np.pi / area) / (self.indenter.shape_factor * (compliance - frame))
+        stiffest = self.indenter.solid.young / (1.0 - self.indenter.solid.poisson**2)
+        good = (data.stiffness > 0.0) & (compliance > frame) & (contact > 0.0) & (area > 0.0) & (data.force > 0.0)
+        chosen = np.flatnonzero(good & (depth >= self.shallowest) & (modulus < stiffest))
+        if not chosen.size:
+            raise InvalidInput(
+                f"ContinuousIndentation: '{data.name}' has no depth at which force, stiffness and contact depth are "
+                "positive; check signs, frame compliance and shallowest."
+            )
+        peaks = Peaks(data.force[chosen], depth[chosen], compliance[chosen], np.full(chosen.size, INTERCEPT))
+        base = readings_of(peaks, self.indenter.numbers, self.indenter, self.poisson)
+        moved = [
+            moved_by(peaks, self.indenter, self.poisson, depth=self.depth_offset_error),
+            moved_by(peaks, self.indenter, self.poisson, compliance=self.stiffness_error * peaks.compliance),
+            *self._calibration(peaks),
+        ]
+        young = np.sqrt(sum(np.square(one.young) for one in moved))
+        hardness = np.sqrt(sum(np.square(one.hardness) for one in moved))
+        return ContinuousIndentationSolution(
+            problem=self, points=chosen, depth=depth[chosen] - frame * peaks.force, force=peaks.force,
+            contact_depth=base.contact_depth, modulus=base.modulus, young=base.young, hardness=base.hardness,
+            young_errors=young, hardness_errors=hardness,
+        )  # fmt: skip
+
+    def _calibration(self, peaks: Peaks) -> list[Any]:
+        if not self.indenter.calibrated:
+            return []
+        spread = np.maximum(np.sqrt(np.diag(self.indenter.covariance)), np.finfo(float).tiny)
+        values, vectors = np.linalg.eigh(self.indenter.covariance / np.outer(spread, spread))
+        columns = spread[:, None] * vectors * np.sqrt(np.maximum(values, 0.0))
+        return [moved_by(peaks, self.indenter, self.poisson, numbers=column) for column in columns.T]
+
+
+@value
+class ContinuousIndentationSolution:
+    """Modulus and hardness over depth.
+
+    Parameters
+    ----------
+    problem : ContinuousIndentation
+        The problem.
+    points : ndarray, (n,)
+        Indices of the points of the data at which a reading is possible.
+    depth, force, contact_depth, modulus, young, hardness : ndarray, (n,)
+        Depth [m], force [N], contact depth [m], reduced modulus, modulus of the sample and hardness [Pa].
+    young_errors, hardness_errors : ndarray, (n,)
+        Standard uncertainties by calibration, point of first touch and stiffness scale, which all depths share [Pa];
+        the noise is the scatter of neighbouring points.
+    """
+
+    __words__ = words(
+        points=("", None, "indices of the evaluated points"),
+        modulus=("E_r", "Pa", "reduced modulus, that of the pair"),
+        young_errors=("u(E)", "Pa", "standard uncertainty of Young's modulus"),
+        hardness_errors=("u(H)", "Pa", "standard uncertainty of the hardness"),
+    )
+
+    problem: ContinuousIndentation
+    points: Array
+    depth: Array
+    force: Array
+    contact_depth: Array
+    modulus: Array
+    young: Array
+    hardness: Array
+    young_errors: Array
+    hardness_errors: Array
+
+    def mean(self, low: float, high: float) -> tuple[float, float, float, float]:
+        """Return the means of E and H [Pa] over a range of depths [m], each with its standard deviation.
+
+        Raises
+        ------
+        InvalidInput
+            If fewer than two points lie between the depths.
+        """
+        inside = (self.depth >= low) & (self.depth <= high)
+        if np.count_nonzero(inside) < 2:
+            raise InvalidInput(
+                f"mean: fewer than two points lie between {low:g} and {high:g} m; the data are from "
+                f"{float(self.depth.min()):.3g} to {float(self.depth.max()):.3g} m."
+            )
+        numbers = [(float(np.mean(x[inside])), float(np.std(x[inside], ddof=1))) for x in (self.young, self.hardness)]
+        return (*numbers[0], *numbers[1])

@@ -1,0 +1,248 @@
+r"""Modulus and hardness of one indentation over depth, from all its unloadings, with a GUM budget of uncertainty.
+
+The thermal drift is measured in a hold under a small force and subtracted, the point of first touch is found, all
+unloadings are fitted, and Oliver and Pharr's equations give a reading for each.  The uncertainty of each reading has the
+sources
+
+noise
+    White and slow noise of the unloading and of the depth at its peak.
+zero point
+    Standard error of the point of first touch.
+drift
+    Standard error of the rate, times the time since first touch, and in the slope of the unloading.
+calibration
+    Covariance of frame compliance and area coefficients.
+epsilon
+    Half the distance between the factor of the fitted exponent and 3/4, uniformly distributed: conventions differ.
+constants
+    Poisson's ratio of the sample, and relative errors of the force and depth scales.
+
+Noise, zero point and drift differ from one indentation to the next; the other sources are common to all.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+
+import numpy as np
+
+from winkler.checks.number_checks import Fraction, NonNegative, PoissonRatio
+from winkler.errors import InvalidInput
+from winkler.fitting.curves.corrections import without_drift
+from winkler.fitting.curves.curve import ForceCurve
+from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
+from winkler.fitting.nanoindentation.readings import Peaks, Readings, moved_by, readings_of
+from winkler.fitting.nanoindentation.solution import NanoindentationSolution
+from winkler.fitting.nanoindentation.thermal_drift import ThermalDrift, found_drift
+from winkler.fitting.nanoindentation.unloadings import FittedUnloadings, fitted_unloadings
+from winkler.fitting.nanoindentation.zero_point import ZeroPoint, found_zero_point
+from winkler.fitting.unloading.contact_reading import intercept_factor
+from winkler.numerics.types import Array
+from winkler.values import value, words
+
+__all__ = ["Nanoindentation", "Prepared", "contributions", "prepared"]
+
+USUAL_INTERCEPT = 0.75
+
+
+@value
+class Nanoindentation:
+    """An indentation curve, the calibrated indenter, and Poisson's ratio of the sample.
+
+    Parameters
+    ----------
+    curve : ForceCurve
+        The measured curve.  All unloadings of its `segments` are evaluated.
+    indenter : CalibratedIndenter
+        Its frame compliance is added to that of the curve.
+    poisson : float
+        nu of the sample [-].
+    poisson_error : float, optional
+        Its standard uncertainty [-]; zero unless given.
+    zero_point : ZeroPoint, optional
+        Point of first touch; found by `found_zero_point` unless given.
+    drift : ThermalDrift, optional
+        Thermal drift; found by `found_drift` unless given.
+    upper, lower : float, optional
+        Parts of the force at the peak between which an unloading is fitted.
+    force_error, depth_error : float, optional
+        Relative standard uncertainties of the scales of force and depth [-], as the machine's certificate states them.
+
+    References
+    ----------
+    W. C. Oliver, G. M. Pharr, J. Mater. Res. 19 (2004) 3-20, doi:10.1557/jmr.2004.19.1.3
+    """
+
+    __words__ = words(
+        indenter=("", None, "calibrated indenter on its frame"),
+        poisson_error=(r"u(\nu)", "", "standard uncertainty of Poisson's ratio"),
+        zero_point=("D_0", None, "point of first touch"),
+        drift=(r"\dot h_T", None, "thermal drift"),
+        upper=("", "", "part of the force at the peak where the fitted part begins"),
+        lower=("", "", "part of the force at the peak where the fitted part ends"),
+        force_error=("u(F)/F", "", "relative standard uncertainty of the force scale"),
+        depth_error=("u(h)/h", "", "relative standard uncertainty of the depth scale"),
+    )
+
+    curve: ForceCurve
+    indenter: CalibratedIndenter
+    poisson: PoissonRatio
+    poisson_error: NonNegative = 0.0
+    zero_point: ZeroPoint | tuple[()] = ()
+    drift: ThermalDrift | tuple[()] = ()
+    upper: Fraction = 0.98
+    lower: Fraction = 0.4
+    force_error: NonNegative = 0.0
+    depth_error: NonNegative = 0.0
+
+    def __post_init__(self) -> None:
+        if not 0.0 <= self.lower < self.upper <= 1.0:
+            raise InvalidInput(
+                f"Nanoindentation: the limits of the fitted part are {self.upper!r} and {self.lower!r}; "
+                "give 1 >= upper > lower >= 0, parts of the force at the peak."
+            )
+
+    def solve(self) -> NanoindentationSolution:
+        """Return the readings of all unloadings with their budgets.
+
+        Raises
+        ------
+        InvalidInput
+            If no unloading can be evaluated, or no contact is found.
+        OutsideValidity
+            If a contact depth or an area is not positive.
+        """
+        ready = prepared(
+            self.curve,
+            self.indenter.frame_compliance,
+            zero_point=self.zero_point,
+            drift=self.drift,
+            upper=self.upper,
+            lower=self.lower,
+        )
+        base = readings_of(ready.peaks, self.indenter.numbers, self.indenter, self.poisson)
+        shares = {name: _root(changes) for name, changes in contributions(self, ready).items()}
+        fits = ready.unloadings
+        return NanoindentationSolution(
+            problem=self,
+            zero_point=ready.zero_point,
+            drift=ready.drift,
+            force=ready.peaks.force,
+            depth=ready.peaks.depth - self.indenter.frame_compliance * ready.peaks.force,
+            stiffness=1.0 / (ready.peaks.compliance - self.indenter.frame_compliance),
+            exponent=fits.exponent,
+            final_depth=fits.final_depth,
+            contact_depth=base.contact_depth,
+            area=base.area,
+            modulus=base.modulus,
+            young=base.young,
+            hardness=base.hardness,
+            sources=tuple(shares),
+            young_shares=np.stack([share.young for share in shares.values()]),
+            hardness_shares=np.stack([share.hardness for share in shares.values()]),
+            depth_shares=np.stack([share.contact_depth for share in shares.values()]),
+            skipped=fits.skipped,
+        )
+
+
+@dataclasses.dataclass(frozen=True)
+class Prepared:
+    """A curve after drift and zero point, its unloadings, and their peaks with the frame put back."""
+
+    curve: ForceCurve
+    zero_point: ZeroPoint
+    drift: ThermalDrift
+    unloadings: FittedUnloadings
+    peaks: Peaks
+    touched: float
+
+
+def prepared(
+    curve: ForceCurve,
+    frame_compliance: float,
+    *,
+    zero_point: ZeroPoint | tuple[()] = (),
+    drift: ThermalDrift | tuple[()] = (),
+    upper: float = 0.98,
+    lower: float = 0.4,
+) -> Prepared:
+    """Return a curve corrected for drift, frame and zero point, with its unloadings.
+
+    The power laws are fitted over the depth without the frame; the peaks contain the frame again, so that it can vary.
+    """
+    compliance = curve.compliance + frame_compliance
+    stiff = dataclasses.replace(curve, machine_stiffness=1.0 / compliance if compliance > 0.0 else math.inf)
+    rate = found_drift(stiff) if isinstance(drift, tuple) else drift
+    steady = without_drift(stiff, rate.rate) if rate.rate else stiff
+    touch = found_zero_point(steady) if isinstance(zero_point, tuple) else zero_point
+    placed = dataclasses.replace(
+        steady, position=steady.position - touch.position, force=steady.force - touch.baseline
+    )
+    fits = fitted_unloadings(placed, upper=upper, lower=lower)
+    peaks = Peaks(
+        fits.force,
+        fits.depth + frame_compliance * fits.force,
+        fits.compliance + frame_compliance,
+        np.array([intercept_factor(exponent) for exponent in fits.exponent.tolist()]),
+    )
+    at = int(np.argmax(placed.position > 0.0))
+    return Prepared(placed, touch, rate, fits, peaks, float(placed.time[at]) if placed.timed else 0.0)
+
+
+def contributions(problem: Nanoindentation, ready: Prepared) -> dict[str, list[Readings]]:
+    """Return what one standard uncertainty of every source changes in the readings; parts of a source add in squares."""
+    indenter, peaks, fits = problem.indenter, ready.peaks, ready.unloadings
+
+    def moved(**inputs: Array | float) -> Readings:
+        return moved_by(peaks, indenter, problem.poisson, **inputs)  # type: ignore[arg-type]
+
+    slopes = np.array([_intercept_slope(exponent) for exponent in fits.exponent.tolist()])
+    noise = [
+        moved(depth=root[:, 0], compliance=root[:, 1], intercept=slopes * root[:, 2])
+        for root in np.moveaxis(_factors(fits.covariance), 2, 0)
+    ]
+    waited = fits.time - ready.touched
+    doubt = np.abs(peaks.intercept - USUAL_INTERCEPT) / math.sqrt(3.0)
+    budget = {
+        "noise": noise,
+        "zero point": [moved(depth=-ready.zero_point.error)],
+        "drift": [moved(depth=-waited * ready.drift.error, compliance=-fits.pace * ready.drift.error)],
+        "calibration": [moved(numbers=column) for column in _factors(indenter.covariance[None])[0].T]
+        if indenter.calibrated
+        else [],
+        "epsilon": [moved(intercept=doubt)],
+        "constants": [
+            _by_poisson(problem, peaks),
+            moved(force=problem.force_error * peaks.force, compliance=-problem.force_error * peaks.compliance),
+            moved(depth=problem.depth_error * peaks.depth, compliance=problem.depth_error * peaks.compliance),
+        ],
+    }
+    zero = Readings(*(np.zeros(peaks.force.size) for _ in Readings._fields))
+    return {name: changes or [zero] for name, changes in budget.items()}
+
+
+def _by_poisson(problem: Nanoindentation, peaks: Peaks) -> Readings:
+    base = readings_of(peaks, problem.indenter.numbers, problem.indenter, problem.poisson)
+    nothing = np.zeros(peaks.force.size)
+    slope = -2.0 * problem.poisson / (1.0 - problem.poisson**2) * problem.poisson_error
+    return Readings(nothing, nothing, nothing, base.young * slope, nothing)
+
+
+def _root(changes: list[Readings]) -> Readings:
+    """Return the roots of the sums of squares."""
+    return Readings(*(np.sqrt(sum(np.square(part) for part in parts)) for parts in zip(*changes, strict=True)))
+
+
+def _factors(covariance: Array) -> Array:
+    """Return L with L L^T = V for covariances ``(n, k, k)``, negative eigenvalues of rounding dropped."""
+    spread = np.sqrt(np.maximum(np.diagonal(covariance, axis1=1, axis2=2), np.finfo(float).tiny))
+    scaled = covariance / (spread[:, :, None] * spread[:, None, :])
+    values, vectors = np.linalg.eigh(scaled)
+    return np.asarray(spread[:, :, None] * vectors * np.sqrt(np.maximum(values, 0.0))[:, None, :])
+
+
+def _intercept_slope(exponent: float) -> float:
+    """Return the derivative of epsilon by the exponent."""
+    step = 1e-4
+    return (intercept_factor(exponent + step) - intercept_factor(max(exponent - step, 1.0))) / (2.0 * step)
