@@ -30,7 +30,7 @@ def test_published_meta_analysis():
 @pytest.mark.parametrize("count", [5, 12, 50])
 def test_intervals_hold_the_mean(count, between):
     """Lognormal moduli, errors that differ up to tenfold between the curves and are known by 30 points each."""
-    random, held, worlds = np.random.default_rng([count, round(100 * between)]), 0, 1500 if count == 5 else 300
+    random, held, worlds = np.random.default_rng([count, round(100 * between)]), 0, 1500 if count == 5 else 600
     for _ in range(worlds):
         errors = 0.05 * np.exp(random.uniform(-1.15, 1.15, count))
         stated = errors * np.sqrt(random.chisquare(30, count) / 30)
