@@ -22,7 +22,7 @@ from winkler.checks.number_checks import NON_NEGATIVE, checked
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.estimate import FitEstimate
-from winkler.fitting.examined.same_task import same_task
+from winkler.fitting.several.same_task import same_task
 from winkler.fitting.noise.estimate import noise_of
 from winkler.fitting.noise.whitening import whitening_of
 from winkler.fitting.outcome import AnyFit
