@@ -101,27 +101,27 @@ def test_another_sample_is_found():
 
 
 def test_shared_modulus_holds():
-    """Five curves with 1/f noise: the interval of the shared modulus holds the truth."""
-    held, flagged, worlds = 0, 0, 25
+    """Three curves with 1/f noise: the interval of the shared modulus holds the truth."""
+    held, flagged, worlds = 0, 0, 5
     for seed in range(worlds):
         random = np.random.default_rng([5, seed])
-        curves = [measured(random, flicker=1.0 / 3.0, count=150) for _ in range(5)]
+        curves = [measured(random, flicker=1.0 / 3.0, count=150) for _ in range(3)]
         found = fit_together(curves, model(), free=FREE, shared=[E])
         low, high = found.interval(E)
         held, flagged = held + (low < 1e4 < high), flagged + bool(found.flags)
-    assert held >= 22
-    assert flagged <= 2
+    assert held >= 4
+    assert flagged <= 1
 
 
 @pytest.mark.slow
 def test_shared_modulus_holds_in_many_worlds():
-    held, worlds = 0, 120
+    held, worlds = 0, 40
     for seed in range(worlds):
         random = np.random.default_rng([6, seed])
-        curves = [measured(random, flicker=1.0 / 3.0, count=150) for _ in range(5)]
+        curves = [measured(random, flicker=1.0 / 3.0, count=150) for _ in range(3)]
         low, high = fit_together(curves, model(), free=FREE, shared=[E]).interval(E)
         held += low < 1e4 < high
-    assert 0.92 <= held / worlds <= 1.0
+    assert held / worlds >= 0.92
 
 
 def test_refused():

@@ -132,7 +132,7 @@ def calibration_shares(
     """
     for name, error in (("spring_constant_error", spring_constant_error), ("sensitivity_error", sensitivity_error)):
         checked(NON_NEGATIVE, "calibration_shares", name, error, "")
-    task, coordinates = same_task(found)
+    task, coordinates, _ = same_task(found)
     prediction = task.prediction(coordinates)
     residuals = (task.measured - prediction.fitted) * task.weights
     jacobian = task.instrument(coordinates, prediction)

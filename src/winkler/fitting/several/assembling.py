@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from winkler.fitting.curves.checks import Flag
+from winkler.fitting.estimate import FitEstimate
 from winkler.fitting.generalised import Generalised
 from winkler.fitting.outcome import AnyFit
 from winkler.fitting.several.arrowhead import Reduced, reduced
 from winkler.fitting.several.joining import Joined
 from winkler.fitting.several.joint import JointFit
-from winkler.fitting.task import FitTask
+from winkler.fitting.several.same_task import SameTask
 from winkler.fitting.varied import Parameter
 from winkler.numerics.types import Array
 
@@ -35,18 +37,20 @@ class _Agreement(NamedTuple):
     chance: float
 
 
-def joint_fit(made: Joined, tasks: Sequence[FitTask], names: tuple[str, ...], noises: Sequence[float]) -> JointFit:
+def joint_fit(made: Joined, begun: Sequence[SameTask], names: tuple[str, ...], noises: Sequence[float]) -> JointFit:
     """Return the answer of a joint fit.
 
     Parameters
     ----------
     made : Joined
-    tasks : sequence of FitTask, (k,)
+    begun : sequence of SameTask, (k,)
+        From which it was found.
     names : tuple of str, (q,)
         Shared numbers.
     noises : sequence of float, (k,)
         Standard deviations of the fitted quantity [N]; zero: estimated.
     """
+    tasks = [one.task for one in begun]
     parts = [reduced(block) for block in made.blocks]
     agreement = _agreement(made, parts)
     by_name = {p.name: p for p in tasks[0].parameters}
@@ -64,7 +68,7 @@ def joint_fit(made: Joined, tasks: Sequence[FitTask], names: tuple[str, ...], no
         noise = noises[index] or state.deviation(task) or state.scatter or float(np.finfo(float).tiny)
         if not state.misfit(task, noise).explained:
             unexplained.append(str(index + 1))
-        fits.append(_fit_of(task, state, covariance * widening**2, noise))
+        fits.append(_fit_of(begun[index], state, covariance * widening**2, noise))
     if unexplained:
         which = ", ".join(unexplained)
         flags.append(Flag("misfit", f"The model with shared numbers does not explain the curves numbered {which}."))
@@ -150,34 +154,41 @@ def _singles(parts: Sequence[Reduced], at: Array) -> tuple[Array, Array]:
     return np.array(values), np.array(errors)
 
 
-def _fit_of(task: FitTask, state: Generalised, covariance: Array, noise: float) -> AnyFit:
+def _fit_of(begun: SameTask, state: Generalised, covariance: Array, noise: float) -> AnyFit:
     """Return the fit of one curve with the numbers of the joint fit."""
+    task = begun.task
     numbers = task.numbers(state.coordinates)
     values = np.array(list(numbers.values()))
     deviations = np.sqrt(np.diag(covariance))
     errors = deviations * np.abs([p.change(n) for p, n in zip(task.parameters, values.tolist(), strict=True)])
     whole = float(np.sum(np.log(task.weights[task.weights > 0.0])))
-    return task.outcome(
-        numbers,
-        state.prediction,
-        {
-            "curve": task.curve,
-            "model": task.model_of(numbers, state.prediction),
-            "names": tuple(numbers),
-            "values": values,
-            "standard_errors": errors,
-            "correlation": covariance / np.outer(deviations, deviations),
-            "lows": np.array([p.low for p in task.parameters]),
-            "highs": np.array([p.high for p in task.parameters]),
-            "noise": noise,
-            "weights": task.weights,
-            "scatter": state.scatter,
-            "effective_count": state.noise.effective_count,
-            "slow_share": state.noise.slow_share,
-            "log_likelihood": state.noise.likelihood + whole,
-            "stretches": np.ones((values.size, 2)),
-            "predicted": state.prediction.fitted,
-            "logarithmic": tuple(p.logarithmic for p in task.parameters),
-            "flags": (),
-        },
-    )
+    own = {
+        "model": task.model_of(numbers, state.prediction),
+        "names": tuple(numbers),
+        "values": values,
+        "standard_errors": errors,
+        "correlation": covariance / np.outer(deviations, deviations),
+        "lows": np.array([p.low for p in task.parameters]),
+        "highs": np.array([p.high for p in task.parameters]),
+        "noise": noise,
+        "scatter": state.scatter,
+        "effective_count": state.noise.effective_count,
+        "slow_share": state.noise.slow_share,
+        "log_likelihood": state.noise.likelihood + whole,
+        "stretches": np.ones((values.size, 2)),
+        "predicted": state.prediction.fitted,
+        "logarithmic": tuple(p.logarithmic for p in task.parameters),
+        "flags": (),
+    }
+    return task.outcome(numbers, state.prediction, _of_single(begun.found, tuple(numbers)) | own)
+
+
+def _of_single(found: AnyFit, names: tuple[str, ...]) -> dict[str, Any]:
+    """Return the common fields of a single fit, rows for each number in the order of `names`."""
+    fields = {field.name: getattr(found, field.name) for field in dataclasses.fields(FitEstimate)}
+    del fields["radius"]
+    for name, content in fields.items():
+        if isinstance(content, np.ndarray) and content.ndim == 2 and content.shape[0] == len(found.names):
+            usual = np.median(content, axis=0)
+            fields[name] = np.array([content[found.index(one)] if one in found.names else usual for one in names])
+    return fields

@@ -60,7 +60,7 @@ def begun_alone(
     task = task._replace(weights=found.weights)
     numbers = dict(zip(found.names, found.values.tolist(), strict=True))
     start = np.array([p.inward(numbers.get(p.name, p.start)) for p in task.parameters])
-    return SameTask(task, start), np.full(len(names), math.inf)
+    return SameTask(task, start, found), np.full(len(names), math.inf)
 
 
 def same_start(begun: Sequence[SameTask], errors: Array, names: Sequence[str]) -> list[SameTask]:
@@ -79,7 +79,7 @@ def same_start(begun: Sequence[SameTask], errors: Array, names: Sequence[str]) -
         If a model lacks a shared number.
     """
     first = {p.name: p for p in begun[0].task.parameters}
-    for task, _ in begun:
+    for task, _, _ in begun:
         missing = [name for name in names if name not in {p.name for p in task.parameters}]
         if missing:
             raise InvalidInput(f"fit_together: a model has no '{missing[0]}'; shared numbers exist in all models.")
@@ -87,13 +87,13 @@ def same_start(begun: Sequence[SameTask], errors: Array, names: Sequence[str]) -
     for place, name in enumerate(names):
         of = [
             first[name].inward({p.name: p.outward(float(c)) for p, c in zip(task.parameters, at, strict=True)}[name])
-            for task, at in begun
+            for task, at, _ in begun
         ]
         weights = 1.0 / np.maximum(errors[:, place], LEAST_ERROR) ** 2
         starts[name] = float(np.average(of, weights=weights) if weights.any() else np.median(of))
     result = []
-    for task, at in begun:
+    for task, at, found in begun:
         parameters = tuple(first[p.name] if p.name in names else p for p in task.parameters)
         start = np.array([starts.get(p.name, c) for p, c in zip(parameters, at.tolist(), strict=True)])
-        result.append(SameTask(task._replace(parameters=parameters), start))
+        result.append(SameTask(task._replace(parameters=parameters), start, found))
     return result

@@ -17,10 +17,11 @@ __all__ = ["SameTask", "same_task"]
 
 
 class SameTask(NamedTuple):
-    """A task, and coordinates of it ``(p,)``."""
+    """A task, coordinates of it ``(p,)``, and the fit of its curve."""
 
     task: FitTask
     coordinates: Array
+    found: AnyFit
 
 
 def same_task(found: AnyFit, curve: ForceCurve | None = None) -> SameTask:
@@ -41,4 +42,4 @@ def same_task(found: AnyFit, curve: ForceCurve | None = None) -> SameTask:
         task = driven_task(curve, found.model, free, np.array(found.noise), examined_stroke(curve)[0])
     task = task._replace(weights=found.weights)
     values = zip(task.parameters, found.values.tolist(), strict=True)
-    return SameTask(task, np.array([parameter.inward(number) for parameter, number in values]))
+    return SameTask(task, np.array([parameter.inward(number) for parameter, number in values]), found)

@@ -146,4 +146,4 @@ def _joint(
     begun: list[SameTask], errors: list[Array], names: tuple[str, ...], noises: Sequence[float], time_limit: float
 ) -> JointFit:
     started = same_start(begun, np.array(errors), names)
-    return joint_fit(joined(started, names, Search(time_limit)), [one.task for one in started], names, noises)
+    return joint_fit(joined(started, names, Search(time_limit)), started, names, noises)
