@@ -61,15 +61,15 @@ def test_no_model_is_confirmed_by_a_worse_one():
 
 @pytest.mark.slow
 def test_wrong_models_are_rarely_told():
-    """From noise that hides the tip to noise that does not: at most one of a hundred curves is called the other tip."""
+    """From noise that hides the tip to noise that does not: no curve is called the other tip."""
     wrong = right = 0
-    for seed in range(100):
+    for seed in range(50):
         law = ("ball", "cone")[seed % 2]
         found = verdict([4, seed], law, 10.0 ** np.random.default_rng(seed).uniform(-10.5, -9.0), count=150)
         wrong += found.told and found.possible != (law,)
         right += found.told and found.possible == (law,)
-    assert wrong <= 1
-    assert right >= 20
+    assert wrong == 0
+    assert right >= 10
 
 
 def test_nothing_to_judge():
