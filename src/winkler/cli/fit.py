@@ -184,7 +184,7 @@ def _table(outcome: FitOutcome, out: Any) -> None:
     if len(outcome.results) == 1:
         fit = outcome.fitted[0].fit
         table = terminal.table("free", "symbol", "fitted", "standard error", "95 % interval")
-        for free, word, number, error, low, high in number_texts(outcome, fit):
+        for free, word, number, error, low, high in number_texts(outcome, outcome.fitted[0]):
             table.add_row(free.key, plain_symbol(word.symbol), number, error, f"{low} ... {high}")
         out.print(table)
         out.print(
