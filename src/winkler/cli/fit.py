@@ -154,10 +154,13 @@ def _progress_text(state: FitState, study: FitStudy) -> str:
 @until_closed()
 def _print(outcome: FitOutcome, folder: Path) -> None:
     from winkler.cli import terminal
+    from winkler.study.report.fit_sentences import further_sentences
 
     out = terminal.console()
     out.print(outcome.study.title)
     _table(outcome, out)
+    for sentence in further_sentences(outcome):
+        out.print(sentence, soft_wrap=True)
     for result in outcome.fitted[:MOST_ROWS]:
         for flag in result.fit.flags:
             where = f"{result.name}, " if len(outcome.results) > 1 else ""
