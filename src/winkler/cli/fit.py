@@ -154,10 +154,13 @@ def _progress_text(state: FitState, study: FitStudy) -> str:
 @until_closed()
 def _print(outcome: FitOutcome, folder: Path) -> None:
     from winkler.cli import terminal
+    from winkler.study.report.fit_sentences import further_sentences
 
     out = terminal.console()
     out.print(outcome.study.title)
     _table(outcome, out)
+    for sentence in further_sentences(outcome):
+        out.print(sentence, soft_wrap=True)
     for result in outcome.fitted[:MOST_ROWS]:
         for flag in result.fit.flags:
             where = f"{result.name}, " if len(outcome.results) > 1 else ""
@@ -184,7 +187,7 @@ def _table(outcome: FitOutcome, out: Any) -> None:
     if len(outcome.results) == 1:
         fit = outcome.fitted[0].fit
         table = terminal.table("free", "symbol", "fitted", "standard error", "95 % interval")
-        for free, word, number, error, low, high in number_texts(outcome, fit):
+        for free, word, number, error, low, high in number_texts(outcome, outcome.fitted[0]):
             table.add_row(free.key, plain_symbol(word.symbol), number, error, f"{low} ... {high}")
         out.print(table)
         out.print(

@@ -11,7 +11,7 @@ The number of independent points is that of the likeliest model, the same for al
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -25,7 +25,7 @@ from winkler.numerics.types import Array, Quantity
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.values import value, words
 
-__all__ = ["AnyFit", "Comparison", "compare"]
+__all__ = ["AnyFit", "Comparison", "compare", "ranked"]
 
 
 @value
@@ -113,6 +113,11 @@ def compare(
             refused.append(f"{name}: {error}")
     if not fits:
         raise OutsideValidity(f"compare: no model can be fitted; {' '.join(refused)}")
+    return ranked(fits, refused)
+
+
+def ranked(fits: Mapping[str, AnyFit], refused: Sequence[str] = ()) -> Comparison:
+    """Return the comparison of models of one curve that were fitted already; `refused` as in `Comparison`."""
     independent = max(fits.values(), key=lambda result: result.log_likelihood).effective_count
     aic = {name: result.aic for name, result in fits.items()}
     bic = {name: value + (math.log(independent) - 2.0) * len(fits[name].names) for name, value in aic.items()}

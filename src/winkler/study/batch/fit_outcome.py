@@ -19,14 +19,16 @@ from typing import Any
 import numpy as np
 
 from winkler.fitting.compare import AnyFit
+from winkler.fitting.several.joint import JointFit
 from winkler.numerics.types import Array
+from winkler.study.batch.fit_further import NOTHING, Further, further_columns
 from winkler.study.batch.outcome import Provenance, ResultColumn, worst_of_each
 from winkler.study.language.fit_study import FitStudy, Free
 from winkler.validity import Note
 from winkler.values import value
 from winkler.vocabulary import Word
 
-__all__ = ["CONFIDENCE", "FitOutcome", "Fitted", "Refused"]
+__all__ = ["CONFIDENCE", "FitOutcome", "Fitted", "Refused", "interval_of"]
 
 CONFIDENCE = 0.95
 FIT_COLUMNS = {
@@ -54,6 +56,8 @@ class Fitted:
     fit : Fit, ViscoelasticFit or CreepFit
     notes : tuple of Note
         Validity of the fitted contact at its largest depth.
+    further : Further
+        Calibration shares, depths and other models, where the study asks for them.
     """
 
     name: str
@@ -62,6 +66,7 @@ class Fitted:
     steps: tuple[str, ...]
     fit: AnyFit
     notes: tuple[Note, ...]
+    further: Further = NOTHING
 
 
 @value
@@ -85,6 +90,13 @@ class Refused:
     code: int
 
 
+def interval_of(result: Fitted, free: Free) -> tuple[float, float]:
+    """Return the interval of 95 % of a number, with the error of the calibration where it is stated."""
+    if result.further.shares:
+        return result.further.shares[0].interval(result.fit, free.path, CONFIDENCE)
+    return result.fit.interval(free.path, CONFIDENCE)
+
+
 @value
 class FitOutcome:
     """The outcome of the fits of a study; see the module for its parts."""
@@ -93,6 +105,8 @@ class FitOutcome:
     results: tuple[Fitted | Refused, ...]
     provenance: Provenance
     left: int = 0
+    joint: tuple[JointFit, ...] = ()
+    joint_failure: str = ""
 
     @property
     def fitted(self) -> tuple[Fitted, ...]:
@@ -119,7 +133,8 @@ class FitOutcome:
 
     def intervals(self, free: Free) -> Array:
         """Return the interval of 95 % of every curve ``(curves, 2)``, SI."""
-        return self._of(lambda fit: fit.interval(free.path, CONFIDENCE), (np.nan, np.nan))
+        nothing = (np.nan, np.nan)
+        return np.array([interval_of(one, free) if isinstance(one, Fitted) else nothing for one in self.results])
 
     def flags(self, separator: str, nothing: str) -> list[str]:
         """Return the names of the flags of every curve, `nothing` where there is no fit."""
@@ -150,6 +165,9 @@ class FitOutcome:
             ResultColumn(name, word, self._largest(name.removeprefix("largest_")))
             for name, word in ({"noise": self.study.spread} | FIT_COLUMNS).items()
         ]
+        fits = [one.fit if isinstance(one, Fitted) else one.reason for one in self.results]
+        furthers = [one.further if isinstance(one, Fitted) else NOTHING for one in self.results]
+        columns += further_columns(self.study, fits, furthers)
         reasons = np.array([result.reason if isinstance(result, Refused) else "" for result in self.results])
         flags = np.array(self.flags("; ", ""))
         columns.append(ResultColumn("flags", Word("", None, "what speaks against the numbers"), flags))

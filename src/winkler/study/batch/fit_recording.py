@@ -17,16 +17,19 @@ from winkler.errors import InvalidInput, Mistake
 from winkler.fitting.compare import AnyFit
 from winkler.fitting.curves.checks import Flag
 from winkler.fitting.curves.curve import ForceCurve
+from winkler.fitting.examined.calibrated import CalibrationShares
+from winkler.fitting.examined.over_depth import DepthSeries
 from winkler.fitting.outcome import CreepFit, Fit, ViscoelasticFit
 from winkler.fitting.parameters import changed
 from winkler.io.curves import PlacedCurve, UnreadCurve
 from winkler.loading import Depth, Force
 from winkler.path import Path as MotionPath
+from winkler.study.batch.fit_further import NOTHING, Further
 from winkler.study.batch.fit_outcome import Fitted, Refused
 from winkler.study.batch.journal import Journal
 from winkler.study.batch.lossless import packed, unpacked
 from winkler.study.batch.recording import notes_of, plain_notes
-from winkler.study.language.fit_study import FitStudy
+from winkler.study.language.fit_study import Alternative, FitStudy
 
 __all__ = ["Piece", "Results", "fingerprint", "path_from_study", "recalled_fits", "results_of", "written_fits"]
 
@@ -36,7 +39,7 @@ Results = tuple[Fitted | Refused, ...]
 """Results of the curves of a piece."""
 
 FIT_CLASSES = {cls.__name__: cls for cls in (Fit, ViscoelasticFit, CreepFit)}
-RESTORED_CLASSES = {cls.__name__: cls for cls in (ForceCurve, Flag, Depth, Force)}
+RESTORED_CLASSES = {cls.__name__: cls for cls in (ForceCurve, Flag, Depth, Force, CalibrationShares, DepthSeries)}
 
 
 def path_from_study(study: FitStudy, path: str) -> str:
@@ -99,7 +102,21 @@ def _written(result: Fitted | Refused) -> dict[str, Any]:
     content = {"name": result.name, "x": packed(result.x), "y": packed(result.y)}
     if isinstance(result, Refused):
         return {**content, "reason": result.reason, "code": result.code}
-    return {**content, "steps": result.steps, "notes": plain_notes(result.notes), "fit": _written_fit(result.fit)}
+    made = {"steps": result.steps, "notes": plain_notes(result.notes), "fit": _written_fit(result.fit)}
+    return {**content, **made, **({"further": _written_further(result.further)} if result.further != NOTHING else {})}
+
+
+def _written_further(further: Further) -> dict[str, Any]:
+    plain = {name: packed(getattr(further, name)) for name in ("shares", "depths", "names", "refused")}
+    return {**plain, "fits": [_written_fit(one) for one in further.fits]}
+
+
+def _recalled_further(study: FitStudy, content: dict[str, Any]) -> Further:
+    parts = {name: unpacked(part, RESTORED_CLASSES) for name, part in content.items() if name != "fits"}
+    others = {one.name: one for one in study.models}
+    of = [others[name] for name in parts["names"]]
+    fits = tuple(_recalled_fit(one, fit) for one, fit in zip(of, content["fits"], strict=True))
+    return Further(**parts, fits=fits)
 
 
 def _written_fit(fitted_curve: AnyFit) -> dict[str, Any]:
@@ -118,10 +135,11 @@ def _recalled(study: FitStudy, content: dict[str, Any]) -> Fitted | Refused:
     if "reason" in content:
         return Refused(name, x, y, content["reason"], content["code"])
     fitted_curve = _recalled_fit(study, content["fit"])
-    return Fitted(name, x, y, tuple(content["steps"]), fitted_curve, notes_of(content["notes"]))
+    further = _recalled_further(study, content["further"]) if "further" in content else NOTHING
+    return Fitted(name, x, y, tuple(content["steps"]), fitted_curve, notes_of(content["notes"]), further)
 
 
-def _recalled_fit(study: FitStudy, content: dict[str, Any]) -> AnyFit:
+def _recalled_fit(study: FitStudy | Alternative, content: dict[str, Any]) -> AnyFit:
     parts = {name: unpacked(item, RESTORED_CLASSES) for name, item in content.items() if name != "kind"}
     load, kind = parts.pop("load"), FIT_CLASSES[content["kind"]]
     own = {free.path for free in study.free if free.key.startswith("problem.")}

@@ -24,6 +24,7 @@ from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit, fit_steps
 from winkler.fitting.search import FitState
 from winkler.io.curves import PlacedCurve, UnreadCurve, try_curves
+from winkler.study.batch.fit_further import further_of, joint_of_study
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted, Refused
 from winkler.study.batch.fit_recording import (
     Piece,
@@ -154,7 +155,8 @@ def gather_fits(
         many = f"none of the {len(each)} curves can be fitted; the first: " if len(each) > 1 else ""
         raise ERRORS[first.code](f"{many}{first.name}: {first.reason}")
     made = provenance(_hash(study), time.perf_counter() - started, source)
-    return FitOutcome(study, each, made, left)
+    joint = joint_of_study(study, [result.fit for result in each if isinstance(result, Fitted)])
+    return FitOutcome(study, each, made, left, *joint)
 
 
 def _read(study: FitStudy, path: str) -> Iterator[PlacedCurve | UnreadCurve]:
@@ -187,7 +189,7 @@ def _fit_curve(study: FitStudy, one: PlacedCurve | UnreadCurve, where: str, watc
         how = study.correct, study.frame_stiffness, study.part, study.segments, study.events
         curve, steps = corrected(one.curve, *how)
         fitted = _fit_of(study, curve, watch)
-        return Fitted(name, one.x, one.y, steps, fitted, _notes(fitted))
+        return Fitted(name, one.x, one.y, steps, fitted, _notes(fitted), further_of(study, curve, fitted))
     except WinklerError as error:
         return Refused(name, one.x, one.y, str(error), error.exit_code)
     except Exception as error:  # this curve fails, not the batch

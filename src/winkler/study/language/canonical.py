@@ -59,7 +59,24 @@ def how_fitted(study: FitStudy) -> dict[str, Any]:
         "numbers": [
             str(number) for number in (study.spring_constant, study.sensitivity, study.frame_stiffness, study.noise)
         ],
+        **_examined(study),
     }
+
+
+def _examined(study: FitStudy) -> dict[str, Any]:
+    """Return how fits are examined further; nothing if they are not."""
+    calibration = [study.spring_constant_error, study.sensitivity_error, study.spring_constant_by]
+    models = [
+        [one.name, digest(Study("", one.problem)), [[free.key, list(free.given)] for free in one.free]]
+        for one in study.models
+    ]
+    content = {
+        "calibration": calibration if study.is_calibrated else [],
+        "over_depth": study.over_depth,
+        "shared": list(study.shared),
+        "models": [study.model, models] if models else [],
+    }
+    return {key: part for key, part in content.items() if part}
 
 
 def _places(places: Places) -> Any:

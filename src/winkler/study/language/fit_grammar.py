@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import math
 from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, BeforeValidator, StrictStr, create_model
@@ -19,6 +20,8 @@ __all__ = ["fit_form"]
 
 PARTS: Any = Literal["approach", "hold", "retract", "both"]
 FITTED_QUANTITIES: Any = Literal["force", "position"]
+CALIBRATIONS: Any = Literal["thermal", "other"]
+MOST_DEPTHS = 100
 
 
 def corrections(raw: Any) -> tuple[str, ...]:
@@ -49,6 +52,33 @@ def _positive(unit: str) -> Any:
     return Annotated[Any, BeforeValidator(check)]
 
 
+def relative_error(raw: Any) -> float:
+    """Refuse what is not a part between 0 and 1, as 0.1 or "10 %"."""
+    text = raw.strip().removesuffix("%") if isinstance(raw, str) else raw
+    try:
+        number = float(text) if not isinstance(text, bool) else math.nan
+    except (TypeError, ValueError):
+        number = math.nan
+    number = 0.01 * number if isinstance(raw, str) and raw.strip().endswith("%") else number
+    if not 0.0 < number < 1.0:
+        wrong(f'{WHERE} is {raw!r}; give the standard error as a part, such as 0.1 or "10 %".')
+    return number
+
+
+def depth_count(raw: Any) -> int:
+    """Refuse what is not a number of depths."""
+    if isinstance(raw, bool) or not isinstance(raw, int) or not 2 <= raw <= MOST_DEPTHS:
+        wrong(f"{WHERE} is {raw!r}; give a whole number of depths from 2 to {MOST_DEPTHS}.")
+    return int(raw)
+
+
+def shared_keys(raw: Any) -> tuple[str, ...]:
+    """Refuse what is not a list of keys."""
+    if not isinstance(raw, list) or not raw or not all(isinstance(item, str) for item in raw):
+        wrong(f'{WHERE} is {raw!r}; give a list of free numbers, such as ["problem.bed.medium.first.young"].')
+    return tuple(dict.fromkeys(raw))
+
+
 @functools.cache
 def fit_form() -> type[BaseModel]:
     """Return the input model of the section."""
@@ -68,4 +98,11 @@ def fit_form() -> type[BaseModel]:
         correct=(Annotated[Any, BeforeValidator(corrections)], MISSING),
         noise=(Any, MISSING),
         time_limit=(_positive("s"), MISSING),
+        spring_constant_error=(Annotated[Any, BeforeValidator(relative_error)], MISSING),
+        sensitivity_error=(Annotated[Any, BeforeValidator(relative_error)], MISSING),
+        spring_constant_by=(CALIBRATIONS, MISSING),
+        over_depth=(Annotated[Any, BeforeValidator(depth_count)], MISSING),
+        shared=(Annotated[Any, BeforeValidator(shared_keys)], MISSING),
+        model=(StrictStr, MISSING),
+        models=(dict[str, dict[str, Any]], MISSING),
     )

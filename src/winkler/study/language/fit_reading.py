@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import dataclasses
 import itertools
 import re
@@ -20,6 +21,7 @@ from winkler.path import Path as MotionPath
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.study.language import keys
 from winkler.study.language.build import MOST_NEIGHBOURS
+from winkler.study.language.fit_models import alternatives
 from winkler.study.language.fit_study import OF_A_CURVE, OF_A_TIMED_CURVE, FitStudy, Free, word_of
 from winkler.study.language.reading import checked, parsed, read_text, stated
 from winkler.study.language.segmenting import FOUND
@@ -75,18 +77,33 @@ def parse_fit_study(text: str, *, file: str = "", folder: Path = Path()) -> FitS
     for name in EXCLUDED_SECTIONS:
         if name in raw:
             raise InvalidInput(f"{at}a study with [fit] has no {name}; leave it out.")
+    own = copy.deepcopy(raw)
+    study = _study_of(raw, text, file, folder)
+    listed = alternatives(own, lambda other: _study_of(other, text, file, folder), at)
+    names = [study.model, *(one.name for one in listed)]
+    if len(set(names)) < len(names):
+        raise InvalidInput(f"{at}fit.models holds '{study.model}', the name of the problem itself; rename one of them.")
+    return dataclasses.replace(study, models=listed)
+
+
+def _study_of(raw: dict[str, Any], text: str, file: str, folder: Path) -> FitStudy:
+    """Return the study with its own problem alone."""
+    at = f"{file}: " if file else ""
     _placeholder(raw, at)
     form, problem = checked(raw, file, folder)
     given = stated(form.fit)
+    given.pop("models", None)
     try:
         problem = _unloaded(problem, given)
         if "noise" in given:
             given["noise"] = _noise(given["noise"], "N" if given.get("fitted", "force") == "force" else "m")
+        frees = _frees(given.pop("free"), problem)
+        _refuse_further(given, frees, problem)
         return FitStudy(
             title=form.title or Path(file).stem,
             problem=problem,
             sources=_sources(given.pop("curve"), folder),
-            free=_frees(given.pop("free"), problem),
+            free=frees,
             output=Output(**stated(form.output)),
             text=text,
             folder=str(folder),
@@ -94,6 +111,29 @@ def parse_fit_study(text: str, *, file: str = "", folder: Path = Path()) -> FitS
         )
     except WinklerError as error:
         raise type(error)(f"{at}{error}") from None
+
+
+def _refuse_further(given: dict[str, Any], frees: tuple[Free, ...], problem: Any) -> None:
+    """Raise InvalidInput for keys that do not go together."""
+    keys_ = [free.key for free in frees]
+    for key in given.get("shared", ()):
+        if re.sub(r"\[(\d+)\]", r".\1", key) not in keys_:
+            raise InvalidInput(
+                f"fit.shared names '{key}', which is not free{suggest(key, keys_)}; {', '.join(keys_)} are free."
+            )
+    if "shared" in given:
+        given["shared"] = tuple(re.sub(r"\[(\d+)\]", r".\1", key) for key in given["shared"])
+        if given.get("fitted", "force") != "force":
+            raise InvalidInput("fit.shared is given, but positions are fitted; curves share numbers by their forces.")
+    if "over_depth" in given:
+        if isinstance(problem, ViscoelasticIndentation):
+            raise InvalidInput(
+                "fit.over_depth is given, but the body relaxes and has a history, which is not cut; leave it out."
+            )
+        if not any(key.startswith("problem.") for key in keys_):
+            raise InvalidInput("fit.over_depth needs a free number of the problem, such as a modulus; free one.")
+    if given.get("spring_constant_by") == "thermal" and "sensitivity_error" not in given:
+        raise InvalidInput("fit.spring_constant_by is 'thermal', which only matters with sensitivity_error; give it.")
 
 
 def _placeholder(raw: dict[str, Any], at: str) -> None:

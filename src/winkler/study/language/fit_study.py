@@ -24,7 +24,7 @@ from winkler.study.language.study import Output
 from winkler.values import value
 from winkler.vocabulary import Word
 
-__all__ = ["OF_A_CURVE", "OF_A_TIMED_CURVE", "FitStudy", "Free", "word_of"]
+__all__ = ["OF_A_CURVE", "OF_A_TIMED_CURVE", "Alternative", "FitStudy", "Free", "word_of"]
 
 OF_A_CURVE = {
     "contact_point": Word("D_0", "m", "position at which the curve first touches"),
@@ -71,6 +71,25 @@ class Free:
 
 
 @value
+class Alternative:
+    """Another model of the curves, one line of ``[fit.models]``.
+
+    Parameters
+    ----------
+    name
+        As it stands in the study.
+    problem
+        The model; its load is a placeholder.
+    free : tuple of Free
+        What is fitted.
+    """
+
+    name: str
+    problem: Any
+    free: tuple[Free, ...]
+
+
+@value
 class FitStudy:
     """What to fit, and to what.
 
@@ -104,6 +123,18 @@ class FitStudy:
         [N], or [m] where positions are fitted; zero: read from the curves.
     time_limit
         The longest that the fit of one curve may take [s].
+    spring_constant_error, sensitivity_error
+        Relative standard errors of the calibration.
+    spring_constant_by
+        thermal, if the spring constant was found from thermal noise with this sensitivity.
+    over_depth
+        Number of depths up to which each curve is fitted; zero for the whole curve alone.
+    shared : tuple of str
+        Keys of free numbers that all curves share.
+    model
+        Name of the problem among the models.
+    models : tuple of Alternative
+        Other models that are compared with it.
     output
         What is written.
     text
@@ -127,6 +158,13 @@ class FitStudy:
     frame_stiffness: float = math.inf
     noise: float = 0.0
     time_limit: float = math.inf
+    spring_constant_error: float = 0.0
+    sensitivity_error: float = 0.0
+    spring_constant_by: str = ""
+    over_depth: int = 0
+    shared: tuple[str, ...] = ()
+    model: str = "the problem"
+    models: tuple[Alternative, ...] = ()
     output: Output = Output()
     text: str = ""
     folder: str = "."
@@ -136,6 +174,16 @@ class FitStudy:
         """Symbol, unit and meaning of the noise."""
         unit = "N" if self.fitted == "force" else "m"
         return Word("", unit, f"standard deviation of the {self.fitted}")
+
+    @property
+    def own_numbers(self) -> tuple[Free, ...]:
+        """The free numbers of the problem, without those of the curve."""
+        return tuple(free for free in self.free if free.key.startswith("problem."))
+
+    @property
+    def is_calibrated(self) -> bool:
+        """Whether the calibration has a stated error."""
+        return self.spring_constant_error > 0.0 or self.sensitivity_error > 0.0
 
     def word(self, key: str) -> Word:
         """Return symbol, unit and meaning of a free number."""

@@ -23,6 +23,7 @@ from winkler.study.language.study import Study
 from winkler.study.report import page_parts as parts
 from winkler.study.report.describe import inputs
 from winkler.study.report.figure import ReportFigure, drawn
+from winkler.study.report.fit_further import further_figures, further_section
 from winkler.study.report.fit_tables import MOST_ROWS, answers, counts, doubts, failures
 from winkler.study.report.fit_writing import CSV, MAPS, MOST_CURVES_AS_TEXT, NETCDF, map_grid
 from winkler.study.report.markup import safe, section, table
@@ -49,7 +50,7 @@ def _series(study: FitStudy, free: Free, content: np.ndarray) -> Series:
 
 def figures_of(outcome: FitOutcome) -> tuple[ReportFigure, ...]:
     """Return the figures: maps, the numbers of many curves, then single curves with their models."""
-    return (*figures_of_many(outcome), *figures_of_curves(outcome))
+    return (*figures_of_many(outcome), *further_figures(outcome), *figures_of_curves(outcome))
 
 
 def figures_of_many(outcome: FitOutcome) -> Iterator[ReportFigure]:
@@ -100,6 +101,7 @@ def page(outcome: FitOutcome, shown: tuple[ReportFigure, ...] | None = None) -> 
     body = [
         f"<header><h1>{title}</h1>{counts(outcome)}</header>",
         answers(outcome),
+        further_section(outcome),
         doubts(outcome),
         failures(outcome),
         section("Figures", parts.figure_elements(shown)) if shown else "",
@@ -160,6 +162,9 @@ def _in_words(study: FitStudy) -> str:
         )
     if study.sensitivity:
         facts.append(f"The sensitivity {with_unit(study.sensitivity, 'm/V')} was given.")
+    for word, error in (("spring constant", study.spring_constant_error), ("sensitivity", study.sensitivity_error)):
+        if error:
+            facts.append(f"The standard error of the {word} is {error:.2%}.")
     if study.noise:
         facts.append(f"The noise {with_unit(study.noise, study.spread.unit)} was given.")
     return " ".join(facts)

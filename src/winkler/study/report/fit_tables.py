@@ -6,10 +6,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from winkler.fitting.compare import AnyFit
 from winkler.plot.series import middle_scale
 from winkler.readable import with_unit
-from winkler.study.batch.fit_outcome import FitOutcome, Fitted
+from winkler.study.batch.fit_outcome import FitOutcome, Fitted, interval_of
 from winkler.study.language.fit_study import Free
 from winkler.study.report.fit_writing import CSV
 from winkler.study.report.markup import number, safe, section, table
@@ -48,7 +47,7 @@ def _single(outcome: FitOutcome, result: Fitted) -> str:
     rows = [
         f"<tr><td>{safe(free.key)}</td><td>{symbol(word.symbol)}</td>{number(safe(fitted))}{number(safe(error))}"
         f'{number(safe(f"{low} … {high}"))}<td class="text small">{safe(word.meaning)}</td></tr>'
-        for free, word, fitted, error, low, high in number_texts(outcome, fit)
+        for free, word, fitted, error, low, high in number_texts(outcome, result)
     ]
     heads = ["what", "", "#fitted", "#standard error", "#95 % interval", "meaning"]
     correlations = [
@@ -88,11 +87,12 @@ def _together(outcome: FitOutcome) -> str:
     return table(heads, rows)
 
 
-def number_texts(outcome: FitOutcome, fit: AnyFit) -> Iterator[tuple[Free, Word, str, str, str, str]]:
-    """Yield every free number of a fit as text: itself, its standard error, and the ends of its interval."""
+def number_texts(outcome: FitOutcome, result: Fitted) -> Iterator[tuple[Free, Word, str, str, str, str]]:
+    """Yield every free number of a curve as text: itself, its standard error, and the ends of its interval."""
     for free in outcome.study.free:
         word = outcome.study.word(free.key)
-        low, high = (with_unit(end, word.unit, 5) for end in fit.interval(free.path))
+        fit = result.fit
+        low, high = (with_unit(end, word.unit, 5) for end in interval_of(result, free))
         yield (
             free,
             word,

@@ -23,6 +23,7 @@ from winkler.plot.fitting.fits import Grid, grid_of
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted
 from winkler.study.batch.outcome import ResultColumn
 from winkler.study.report.archive import write_table
+from winkler.study.report.fit_further import write_further
 from winkler.study.report.netcdf import Variables, netcdf_attributes, write_variables
 from winkler.vocabulary import Word
 
@@ -52,6 +53,7 @@ POINT_COLUMNS = {
 def write_numbers(outcome: FitOutcome, folder: Path) -> None:
     """Write the numbers of fits, as tables and as NetCDF, into an existing, empty `folder`."""
     write_table(outcome.table(), folder / CSV, nothing="")
+    write_further(outcome, folder)
     write_variables(folder / NETCDF, *_dataset(outcome))
     grid = map_grid(outcome)
     if isinstance(grid, Grid):

@@ -1,0 +1,1 @@
+"""Fits examined further: over depth, under the error of a calibration, and against other models."""

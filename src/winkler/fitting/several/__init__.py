@@ -1,0 +1,1 @@
+"""Numbers of several curves together: their population, groups of them, and fits with shared numbers."""

@@ -1,0 +1,147 @@
+"""What fits say beyond their numbers, as sentences for terminal and report."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.fitting.several.groups import ratio_of
+from winkler.fitting.several.population import Population, population
+from winkler.readable import with_unit
+from winkler.study.batch.fit_further import common_calibration, contact_correlation, verdict
+from winkler.study.batch.fit_outcome import FitOutcome, Fitted
+from winkler.study.language.fit_study import Free
+
+__all__ = ["further_sentences", "groups_of", "population_of"]
+
+FEWEST_TOGETHER = 3
+"""Curves from which a mean is stated."""
+MOST_NAMES = 5
+MOST_GROUPS = 6
+
+
+def further_sentences(outcome: FitOutcome) -> Iterator[str]:
+    """Yield what depths, calibration, models, curves together and shared numbers say."""
+    if len(outcome.fitted) == 1:
+        yield from _of_one(outcome, outcome.fitted[0])
+    else:
+        for free in outcome.study.own_numbers:
+            yield from _of_many(outcome, free)
+        yield from _counts(outcome)
+    yield from _shared(outcome)
+    for result in outcome.fitted:
+        where = f"{result.name}, " if len(outcome.results) > 1 else ""
+        yield from (f"Not done: {where}{reason}" for reason in result.further.refused)
+
+
+def _of_one(outcome: FitOutcome, result: Fitted) -> Iterator[str]:
+    study, found = outcome.study, result.fit
+    correlation = contact_correlation(study, found)
+    if np.isfinite(correlation):
+        yield f"{study.own_numbers[0].label} and contact point are correlated by {correlation:.2f}."
+    for shares in result.further.shares:
+        for free in study.own_numbers:
+            number = abs(found.value(free.path)) or 1.0
+            by_noise, by_calibration = found.error(free.path) / number, shares.error(free.path) / number
+            yield (
+                f"Standard error of {free.label}: {by_noise:.2g} by noise and {by_calibration:.2g} by the calibration, "
+                "in parts of it; the interval holds both."
+            )
+    for series in result.further.depths:
+        yield f"{study.own_numbers[0].label} over depth: {series.verdict}."
+    if study.models:
+        yield verdict(study, found, result.further).statement
+
+
+def population_of(outcome: FitOutcome, free: Free, results: Sequence[Fitted] = ()) -> Population | tuple[()]:
+    """Return the mean of a number over curves; empty for fewer than three."""
+    results = results or outcome.fitted
+    fits = [result.fit for result in results]
+    values, errors = np.array([[fit.value(free.path), fit.error(free.path)] for fit in fits]).T
+    logarithmic = all(fit.logarithmic[fit.index(free.path)] for fit in fits) and bool(np.all(values > 0.0))
+    if len(fits) < FEWEST_TOGETHER or not np.all(np.isfinite(errors)):
+        return ()
+    shared = common_calibration(fits, [one.further for one in results], free.path)
+    try:
+        return population(values, errors, logarithmic=logarithmic, calibration=shared if logarithmic else 0.0)
+    except InvalidInput:
+        return ()
+
+
+def _of_many(outcome: FitOutcome, free: Free) -> Iterator[str]:
+    made = population_of(outcome, free)
+    if not isinstance(made, Population):
+        return
+    unit = outcome.study.word(free.key).unit
+    shown = functools.partial(with_unit, unit=unit, digits=4)
+    low, high = made.interval()
+    between, within = (
+        (f"{part:.1%}" if made.logarithmic else shown(part)) for part in (made.between, made.within)
+    )
+    calibrated = f", with {made.calibration:.1%} by the calibration that they share" if made.calibration else ""
+    yield (
+        f"Mean of {free.label} over {made.count} curves: {shown(made.mean)} (95 %: {shown(low)} to "
+        f"{shown(high)}{calibrated}); they scatter by {between} beyond their errors of {within}."
+    )
+    if made.outliers:
+        names = [outcome.fitted[index].name for index in made.outliers[:MOST_NAMES]]
+        more = f" and {len(made.outliers) - MOST_NAMES} more" if len(made.outliers) > MOST_NAMES else ""
+        yield f"Far from the others in {free.label}, and part of the mean: {', '.join(names)}{more}."
+    if made.logarithmic:
+        yield from _groups(outcome, free)
+
+
+def groups_of(outcome: FitOutcome) -> dict[str, list[Fitted]]:
+    """Return the curves of each folder; empty if they lie in one."""
+    groups: dict[str, list[Fitted]] = {}
+    for result in outcome.fitted:
+        groups.setdefault(result.name.rpartition("/")[0], []).append(result)
+    return groups if len(groups) > 1 else {}
+
+
+def _groups(outcome: FitOutcome, free: Free) -> Iterator[str]:
+    """Yield the ratios of the folders to the first of them."""
+    means = {name: population_of(outcome, free, results) for name, results in groups_of(outcome).items()}
+    usable = [(name, mean) for name, mean in means.items() if isinstance(mean, Population) and mean.logarithmic]
+    for name, mean in usable[1:MOST_GROUPS]:
+        first = usable[0]
+        found = ratio_of(mean, first[1])
+        verdict_ = "they differ" if found.differ else "no difference is shown"
+        yield (
+            f"{free.label} in {name} over that in {first[0]}: {found.ratio:.3g} (95 %: {found.low:.3g} to "
+            f"{found.high:.3g}); {verdict_}."
+        )
+
+
+def _counts(outcome: FitOutcome) -> Iterator[str]:
+    """Yield in how many curves a number is constant over depth, and what they say of the models."""
+    study = outcome.study
+    series = [one for result in outcome.fitted for one in result.further.depths]
+    if series:
+        constant = sum(one.constant for one in series)
+        yield f"{study.own_numbers[0].label} over depth is constant within its errors in {constant} of {len(series)} curves."
+    if not study.models:
+        return
+    verdicts = [verdict(study, result.fit, result.further) for result in outcome.fitted]
+    for name in (study.model, *(one.name for one in study.models)):
+        told = sum(one.told and one.possible[0] == name for one in verdicts)
+        possible = sum(name in one.possible and one.explained for one in verdicts)
+        yield f"Model '{name}': told from all others in {told}, possible in {possible} of {len(verdicts)} curves."
+
+
+def _shared(outcome: FitOutcome) -> Iterator[str]:
+    keys = {free.path: free for free in outcome.study.free}
+    for joint in outcome.joint:
+        for name in joint.names:
+            unit = outcome.study.word(keys[name].key).unit
+            low, high = (with_unit(end, unit, 5) for end in joint.interval(name))
+            yield (
+                f"Shared by {len(joint.fits)} curves: {keys[name].label} is {with_unit(joint.value(name), unit, 5)} "
+                f"(95 % by noise: {low} to {high})."
+            )
+        yield from (str(flag) for flag in joint.flags)
+    if outcome.joint_failure:
+        yield f"Not done: the curves were not fitted together: {outcome.joint_failure}"
