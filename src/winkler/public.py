@@ -42,6 +42,7 @@ from winkler.io.tables.profile_table import read_profile, read_section
 from winkler.io.tables.relaxation_table import read_creep, read_dynamic, read_relaxation
 from winkler.io.tables.scan_table import read_scan
 from winkler.io.tables.spectrum_table import read_spectrum
+from winkler.io.tables.sweeps_table import read_dynamic_sweeps, read_relaxation_sweeps
 from winkler.io.tables.surface_load_table import read_surface_load
 from winkler.io.topography_file import read_topography
 from winkler.io.traces import write_trace
@@ -89,6 +90,7 @@ from winkler.materials.named import (
 )
 from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
 from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
+from winkler.materials.sweeps import DynamicSweeps, RelaxationSweeps
 from winkler.materials.temperature import Arrhenius, WilliamsLandelFerry
 from winkler.materials.viscoelastic import GeneralisedKelvin, Prony
 from winkler.media.conduction.conductors import ElectricalConductors, HeatConductors
@@ -139,7 +141,7 @@ __all__ = [
     "BodyFields", "CalibratedArea", "CappedCylinder", "CappedParaboloid", "Circle", "CoatedHalfSpace", "Comparison",
     "Cone", "ContactEllipse", "ContactReading", "Coulomb", "CreepData", "CreepFit", "CrossProfile", "CrownedEnds",
     "CubeCorner", "Current", "CurvedBodies", "CurvedPair", "Cylinder", "CylinderRow", "Depth", "DepthGradedHalfSpace",
-    "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData", "Elastic", "ElectricalConductor",
+    "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData", "DynamicSweeps", "Elastic", "ElectricalConductor",
     "ElectricalConductors", "Ellipsoid", "EllipticFoundation", "EqualMaximum", "EqualMean", "ExponentialGrading",
     "ExponentialSlipWeakening", "FallingFriction", "Fit", "FitState", "FixedShare", "FlatPunch", "Follow", "Force",
     "ForceCurve", "Formula", "FormulaSection", "Foundation", "FractionalZener", "GeneralisedKelvin", "GradedHalfSpace",
@@ -150,7 +152,8 @@ __all__ = [
     "NominalPressure", "NotConverged", "Note", "OliverPharr", "OliverPharrSolution", "Oscillate", "OutsideValidity",
     "PairWear", "Paraboloid", "Path", "PeakStress", "PlacedCurve", "PlacedStress", "PlaneFoundation", "Plated",
     "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "Program", "Prony", "PunchRow", "Radius", "Ramp",
-    "RandomTopography", "RateDependentWork", "RelaxationData", "RelaxingInProportion", "Rigid", "Rod", "RoundedCone",
+    "RandomTopography", "RateDependentWork", "RelaxationData", "RelaxationSweeps", "RelaxingInProportion", "Rigid", "Rod",
+    "RoundedCone",
     "RoundedEnds", "RoundedPunch", "SampledProfile", "SaturatingWork", "Segment", "SegmentKind", "SelfAffine", "Shape",
     "SharpEnds", "ShearForce", "ShearedFields", "Shift", "ShortRange", "SigmoidalGrading", "Sphere", "SpheroConical",
     "Spikes", "Springs", "Staircase", "StandardSolid", "Standing", "Start", "StaticKinetic", "SubsurfaceFields", "Sum",
@@ -159,8 +162,10 @@ __all__ = [
     "Vickers", "ViscoelasticFit", "ViscoelasticHalfSpace", "Voltage", "Wavy", "WiedemannFranz", "WilliamsLandelFerry",
     "WinklerError", "compare", "compare_terms", "contact_reading", "fit", "fit_steps", "intercept_factor", "material",
     "material_names", "peak_stress", "random_topography", "read_bed", "read_contacts", "read_creep",
-    "read_cross_profile", "read_curve", "read_curves", "read_dynamic", "read_grading", "read_path", "read_profile",
-    "read_profile_pair", "read_relaxation", "read_scan", "read_section", "read_spectrum", "read_surface_load",
+    "read_cross_profile", "read_curve", "read_curves", "read_dynamic", "read_dynamic_sweeps", "read_grading", "read_path",
+    "read_profile",
+    "read_profile_pair", "read_relaxation", "read_relaxation_sweeps", "read_scan", "read_section", "read_spectrum",
+    "read_surface_load",
     "read_topography", "relaxation_band", "restore", "restore_body", "restore_shift", "sample_young", "spectrum_of",
     "staircase", "to_pandas", "to_xarray", "write_contacts", "write_law", "write_trace", "write_vtk",
 ]  # fmt: skip

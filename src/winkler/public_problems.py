@@ -90,6 +90,7 @@ from winkler.problems.surface_rolling.steady import SurfaceRolling, SurfaceRolli
 from winkler.problems.viscoelastic.adhesion import ViscoelasticAdhesion, ViscoelasticAdhesionSolution
 from winkler.problems.viscoelastic.impact import ViscoelasticImpact, ViscoelasticImpactSolution
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation, ViscoelasticSolution
+from winkler.problems.viscoelastic.master_curve import MasterCurve, MasterCurveSolution
 from winkler.problems.viscoelastic.material_tests import CreepTest, RelaxationTest
 from winkler.problems.viscoelastic.oscillation import HarmonicIndentation
 from winkler.problems.viscoelastic.sliding import SlidingResistance, SlidingResistanceSolution
@@ -121,7 +122,8 @@ __all__ = [
     "LineRollingSolution", "LineRollingStart", "LineRollingStartSolution", "LineShakedown", "LineShakedownSolution",
     "LineSlidingSolution", "LineSlidingWear", "LineSolution", "LineTangential", "LineTangentialSolution",
     "LineViscoelasticIndentation", "LineViscoelasticSolution", "LineYieldOnset", "LineYieldOnsetSolution", "MapStress",
-    "MapStressSolution", "NearlyRoundIndentation", "NearlyRoundSolution", "OscillatingRolling",
+    "MapStressSolution", "MasterCurve", "MasterCurveSolution", "NearlyRoundIndentation", "NearlyRoundSolution",
+    "OscillatingRolling",
     "OscillatingRollingSolution", "ParticleSolution", "PeriodicIndentation", "PeriodicSolution", "PlateBase",
     "ProfilePair", "ProfilePairRolling", "ProfilePairRollingSolution", "ProfilePairSolution", "ProfilePatch",
     "PullOff", "PullOffSolution", "ReducedBed", "ReducedFriction", "ReducedFrictionSolution", "Reduction",

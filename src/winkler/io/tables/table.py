@@ -30,6 +30,7 @@ from winkler.values import value
 __all__ = ["Column", "Table", "names_columns", "read_table"]
 
 SEPARATORS_TRIED = ("\t", ";", ",", None)
+CELSIUS, CELSIUS_ZERO = ("degC", "°C"), 273.15
 COMMENT_MARKS = "#% \t"
 
 
@@ -143,14 +144,22 @@ def read_table(path: str | os.PathLike[str], columns: Sequence[Column]) -> Table
         raise InvalidInput(f"{file}: {few} {listed}: a number is missing or not finite; complete or delete the {few}.")
     if not places:
         raise InvalidInput(f"{file}: there are no numbers below the header in line {header.line}.")
-    factors = np.array([scale(column.unit, unit) for column, unit in zip(columns, header.units, strict=True)])
+    zeros = [_zero_of(unit, column.unit) for column, unit in zip(columns, header.units, strict=True)]
+    factors = np.array(
+        [1.0 if zero else scale(column.unit, unit) for column, unit, zero in zip(columns, header.units, zeros, strict=True)]
+    )
     with np.errstate(over="ignore"):
-        values = np.array(numbers).reshape(-1, len(columns)) / factors
+        values = np.array(numbers).reshape(-1, len(columns)) / factors + np.array(zeros)
     computable = np.all(np.abs(values) <= LARGEST_NUMBER, axis=1)
     if not np.all(computable):
         place = places[int(np.argmin(computable))]
         raise InvalidInput(f"{file}, line {place}: a number is too large to be computed with in SI units; check it.")
     return Table(file, values, np.array(places))
+
+
+def _zero_of(unit: str, wanted: str) -> float:
+    """Return the zero of degC [K] where a column holds temperatures; of other units nothing."""
+    return CELSIUS_ZERO if wanted == "K" and unit in CELSIUS else 0.0
 
 
 def names_columns(path: str | os.PathLike[str], columns: Sequence[Column]) -> bool:
@@ -247,7 +256,8 @@ def _with_units(header: _Header, lines: Sequence[str], columns: Sequence[Column]
         where = f"{file}, line {header.line}"
     plain = tuple(unit if need else unit.strip("-") for unit, need in zip(header.units, needs, strict=True))
     for column, unit in zip(columns, plain, strict=True):
-        scale(unit, column.unit, what=f"{where}, {column.word}")
+        if not _zero_of(unit, column.unit):
+            scale(unit, column.unit, what=f"{where}, {column.word}")
     return header._replace(units=plain)
 
 
