@@ -93,6 +93,7 @@ from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation, V
 from winkler.problems.viscoelastic.master_curve import MasterCurve, MasterCurveSolution
 from winkler.problems.viscoelastic.material_tests import CreepTest, RelaxationTest
 from winkler.problems.viscoelastic.oscillation import HarmonicIndentation
+from winkler.problems.viscoelastic.relaxation_spectrum import RelaxationSpectrum, SpectrumSolution
 from winkler.problems.viscoelastic.sliding import SlidingResistance, SlidingResistanceSolution
 from winkler.problems.viscoelastic.tangential import ViscoelasticTangential, ViscoelasticTangentialSolution
 from winkler.problems.wear.elliptic import EllipticWear, EllipticWearSolution
@@ -127,11 +128,13 @@ __all__ = [
     "OscillatingRollingSolution", "ParticleSolution", "PeriodicIndentation", "PeriodicSolution", "PlateBase",
     "ProfilePair", "ProfilePairRolling", "ProfilePairRollingSolution", "ProfilePairSolution", "ProfilePatch",
     "PullOff", "PullOffSolution", "ReducedBed", "ReducedFriction", "ReducedFrictionSolution", "Reduction",
-    "ReductionSolution", "RelaxationDamper", "RelaxationDamperSolution", "RelaxationTest", "RolledPatch",
+    "ReductionSolution", "RelaxationDamper", "RelaxationDamperSolution", "RelaxationSpectrum", "RelaxationTest",
+    "RolledPatch",
     "RollerCentre", "RollerContact", "RollerSolution", "Rolling", "RollingSolution", "RollingStart",
     "RollingStartSolution", "RoughContact", "RoughContactSolution", "RoughIndentation", "RoughIndentationSolution",
     "RoughLine", "SimplifiedRolling", "SimplifiedRollingSolution", "SlidingResistance", "SlidingResistanceSolution",
-    "SlidingSolution", "SlidingWear", "Spin", "SpotCluster", "SpotClusterSolution", "SpringMarch", "SpringTrace",
+    "SlidingSolution", "SlidingWear", "SpectrumSolution", "Spin", "SpotCluster", "SpotClusterSolution", "SpringMarch",
+    "SpringTrace",
     "SurfaceConduction", "SurfaceConductionSolution", "SurfaceContact", "SurfaceContactSolution",
     "SurfaceFrictionHeating", "SurfaceFrictionHeatingSolution", "SurfaceLoad", "SurfaceRolling",
     "SurfaceRollingHeating", "SurfaceRollingHeatingSolution", "SurfaceRollingSolution", "SurfaceRollingStart",

@@ -167,9 +167,8 @@ class MasterCurve:
             vertical_error=error[start + m :],
             relaxation_times=found.times,
             shears=np.exp(found.strengths),
-            shears_error=error[:k],
             relaxed_shear=math.exp(found.level) if not self.fluid else 0.0,
-            relaxed_shear_error=float(error[k]),
+            spectrum_covariance=found.covariance[:start, :start],
             scatter=found.scatter,
             freedom=found.freedom,
             residuals=np.concatenate(found.residuals),
@@ -211,10 +210,12 @@ class MasterCurveSolution(ShiftedSolid):
         Covariance of the natural logarithms of a_T [-].
     vertical_factor, vertical_error : ndarray, (m,)
         b_T [-], and the standard error of its natural logarithm.
-    relaxation_times, shears, shears_error : ndarray, (k,)
-        tau_i [s] and G_i [Pa] of the spectrum at the reference temperature, and the standard error of the logarithm of G_i.
-    relaxed_shear, relaxed_shear_error : float
-        G_inf [Pa], and the standard error of its logarithm.
+    relaxation_times, shears : ndarray, (k,)
+        tau_i [s] and G_i [Pa] of the spectrum at the reference temperature.
+    relaxed_shear : float
+        G_inf [Pa].
+    spectrum_covariance : ndarray, (k + 1, k + 1)
+        Covariance of the logarithms of G_i and of G_inf [-].
     scatter : ndarray, (kinds,)
         Relative scatter of G' and G'', or of G(t) [-].
     freedom : float
@@ -231,6 +232,7 @@ class MasterCurveSolution(ShiftedSolid):
         vertical_factor=("b_T", "", "by which temperature multiplies all moduli"),
         vertical_error=("", "", "standard error of the natural logarithm of the vertical factor"),
         shears_error=("", "", "standard error of the natural logarithm of each modulus"),
+        spectrum_covariance=("", "", "covariance of the logarithms of all moduli of the spectrum"),
         relaxed_shear_error=("", "", "standard error of the natural logarithm of the relaxed modulus"),
         scatter=("", "", "relative scatter of each kind of modulus"),
         freedom=("", "", "number of measurements less that of the numbers they determine"),
@@ -246,9 +248,8 @@ class MasterCurveSolution(ShiftedSolid):
     vertical_error: Array
     relaxation_times: Array
     shears: Array
-    shears_error: Array
     relaxed_shear: float
-    relaxed_shear_error: float
+    spectrum_covariance: Array
     scatter: Array
     freedom: float
     residuals: Array

@@ -11,7 +11,7 @@ from winkler.numerics.types import Array
 from winkler.problems.viscoelastic.temperature_groups import reached_times
 from winkler.validity import Assumption, Note, Standing, standing_of
 
-__all__ = ["master_curve_notes"]
+__all__ = ["determined_note", "master_curve_notes"]
 
 SIGNIFICANT = 3.0
 """Standard errors by which the correlation of neighbouring residuals differs from zero."""
@@ -59,7 +59,7 @@ def master_curve_notes(
         ),
         "correlation of the residuals",
     )
-    return (superposed, _overlap(measured, temperature, shifts), _determined(determined))
+    return (superposed, _overlap(measured, temperature, shifts), determined_note(determined))
 
 
 def _overlap(measured: tuple[Measurements, ...], temperature: Array, shifts: Array) -> Note:
@@ -79,7 +79,8 @@ def _overlap(measured: tuple[Measurements, ...], temperature: Array, shifts: Arr
     return Note(Assumption.CURVE, standing_of(gap, 0.0, math.inf if gap < DECADES_APART else gap), f"{text}.", "overlap")
 
 
-def _determined(determined: tuple[float, float]) -> Note:
+def determined_note(determined: tuple[float, float]) -> Note:
+    """Return between which relaxation times the spectrum is determined."""
     low, high = determined
     if not high > low:
         return Note(

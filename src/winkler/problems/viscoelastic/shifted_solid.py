@@ -3,40 +3,27 @@
 from __future__ import annotations
 
 import functools
-import math
-from typing import Any
 
 import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.materials.at_temperature import AtTemperature
 from winkler.materials.temperature import Arrhenius, WilliamsLandelFerry
-from winkler.materials.viscoelastic import Prony
 from winkler.numerics.types import Array
 from winkler.problems.viscoelastic.shift_laws import FittedLaws, Verdict, fitted_laws
-from winkler.problems.viscoelastic.temperature_groups import longest_run
+from winkler.problems.viscoelastic.spectrum_solid import SpectrumSolid
 from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["ShiftedSolid"]
 
-DETERMINED = math.log(2.0)
-"""Standard error of the logarithm of a modulus up to which it is determined."""
-NEGLIGIBLE = 1e-9
-"""Part of all moduli below which a term is left out of the solid."""
 
-
-class ShiftedSolid:
+class ShiftedSolid(SpectrumSolid):
     """What follows from a spectrum and shifts; its fields are those of `MasterCurveSolution`."""
 
-    problem: Any
     temperature: Array
     shift_factor: Array
     shift_error: Array
     shift_covariance: Array
-    relaxation_times: Array
-    shears: Array
-    shears_error: Array
-    relaxed_shear: float
     freedom: float
 
     @functools.cached_property
@@ -89,14 +76,6 @@ class ShiftedSolid:
             )
         return laws.arrhenius if laws.verdict is Verdict.ARRHENIUS else laws.ferry
 
-    @property
-    def solid(self) -> Prony:
-        """The solid at the reference temperature."""
-        kept = self.shears > NEGLIGIBLE * (self.relaxed_shear + float(np.sum(self.shears)))
-        return Prony(
-            self.relaxed_shear, self.shears[kept], self.relaxation_times[kept], poisson=self.problem.poisson
-        )
-
     def solid_at(self, temperature: float) -> AtTemperature:
         """Return the solid at any temperature by the law of the verdict, for `ViscoelasticHalfSpace`.
 
@@ -111,11 +90,6 @@ class ShiftedSolid:
             If neither law describes the shifts, or the law has no value at this temperature.
         """
         return AtTemperature(self.solid, self.law, temperature)
-
-    @property
-    def determined(self) -> tuple[float, float]:
-        """Shortest and longest relaxation time [s] between which the spectrum is known to a factor of two."""
-        return longest_run(self.relaxation_times, self.shears_error < DETERMINED)
 
     @property
     def law_note(self) -> Note:
