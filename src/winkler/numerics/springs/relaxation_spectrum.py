@@ -31,8 +31,8 @@ SETTLED = 1e-7
 MOST_STEPS = 400
 MOST_ROUNDS = 200
 LEAST_WEIGHT, GREATEST_WEIGHT = 1e-4, 1e7
-LEAST_SCATTER = 1e-7
-"""Least relative scatter, that of numbers rounded to seven digits."""
+LEAST_SCATTER = 1e-4
+"""Least relative scatter: that with which a series of few terms per decade describes a smooth spectrum."""
 STRENGTH_FREEDOM = 8.0
 """Standard deviation of the logarithm of a strength that no measurement determines."""
 LEVEL_FREEDOM = 3.0
