@@ -10,6 +10,9 @@ from winkler.fitting.compare import Comparison, compare
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.segments import Segment, SegmentKind
 from winkler.fitting.fit import Fit, fit, fit_steps
+from winkler.fitting.holds.depth_scaling import DepthScaling, depth_scaling
+from winkler.fitting.holds.held_force import HeldForce
+from winkler.fitting.holds.poroelastic import PoroelasticFit, fit_poroelastic
 from winkler.fitting.outcome import CreepFit, ViscoelasticFit
 from winkler.fitting.relaxation_terms import compare_terms
 from winkler.fitting.search import FitState
@@ -141,16 +144,19 @@ __all__ = [
     "BodyFields", "CalibratedArea", "CappedCylinder", "CappedParaboloid", "Circle", "CoatedHalfSpace", "Comparison",
     "Cone", "ContactEllipse", "ContactReading", "Coulomb", "CreepData", "CreepFit", "CrossProfile", "CrownedEnds",
     "CubeCorner", "Current", "CurvedBodies", "CurvedPair", "Cylinder", "CylinderRow", "Depth", "DepthGradedHalfSpace",
+    "DepthScaling",
     "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData", "DynamicSweeps", "Elastic", "ElectricalConductor",
     "ElectricalConductors", "Ellipsoid", "EllipticFoundation", "EqualMaximum", "EqualMean", "ExponentialGrading",
     "ExponentialSlipWeakening", "FallingFriction", "Fit", "FitState", "FixedShare", "FlatPunch", "Follow", "Force",
     "ForceCurve", "Formula", "FormulaSection", "Foundation", "FractionalZener", "GeneralisedKelvin", "GradedHalfSpace",
-    "HalfSpace", "HalfWidth", "HeatConductors", "Hold", "Hyperboloid", "InvalidInput", "KelvinVoigt", "Layer",
+    "HalfSpace", "HalfWidth", "HeatConductors", "HeldForce", "Hold", "Hyperboloid", "InvalidInput", "KelvinVoigt",
+    "Layer",
     "LayeredLineFoundation", "LineForce", "LineFoundation", "LineOfAction", "LineScan", "LineShearForce",
     "LinearSlipWeakening", "LogarithmicEnds", "Maxwell", "MeanPressure", "Measured", "MeasuredBed", "MeasuredSection",
     "MirroredSection", "Moment", "NamedElastic", "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor",
     "NominalPressure", "NotConverged", "Note", "OliverPharr", "OliverPharrSolution", "Oscillate", "OutsideValidity",
     "PairWear", "Paraboloid", "Path", "PeakStress", "PlacedCurve", "PlacedStress", "PlaneFoundation", "Plated",
+    "PoroelasticFit",
     "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "Program", "Prony", "PunchRow", "Radius", "Ramp",
     "RandomTopography", "RateDependentWork", "RelaxationData", "RelaxationSweeps", "RelaxingInProportion", "Rigid", "Rod",
     "RoundedCone",
@@ -160,7 +166,9 @@ __all__ = [
     "SurfaceFields", "SurfaceFilm", "TabulatedGrading", "ThermalConductor", "ThermalInterface", "Tilt", "Topography",
     "Torque", "TransverselyIsotropic", "TransverselyIsotropicHalfSpace", "TruncatedCone", "TruncatedParaboloid",
     "Vickers", "ViscoelasticFit", "ViscoelasticHalfSpace", "Voltage", "Wavy", "WiedemannFranz", "WilliamsLandelFerry",
-    "WinklerError", "compare", "compare_terms", "contact_reading", "fit", "fit_steps", "intercept_factor", "material",
+    "WinklerError", "compare", "compare_terms", "contact_reading", "depth_scaling", "fit", "fit_poroelastic", "fit_steps",
+    "intercept_factor",
+    "material",
     "material_names", "peak_stress", "random_topography", "read_bed", "read_contacts", "read_creep",
     "read_cross_profile", "read_curve", "read_curves", "read_dynamic", "read_dynamic_sweeps", "read_grading", "read_path",
     "read_profile",

@@ -57,6 +57,7 @@ from winkler.problems.particles.elastic_plastic import ElasticPlasticParticle, P
 from winkler.problems.particles.impacts import BallImpacts, BallImpactsSolution
 from winkler.problems.particles.trace import ContactTrace
 from winkler.problems.profile_pair.pair_rolling import ProfilePairRolling, ProfilePairRollingSolution
+from winkler.problems.poroelastic.held import PoroelasticRelaxation, PoroelasticSolution
 from winkler.problems.profile_pair.patch import ProfilePatch
 from winkler.problems.profile_pair.profile_pair import ProfilePair, ProfilePairSolution
 from winkler.problems.profile_pair.rolled_patch import RolledPatch
@@ -126,6 +127,7 @@ __all__ = [
     "MapStressSolution", "MasterCurve", "MasterCurveSolution", "NearlyRoundIndentation", "NearlyRoundSolution",
     "OscillatingRolling",
     "OscillatingRollingSolution", "ParticleSolution", "PeriodicIndentation", "PeriodicSolution", "PlateBase",
+    "PoroelasticRelaxation", "PoroelasticSolution",
     "ProfilePair", "ProfilePairRolling", "ProfilePairRollingSolution", "ProfilePairSolution", "ProfilePatch",
     "PullOff", "PullOffSolution", "ReducedBed", "ReducedFriction", "ReducedFrictionSolution", "Reduction",
     "ReductionSolution", "RelaxationDamper", "RelaxationDamperSolution", "RelaxationSpectrum", "RelaxationTest",
