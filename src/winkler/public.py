@@ -10,6 +10,9 @@ from winkler.fitting.compare import Comparison, compare
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.segments import Segment, SegmentKind
 from winkler.fitting.fit import Fit, fit, fit_steps
+from winkler.fitting.holds.depth_scaling import DepthScaling, depth_scaling
+from winkler.fitting.holds.held_force import HeldForce
+from winkler.fitting.holds.poroelastic import PoroelasticFit, fit_poroelastic
 from winkler.fitting.outcome import CreepFit, ViscoelasticFit
 from winkler.fitting.relaxation_terms import compare_terms
 from winkler.fitting.search import FitState
@@ -44,6 +47,7 @@ from winkler.io.tables.relaxation_table import read_creep, read_dynamic, read_re
 from winkler.io.tables.scan_table import read_scan
 from winkler.io.tables.spectrum_table import read_spectrum
 from winkler.io.tables.surface_load_table import read_surface_load
+from winkler.io.tables.sweeps_table import read_dynamic_sweeps, read_relaxation_sweeps
 from winkler.io.topography_file import read_topography
 from winkler.io.traces import write_trace
 from winkler.io.vtk import write_vtk
@@ -90,6 +94,7 @@ from winkler.materials.named import (
 )
 from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
 from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
+from winkler.materials.sweeps import DynamicSweeps, RelaxationSweeps
 from winkler.materials.temperature import Arrhenius, WilliamsLandelFerry
 from winkler.materials.viscoelastic import GeneralisedKelvin, Prony
 from winkler.media.conduction.conductors import ElectricalConductors, HeatConductors
@@ -143,18 +148,19 @@ __all__ = [
     "BodyFields", "CalibratedArea", "CalibratedTip", "CappedCylinder", "CappedParaboloid", "Circle", "CoatedHalfSpace",
     "Comparison", "Cone", "ContactEllipse", "ContactReading", "ContinuousStiffness", "Coulomb", "CreepData", "CreepFit",
     "CrossProfile", "CrownedEnds", "CubeCorner", "Current", "CurvedBodies", "CurvedPair", "Cylinder", "CylinderRow",
-    "Depth", "DepthGradedHalfSpace", "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData", "Elastic",
-    "ElectricalConductor", "ElectricalConductors", "Ellipsoid", "EllipticFoundation", "EqualMaximum", "EqualMean",
-    "ExponentialGrading", "ExponentialSlipWeakening", "FallingFriction", "Fit", "FitState", "FixedShare", "FlatPunch",
-    "Follow", "Force", "ForceCurve", "Formula", "FormulaSection", "Foundation", "FractionalZener", "GeneralisedKelvin",
-    "GradedHalfSpace", "HalfSpace", "HalfWidth", "HeatConductors", "Hold", "Hyperboloid", "InvalidInput", "KelvinVoigt",
-    "Layer", "LayeredLineFoundation", "LineForce", "LineFoundation", "LineOfAction", "LineScan", "LineShearForce",
-    "LinearSlipWeakening", "LogarithmicEnds", "Maxwell", "MeanPressure", "Measured", "MeasuredBed", "MeasuredSection",
-    "MirroredSection", "Moment", "NamedElastic", "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor",
-    "NominalPressure", "NotConverged", "Note", "OliverPharr", "OliverPharrSolution", "Oscillate", "OutsideValidity",
-    "PairWear", "Paraboloid", "Path", "PeakStress", "PlacedCurve", "PlacedStress", "PlaneFoundation", "Plated",
-    "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "Program", "Prony", "PunchRow", "Pyramid",
-    "PyramidByEdges", "Radius", "Ramp", "RandomTopography", "RateDependentWork", "RelaxationData",
+    "Depth", "DepthGradedHalfSpace", "DepthScaling", "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData",
+    "DynamicSweeps", "Elastic", "ElectricalConductor", "ElectricalConductors", "Ellipsoid", "EllipticFoundation",
+    "EqualMaximum", "EqualMean", "ExponentialGrading", "ExponentialSlipWeakening", "FallingFriction", "Fit", "FitState",
+    "FixedShare", "FlatPunch", "Follow", "Force", "ForceCurve", "Formula", "FormulaSection", "Foundation",
+    "FractionalZener", "GeneralisedKelvin", "GradedHalfSpace", "HalfSpace", "HalfWidth", "HeatConductors", "HeldForce",
+    "Hold", "Hyperboloid", "InvalidInput", "KelvinVoigt", "Layer", "LayeredLineFoundation", "LineForce",
+    "LineFoundation", "LineOfAction", "LineScan", "LineShearForce", "LinearSlipWeakening", "LogarithmicEnds", "Maxwell",
+    "MeanPressure", "Measured", "MeasuredBed", "MeasuredSection", "MirroredSection", "Moment", "NamedElastic",
+    "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor", "NominalPressure", "NotConverged", "Note",
+    "OliverPharr", "OliverPharrSolution", "Oscillate", "OutsideValidity", "PairWear", "Paraboloid", "Path",
+    "PeakStress", "PlacedCurve", "PlacedStress", "PlaneFoundation", "Plated", "PoroelasticFit", "PowerLaw",
+    "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "Program", "Prony", "PunchRow", "Pyramid", "PyramidByEdges",
+    "Radius", "Ramp", "RandomTopography", "RateDependentWork", "RelaxationData", "RelaxationSweeps",
     "RelaxingInProportion", "Rigid", "Rod", "RoundedCone", "RoundedEnds", "RoundedPunch", "RoundedPyramid",
     "SampledProfile", "SaturatingWork", "Segment", "SegmentKind", "SelfAffine", "Shape", "SharpEnds", "ShearForce",
     "ShearedFields", "Shift", "ShortRange", "SigmoidalGrading", "Sphere", "SpheroConical", "Spikes", "Springs",
@@ -162,10 +168,11 @@ __all__ = [
     "SurfaceFilm", "TabulatedGrading", "TabulatedTip", "ThermalConductor", "ThermalInterface", "Tilt", "Topography",
     "Torque", "TransverselyIsotropic", "TransverselyIsotropicHalfSpace", "TruncatedCone", "TruncatedParaboloid",
     "Vickers", "ViscoelasticFit", "ViscoelasticHalfSpace", "Voltage", "Wavy", "WiedemannFranz", "WilliamsLandelFerry",
-    "WinklerError", "compare", "compare_terms", "contact_reading", "fit", "fit_steps", "intercept_factor", "material",
-    "material_names", "peak_stress", "random_topography", "read_bed", "read_contacts", "read_creep",
-    "read_cross_profile", "read_curve", "read_curves", "read_dynamic", "read_grading", "read_path", "read_profile",
-    "read_profile_pair", "read_relaxation", "read_scan", "read_section", "read_spectrum", "read_surface_load",
-    "read_topography", "relaxation_band", "restore", "restore_body", "restore_shift", "sample_young", "spectrum_of",
-    "staircase", "to_pandas", "to_xarray", "write_contacts", "write_law", "write_trace", "write_vtk",
+    "WinklerError", "compare", "compare_terms", "contact_reading", "depth_scaling", "fit", "fit_poroelastic",
+    "fit_steps", "intercept_factor", "material", "material_names", "peak_stress", "random_topography", "read_bed",
+    "read_contacts", "read_creep", "read_cross_profile", "read_curve", "read_curves", "read_dynamic",
+    "read_dynamic_sweeps", "read_grading", "read_path", "read_profile", "read_profile_pair", "read_relaxation",
+    "read_relaxation_sweeps", "read_scan", "read_section", "read_spectrum", "read_surface_load", "read_topography",
+    "relaxation_band", "restore", "restore_body", "restore_shift", "sample_young", "spectrum_of", "staircase",
+    "to_pandas", "to_xarray", "write_contacts", "write_law", "write_trace", "write_vtk",
 ]  # fmt: skip

@@ -56,6 +56,7 @@ from winkler.problems.particles.contacts import Contacts
 from winkler.problems.particles.elastic_plastic import ElasticPlasticParticle, ParticleSolution
 from winkler.problems.particles.impacts import BallImpacts, BallImpactsSolution
 from winkler.problems.particles.trace import ContactTrace
+from winkler.problems.poroelastic.held import PoroelasticRelaxation, PoroelasticSolution
 from winkler.problems.profile_pair.pair_rolling import ProfilePairRolling, ProfilePairRollingSolution
 from winkler.problems.profile_pair.patch import ProfilePatch
 from winkler.problems.profile_pair.profile_pair import ProfilePair, ProfilePairSolution
@@ -90,8 +91,10 @@ from winkler.problems.surface_rolling.steady import SurfaceRolling, SurfaceRolli
 from winkler.problems.viscoelastic.adhesion import ViscoelasticAdhesion, ViscoelasticAdhesionSolution
 from winkler.problems.viscoelastic.impact import ViscoelasticImpact, ViscoelasticImpactSolution
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation, ViscoelasticSolution
+from winkler.problems.viscoelastic.master_curve import MasterCurve, MasterCurveSolution
 from winkler.problems.viscoelastic.material_tests import CreepTest, RelaxationTest
 from winkler.problems.viscoelastic.oscillation import HarmonicIndentation
+from winkler.problems.viscoelastic.relaxation_spectrum import RelaxationSpectrum, SpectrumSolution
 from winkler.problems.viscoelastic.sliding import SlidingResistance, SlidingResistanceSolution
 from winkler.problems.viscoelastic.tangential import ViscoelasticTangential, ViscoelasticTangentialSolution
 from winkler.problems.wear.elliptic import EllipticWear, EllipticWearSolution
@@ -121,15 +124,16 @@ __all__ = [
     "LineRollingSolution", "LineRollingStart", "LineRollingStartSolution", "LineShakedown", "LineShakedownSolution",
     "LineSlidingSolution", "LineSlidingWear", "LineSolution", "LineTangential", "LineTangentialSolution",
     "LineViscoelasticIndentation", "LineViscoelasticSolution", "LineYieldOnset", "LineYieldOnsetSolution", "MapStress",
-    "MapStressSolution", "NearlyRoundIndentation", "NearlyRoundSolution", "OscillatingRolling",
-    "OscillatingRollingSolution", "ParticleSolution", "PeriodicIndentation", "PeriodicSolution", "PlateBase",
-    "ProfilePair", "ProfilePairRolling", "ProfilePairRollingSolution", "ProfilePairSolution", "ProfilePatch", "PullOff",
-    "PullOffSolution", "ReducedBed", "ReducedFriction", "ReducedFrictionSolution", "Reduction", "ReductionSolution",
-    "RelaxationDamper", "RelaxationDamperSolution", "RelaxationTest", "RolledPatch", "RollerCentre", "RollerContact",
+    "MapStressSolution", "MasterCurve", "MasterCurveSolution", "NearlyRoundIndentation", "NearlyRoundSolution",
+    "OscillatingRolling", "OscillatingRollingSolution", "ParticleSolution", "PeriodicIndentation", "PeriodicSolution",
+    "PlateBase", "PoroelasticRelaxation", "PoroelasticSolution", "ProfilePair", "ProfilePairRolling",
+    "ProfilePairRollingSolution", "ProfilePairSolution", "ProfilePatch", "PullOff", "PullOffSolution", "ReducedBed",
+    "ReducedFriction", "ReducedFrictionSolution", "Reduction", "ReductionSolution", "RelaxationDamper",
+    "RelaxationDamperSolution", "RelaxationSpectrum", "RelaxationTest", "RolledPatch", "RollerCentre", "RollerContact",
     "RollerSolution", "Rolling", "RollingSolution", "RollingStart", "RollingStartSolution", "RoughContact",
     "RoughContactSolution", "RoughIndentation", "RoughIndentationSolution", "RoughLine", "SimplifiedRolling",
     "SimplifiedRollingSolution", "SlidingResistance", "SlidingResistanceSolution", "SlidingSolution", "SlidingWear",
-    "Spin", "SpotCluster", "SpotClusterSolution", "SpringMarch", "SpringTrace", "SurfaceConduction",
+    "SpectrumSolution", "Spin", "SpotCluster", "SpotClusterSolution", "SpringMarch", "SpringTrace", "SurfaceConduction",
     "SurfaceConductionSolution", "SurfaceContact", "SurfaceContactSolution", "SurfaceFrictionHeating",
     "SurfaceFrictionHeatingSolution", "SurfaceLoad", "SurfaceRolling", "SurfaceRollingHeating",
     "SurfaceRollingHeatingSolution", "SurfaceRollingSolution", "SurfaceRollingStart", "SurfaceRollingStartSolution",

@@ -48,6 +48,18 @@ def warm(law):
     return relaxing(wk.AtTemperature(RUBBER, law, 313.15))
 
 
+MEGA = 1e6
+SWEPT = np.repeat([280.0, 300.0], 5)
+SWEEPS = wk.DynamicSweeps(
+    SWEPT,
+    np.tile([0.1, 1.0, 10.0, 100.0, 1000.0], 2),
+    np.array([1.33, 1.71, 2.46, 3.29, 3.74, 1.1, 1.3, 1.66, 2.42, 3.26]) * MEGA,
+    np.array([0.27, 0.5, 0.67, 0.53, 0.24, 0.1, 0.25, 0.48, 0.67, 0.54]) * MEGA,
+)
+RELAXED = wk.RelaxationSweeps(
+    SWEPT, np.tile(TIMES, 2), np.array([3.6, 3.1, 2.2, 1.55, 1.25, 3.1, 2.2, 1.55, 1.25, 1.1]) * MEGA
+)
+
 RELAXING = {
     **{kind: relaxing(RUBBER) for kind in ("standard_solid", "viscoelastic_half_space", "viscoelastic_indentation")},
     "maxwell": relaxing(wk.Maxwell(3e6, 0.1)),
@@ -75,6 +87,11 @@ RELAXING = {
     },
     "saturating_work": wk.ViscoelasticAdhesion(
         ON_RUBBER, wk.SaturatingWork(work=0.05, fast_work=1.0, reference_speed=1e-3, exponent=0.5), PULLED
+    ),
+    **{kind: wk.MasterCurve(SWEEPS, 300.0) for kind in ("dynamic_sweeps", "master_curve")},
+    "relaxation_sweeps": wk.MasterCurve(RELAXED, 300.0),
+    "poroelastic_relaxation": wk.PoroelasticRelaxation(
+        wk.Paraboloid(1e-3), 5e3, 0.3, 1e-9, depth=20e-6, time=np.geomspace(0.1, 1000.0, 33)
     ),
     "creep_test": wk.CreepTest(ON_RUBBER, force=1.0, time=np.geomspace(1e-3, 10.0, 33)),
     "relaxation_test": wk.RelaxationTest(ON_RUBBER, depth=100e-6, time=np.geomspace(1e-3, 10.0, 33)),

@@ -32,7 +32,7 @@ from winkler.plot.rough import (  # noqa: F401
 )  # fmt: skip
 from winkler.plot.rough import surfaces as rough_surfaces  # noqa: F401
 from winkler.plot.rough.film import film
-from winkler.plot.viscoelastic import contacts, fits, material_tests, solids  # noqa: F401
+from winkler.plot.viscoelastic import contacts, fits, master_curves, material_tests, poroelastic, solids  # noqa: F401
 from winkler.plot.viscoelastic import surfaces as viscoelastic_surfaces  # noqa: F401
 from winkler.plot.wear import elliptic_wear, line_wear, wear  # noqa: F401
 

@@ -60,7 +60,7 @@ def read_relaxation(path: str | os.PathLike[str], *, poisson: float = 0.5) -> Re
     """
     table, tensile = _read(path, (TIME, SHEAR_MODULUS), (TIME, YOUNG_MODULUS))
     time, modulus = table.values.T
-    return _data(RelaxationData, table, (time, modulus / (_young_over_shear(poisson) if tensile else 1.0)), poisson)
+    return _data(RelaxationData, table, (time, modulus / (young_over_shear(poisson) if tensile else 1.0)), poisson)
 
 
 @reader("a creep")
@@ -85,7 +85,7 @@ def read_creep(path: str | os.PathLike[str], *, poisson: float = 0.5) -> CreepDa
     """
     table, tensile = _read(path, (TIME, SHEAR_COMPLIANCE), (TIME, TENSILE_COMPLIANCE))
     time, compliance = table.values.T
-    return _data(CreepData, table, (time, compliance * (_young_over_shear(poisson) if tensile else 1.0)), poisson)
+    return _data(CreepData, table, (time, compliance * (young_over_shear(poisson) if tensile else 1.0)), poisson)
 
 
 @reader("storage and loss")
@@ -113,7 +113,7 @@ def read_dynamic(path: str | os.PathLike[str], *, poisson: float = 0.5) -> Dynam
     table, tensile = _read(path, (abscissa, SHEAR_STORAGE, SHEAR_LOSS), (abscissa, TENSILE_STORAGE, TENSILE_LOSS))
     frequency, storage, loss = table.values.T
     angular = 2.0 * math.pi * frequency if abscissa is FREQUENCY else frequency
-    divisor = _young_over_shear(poisson) if tensile else 1.0
+    divisor = young_over_shear(poisson) if tensile else 1.0
     return _data(DynamicData, table, (angular, storage / divisor, loss / divisor), poisson)
 
 
@@ -123,7 +123,7 @@ def _read(path: str | os.PathLike[str], sheared: tuple[Column, ...], tensile: tu
     return read_table(path, tensile if tension else sheared), tension
 
 
-def _young_over_shear(poisson: float) -> float:
+def young_over_shear(poisson: float) -> float:
     """Return Young's modulus over the shear modulus."""
     if not -1.0 < poisson <= 0.5:
         raise InvalidInput(f"poisson is {poisson!r}; a Poisson ratio is above -1 and at most 0.5.")

@@ -34,6 +34,7 @@ from winkler.values import value
 __all__ = ["Column", "Table", "header_lines", "names_columns", "read_table"]
 
 SEPARATORS_TRIED = ("\t", ";", ",", None)
+CELSIUS, CELSIUS_ZERO = ("degC", "°C"), 273.15
 COMMENT_MARKS = "#% \t"
 NO_NUMBERS = re.compile(r"[^\d\s.,;eE+-]", re.ASCII)
 
@@ -142,9 +143,12 @@ def read_table(
         commas.refuse_ambiguous()
     if not places:
         raise InvalidInput(f"{file}: there are no numbers below the header in line {header.line}.")
-    factors = np.array([scale(column.unit, unit) for column, unit in zip(columns, header.units, strict=True)])
+    zeros = [_zero_of(unit, column.unit) for column, unit in zip(columns, header.units, strict=True)]
+    factors = np.array(
+        [1.0 if zero else scale(column.unit, unit) for column, unit, zero in zip(columns, header.units, zeros, strict=True)]
+    )
     with np.errstate(over="ignore"):
-        values = np.array(numbers).reshape(-1, len(columns)) / factors
+        values = np.array(numbers).reshape(-1, len(columns)) / factors + np.array(zeros)
     computable = np.all(np.abs(values) <= LARGEST_NUMBER, axis=1)
     if not np.all(computable):
         place = places[int(np.argmin(computable))]
@@ -154,6 +158,11 @@ def read_table(
         for place, unit in zip(header.places, header.units, strict=True)
     )
     return Table(file, values, np.array(places), read_as)
+
+
+def _zero_of(unit: str, wanted: str) -> float:
+    """Return the zero of degC [K] where a column holds temperatures; of other units nothing."""
+    return CELSIUS_ZERO if wanted == "K" and unit in CELSIUS else 0.0
 
 
 def names_columns(
@@ -261,7 +270,8 @@ def _with_units(
             )
     plain = tuple(unit if need else unit.strip("-") for unit, need in zip(header.units, needs, strict=True))
     for column, unit in zip(columns, plain, strict=True):
-        scale(unit, column.unit, what=f"{where}, {column.word}")
+        if not _zero_of(unit, column.unit):
+            scale(unit, column.unit, what=f"{where}, {column.word}")
         refuse_contradiction(column, unit, given, where)
     return header._replace(units=plain)
 

@@ -1,0 +1,1 @@
+"""Forces of contacts held at constant depths: poroelastic or viscoelastic, and the numbers of a poroelastic body."""

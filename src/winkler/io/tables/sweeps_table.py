@@ -1,0 +1,117 @@
+"""Sweeps of moduli over temperature in tables: one table with a column of temperatures, or several."""
+
+from __future__ import annotations
+
+import glob
+import os
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.io.foreign import in_file, reader
+from winkler.io.tables.relaxation_table import (
+    ANGULAR,
+    FREQUENCY,
+    SHEAR_LOSS,
+    SHEAR_MODULUS,
+    SHEAR_STORAGE,
+    TENSILE_LOSS,
+    TENSILE_STORAGE,
+    TIME,
+    YOUNG_MODULUS,
+    young_over_shear,
+)
+from winkler.io.tables.table import Column, names_columns, read_table
+from winkler.materials.sweeps import DynamicSweeps, RelaxationSweeps
+from winkler.numerics.types import Array
+
+__all__ = ["read_dynamic_sweeps", "read_relaxation_sweeps"]
+
+TEMPERATURE = Column("temperature", ("temperature", "temp", "t_c"), "K", "degC")
+
+
+@reader("sweeps of storage and loss")
+def read_dynamic_sweeps(path: str | os.PathLike[str], *, poisson: float = 0.5) -> DynamicSweeps:
+    """Read storage and loss at several temperatures.
+
+    Parameters
+    ----------
+    path : str or path
+        A table with the columns temperature, frequency (f) or angular_frequency (omega), and storage and loss of shear
+        (g', g'') or of tension (tensile_storage, tensile_loss, e', e''), as in ``temperature [degC], frequency [Hz],
+        storage [MPa], loss [MPa]``; or a pattern such as ``"rubber_*.csv"`` of several such tables.
+    poisson : float, optional
+        nu [-], above -1 and at most 0.5.
+
+    Returns
+    -------
+    DynamicSweeps
+
+    Raises
+    ------
+    InvalidInput
+        If a file cannot be read, or its rows are no sweeps.
+    """
+    rows = []
+    for file in _files(path):
+        abscissa = ANGULAR if names_columns(file, (TEMPERATURE, ANGULAR)) else FREQUENCY
+        sheared, tensile = (TEMPERATURE, abscissa, SHEAR_STORAGE, SHEAR_LOSS), (
+            TEMPERATURE,
+            abscissa,
+            TENSILE_STORAGE,
+            TENSILE_LOSS,
+        )
+        values = _moduli(file, sheared, tensile, poisson)
+        values[:, 1] *= 2.0 * np.pi if abscissa is FREQUENCY else 1.0
+        rows.append(values)
+    with in_file(str(path)):
+        return DynamicSweeps(*np.concatenate(rows).T, poisson=poisson)
+
+
+@reader("sweeps of relaxation")
+def read_relaxation_sweeps(path: str | os.PathLike[str], *, poisson: float = 0.5) -> RelaxationSweeps:
+    """Read relaxation at several temperatures.
+
+    Parameters
+    ----------
+    path : str or path
+        A table with the columns temperature, time (t), and shear (g) or young (e), as in ``temperature [degC], time [s],
+        shear [kPa]``; or a pattern such as ``"gel_*.csv"`` of several such tables.
+    poisson : float, optional
+        nu [-], above -1 and at most 0.5.
+
+    Returns
+    -------
+    RelaxationSweeps
+
+    Raises
+    ------
+    InvalidInput
+        If a file cannot be read, or its rows are no sweeps.
+    """
+    rows = [
+        _moduli(file, (TEMPERATURE, TIME, SHEAR_MODULUS), (TEMPERATURE, TIME, YOUNG_MODULUS), poisson)
+        for file in _files(path)
+    ]
+    with in_file(str(path)):
+        return RelaxationSweeps(*np.concatenate(rows).T, poisson=poisson)
+
+
+def _moduli(file: str, sheared: tuple[Column, ...], tensile: tuple[Column, ...], poisson: float) -> Array:
+    """Return the rows of a table with moduli in shear."""
+    tension = names_columns(file, tensile) and not names_columns(file, sheared)
+    values = np.array(read_table(file, tensile if tension else sheared).values)
+    if tension:
+        values[:, 2:] /= young_over_shear(poisson)
+    return values
+
+
+def _files(path: str | os.PathLike[str]) -> list[str]:
+    """Return the file, or those that match a pattern, in the order of their names."""
+    text = os.fspath(path)
+    if not glob.has_magic(text) or os.path.exists(text):
+        return [text]
+    files = sorted(glob.glob(text))
+    if not files:
+        raise InvalidInput(f"{text}: no file matches the pattern; check the folder and the ending.")
+    return files

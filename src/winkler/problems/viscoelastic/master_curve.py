@@ -1,0 +1,264 @@
+r"""Sweeps at several temperatures shifted into one master curve, with the errors of the shifts.
+
+Temperature multiplies all times of a thermorheologically simple solid by one factor :math:`a_T`, and its moduli by
+another, :math:`b_T`, which is often taken as one.  Spectrum, shifts, and scatter are found together, by the likelihood
+of all measurements (`winkler.numerics.springs.relaxation_spectrum`), and the laws of temperature are fitted to the shifts
+with their covariance (`winkler.problems.viscoelastic.shift_laws`).
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from typing import Annotated, ClassVar
+
+import numpy as np
+
+from winkler.checks.number_checks import Positive, Whole
+from winkler.errors import InvalidInput
+from winkler.materials.sweeps import DynamicSweeps, RelaxationSweeps
+from winkler.numerics.springs.pairwise_shifts import pairwise_shifts
+from winkler.numerics.springs.relaxation_spectrum import Measurements, SpectrumEstimate, estimate_spectrum
+from winkler.numerics.types import Array
+from winkler.problems.viscoelastic.master_curve_notes import master_curve_notes
+from winkler.problems.viscoelastic.shifted_solid import ShiftedSolid
+from winkler.problems.viscoelastic.temperature_groups import grouped, spread_times
+from winkler.validity import Assumption, Note
+from winkler.values import value, words
+
+__all__ = ["MasterCurve", "MasterCurveSolution"]
+
+MOST_TEMPERATURES = 200
+ROUNDS = 5
+"""Times that the grid of relaxation times is laid anew."""
+NEW_GRID = 0.5
+"""Greatest change of a shift that needs no new grid [-]."""
+
+
+@value
+class MasterCurve:
+    """Sweeps at several temperatures, to be shifted into one curve.
+
+    Parameters
+    ----------
+    sweeps : DynamicSweeps or RelaxationSweeps
+        The measurements; isothermal or isochronal ones are the same.
+    reference_temperature : float
+        T_0 [K] of the master curve; the nearest measured temperature, at most `temperature_step` away, is shifted by one.
+    vertical : bool, optional
+        Whether a factor b_T of the moduli is sought at each temperature, too.
+    entropic : bool, optional
+        Whether the moduli grow with the absolute temperature, b_T = T/T_0, as those of a rubber.
+    fluid : bool, optional
+        Whether nothing remains of the modulus at last.
+    per_decade : int, optional
+        Relaxation times in each decade, 2 to 12.
+    temperature_step : float, optional
+        Rows whose temperatures differ by less [K] belong to one temperature.
+
+    Raises
+    ------
+    InvalidInput
+        If a number is outside its range, there is one temperature only, none is the reference temperature, or the moduli
+        are to have both factors.
+
+    References
+    ----------
+    J. D. Ferry, Viscoelastic Properties of Polymers, 3rd edition, Wiley 1980
+    M. L. Williams, R. F. Landel, J. D. Ferry, J. Am. Chem. Soc. 77 (1955) 3701-3707, doi:10.1021/ja01619a008
+    J. Honerkamp, J. Weese, Rheol. Acta 32 (1993) 65-73, doi:10.1007/BF00396678
+
+    Examples
+    --------
+    >>> omega, warmth = np.tile(np.geomspace(0.1, 10.0, 9), 3), np.repeat([290.0, 300.0, 310.0], 9)
+    >>> turns = (1j * omega * 10.0 ** (-0.1 * (warmth - 300.0))) ** 0.5
+    >>> modulus = 1e6 + 1e6 * turns / (1.0 + turns)
+    >>> master = MasterCurve(DynamicSweeps(warmth, omega, modulus.real, modulus.imag), 300.0).solve()
+    >>> bool(abs(np.log10(master.shift_factor[0]) - 1.0) < 0.01)
+    True
+    """
+
+    __words__ = words(
+        sweeps=("", None, "moduli over frequency or time at several temperatures"),
+        vertical=("", None, "whether a factor of the moduli is sought at each temperature"),
+        entropic=("", None, "whether the moduli grow with the absolute temperature"),
+        fluid=("", None, "whether nothing remains of the modulus at last"),
+        per_decade=("", "", "relaxation times in each decade"),
+        temperature_step=("", "K", "difference below which rows belong to one temperature"),
+    )
+
+    sweeps: DynamicSweeps | RelaxationSweeps
+    reference_temperature: Positive
+    vertical: bool = False
+    entropic: bool = False
+    fluid: bool = False
+    per_decade: Annotated[int, Whole(2, 12)] = 4
+    temperature_step: Positive = 1.0
+
+    references: ClassVar[tuple[str, ...]] = ("williams_landel_ferry_1955", "honerkamp_weese_1993", "mackay_1992")
+    assumptions: ClassVar[frozenset[Assumption]] = frozenset(
+        (Assumption.RESPONSE, Assumption.KNOWN_TIMES, Assumption.CURVE)
+    )
+
+    def __post_init__(self) -> None:
+        if self.vertical and self.entropic:
+            raise InvalidInput("MasterCurve: vertical and entropic are both true; let one of them be false.")
+        centres, _ = self._groups
+        if centres.size < 2:
+            raise InvalidInput(
+                f"MasterCurve: all rows have temperatures within temperature_step = {self.temperature_step:g} K; give two "
+                "temperatures or more, or fit one sweep with DynamicData."
+            )
+        if centres.size > MOST_TEMPERATURES:
+            raise InvalidInput(
+                f"MasterCurve: the sweeps have {centres.size} temperatures, and at most {MOST_TEMPERATURES} are shifted; "
+                "give a greater temperature_step, so that neighbours count as one."
+            )
+        nearest = float(centres[self._reference])
+        if abs(nearest - self.reference_temperature) > self.temperature_step:
+            raise InvalidInput(
+                f"MasterCurve: no row was measured at reference_temperature = {self.reference_temperature:g} K; the nearest "
+                f"temperature is {nearest:g} K, give that."
+            )
+
+    def solve(self) -> MasterCurveSolution:
+        """Return shifts, spectrum, and laws.
+
+        Returns
+        -------
+        MasterCurveSolution
+
+        Raises
+        ------
+        NotConverged
+            If the search does not settle.
+        """
+        centres, group = self._groups
+        measured = self.sweeps.measured(group)
+        shifts = pairwise_shifts(measured, centres.size, self._reference)
+        factors = np.log(centres / centres[self._reference]) if self.entropic else None
+        for _ in range(ROUNDS):
+            found = estimate_spectrum(
+                measured,
+                spread_times(measured, shifts, self.per_decade),
+                shifts,
+                reference=self._reference,
+                free_factors=self.vertical,
+                fixed_factors=factors,
+                relaxes=not self.fluid,
+            )
+            moved = float(np.max(np.abs(found.shifts - shifts)))
+            shifts = found.shifts
+            if moved < NEW_GRID:
+                break
+        return self._solution(centres, found)
+
+    def _solution(self, centres: Array, found: SpectrumEstimate) -> MasterCurveSolution:
+        k, m = found.times.size, centres.size
+        error = np.sqrt(np.maximum(np.diag(found.covariance), 0.0))
+        start = k + 1
+        return MasterCurveSolution(
+            problem=self,
+            temperature=centres,
+            shift_factor=np.exp(found.shifts),
+            shift_error=error[start : start + m],
+            shift_covariance=found.covariance[start : start + m, start : start + m],
+            vertical_factor=np.exp(found.factors),
+            vertical_error=error[start + m :],
+            relaxation_times=found.times,
+            shears=np.exp(found.strengths),
+            relaxed_shear=math.exp(found.level) if not self.fluid else 0.0,
+            spectrum_covariance=found.covariance[:start, :start],
+            scatter=found.scatter,
+            freedom=found.freedom,
+            residuals=np.concatenate(found.residuals),
+        )
+
+    @functools.cached_property
+    def _groups(self) -> tuple[Array, Array]:
+        """Mean of each temperature [K] ``(m,)``, and its index for each row ``(n,)``."""
+        return grouped(np.asarray(self.sweeps.temperature), self.temperature_step)
+
+    @property
+    def measured(self) -> tuple[Measurements, ...]:
+        """The measurements with the index of their temperature."""
+        return self.sweeps.measured(self._groups[1])
+
+    @property
+    def poisson(self) -> float:
+        """Poisson's ratio nu [-], the same at all times and temperatures."""
+        return self.sweeps.poisson
+
+    @property
+    def _reference(self) -> int:
+        return int(np.argmin(np.abs(self._groups[0] - self.reference_temperature)))
+
+
+@value
+class MasterCurveSolution(ShiftedSolid):
+    """The solution of a `MasterCurve`; errors are standard errors of logarithms.
+
+    Parameters
+    ----------
+    problem : MasterCurve
+        The problem that was solved.
+    temperature : ndarray, (m,)
+        T [K], rising.
+    shift_factor, shift_error : ndarray, (m,)
+        a_T [-], and the standard error of its natural logarithm; zero at the reference temperature.
+    shift_covariance : ndarray, (m, m)
+        Covariance of the natural logarithms of a_T [-].
+    vertical_factor, vertical_error : ndarray, (m,)
+        b_T [-], and the standard error of its natural logarithm.
+    relaxation_times, shears : ndarray, (k,)
+        tau_i [s] and G_i [Pa] of the spectrum at the reference temperature.
+    relaxed_shear : float
+        G_inf [Pa].
+    spectrum_covariance : ndarray, (k + 1, k + 1)
+        Covariance of the logarithms of G_i and of G_inf [-].
+    scatter : ndarray, (kinds,)
+        Relative scatter of G' and G'', or of G(t) [-].
+    freedom : float
+        Number of measurements less that of the numbers they determine.
+    residuals : ndarray
+        Logarithms of measured over fitted moduli, G' before G'' [-].
+    """
+
+    __words__ = words(
+        temperature=("T", "K", "temperature of each sweep"),
+        shift_factor=("a_T", "", "by which temperature multiplies all times"),
+        shift_error=("", "", "standard error of the natural logarithm of the shift factor"),
+        shift_covariance=("", "", "covariance of the natural logarithms of the shift factors"),
+        vertical_factor=("b_T", "", "by which temperature multiplies all moduli"),
+        vertical_error=("", "", "standard error of the natural logarithm of the vertical factor"),
+        shears_error=("", "", "standard error of the natural logarithm of each modulus"),
+        spectrum_covariance=("", "", "covariance of the logarithms of all moduli of the spectrum"),
+        relaxed_shear_error=("", "", "standard error of the natural logarithm of the relaxed modulus"),
+        scatter=("", "", "relative scatter of each kind of modulus"),
+        freedom=("", "", "number of measurements less that of the numbers they determine"),
+        residuals=("", "", "logarithms of measured over fitted moduli"),
+    )
+
+    problem: MasterCurve
+    temperature: Array
+    shift_factor: Array
+    shift_error: Array
+    shift_covariance: Array
+    vertical_factor: Array
+    vertical_error: Array
+    relaxation_times: Array
+    shears: Array
+    relaxed_shear: float
+    spectrum_covariance: Array
+    scatter: Array
+    freedom: float
+    residuals: Array
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        shifts = np.log(self.shift_factor)
+        notes = master_curve_notes(
+            self.problem.measured, self.temperature, shifts, self.residuals, self.determined
+        )
+        return (self.law_note, *notes)

@@ -1,0 +1,97 @@
+"""How far a master curve can be trusted: superposition, overlap, determined times."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.numerics.springs.relaxation_spectrum import Measurements
+from winkler.numerics.types import Array
+from winkler.problems.viscoelastic.temperature_groups import reached_times
+from winkler.validity import Assumption, Note, Standing, standing_of
+
+__all__ = ["determined_note", "master_curve_notes"]
+
+SIGNIFICANT = 3.0
+"""Standard errors by which the correlation of neighbouring residuals differs from zero."""
+NOTICED = 0.5
+"""Correlation of neighbours from which the intervals are markedly too narrow."""
+DECADES_APART = 0.3
+"""Gap between neighbouring temperatures, in decades, from which their shift rests on the smoothness of the spectrum."""
+
+
+def master_curve_notes(
+    measured: tuple[Measurements, ...], temperature: Array, shifts: Array, residuals: Array, determined: tuple[float, float]
+) -> tuple[Note, ...]:
+    """Return the notes.
+
+    Parameters
+    ----------
+    measured : tuple of Measurements
+    temperature, shifts : ndarray, (m,)
+        T [K] and ln a_T [-].
+    residuals : ndarray
+        Of the logarithms of all measurements, one kind after the other.
+    determined : tuple of float
+        Shortest and longest determined relaxation time [s].
+    """
+    ends = np.cumsum([0, *(one.modulus.size for one in measured)])
+    products, squares, pairs = 0.0, 0.0, 0
+    for one, first, last in zip(measured, ends[:-1], ends[1:], strict=True):
+        for group in range(temperature.size):
+            own = one.group == group
+            row = residuals[first:last][own][np.argsort(one.abscissa[own], kind="stable")]
+            products += float(row[1:] @ row[:-1])
+            squares += float(0.5 * (row[1:] @ row[1:] + row[:-1] @ row[:-1]))
+            pairs += max(row.size - 1, 0)
+    correlation = products / squares if squares > 0.0 else 0.0
+    trend = correlation if correlation * math.sqrt(max(pairs, 1)) > SIGNIFICANT else 0.0
+    superposed = Note(
+        Assumption.RESPONSE,
+        Standing.ASYMPTOTIC if trend == 0.0 else Standing.APPROXIMATE,
+        "Temperature multiplies all times by one factor; residuals of neighbouring rows of one temperature "
+        + (
+            "are not correlated beyond chance."
+            if trend == 0.0
+            else f"are correlated by {correlation:.2f}: the curves do not superpose within their scatter"
+            + (", and the intervals are too narrow." if correlation > NOTICED else ".")
+        ),
+        "correlation of the residuals",
+    )
+    return (superposed, _overlap(measured, temperature, shifts), determined_note(determined))
+
+
+def _overlap(measured: tuple[Measurements, ...], temperature: Array, shifts: Array) -> Note:
+    places = np.concatenate([reached_times(one, shifts) for one in measured]) / math.log(10.0)
+    groups = np.concatenate([one.group for one in measured])
+    spans = [(places[groups == g].min(), places[groups == g].max()) for g in range(temperature.size)]
+    gaps = np.array([max(b[0] - a[1], a[0] - b[1]) for a, b in zip(spans[:-1], spans[1:], strict=True)])
+    worst = int(np.argmax(gaps))
+    gap = float(gaps[worst])
+    between = f"between {temperature[worst]:.4g} K and {temperature[worst + 1]:.4g} K"
+    text = (
+        f"Neighbouring temperatures overlap by {-gap:.2g} decades at least, {between}"
+        if gap <= 0.0
+        else f"There is a gap of {gap:.2g} decades {between}, which the smoothness of the spectrum bridges: measure a "
+        "temperature in between"
+    )
+    return Note(Assumption.CURVE, standing_of(gap, 0.0, math.inf if gap < DECADES_APART else gap), f"{text}.", "overlap")
+
+
+def determined_note(determined: tuple[float, float]) -> Note:
+    """Return between which relaxation times the spectrum is determined."""
+    low, high = determined
+    if not high > low:
+        return Note(
+            Assumption.KNOWN_TIMES,
+            Standing.OUTSIDE,
+            "No relaxation time has a modulus that is known to a factor of two: the scatter is too great.",
+            "standard errors of the spectrum",
+        )
+    return Note(
+        Assumption.KNOWN_TIMES,
+        Standing.ASYMPTOTIC,
+        f"The spectrum is determined to a factor of two from {low:.3g} s to {high:.3g} s; beyond, it continues smoothly.",
+        "standard errors of the spectrum",
+    )

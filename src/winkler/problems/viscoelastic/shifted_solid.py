@@ -1,0 +1,112 @@
+"""The solid of a master curve at its reference temperature, and at others by the law of its shifts."""
+
+from __future__ import annotations
+
+import functools
+
+import numpy as np
+
+from winkler.errors import OutsideValidity
+from winkler.materials.at_temperature import AtTemperature
+from winkler.materials.temperature import Arrhenius, WilliamsLandelFerry
+from winkler.numerics.types import Array
+from winkler.problems.viscoelastic.shift_laws import FittedLaws, Verdict, fitted_laws
+from winkler.problems.viscoelastic.spectrum_solid import SpectrumSolid
+from winkler.validity import Assumption, Note, Standing
+
+__all__ = ["ShiftedSolid"]
+
+
+class ShiftedSolid(SpectrumSolid):
+    """What follows from a spectrum and shifts; its fields are those of `MasterCurveSolution`."""
+
+    temperature: Array
+    shift_factor: Array
+    shift_error: Array
+    shift_covariance: Array
+    freedom: float
+
+    @functools.cached_property
+    def laws(self) -> FittedLaws:
+        """Both laws of temperature with their intervals, and which of them the shifts determine."""
+        others = self.shift_error > 0.0
+        reference = float(self.temperature[~others][0])
+        return fitted_laws(
+            self.temperature[others],
+            np.log(self.shift_factor[others]),
+            self.shift_covariance[np.ix_(others, others)],
+            reference,
+            freedom=self.freedom,
+        )
+
+    @property
+    def first_constant(self) -> float:
+        """c_1 [-] of Williams, Landel and Ferry."""
+        return self.laws.ferry.first_constant
+
+    @property
+    def second_constant(self) -> float:
+        """c_2 [K] of Williams, Landel and Ferry."""
+        return self.laws.ferry.second_constant
+
+    @property
+    def activation_energy(self) -> float:
+        """Q [J/mol] of Arrhenius' law."""
+        return self.laws.arrhenius.activation_energy
+
+    @property
+    def verdict(self) -> str:
+        """The law that the shifts determine: "Williams, Landel and Ferry", "Arrhenius", "cannot tell" or "neither"."""
+        return self.laws.verdict.value
+
+    @property
+    def law(self) -> WilliamsLandelFerry | Arrhenius:
+        """The law of the verdict; that of Williams, Landel and Ferry, which contains the other, where neither is excluded.
+
+        Raises
+        ------
+        OutsideValidity
+            If neither law describes the shifts.
+        """
+        laws = self.laws
+        if laws.verdict is Verdict.NEITHER:
+            raise OutsideValidity(
+                "MasterCurve: neither law describes the shifts within their errors; use solid.slowed(factor) with a "
+                "measured shift_factor."
+            )
+        return laws.arrhenius if laws.verdict is Verdict.ARRHENIUS else laws.ferry
+
+    def solid_at(self, temperature: float) -> AtTemperature:
+        """Return the solid at any temperature by the law of the verdict, for `ViscoelasticHalfSpace`.
+
+        Parameters
+        ----------
+        temperature : float
+            T [K], positive.
+
+        Raises
+        ------
+        OutsideValidity
+            If neither law describes the shifts, or the law has no value at this temperature.
+        """
+        return AtTemperature(self.solid, self.law, temperature)
+
+    @property
+    def law_note(self) -> Note:
+        """Which law the shifts determine, with the intervals of its constants."""
+        laws = self.laws
+        first, second, energy = laws.first_interval, laws.second_interval, laws.energy_interval
+        constants = (
+            f"c1 = {laws.ferry.first_constant:.4g} ({first[0]:.4g} to {first[1]:.4g}), c2 = "
+            f"{laws.ferry.second_constant:.4g} K ({second[0]:.4g} to {second[1]:.4g} K), or an activation energy of "
+            f"{laws.arrhenius.activation_energy / 1e3:.4g} kJ/mol ({energy[0] / 1e3:.4g} to {energy[1] / 1e3:.4g} kJ/mol)"
+        )
+        misfit = f"squares {laws.ferry_misfit:.3g} and {laws.arrhenius_misfit:.3g} of {self.temperature.size - 1} shifts"
+        says = {
+            Verdict.FERRY: "The shifts are those of Williams, Landel and Ferry, and exclude Arrhenius' law",
+            Verdict.ARRHENIUS: "The shifts are those of Arrhenius, and exclude the constants of polymers",
+            Verdict.UNDECIDED: "The shifts cannot tell the laws of Williams, Landel and Ferry and of Arrhenius apart",
+            Verdict.NEITHER: "Neither law describes the shifts within their errors",
+        }[laws.verdict]
+        standing = Standing.APPROXIMATE if laws.verdict is Verdict.NEITHER else Standing.ASYMPTOTIC
+        return Note(Assumption.RESPONSE, standing, f"{says}: {constants}; {misfit}.", "95 % profile likelihood")
