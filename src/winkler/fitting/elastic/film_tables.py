@@ -2,7 +2,7 @@ r"""The contacts of a film of any modulus in a fit: d(a) and F(a) of a few modul
 
 With the modulus E of one layer, or of the substrate, :math:`\ln d(a)` and :math:`\ln F(a)` at a fixed radius are
 analytic functions of :math:`\ln E` with singularities no nearer than :math:`\pm i\pi`, where the ratio of two moduli
-is -1.  In a window of a factor 4.5 to both sides, `NODES` Chebyshev nodes give them to about 1e-6, which the last
+is -1.  In a window of a factor 7 to both sides, `NODES` Chebyshev nodes give them to about 1e-6, which the last
 coefficients check.  The flat punches of one modulus are solved once for each node, not once for each step of a fit.
 """
 
@@ -14,13 +14,13 @@ from typing import NamedTuple, cast
 import numpy as np
 
 from winkler.fitting.elastic.model_tables import EachAnew
-from winkler.fitting.elastic.panels import PANEL_DOUBLINGS, PanelSeries, panel_nodes
+from winkler.fitting.elastic.panels import PanelSeries, panel_nodes
 from winkler.fitting.elastic.response import MachineResponse, of_table
 from winkler.fitting.elastic.rising import RadiusTable, table_of
 from winkler.fitting.parameters import changed, number_at
 from winkler.foundation.foundation import Foundation
 from winkler.media.layered.coated import CoatedHalfSpace
-from winkler.media.layered.direct_punch import depth_and_force
+from winkler.media.layered.direct_punch import depth_and_force, nodes_for
 from winkler.numerics.equations.roots import rough_root
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.edge_states import EdgeStates
@@ -29,12 +29,12 @@ from winkler.problems.normal.solve_contact import end_of
 
 __all__ = ["FilmTables"]
 
-NODES = 10
+NODES = 12
 """Moduli of a window."""
-HALF_WIDTH, OVERLAP = 1.5, 0.05
+HALF_WIDTH, OVERLAP = 2.0, 0.05
 """Half-width of a window in ln E, and how far beyond it may be used."""
-RADII = 8
-"""Contact radii on an octave."""
+RADII, OCTAVES = 7, 7
+"""Contact radii on an octave, and octaves; below is one more panel."""
 RESOLVED = 1e-5
 """Greatest last coefficient of a series, in parts of d and F."""
 MARGIN = 1.3
@@ -65,6 +65,8 @@ class FilmTables(EachAnew):
     name : str
         Path of the free modulus.
     """
+
+    most_starts = 2
 
     def __init__(self, model: Indentation, name: str) -> None:
         self.model, self.name = model, name
@@ -123,7 +125,7 @@ class FilmTables(EachAnew):
             if min(depths) >= self._highest:
                 break
             high *= WIDENING
-        self._edges = np.concatenate([[0.0], high * 2.0 ** np.arange(-PANEL_DOUBLINGS, 1.0)])
+        self._edges = np.concatenate([[0.0], high * 2.0 ** np.arange(-OCTAVES, 1.0)])
         self._is_used = bool(min(depths) >= self._highest and high < MOST_REACH * end_of(bed))
 
     def _medium(self, logarithm: float) -> CoatedHalfSpace:
@@ -167,10 +169,12 @@ class FilmTables(EachAnew):
         cheb = np.polynomial.chebyshev
         at, moduli = cheb.chebpts1(RADII), cheb.chebpts1(NODES)
         radii, profile = self._radii(at), self.model.bed.profile
+        ends = [self._medium(centre + far) for far in (-HALF_WIDTH, HALF_WIDTH)]
+        count = max(nodes_for(end, float(radii.max())) for end in ends)
         rows = []
         for place in moduli.tolist():
             medium = self._medium(centre + HALF_WIDTH * place)
-            depth, force = depth_and_force(medium, profile, radii.ravel())
+            depth, force = depth_and_force(medium, profile, radii.ravel(), count)
             alone = profile.gap(radii.ravel())
             whole = 2.0 * medium.modulus * (radii.ravel() * alone - profile.gap_integral(radii.ravel()))
             rows.append(np.log([depth / alone, force / whole]).reshape(2, *radii.shape))

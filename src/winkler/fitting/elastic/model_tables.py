@@ -22,6 +22,9 @@ MARGIN = 1.5
 class ModelTables(Protocol):
     """The responses of the models of a fit."""
 
+    most_starts: int
+    """Number of contact points at which the fit may begin."""
+
     def response(self, states: EdgeStates, compliance: float, highest: float) -> MachineResponse:
         """Return the response up to the position `highest` [m]; see `winkler.fitting.elastic.response.response`."""
         ...
@@ -37,6 +40,8 @@ class ModelTables(Protocol):
 
 class EachAnew:
     """A table for each model."""
+
+    most_starts = 4
 
     def response(self, states: EdgeStates, compliance: float, highest: float) -> MachineResponse:
         """Return the response."""

@@ -37,7 +37,7 @@ def starts(task: FitTask, rough_outline: CurveOutline) -> list[Array]:
     parameter = next((p for p in task.parameters if p.name == "contact_point"), None)
     origins = [0.0]
     if parameter is not None:
-        origins = contact_points(task, parameter, rough_outline)
+        origins = contact_points(task, parameter, rough_outline)[: task.tables.most_starts]
         origins = [parameter.start] if parameter.has_start else [parameter.inside(origin) for origin in origins]
     found: list[dict[str, float]] = []
     for origin in dict.fromkeys(origins):

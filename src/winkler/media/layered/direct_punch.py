@@ -1,10 +1,12 @@
 r"""Depth and force of a smooth profile on layers at given contact radii, from one flat punch for each radius.
 
-:math:`g(a)\,\varphi(a;a) = h(a) - \int\rho h\,\mathrm dx` and
-:math:`\int k'g\,\mathrm dx = 2E^*\int\varphi h\,\mathrm dx` as in `winkler.media.layered.flat_punch`, but without tables of all radii: a fit asks for few radii of many media.
+The equations are those of `winkler.media.layered.flat_punch`, without tables of all radii: a fit asks for few radii of
+many media.
 """
 
 from __future__ import annotations
+
+import itertools
 
 import numpy as np
 
@@ -15,15 +17,28 @@ from winkler.numerics.transforms.punch_tables import punch_at
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
 
-__all__ = ["depth_and_force"]
+__all__ = ["depth_and_force", "nodes_for"]
 
-FEW_NODES, MANY_NODES = 8, 24
-"""Nodes on a panel of a punch; many where few change the widest one."""
-SETTLED = 1e-8
+NODE_COUNTS = (8, 12, 16, 24, 32)
+SETTLED = 1e-7
 
 
-def depth_and_force(medium: LayeredMedium, profile: Profile, radii: Array) -> tuple[Array, Array]:
-    """Return d(a) [m] and F(a) [N] of contacts without adhesion, to about 1e-8.
+def nodes_for(medium: LayeredMedium, widest: float) -> int:
+    """Return how many nodes on a panel give punches up to a radius [m] to 1e-7."""
+    own, unit = in_own_lengths(medium.response)
+    last = punch_at(own, widest / unit, NODE_COUNTS[0])
+    for count, more in itertools.pairwise(NODE_COUNTS):
+        finer = punch_at(own, widest / unit, more)
+        if all(abs(old / new - 1.0) <= SETTLED for old, new in zip(last[:2], finer[:2], strict=True)):
+            return count
+        last = finer
+    return NODE_COUNTS[-1]
+
+
+def depth_and_force(
+    medium: LayeredMedium, profile: Profile, radii: Array, count: int = NODE_COUNTS[0]
+) -> tuple[Array, Array]:
+    """Return d(a) [m] and F(a) [N] of contacts without adhesion.
 
     Parameters
     ----------
@@ -32,16 +47,10 @@ def depth_and_force(medium: LayeredMedium, profile: Profile, radii: Array) -> tu
         Without kinks up to the widest contact.
     radii : ndarray, (m,)
         Contact radii, positive [m].
-
-    Raises
-    ------
-    NotConverged
-        If the kernel of the stack does not settle.
+    count : int, optional
+        Nodes on a panel, from `nodes_for`; few unless given.
     """
     own, unit = in_own_lengths(medium.response)
-    widest = float(radii.max()) / unit
-    few, many = (np.array(punch_at(own, widest, count)[:2]) for count in (FEW_NODES, MANY_NODES))
-    count = FEW_NODES if np.all(np.abs(few - many) <= SETTLED * np.abs(many)) else MANY_NODES
     transform = profile.gap(radii)
     depth, force = np.empty(radii.size), np.empty(radii.size)
     for place, a in enumerate((radii / unit).tolist()):
