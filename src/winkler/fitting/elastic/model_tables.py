@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Protocol
+from typing import Protocol, cast
 
 import numpy as np
 
-from winkler.fitting.elastic.panels import PanelSeries, resolved
-from winkler.fitting.elastic.reach import kinks_between, machine_curves, radius_range
+from winkler.fitting.elastic.reach import machine_curves
 from winkler.fitting.elastic.response import MachineResponse, end_at, of_table, response
-from winkler.fitting.elastic.rising import RadiusTable, table_of
+from winkler.fitting.elastic.rising import RadiusTable
+from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.edge_states import EdgeStates
 
@@ -61,29 +61,43 @@ EACH_ANEW = EachAnew()
 
 
 class HomogeneousTables(EachAnew):
-    """One table for a profile on homogeneous half-spaces of any modulus: d(a) does not depend on it, F/E* neither."""
+    """One table for a profile on homogeneous half-spaces of any modulus.
+
+    d(a) and F(a)/E* do not depend on the modulus, and D = d + F/k_m rises where d does, as dF = k(a) dd.
+    """
 
     def __init__(self) -> None:
-        self._series: PanelSeries | None = None
-        self._range, self._highest, self._modulus = (0.0, 0.0), -np.inf, 1.0
+        self._highest, self._modulus = -np.inf, 1.0
+        self._of_depth: MachineResponse | None = None
+        self._forces: tuple[Array, ...] = ()
 
     def response(self, states: EdgeStates, compliance: float, highest: float) -> MachineResponse:
         """Return the response."""
-        if self._series is None or highest > self._highest:
-            self._tabulate(states, highest)
-        assert self._series is not None
-        if self._range[1] <= self._range[0]:
-            return response(states, compliance, highest)
-        share = states.bed.medium.modulus / self._modulus  # type: ignore[attr-defined]
-        depth, force = self._series.levels, self._series.others * share
-        table = table_of(self._series._replace(levels=depth + compliance * force, others=force))
-        return of_table(table, states, compliance, end_at(states, compliance, self._range[1]))
+        if self._of_depth is None or highest > self._highest:
+            self._highest, self._modulus = MARGIN * highest, _modulus(states)
+            self._of_depth = response(states, 0.0, self._highest)
+            table = self._of_depth.table
+            self._forces = tuple(table.read(table.places(piece.places))[0] for piece in table.pieces)
+        share, whole = _modulus(states) / self._modulus, self._of_depth
+        depth, force = whole.table.series[:, 0], whole.table.series[:, 1] * share
+        pieces = tuple(
+            piece._replace(levels=piece.levels + compliance * share * pressed)
+            for piece, pressed in zip(whole.table.pieces, self._forces, strict=True)
+        )
+        table = whole.table._replace(series=np.stack([depth + compliance * force, force], axis=1), pieces=pieces)
+        if compliance:
+            return of_table(table, states, compliance, end_at(states, compliance, whole.end[3]))
+        held = tuple(one._replace(force=share * one.force, slope=share * one.slope) for one in whole.held)
+        level, last, stiffness, high = whole.end
+        return MachineResponse(table, (level, share * last, share * stiffness, high), held)
 
-    def _tabulate(self, states: EdgeStates, highest: float) -> None:
-        self._highest = MARGIN * highest
-        self._modulus = states.bed.medium.modulus  # type: ignore[attr-defined]
-        self._range = low, high = radius_range(states, 0.0, self._highest)
-        nothing = np.zeros((0, 1))
-        self._series = PanelSeries(*nothing.T, *nothing.T, *nothing.T, nothing, nothing)
-        if high > low:
-            self._series = resolved(machine_curves(states, 0.0), low, high, kinks_between(states.bed, low, high))
+    def differences(self, table: RadiusTable, states: EdgeStates, compliance: float, radius: Array) -> Array:
+        """Return the differences."""
+        assert self._of_depth is not None
+        whole = self._of_depth.table.series[:, 1] * (_modulus(states) / self._modulus)
+        force = table.read_series(whole - table.series[:, 1], table.places_of(radius))
+        return np.stack([compliance * force, force])
+
+
+def _modulus(states: EdgeStates) -> float:
+    return float(cast(HomogeneousMedium, states.bed.medium).modulus)

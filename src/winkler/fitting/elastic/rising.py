@@ -120,6 +120,10 @@ class RadiusTable(NamedTuple):
         """Return the first function."""
         return _horner(self.series[:, 0, places.panel], places.t)[0]
 
+    def read_series(self, series: Array, places: PanelPlaces) -> Array:
+        """Return power series ``(degree + 1, panels)`` on these panels at positions."""
+        return _horner(series[:, places.panel], places.t)[0]
+
     def differences(self, function: Pair, places: PanelPlaces) -> Array:
         """Return the differences of two other functions from these ``(2, m)``, at positions.
 
