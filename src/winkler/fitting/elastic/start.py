@@ -46,9 +46,7 @@ def starts(task: FitTask, rough_outline: CurveOutline) -> list[Array]:
     return [np.array([p.inward(p.inside(numbers[p.name])) for p in task.parameters]) for numbers in found]
 
 
-def _sized(
-    task: FitTask, rough_outline: CurveOutline, origin: float, numbers: dict[str, float]
-) -> dict[str, float]:
+def _sized(task: FitTask, rough_outline: CurveOutline, origin: float, numbers: dict[str, float]) -> dict[str, float]:
     """Return numbers with moduli and works of the right magnitude for a contact point, changed from given ones."""
     stated = {p.name for p in task.parameters if p.has_start}
     if "contact_point" in numbers and "contact_point" not in stated:
@@ -62,9 +60,7 @@ def _sized(
     return numbers
 
 
-def _possible(
-    task: FitTask, numbers: dict[str, float], works: list[str], depth: float
-) -> tuple[Model, float, float]:
+def _possible(task: FitTask, numbers: dict[str, float], works: list[str], depth: float) -> tuple[Model, float, float]:
     """Return the model, its force at a depth and its pull-off force, the works reduced until the theory is valid."""
     for _ in range(MOST_ROUNDS if works else 0):
         model = task.with_numbers(numbers)
