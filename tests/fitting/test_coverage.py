@@ -57,7 +57,7 @@ def test_two_hundred_curves(sticky, memory):
     """Other seeds than those of the quick test.
 
     Of white noise more may lie inside: so few points cannot exclude slow noise, most of all in the baseline.  There,
-    sixty curves suffice if they miss the truth at most once: with intervals that hold 91 % this happens once in 40 times.
+    sixty curves suffice if they miss the truth at most once: intervals that hold 91 % do so once in 40.
     """
     inside = hits(sticky, memory, range(90_000, 90_060), 250)
     if not memory and min(inside.values()) >= 59:

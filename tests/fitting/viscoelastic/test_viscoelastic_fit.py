@@ -45,7 +45,7 @@ def test_some_curves(kind):
 def test_two_hundred_curves(kind):
     """Other seeds than those of the quick test; 301 points cannot exclude slow noise, and the intervals are wide.
 
-    Sixty curves suffice if they miss the truth at most once: with intervals that hold 91 % this happens once in 40 times.
+    Sixty curves suffice if they miss the truth at most once: intervals that hold 91 % do so once in 40.
     """
     inside = hits(kind, range(50_000, 50_060))
     if np.min(inside) < 59:

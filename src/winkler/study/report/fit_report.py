@@ -22,6 +22,7 @@ from winkler.study.language.study import Study
 from winkler.study.report import page_parts as parts
 from winkler.study.report.describe import inputs
 from winkler.study.report.figure import ReportFigure, drawn
+from winkler.study.report.fit_pages import curve_facts, noise_figures
 from winkler.study.report.fit_tables import MOST_ROWS, answers, counts, doubts, failures
 from winkler.study.report.fit_writing import CSV, MAPS, MOST_CURVES_AS_TEXT, NETCDF, map_grid
 from winkler.study.report.markup import safe, section, table
@@ -76,6 +77,8 @@ def figures_of_curves(outcome: FitOutcome) -> Iterator[ReportFigure]:
                 "depth, and the relaxation with its 95 % interval, grey where the curve does not determine it."
             )
         yield drawn(f"curve_{outcome.results.index(result) + 1}", result.name, sentence, sheet_of(result.fit))
+    if len(outcome.results) == 1:
+        yield from noise_figures(outcome.fitted[0])
 
 
 def _stem(free: Free) -> str:
@@ -93,6 +96,7 @@ def page(outcome: FitOutcome, shown: tuple[ReportFigure, ...] | None = None) -> 
         doubts(outcome),
         failures(outcome),
         section("Figures", parts.figure_elements(shown)) if shown else "",
+        curve_facts(outcome, outcome.fitted[0]) if len(outcome.results) == 1 else "",
         _question(outcome),
         steps(outcome),
         _formulas(study),
