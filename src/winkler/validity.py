@@ -7,13 +7,14 @@ the worst of its notes.  docs/validity.md states for every assumption how it is 
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from enum import Enum
 
 from winkler.assumption import Assumption
 from winkler.values import value
 
-__all__ = ["Assumption", "Note", "Standing", "standing_of", "worst"]
+__all__ = ["Assumption", "Note", "Standing", "standing_of", "topic_of", "worst", "worst_of_each"]
 
 
 class Standing(Enum):
@@ -63,3 +64,18 @@ def worst(notes: Iterable[Note]) -> Standing:
     """Return the worst standing among `notes`; exact if there are none."""
     order = list(Standing)
     return max((note.standing for note in notes), key=order.index, default=Standing.EXACT)
+
+
+def worst_of_each(notes: Iterable[Note]) -> tuple[Note, ...]:
+    """Return notes; of statements that differ in their numbers only, the worst."""
+    collected: dict[str, Note] = {}
+    for note in notes:
+        topic = topic_of(note)
+        if topic not in collected or worst((collected[topic], note)) is note.standing:
+            collected[topic] = note
+    return tuple(collected.values())
+
+
+def topic_of(note: Note) -> str:
+    """Return the beginning of a statement, without its numbers: notes on one subject have one topic."""
+    return re.sub(r"[-+]?\d[-+.\de]*", "#", note.statement).partition(":")[0]

@@ -56,8 +56,12 @@ def test_some_curves(memory):
 def test_two_hundred_curves(sticky, memory):
     """Other seeds than those of the quick test.
 
-    Of white noise more may lie inside: so few points cannot exclude slow noise, most of all in the baseline.
+    Of white noise more may lie inside: so few points cannot exclude slow noise, most of all in the baseline.  There,
+    sixty curves suffice if they miss the truth at most once: intervals that hold 91 % do so once in 40.
     """
-    inside = hits(sticky, memory, range(90_000, 90_200), 250)
+    inside = hits(sticky, memory, range(90_000, 90_060), 250)
+    if not memory and min(inside.values()) >= 59:
+        return
+    more = hits(sticky, memory, range(90_060, 90_200), 250)
     most = 0.985 * 200 if memory else 200
-    assert all(0.91 * 200 <= count <= most for count in inside.values()), inside
+    assert all(0.91 * 200 <= count + more[name] <= most for name, count in inside.items()), (inside, more)

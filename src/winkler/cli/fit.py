@@ -42,6 +42,9 @@ def fit(
             "--segments", help="Where the curves are loaded, held, unloaded: 'loading 0 s, hold 12 s, unloading 17 s'."
         ),
     ] = "",
+    pages: Annotated[
+        int, typer.Option(help="Of how many curves an own page is written, with everything behind their numbers.")
+    ] = 0,
     anew: Annotated[bool, typer.Option("--anew", help="Forget what a batch that was stopped has fitted.")] = False,
     quiet: Quiet = False,
     as_json: AsJson = False,
@@ -68,6 +71,8 @@ def fit(
     started = time.perf_counter()
     if time_limit is not None and not time_limit > 0.0:
         raise InvalidInput(f"fit: --time-limit is {time_limit:g}; give a positive time in s.")
+    if pages < 0:
+        raise InvalidInput(f"fit: --pages is {pages}; give the number of curves with a page of their own, or leave it.")
     content = read_fit_study(study, segments=tuple(part.strip() for part in segments.split(",") if part.strip()))
     if time_limit is not None:
         content = dataclasses.replace(content, time_limit=time_limit)
@@ -96,7 +101,7 @@ def fit(
             outcome = gather_fits(content, fitted.items(), started=started, source=study.name, left=left)
         except WinklerError as error:
             raise named(error, study.name) from None
-        write_outcome(outcome, partial)
+        write_outcome(outcome, partial, pages=pages)
         journal.complete = not left
     if as_json:
         _print_json(outcome, folder)
@@ -186,6 +191,7 @@ def _table(outcome: FitOutcome, out: Any) -> None:
     study = outcome.study
     if len(outcome.results) == 1:
         fit = outcome.fitted[0].fit
+        out.print(_headline(outcome), soft_wrap=True)
         table = terminal.table("free", "symbol", "fitted", "standard error", "95 % interval")
         for free, word, number, error, low, high in number_texts(outcome, outcome.fitted[0]):
             table.add_row(free.key, plain_symbol(word.symbol), number, error, f"{low} ... {high}")
@@ -207,6 +213,22 @@ def _table(outcome: FitOutcome, out: Any) -> None:
     columns.append(outcome.flags(", ", "no answer"))
     terminal.add_rows(table, columns)
     out.print(table)
+
+
+def _headline(outcome: FitOutcome) -> str:
+    """Return the first free number with its interval of 95 %, and how many points stand behind it."""
+    from winkler.readable import with_unit
+
+    free, fit = outcome.study.free[0], outcome.fitted[0].fit
+    word = outcome.study.word(free.key)
+    low, high = fit.interval(free.path)
+    number = fit.value(free.path)
+    below, above = (with_unit(end, word.unit, 2) for end in (number - low, high - number))
+    around = f"± {above}" if below == above else f"- {below} + {above}"
+    return (
+        f"{free.label} = {with_unit(number, word.unit, 5)} {around} (95 %), from {fit.effective_count:.0f} effective "
+        f"points of {fit.count}."
+    )
 
 
 def _print_json(outcome: FitOutcome, folder: Path) -> None:

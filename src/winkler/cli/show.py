@@ -16,14 +16,14 @@ __all__ = ["show"]
 def _names() -> Iterable[str]:
     from winkler.study.language.catalogue import CATALOGUE, kinds
 
-    return ("study", "materials", *CATALOGUE, *kinds())
+    return ("study", "fit", "materials", *CATALOGUE, *kinds())
 
 
 def show(
     name: Annotated[
         str,
         typer.Argument(
-            help="A kind, a group, a material, 'study' or 'materials'.",
+            help="A kind, a group, a material, 'study', 'fit' or 'materials'.",
             autocompletion=completion(_names),
             show_default=False,
         ),
@@ -32,23 +32,28 @@ def show(
 ) -> None:
     """Show what a kind takes: keys, units, ranges, and an example.
 
-    Without a name, all kinds are listed; 'study' shows the sections of a study file, 'materials' the table of common
-    materials, and the name of a material its numbers and their sources.
+    Without a name, all kinds are listed; 'study' shows the sections of a study file, 'fit' those of `winkler fit` with
+    its models, corrections and flags, 'materials' the table of common materials, and the name of a material its numbers
+    and their sources.
 
     Example: winkler show sphero_conical
     """
-    from winkler.cli import materials
+    from winkler.cli import materials, show_fit
     from winkler.errors import InvalidInput, suggest
     from winkler.materials.named import material, material_names
     from winkler.study.language.catalogue import CATALOGUE, REFUSED, kinds
 
     # a word may name a group and a kind (force is one, load the other): the kind is meant, groups have no kind's name
-    if as_json:
+    if as_json and name == "fit":
+        write_json(show_fit.fit_json())
+    elif as_json:
         _json(name)
     elif name in kinds():
         _kind(name)
     elif name == "study":
         _study()
+    elif name == "fit":
+        show_fit.show_fit()
     elif name == "materials":
         materials.every()
     elif not name or name in CATALOGUE:

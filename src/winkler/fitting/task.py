@@ -61,6 +61,8 @@ class _TaskFields(NamedTuple):
         Fixed numbers that differ from those of the model.
     whitening : Whitening, optional
         Decorrelation of the residuals in least squares; none unless given.
+    tables : ModelTables, optional
+        What all predictions of a fit share (`winkler.fitting.elastic.model_tables`); of contacts that do not relax.
     """
 
     curve: ForceCurve
@@ -71,6 +73,7 @@ class _TaskFields(NamedTuple):
     per_force: Array
     fixed: tuple[tuple[str, float], ...] = ()
     whitening: Whitening | None = None
+    tables: Any = None
 
 
 class FitTask(_TaskFields):

@@ -43,9 +43,14 @@ def test_some_curves(kind):
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", FREE)
 def test_two_hundred_curves(kind):
-    """Other seeds than those of the quick test; 301 points cannot exclude slow noise, and the intervals are wide."""
-    inside = hits(kind, range(50_000, 50_200))
-    assert np.all(inside >= 0.91 * 200), inside
+    """Other seeds than those of the quick test; 301 points cannot exclude slow noise, and the intervals are wide.
+
+    Sixty curves suffice if they miss the truth at most once: intervals that hold 91 % do so once in 40.
+    """
+    inside = hits(kind, range(50_000, 50_060))
+    if np.min(inside) < 59:
+        inside = inside + hits(kind, range(50_060, 50_200))
+        assert np.all(inside >= 0.91 * 200), inside
 
 
 def test_noise_that_remembers_widens_the_errors():

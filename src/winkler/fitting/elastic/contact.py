@@ -14,6 +14,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
+from winkler.fitting.elastic.model_tables import EACH_ANEW, ModelTables
 from winkler.fitting.elastic.response import MachineResponse, ResponseValues, response
 from winkler.fitting.validity import Model
 from winkler.foundation.bed import Bed
@@ -106,7 +107,12 @@ def states_for(model: Model) -> EdgeStates:
 
 
 def held_contact(
-    model: Model, compliance: float, position: Array, runs: tuple[DirectionRun, ...], origin: float
+    model: Model,
+    compliance: float,
+    position: Array,
+    runs: tuple[DirectionRun, ...],
+    origin: float,
+    tables: ModelTables = EACH_ANEW,
 ) -> HeldContact:
     """Return the contact continued to all positions D from first touch.
 
@@ -121,9 +127,11 @@ def held_contact(
         Its parts.
     origin : float
         The contact point [m], from which the turns of the runs count.
+    tables : ModelTables, optional
+        What models that differ in the free numbers share; nothing unless given.
     """
     highest = max(float(position.max()), 1e-3 * float(np.ptp(position)))
-    receding = response(states_for(model), compliance, highest)
+    receding = tables.response(states_for(model), compliance, highest)
     advancing = receding
     law = cast(Any, model).law if isinstance(model, AdhesiveIndentation) else None
     hysteresis = isinstance(law, ShortRange) and law.work_closing != law.work_opening
@@ -158,7 +166,9 @@ def held_contact(
     return HeldContact(force, slope, radius, balanced > 0.0, receding, adhesive)
 
 
-def moved_force(held: HeldContact, other: Model, compliance: float, where: Array) -> Array:
+def moved_force(
+    held: HeldContact, other: Model, compliance: float, where: Array, tables: ModelTables = EACH_ANEW
+) -> Array:
     r"""Return the difference of force of a slightly changed model at the same positions ``(m,)``.
 
     With D(a) and F(a) of both, at the radius of the first, :math:`\delta F|_D = \delta F|_a - F'(D)\,\delta D|_a`.
@@ -173,8 +183,10 @@ def moved_force(held: HeldContact, other: Model, compliance: float, where: Array
         Of the machine [m/N].
     where : ndarray of bool, (n,)
         The m points, all balanced.
+    tables : ModelTables, optional
+        As for `held_contact`.
     """
-    level, force = held.response.differences(states_for(other), compliance, held.radius[where])
+    level, force = tables.differences(held.response.table, states_for(other), compliance, held.radius[where])
     return np.asarray(force - held.slope[where] * level)
 
 

@@ -10,22 +10,16 @@ the last; at the end of a branch it jumps to the next.
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
-from winkler.fitting.elastic.rising import Pair, RadiusTable, RisingBranch, tabulated
-from winkler.media.body_of import thickness_of
-from winkler.numerics.equations.roots import rough_root
+from winkler.fitting.elastic.reach import kinks_between, machine_curves, radius_range
+from winkler.fitting.elastic.rising import RadiusTable, RisingBranch, tabulated
 from winkler.numerics.types import Array
-from winkler.problems.adhesion.edge_states import EdgeStates, force_under
-from winkler.problems.adhesion.stability import least_radius
-from winkler.problems.normal.length_scale import own_length
-from winkler.problems.normal.solve_contact import end_of, flat_radius
+from winkler.problems.adhesion.edge_states import EdgeStates
 
-__all__ = ["MachineResponse", "ResponseValues", "response"]
+__all__ = ["MachineResponse", "ResponseValues", "end_at", "of_table", "response"]
 
 MOST_RELATIVE_SLOPE = 100.0
 """Greatest slope of a force relative to the stiffness with a pinned edge; it diverges at the end of a branch.
@@ -35,12 +29,7 @@ force is wrong by up to a hundredth."""
 HALVED_STEPS = 0.5 ** np.arange(1.0, 40.0)
 NEGLIGIBLE_RADIUS_SHARE = 1e-2
 """Contact radius below which a contact is negligible, relative to the widest."""
-MOST_DOUBLINGS = 400
 PULL_TOLERANCE = 1e-9
-MOST_BISECTIONS = 50
-FEWEST_BISECTIONS = 2
-"""Fewest bisections of the range beyond the requested position."""
-SINGLE_RADIUS, GROWING_RADII, SHRINKING_RADII = np.ones(1), 2.0 ** np.arange(8), 0.5 ** np.arange(8)
 
 
 class ResponseValues(NamedTuple):
@@ -129,10 +118,6 @@ class MachineResponse(NamedTuple):
             columns[:, own_points] = self._on(int(index), position[own_points])
         return ResponseValues(*columns)
 
-    def differences(self, states: EdgeStates, compliance: float, radius: Array) -> Array:
-        """Return the differences of D [m] and F [N] of slightly changed states ``(2, m)``, at radii [m]."""
-        return self.table.differences(_curves(states, compliance), self.table.places_of(radius))
-
     def _on(self, index: int, position: Array) -> ResponseValues:
         """Return the response on one branch, with its continuation below."""
         level, force, stiffness, radius = self.end
@@ -154,17 +139,6 @@ class MachineResponse(NamedTuple):
         return ResponseValues(*columns)
 
 
-def _curves(states: EdgeStates, compliance: float) -> Pair:
-    """Return D [m] and F [N] as functions of the contact radius."""
-
-    def curves(radius: Array) -> tuple[Array, Array]:
-        depth = states.depth(radius)
-        force = force_under(states, depth, radius)
-        return depth + compliance * force, force
-
-    return curves
-
-
 def response(states: EdgeStates, compliance: float, highest: float) -> MachineResponse:
     """Return the response of a contact to a machine, up to a position.
 
@@ -182,21 +156,29 @@ def response(states: EdgeStates, compliance: float, highest: float) -> MachineRe
     OutsideValidity
         If the contact closes without end before.
     """
-    curves = _curves(states, compliance)
-    bed = states.bed
-    low = max(least_radius(states), flat_radius(bed) if states.from_nothing() else 0.0)
-    high = _last_radius(states, compliance, highest, low)
+    low, high = radius_range(states, compliance, highest)
     if high > low:
-        table = tabulated(curves, low, high, np.array([b for b, _ in bed.kinks if low <= b < high]))
+        table = tabulated(machine_curves(states, compliance), low, high, kinks_between(states.bed, low, high))
     else:
         nothing = np.zeros(0)
         table = RadiusTable(nothing, nothing, nothing, np.zeros((1, 2, 0)), ())
+    return of_table(table, states, compliance, end_at(states, compliance, high))
+
+
+def end_at(states: EdgeStates, compliance: float, high: float) -> tuple[float, float, float, float]:
+    """Return D [m], F [N], dF/dD [N/m] of a pinned contact, and a [m] at a radius."""
     place = np.array([high])
-    level, force = (float(column[0]) for column in curves(place))
-    stiffness = float(bed.stiffness(place)[0])
-    stiffness /= 1.0 + compliance * stiffness
-    held = tuple(_held(table, piece, states, compliance, stiffness) for piece in table.pieces)
-    return MachineResponse(table, (level, force, stiffness, high), held)
+    level, force = (float(column[0]) for column in machine_curves(states, compliance)(place))
+    stiffness = float(states.bed.stiffness(place)[0])
+    return level, force, stiffness / (1.0 + compliance * stiffness), high
+
+
+def of_table(
+    table: RadiusTable, states: EdgeStates, compliance: float, end: tuple[float, float, float, float]
+) -> MachineResponse:
+    """Return the response of states that are tabulated up to an end (see `MachineResponse`)."""
+    held = tuple(_held(table, piece, states, compliance, end[2]) for piece in table.pieces)
+    return MachineResponse(table, end, held)
 
 
 def _held(
@@ -221,60 +203,3 @@ def _held(
     transition = table.places(piece.places[:1] + distance)
     force, slope = table.read(transition)
     return Continuation(float(table.level(transition)[0]), float(force[0]), float(slope[0]))
-
-
-def _last_radius(states: EdgeStates, compliance: float, highest: float, low: float) -> float:
-    """Return a radius not far above the one at which D passes `highest`, or the end of the profile."""
-    bed = states.bed
-    end = end_of(bed)
-    if low >= end:
-        return end
-
-    curves = _curves(states, compliance)
-    levels_by_radius: dict[float, float] = {}
-
-    def level(radius: float, ahead: Array) -> float:
-        """Return D at a radius; values that may be needed next are computed with it."""
-        if radius not in levels_by_radius:
-            places = np.minimum(radius * ahead, end)
-            levels_by_radius.update(zip(places.tolist(), _levels(curves, places).tolist(), strict=True))
-        return levels_by_radius[radius]
-
-    length = own_length(bed)
-    high = max(length if math.isfinite(length) else rough_root(bed.gap, highest), 2.0 * low)
-    # on layers contacts far wider than needed are expensive
-    upwards = GROWING_RADII if math.isinf(thickness_of(bed.medium)) else SINGLE_RADIUS
-    below, narrowest = low, 2.0**-100 * high
-    if high < end and not level(high, upwards) <= highest:
-        while high > 4.0 * low and high > narrowest and not level(0.5 * high, SHRINKING_RADII) <= highest:
-            high *= 0.5
-        below = 0.5 * high
-    else:
-        for _ in range(MOST_DOUBLINGS):
-            below, high = min(high, end), min(2.0 * high, end)
-            if high == end or not level(high, upwards) <= highest:
-                break
-        else:
-            raise OutsideValidity(
-                f"The contact closes without end before the position {highest:.4g} m is reached; give a profile that "
-                "rises."
-            )
-    if level(high, SINGLE_RADIUS) <= highest:
-        return high
-    for sweep in range(MOST_BISECTIONS):
-        if sweep >= FEWEST_BISECTIONS and np.isfinite(level(high, SINGLE_RADIUS)):
-            break
-        middle = 0.5 * (below + high)
-        below, high = (middle, high) if level(middle, SINGLE_RADIUS) <= highest else (below, middle)
-    return high
-
-
-def _levels(curves: Pair, radii: Array) -> Array:
-    """Return D [m], nan where the theory does not reach."""
-    try:
-        with np.errstate(all="ignore"):
-            return curves(radii)[0]
-    except (NotConverged, OutsideValidity):  # a cohesive zone beyond the profile, or its end on layers
-        if radii.size == 1:
-            return np.array([np.nan])
-        return np.concatenate([_levels(curves, radii[i : i + 1]) for i in range(radii.size)])

@@ -8,28 +8,21 @@ method on its polynomials; the functions themselves are evaluated some hundred t
 from __future__ import annotations
 
 import functools
-import math
-from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
 
+from winkler.fitting.elastic.panels import DEGREE, Pair, PanelSeries, panel_nodes, resolved
 from winkler.numerics.types import Array
 
-__all__ = ["Pair", "PanelPlaces", "RadiusTable", "RisingBranch", "tabulated"]
+__all__ = ["PanelPlaces", "RadiusTable", "RisingBranch", "table_of", "tabulated"]
 
-DEGREE = 14
-RESOLUTION = 1e-10
-MOST_HALVINGS = 6
-PANEL_DOUBLINGS = 10
 SAMPLES = 8
 MOST_NEWTON_STEPS = 5
 NEWTON_TOLERANCE = 1e-9
 """Step of Newton's method on panels from -1 to 1, below which the next one is rounding error."""
 FALL_TOLERANCE = 1e-9
 """Least fall of a function at a turn, relative to its largest value."""
-
-Pair = Callable[[Array], tuple[Array, Array]]
 
 
 class RisingBranch(NamedTuple):
@@ -127,12 +120,16 @@ class RadiusTable(NamedTuple):
         """Return the first function."""
         return _horner(self.series[:, 0, places.panel], places.t)[0]
 
+    def read_series(self, series: Array, places: PanelPlaces) -> Array:
+        """Return power series ``(degree + 1, panels)`` on these panels at positions."""
+        return _horner(series[:, places.panel], places.t)[0]
+
     def differences(self, function: Pair, places: PanelPlaces) -> Array:
         """Return the differences of two other functions from these ``(2, m)``, at positions.
 
         They must be close to these, as they use the same panels.
         """
-        nodes, matrix, powers = _nodes()
+        nodes, matrix, powers = panel_nodes()
         y = 0.5 * (self.left + self.right)[:, None] + 0.5 * (self.right - self.left)[:, None] * nodes
         radius = np.where(self.base[:, None] > 0.0, np.hypot(self.base[:, None], y), y)
         other = np.stack([np.asarray(column).reshape(radius.shape) for column in function(radius.ravel())])
@@ -145,17 +142,17 @@ def tabulated(function: Pair, low: float, high: float, kinks: Array) -> RadiusTa
 
     Parameters
     ----------
-    function
-        Takes radii ``(m,)`` [m], returns both values, ``(m,)`` each.
-    low, high : float
-        Range of radii [m].
-    kinks : ndarray
-        Radii from `low` on, below `high`, where the functions are not smooth [m].
+    function, low, high, kinks
+        As for `resolved`.
     """
-    base, left, right, levels, others = _resolved(function, *_panels(low, high, kinks), high)
-    powers = _nodes()[2]
-    series = np.stack([(levels @ powers).T, (others @ powers).T], axis=1)
-    return RadiusTable(base, left, right, series, _pieces(levels))
+    return table_of(resolved(function, low, high, kinks))
+
+
+def table_of(series: PanelSeries) -> RadiusTable:
+    """Return the table of two functions, with the intervals on which the first rises."""
+    powers = panel_nodes()[2]
+    both = np.stack([(series.levels @ powers).T, (series.others @ powers).T], axis=1)
+    return RadiusTable(series.base, series.left, series.right, both, _pieces(series.levels))
 
 
 def _horner(series: Array, t: Array) -> tuple[Array, Array]:
@@ -170,68 +167,11 @@ def _horner(series: Array, t: Array) -> tuple[Array, Array]:
 
 
 @functools.lru_cache(maxsize=1)
-def _nodes() -> tuple[Array, Array, Array]:
-    """Return nodes on (-1, 1), the matrix to Chebyshev coefficients, and from there to powers."""
-    nodes = np.polynomial.chebyshev.chebpts1(DEGREE + 1)
-    matrix = np.linalg.inv(np.polynomial.chebyshev.chebvander(nodes, DEGREE))
-    powers = np.zeros((DEGREE + 1, DEGREE + 1))
-    for k in range(DEGREE + 1):
-        row = np.polynomial.chebyshev.cheb2poly(np.eye(DEGREE + 1)[k])
-        powers[k, : row.size] = row
-    return nodes, matrix, powers
-
-
-@functools.lru_cache(maxsize=1)
 def _grids() -> tuple[Array, Array]:
     """Return the matrices from Chebyshev coefficients to those of the derivative, and to values along a panel."""
     derivative = np.polynomial.chebyshev.chebder(np.eye(DEGREE + 1), axis=1)
     inner = (np.arange(SAMPLES) / SAMPLES * 2.0) - 1.0
     return derivative, np.polynomial.chebyshev.chebvander(inner, DEGREE).T
-
-
-def _panels(low: float, high: float, kinks: Array) -> tuple[Array, Array, Array]:
-    """Return panels that double, in y = sqrt(a^2 - base^2): their bases, and y where they begin and end."""
-    bases, lefts, rights = [], [], []
-    for base, end in zip([0.0, *kinks.tolist()], [*kinks.tolist(), high], strict=True):
-        if end == low:
-            continue
-        stop = math.sqrt((end - base) * (end + base))
-        first = low if base == 0.0 and low > 0.0 else (stop * 2.0**-PANEL_DOUBLINGS if base == 0.0 else 0.25 * base)
-        doubled = first * 2.0 ** np.arange(max(0, math.ceil(math.log2(stop / first) - 1e-9)))
-        edges = np.append(doubled[doubled < stop * (1.0 - 1e-9)], stop)
-        if base > 0.0 or low == 0.0:  # from the kink, or from the axis, on
-            edges = np.concatenate([[0.0], edges])
-        bases += [base] * (edges.size - 1)
-        lefts += edges[:-1].tolist()
-        rights += edges[1:].tolist()
-    return np.array(bases), np.array(lefts), np.array(rights)
-
-
-def _resolved(function: Pair, base: Array, left: Array, right: Array, high: float) -> tuple[Array, ...]:
-    """Return panels, halved until both functions are resolved: base, ends, Chebyshev coefficients of both."""
-    nodes, matrix, _ = _nodes()
-    order = np.arange(base.size, dtype=float)
-    done: list[tuple[Array, ...]] = []
-    for depth in range(MOST_HALVINGS + 1):
-        y = 0.5 * (left + right)[:, None] + 0.5 * (right - left)[:, None] * nodes
-        radius = np.minimum(np.where(base[:, None] > 0.0, np.hypot(base[:, None], y), y), high)
-        rows = [np.asarray(column).reshape(radius.shape) @ matrix.T for column in function(radius.ravel())]
-        is_resolved = np.ones(base.size, dtype=bool)
-        for row in rows:
-            size = np.abs(row).max(axis=1)
-            is_resolved &= np.abs(row[:, -2:]).sum(axis=1) <= RESOLUTION * np.maximum(size, 1e-6 * size.max())
-        if depth == MOST_HALVINGS:
-            is_resolved[:] = True
-        done.append(tuple(column[is_resolved] for column in (order, base, left, right, *rows)))
-        if is_resolved.all():
-            break
-        bad = ~is_resolved
-        middle = 0.5 * (left[bad] + right[bad])
-        base, order = np.tile(base[bad], 2), np.concatenate([order[bad], order[bad] + 0.5 ** (depth + 1)])
-        left, right = np.concatenate([left[bad], middle]), np.concatenate([middle, right[bad]])
-    columns = [np.concatenate(column) for column in zip(*done, strict=True)]
-    rank = np.argsort(columns[0], kind="stable")
-    return tuple(column[rank] for column in columns[1:])
 
 
 def _pieces(rows: Array) -> tuple[RisingBranch, ...]:

@@ -11,7 +11,6 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.fitting.curves.checks import CurveOutline
 from winkler.fitting.elastic.contact import states_for
-from winkler.fitting.elastic.response import MachineResponse, response
 from winkler.fitting.parameters import unit_of
 from winkler.fitting.start import contact_points
 from winkler.fitting.task import FitTask
@@ -38,14 +37,17 @@ def starts(task: FitTask, rough_outline: CurveOutline) -> list[Array]:
     parameter = next((p for p in task.parameters if p.name == "contact_point"), None)
     origins = [0.0]
     if parameter is not None:
-        origins = contact_points(task, parameter, rough_outline)
+        origins = contact_points(task, parameter, rough_outline)[: task.tables.most_starts]
         origins = [parameter.start] if parameter.has_start else [parameter.inside(origin) for origin in origins]
-    return [_sized(task, rough_outline, origin) for origin in dict.fromkeys(origins)]
+    found: list[dict[str, float]] = []
+    for origin in dict.fromkeys(origins):
+        begun = found[-1] if found else {p.name: p.start for p in task.parameters}
+        found.append(_sized(task, rough_outline, origin, dict(begun)))
+    return [np.array([p.inward(p.inside(numbers[p.name])) for p in task.parameters]) for numbers in found]
 
 
-def _sized(task: FitTask, rough_outline: CurveOutline, origin: float) -> Array:
-    """Return coordinates with moduli and works of the right magnitude for a contact point."""
-    numbers: dict[str, float] = {p.name: p.start for p in task.parameters}
+def _sized(task: FitTask, rough_outline: CurveOutline, origin: float, numbers: dict[str, float]) -> dict[str, float]:
+    """Return numbers with moduli and works of the right magnitude for a contact point, changed from given ones."""
     stated = {p.name for p in task.parameters if p.has_start}
     if "contact_point" in numbers and "contact_point" not in stated:
         numbers["contact_point"] = origin
@@ -55,21 +57,19 @@ def _sized(task: FitTask, rough_outline: CurveOutline, origin: float) -> Array:
     works = _named(task, stated, "J/m^2", ())
     if moduli or works:
         _scale(task, rough_outline, numbers, moduli, works)
-    return np.array([p.inward(p.inside(numbers[p.name])) for p in task.parameters])
+    return numbers
 
 
-def _possible(
-    task: FitTask, numbers: dict[str, float], works: list[str], depth: float
-) -> tuple[Model, MachineResponse]:
-    """Return the model and its response, the works reduced until the theory is valid."""
+def _possible(task: FitTask, numbers: dict[str, float], works: list[str], depth: float) -> tuple[Model, float, float]:
+    """Return the model, its force at a depth and its pull-off force, the works reduced until the theory is valid."""
     for _ in range(MOST_ROUNDS if works else 0):
         model = task.with_numbers(numbers)
         try:
-            return model, response(states_for(model), 0.0, depth)
+            return model, *task.tables.rough(states_for(model), depth)
         except OutsideValidity:
             numbers.update({name: 0.05 * numbers[name] for name in works})
     model = task.with_numbers(numbers)
-    return model, response(states_for(model), 0.0, depth)
+    return model, *task.tables.rough(states_for(model), depth)
 
 
 def _named(task: FitTask, stated: set[str], unit: str, without: tuple[str, ...]) -> list[str]:
@@ -94,16 +94,15 @@ def _scale(
     depth = depth if depth > 1e-3 * abs(travel) else 1e-3 * abs(travel) + 1e-9 * float(np.ptp(task.curve.position))
     for _ in range(MOST_ROUNDS):
         worst = 1.0
-        model, response_ = _possible(task, numbers, works, depth)
+        model, force, loss = _possible(task, numbers, works, depth)
         if moduli:
-            force = float(response_.opening(np.array([depth]), np.inf).force[0])
-            pull = -min(0.0, response_.loss()[1])
+            pull = -min(0.0, loss)
             share = float(np.clip((top + pull) / max(force + pull, 1e-6 * top), 1e-3, 1e3))
             worst = max(worst, share, 1.0 / share)
             numbers.update({name: numbers[name] * share for name in moduli})
         if works and isinstance(model, AdhesiveIndentation):
             target = max(rough_outline.pull, 2.0 * rough_outline.noise, 1e-4 * top)
-            pull = -response_.loss()[1]
+            pull = -loss
             share = float(np.clip(target / max(pull, 1e-6 * target), 1e-3, 1e3))
             worst = max(worst, share, 1.0 / share)
             numbers.update({name: numbers[name] * share for name in works})

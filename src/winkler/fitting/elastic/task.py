@@ -28,6 +28,7 @@ from winkler.fitting.elastic.contact import (
     states_for,
 )
 from winkler.fitting.elastic.start import starts
+from winkler.fitting.elastic.tables_for import tables_for
 from winkler.fitting.outcome import Fit
 from winkler.fitting.task import FitTask, Prediction, even_weights, moved
 from winkler.fitting.validity import Model
@@ -69,7 +70,8 @@ class ElasticTask(FitTask):
     def held(self, numbers: dict[str, float]) -> HeldContact:
         """Return the contact continued to all points."""
         origin = numbers.get("contact_point", 0.0)
-        return held_contact(self.with_numbers(numbers), self.curve.compliance, self.along(numbers), self.runs, origin)
+        model, compliance = self.with_numbers(numbers), self.curve.compliance
+        return held_contact(model, compliance, self.along(numbers), self.runs, origin, self.tables)
 
     def prediction(self, coordinates: Array) -> Prediction:
         """Return the forces [N] at coordinates."""
@@ -91,7 +93,7 @@ class ElasticTask(FitTask):
         other = self.with_numbers(numbers)
         column = np.zeros(self.curve.count)
         if np.all(held.balanced[holds]) and comparable(self.with_numbers(self.numbers(coordinates)), other):
-            column[holds] = moved_force(held, other, self.curve.compliance, holds) / step
+            column[holds] = moved_force(held, other, self.curve.compliance, holds, self.tables) / step
         else:
             column[holds] = (self.held(numbers).force - held.force)[holds] / step
         return column
@@ -140,4 +142,5 @@ def elastic_task(curve: ForceCurve, model: Model, free: dict[str, Any], noise: A
     scales = {"contact_point": span, "baseline": strength, "tilt": strength / span}
     zeros = np.zeros(curve.count)
     parameters = parameters_of(model, free, scales, NATURAL_BOUNDS)
-    return ElasticTask(curve, model, parameters, even_weights(curve, noise), zeros, zeros)
+    tables = tables_for(model, parameters)
+    return ElasticTask(curve, model, parameters, even_weights(curve, noise), zeros, zeros, tables=tables)

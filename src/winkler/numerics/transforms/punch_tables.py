@@ -21,7 +21,7 @@ from winkler.numerics.transforms.cosine_transform import WaveResponse, in_own_le
 from winkler.numerics.transforms.kernel_matrix import halving_panels, kernel_matrix, legendre_to_chebyshev, panel_nodes
 from winkler.numerics.types import Array
 
-__all__ = ["Punches", "first_radius", "octave_of", "tables"]
+__all__ = ["Punches", "first_radius", "octave_of", "punch_at", "tables"]
 
 RADII_PER_OCTAVE, FEWER_RADII_PER_OCTAVE = 18, 12
 """Radii of an octave at which the equation is solved; fewer for a response that is not known to all digits."""
@@ -207,6 +207,26 @@ def _enough(response: WaveResponse, high: float, panels: Array) -> int:
             "contrasts of the stack are beyond what winkler can carry: request a narrower contact."
         )
     return NODE_COUNTS[-1]
+
+
+def punch_at(response: WaveResponse, a: float, count: int) -> tuple[float, float, Array, Array, Array]:
+    """Return a flat punch without a table, in lengths of the response.
+
+    Parameters
+    ----------
+    response : WaveResponse
+    a : float
+        Its radius.
+    count : int
+        Nodes on a panel.
+
+    Returns
+    -------
+    tuple
+        The integral of phi over a, phi at the edge, phi and a rho at the nodes ``(panels, count)``, panels of x/a.
+    """
+    panels = _panels(response, a)
+    return (*_punch(response, a, panels, count), panels)
 
 
 def _punch(response: WaveResponse, a: float, panels: Array, count: int) -> tuple[float, float, Array, Array]:

@@ -12,6 +12,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import functools
 from collections.abc import Callable
 from typing import Any
@@ -22,15 +23,17 @@ from winkler.fitting.compare import AnyFit
 from winkler.fitting.several.joint import JointFit
 from winkler.numerics.types import Array
 from winkler.study.batch.fit_further import NOTHING, Further, further_columns
-from winkler.study.batch.outcome import Provenance, ResultColumn, worst_of_each
+from winkler.study.batch.outcome import Provenance, ResultColumn
 from winkler.study.language.fit_study import FitStudy, Free
-from winkler.validity import Note
+from winkler.validity import Note, Standing, topic_of, worst_of_each
 from winkler.values import value
 from winkler.vocabulary import Word
 
 __all__ = ["CONFIDENCE", "FitOutcome", "Fitted", "Refused", "interval_of"]
 
 CONFIDENCE = 0.95
+MOST_NAMES = 8
+"""Curves that a note on many curves names; fit.csv holds all."""
 FIT_COLUMNS = {
     "chi_square": Word(r"\chi^2", "", "squared misfit over the noise"),
     "chi_square_in_contact": Word(r"\chi^2", "", "squared misfit over the noise, of the points in contact alone"),
@@ -120,8 +123,22 @@ class FitOutcome:
 
     @functools.cached_property
     def validity(self) -> tuple[Note, ...]:
-        """The notes of all fits; of statements that differ in their numbers only, the worst."""
-        return worst_of_each(note for result in self.fitted for note in result.notes)
+        """The notes of all fits; of statements that differ in their numbers only, the worst, with its curves."""
+        notes = worst_of_each(note for result in self.fitted for note in result.notes)
+        return notes if len(self.fitted) == 1 else tuple(self._with_curves(note) for note in notes)
+
+    def _with_curves(self, note: Note) -> Note:
+        """Return a note with the curves on whose subject nothing worse is stated, in front of its statement."""
+        topic = topic_of(note)
+        names = [
+            result.name
+            for result in self.fitted
+            if any(topic_of(other) == topic and other.standing is note.standing for other in result.notes)
+        ]
+        first = f"{', '.join(names[:MOST_NAMES])}{f' and {len(names) - MOST_NAMES} more' * (len(names) > MOST_NAMES)}"
+        every = len(names) == len(self.fitted)
+        which = f"all {len(names)} curves" if every else f"{len(names)} of {len(self.fitted)} curves ({first})"
+        return dataclasses.replace(note, statement=f"{which}: {note.statement}")
 
     def numbers(self, free: Free) -> Array:
         """Return a fitted number of every curve, NaN where there is none ``(curves,)``, SI."""
@@ -171,6 +188,8 @@ class FitOutcome:
         reasons = np.array([result.reason if isinstance(result, Refused) else "" for result in self.results])
         flags = np.array(self.flags("; ", ""))
         columns.append(ResultColumn("flags", Word("", None, "what speaks against the numbers"), flags))
+        outside = np.array([_outside(result) for result in self.results])
+        columns.append(ResultColumn("outside", Word("", None, "subjects on which validity does not hold"), outside))
         columns.append(ResultColumn("failure", Word("", None, "why a curve has no answer"), reasons))
         return tuple(columns)
 
@@ -180,3 +199,9 @@ class FitOutcome:
 
     def _largest(self, name: str) -> Array:
         return self._of(lambda fit: float(np.max(getattr(fit, name))))
+
+
+def _outside(result: Fitted | Refused) -> str:
+    """Return the topics of the notes that are outside, in one line."""
+    notes = result.notes if isinstance(result, Fitted) else ()
+    return "; ".join(dict.fromkeys(topic_of(note) for note in notes if note.standing is Standing.OUTSIDE))

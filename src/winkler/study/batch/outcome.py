@@ -29,8 +29,6 @@ from __future__ import annotations
 
 import dataclasses
 import functools
-import re
-from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -41,7 +39,7 @@ from winkler.study.batch.points import ComparedNumber, Failed, Point, Recalled, 
 from winkler.study.language import keys
 from winkler.study.language.designs import Sensitivity
 from winkler.study.language.study import Study
-from winkler.validity import Assumption, Note, Standing, worst
+from winkler.validity import Assumption, Note, Standing, worst_of_each
 from winkler.values import value
 from winkler.vocabulary import Word, word
 
@@ -59,7 +57,6 @@ __all__ = [
     "Solved",
     "SolvedPoint",
     "answers_of",
-    "worst_of_each",
 ]
 
 
@@ -168,16 +165,6 @@ class Provenance:
             "seconds": self.seconds,
             **{f"{name}_version": number for name, number in self.packages if name != "winkler"},
         }
-
-
-def worst_of_each(notes: Iterable[Note]) -> tuple[Note, ...]:
-    """Return notes; of statements that differ in their numbers only, the worst."""
-    collected: dict[str, Note] = {}
-    for note in notes:
-        topic = re.sub(r"[-+]?\d[-+.\de]*", "#", note.statement).partition(":")[0]
-        if topic not in collected or worst((collected[topic], note)) is note.standing:
-            collected[topic] = note
-    return tuple(collected.values())
 
 
 def _yields(note: Note) -> bool:

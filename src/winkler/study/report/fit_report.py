@@ -24,6 +24,7 @@ from winkler.study.report import page_parts as parts
 from winkler.study.report.describe import inputs
 from winkler.study.report.figure import ReportFigure, drawn
 from winkler.study.report.fit_further import further_figures, further_section
+from winkler.study.report.fit_pages import curve_facts, noise_figures
 from winkler.study.report.fit_tables import MOST_ROWS, answers, counts, doubts, failures
 from winkler.study.report.fit_writing import CSV, MAPS, MOST_CURVES_AS_TEXT, NETCDF, map_grid
 from winkler.study.report.markup import safe, section, table
@@ -87,6 +88,8 @@ def figures_of_curves(outcome: FitOutcome) -> Iterator[ReportFigure]:
             curve = measured_curve(outcome.study, result)
             events = " ".join(f"{line}." for line in curve.events.lines(curve.time if curve.timed else ()))
             yield drawn(f"measured_{number}", f"{result.name}: what was done", events, sheet_of(curve))
+    if len(outcome.results) == 1:
+        yield from noise_figures(outcome.fitted[0])
 
 
 def _stem(free: Free) -> str:
@@ -105,6 +108,7 @@ def page(outcome: FitOutcome, shown: tuple[ReportFigure, ...] | None = None) -> 
         doubts(outcome),
         failures(outcome),
         section("Figures", parts.figure_elements(shown)) if shown else "",
+        curve_facts(outcome, outcome.fitted[0]) if len(outcome.results) == 1 else "",
         _question(outcome),
         steps(outcome),
         _formulas(study),

@@ -45,11 +45,11 @@ PARTIAL, OLD = ".partial", ".old"
 """Endings of folders that are being written, and of those put aside; a mark of the run stands in front."""
 
 
-def write_outcome(outcome: Outcome | FitOutcome, folder: Path) -> None:
+def write_outcome(outcome: Outcome | FitOutcome, folder: Path, *, pages: int = 0) -> None:
     """Write the results of a study into an existing, empty `folder`.
 
     Numbers (NetCDF and CSV), figures, report.html, the study itself (study.toml, which runs again to the same
-    numbers), and provenance.json.
+    numbers), and provenance.json; of fits also pages of the first curves.
     """
     path_text = outcome.study.output.report or outcome.study.output.figures
     if isinstance(outcome, Outcome):
@@ -69,6 +69,10 @@ def write_outcome(outcome: Outcome | FitOutcome, folder: Path) -> None:
             from winkler.study.report import fit_report, page_parts
 
             page_parts.write_page(outcome, folder, fit_report.figures_of(outcome), fit_report.page)
+        if pages:
+            from winkler.study.report.fit_pages import write_pages
+
+            write_pages(outcome, folder, pages)
         text, left = outcome.study.text, outcome.left
     if text:
         (folder / "study.toml").write_text(text, encoding="utf-8")

@@ -1,0 +1,58 @@
+"""Picture of the residuals of a fit in units of the noise, and of their spectrum."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.fitting.compare import AnyFit
+from winkler.plot import style
+from winkler.plot.panel import Line, Panel, PanelAxis, Rule, Sheet
+from winkler.plot.series import Series
+from winkler.vocabulary import Word
+
+__all__ = ["noise_sheet"]
+
+FEWEST_SPECTRAL, BIN_RATIO = 8, 1.15
+
+
+def noise_sheet(fit: AnyFit) -> Sheet:
+    """Return residuals over their noise point by point, and their power over the frequency.
+
+    Parameters
+    ----------
+    fit : Fit, ViscoelasticFit or CreepFit
+        The power is the squared cosine transform of the residuals over the variance of the noise, as a mean of
+        neighbouring frequencies; of white noise it is 1.
+    """
+    counted = fit.weights > 0.0
+    ratio = np.where(counted, fit.residuals * fit.weights / max(fit.noise, np.finfo(float).tiny), np.nan)
+    along = Series("point", Word("i", "", "point, in the order of measurement"), np.arange(ratio.size, dtype=float))
+    left = Series("residual over noise", Word(r"r/\sigma", "", "residual over noise"), ratio)
+    dots = Line(along.content, ratio, style.BLUE, width=0.0, marker="o", size=1.5)
+    rules = (Rule(0.0, colour=style.INK), *(Rule(level, dash=style.DASHED) for level in (-2.0, 2.0)))
+    residuals = Panel((dots, *rules), PanelAxis.of(along, margin=0.02), PanelAxis.of(left))
+    return Sheet((residuals, _spectrum(ratio[counted])), width=3.6, height=2.4)
+
+
+def _spectrum(ratio: np.ndarray) -> Panel:
+    from scipy.fft import dct
+
+    power = dct(ratio, type=2, norm="ortho")[1:] ** 2
+    frequency = 0.5 * np.arange(1, ratio.size) / ratio.size
+    edges = np.unique(np.concatenate([np.arange(FEWEST_SPECTRAL), _geometric(power.size)]).astype(int))
+    starts = edges[edges < power.size]
+    sizes = np.diff(np.append(starts, power.size))
+    mean, middle = np.add.reduceat(power, starts) / sizes, np.add.reduceat(frequency, starts) / sizes
+    across = Series("frequency", Word("f", "", "frequency, in cycles per point"), middle)
+    upright = Series("power", Word(r"S/\sigma^2", "", "power over that of white noise"), mean)
+    line = Line(middle, np.maximum(mean, 1e-12), style.BLUE, width=1.2, marker="o", size=2.0)
+    return Panel(
+        (line, Rule(1.0, colour=style.INK)),
+        PanelAxis.of(across, log=True),
+        PanelAxis.of(upright, log=True),
+    )
+
+
+def _geometric(count: int) -> np.ndarray:
+    first = min(FEWEST_SPECTRAL, count)
+    return np.geomspace(first, count, max(2, 1 + int(np.log(count / first) / np.log(BIN_RATIO))))
