@@ -74,7 +74,7 @@ class Generalised(_GeneralisedFields):
         known: dict[float, Misfit] = self.__dict__.setdefault("misfits", {})
         if noise not in known:
             counted, freedoms = task.weights > 0.0, task.freedoms(self.prediction)
-            left, level = self.residuals - self.noise.disturbance, noise or np.finfo(float).tiny
+            left, level = self.residuals - self.noise.disturbance - self.noise.followed, noise or np.finfo(float).tiny
             known[noise] = misfit_of(left, self.prediction.touched, counted, freedoms, level)
         return known[noise]
 

@@ -40,7 +40,7 @@ NONE_WEIGHT, FAINT_WEIGHT = 0.45, 0.19
 These and the prior weights of the spectra were chosen once, so that intervals of linear problems hold the truth in 92
 to 98 of 100 cases under twenty kinds of noise.
 """
-LEAST_OWN_SHARE = 0.1
+LEAST_OWN_SHARE = 0.02
 """Least part of a disturbance that no fitted number stands for: a tilt is none where it is free."""
 LEAST_SQUARES_SHARE = 1e-13
 """Least sum of squares relative to that of the residuals."""
@@ -73,6 +73,8 @@ class NoiseEstimate(NamedTuple):
         Their standard deviations, in the residuals' unit.
     disturbance : ndarray, (n,)
         The disturbances in the residuals.
+    followed : ndarray, (n,)
+        What the step takes from the residuals.
     mixture : Mixture
         Steps and errors of the likely candidates.
     """
@@ -87,6 +89,7 @@ class NoiseEstimate(NamedTuple):
     courses: Array
     amplitudes: Array
     disturbance: Array
+    followed: Array
     mixture: Mixture
 
 
@@ -156,6 +159,7 @@ def noise_of(residuals: Array, jacobian: Array, disturbances: Array) -> NoiseEst
         courses=disturbances,
         amplitudes=unit * np.sqrt(by_level @ np.square(levels)),
         disturbance=unit * (disturbances @ mean[p:]),
+        followed=jacobian @ mixture.mean,
         mixture=mixture,
     )
 
