@@ -10,6 +10,7 @@ import numpy as np
 from winkler.errors import InvalidInput, suggest
 from winkler.fitting.curves.checks import Flag
 from winkler.fitting.curves.curve import ForceCurve
+from winkler.fitting.noise.mixture import SIGMAS
 from winkler.numerics.types import Array
 from winkler.values import value, words
 
@@ -38,6 +39,7 @@ class FitEstimate:
         scatter=("s", "N", "standard deviation of the weighted residuals"),
         slow_share=("", "", "part of the noise's variance that is slow"),
         log_likelihood=(r"\ln L", None, "logarithm of the likelihood, integrated over the noise"),
+        reaches=("", "", "half-widths of intervals of 1, 2 and 3 sigma in standard errors"),
         stretches=("", "", "factors of the half-widths of intervals"),
         predicted=("F", "N", "fitted forces with the baseline"),
         flags=("", None, "what speaks against the numbers"),
@@ -58,6 +60,7 @@ class FitEstimate:
     effective_count: float
     slow_share: float
     log_likelihood: float
+    reaches: Array
     stretches: Array
     predicted: Array
     radius: Array
@@ -97,32 +100,61 @@ class FitEstimate:
     def interval(self, name: str, confidence: float = 0.95) -> tuple[float, float]:
         """Return the interval: estimate and error, on the logarithm of positive quantities.
 
-        Where the model is curved over the interval, its half-widths are stretched to those of the profile likelihood.
-        It ends at zero and infinity where it exceeds the range of floats.
+        Its half-widths are those of the mixture of all noises that the curve allows (`winkler.fitting.noise.mixture`);
+        where the model is curved over the interval, they are stretched to those of the profile likelihood.
+        It ends at zero and infinity where it exceeds the range of floats; `unbounded` names such numbers.
 
         Parameters
         ----------
         name : str
         confidence : float
             Between 0 and 1.
+
+        Raises
+        ------
+        InvalidInput
+            If the number was not free, or the confidence is not between 0 and 1.
         """
         index = self.index(name)
         number, error = float(self.values[index]), float(self.standard_errors[index])
-        width = self.quantile(confidence)
-        below, above = (width * stretch ** (width / REFERENCE_WIDTH) for stretch in self.stretches[index].tolist())
-        if self.logarithmic[index]:
-            part = error / number if number > 0.0 else math.inf
-            high = number * math.exp(above * part) if above * part < LARGEST_EXPONENT else math.inf
-            return number * math.exp(-below * part), high
-        return number - below * error, number + above * error
+        width = self.quantile(confidence, name)
+        ends = []
+        for sign, stretch in zip((-1.0, 1.0), self.stretches[index].tolist(), strict=True):
+            half = width * float(stretch) ** min(width / REFERENCE_WIDTH, LARGEST_EXPONENT)
+            if self.logarithmic[index]:
+                part = half * (error / number) if number > 0.0 and half > 0.0 else math.inf
+                ends.append(_scaled(number, sign * part))
+            else:
+                ends.append(_finite_or_infinite(number, sign * half * error, sign))
+        return ends[0], ends[1]
 
-    def quantile(self, confidence: float) -> float:
-        """Return the half-width of an interval in standard errors, by Student's t."""
-        from scipy.special import stdtrit
+    @property
+    def unbounded(self) -> tuple[str, ...]:
+        """Numbers of which the curve leaves at least one end of the 95 % interval open: zero or infinite."""
+        return tuple(name for name in self.names if self._is_open(name))
+
+    def _is_open(self, name: str) -> bool:
+        low, high = self.interval(name)
+        index = self.index(name)
+        return not math.isfinite(low) or not math.isfinite(high) or (self.logarithmic[index] and low == 0.0)
+
+    def quantile(self, confidence: float, name: str = "") -> float:
+        """Return the half-width of the interval of a number in standard errors; without a name, the widest of all.
+
+        Raises
+        ------
+        InvalidInput
+            If the number was not free, or the confidence is not between 0 and 1.
+        """
+        from scipy.special import ndtri
 
         if not 0.0 < confidence < 1.0:
             raise InvalidInput(f"fit: confidence is {confidence!r}; give a number between 0 and 1.")
-        return float(stdtrit(max(self.effective_count - len(self.names), 1.0), 0.5 + 0.5 * confidence))
+        sigmas = float(-ndtri(0.5 - 0.5 * confidence))
+        reaches = self.reaches[self.index(name)] if name else self.reaches.max(axis=0)
+        if sigmas > SIGMAS[-1]:
+            return sigmas * float(reaches[-1]) / SIGMAS[-1]
+        return float(np.interp(sigmas, (0.0, *SIGMAS), (0.0, *reaches.tolist())))
 
     @property
     def covariance(self) -> Array:
@@ -168,3 +200,15 @@ class FitEstimate:
     def count(self) -> int:
         """Number of fitted points."""
         return int(np.count_nonzero(self.weights))
+
+
+def _scaled(number: float, exponent: float) -> float:
+    """Return a number times an exponential, zero or infinite beyond the range of floats."""
+    if exponent >= LARGEST_EXPONENT:
+        return math.inf
+    return number * math.exp(max(exponent, -2.0 * LARGEST_EXPONENT))
+
+
+def _finite_or_infinite(number: float, change: float, sign: float) -> float:
+    """Return the sum, infinite where the change is no number."""
+    return number + change if math.isfinite(change) else sign * math.inf

@@ -249,6 +249,7 @@ def _with_errors(task: FitTask, best: Generalised, noise: float, flags: tuple[Fl
         "effective_count": best.noise.effective_count,
         "slow_share": best.noise.slow_share,
         "log_likelihood": best.noise.likelihood + float(np.sum(np.log(task.weights[task.weights > 0.0]))),
+        "reaches": best.noise.mixture.reaches,
         "stretches": stretches_of(task, coordinates, best.covariance, best.noise),
         "predicted": prediction.fitted,
         "logarithmic": tuple(p.logarithmic for p in task.parameters),

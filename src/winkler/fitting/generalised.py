@@ -31,8 +31,8 @@ POINTS_PER_PARAMETER = 3
 """Fewest independent points for each parameter with which the numbers of least squares are changed."""
 
 
-class Generalised(NamedTuple):
-    """A fit at its coordinates.
+class _GeneralisedFields(NamedTuple):
+    """Data of a fit at its coordinates.
 
     Parameters
     ----------
@@ -47,6 +47,10 @@ class Generalised(NamedTuple):
     prediction: Prediction
     residuals: Array
     noise: NoiseEstimate
+
+
+class Generalised(_GeneralisedFields):
+    """A fit at its coordinates."""
 
     @property
     def covariance(self) -> Array:
@@ -66,11 +70,13 @@ class Generalised(NamedTuple):
         return float(np.linalg.norm(self.residuals) / np.sqrt(max(self.residuals.size - self.coordinates.size, 1)))
 
     def misfit(self, task: FitTask, noise: float) -> Misfit:
-        """Return the misfit, for a standard deviation of the noise."""
-        counted, touched = task.weights > 0.0, self.prediction.touched
-        freedoms = task.freedoms(self.prediction)
-        level = noise or np.finfo(float).tiny
-        return misfit_of(self.residuals - self.noise.disturbance, touched, counted, freedoms, level)
+        """Return the misfit, for a standard deviation of the noise; computed once."""
+        known: dict[float, Misfit] = self.__dict__.setdefault("misfits", {})
+        if noise not in known:
+            counted, freedoms = task.weights > 0.0, task.freedoms(self.prediction)
+            left, level = self.residuals - self.noise.disturbance - self.noise.followed, noise or np.finfo(float).tiny
+            known[noise] = misfit_of(left, self.prediction.touched, counted, freedoms, level)
+        return known[noise]
 
 
 def generalised(task: FitTask, coordinates: Array, noise: float, search: Search) -> Generalised:

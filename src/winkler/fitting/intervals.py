@@ -5,8 +5,8 @@ under the mean white and slow noise of the fit, has grown by
 
 .. math:: \Delta = \frac{\mathrm{var}}{\mathrm{var}_0}\,t^2 ,
 
-with the variance of the parameter with and without the uncertainty of the noise, and Student's t.  It follows a curved
-valley of the misfit, and is the same for a parameter and its logarithm.  `FitEstimate.interval` has its ends to first
+with the variance of the parameter with and without the uncertainty of the noise, and the half-width t of the mixture of
+noises in standard errors.  It follows a curved valley of the misfit, and is the same for a parameter and its logarithm.  `FitEstimate.interval` has its ends to first
 order in the curvature (`winkler.fitting.curvature`).
 """
 
@@ -68,7 +68,7 @@ def profile_interval(found: Fit, name: str, confidence: float = 0.95) -> tuple[f
     jacobian = task.decorrelated(task.jacobian(best, task.prediction(best)))
     plain = float(np.linalg.inv(jacobian.T @ jacobian)[index, index])
     error = found.error(name) / abs(parameter.change(found.value(name)))
-    width = found.quantile(confidence)
+    width = found.quantile(confidence, name)
     allowed = error**2 / plain * width**2
     low, high = bounds(task.parameters, best)
     ends = []

@@ -8,8 +8,8 @@ from noisy_worlds import coloured
 from synthetic import noise
 
 from winkler.fitting.noise.disturbances import disturbances_of
-from winkler.fitting.noise.estimate import AMPLITUDE_WEIGHTS, AMPLITUDES, noise_of
-from winkler.fitting.noise.spectra import candidates
+from winkler.fitting.noise.estimate import amplitudes_of, noise_of
+from winkler.fitting.noise.spectra import EXPONENTS, candidates
 from winkler.fitting.noise.whitening import whitening_of
 
 
@@ -37,7 +37,7 @@ def test_step_and_covariance_are_those_of_dense_matrices():
     logs, steps, covariances, p = [], [], [], 2
     for spectrum, prior in zip(table.spectra, table.priors, strict=True):
         plain = matrix.T @ np.diag(np.repeat(spectrum, table.sizes)) @ matrix
-        for amplitude, weight in zip(AMPLITUDES, AMPLITUDE_WEIGHTS, strict=True):
+        for (amplitude,), weight in zip(*amplitudes_of(1), strict=True):
             whole = plain + amplitude**2 * disturbance @ disturbance.T
             inverse = np.linalg.inv(whole)
             inner = jacobian.T @ inverse @ jacobian
@@ -62,8 +62,9 @@ def test_the_candidate_of_exponent_two_is_a_random_walk():
     """Its inverse covariance is that of independent steps: 2 on the diagonal, -1 beside it, and 1 at the two ends."""
     count = 50
     table = candidates(count)
-    steepest = int(np.argmax(table.spectra[:, 1] / table.spectra[:, -1]))
-    slow = table.spectra[steepest, 1:] - (1.0 - table.slow[steepest])
+    ratios = (table.priors.size - 1) // np.unique(np.flatnonzero(table.slow == table.slow[1])).size
+    walk = ratios * EXPONENTS.index(2.0) + ratios  # white noise is the first, the ratios run within an exponent
+    slow = table.spectra[walk, 1:] - (1.0 - table.slow[walk])
     matrix = cosines(count)[1:]
     precision = matrix.T @ np.diag(1.0 / slow) @ matrix
     steps = np.diff(np.eye(count), axis=0)

@@ -20,9 +20,10 @@ def disturbances_of(curve: ForceCurve, *, of_force: bool = True) -> Array:
     ----------
     curve : ForceCurve
     of_force : bool, optional
-        Whether the force is disturbed (unless given): by a drift, a tilt and a drag; else the position, by a drift.
+        Whether the force is disturbed (unless given): by a drift in time, or in the
+        order of the points where times are unknown, a tilt and a drag; else the position, by a drift.
     """
-    drift = np.arange(curve.count, dtype=float)
+    drift = curve.time if curve.time.size and np.ptp(curve.time) > 0.0 else np.arange(curve.count, dtype=float)
     courses = [drift, curve.position, curve.direction] if of_force else [drift]
     found: list[Array] = []
     for course in courses:

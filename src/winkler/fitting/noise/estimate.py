@@ -5,14 +5,14 @@ Residuals r of n points, with the derivatives J by the p fitted coordinates, are
 .. math:: r = J\beta + B\gamma + e, \qquad \gamma \sim N(0, s^2\sigma^2), \qquad e \sim N(0, \sigma^2 V) ,
 
 with noise e of one of the candidates V (`winkler.fitting.noise.spectra`), and slow disturbances B that the model does
-not contain (`winkler.fitting.noise.disturbances`), their amplitude s zero or one of a few.  With flat priors of
+not contain (`winkler.fitting.noise.disturbances`), each absent, faint or present: their amplitude s.  With flat priors of
 :math:`\beta` and :math:`\ln\sigma`, a candidate has the restricted likelihood
 
-.. math:: \ln L = -\tfrac12\ln|V| - \tfrac12\ln|A| - q\ln s - \tfrac{n-p}2\ln Q, \qquad A = X^TV^{-1}X + R,
+.. math:: \ln L = -\tfrac12\ln|V| - \tfrac12\ln|A| - \sum\ln s - \tfrac{n-p}2\ln Q, \qquad A = X^TV^{-1}X + R,
 
 with X = (J, B), the precisions R of :math:`\gamma`, and the generalised sum of squares Q.  Step and covariance are the
-means over all candidates by their weights, the differences of their steps included: what the curve does not say about
-its noise makes the intervals wider.
+means over all candidates by their weights, the differences of their steps included, and the ends of intervals are those
+of the mixture of all: what the curve does not say about its noise makes the intervals wider.
 
 References
 ----------
@@ -21,21 +21,31 @@ D. A. Harville, J. Am. Stat. Assoc. 72, 320 (1977), https://doi.org/10.1080/0162
 
 from __future__ import annotations
 
+import itertools
 from typing import NamedTuple
 
 import numpy as np
 
+from winkler.fitting.noise.mixture import Mixture
 from winkler.fitting.noise.spectra import Candidates, candidates, transformed
 from winkler.numerics.types import Array
 
 __all__ = ["NoiseEstimate", "noise_of"]
 
-AMPLITUDES, AMPLITUDE_WEIGHTS = (0.0, 0.05, 0.5, 5.0), (0.5, 0.2, 0.15, 0.15)
-"""Standard deviations s of disturbances, in parts of that of the noise, and their prior weights."""
-LEAST_OWN_SHARE = 0.1
+ABSENT, FAINT, PRESENT = 1e-6, 0.05, 3.0
+"""Standard deviations s of disturbances, in parts of that of the noise."""
+NONE_WEIGHT, FAINT_WEIGHT = 0.45, 0.19
+"""Prior weights of no disturbance and of faint ones; the rest is shared by all choices of those that are present.
+
+These and the prior weights of the spectra were chosen once, so that intervals of linear problems hold the truth in 92
+to 98 of 100 cases under twenty kinds of noise.
+"""
+LEAST_OWN_SHARE = 0.02
 """Least part of a disturbance that no fitted number stands for: a tilt is none where it is free."""
-LEAST_SQUARES_SHARE = 1e-24
+LEAST_SQUARES_SHARE = 1e-13
 """Least sum of squares relative to that of the residuals."""
+LEAST_SHARE = 1e-9
+"""Least weight of a candidate in the mixture, relative to the greatest."""
 
 
 class NoiseEstimate(NamedTuple):
@@ -63,6 +73,10 @@ class NoiseEstimate(NamedTuple):
         Their standard deviations, in the residuals' unit.
     disturbance : ndarray, (n,)
         The disturbances in the residuals.
+    followed : ndarray, (n,)
+        What the step takes from the residuals.
+    mixture : Mixture
+        Steps and errors of the likely candidates.
     """
 
     step: Array
@@ -75,16 +89,31 @@ class NoiseEstimate(NamedTuple):
     courses: Array
     amplitudes: Array
     disturbance: Array
+    followed: Array
+    mixture: Mixture
 
 
 class _Solutions(NamedTuple):
-    """Logarithms of restricted and plain likelihood, estimates, covariances and variances of m candidates."""
+    """Of l levels and m candidates: logarithms of restricted and plain likelihood, estimates, variances, factors.
+
+    `factors` ``(l, m, u, p)`` are roots of the covariances in parts of the variance.
+    """
 
     restricted: Array
     plain: Array
     estimates: Array
-    covariances: Array
     variances: Array
+    factors: Array
+
+
+def amplitudes_of(count: int) -> tuple[Array, Array]:
+    """Return levels ``(l, q)`` of disturbances and their prior weights: none, all faint, and each choice of them."""
+    if not count:
+        return np.zeros((1, 0)), np.ones(1)
+    choices = np.array(list(itertools.product((ABSENT, PRESENT), repeat=count)))[1:]
+    rest = (1.0 - NONE_WEIGHT - FAINT_WEIGHT) / len(choices)
+    levels = np.concatenate([np.full((1, count), ABSENT), np.full((1, count), FAINT), choices])
+    return levels, np.array([NONE_WEIGHT, FAINT_WEIGHT, *[rest] * len(choices)])
 
 
 def noise_of(residuals: Array, jacobian: Array, disturbances: Array) -> NoiseEstimate:
@@ -103,33 +132,35 @@ def noise_of(residuals: Array, jacobian: Array, disturbances: Array) -> NoiseEst
     disturbances = _own(disturbances, jacobian)
     unit, size = float(np.sqrt(np.mean(residuals**2))) or 1.0, np.linalg.norm(jacobian, axis=0)
     table = candidates(count)
-    products = _products(table, np.concatenate([(residuals / unit)[:, None], jacobian / size, disturbances], axis=1))
-    levels = AMPLITUDES if disturbances.shape[1] else AMPLITUDES[:1]
-    priors = np.log(np.outer(AMPLITUDE_WEIGHTS[: len(levels)], table.priors)) - 0.5 * table.logarithms
-    found = _Solutions(*map(np.stack, zip(*[_solved(products, p, level, count) for level in levels], strict=True)))
+    basis, triangle = np.linalg.qr(jacobian / size)
+    back = np.linalg.inv(triangle)
+    products = _products(table, np.concatenate([basis, disturbances, (residuals / unit)[:, None]], axis=1))
+    levels, level_weights = amplitudes_of(disturbances.shape[1])
+    priors = np.log(np.outer(level_weights, table.priors)) - 0.5 * table.logarithms
+    found = _solved(products, p, levels, count)
     weights, _ = _normalised(found.restricted + priors)
-    share, variances = weights.ravel(), found.variances.ravel()
-    estimates = found.estimates.reshape(share.size, -1)
-    mean = share @ estimates
-    apart = estimates[:, :p] - mean[:p]
-    covariance = np.tensordot(share, found.covariances.reshape(-1, p, p), 1) + (share[:, None] * apart).T @ apart
-    variance = float(share @ variances)
-    by_candidate = (weights * found.variances).sum(axis=0)
-    by_level = (weights * found.variances).sum(axis=1)
-    losses = np.linalg.slogdet(found.covariances)[1] - p * np.log(found.variances)
-    loss = (float(np.sum(weights * losses)) + np.linalg.slogdet(products[0, 1 : 1 + p, 1 : 1 + p])[1]) / p
-    amplitude = unit * float(np.sqrt(by_level @ np.square(levels)))
+    by_candidate, by_level = (np.sum(weights * found.variances, axis=axis) for axis in (0, 1))
+    variance = float(by_candidate.sum())
+    mean = np.einsum("lm,lmi->i", weights, found.estimates)
+    likely = weights > LEAST_SHARE * weights.max()
+    shares, roots = weights[likely] / weights[likely].sum(), found.factors[likely]
+    losses = np.linalg.slogdet(roots.transpose(0, 2, 1) @ roots)[1]
+    steps, roots = found.estimates[likely][:, :p] @ back.T, roots @ back.T
+    covariances = found.variances[likely][:, None, None] * (roots.transpose(0, 2, 1) @ roots)
+    mixture = Mixture(shares, steps * unit / size, covariances * unit**2 / np.outer(size, size))
     return NoiseEstimate(
-        step=mean[:p] * unit / size,
-        covariance=covariance * unit**2 / np.outer(size, size),
+        step=mixture.mean,
+        covariance=mixture.covariance,
         scatter=unit * float(np.sqrt(variance)),
         slow_share=float(by_candidate @ table.slow) / variance,
-        effective_count=float(np.clip(count * np.exp(-loss), 1.0, count)),
+        effective_count=float(np.clip(count * np.exp(-float(shares @ losses) / p), 1.0, count)),
         likelihood=_normalised(found.plain + priors)[1] - count * float(np.log(unit)),
         spectrum=unit**2 * np.repeat(by_candidate @ table.spectra, table.sizes),
         courses=disturbances,
-        amplitudes=np.full(disturbances.shape[1], amplitude),
+        amplitudes=unit * np.sqrt(by_level @ np.square(levels)),
         disturbance=unit * (disturbances @ mean[p:]),
+        followed=jacobian @ mixture.mean,
+        mixture=mixture,
     )
 
 
@@ -146,15 +177,15 @@ def _own(disturbances: Array, jacobian: Array) -> Array:
 
 
 def _products(table: Candidates, columns: Array) -> Array:
-    """Return the products of columns ``(n, c)`` weighted by each candidate ``(m, c, c)``."""
+    """Return the products of columns ``(n, c)`` weighted by each candidate ``(c, c, m)``."""
     spectra = transformed(columns)
     rows, cols = np.triu_indices(columns.shape[1])
     binned = np.stack(
         [np.add.reduceat(spectra[:, i] * spectra[:, j], table.starts) for i, j in zip(rows, cols, strict=True)], axis=1
     )
-    products = np.empty((table.priors.size, columns.shape[1], columns.shape[1]))
-    products[:, rows, cols] = (1.0 / table.spectra) @ binned
-    products[:, cols, rows] = products[:, rows, cols]
+    products = np.empty((columns.shape[1], columns.shape[1], table.priors.size))
+    products[rows, cols] = (binned.T) @ (1.0 / table.spectra).T
+    products[cols, rows] = products[rows, cols]
     return products
 
 
@@ -166,22 +197,43 @@ def _normalised(logarithms: Array) -> tuple[Array, float]:
     return weights / whole, highest + float(np.log(whole))
 
 
-def _solved(products: Array, p: int, amplitude: float, count: int) -> _Solutions:
-    """Return the solutions of all candidates for one amplitude of the disturbances."""
-    m, size, _ = products.shape
-    used = size - 1 if amplitude > 0.0 else p
-    inner = products[:, 1 : 1 + used, 1 : 1 + used].copy()
-    inner[:, range(p, used), range(p, used)] += amplitude**-2 if amplitude > 0.0 else 0.0
-    prior = -(used - p) * float(np.log(amplitude)) if amplitude > 0.0 else 0.0
-    inverse = np.linalg.inv(inner)
-    estimates = np.zeros((m, size - 1))
-    estimates[:, :used] = np.einsum("mij,mj->mi", inverse, products[:, 1 : 1 + used, 0])
-    whole = products[:, 0, 0]
-    squares = whole - np.einsum("mi,mi->m", estimates, products[:, 1:, 0])
-    squares = np.maximum(squares, LEAST_SQUARES_SHARE * whole + np.finfo(float).tiny)
-    determinant = np.linalg.slogdet(inner)[1]
-    of_model = np.linalg.slogdet(products[:, 1 : 1 + p, 1 : 1 + p])[1]
-    restricted = prior - 0.5 * determinant - 0.5 * (count - p) * np.log(squares)
-    plain = prior - 0.5 * (determinant - of_model) - 0.5 * count * np.log(squares)
-    variances = squares / max(count - p - 2, 1)
-    return _Solutions(restricted, plain, estimates, inverse[:, :p, :p] * variances[:, None, None], variances)
+def _solved(products: Array, p: int, levels: Array, count: int) -> _Solutions:
+    """Return the solutions of all candidates for amplitudes ``(l, q)`` of the disturbances.
+
+    One Cholesky factor of the products of fitted numbers, disturbances and residuals, in this order, has everything:
+    determinants in its diagonal, the least sum of squares in the last place, the estimates in the last row of its
+    inverse.
+    """
+    size, used = products.shape[0], products.shape[0] - 1
+    whole = np.repeat(products[:, :, None, :], len(levels), axis=2)
+    whole[used, used] += LEAST_SQUARES_SHARE * whole[used, used] + np.finfo(float).tiny
+    for place in range(p, used):
+        whole[place, place] += levels[:, place - p, None] ** -2
+    factor, inverse = _cholesky(whole)
+    logarithms = np.log(factor[range(size), range(size)])
+    last = inverse[used, used]
+    squares = last**-2
+    prior = -np.log(levels).sum(axis=1)[:, None] if used > p else np.zeros((1, 1))
+    of_disturbances, of_model = prior - logarithms[p:used].sum(axis=0), logarithms[:p].sum(axis=0)
+    inner = inverse[:used, :p]
+    return _Solutions(
+        restricted=of_disturbances - of_model - 0.5 * (count - p) * np.log(squares),
+        plain=of_disturbances - 0.5 * count * np.log(squares),
+        estimates=np.moveaxis(-inverse[used, :used] / last, 0, -1),
+        variances=squares / max(count - p - 2, 1),
+        factors=inner.transpose(2, 3, 0, 1),
+    )
+
+
+def _cholesky(matrices: Array) -> tuple[Array, Array]:
+    """Return lower factors ``(c, c, ...)`` of many small matrices at once, and the inverses of these."""
+    size = matrices.shape[0]
+    factor, inverse = np.zeros_like(matrices), np.zeros_like(matrices)
+    for i in range(size):
+        for j in range(i):
+            factor[i, j] = (matrices[i, j] - np.sum(factor[i, :j] * factor[j, :j], axis=0)) / factor[j, j]
+        factor[i, i] = np.sqrt(matrices[i, i] - np.sum(factor[i, :i] ** 2, axis=0))
+        inverse[i, i] = 1.0 / factor[i, i]
+        for j in range(i):
+            inverse[i, j] = -np.sum(factor[i, j:i] * inverse[j:i, j], axis=0) * inverse[i, i]
+    return factor, inverse

@@ -1,0 +1,66 @@
+r"""Numbers under noise that is not known, as a mixture: estimates and covariances of each candidate, and weights.
+
+A half-width h of the interval about the mean that holds a part c of the mixture solves
+
+.. math:: \sum_k w_k \left[\Phi\left(\frac{h-x_k}{s_k}\right) - \Phi\left(\frac{-h-x_k}{s_k}\right)\right] = c ,
+
+with the estimates :math:`x_k` less their mean, and the errors :math:`s_k`.  The standard deviation of a mixture alone
+does not state it: a little weight of very slow noise widens the deviation more than the interval, or less.
+
+References
+----------
+JCGM 101:2008, Evaluation of measurement data, Supplement 1 (intervals from a distribution, not from its deviation)
+"""
+
+from __future__ import annotations
+
+import functools
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.numerics.types import Array
+
+__all__ = ["SIGMAS", "Mixture"]
+
+SIGMAS = (1.0, 2.0, 3.0)
+"""Half-widths of a normal distribution, in standard deviations, whose parts of the mixture are stated."""
+SETTLED = 1e-4
+"""Accuracy of a half-width, in standard deviations."""
+
+
+class _MixtureFields(NamedTuple):
+    shares: Array
+    steps: Array
+    covariances: Array
+
+
+class Mixture(_MixtureFields):
+    """Weights ``(m,)``, steps ``(m, p)`` and covariances ``(m, p, p)`` of the likely candidates."""
+
+    @functools.cached_property
+    def mean(self) -> Array:
+        """Mean step ``(p,)``."""
+        return np.asarray(self.shares @ self.steps)
+
+    @functools.cached_property
+    def covariance(self) -> Array:
+        """Of the mixture, the differences of the steps included ``(p, p)``."""
+        apart = self.steps - self.mean
+        return np.asarray(np.tensordot(self.shares, self.covariances, 1) + (self.shares[:, None] * apart).T @ apart)
+
+    @functools.cached_property
+    def reaches(self) -> Array:
+        """Half-widths ``(p, 3)`` of the intervals of one, two and three sigma, in standard errors."""
+        from scipy.special import ndtr
+
+        deviations = np.sqrt(np.diag(self.covariance))
+        apart = ((self.steps - self.mean) / deviations)[:, :, None]
+        errors = (np.sqrt(np.einsum("mii->mi", self.covariances)) / deviations)[:, :, None]
+        wanted = 2.0 * ndtr(np.array(SIGMAS)) - 1.0
+        low, high = np.zeros((deviations.size, len(SIGMAS))), np.full((deviations.size, len(SIGMAS)), 2.0 * SIGMAS[-1])
+        while float(np.max(high - low)) > SETTLED:
+            middle = 0.5 * (low + high)
+            held = np.tensordot(self.shares, ndtr((middle - apart) / errors) - ndtr((-middle - apart) / errors), 1)
+            low, high = np.where(held < wanted, middle, low), np.where(held < wanted, high, middle)
+        return 0.5 * (low + high)
