@@ -264,7 +264,8 @@ def _translated(data: Any, name: str, file_name: str, overrides: dict[str, float
         directed = directions(position, force, segment)
         reading = _reading(data, height, bool(time.size), overrides)
         curve = ForceCurve(position, force, float(stiffness), time, directed, name, reading)
-    return PlacedCurve(curve, *(float(data.metadata.get(f"position {axis}", np.nan)) for axis in "xy"))
+    x, y = (float(data.metadata.get(f"position {axis}", np.nan)) for axis in "xy")
+    return PlacedCurve(curve, x, y)
 
 
 def _reading(data: Any, height: str, timed: bool, overrides: dict[str, float]) -> str:

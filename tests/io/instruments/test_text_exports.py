@@ -123,3 +123,11 @@ def test_one_bad_test_among_many(tmp_path):
     good, bad = try_curves(path)
     assert good.curve.count == 2
     assert "1 rows hold depth and force; it needs at least 2" in bad.reason
+
+
+def test_an_archive_that_unpacks_to_too_much(tmp_path):
+    path = tmp_path / "steel.zip"
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("steel 1 0 0.txt", b"1\t2\t3\n" * 4_000_000)
+    with pytest.raises(wk.InvalidInput, match="steel 1 0 0.txt: 24 MB are too much; at most 20 MB are read"):
+        read_curve(path)

@@ -6,12 +6,17 @@ import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 
+from winkler.errors import InvalidInput
 from winkler.io.archive_file import refuse_large_archive
+from winkler.io.foreign import path_text
 from winkler.io.instruments.instrument_test import InstrumentTest
 from winkler.io.instruments.micro_materials import NAME, is_micro_materials, tests_of_micro_materials
 from winkler.limits import HEADER_LETTERS
 
 __all__ = ["is_archive_of_tests", "tests_of_archive"]
+
+MOST_BYTES = 20_000_000
+"""Of one test; those of NanoTest have some 30 kB."""
 
 
 def is_archive_of_tests(path: Path) -> bool:
@@ -32,8 +37,13 @@ def tests_of_archive(path: Path) -> Iterator[InstrumentTest]:
     """Yield the tests of an archive, in the order of their names."""
     with zipfile.ZipFile(path) as archive:
         for name in _texts(archive):
+            where, size = f"{path_text(path)}, {name}", archive.getinfo(name).file_size
+            if size > MOST_BYTES:
+                raise InvalidInput(
+                    f"{where}: {size / 1e6:.0f} MB are too much; at most {MOST_BYTES / 1e6:.0f} MB are read."
+                )
             lines = archive.read(name).decode("latin-1").splitlines()
-            yield from tests_of_micro_materials(lines, Path(name).name, f"{path}, {name}")
+            yield from tests_of_micro_materials(lines, Path(name).name, where)
 
 
 def _texts(archive: zipfile.ZipFile) -> list[str]:

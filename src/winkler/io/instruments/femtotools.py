@@ -47,9 +47,8 @@ def tests_of_femtotools(lines: Sequence[str], name: str, path: object) -> Iterat
         raise InvalidInput(f"{path}: there are no numbers below the names of the columns; export the tests again.")
     for number, (cells, part) in enumerate(blocks):
         names, units = zip(*map(split_unit, cells), strict=True)
-        notes = ()
-        if "sample displace" not in [one.lower() for one in names]:
-            notes = ("the displacement may contain the bending of the sensor",)
+        corrected = "sample displace" in [one.lower() for one in names]
+        notes = () if corrected else ("the displacement may contain the bending of the sensor",)
         test = name if len(blocks) == 1 else f"{name}, test {number + 1}"
         yield InstrumentTest("FemtoTools, text file", test, columns_of(names, units, part, path), notes)
 

@@ -42,7 +42,8 @@ def tests_of_hld(lines: Sequence[str], name: str, path: object) -> Iterator[Inst
     InvalidInput
         If the test data are missing or incomplete.
     """
-    settings, segments = {}, []
+    settings: dict[str, str] = {}
+    segments: list[dict[str, str]] = []
     for line in lines:
         if (match := SETTING.fullmatch(line.rstrip())) is None:
             continue

@@ -68,7 +68,7 @@ def columns_of(
     """
     if not rows.size:
         raise InvalidInput(f"{path}: there are no numbers below the header{where}; export the test again.")
-    return tuple(InstrumentColumn(*both, values) for *both, values in zip(names, units, rows.T, strict=True))
+    return tuple(InstrumentColumn(*column) for column in zip(names, units, rows.T, strict=True))
 
 
 def split_unit(cell: str) -> tuple[str, str]:

@@ -18,7 +18,7 @@ from winkler.errors import InvalidInput
 from winkler.io.curve_columns import DEPTH_NAMES, FORCE_NAMES, POSITION_NAMES
 from winkler.io.instruments.instrument_test import InstrumentTest
 from winkler.io.instruments.number_block import columns_of, split_unit
-from winkler.io.instruments.workbook_cells import Cell, Sheet, sheets_of
+from winkler.io.instruments.workbook_cells import Cell, WorkbookSheet, sheets_of
 from winkler.numerics.types import Array
 
 __all__ = ["tests_of_workbook"]
@@ -61,7 +61,7 @@ def tests_of_workbook(path: Path) -> Iterator[InstrumentTest]:
     yield from tests
 
 
-def _header_row(sheet: Sheet) -> int | None:
+def _header_row(sheet: WorkbookSheet) -> int | None:
     """Return the number of the row that names a depth and a force."""
     for index, row in enumerate(sheet.rows[:HEADER_ROWS]):
         words = {split_unit(cell)[0].lower() for cell in row if isinstance(cell, str) and cell}
@@ -71,7 +71,7 @@ def _header_row(sheet: Sheet) -> int | None:
     return None
 
 
-def _test(sheet: Sheet, path: Path, facts: dict[str, Cell]) -> InstrumentTest | None:
+def _test(sheet: WorkbookSheet, path: Path, facts: dict[str, Cell]) -> InstrumentTest | None:
     """Return the test of a sheet, None if it holds no table of numbers."""
     header = _header_row(sheet)
     if header is None or header + 1 >= len(sheet.rows):
@@ -137,7 +137,7 @@ def _directions(marks: list[str]) -> Array:
     return directions
 
 
-def _facts(sheet: Sheet) -> dict[int, dict[str, Cell]]:
+def _facts(sheet: WorkbookSheet) -> dict[int, dict[str, Cell]]:
     """Return what the sheets of results and inputs state about each test, by its number."""
     if sheet.name.strip().lower() not in NO_TESTS[:2] or len(sheet.rows) < 3:
         return {}

@@ -15,7 +15,7 @@ from winkler.io.memory import limited_memory
 from winkler.io.text_file import refuse_large
 from winkler.limits import TEXT_BYTES
 
-__all__ = ["Cell", "Sheet", "is_workbook", "sheets_of"]
+__all__ = ["Cell", "WorkbookSheet", "is_workbook", "sheets_of"]
 
 Cell = str | float
 OLD, NEW = b"\xd0\xcf\x11\xe0", b"PK\x03\x04"
@@ -23,7 +23,7 @@ ENDINGS = (".xls", ".xlsx", ".xlsm")
 MOST_COLUMNS = 500
 
 
-class Sheet(NamedTuple):
+class WorkbookSheet(NamedTuple):
     """A sheet: its name, and its rows of texts and numbers; empty cells are empty texts."""
 
     name: str
@@ -37,7 +37,7 @@ def is_workbook(path: Path) -> bool:
     return path.suffix.lower() in ENDINGS and start in (OLD, NEW)
 
 
-def sheets_of(path: Path) -> Iterator[Sheet]:
+def sheets_of(path: Path) -> Iterator[WorkbookSheet]:
     """Yield the sheets of a workbook, one at a time.
 
     Raises
@@ -55,7 +55,7 @@ def sheets_of(path: Path) -> Iterator[Sheet]:
         yield from _old(path) if old else _new(path)
 
 
-def _old(path: Path) -> Iterator[Sheet]:
+def _old(path: Path) -> Iterator[WorkbookSheet]:
     try:
         import xlrd
     except ImportError:
@@ -71,7 +71,7 @@ def _old(path: Path) -> Iterator[Sheet]:
                 _refuse_wide(path, name, sheet.ncols)
                 rows = [[_cell(cell) for cell in sheet.row_values(row)] for row in range(sheet.nrows)]
                 book.unload_sheet(name)
-            yield Sheet(name, rows)
+            yield WorkbookSheet(name, rows)
 
 
 class _Released:
@@ -84,7 +84,7 @@ class _Released:
         self.book.release_resources()
 
 
-def _new(path: Path) -> Iterator[Sheet]:
+def _new(path: Path) -> Iterator[WorkbookSheet]:
     try:
         import openpyxl
     except ImportError:
@@ -99,7 +99,7 @@ def _new(path: Path) -> Iterator[Sheet]:
                 for row in sheet.iter_rows(values_only=True):
                     _refuse_wide(path, sheet.title, len(row))
                     rows.append([_cell(cell) for cell in row])
-            yield Sheet(sheet.title, rows)
+            yield WorkbookSheet(sheet.title, rows)
 
 
 def _cell(content: Any) -> Cell:
