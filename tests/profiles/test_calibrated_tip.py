@@ -60,6 +60,16 @@ def test_an_elastic_pyramid_as_a_calibrated_tip():
         ).modulus == pytest.approx(1.0, rel=1e-3)
 
 
+def test_readings_take_the_cross_section_without_the_shape_factor():
+    for tip in (
+        wk.CalibratedTip((24.5, 4e-7, 1e-12), 50e-9, 2e-6, 1.2),
+        wk.TabulatedTip(np.geomspace(50e-9, 2e-6, 60), areas(np.geomspace(50e-9, 2e-6, 60)), 1.2),
+    ):
+        assert wk.contact_reading(1e5, 1e-3, 3e-7, tip).area == pytest.approx(areas(292.5e-9), rel=1e-4)
+        with pytest.raises(wk.OutsideValidity, match="outside the calibration"):
+            wk.contact_reading(1e5, 1e-3, 3e-8, tip)
+
+
 def test_from_a_calibrated_area():
     assert wk.CalibratedArea((24.5, 4e-7, 1e-12), 50e-9, 2e-6).profile() == TIP
     assert wk.CalibratedArea((24.5,), 50e-9, 2e-6).profile(1.1).shape_factor == 1.1
