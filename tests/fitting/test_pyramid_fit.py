@@ -133,3 +133,4 @@ def test_relaxing_bodies_under_pyramids():
     free = [f"{FIRST}relaxed_shear", f"{FIRST}shears", f"{FIRST}relaxation_times", "contact_point", "baseline"]
     found = wk.fit(measured, model, free=free)
     assert found.value(f"{FIRST}relaxed_shear") == pytest.approx(relaxed, rel=1e-3)
+    assert any("The pyramid of 3 faces" in note.statement for note in found.validity)

@@ -112,7 +112,7 @@ def along(bed: wk.Foundation, end: float, *, angular: bool = False):
     exponent = getattr(bed.medium, "exponent", 0.0)
     panels = math.ceil(12 / (1.0 + min(0.0, exponent)))  # roots are steeper where a medium hardens towards its surface
     kinks = [(b, strength) for b, strength in bed.kinks if b < end]
-    relevant = [b for b, strength in kinks if strength != 0.0 or len(kinks) <= 4]
+    relevant = [b for b, strength in kinks if strength != 0.0 or len(kinks) <= 9]
     cuts, towards = np.array([0.0, *(b for b, _ in kinks), end]), np.array([0.0, *relevant, end])
     if not angular:
         return graded(cuts, towards, panels)

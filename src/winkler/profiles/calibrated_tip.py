@@ -18,7 +18,8 @@ import math
 import numpy as np
 
 from winkler.checks.number_checks import Positive, PositiveRow
-from winkler.errors import InvalidInput
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.numerics.equations.roots import between
 from winkler.numerics.types import Array
 from winkler.profiles.measured import Measured
 from winkler.profiles.profile import Shape
@@ -27,9 +28,9 @@ from winkler.values import value, words
 
 __all__ = ["CalibratedTip", "TabulatedTip"]
 
-POINTS_PER_OCTAVE = 24
-"""Of the depth, at which an area function is sampled."""
-CONTINUED = 24
+POINTS_PER_OCTAVE = 8
+"""Of the depth, at which an area function is sampled; the spline through them is within 3e-5 of the depths."""
+CONTINUED = 10
 """Points below the shallowest depth."""
 LEAST_POWER, MOST_POWER = 0.25, 2.0
 """Exponents of A ~ h^q with which an apex is continued: from blunt to a cone."""
@@ -81,6 +82,25 @@ class _TipOfArea(Shape):
             f"with the power {power:.3g} of the depth, beyond, contacts are refused."
         )
         return (Note(Assumption.SHAPE, Standing.APPROXIMATE, text, OLIVER), *self._curve.notes)
+
+    def cross_section(self, height: float) -> float:
+        """Return the calibrated cross-section [m^2] at a contact depth [m], without the shape factor.
+
+        Raises
+        ------
+        OutsideValidity
+            If the tip was not calibrated for that depth.
+        """
+        depths = self._samples[0]
+        if not depths[0] <= height <= depths[-1]:
+            raise OutsideValidity(
+                f"{type(self).__name__}: the contact depth {height:.3g} m is outside the calibration, from "
+                f"{depths[0]:.3g} to {depths[-1]:.3g} m; give another depth, or a calibration that includes it."
+            )
+        radius = between(
+            lambda r: float(self.height(np.array([r]))[0]) - height, 0.0, self.reach * (1.0 - 1e-15), relative=1e-14
+        )
+        return math.pi * (radius / self.shape_factor) ** 2
 
     def height(self, r: Array) -> Array:
         """f(r) [m]."""

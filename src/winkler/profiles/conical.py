@@ -1,4 +1,4 @@
-r"""Cones, sharp, cut and rounded, and the cones of equal cross-section that commonly replace pyramids (`winkler.profiles.pyramids`).
+r"""Cones, sharp, cut and rounded, and the cones of equal cross-section that commonly replace pyramids.
 
 Half-angles are measured from the axis, :math:`f = r/\tan\theta`.
 """

@@ -38,9 +38,9 @@ def test_forces_by_boundary_elements(sides, within):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("sides", FORCE_CONSTANTS)
-def test_constants_by_boundary_elements(sides):
-    assert extrapolated(lambda n: sharp_force(sides, n), 128) == pytest.approx(FORCE_CONSTANTS[sides], rel=1.5e-5)
+@pytest.mark.parametrize(("sides", "count"), [(3, 128), (4, 128), (5, 64), (6, 64), (7, 64), (8, 64)])
+def test_constants_by_boundary_elements(sides, count):
+    assert extrapolated(lambda n: sharp_force(sides, n), count) == pytest.approx(FORCE_CONSTANTS[sides], rel=2e-5)
 
 
 def test_a_square_pyramid_of_another_code():
@@ -177,14 +177,13 @@ CASES = [
     (sides, poisson, contrast, radius)
     for sides in (3, 4)
     for poisson in (0.3, 0.5)
-    for contrast in (0.1, 10.0, 1e3)
-    for radius in (0.3, 1.0, 3.0)
+    for contrast, radius in ((0.1, 1.0), (0.1, 3.0), (10.0, 1.0), (1e3, 3.0))
 ]
 
 
 @pytest.mark.parametrize(
     ("sides", "poisson", "contrast", "radius"),
-    [CASES[4], CASES[-2], *(pytest.param(*case, marks=pytest.mark.slow) for case in CASES)],
+    [CASES[1], CASES[-2], *(pytest.param(*case, marks=pytest.mark.slow) for case in CASES)],
 )
 def test_errors_on_layers_by_boundary_elements(sides, poisson, contrast, radius):
     tip = wk.Pyramid(sides, math.radians(45.0))

@@ -18,7 +18,7 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import Elastic, Rigid, Solid
 from winkler.numerics.equations.roots import between
 from winkler.profiles.area import AreaFunction
-from winkler.profiles.calibrated_tip import CalibratedTip
+from winkler.profiles.calibrated_tip import CalibratedTip, TabulatedTip
 from winkler.profiles.profile import Profile
 from winkler.profiles.pyramids.pyramid import PyramidShape
 from winkler.profiles.pyramids.rounded_pyramid import RoundedPyramid
@@ -210,7 +210,7 @@ def area_at(tip: Tip, height: float) -> float:
                 "calibrated for depths like that."
             )
         return area
-    if isinstance(tip, PyramidShape):
+    if isinstance(tip, PyramidShape | CalibratedTip | TabulatedTip):
         return tip.cross_section(height)
     if isinstance(tip, RoundedPyramid):
         raise OutsideValidity(

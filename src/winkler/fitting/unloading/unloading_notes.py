@@ -22,6 +22,7 @@ from winkler.fitting.unloading.contact_reading import CalibratedArea, polynomial
 from winkler.fitting.unloading.unloading_peak import FEWEST
 from winkler.numerics.types import Array
 from winkler.profiles.area import AreaFunction
+from winkler.profiles.calibrated_tip import CalibratedTip, TabulatedTip
 from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["unloading_notes"]
@@ -144,6 +145,9 @@ def _peak(solution: Any) -> Iterator[NoteParts]:
 
 def _area(solution: Any) -> Iterator[NoteParts]:
     tip, depth = solution.problem.profile, solution.contact_depth
+    if isinstance(tip, CalibratedTip | TabulatedTip):
+        yield Assumption.SHAPE, Standing.ASYMPTOTIC, "Area: the contact depth is within the calibration.", READING
+        return
     if not isinstance(tip, CalibratedArea | AreaFunction):
         statement = (
             f"Area: that of an ideal {type(tip).__name__}; a real tip is blunt, which counts the more, the smaller "

@@ -11,7 +11,6 @@ from winkler.foundation.bed import Bed
 from winkler.materials.elastic import Elastic
 from winkler.media.families import CoatedBody
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
-from winkler.problems.assumptions.pyramid_film import pyramid_notes
 from winkler.validity import Assumption, Note, Standing, standing_of
 
 __all__ = ["film_note", "film_notes", "film_strain"]
@@ -52,7 +51,11 @@ def film_notes(bed: Bed, depth: float, force: float, radius: float) -> tuple[Not
         d [m], F_N [N] and a [m] of the deepest contact.
     """
     medium = bed.medium.elastic if isinstance(bed.medium, RelaxingMedium) else bed.medium
-    pyramid = pyramid_notes(bed, medium, radius)
+    pyramid: tuple[Note, ...] = ()
+    if hasattr(getattr(bed, "profile", None), "sides"):
+        from winkler.problems.assumptions.pyramid_film import pyramid_notes  # not loaded for numbers of other bodies
+
+        pyramid = pyramid_notes(bed, medium, radius)
     if not isinstance(medium, CoatedBody) or radius <= 0.0 or depth <= 0.0:
         return pyramid
     return (film_note(depth / medium.thickness, film_strain(medium, depth, force, radius)), *pyramid)
