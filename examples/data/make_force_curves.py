@@ -82,5 +82,7 @@ if __name__ == "__main__":
         along = np.linspace(-0.6e-6, top, 150)
         scatter = BASELINE + level * SCATTER * random.standard_normal(along.size)
         place = along + FIRST_TOUCH + 0.1e-6 * number
-        write(Path("one_gel") / f"depth{number + 1}.csv", "Gel, E = 4 kPa, nu = 0.5.", place, hertz(along, 4e3) + scatter)
+        write(
+            Path("one_gel") / f"depth{number + 1}.csv", "Gel, E = 4 kPa, nu = 0.5.", place, hertz(along, 4e3) + scatter
+        )
     print("Written gel_bead.csv, sticky_bead.csv, gel/ and one_gel/")

@@ -9,10 +9,17 @@ from winkler.fields import SubsurfaceFields, SurfaceFields, restore, restore_bod
 from winkler.fitting.compare import Comparison, compare
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.segments import Segment, SegmentKind
+from winkler.fitting.examined.calibrated import CalibrationShares, calibration_shares
+from winkler.fitting.examined.over_depth import DepthSeries, over_depth
+from winkler.fitting.examined.verdict import ModelVerdict, verdict_of
 from winkler.fitting.fit import Fit, fit, fit_steps
 from winkler.fitting.outcome import CreepFit, ViscoelasticFit
 from winkler.fitting.relaxation_terms import compare_terms
 from winkler.fitting.search import FitState
+from winkler.fitting.several.groups import GroupRatio, ratio_of
+from winkler.fitting.several.joint import JointFit
+from winkler.fitting.several.population import Population, population
+from winkler.fitting.several.together import fit_together
 from winkler.fitting.unloading.contact_reading import (
     CalibratedArea,
     ContactReading,
@@ -136,19 +143,25 @@ from winkler.validity import Assumption, Note, Standing
 
 __all__ = [
     "Angle", "Archard", "AreaFunction", "Arrhenius", "Assumption", "AtTemperature", "BallInSocket", "Berkovich",
-    "BodyFields", "CalibratedArea", "CappedCylinder", "CappedParaboloid", "Circle", "CoatedHalfSpace", "Comparison",
+    "BodyFields", "CalibratedArea", "CalibrationShares",
+    "CappedCylinder", "CappedParaboloid", "Circle", "CoatedHalfSpace", "Comparison",
     "Cone", "ContactEllipse", "ContactReading", "Coulomb", "CreepData", "CreepFit", "CrossProfile", "CrownedEnds",
     "CubeCorner", "Current", "CurvedBodies", "CurvedPair", "Cylinder", "CylinderRow", "Depth", "DepthGradedHalfSpace",
+    "DepthSeries",
     "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData", "Elastic", "ElectricalConductor",
     "ElectricalConductors", "Ellipsoid", "EllipticFoundation", "EqualMaximum", "EqualMean", "ExponentialGrading",
     "ExponentialSlipWeakening", "FallingFriction", "Fit", "FitState", "FixedShare", "FlatPunch", "Follow", "Force",
     "ForceCurve", "Formula", "FormulaSection", "Foundation", "FractionalZener", "GeneralisedKelvin", "GradedHalfSpace",
-    "HalfSpace", "HalfWidth", "HeatConductors", "Hold", "Hyperboloid", "InvalidInput", "KelvinVoigt", "Layer",
+    "GroupRatio",
+    "HalfSpace", "HalfWidth", "HeatConductors", "Hold", "Hyperboloid", "InvalidInput", "JointFit",
+    "KelvinVoigt", "Layer",
     "LayeredLineFoundation", "LineForce", "LineFoundation", "LineOfAction", "LineScan", "LineShearForce",
     "LinearSlipWeakening", "LogarithmicEnds", "Maxwell", "MeanPressure", "Measured", "MeasuredBed", "MeasuredSection",
-    "MirroredSection", "Moment", "NamedElastic", "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor",
+    "MirroredSection", "ModelVerdict",
+    "Moment", "NamedElastic", "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor",
     "NominalPressure", "NotConverged", "Note", "OliverPharr", "OliverPharrSolution", "Oscillate", "OutsideValidity",
     "PairWear", "Paraboloid", "Path", "PeakStress", "PlacedCurve", "PlacedStress", "PlaneFoundation", "Plated",
+    "Population",
     "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "Program", "Prony", "PunchRow", "Radius", "Ramp",
     "RandomTopography", "RateDependentWork", "RelaxationData", "RelaxingInProportion", "Rigid", "Rod", "RoundedCone",
     "RoundedEnds", "RoundedPunch", "SampledProfile", "SaturatingWork", "Segment", "SegmentKind", "SelfAffine", "Shape",
@@ -157,10 +170,12 @@ __all__ = [
     "SurfaceFields", "SurfaceFilm", "TabulatedGrading", "ThermalConductor", "ThermalInterface", "Tilt", "Topography",
     "Torque", "TransverselyIsotropic", "TransverselyIsotropicHalfSpace", "TruncatedCone", "TruncatedParaboloid",
     "Vickers", "ViscoelasticFit", "ViscoelasticHalfSpace", "Voltage", "Wavy", "WiedemannFranz", "WilliamsLandelFerry",
-    "WinklerError", "compare", "compare_terms", "contact_reading", "fit", "fit_steps", "intercept_factor", "material",
-    "material_names", "peak_stress", "random_topography", "read_bed", "read_contacts", "read_creep",
+    "WinklerError", "calibration_shares",
+    "compare", "compare_terms", "contact_reading", "fit", "fit_steps", "fit_together", "intercept_factor", "material",
+    "material_names", "over_depth", "peak_stress", "population",
+    "random_topography", "ratio_of", "read_bed", "read_contacts", "read_creep",
     "read_cross_profile", "read_curve", "read_curves", "read_dynamic", "read_grading", "read_path", "read_profile",
     "read_profile_pair", "read_relaxation", "read_scan", "read_section", "read_spectrum", "read_surface_load",
     "read_topography", "relaxation_band", "restore", "restore_body", "restore_shift", "sample_young", "spectrum_of",
-    "staircase", "to_pandas", "to_xarray", "write_contacts", "write_law", "write_trace", "write_vtk",
+    "staircase", "to_pandas", "to_xarray", "verdict_of", "write_contacts", "write_law", "write_trace", "write_vtk",
 ]  # fmt: skip

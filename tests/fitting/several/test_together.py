@@ -8,7 +8,7 @@ from synthetic import hertz
 
 import winkler as wk
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.fitting.several.arrowhead import Block, solved_blocks
+from winkler.fitting.several.arrowhead import CurveBlock, solved_blocks
 from winkler.fitting.several.together import fit_together, joint_of
 
 E = "bed.medium.first.young"
@@ -16,7 +16,9 @@ FREE = [E, "contact_point", "baseline"]
 
 
 def model(radius=5e-6):
-    return wk.Indentation(wk.Foundation(wk.Paraboloid(radius), wk.HalfSpace.between(wk.Elastic(3e4, 0.5))), wk.Depth(0.0))
+    return wk.Indentation(
+        wk.Foundation(wk.Paraboloid(radius), wk.HalfSpace.between(wk.Elastic(3e4, 0.5))), wk.Depth(0.0)
+    )
 
 
 def measured(random, *, young=1e4, radius=5e-6, deepest=1e-6, level=3e-11, flicker=0.0, origin=2e-6, count=250):
@@ -38,7 +40,7 @@ def test_arrowhead_is_the_dense_inverse():
         where[place[:2]], where[np.sort(place[2:])] = [0, 1], np.arange(first, first + count)
         whole[np.ix_(where, where)] += information
         right[where] += gradient
-        blocks.append((Block(information, gradient, place[:2]), where))
+        blocks.append((CurveBlock(information, gradient, place[:2]), where))
         first += count
     shared, steps, covariances = solved_blocks([block for block, _ in blocks])
     dense = np.linalg.inv(whole)

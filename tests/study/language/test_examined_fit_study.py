@@ -16,7 +16,7 @@ from winkler.study.batch.fit_recording import recalled_fits
 from winkler.study.batch.fit_run import fit_curves, fit_study, gather_fits, pieces
 from winkler.study.batch.journal import Journal
 from winkler.study.language.fit_reading import parse_fit_study
-from winkler.study.report.fit_sentences import further_sentences
+from winkler.study.report.examined.sentences import further_sentences
 from winkler.study.report.writing import write_outcome
 
 BASE = """
@@ -89,7 +89,9 @@ def test_calibration_widens_the_interval(here):
     assert (asked.spring_constant_error, asked.sensitivity_error) == (0.1, 0.03)
     outcome = fit_study(asked)
     found = outcome.fitted[0].fit
-    plain = fit(read_curve(here / "curve3.csv"), asked.problem, free={PATH: (10.0, 1e7), "contact_point": (), "baseline": ()})
+    plain = fit(
+        read_curve(here / "curve3.csv"), asked.problem, free={PATH: (10.0, 1e7), "contact_point": (), "baseline": ()}
+    )
     assert found.interval(PATH) == plain.interval(PATH)
     low, high = outcome.intervals(asked.free[0])[0]
     assert np.log(high / found.value(PATH)) > 1.96 * 0.1
@@ -127,7 +129,7 @@ def test_models_are_compared(here, tmp_path):
     (tmp_path / "out").mkdir()
     write_outcome(outcome, tmp_path / "out")
     written = rows(tmp_path / "out" / "models.csv")
-    assert {row["model"]: row["possible [-]"] for row in written if row["curve"] == "curve3.csv"}["cone"] == "0"
+    assert {row["model"]: row["possible [-]"] for row in written if row["curve"] == "curve3.csv"}["cone"] == "0.0"
     assert "Model 'cone': told from all others in 0, possible in 0 of 2 curves." in list(further_sentences(outcome))
 
 

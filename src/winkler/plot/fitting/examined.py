@@ -125,7 +125,7 @@ def shared_sheet(joint: JointFit, index: int, names: tuple[str, ...], name: str,
             error_colour=style.MUTED,
         ),
     )
-    few = {"ticks": rows, "names": tuple(str(int(row)) for row in rows)} if len(names) <= 20 else {}
+    few: dict[str, Any] = {"ticks": rows, "names": tuple(str(int(row)) for row in rows)} if len(names) <= 20 else {}
     across = PanelAxis("number of the curve", low=float(ends[0]), high=float(ends[1]), **few)
     least = min(low, float((values - errors)[said].min(initial=low)))
     most = max(high, float((values + errors)[said].max(initial=high)))

@@ -49,8 +49,8 @@ def _of_one(outcome: FitOutcome, result: Fitted) -> Iterator[str]:
             number = abs(found.value(free.path)) or 1.0
             by_noise, by_calibration = found.error(free.path) / number, shares.error(free.path) / number
             yield (
-                f"Standard error of {free.label}: {by_noise:.2%} by noise, {by_calibration:.2%} by the calibration; the "
-                "interval holds both."
+                f"Standard error of {free.label}: {by_noise:.2%} by noise, {by_calibration:.2%} by the calibration; "
+                "the interval holds both."
             )
     for series in result.further.depths:
         yield f"{study.own_numbers[0].label} over depth: {series.verdict}."
@@ -80,9 +80,7 @@ def _of_many(outcome: FitOutcome, free: Free) -> Iterator[str]:
     unit = outcome.study.word(free.key).unit
     shown = functools.partial(with_unit, unit=unit, digits=4)
     low, high = made.interval()
-    between, within = (
-        (f"{part:.1%}" if made.logarithmic else shown(part)) for part in (made.between, made.within)
-    )
+    between, within = ((f"{part:.1%}" if made.logarithmic else shown(part)) for part in (made.between, made.within))
     calibrated = f", with {made.calibration:.1%} by the calibration that they share" if made.calibration else ""
     yield (
         f"Mean of {free.label} over {made.count} curves: {shown(made.mean)} (95 %: {shown(low)} to "
@@ -124,7 +122,8 @@ def _counts(outcome: FitOutcome) -> Iterator[str]:
     series = [one for result in outcome.fitted for one in result.further.depths]
     if series:
         constant = sum(one.constant for one in series)
-        yield f"{study.own_numbers[0].label} over depth is constant within its errors in {constant} of {len(series)} curves."
+        name = study.own_numbers[0].label
+        yield f"{name} over depth is constant within its errors in {constant} of {len(series)} curves."
     if not study.models:
         return
     verdicts = [verdict(study, result.fit, result.further) for result in outcome.fitted]

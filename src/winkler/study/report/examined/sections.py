@@ -24,8 +24,8 @@ from winkler.study.batch.fit_outcome import FitOutcome, Fitted
 from winkler.study.batch.outcome import ResultColumn
 from winkler.study.language.fit_study import FitStudy, Free, word_of
 from winkler.study.report.archive import write_table
+from winkler.study.report.examined.sentences import further_sentences
 from winkler.study.report.figure import ReportFigure, drawn
-from winkler.study.report.fit_sentences import further_sentences
 from winkler.study.report.markup import number, safe, section, table
 from winkler.vocabulary import Word
 
