@@ -9,6 +9,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -195,9 +196,10 @@ def _model_columns(outcome: FitOutcome) -> list[ResultColumn]:
     for name in ("possible", "aic", "bic", "chi_square_in_contact"):
         columns.append(ResultColumn(name, Word("", "", name), np.array([row[name] for row in rows])))
     for path, unit in paths.items():
+        key = "problem." + re.sub(r"\[(\d+)\]", r".\1", path)
         for end, part in (("", 0), ("_error", 1)):
             content = np.array([row["numbers"].get(path, (np.nan, np.nan))[part] for row in rows])
-            columns.append(ResultColumn(f"problem.{path}{end}", Word("", unit, ""), content))
+            columns.append(ResultColumn(f"{key}{end}", Word("", unit, ""), content))
     return columns
 
 
