@@ -1,9 +1,10 @@
-"""Make gel_bead.csv, sticky_bead.csv and the batch gel/: force curves with the scatter of a measurement.
+"""Make gel_bead.csv, sticky_bead.csv and the batches gel/ and one_gel/: force curves with scatter of a measurement.
 
 The curves are not real ones.  What they should give is known, so that what comes out of winkler can be checked: a
 bead of 5 micrometres curvature radius, rigid, on a spring of 0.05 N/m.  gel_bead.csv is pressed into an incompressible
 gel of E = 4 kPa; sticky_bead.csv into rubber of E = 40 kPa with a work of adhesion of 0.2 mJ/m^2, in and out; gel/
-holds twelve curves at twelve places of a gel whose modulus scatters about 4 kPa.  The force scatters by 20 pN (normally
+holds twelve curves at twelve places of a gel whose modulus scatters about 4 kPa, one_gel/ four curves of different
+depths and scatter on one gel of 4 kPa.  The force scatters by 20 pN (normally
 distributed, seeded, so that the files are the same every time).  The forces follow from the closed forms of Hertz and
 of Johnson, Kendall and Roberts, written out here, not from winkler.
 
@@ -76,4 +77,12 @@ if __name__ == "__main__":
         scatter = BASELINE + SCATTER * random.standard_normal(rise.size)
         where = Path("gel") / f"place{number + 1}.csv"
         write(where, f"Gel, E = {1e-3 * young:.3f} kPa, nu = 0.5.", rise + FIRST_TOUCH, hertz(rise, young) + scatter)
-    print("Written gel_bead.csv, sticky_bead.csv and gel/")
+    Path("one_gel").mkdir(exist_ok=True)
+    for number, (top, level) in enumerate(((0.3e-6, 1.0), (0.5e-6, 2.0), (0.8e-6, 1.0), (1.0e-6, 4.0))):
+        along = np.linspace(-0.6e-6, top, 150)
+        scatter = BASELINE + level * SCATTER * random.standard_normal(along.size)
+        place = along + FIRST_TOUCH + 0.1e-6 * number
+        write(
+            Path("one_gel") / f"depth{number + 1}.csv", "Gel, E = 4 kPa, nu = 0.5.", place, hertz(along, 4e3) + scatter
+        )
+    print("Written gel_bead.csv, sticky_bead.csv, gel/ and one_gel/")

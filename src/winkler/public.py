@@ -9,6 +9,9 @@ from winkler.fields import SubsurfaceFields, SurfaceFields, restore, restore_bod
 from winkler.fitting.compare import Comparison, compare
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.segments import Segment, SegmentKind
+from winkler.fitting.examined.calibrated import CalibrationShares, calibration_shares
+from winkler.fitting.examined.over_depth import DepthSeries, over_depth
+from winkler.fitting.examined.verdict import ModelVerdict, verdict_of
 from winkler.fitting.fit import Fit, fit, fit_steps
 from winkler.fitting.holds.depth_scaling import DepthScaling, depth_scaling
 from winkler.fitting.holds.held_force import HeldForce
@@ -16,6 +19,10 @@ from winkler.fitting.holds.poroelastic import PoroelasticFit, fit_poroelastic
 from winkler.fitting.outcome import CreepFit, ViscoelasticFit
 from winkler.fitting.relaxation_terms import compare_terms
 from winkler.fitting.search import FitState
+from winkler.fitting.several.groups import GroupRatio, ratio_of
+from winkler.fitting.several.joint import JointFit
+from winkler.fitting.several.population import Population, population
+from winkler.fitting.several.together import fit_together
 from winkler.fitting.unloading.contact_reading import (
     CalibratedArea,
     ContactReading,
@@ -145,22 +152,23 @@ from winkler.validity import Assumption, Note, Standing
 
 __all__ = [
     "Angle", "Archard", "AreaFunction", "Arrhenius", "Assumption", "AtTemperature", "BallInSocket", "Berkovich",
-    "BodyFields", "CalibratedArea", "CalibratedTip", "CappedCylinder", "CappedParaboloid", "Circle", "CoatedHalfSpace",
-    "Comparison", "Cone", "ContactEllipse", "ContactReading", "ContinuousStiffness", "Coulomb", "CreepData", "CreepFit",
-    "CrossProfile", "CrownedEnds", "CubeCorner", "Current", "CurvedBodies", "CurvedPair", "Cylinder", "CylinderRow",
-    "Depth", "DepthGradedHalfSpace", "DepthScaling", "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData",
-    "DynamicSweeps", "Elastic", "ElectricalConductor", "ElectricalConductors", "Ellipsoid", "EllipticFoundation",
-    "EqualMaximum", "EqualMean", "ExponentialGrading", "ExponentialSlipWeakening", "FallingFriction", "Fit", "FitState",
-    "FixedShare", "FlatPunch", "Follow", "Force", "ForceCurve", "Formula", "FormulaSection", "Foundation",
-    "FractionalZener", "GeneralisedKelvin", "GradedHalfSpace", "HalfSpace", "HalfWidth", "HeatConductors", "HeldForce",
-    "Hold", "Hyperboloid", "InvalidInput", "KelvinVoigt", "Layer", "LayeredLineFoundation", "LineForce",
-    "LineFoundation", "LineOfAction", "LineScan", "LineShearForce", "LinearSlipWeakening", "LogarithmicEnds", "Maxwell",
-    "MeanPressure", "Measured", "MeasuredBed", "MeasuredSection", "MirroredSection", "Moment", "NamedElastic",
+    "BodyFields", "CalibratedArea", "CalibratedTip", "CalibrationShares", "CappedCylinder", "CappedParaboloid",
+    "Circle", "CoatedHalfSpace", "Comparison", "Cone", "ContactEllipse", "ContactReading", "ContinuousStiffness",
+    "Coulomb", "CreepData", "CreepFit", "CrossProfile", "CrownedEnds", "CubeCorner", "Current", "CurvedBodies",
+    "CurvedPair", "Cylinder", "CylinderRow", "Depth", "DepthGradedHalfSpace", "DepthScaling", "DepthSeries",
+    "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData", "DynamicSweeps", "Elastic", "ElectricalConductor",
+    "ElectricalConductors", "Ellipsoid", "EllipticFoundation", "EqualMaximum", "EqualMean", "ExponentialGrading",
+    "ExponentialSlipWeakening", "FallingFriction", "Fit", "FitState", "FixedShare", "FlatPunch", "Follow", "Force",
+    "ForceCurve", "Formula", "FormulaSection", "Foundation", "FractionalZener", "GeneralisedKelvin", "GradedHalfSpace",
+    "GroupRatio", "HalfSpace", "HalfWidth", "HeatConductors", "HeldForce", "Hold", "Hyperboloid", "InvalidInput",
+    "JointFit", "KelvinVoigt", "Layer", "LayeredLineFoundation", "LineForce", "LineFoundation", "LineOfAction",
+    "LineScan", "LineShearForce", "LinearSlipWeakening", "LogarithmicEnds", "Maxwell", "MeanPressure", "Measured",
+    "MeasuredBed", "MeasuredSection", "MirroredSection", "ModelVerdict", "Moment", "NamedElastic",
     "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor", "NominalPressure", "NotConverged", "Note",
     "OliverPharr", "OliverPharrSolution", "Oscillate", "OutsideValidity", "PairWear", "Paraboloid", "Path",
-    "PeakStress", "PlacedCurve", "PlacedStress", "PlaneFoundation", "Plated", "PoroelasticFit", "PowerLaw",
-    "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "Program", "Prony", "PunchRow", "Pyramid", "PyramidByEdges",
-    "Radius", "Ramp", "RandomTopography", "RateDependentWork", "RelaxationData", "RelaxationSweeps",
+    "PeakStress", "PlacedCurve", "PlacedStress", "PlaneFoundation", "Plated", "Population", "PoroelasticFit",
+    "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "Program", "Prony", "PunchRow", "Pyramid",
+    "PyramidByEdges", "Radius", "Ramp", "RandomTopography", "RateDependentWork", "RelaxationData", "RelaxationSweeps",
     "RelaxingInProportion", "Rigid", "Rod", "RoundedCone", "RoundedEnds", "RoundedPunch", "RoundedPyramid",
     "SampledProfile", "SaturatingWork", "Segment", "SegmentKind", "SelfAffine", "Shape", "SharpEnds", "ShearForce",
     "ShearedFields", "Shift", "ShortRange", "SigmoidalGrading", "Sphere", "SpheroConical", "Spikes", "Springs",
@@ -168,11 +176,12 @@ __all__ = [
     "SurfaceFilm", "TabulatedGrading", "TabulatedTip", "ThermalConductor", "ThermalInterface", "Tilt", "Topography",
     "Torque", "TransverselyIsotropic", "TransverselyIsotropicHalfSpace", "TruncatedCone", "TruncatedParaboloid",
     "Vickers", "ViscoelasticFit", "ViscoelasticHalfSpace", "Voltage", "Wavy", "WiedemannFranz", "WilliamsLandelFerry",
-    "WinklerError", "compare", "compare_terms", "contact_reading", "depth_scaling", "fit", "fit_poroelastic",
-    "fit_steps", "intercept_factor", "material", "material_names", "peak_stress", "random_topography", "read_bed",
-    "read_contacts", "read_creep", "read_cross_profile", "read_curve", "read_curves", "read_dynamic",
-    "read_dynamic_sweeps", "read_grading", "read_path", "read_profile", "read_profile_pair", "read_relaxation",
-    "read_relaxation_sweeps", "read_scan", "read_section", "read_spectrum", "read_surface_load", "read_topography",
-    "relaxation_band", "restore", "restore_body", "restore_shift", "sample_young", "spectrum_of", "staircase",
-    "to_pandas", "to_xarray", "write_contacts", "write_law", "write_trace", "write_vtk",
+    "WinklerError", "calibration_shares", "compare", "compare_terms", "contact_reading", "depth_scaling", "fit",
+    "fit_poroelastic", "fit_steps", "fit_together", "intercept_factor", "material", "material_names", "over_depth",
+    "peak_stress", "population", "random_topography", "ratio_of", "read_bed", "read_contacts", "read_creep",
+    "read_cross_profile", "read_curve", "read_curves", "read_dynamic", "read_dynamic_sweeps", "read_grading",
+    "read_path", "read_profile", "read_profile_pair", "read_relaxation", "read_relaxation_sweeps", "read_scan",
+    "read_section", "read_spectrum", "read_surface_load", "read_topography", "relaxation_band", "restore",
+    "restore_body", "restore_shift", "sample_young", "spectrum_of", "staircase", "to_pandas", "to_xarray", "verdict_of",
+    "write_contacts", "write_law", "write_trace", "write_vtk",
 ]  # fmt: skip

@@ -159,7 +159,7 @@ def _progress_text(state: FitState, study: FitStudy) -> str:
 @until_closed()
 def _print(outcome: FitOutcome, folder: Path) -> None:
     from winkler.cli import terminal
-    from winkler.study.report.fit_sentences import further_sentences
+    from winkler.study.report.examined.sentences import further_sentences
 
     out = terminal.console()
     out.print(outcome.study.title)

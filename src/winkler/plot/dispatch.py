@@ -14,8 +14,8 @@ __all__ = ["sheet_of", "without_extent"]
 
 DRAWABLE = (
     "a profile, a Foundation, PlaneFoundation or MeasuredBed, a coated, graded or viscoelastic half-space, a solid "
-    "that relaxes, a height map or a spectrum, a solution of a problem, restored fields, a Staircase, a ForceCurve, or "
-    "a Fit"
+    "that relaxes, a height map or a spectrum, a solution of a problem, restored fields, a Staircase, a ForceCurve, "
+    "a Fit, or a Comparison"
 )
 SHAPE_ATTRIBUTES = ("height", "gap", "reach", "rim", "size", "kinks")
 

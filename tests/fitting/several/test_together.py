@@ -3,20 +3,25 @@
 import numpy as np
 import pytest
 from noisy_worlds import coloured
+from relaxing_curves import FIRST, power_law_force
+from relaxing_curves import model as relaxing
 from scipy.optimize import least_squares
 from synthetic import hertz
 
 import winkler as wk
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.fitting.several.arrowhead import Block, solved_blocks
+from winkler.fitting.several.arrowhead import CurveBlock, solved_blocks
 from winkler.fitting.several.together import fit_together, joint_of
+from winkler.materials.fractional import PowerLawSolid
 
 E = "bed.medium.first.young"
 FREE = [E, "contact_point", "baseline"]
 
 
 def model(radius=5e-6):
-    return wk.Indentation(wk.Foundation(wk.Paraboloid(radius), wk.HalfSpace.between(wk.Elastic(3e4, 0.5))), wk.Depth(0.0))
+    return wk.Indentation(
+        wk.Foundation(wk.Paraboloid(radius), wk.HalfSpace.between(wk.Elastic(3e4, 0.5))), wk.Depth(0.0)
+    )
 
 
 def measured(random, *, young=1e4, radius=5e-6, deepest=1e-6, level=3e-11, flicker=0.0, origin=2e-6, count=250):
@@ -38,7 +43,7 @@ def test_arrowhead_is_the_dense_inverse():
         where[place[:2]], where[np.sort(place[2:])] = [0, 1], np.arange(first, first + count)
         whole[np.ix_(where, where)] += information
         right[where] += gradient
-        blocks.append((Block(information, gradient, place[:2]), where))
+        blocks.append((CurveBlock(information, gradient, place[:2]), where))
         first += count
     shared, steps, covariances = solved_blocks([block for block, _ in blocks])
     dense = np.linalg.inv(whole)
@@ -122,6 +127,26 @@ def test_shared_modulus_holds_in_many_worlds():
         low, high = fit_together(curves, model(), free=FREE, shared=[E]).interval(E)
         held += low < 1e4 < high
     assert held / worlds >= 0.92
+
+
+@pytest.mark.slow
+def test_speeds_share_one_power_law():
+    """Two speeds on one body that relaxes: the shared numbers are the true ones, with less error than those of one."""
+    fits, solid = [], PowerLawSolid(2e3, 1.0, 0.45, shortest=1e-3, longest=20.0)
+    time, names = np.linspace(-0.5, 2.5, 250), [f"{FIRST}shear", f"{FIRST}exponent"]
+    for seed, speed in enumerate((1e-6, 2e-6)):
+        turn, random = 1e-6 / speed, np.random.default_rng(seed)
+        force = power_law_force(time, turn, speed, 500.0, 0.2, held=True) + 1e-11 * random.standard_normal(250)
+        curve = wk.ForceCurve(
+            speed * np.minimum(time, turn) + 2e-6, force, time=time + 0.5, direction=np.where(time < turn, 1.0, 0.0)
+        )
+        fits.append(wk.fit(curve, relaxing(solid), free=[*names, "contact_point", "baseline"]))
+    found = joint_of(fits, names)
+    for name, true in zip(names, (500.0, 0.2), strict=True):
+        low, high = found.interval(name, 0.999)
+        assert low < true < high
+        assert found.error(name) < min(one.error(name) for one in fits)
+    assert found.flags == ()
 
 
 def test_refused():

@@ -4,9 +4,9 @@ A deflection :math:`\delta = sV` gives the force and the travel of the tip,
 
 .. math:: F = k\,s\,V, \qquad d = D - D_0 - s\,V = D - D_0 - \frac Fk .
 
-A relative error of k changes all forces and leaves the depths; one of s changes both.  If k was found from thermal noise
-with the same sensitivity, :math:`k \propto s^{-2}`, and the force changes by the opposite of the error of s.  The change
-of the numbers follows from one step of generalised least squares under a small change of the calibration.
+A relative error of k changes all forces and leaves the depths; one of s changes both.  If k was found from thermal
+noise with the same sensitivity, :math:`k \propto s^{-2}`, and the force changes by the opposite of the error of s.  The
+change of the numbers follows from one step of generalised least squares under a small change of the calibration.
 
 All curves of one cantilever share these errors: a mean over curves does not reduce them.
 """
@@ -22,11 +22,11 @@ from winkler.checks.number_checks import NON_NEGATIVE, checked
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.estimate import FitEstimate
-from winkler.fitting.several.same_task import same_task
 from winkler.fitting.noise.estimate import noise_of
 from winkler.fitting.noise.whitening import whitening_of
 from winkler.fitting.outcome import AnyFit
 from winkler.fitting.several.population import quantile
+from winkler.fitting.several.same_task import same_task
 from winkler.numerics.types import Array
 from winkler.values import value, words
 

@@ -17,10 +17,10 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["Block", "Reduced", "reduced", "solved_blocks"]
+__all__ = ["CurveBlock", "Reduced", "reduced", "solved_blocks"]
 
 
-class Block(NamedTuple):
+class CurveBlock(NamedTuple):
     """Information and gradient of one curve.
 
     Parameters
@@ -65,19 +65,17 @@ class Reduced(NamedTuple):
     own_covariance: Array
 
 
-def reduced(block: Block) -> Reduced:
+def reduced(block: CurveBlock) -> Reduced:
     """Return a block without its own numbers."""
     s, o = block.shared, block.own
     cross = block.information[np.ix_(s, o)]
     covariance = np.linalg.inv(block.information[np.ix_(o, o)]) if o.size else np.zeros((0, 0))
     follow, rest = covariance @ cross.T, covariance @ block.gradient[o]
     information = block.information[np.ix_(s, s)] - cross @ follow
-    return Reduced(
-        0.5 * (information + information.T), block.gradient[s] - cross @ rest, follow, rest, covariance
-    )
+    return Reduced(0.5 * (information + information.T), block.gradient[s] - cross @ rest, follow, rest, covariance)
 
 
-def solved_blocks(blocks: Sequence[Block]) -> tuple[Array, list[Array], list[Array]]:
+def solved_blocks(blocks: Sequence[CurveBlock]) -> tuple[Array, list[Array], list[Array]]:
     """Return the covariance of the shared numbers, and of each curve its step ``(p,)`` and covariance ``(p, p)``."""
     parts = [reduced(block) for block in blocks]
     shared = np.linalg.inv(sum(part.information for part in parts))

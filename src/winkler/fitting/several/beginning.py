@@ -12,7 +12,7 @@ from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.elastic.task import elastic_task
 from winkler.fitting.fit import fit
-from winkler.fitting.outcome import AnyFit, CreepFit, Fit
+from winkler.fitting.outcome import AnyFit, CreepFit
 from winkler.fitting.several.same_task import SameTask, same_task
 from winkler.fitting.task import FitTask
 from winkler.fitting.validity import Model
@@ -53,10 +53,10 @@ def begun_alone(
             raise InvalidInput("fit_together: positions would be fitted; curves are fitted together by their forces.")
         return same_task(found), errors_of(found, names)
     task: FitTask
-    if isinstance(found, Fit):
-        task = elastic_task(found.curve, model, stated, np.zeros(()))
-    else:
+    if isinstance(model, ViscoelasticIndentation):
         task = driven_task(found.curve, model, stated, np.zeros(()), examined_stroke(found.curve)[0])
+    else:
+        task = elastic_task(found.curve, model, stated, np.zeros(()))
     task = task._replace(weights=found.weights)
     numbers = dict(zip(found.names, found.values.tolist(), strict=True))
     start = np.array([p.inward(numbers.get(p.name, p.start)) for p in task.parameters])

@@ -17,8 +17,9 @@ from winkler.fitting.generalised import Generalised
 from winkler.fitting.least_squares import bounds
 from winkler.fitting.noise.estimate import noise_of
 from winkler.fitting.search import Search
-from winkler.fitting.several.arrowhead import Block, reduced, solved_blocks
+from winkler.fitting.several.arrowhead import CurveBlock, reduced, solved_blocks
 from winkler.fitting.several.same_task import SameTask
+from winkler.fitting.task import FitTask
 from winkler.numerics.types import Array
 
 __all__ = ["Joined", "joined"]
@@ -37,7 +38,7 @@ class Joined(NamedTuple):
     """Curves at their joint numbers: fits, blocks, covariance of the shared numbers and of each curve."""
 
     states: list[Generalised]
-    blocks: list[Block]
+    blocks: list[CurveBlock]
     shared: Array
     covariances: list[Array]
 
@@ -88,7 +89,7 @@ def joined(begun: Sequence[SameTask], names: Sequence[str], search: Search) -> J
     return Joined(states, blocks, shared, covariances)
 
 
-def _plain(tasks: list, places: list[Array], coordinates: list[Array], search: Search) -> list[Array]:
+def _plain(tasks: list[FitTask], places: list[Array], coordinates: list[Array], search: Search) -> list[Array]:
     """Return coordinates of plain least squares, each curve weighed by its scatter."""
     limits = [bounds(task.parameters, start) for task, start in zip(tasks, coordinates, strict=True)]
     margins = [1e-9 * (1.0 + np.abs(start)) for start in coordinates]
@@ -105,7 +106,7 @@ def _plain(tasks: list, places: list[Array], coordinates: list[Array], search: S
             jacobian = task.jacobian(at, prediction)
             residuals = (task.measured - prediction.fitted) * task.weights
             variance = max(total / count, np.finfo(float).tiny)
-            blocks.append(Block(jacobian.T @ jacobian / variance, jacobian.T @ residuals / variance, place))
+            blocks.append(CurveBlock(jacobian.T @ jacobian / variance, jacobian.T @ residuals / variance, place))
         while damping < GREATEST_DAMPING:
             search.check()
             steps = solved_blocks([_damped(block, damping) for block in blocks])[1]
@@ -130,14 +131,14 @@ def _plain(tasks: list, places: list[Array], coordinates: list[Array], search: S
     )
 
 
-def _damped(block: Block, damping: float) -> Block:
+def _damped(block: CurveBlock, damping: float) -> CurveBlock:
     """Return a block with its diagonal enlarged, also where the curve does not determine a number."""
     diagonal = np.diag(block.information)
     size = np.maximum(diagonal, 1e-12 * diagonal.max())
     return block._replace(information=block.information + damping * np.diag(size))
 
 
-def _block(task, coordinates: Array, place: Array) -> tuple[Generalised, Block]:
+def _block(task: FitTask, coordinates: Array, place: Array) -> tuple[Generalised, CurveBlock]:
     """Return a curve at its coordinates, and its information under its own noise."""
     prediction = task.prediction(coordinates)
     jacobian = task.instrument(coordinates, prediction)
@@ -148,18 +149,18 @@ def _block(task, coordinates: Array, place: Array) -> tuple[Generalised, Block]:
     noise = noise_of(residuals, left[:, kept], task.disturbances)
     outward = (lengths[:, None] * rows)[kept] * size
     inverse = np.linalg.inv(noise.covariance)
-    block = Block(outward.T @ inverse @ outward, outward.T @ (inverse @ noise.step), place)
+    block = CurveBlock(outward.T @ inverse @ outward, outward.T @ (inverse @ noise.step), place)
     return Generalised(coordinates, prediction, residuals, noise), block
 
 
-def _refuse_singular(blocks: list[Block], names: Sequence[str]) -> None:
+def _refuse_singular(blocks: list[CurveBlock], names: Sequence[str]) -> None:
     """Raise OutsideValidity if the curves together do not determine the shared numbers, or one its own."""
     sentence = "fit: the curves together do not determine {}; fix all but one of them."
     for block in blocks:
         own = block.information[np.ix_(block.own, block.own)]
         if own.size and _is_singular(own):
             raise OutsideValidity("fit: a curve does not determine its own numbers; share or fix more of them.")
-    whole = sum(reduced(block).information for block in blocks)
+    whole = np.sum([reduced(block).information for block in blocks], axis=0)
     if _is_singular(whole):
         raise OutsideValidity(sentence.format(" and ".join(names)))
 

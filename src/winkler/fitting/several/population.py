@@ -29,7 +29,7 @@ from winkler.errors import InvalidInput
 from winkler.numerics.types import Array, ArrayLike
 from winkler.values import value, words
 
-__all__ = ["Population", "population"]
+__all__ = ["Population", "population", "quantile"]
 
 FEWEST = 2
 FEWEST_FOR_OUTLIERS = 5

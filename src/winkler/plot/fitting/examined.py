@@ -15,7 +15,7 @@ from winkler.plot.dispatch import without_extent
 from winkler.plot.fitting.fits import measured_dots
 from winkler.plot.marks import Area, Line, Rule
 from winkler.plot.panel import Panel, PanelAxis, Sheet
-from winkler.plot.series import Series, common_scale, middle_scale
+from winkler.plot.series import Scale, Series, common_scale, middle_scale
 from winkler.vocabulary import Word
 
 __all__ = ["comparison_sheet", "depth_sheet", "shared_sheet"]
@@ -67,7 +67,7 @@ def comparison_sheet(comparison: Comparison) -> Sheet:
     panels = []
     height = max(float(np.quantile(np.abs(one), 0.999)) for one in residuals)
     below = Series("residual", Word("", measured.word.unit, "measured less fitted"), np.array([-height, height]))
-    scale = common_scale(below)
+    scale, unnamed = common_scale(below), PanelAxis(scale=Scale(along.scale.factor, ""), margin=0.02)
     for index, (name, one) in enumerate(zip(comparison.models, comparison.fits, strict=True)):
         colour = style.CYCLE[(index + 1) % len(style.CYCLE)]
         order = np.argsort(_along(one).content, kind="stable")
@@ -76,12 +76,12 @@ def comparison_sheet(comparison: Comparison) -> Sheet:
         upper.append(Line(own + shift, np.asarray(one.predicted)[order], colour, 1.4, dash, name=name))
         dots = Line(own + shift, residuals[index][order], colour, 0.0, marker="o", size=1.6)
         last = index == len(comparison.fits) - 1
-        across = PanelAxis.of(along, margin=0.02) if last else PanelAxis(scale=PanelAxis.of(along).scale, margin=0.02)
+        across = PanelAxis.of(along, margin=0.02) if last else unnamed
         upright = PanelAxis("residual", scale, low=-1.15 * height, high=1.15 * height, parts=3)
         panels.append(Panel((dots, Rule(0.0, colour=style.INK)), across, upright, title=name))
     top = Panel(
         tuple(upper),
-        PanelAxis(scale=PanelAxis.of(along).scale, margin=0.02),
+        unnamed,
         PanelAxis.of(measured, margin=0.05),
         legend="upper left",
         marker_scale=2.0,
@@ -117,7 +117,7 @@ def shared_sheet(joint: JointFit, index: int, names: tuple[str, ...], name: str,
             rows[said],
             values[said],
             style.BLUE,
-            0.0,
+            1.2,
             marker="o",
             size=4.0,
             name="one curve, standard error",
@@ -125,9 +125,13 @@ def shared_sheet(joint: JointFit, index: int, names: tuple[str, ...], name: str,
             error_colour=style.MUTED,
         ),
     )
-    few = {"ticks": rows, "names": tuple(str(int(row)) for row in rows)} if len(names) <= 20 else {}
+    few: dict[str, Any] = {"ticks": rows, "names": tuple(str(int(row)) for row in rows)} if len(names) <= 20 else {}
     across = PanelAxis("number of the curve", low=float(ends[0]), high=float(ends[1]), **few)
-    upright = PanelAxis.of(number, middle_scale(word.unit, values[said]), margin=0.08)
+    least = min(low, float((values - errors)[said].min(initial=low)))
+    most = max(high, float((values + errors)[said].max(initial=high)))
+    span = most - least
+    scale = middle_scale(word.unit, values[said])
+    upright = PanelAxis.of(number, scale, low=least - 0.08 * span, high=most + 0.4 * span)  # room for the legend
     return Sheet((Panel(marks, across, upright, legend="best"),), width=5.4, height=3.0)
 
 

@@ -207,4 +207,3 @@ def common_calibration(found: Sequence[AnyFit], furthers: Sequence[Further], nam
         if further.shares
     ]
     return float(np.median(errors)) if errors else 0.0
-

@@ -21,7 +21,7 @@ from winkler.path import Path as MotionPath
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.study.language import keys
 from winkler.study.language.build import MOST_NEIGHBOURS
-from winkler.study.language.fit_models import alternatives
+from winkler.study.language.compared.alternatives import alternatives
 from winkler.study.language.fit_study import OF_A_CURVE, OF_A_TIMED_CURVE, FitStudy, Free, word_of
 from winkler.study.language.reading import checked, parsed, read_text, stated
 from winkler.study.language.segmenting import FOUND

@@ -54,6 +54,13 @@ SECTIONS: dict[str, dict[str, str]] = {
         "correct": "corrections in their order: a list of baseline, drift, drag, saturation, interference, clock",
         "noise": "standard deviation of what is fitted; read from the points out of contact if left out",
         "time_limit": "the longest that the fit of one curve may take; without end if left out",
+        "spring_constant_error": 'standard error of the spring constant as a part, 0.1 or "10 %"',
+        "sensitivity_error": "standard error of the sensitivity, as a part",
+        "spring_constant_by": "thermal, if the spring constant was found from thermal noise with this sensitivity",
+        "over_depth": "a number of greatest depths, from 2 to 100; the fit is repeated up to each",
+        "shared": "free numbers that are the same for all curves: a list of their keys",
+        "model": "the name of the problem among the models",
+        "models": "other models: a table by name, each with the keys of the problem that differ, and free",
     },
     "fit.free": {
         '"problem.bed.medium.first.young"': "a number of the problem: bounds as a list of two, a start, or true",

@@ -22,8 +22,8 @@ from winkler.study.language.fit_study import FitStudy, Free
 from winkler.study.language.study import Study
 from winkler.study.report import page_parts as parts
 from winkler.study.report.describe import inputs
+from winkler.study.report.examined.sections import further_figures, further_section
 from winkler.study.report.figure import ReportFigure, drawn
-from winkler.study.report.fit_further import further_figures, further_section
 from winkler.study.report.fit_pages import curve_facts, noise_figures
 from winkler.study.report.fit_tables import MOST_ROWS, answers, counts, doubts, failures
 from winkler.study.report.fit_writing import CSV, MAPS, MOST_CURVES_AS_TEXT, NETCDF, map_grid

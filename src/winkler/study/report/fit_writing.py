@@ -23,7 +23,7 @@ from winkler.plot.fitting.fits import Grid, grid_of
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted
 from winkler.study.batch.outcome import ResultColumn
 from winkler.study.report.archive import write_table
-from winkler.study.report.fit_further import write_further
+from winkler.study.report.examined.sections import write_further
 from winkler.study.report.netcdf import Variables, netcdf_attributes, write_variables
 from winkler.vocabulary import Word
 

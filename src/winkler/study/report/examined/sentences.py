@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import functools
+import math
 from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.fitting.several.groups import ratio_of
-from winkler.fitting.several.population import Population, population
+from winkler.fitting.several.joint import JointFit
+from winkler.fitting.several.population import Population, population, quantile
 from winkler.readable import with_unit
 from winkler.study.batch.fit_further import common_calibration, contact_correlation, verdict
-from winkler.study.batch.fit_outcome import FitOutcome, Fitted
+from winkler.study.batch.fit_outcome import CONFIDENCE, FitOutcome, Fitted
 from winkler.study.language.fit_study import Free
 
 __all__ = ["further_sentences", "groups_of", "population_of"]
@@ -47,8 +49,8 @@ def _of_one(outcome: FitOutcome, result: Fitted) -> Iterator[str]:
             number = abs(found.value(free.path)) or 1.0
             by_noise, by_calibration = found.error(free.path) / number, shares.error(free.path) / number
             yield (
-                f"Standard error of {free.label}: {by_noise:.2g} by noise and {by_calibration:.2g} by the calibration, "
-                "in parts of it; the interval holds both."
+                f"Standard error of {free.label}: {by_noise:.2%} by noise, {by_calibration:.2%} by the calibration; "
+                "the interval holds both."
             )
     for series in result.further.depths:
         yield f"{study.own_numbers[0].label} over depth: {series.verdict}."
@@ -78,9 +80,7 @@ def _of_many(outcome: FitOutcome, free: Free) -> Iterator[str]:
     unit = outcome.study.word(free.key).unit
     shown = functools.partial(with_unit, unit=unit, digits=4)
     low, high = made.interval()
-    between, within = (
-        (f"{part:.1%}" if made.logarithmic else shown(part)) for part in (made.between, made.within)
-    )
+    between, within = ((f"{part:.1%}" if made.logarithmic else shown(part)) for part in (made.between, made.within))
     calibrated = f", with {made.calibration:.1%} by the calibration that they share" if made.calibration else ""
     yield (
         f"Mean of {free.label} over {made.count} curves: {shown(made.mean)} (95 %: {shown(low)} to "
@@ -122,7 +122,8 @@ def _counts(outcome: FitOutcome) -> Iterator[str]:
     series = [one for result in outcome.fitted for one in result.further.depths]
     if series:
         constant = sum(one.constant for one in series)
-        yield f"{study.own_numbers[0].label} over depth is constant within its errors in {constant} of {len(series)} curves."
+        name = study.own_numbers[0].label
+        yield f"{name} over depth is constant within its errors in {constant} of {len(series)} curves."
     if not study.models:
         return
     verdicts = [verdict(study, result.fit, result.further) for result in outcome.fitted]
@@ -137,11 +138,24 @@ def _shared(outcome: FitOutcome) -> Iterator[str]:
     for joint in outcome.joint:
         for name in joint.names:
             unit = outcome.study.word(keys[name].key).unit
-            low, high = (with_unit(end, unit, 5) for end in joint.interval(name))
+            fits, furthers = joint.fits, [result.further for result in outcome.fitted]
+            calibration = common_calibration(fits, furthers, name)
+            low, high = (with_unit(end, unit, 5) for end in _with_calibration(joint, name, calibration))
+            calibrated = f", with {calibration:.1%} by the calibration that they share" if calibration else ""
             yield (
-                f"Shared by {len(joint.fits)} curves: {keys[name].label} is {with_unit(joint.value(name), unit, 5)} "
-                f"(95 % by noise: {low} to {high})."
+                f"Shared by {len(fits)} curves: {keys[name].label} is {with_unit(joint.value(name), unit, 5)} "
+                f"(95 %: {low} to {high}{calibrated})."
             )
         yield from (str(flag) for flag in joint.flags)
     if outcome.joint_failure:
         yield f"Not done: the curves were not fitted together: {outcome.joint_failure}"
+
+
+def _with_calibration(joint: JointFit, name: str, calibration: float) -> tuple[float, float]:
+    """Return the interval of a shared number with the relative error of the calibration."""
+    number, ends = joint.value(name), joint.interval(name)
+    if not (calibration and joint.logarithmic[joint.index(name)]):
+        return ends
+    by_calibration = quantile(math.inf, CONFIDENCE) * calibration
+    below, above = (math.hypot(math.log(end / number), by_calibration) for end in ends)
+    return number * math.exp(-below), number * math.exp(above)

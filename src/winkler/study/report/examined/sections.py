@@ -9,6 +9,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -24,8 +25,8 @@ from winkler.study.batch.fit_outcome import FitOutcome, Fitted
 from winkler.study.batch.outcome import ResultColumn
 from winkler.study.language.fit_study import FitStudy, Free, word_of
 from winkler.study.report.archive import write_table
+from winkler.study.report.examined.sentences import further_sentences
 from winkler.study.report.figure import ReportFigure, drawn
-from winkler.study.report.fit_sentences import further_sentences
 from winkler.study.report.markup import number, safe, section, table
 from winkler.vocabulary import Word
 
@@ -195,9 +196,10 @@ def _model_columns(outcome: FitOutcome) -> list[ResultColumn]:
     for name in ("possible", "aic", "bic", "chi_square_in_contact"):
         columns.append(ResultColumn(name, Word("", "", name), np.array([row[name] for row in rows])))
     for path, unit in paths.items():
+        key = "problem." + re.sub(r"\[(\d+)\]", r".\1", path)
         for end, part in (("", 0), ("_error", 1)):
             content = np.array([row["numbers"].get(path, (np.nan, np.nan))[part] for row in rows])
-            columns.append(ResultColumn(f"problem.{path}{end}", Word("", unit, ""), content))
+            columns.append(ResultColumn(f"{key}{end}", Word("", unit, ""), content))
     return columns
 
 

@@ -1,0 +1,1 @@
+"""Other models of the curves of a study."""

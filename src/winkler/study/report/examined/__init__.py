@@ -1,0 +1,1 @@
+"""What fits say beyond their numbers: sentences, sections, figures and files."""
