@@ -45,8 +45,8 @@ from winkler.io.tables.profile_table import read_profile, read_section
 from winkler.io.tables.relaxation_table import read_creep, read_dynamic, read_relaxation
 from winkler.io.tables.scan_table import read_scan
 from winkler.io.tables.spectrum_table import read_spectrum
-from winkler.io.tables.sweeps_table import read_dynamic_sweeps, read_relaxation_sweeps
 from winkler.io.tables.surface_load_table import read_surface_load
+from winkler.io.tables.sweeps_table import read_dynamic_sweeps, read_relaxation_sweeps
 from winkler.io.topography_file import read_topography
 from winkler.io.traces import write_trace
 from winkler.io.vtk import write_vtk
@@ -158,7 +158,8 @@ __all__ = [
     "PairWear", "Paraboloid", "Path", "PeakStress", "PlacedCurve", "PlacedStress", "PlaneFoundation", "Plated",
     "PoroelasticFit",
     "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "Program", "Prony", "PunchRow", "Radius", "Ramp",
-    "RandomTopography", "RateDependentWork", "RelaxationData", "RelaxationSweeps", "RelaxingInProportion", "Rigid", "Rod",
+    "RandomTopography", "RateDependentWork", "RelaxationData", "RelaxationSweeps", "RelaxingInProportion", "Rigid",
+    "Rod",
     "RoundedCone",
     "RoundedEnds", "RoundedPunch", "SampledProfile", "SaturatingWork", "Segment", "SegmentKind", "SelfAffine", "Shape",
     "SharpEnds", "ShearForce", "ShearedFields", "Shift", "ShortRange", "SigmoidalGrading", "Sphere", "SpheroConical",
@@ -166,11 +167,13 @@ __all__ = [
     "SurfaceFields", "SurfaceFilm", "TabulatedGrading", "ThermalConductor", "ThermalInterface", "Tilt", "Topography",
     "Torque", "TransverselyIsotropic", "TransverselyIsotropicHalfSpace", "TruncatedCone", "TruncatedParaboloid",
     "Vickers", "ViscoelasticFit", "ViscoelasticHalfSpace", "Voltage", "Wavy", "WiedemannFranz", "WilliamsLandelFerry",
-    "WinklerError", "compare", "compare_terms", "contact_reading", "depth_scaling", "fit", "fit_poroelastic", "fit_steps",
+    "WinklerError", "compare", "compare_terms", "contact_reading", "depth_scaling", "fit", "fit_poroelastic",
+    "fit_steps",
     "intercept_factor",
     "material",
     "material_names", "peak_stress", "random_topography", "read_bed", "read_contacts", "read_creep",
-    "read_cross_profile", "read_curve", "read_curves", "read_dynamic", "read_dynamic_sweeps", "read_grading", "read_path",
+    "read_cross_profile", "read_curve", "read_curves", "read_dynamic", "read_dynamic_sweeps", "read_grading",
+    "read_path",
     "read_profile",
     "read_profile_pair", "read_relaxation", "read_relaxation_sweeps", "read_scan", "read_section", "read_spectrum",
     "read_surface_load",

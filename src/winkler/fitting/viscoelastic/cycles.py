@@ -1,7 +1,7 @@
 """Fit of the forces of a relaxing contact that is loaded and unloaded again and again, by rows of springs.
 
-Ting's rule in closed form serves one loading and its unloading; during a second loading the contact remembers every turn
-before.  Springs that detach, recover and are touched again carry that memory by themselves.
+Ting's rule in closed form serves one loading and its unloading; during a second loading the contact remembers every
+turn before.  Springs that detach, recover and are touched again carry that memory by themselves.
 """
 
 from __future__ import annotations

@@ -135,7 +135,8 @@ def driven_task(
         bent = curve.compliance * strength
         if bent > SOFT_SHARE * span:
             raise InvalidInput(
-                f"fit: curve '{curve.name}' goes in again, and the machine bends by {bent:.3g} m of {span:.3g} m; cycles "
+                f"fit: curve '{curve.name}' goes in again, and the machine bends by {bent:.3g} m of {span:.3g} "
+                f"m; cycles "
                 "are fitted along the measured depth of a stiff machine only: fit one approach and its retraction."
             )
         return UnderCycles(curve, model, parameters, weights, velocity, zeros)

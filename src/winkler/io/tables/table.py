@@ -146,7 +146,10 @@ def read_table(path: str | os.PathLike[str], columns: Sequence[Column]) -> Table
         raise InvalidInput(f"{file}: there are no numbers below the header in line {header.line}.")
     zeros = [_zero_of(unit, column.unit) for column, unit in zip(columns, header.units, strict=True)]
     factors = np.array(
-        [1.0 if zero else scale(column.unit, unit) for column, unit, zero in zip(columns, header.units, zeros, strict=True)]
+        [
+            1.0 if zero else scale(column.unit, unit)
+            for column, unit, zero in zip(columns, header.units, zeros, strict=True)
+        ]
     )
     with np.errstate(over="ignore"):
         values = np.array(numbers).reshape(-1, len(columns)) / factors + np.array(zeros)

@@ -10,7 +10,8 @@ import numpy as np
 from winkler.checks.number_checks import POSITIVE, Numbers, checked
 from winkler.materials.viscoelastic import Prony
 from winkler.numerics.types import Array, ArrayLike
-from winkler.problems.viscoelastic.temperature_groups import longest_run
+from winkler.problems.master_curves.temperature_groups import longest_run
+from winkler.values import words
 
 __all__ = ["ModulusBand", "SpectrumSolid"]
 
@@ -32,6 +33,13 @@ class ModulusBand(NamedTuple):
 class SpectrumSolid:
     """What follows from a spectrum; its fields are those of the solutions."""
 
+    __words__ = words(
+        determined=("", "s", "shortest and longest relaxation time between which the spectrum is determined"),
+        solid=("", None, "the solid with this spectrum"),
+        shears_error=("", "", "standard error of the natural logarithm of each modulus"),
+        relaxed_shear_error=("", "", "standard error of the natural logarithm of the relaxed modulus"),
+    )
+
     problem: Any
     relaxation_times: Array
     shears: Array
@@ -42,7 +50,7 @@ class SpectrumSolid:
     @property
     def shears_error(self) -> Array:
         """Standard errors of the logarithms of the moduli [-] ``(k,)``."""
-        return np.sqrt(np.maximum(np.diag(self.spectrum_covariance)[:-1], 0.0))
+        return np.asarray(np.sqrt(np.maximum(np.diag(self.spectrum_covariance)[:-1], 0.0)))
 
     @property
     def relaxed_shear_error(self) -> float:
@@ -53,9 +61,7 @@ class SpectrumSolid:
     def solid(self) -> Prony:
         """The solid at the reference temperature."""
         kept = self.shears > NEGLIGIBLE * (self.relaxed_shear + float(np.sum(self.shears)))
-        return Prony(
-            self.relaxed_shear, self.shears[kept], self.relaxation_times[kept], poisson=self.problem.poisson
-        )
+        return Prony(self.relaxed_shear, self.shears[kept], self.relaxation_times[kept], poisson=self.problem.poisson)
 
     @property
     def determined(self) -> tuple[float, float]:
