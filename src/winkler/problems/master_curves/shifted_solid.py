@@ -118,7 +118,7 @@ class ShiftedSolid(SpectrumSolid):
         says = {
             ShiftVerdict.FERRY: "The shifts are those of Williams, Landel and Ferry, and exclude Arrhenius' law",
             ShiftVerdict.ARRHENIUS: "The shifts are those of Arrhenius, and exclude the constants of polymers",
-            ShiftVerdict.UNDECIDED: "The shifts cannot tell the law of Williams, Landel and Ferry from that of Arrhenius",
+            ShiftVerdict.UNDECIDED: "The shifts cannot tell Williams, Landel and Ferry from Arrhenius",
             ShiftVerdict.NEITHER: "Neither law describes the shifts within their errors",
         }[laws.verdict]
         standing = Standing.APPROXIMATE if laws.verdict is ShiftVerdict.NEITHER else Standing.ASYMPTOTIC
