@@ -22,6 +22,7 @@ from winkler.numerics.springs.relaxation_spectrum import Measurements, SpectrumE
 from winkler.numerics.types import Array
 from winkler.problems.master_curves.master_curve_notes import master_curve_notes
 from winkler.problems.master_curves.shifted_solid import ShiftedSolid
+from winkler.problems.master_curves.spectrum_solid import Covariances
 from winkler.problems.master_curves.temperature_groups import grouped, spread_times
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
@@ -167,13 +168,14 @@ class MasterCurve:
             temperature=centres,
             shift_factor=np.exp(found.shifts),
             shift_error=error[start : start + m],
-            shift_covariance=found.covariance[start : start + m, start : start + m],
             vertical_factor=np.exp(found.factors),
             vertical_error=error[start + m :],
             relaxation_times=found.times,
             shears=np.exp(found.strengths),
             relaxed_shear=math.exp(found.level) if not self.fluid else 0.0,
-            spectrum_covariance=found.covariance[:start, :start],
+            covariances=Covariances(
+                found.covariance[:start, :start], found.covariance[start : start + m, start : start + m]
+            ),
             scatter=found.scatter,
             freedom=found.freedom,
             residuals=np.concatenate(found.residuals),
@@ -211,16 +213,14 @@ class MasterCurveSolution(ShiftedSolid):
         T [K], rising.
     shift_factor, shift_error : ndarray, (m,)
         a_T [-], and the standard error of its natural logarithm; zero at the reference temperature.
-    shift_covariance : ndarray, (m, m)
-        Covariance of the natural logarithms of a_T [-].
     vertical_factor, vertical_error : ndarray, (m,)
         b_T [-], and the standard error of its natural logarithm.
     relaxation_times, shears : ndarray, (k,)
         tau_i [s] and G_i [Pa] of the spectrum at the reference temperature.
     relaxed_shear : float
         G_inf [Pa].
-    spectrum_covariance : ndarray, (k + 1, k + 1)
-        Covariance of the logarithms of G_i and of G_inf [-].
+    covariances : Covariances
+        Of the logarithms of moduli and shifts.
     scatter : ndarray, (kinds,)
         Relative scatter of G' and G'', or of G(t) [-].
     freedom : float
@@ -233,10 +233,8 @@ class MasterCurveSolution(ShiftedSolid):
         temperature=("T", "K", "temperature of each sweep"),
         shift_factor=("a_T", "", "by which temperature multiplies all times"),
         shift_error=("", "", "standard error of the natural logarithm of the shift factor"),
-        shift_covariance=("", "", "covariance of the natural logarithms of the shift factors"),
         vertical_factor=("b_T", "", "by which temperature multiplies all moduli"),
         vertical_error=("", "", "standard error of the natural logarithm of the vertical factor"),
-        spectrum_covariance=("", "", "covariance of the logarithms of all moduli of the spectrum"),
         scatter=("", "", "relative scatter of each kind of modulus"),
         freedom=("", "", "number of measurements less that of the numbers they determine"),
         residuals=("", "", "logarithms of measured over fitted moduli"),
@@ -246,13 +244,12 @@ class MasterCurveSolution(ShiftedSolid):
     temperature: Array
     shift_factor: Array
     shift_error: Array
-    shift_covariance: Array
     vertical_factor: Array
     vertical_error: Array
     relaxation_times: Array
     shears: Array
     relaxed_shear: float
-    spectrum_covariance: Array
+    covariances: Covariances
     scatter: Array
     freedom: float
     residuals: Array

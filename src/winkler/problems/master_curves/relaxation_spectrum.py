@@ -17,7 +17,7 @@ from winkler.materials.relaxation_data import DynamicData, RelaxationData
 from winkler.numerics.springs.relaxation_spectrum import Measurements, Response, estimate_spectrum
 from winkler.numerics.types import Array
 from winkler.problems.master_curves.master_curve_notes import determined_note
-from winkler.problems.master_curves.spectrum_solid import SpectrumSolid
+from winkler.problems.master_curves.spectrum_solid import Covariances, SpectrumSolid
 from winkler.problems.master_curves.temperature_groups import spread_times
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
@@ -110,7 +110,7 @@ class RelaxationSpectrum:
             times,
             np.exp(found.strengths),
             0.0 if self.fluid else math.exp(found.level),
-            found.covariance[:ends, :ends],
+            Covariances(found.covariance[:ends, :ends], np.zeros((1, 1))),
             found.scatter,
             found.freedom,
             np.concatenate(found.residuals),
@@ -129,8 +129,8 @@ class SpectrumSolution(SpectrumSolid):
         tau_i [s] and G_i [Pa].
     relaxed_shear : float
         G_inf [Pa].
-    spectrum_covariance : ndarray, (k + 1, k + 1)
-        Covariance of the logarithms of G_i and of G_inf [-].
+    covariances : Covariances
+        Of the logarithms of moduli and shifts.
     scatter : ndarray, (kinds,)
         Relative scatter of G' and G'', or of G(t) [-].
     freedom : float
@@ -140,7 +140,6 @@ class SpectrumSolution(SpectrumSolid):
     """
 
     __words__ = words(
-        spectrum_covariance=("", "", "covariance of the logarithms of all moduli of the spectrum"),
         scatter=("", "", "relative scatter of each kind of modulus"),
         freedom=("", "", "number of measurements less that of the numbers they determine"),
         residuals=("", "", "logarithms of measured over fitted moduli"),
@@ -150,7 +149,7 @@ class SpectrumSolution(SpectrumSolid):
     relaxation_times: Array
     shears: Array
     relaxed_shear: float
-    spectrum_covariance: Array
+    covariances: Covariances
     scatter: Array
     freedom: float
     residuals: Array

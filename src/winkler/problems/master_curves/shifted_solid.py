@@ -33,7 +33,6 @@ class ShiftedSolid(SpectrumSolid):
     temperature: Array
     shift_factor: Array
     shift_error: Array
-    shift_covariance: Array
     freedom: float
 
     @functools.cached_property
@@ -44,7 +43,7 @@ class ShiftedSolid(SpectrumSolid):
         return fitted_laws(
             self.temperature[others],
             np.log(self.shift_factor[others]),
-            self.shift_covariance[np.ix_(others, others)],
+            self.covariances.shift[np.ix_(others, others)],
             reference,
             freedom=self.freedom,
         )
