@@ -236,6 +236,7 @@ class MasterCurveSolution(ShiftedSolid):
         vertical_factor=("b_T", "", "by which temperature multiplies all moduli"),
         vertical_error=("", "", "standard error of the natural logarithm of the vertical factor"),
         scatter=("", "", "relative scatter of each kind of modulus"),
+        covariances=("", None, "covariances of the logarithms of moduli and shifts"),
         freedom=("", "", "number of measurements less that of the numbers they determine"),
         residuals=("", "", "logarithms of measured over fitted moduli"),
     )

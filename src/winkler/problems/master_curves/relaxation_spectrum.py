@@ -141,6 +141,7 @@ class SpectrumSolution(SpectrumSolid):
 
     __words__ = words(
         scatter=("", "", "relative scatter of each kind of modulus"),
+        covariances=("", None, "covariances of the logarithms of moduli and shifts"),
         freedom=("", "", "number of measurements less that of the numbers they determine"),
         residuals=("", "", "logarithms of measured over fitted moduli"),
     )

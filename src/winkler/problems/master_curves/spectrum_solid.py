@@ -41,7 +41,6 @@ class SpectrumSolid:
     """What follows from a spectrum; its fields are those of the solutions."""
 
     __words__ = words(
-        covariances=("", None, "covariances of the logarithms of moduli and shifts"),
         determined=("", "s", "shortest and longest relaxation time between which the spectrum is determined"),
         solid=("", None, "the solid with this spectrum"),
         shears_error=("", "", "standard error of the natural logarithm of each modulus"),
