@@ -44,6 +44,8 @@ from winkler.problems.line_strips.periodic import PeriodicIndentation, PeriodicS
 from winkler.problems.line_strips.profile_contact import LineProfileContact, LineProfileSolution
 from winkler.problems.line_viscoelastic.indentation import LineViscoelasticIndentation, LineViscoelasticSolution
 from winkler.problems.line_viscoelastic.path import LineForcePath
+from winkler.problems.master_curves.master_curve import MasterCurve, MasterCurveSolution
+from winkler.problems.master_curves.relaxation_spectrum import RelaxationSpectrum, SpectrumSolution
 from winkler.problems.normal.design import design_for_pressure, design_profile
 from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
 from winkler.problems.normal.elliptic_fields import EllipticFields
@@ -91,10 +93,8 @@ from winkler.problems.surface_rolling.steady import SurfaceRolling, SurfaceRolli
 from winkler.problems.viscoelastic.adhesion import ViscoelasticAdhesion, ViscoelasticAdhesionSolution
 from winkler.problems.viscoelastic.impact import ViscoelasticImpact, ViscoelasticImpactSolution
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation, ViscoelasticSolution
-from winkler.problems.viscoelastic.master_curve import MasterCurve, MasterCurveSolution
 from winkler.problems.viscoelastic.material_tests import CreepTest, RelaxationTest
 from winkler.problems.viscoelastic.oscillation import HarmonicIndentation
-from winkler.problems.viscoelastic.relaxation_spectrum import RelaxationSpectrum, SpectrumSolution
 from winkler.problems.viscoelastic.sliding import SlidingResistance, SlidingResistanceSolution
 from winkler.problems.viscoelastic.tangential import ViscoelasticTangential, ViscoelasticTangentialSolution
 from winkler.problems.wear.elliptic import EllipticWear, EllipticWearSolution

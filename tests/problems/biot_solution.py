@@ -1,15 +1,16 @@
-r"""Relaxation of the force on a poroelastic half-space, from dual integral equations: sealed below the indenter, drained beside it.
+r"""Relaxation of the force on a poroelastic half-space, from dual integral equations: sealed below the indenter,
+drained beside it.
 
-Biot's theory with incompressible constituents in Hankel (k) and Laplace (s) space, D = a = 1, by the displacement functions of
-McNamee and Gibson: with m = sqrt(k^2 + s), eta = (1 - nu)/(1 - 2 nu), K = eta (m + k)/(eta (m + k) - k), total pressure q and
-pore pressure p of the surface,
+Biot's theory with incompressible constituents in Hankel (k) and Laplace (s) space, D = a = 1, by the displacement
+functions of McNamee and Gibson: with m = sqrt(k^2 + s), eta = (1 - nu)/(1 - 2 nu), K = eta (m + k)/(eta (m + k) - k),
+total pressure q and pore pressure p of the surface,
 
     displacement   u = [K (q - p) + p] / (2 G k),
     flux           f = K (m - k) (q - p) - k p .
 
-q = int phi(t) cos(kt) dt and p = int psi(t) sin(kt)/k dt vanish beside the contact; Abel's transform of u and of f = 0 below the
-indenter gives two equations of the second kind for phi and psi, solved at the midpoints of panels.  The force is 2 pi int phi dt;
-Stehfest's algorithm inverts Laplace's transform.
+q = int phi(t) cos(kt) dt and p = int psi(t) sin(kt)/k dt vanish beside the contact; Abel's transform of u and of f = 0
+below the indenter gives two equations of the second kind for phi and psi, solved at the midpoints of panels.  The force
+is 2 pi int phi dt; Stehfest's algorithm inverts Laplace's transform.
 """
 
 from __future__ import annotations
@@ -74,9 +75,7 @@ class Body:
         self.seeping = spline(
             lambda u: (1.0 - self.kernel(u)) / u if u > 0.0 else -1.0 / self.eta, "sin", 0.5 * np.pi * (1.0 - self.late)
         )
-        self.flowing = spline(
-            lambda u: self.kernel(u) * (math.sqrt(1.0 + u * u) - u), "sin", 0.25 * np.pi * self.late
-        )
+        self.flowing = spline(lambda u: self.kernel(u) * (math.sqrt(1.0 + u * u) - u), "sin", 0.25 * np.pi * self.late)
         self.summed = self.flowing.antiderivative()
 
     def kernel(self, u):

@@ -1,4 +1,5 @@
-"""Holds of poroelastic and viscoelastic bodies, made by formulas of the literature: which of them a pair of holds tells."""
+"""Holds of poroelastic and viscoelastic bodies, made by formulas of the literature: which of them a pair of "
+"holds tells."""
 
 from __future__ import annotations
 

@@ -43,6 +43,8 @@ READERS = {
     "profile": wk.read_profile,
     "profile_pair": lambda path: wk.read_profile_pair(path, path),
     "relaxation": wk.read_relaxation,
+    "dynamic_sweeps": wk.read_dynamic_sweeps,
+    "relaxation_sweeps": wk.read_relaxation_sweeps,
     "scan": wk.read_scan,
     "section": wk.read_section,
     "spectrum": wk.read_spectrum,

@@ -50,6 +50,13 @@ def test_the_tables_are_the_solution_of_the_dual_integral_equations():
     [({"poisson": 0.5}, "from 0 to 0.49"), ({"poisson": -0.1}, "from 0 to 0.49"), ({"depth": 0.0}, "depth is 0")],
 )
 def test_what_cannot_relax_is_refused(change, sentence):
-    given = {"profile": wk.FlatPunch(1e-3), "shear": 1e3, "poisson": 0.2, "diffusivity": 1e-9, "depth": 1e-5, "time": [1.0]}
+    given = {
+        "profile": wk.FlatPunch(1e-3),
+        "shear": 1e3,
+        "poisson": 0.2,
+        "diffusivity": 1e-9,
+        "depth": 1e-5,
+        "time": [1.0],
+    }
     with pytest.raises(wk.InvalidInput, match=sentence):
         wk.PoroelasticRelaxation(**(given | change))

@@ -1,8 +1,8 @@
 r"""Poroelastic or viscoelastic: the power of the contact radius with which the times of a relaxation grow.
 
 A liquid diffuses across the contact in a time that grows as :math:`a^2`; a viscoelastic body relaxes in its own time,
-:math:`a^0`.  Holds with several contact radii are shifted into one curve, as sweeps at several temperatures are, and the
-power is that of the shifts, by generalised least squares with their covariance.
+:math:`a^0`.  Holds with several contact radii are shifted into one curve, as sweeps at several temperatures are, and
+the power is that of the shifts, by generalised least squares with their covariance.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from winkler.fitting.holds.held_force import HeldForce, checked_holds
 from winkler.numerics.springs.pairwise_shifts import pairwise_shifts
 from winkler.numerics.springs.relaxation_spectrum import Measurements, Response, estimate_spectrum
 from winkler.numerics.types import Array
-from winkler.problems.viscoelastic.temperature_groups import spread_times
+from winkler.problems.master_curves.temperature_groups import spread_times
 from winkler.values import value, words
 
 __all__ = ["DepthScaling", "HoldVerdict", "depth_scaling"]
@@ -116,7 +116,8 @@ def depth_scaling(holds: Sequence[HeldForce], *, vertical: bool = True) -> Depth
     radius = np.array([hold.radius for hold in rows])
     if radius[-1] < LEAST_RATIO * radius[0]:
         raise InvalidInput(
-            f"depth_scaling: the contact radii, {radius[0]:.4g} m to {radius[-1]:.4g} m, are nearly the same; give holds at "
+            f"depth_scaling: the contact radii, {radius[0]:.4g} m to {radius[-1]:.4g} m, are nearly the same; "
+            f"give holds at "
             "other depths, or with another punch."
         )
     group = np.repeat(np.arange(len(rows)), [hold.time.size for hold in rows])

@@ -3,7 +3,8 @@ r"""Modulus, Poisson's ratio and diffusivity of a poroelastic body from the forc
 .. math:: F_j(t) = F_{\infty j} + (F_{0j}-F_{\infty j})\,g(Dt/a_j^2,\nu),\quad F_{0j} = G f_j,\quad F_{\infty j} =
    \frac{F_{0j}}{2(1-\nu)},
 
-with the force :math:`f_j` of the indenter at its depth on an incompressible body of unit modulus.  Residuals are relative.
+with the force :math:`f_j` of the indenter at its depth on an incompressible body of unit modulus.  Residuals are
+relative.
 """
 
 from __future__ import annotations

@@ -14,6 +14,7 @@ from winkler.fitting.parameters import each
 from winkler.fitting.task import even_weights
 from winkler.fitting.varied import NATURAL_BOUNDS, parameters_of
 from winkler.fitting.viscoelastic.creep import FORCE_FIT_SHARE, LEAST_NOISE, UnderForce
+from winkler.fitting.viscoelastic.cycles import UnderCycles, goes_in_again
 from winkler.fitting.viscoelastic.motion import UnderMotion
 from winkler.fitting.viscoelastic.task import RelaxingTask
 from winkler.loading import Depth
@@ -28,6 +29,8 @@ EXPONENT_BOUNDS = (1e-3, 0.999)
 """Bounds of the exponent of a solid."""
 SMOOTHING_DIVISOR = 100
 """The velocity is smoothed over this part of the points."""
+SOFT_SHARE = 0.2
+"""Greatest deflection of the machine relative to its travel with which repeated cycles are fitted."""
 SIGNAL_TO_NOISE = 5.0
 """Least force over its noise from which on positions are fitted."""
 
@@ -38,16 +41,20 @@ def examined_stroke(curve: ForceCurve) -> tuple[CurveOutline | None, tuple[Flag,
     Raises
     ------
     InvalidInput
-        If the curve has no times, goes in twice, or is refused (see `winkler.fitting.curves.checks`).
+        If the curve has no times, begins with the retraction, or is refused (see `winkler.fitting.curves.checks`).
     """
     if not curve.timed:
         raise InvalidInput(f"fit: curve '{curve.name}' has no times, and a solid that relaxes needs them.")
     rough_outline = curve.direction[np.concatenate([[True], np.diff(curve.direction) != 0.0])]
     out = np.flatnonzero(rough_outline < 0.0)
-    if out.size and (out[0] == 0 or np.any(rough_outline[out[0] :] > 0.0)):
-        how = "begins with the retraction" if out[0] == 0 else "goes in again after the retraction"
-        raise InvalidInput(f"fit: curve '{curve.name}' {how}; fit one approach, with its hold and its retraction.")
+    if out.size and out[0] == 0:
+        raise InvalidInput(
+            f"fit: curve '{curve.name}' begins with the retraction; fit an approach, with what follows it."
+        )
+    first_out = np.flatnonzero(curve.direction < 0.0)
     inward = curve.direction > 0.0
+    if first_out.size:
+        inward[first_out[0] :] = False  # of repeated cycles the first approach
     if np.count_nonzero(inward) < FEWEST:
         return None, ()
     force = curve.force[inward]
@@ -85,7 +92,7 @@ def driven_task(
     Parameters
     ----------
     curve : ForceCurve
-        With times, one approach, an optional hold, and at most one retraction.
+        With times: an approach, holds, retractions, and further cycles.
     model : ViscoelasticIndentation
         Its path is a placeholder: of depths for a fit of forces; of forces for a fit of positions.
     free : dict
@@ -124,6 +131,15 @@ def driven_task(
     }
     parameters = parameters_of(model, free_paths, scales, NATURAL_BOUNDS | exponents)
     zeros = np.zeros(curve.count)
+    if isinstance(model.path.normal, Depth) and goes_in_again(curve):
+        bent = curve.compliance * strength
+        if bent > SOFT_SHARE * span:
+            raise InvalidInput(
+                f"fit: curve '{curve.name}' goes in again, and the machine bends by {bent:.3g} m of {span:.3g} "
+                f"m; cycles "
+                "are fitted along the measured depth of a stiff machine only: fit one approach and its retraction."
+            )
+        return UnderCycles(curve, model, parameters, weights, velocity, zeros)
     if isinstance(model.path.normal, Depth):
         return UnderMotion(curve, model, parameters, weights, velocity, zeros)
     if np.any(curve.direction < 0.0):

@@ -55,17 +55,14 @@ def read_dynamic_sweeps(path: str | os.PathLike[str], *, poisson: float = 0.5) -
     rows = []
     for file in _files(path):
         abscissa = ANGULAR if names_columns(file, (TEMPERATURE, ANGULAR)) else FREQUENCY
-        sheared, tensile = (TEMPERATURE, abscissa, SHEAR_STORAGE, SHEAR_LOSS), (
-            TEMPERATURE,
-            abscissa,
-            TENSILE_STORAGE,
-            TENSILE_LOSS,
-        )
+        sheared = (TEMPERATURE, abscissa, SHEAR_STORAGE, SHEAR_LOSS)
+        tensile = (TEMPERATURE, abscissa, TENSILE_STORAGE, TENSILE_LOSS)
         values = _moduli(file, sheared, tensile, poisson)
         values[:, 1] *= 2.0 * np.pi if abscissa is FREQUENCY else 1.0
         rows.append(values)
     with in_file(str(path)):
-        return DynamicSweeps(*np.concatenate(rows).T, poisson=poisson)
+        temperature, angular, storage, loss = np.concatenate(rows).T
+        return DynamicSweeps(temperature, angular, storage, loss, poisson=poisson)
 
 
 @reader("sweeps of relaxation")
@@ -75,8 +72,8 @@ def read_relaxation_sweeps(path: str | os.PathLike[str], *, poisson: float = 0.5
     Parameters
     ----------
     path : str or path
-        A table with the columns temperature, time (t), and shear (g) or young (e), as in ``temperature [degC], time [s],
-        shear [kPa]``; or a pattern such as ``"gel_*.csv"`` of several such tables.
+        A table with the columns temperature, time (t), and shear (g) or young (e), as in ``temperature [degC], time
+        [s], shear [kPa]``; or a pattern such as ``"gel_*.csv"`` of several such tables.
     poisson : float, optional
         nu [-], above -1 and at most 0.5.
 
@@ -94,7 +91,8 @@ def read_relaxation_sweeps(path: str | os.PathLike[str], *, poisson: float = 0.5
         for file in _files(path)
     ]
     with in_file(str(path)):
-        return RelaxationSweeps(*np.concatenate(rows).T, poisson=poisson)
+        temperature, time, shear = np.concatenate(rows).T
+        return RelaxationSweeps(temperature, time, shear, poisson=poisson)
 
 
 def _moduli(file: str, sheared: tuple[Column, ...], tensile: tuple[Column, ...], poisson: float) -> Array:

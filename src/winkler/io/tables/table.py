@@ -145,7 +145,10 @@ def read_table(
         raise InvalidInput(f"{file}: there are no numbers below the header in line {header.line}.")
     zeros = [_zero_of(unit, column.unit) for column, unit in zip(columns, header.units, strict=True)]
     factors = np.array(
-        [1.0 if zero else scale(column.unit, unit) for column, unit, zero in zip(columns, header.units, zeros, strict=True)]
+        [
+            1.0 if zero else scale(column.unit, unit)
+            for column, unit, zero in zip(columns, header.units, zeros, strict=True)
+        ]
     )
     with np.errstate(over="ignore"):
         values = np.array(numbers).reshape(-1, len(columns)) / factors + np.array(zeros)

@@ -161,10 +161,7 @@ def estimate_spectrum(
         )
         covariance = np.linalg.inv(inner)
         taken = np.array(
-            [
-                np.einsum("ij,ji->", covariance, slope.T @ slope) / s**2
-                for slope, s in zip(slopes, scatter, strict=True)
-            ]
+            [np.einsum("ij,ji->", covariance, slope.T @ slope) / s**2 for slope, s in zip(slopes, scatter, strict=True)]
         )
         counts = np.array([one.modulus.size for one in measured])
         squares = np.array([float(one @ one) for one in residuals])
@@ -218,7 +215,7 @@ def _settle(
 
     def cost(at: Array, misfit: tuple[Array, ...]) -> float:
         misfits = sum(float(r @ r) / s**2 for r, s in zip(misfit, scatter, strict=True))
-        return misfits + float((prior @ at[free] - 2.0 * pull) @ at[free])
+        return float(misfits + (prior @ at[free] - 2.0 * pull) @ at[free])
 
     here = cost(numbers, residuals)
     for _ in range(MOST_STEPS):

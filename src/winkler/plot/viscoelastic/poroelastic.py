@@ -28,8 +28,6 @@ def poroelastic_sheet(item: PoroelasticSolution) -> Sheet:
     along = series("time", decades_around(requested, FACTOR_AROUND, POINTS))
     curve = dataclasses.replace(item.problem, time=along.content).solve()
     panel = decades_panel(along, [Quantity(series("force", curve.force), points=(requested, item.force))])
-    limits = tuple(
-        Rule(force, colour=style.MUTED, dash=(4.0, 2.0)) for force in (item.first_force, item.last_force)
-    )
+    limits = tuple(Rule(force, colour=style.MUTED, dash=(4.0, 2.0)) for force in (item.first_force, item.last_force))
     title = f"$a$ = {with_unit(item.radius, 'm')}   $a^2/D$ = {with_unit(item.relaxation_time, 's')}"
     return Sheet((dataclasses.replace(panel, marks=(*panel.marks, *limits)),), width=4.6, height=3.3, title=title)

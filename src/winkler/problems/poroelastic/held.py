@@ -1,13 +1,13 @@
 r"""An indenter held at a constant depth on a poroelastic half-space: the force relaxes as the liquid flows out.
 
-At first the liquid cannot leave, and the body is incompressible; at last the network bears the force alone.  The time is that
-of diffusion across the contact, :math:`a^2/D`, so that it depends on the depth; that of a viscoelastic body does not.
+At first the liquid cannot leave, and the body is incompressible; at last the network bears the force alone.  The time
+is that of diffusion across the contact, :math:`a^2/D`, so that it depends on the depth; that of a viscoelastic body
+does not.
 """
 
 from __future__ import annotations
 
 from typing import ClassVar
-
 
 from winkler.checks.number_checks import Positive, PositiveRow
 from winkler.errors import InvalidInput
@@ -152,7 +152,8 @@ class PoroelasticSolution:
         share = Note(
             Assumption.RESPONSE,
             Standing.APPROXIMATE,
-            f"Biot's theory of an impermeable indenter on a body that drains freely beside it; {growth}the part of the force "
+            f"Biot's theory of an impermeable indenter on a body that drains freely beside it; {growth}the part "
+            f"of the force "
             f"that relaxes is known to {error} of its whole.",
             "dual integral equations; Lai and Hu",
         )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
 from winkler.study.chapters.kind import kind
 
@@ -24,13 +26,14 @@ SUPERPOSED = Equation(
     r"-2\ln P = \sum_j \frac{r_j^2}{\sigma^2} + \lambda\sum_i\left(\ln\frac{G_{i-1}G_{i+1}}{G_i^2}\right)^2",
 )
 LAWS = Equation(
-    "The laws of Williams, Landel and Ferry and of Arrhenius, which is the former with the second constant T₀, are fitted to "
+    "The laws of Williams, Landel and Ferry and of Arrhenius, which is the former with the second constant T₀, "
+    "are fitted to "
     "the shifts by generalised least squares",
     r"\log_{10} a_T = -\frac{c_1(T-T_0)}{c_2+T-T_0}, \quad \ln a_T = \frac{Q}{R}\left(\frac{1}{T}-\frac{1}{T_0}\right)",
 )
 
 COLD, WARM = "280 K", "300 K"
-SWEEPS = {
+SWEEPS: dict[str, Any] = {
     "kind": "dynamic_sweeps",
     "temperature": [COLD] * 5 + [WARM] * 5,
     "angular_frequency": ["0.1 rad/s", "1 rad/s", "10 rad/s", "100 rad/s", "1000 rad/s"] * 2,
@@ -69,14 +72,15 @@ MASTER_CURVES = Chapter(
     },
     answers={
         "master_curve": answer(
-            "winkler.problems.viscoelastic.master_curve:MasterCurve",
+            "winkler.problems.master_curves.master_curve:MasterCurve",
             headline=("first_constant", "second_constant", "activation_energy"),
             sweeps=SWEEPS,
             reference_temperature=WARM,
             picture=Caption(
                 "master_curve",
                 "The master curve",
-                "Sweeps shifted to the reference temperature, shift factors with both laws, residuals, and the spectrum.",
+                "Sweeps shifted to the reference temperature, shift factors with both laws, residuals, and the "
+                "spectrum.",
             ),
             curves=(("temperature", "shift_factor"), ("relaxation_times", "shears")),
             pictured=PicturedContact.NONE,

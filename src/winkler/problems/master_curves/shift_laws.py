@@ -18,7 +18,7 @@ import numpy as np
 from winkler.materials.temperature import GAS_CONSTANT, Arrhenius, WilliamsLandelFerry
 from winkler.numerics.types import Array
 
-__all__ = ["FittedLaws", "Verdict", "fitted_laws"]
+__all__ = ["FittedLaws", "ShiftVerdict", "fitted_laws"]
 
 TRIALS = 401
 WIDER = 4.0
@@ -33,7 +33,7 @@ POLYMER_SHARE = 0.5
 """Second constants of polymers are below this part of the reference temperature: 30 to 150 K."""
 
 
-class Verdict(enum.Enum):
+class ShiftVerdict(enum.Enum):
     """Which law the shifts determine."""
 
     FERRY = "Williams, Landel and Ferry"
@@ -53,7 +53,7 @@ class FittedLaws(NamedTuple):
         Of c_1 [-], c_2 [K] (profile likelihood; infinite where the shifts do not bound them) and Q [J/mol].
     ferry_misfit, arrhenius_misfit : float
         Weighted squares of what they leave of the shifts [-].
-    verdict : Verdict
+    verdict : ShiftVerdict
     """
 
     ferry: WilliamsLandelFerry
@@ -63,7 +63,7 @@ class FittedLaws(NamedTuple):
     energy_interval: tuple[float, float]
     ferry_misfit: float
     arrhenius_misfit: float
-    verdict: Verdict
+    verdict: ShiftVerdict
 
 
 def fitted_laws(
@@ -104,9 +104,11 @@ def fitted_laws(
     slope = max(slope, np.finfo(float).tiny)
     energy_width = math.sqrt(limit / energy_curvature)
     energies = tuple(GAS_CONSTANT * max(slope + sign * energy_width, 0.0) for sign in (-1.0, 1.0))
+
     def profile(seconds: Array) -> tuple[Array, Array, Array]:
         lines = [line(-math.log(10.0) * above / (second + above)) for second in seconds.tolist()]
-        return tuple(np.array(lines).T)  # type: ignore[return-value]
+        factors, curvatures, misfits = np.array(lines).T
+        return factors, curvatures, misfits
 
     lowest = max(0.0, -float(above.min()))
     seconds = lowest + reference * np.geomspace(NEAREST, FARTHEST, TRIALS)
@@ -129,7 +131,7 @@ def fitted_laws(
         first_interval, second_interval = (max(low, 0.0), math.inf), (_lower_end(seconds, inside), math.inf)
     verdict = _verdict(polymers, least, second, arrhenius_misfit, reference)
     if float(chi2.sf(least, max(temperature.size - 2, 1))) < UNLIKELY:
-        verdict = Verdict.NEITHER
+        verdict = ShiftVerdict.NEITHER
     return FittedLaws(
         WilliamsLandelFerry(reference, max(first, np.finfo(float).tiny), second),
         Arrhenius(reference, GAS_CONSTANT * slope),
@@ -142,11 +144,11 @@ def fitted_laws(
     )
 
 
-def _verdict(polymers: Array, least: float, second: float, arrhenius: float, reference: float) -> Verdict:
+def _verdict(polymers: Array, least: float, second: float, arrhenius: float, reference: float) -> ShiftVerdict:
     if arrhenius - least > SURE:
-        return Verdict.FERRY if second < reference else Verdict.NEITHER
+        return ShiftVerdict.FERRY if second < reference else ShiftVerdict.NEITHER
     excluded = polymers.size == 0 or float(polymers.min()) - arrhenius > SURE
-    return Verdict.ARRHENIUS if excluded else Verdict.UNDECIDED
+    return ShiftVerdict.ARRHENIUS if excluded else ShiftVerdict.UNDECIDED
 
 
 def _ends(x: Array, excess: Array) -> tuple[float, float]:

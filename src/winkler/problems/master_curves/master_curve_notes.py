@@ -8,7 +8,7 @@ import numpy as np
 
 from winkler.numerics.springs.relaxation_spectrum import Measurements
 from winkler.numerics.types import Array
-from winkler.problems.viscoelastic.temperature_groups import reached_times
+from winkler.problems.master_curves.temperature_groups import reached_times
 from winkler.validity import Assumption, Note, Standing, standing_of
 
 __all__ = ["determined_note", "master_curve_notes"]
@@ -22,7 +22,11 @@ DECADES_APART = 0.3
 
 
 def master_curve_notes(
-    measured: tuple[Measurements, ...], temperature: Array, shifts: Array, residuals: Array, determined: tuple[float, float]
+    measured: tuple[Measurements, ...],
+    temperature: Array,
+    shifts: Array,
+    residuals: Array,
+    determined: tuple[float, float],
 ) -> tuple[Note, ...]:
     """Return the notes.
 
@@ -76,7 +80,9 @@ def _overlap(measured: tuple[Measurements, ...], temperature: Array, shifts: Arr
         else f"There is a gap of {gap:.2g} decades {between}, which the smoothness of the spectrum bridges: measure a "
         "temperature in between"
     )
-    return Note(Assumption.CURVE, standing_of(gap, 0.0, math.inf if gap < DECADES_APART else gap), f"{text}.", "overlap")
+    return Note(
+        Assumption.CURVE, standing_of(gap, 0.0, math.inf if gap < DECADES_APART else gap), f"{text}.", "overlap"
+    )
 
 
 def determined_note(determined: tuple[float, float]) -> Note:
@@ -92,6 +98,7 @@ def determined_note(determined: tuple[float, float]) -> Note:
     return Note(
         Assumption.KNOWN_TIMES,
         Standing.ASYMPTOTIC,
-        f"The spectrum is determined to a factor of two from {low:.3g} s to {high:.3g} s; beyond, it continues smoothly.",
+        f"The spectrum is determined to a factor of two from {low:.3g} s to {high:.3g} s; beyond, it continues "
+        f"smoothly.",
         "standard errors of the spectrum",
     )

@@ -1,7 +1,8 @@
 r"""Relaxation spectrum of one measurement: moduli at many times, with errors, by regularised least squares.
 
-The moduli are positive, and their logarithms change smoothly from one relaxation time to the next; the weight of smoothness
-and the scatter are those of the greatest evidence (`winkler.numerics.springs.relaxation_spectrum`), not those of the eye.
+The moduli are positive, and their logarithms change smoothly from one relaxation time to the next; the weight of
+smoothness and the scatter are those of the greatest evidence (`winkler.numerics.springs.relaxation_spectrum`), not
+those of the eye.
 """
 
 from __future__ import annotations
@@ -15,9 +16,9 @@ from winkler.checks.number_checks import Whole
 from winkler.materials.relaxation_data import DynamicData, RelaxationData
 from winkler.numerics.springs.relaxation_spectrum import Measurements, Response, estimate_spectrum
 from winkler.numerics.types import Array
-from winkler.problems.viscoelastic.master_curve_notes import determined_note
-from winkler.problems.viscoelastic.spectrum_solid import SpectrumSolid
-from winkler.problems.viscoelastic.temperature_groups import spread_times
+from winkler.problems.master_curves.master_curve_notes import determined_note
+from winkler.problems.master_curves.spectrum_solid import Covariances, SpectrumSolid
+from winkler.problems.master_curves.temperature_groups import spread_times
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -60,6 +61,7 @@ class RelaxationSpectrum:
     __words__ = words(
         data=("", None, "a measured relaxation, or storage and loss"),
         fluid=("", None, "whether nothing remains of the modulus at last"),
+        measured=("", None, "measured moduli with their kind"),
         per_decade=("", "", "relaxation times in each decade"),
     )
 
@@ -108,7 +110,7 @@ class RelaxationSpectrum:
             times,
             np.exp(found.strengths),
             0.0 if self.fluid else math.exp(found.level),
-            found.covariance[:ends, :ends],
+            Covariances(found.covariance[:ends, :ends], np.zeros((1, 1))),
             found.scatter,
             found.freedom,
             np.concatenate(found.residuals),
@@ -127,8 +129,8 @@ class SpectrumSolution(SpectrumSolid):
         tau_i [s] and G_i [Pa].
     relaxed_shear : float
         G_inf [Pa].
-    spectrum_covariance : ndarray, (k + 1, k + 1)
-        Covariance of the logarithms of G_i and of G_inf [-].
+    covariances : Covariances
+        Of the logarithms of moduli and shifts.
     scatter : ndarray, (kinds,)
         Relative scatter of G' and G'', or of G(t) [-].
     freedom : float
@@ -138,19 +140,17 @@ class SpectrumSolution(SpectrumSolid):
     """
 
     __words__ = words(
-        spectrum_covariance=("", "", "covariance of the logarithms of all moduli of the spectrum"),
         scatter=("", "", "relative scatter of each kind of modulus"),
+        covariances=("", None, "covariances of the logarithms of moduli and shifts"),
         freedom=("", "", "number of measurements less that of the numbers they determine"),
         residuals=("", "", "logarithms of measured over fitted moduli"),
-        shears_error=("", "", "standard error of the natural logarithm of each modulus"),
-        relaxed_shear_error=("", "", "standard error of the natural logarithm of the relaxed modulus"),
     )
 
     problem: RelaxationSpectrum
     relaxation_times: Array
     shears: Array
     relaxed_shear: float
-    spectrum_covariance: Array
+    covariances: Covariances
     scatter: Array
     freedom: float
     residuals: Array

@@ -10,15 +10,23 @@ import numpy as np
 from winkler.checks.number_checks import POSITIVE, Numbers, checked
 from winkler.materials.viscoelastic import Prony
 from winkler.numerics.types import Array, ArrayLike
-from winkler.problems.viscoelastic.temperature_groups import longest_run
+from winkler.problems.master_curves.temperature_groups import longest_run
+from winkler.values import words
 
-__all__ = ["ModulusBand", "SpectrumSolid"]
+__all__ = ["Covariances", "ModulusBand", "SpectrumSolid"]
 
 DETERMINED = math.log(2.0)
 """Standard error of the logarithm of a modulus up to which it is determined."""
 NEGLIGIBLE = 1e-9
 """Part of all moduli below which a term is left out of the solid."""
 TIMES = Numbers(POSITIVE, any_shape=True)
+
+
+class Covariances(NamedTuple):
+    """Covariances of logarithms: of the moduli G_i and G_inf ``(k + 1, k + 1)``, and of the shifts ``(m, m)``."""
+
+    spectrum: Array
+    shift: Array
 
 
 class ModulusBand(NamedTuple):
@@ -32,30 +40,35 @@ class ModulusBand(NamedTuple):
 class SpectrumSolid:
     """What follows from a spectrum; its fields are those of the solutions."""
 
+    __words__ = words(
+        determined=("", "s", "shortest and longest relaxation time between which the spectrum is determined"),
+        solid=("", None, "the solid with this spectrum"),
+        shears_error=("", "", "standard error of the natural logarithm of each modulus"),
+        relaxed_shear_error=("", "", "standard error of the natural logarithm of the relaxed modulus"),
+    )
+
     problem: Any
     relaxation_times: Array
     shears: Array
     relaxed_shear: float
-    spectrum_covariance: Array
+    covariances: Covariances
     freedom: float
 
     @property
     def shears_error(self) -> Array:
         """Standard errors of the logarithms of the moduli [-] ``(k,)``."""
-        return np.sqrt(np.maximum(np.diag(self.spectrum_covariance)[:-1], 0.0))
+        return np.asarray(np.sqrt(np.maximum(np.diag(self.covariances.spectrum)[:-1], 0.0)))
 
     @property
     def relaxed_shear_error(self) -> float:
         """Standard error of the logarithm of the relaxed modulus [-]; zero where it is none."""
-        return math.sqrt(max(float(self.spectrum_covariance[-1, -1]), 0.0))
+        return math.sqrt(max(float(self.covariances.spectrum[-1, -1]), 0.0))
 
     @property
     def solid(self) -> Prony:
         """The solid at the reference temperature."""
         kept = self.shears > NEGLIGIBLE * (self.relaxed_shear + float(np.sum(self.shears)))
-        return Prony(
-            self.relaxed_shear, self.shears[kept], self.relaxation_times[kept], poisson=self.problem.poisson
-        )
+        return Prony(self.relaxed_shear, self.shears[kept], self.relaxation_times[kept], poisson=self.problem.poisson)
 
     @property
     def determined(self) -> tuple[float, float]:
@@ -88,6 +101,6 @@ class SpectrumSolid:
         parts = np.exp(-at[:, None] / self.relaxation_times) * self.shears
         modulus = parts.sum(axis=1) + self.relaxed_shear
         slopes = np.column_stack([parts, np.full(at.size, self.relaxed_shear)]) / modulus[:, None]
-        variance = np.einsum("ti,ij,tj->t", slopes, self.spectrum_covariance, slopes)
+        variance = np.einsum("ti,ij,tj->t", slopes, self.covariances.spectrum, slopes)
         width = float(student.ppf(0.5 + 0.5 * confidence, self.freedom)) * np.sqrt(np.maximum(variance, 0.0))
         return ModulusBand(modulus, modulus * np.exp(-width), modulus * np.exp(width))

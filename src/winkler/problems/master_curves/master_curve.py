@@ -2,8 +2,8 @@ r"""Sweeps at several temperatures shifted into one master curve, with the error
 
 Temperature multiplies all times of a thermorheologically simple solid by one factor :math:`a_T`, and its moduli by
 another, :math:`b_T`, which is often taken as one.  Spectrum, shifts, and scatter are found together, by the likelihood
-of all measurements (`winkler.numerics.springs.relaxation_spectrum`), and the laws of temperature are fitted to the shifts
-with their covariance (`winkler.problems.viscoelastic.shift_laws`).
+of all measurements (`winkler.numerics.springs.relaxation_spectrum`), and the laws of temperature are fitted to the
+shifts with their covariance (`winkler.problems.master_curves.shift_laws`).
 """
 
 from __future__ import annotations
@@ -20,9 +20,10 @@ from winkler.materials.sweeps import DynamicSweeps, RelaxationSweeps
 from winkler.numerics.springs.pairwise_shifts import pairwise_shifts
 from winkler.numerics.springs.relaxation_spectrum import Measurements, SpectrumEstimate, estimate_spectrum
 from winkler.numerics.types import Array
-from winkler.problems.viscoelastic.master_curve_notes import master_curve_notes
-from winkler.problems.viscoelastic.shifted_solid import ShiftedSolid
-from winkler.problems.viscoelastic.temperature_groups import grouped, spread_times
+from winkler.problems.master_curves.master_curve_notes import master_curve_notes
+from winkler.problems.master_curves.shifted_solid import ShiftedSolid
+from winkler.problems.master_curves.spectrum_solid import Covariances
+from winkler.problems.master_curves.temperature_groups import grouped, spread_times
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -44,7 +45,8 @@ class MasterCurve:
     sweeps : DynamicSweeps or RelaxationSweeps
         The measurements; isothermal or isochronal ones are the same.
     reference_temperature : float
-        T_0 [K] of the master curve; the nearest measured temperature, at most `temperature_step` away, is shifted by one.
+        T_0 [K] of the master curve; the nearest measured temperature, at most `temperature_step` away, is shifted by
+        one.
     vertical : bool, optional
         Whether a factor b_T of the moduli is sought at each temperature, too.
     entropic : bool, optional
@@ -59,8 +61,8 @@ class MasterCurve:
     Raises
     ------
     InvalidInput
-        If a number is outside its range, there is one temperature only, none is the reference temperature, or the moduli
-        are to have both factors.
+        If a number is outside its range, there is one temperature only, none is the reference temperature, or the
+        moduli are to have both factors.
 
     References
     ----------
@@ -84,6 +86,7 @@ class MasterCurve:
         entropic=("", None, "whether the moduli grow with the absolute temperature"),
         fluid=("", None, "whether nothing remains of the modulus at last"),
         per_decade=("", "", "relaxation times in each decade"),
+        measured=("", None, "measurements with the index of their temperature"),
         temperature_step=("", "K", "difference below which rows belong to one temperature"),
     )
 
@@ -106,18 +109,21 @@ class MasterCurve:
         centres, _ = self._groups
         if centres.size < 2:
             raise InvalidInput(
-                f"MasterCurve: all rows have temperatures within temperature_step = {self.temperature_step:g} K; give two "
+                f"MasterCurve: all rows have temperatures within temperature_step = {self.temperature_step:g} "
+                f"K; give two "
                 "temperatures or more, or fit one sweep with DynamicData."
             )
         if centres.size > MOST_TEMPERATURES:
             raise InvalidInput(
-                f"MasterCurve: the sweeps have {centres.size} temperatures, and at most {MOST_TEMPERATURES} are shifted; "
+                f"MasterCurve: the sweeps have {centres.size} temperatures, and at most {MOST_TEMPERATURES} are "
+                f"shifted; "
                 "give a greater temperature_step, so that neighbours count as one."
             )
         nearest = float(centres[self._reference])
         if abs(nearest - self.reference_temperature) > self.temperature_step:
             raise InvalidInput(
-                f"MasterCurve: no row was measured at reference_temperature = {self.reference_temperature:g} K; the nearest "
+                f"MasterCurve: no row was measured at reference_temperature = {self.reference_temperature:g} K; "
+                f"the nearest "
                 f"temperature is {nearest:g} K, give that."
             )
 
@@ -162,13 +168,14 @@ class MasterCurve:
             temperature=centres,
             shift_factor=np.exp(found.shifts),
             shift_error=error[start : start + m],
-            shift_covariance=found.covariance[start : start + m, start : start + m],
             vertical_factor=np.exp(found.factors),
             vertical_error=error[start + m :],
             relaxation_times=found.times,
             shears=np.exp(found.strengths),
             relaxed_shear=math.exp(found.level) if not self.fluid else 0.0,
-            spectrum_covariance=found.covariance[:start, :start],
+            covariances=Covariances(
+                found.covariance[:start, :start], found.covariance[start : start + m, start : start + m]
+            ),
             scatter=found.scatter,
             freedom=found.freedom,
             residuals=np.concatenate(found.residuals),
@@ -206,16 +213,14 @@ class MasterCurveSolution(ShiftedSolid):
         T [K], rising.
     shift_factor, shift_error : ndarray, (m,)
         a_T [-], and the standard error of its natural logarithm; zero at the reference temperature.
-    shift_covariance : ndarray, (m, m)
-        Covariance of the natural logarithms of a_T [-].
     vertical_factor, vertical_error : ndarray, (m,)
         b_T [-], and the standard error of its natural logarithm.
     relaxation_times, shears : ndarray, (k,)
         tau_i [s] and G_i [Pa] of the spectrum at the reference temperature.
     relaxed_shear : float
         G_inf [Pa].
-    spectrum_covariance : ndarray, (k + 1, k + 1)
-        Covariance of the logarithms of G_i and of G_inf [-].
+    covariances : Covariances
+        Of the logarithms of moduli and shifts.
     scatter : ndarray, (kinds,)
         Relative scatter of G' and G'', or of G(t) [-].
     freedom : float
@@ -228,13 +233,10 @@ class MasterCurveSolution(ShiftedSolid):
         temperature=("T", "K", "temperature of each sweep"),
         shift_factor=("a_T", "", "by which temperature multiplies all times"),
         shift_error=("", "", "standard error of the natural logarithm of the shift factor"),
-        shift_covariance=("", "", "covariance of the natural logarithms of the shift factors"),
         vertical_factor=("b_T", "", "by which temperature multiplies all moduli"),
         vertical_error=("", "", "standard error of the natural logarithm of the vertical factor"),
-        shears_error=("", "", "standard error of the natural logarithm of each modulus"),
-        spectrum_covariance=("", "", "covariance of the logarithms of all moduli of the spectrum"),
-        relaxed_shear_error=("", "", "standard error of the natural logarithm of the relaxed modulus"),
         scatter=("", "", "relative scatter of each kind of modulus"),
+        covariances=("", None, "covariances of the logarithms of moduli and shifts"),
         freedom=("", "", "number of measurements less that of the numbers they determine"),
         residuals=("", "", "logarithms of measured over fitted moduli"),
     )
@@ -243,13 +245,12 @@ class MasterCurveSolution(ShiftedSolid):
     temperature: Array
     shift_factor: Array
     shift_error: Array
-    shift_covariance: Array
     vertical_factor: Array
     vertical_error: Array
     relaxation_times: Array
     shears: Array
     relaxed_shear: float
-    spectrum_covariance: Array
+    covariances: Covariances
     scatter: Array
     freedom: float
     residuals: Array
@@ -258,7 +259,5 @@ class MasterCurveSolution(ShiftedSolid):
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         shifts = np.log(self.shift_factor)
-        notes = master_curve_notes(
-            self.problem.measured, self.temperature, shifts, self.residuals, self.determined
-        )
-        return (self.law_note, *notes)
+        notes = master_curve_notes(self.problem.measured, self.temperature, shifts, self.residuals, self.determined)
+        return (self._law_note, *notes)

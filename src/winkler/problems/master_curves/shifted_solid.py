@@ -10,9 +10,10 @@ from winkler.errors import OutsideValidity
 from winkler.materials.at_temperature import AtTemperature
 from winkler.materials.temperature import Arrhenius, WilliamsLandelFerry
 from winkler.numerics.types import Array
-from winkler.problems.viscoelastic.shift_laws import FittedLaws, Verdict, fitted_laws
-from winkler.problems.viscoelastic.spectrum_solid import SpectrumSolid
+from winkler.problems.master_curves.shift_laws import FittedLaws, ShiftVerdict, fitted_laws
+from winkler.problems.master_curves.spectrum_solid import SpectrumSolid
 from winkler.validity import Assumption, Note, Standing
+from winkler.values import words
 
 __all__ = ["ShiftedSolid"]
 
@@ -20,10 +21,18 @@ __all__ = ["ShiftedSolid"]
 class ShiftedSolid(SpectrumSolid):
     """What follows from a spectrum and shifts; its fields are those of `MasterCurveSolution`."""
 
+    __words__ = words(
+        laws=("", None, "both laws of temperature, fitted to the shifts"),
+        law=("", None, "the law of temperature that is used"),
+        verdict=("", None, "law that the shifts determine"),
+        first_constant=("c_1", "", "first constant of Williams, Landel and Ferry"),
+        second_constant=("c_2", "K", "second constant of Williams, Landel and Ferry"),
+        activation_energy=("Q", "J/mol", "activation energy of Arrhenius' law"),
+    )
+
     temperature: Array
     shift_factor: Array
     shift_error: Array
-    shift_covariance: Array
     freedom: float
 
     @functools.cached_property
@@ -34,7 +43,7 @@ class ShiftedSolid(SpectrumSolid):
         return fitted_laws(
             self.temperature[others],
             np.log(self.shift_factor[others]),
-            self.shift_covariance[np.ix_(others, others)],
+            self.covariances.shift[np.ix_(others, others)],
             reference,
             freedom=self.freedom,
         )
@@ -61,7 +70,8 @@ class ShiftedSolid(SpectrumSolid):
 
     @property
     def law(self) -> WilliamsLandelFerry | Arrhenius:
-        """The law of the verdict; that of Williams, Landel and Ferry, which contains the other, where neither is excluded.
+        """The law of the verdict; that of Williams, Landel and Ferry, which contains the other, where neither "
+        "is excluded.
 
         Raises
         ------
@@ -69,12 +79,12 @@ class ShiftedSolid(SpectrumSolid):
             If neither law describes the shifts.
         """
         laws = self.laws
-        if laws.verdict is Verdict.NEITHER:
+        if laws.verdict is ShiftVerdict.NEITHER:
             raise OutsideValidity(
                 "MasterCurve: neither law describes the shifts within their errors; use solid.slowed(factor) with a "
                 "measured shift_factor."
             )
-        return laws.arrhenius if laws.verdict is Verdict.ARRHENIUS else laws.ferry
+        return laws.arrhenius if laws.verdict is ShiftVerdict.ARRHENIUS else laws.ferry
 
     def solid_at(self, temperature: float) -> AtTemperature:
         """Return the solid at any temperature by the law of the verdict, for `ViscoelasticHalfSpace`.
@@ -92,21 +102,23 @@ class ShiftedSolid(SpectrumSolid):
         return AtTemperature(self.solid, self.law, temperature)
 
     @property
-    def law_note(self) -> Note:
+    def _law_note(self) -> Note:
         """Which law the shifts determine, with the intervals of its constants."""
         laws = self.laws
         first, second, energy = laws.first_interval, laws.second_interval, laws.energy_interval
         constants = (
             f"c1 = {laws.ferry.first_constant:.4g} ({first[0]:.4g} to {first[1]:.4g}), c2 = "
             f"{laws.ferry.second_constant:.4g} K ({second[0]:.4g} to {second[1]:.4g} K), or an activation energy of "
-            f"{laws.arrhenius.activation_energy / 1e3:.4g} kJ/mol ({energy[0] / 1e3:.4g} to {energy[1] / 1e3:.4g} kJ/mol)"
+            f"{laws.arrhenius.activation_energy / 1e3:.4g} kJ/mol "
+            f"({energy[0] / 1e3:.4g} to {energy[1] / 1e3:.4g} kJ/mol)"
         )
-        misfit = f"squares {laws.ferry_misfit:.3g} and {laws.arrhenius_misfit:.3g} of {self.temperature.size - 1} shifts"
+        count = self.temperature.size - 1
+        misfit = f"squares {laws.ferry_misfit:.3g} and {laws.arrhenius_misfit:.3g} of {count} shifts"
         says = {
-            Verdict.FERRY: "The shifts are those of Williams, Landel and Ferry, and exclude Arrhenius' law",
-            Verdict.ARRHENIUS: "The shifts are those of Arrhenius, and exclude the constants of polymers",
-            Verdict.UNDECIDED: "The shifts cannot tell the laws of Williams, Landel and Ferry and of Arrhenius apart",
-            Verdict.NEITHER: "Neither law describes the shifts within their errors",
+            ShiftVerdict.FERRY: "The shifts are those of Williams, Landel and Ferry, and exclude Arrhenius' law",
+            ShiftVerdict.ARRHENIUS: "The shifts are those of Arrhenius, and exclude the constants of polymers",
+            ShiftVerdict.UNDECIDED: "The shifts cannot tell Williams, Landel and Ferry from Arrhenius",
+            ShiftVerdict.NEITHER: "Neither law describes the shifts within their errors",
         }[laws.verdict]
-        standing = Standing.APPROXIMATE if laws.verdict is Verdict.NEITHER else Standing.ASYMPTOTIC
+        standing = Standing.APPROXIMATE if laws.verdict is ShiftVerdict.NEITHER else Standing.ASYMPTOTIC
         return Note(Assumption.RESPONSE, standing, f"{says}: {constants}; {misfit}.", "95 % profile likelihood")

@@ -1,0 +1,1 @@
+"""Measurements of bodies that relax: sweeps shifted into a master curve, and relaxation spectra."""
