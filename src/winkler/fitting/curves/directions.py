@@ -161,6 +161,8 @@ def _turns(level: Array, least: float) -> list[int]:
             result, lowest, trend = [*result, (highest, IN)], index, -1
         elif trend <= 0 and cells[index] > cells[lowest] + least:
             result, highest, trend = [*result, (lowest, OUT)], index, 1
+    if result and abs(cells[result[0][0]] - cells[0]) <= least:  # the first extreme is noise about the start
+        result = result[1:]
     turns = [0]
     for cell, sign in result:
         first = max(int(starts[cell]) - size, turns[-1])

@@ -29,6 +29,8 @@ MOST_LINE_SHARE = 0.4
 """Greatest change of the force along a free line, relative to the range of forces."""
 MOST_SLOPE_SHARE = 0.5
 """Greatest slope of a free line, relative to the mean slope behind it."""
+LEAST_CURVED_SHARE, MOST_LEFT_BY_PARABOLA = 0.1, 0.1
+"""Free part, relative to the branch, below which it must not be a parabola, and the squares that a parabola leaves."""
 ROUNDS = 4
 
 
@@ -159,6 +161,8 @@ def _departure(force: Array, branch: FreeBranch, span: float) -> int:
 
 def _is_contact(force: Array, branch: FreeBranch, span: float) -> bool:
     """Return whether the line is a good part of the force, or nearly as steep as what follows it."""
+    if branch.count < LEAST_CURVED_SHARE * force.size and _bends(force[: branch.count]):
+        return True
     change = abs(branch.slope) * branch.count
     behind = force.size - branch.count
     if change > MOST_LINE_SHARE * span:
@@ -166,3 +170,10 @@ def _is_contact(force: Array, branch: FreeBranch, span: float) -> bool:
     steepest = abs(float(force[-3:].mean() - branch.line(force.size)[branch.count - 1])) / max(behind, 1)
     is_certain = change > DEPARTURE_TO_NOISE * branch.noise
     return behind >= FEWEST_FREE and is_certain and abs(branch.slope) > MOST_SLOPE_SHARE * steepest
+
+
+def _bends(force: Array) -> bool:
+    """Return whether a parabola explains nearly all that a line leaves: the beginning of a contact, without noise."""
+    along = np.linspace(-1.0, 1.0, force.size)
+    line, parabola = (force - np.polyval(np.polyfit(along, force, degree), along) for degree in (1, 2))
+    return float(parabola @ parabola) < MOST_LEFT_BY_PARABOLA * float(line @ line)
