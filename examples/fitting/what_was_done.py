@@ -22,7 +22,8 @@ random = np.random.default_rng(4)
 # A ball on rubber, in and out, with reflected light
 # --------------------------------------------------
 #
-# The ball of 5 µm radius is held for 0.4 s, in which the rubber relaxes by a tenth, and comes off at a tension of 2.4 nN.
+# The ball of 5 µm radius is held for 0.4 s, in which the rubber relaxes by a tenth, and comes off at a tension of
+# 2.4 nN.
 
 leg = np.linspace(-2e-6, 1e-6, 600)
 position = np.concatenate([leg, np.full(400, 1e-6), leg[::-1]])

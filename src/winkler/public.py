@@ -8,6 +8,7 @@ from winkler.errors import InvalidInput, NotConverged, OutsideValidity, WinklerE
 from winkler.fields import SubsurfaceFields, SurfaceFields, restore, restore_body, restore_shift
 from winkler.fitting.compare import Comparison, compare
 from winkler.fitting.curves.curve import ForceCurve
+from winkler.fitting.curves.events.kinds import CurveEvent, CurveEvents, EventKind
 from winkler.fitting.curves.segments import Segment, SegmentKind
 from winkler.fitting.fit import Fit, fit, fit_steps
 from winkler.fitting.outcome import CreepFit, ViscoelasticFit
@@ -138,9 +139,11 @@ __all__ = [
     "Angle", "Archard", "AreaFunction", "Arrhenius", "Assumption", "AtTemperature", "BallInSocket", "Berkovich",
     "BodyFields", "CalibratedArea", "CappedCylinder", "CappedParaboloid", "Circle", "CoatedHalfSpace", "Comparison",
     "Cone", "ContactEllipse", "ContactReading", "Coulomb", "CreepData", "CreepFit", "CrossProfile", "CrownedEnds",
-    "CubeCorner", "Current", "CurvedBodies", "CurvedPair", "Cylinder", "CylinderRow", "Depth", "DepthGradedHalfSpace",
+    "CubeCorner", "Current", "CurveEvent", "CurveEvents",
+    "CurvedBodies", "CurvedPair", "Cylinder", "CylinderRow", "Depth", "DepthGradedHalfSpace",
     "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData", "Elastic", "ElectricalConductor",
-    "ElectricalConductors", "Ellipsoid", "EllipticFoundation", "EqualMaximum", "EqualMean", "ExponentialGrading",
+    "ElectricalConductors", "Ellipsoid", "EllipticFoundation", "EqualMaximum", "EqualMean",
+    "EventKind", "ExponentialGrading",
     "ExponentialSlipWeakening", "FallingFriction", "Fit", "FitState", "FixedShare", "FlatPunch", "Follow", "Force",
     "ForceCurve", "Formula", "FormulaSection", "Foundation", "FractionalZener", "GeneralisedKelvin", "GradedHalfSpace",
     "HalfSpace", "HalfWidth", "HeatConductors", "Hold", "Hyperboloid", "InvalidInput", "KelvinVoigt", "Layer",

@@ -24,9 +24,7 @@ QUIET = {
 
 
 def false_alarms(world, seeds):
-    return [
-        (seed, event.kind.value) for seed in seeds for event in world.curve(seed)[0].events if event.kind in SUDDEN
-    ]
+    return [(seed, event.kind.value) for seed in seeds for event in world.curve(seed)[0].events if event.kind in SUDDEN]
 
 
 @pytest.mark.parametrize("name", QUIET)
@@ -206,7 +204,7 @@ def test_no_scale_is_absolute(scale):
 
 
 def test_stated_events_replace_what_is_found():
-    curve, place = AfmWorld(jump=30.0).curve(5)
+    curve, _ = AfmWorld(jump=30.0).curve(5)
     nothing = curve.with_events([])
     assert {event.kind for event in nothing.events} == {EventKind.LOADING, EventKind.LAST_UNLOADING}
     stated = curve.with_events([("baseline", 0, 99), ("pop-in", 400, 400)])

@@ -358,9 +358,7 @@ def test_interference_is_subtracted_and_stated(here):
 
 
 def test_the_clock_is_set_and_stated(here):
-    plain, mended = (
-        fit_study(loop_study(here, lines, late=0.02)).fitted[0] for lines in ("", 'correct = ["clock"]')
-    )
+    plain, mended = (fit_study(loop_study(here, lines, late=0.02)).fitted[0] for lines in ("", 'correct = ["clock"]'))
     (step,) = (step for step in mended.steps if step.startswith("clock"))
     assert re.search(r"recorded late by (19|20)\.\d+ ± 0\.\d+ ms, and was shifted", step)
     young = mended.fit.names[0]
@@ -384,7 +382,9 @@ def test_events_are_stated(here):
     assert [event.first for event in measured.events.of("pop-in")] == [320]
     assert measured.count == 1000
     nothing = loop_study(here, 'events = "none"')
-    assert "events: stated as none; snap-in, pop-ins and pull-off were not sought." in fit_study(nothing).fitted[0].steps
+    assert (
+        "events: stated as none; snap-in, pop-ins and pull-off were not sought." in fit_study(nothing).fitted[0].steps
+    )
     assert loop_study(here, 'events = "found"').events == ()
 
 

@@ -195,9 +195,7 @@ def _unevenness(signal: _Signal) -> float:
     travels = np.array([np.ptp(samples) for samples in parts])
     if not travels.size or not travels.sum() > 0.0:
         return 0.0
-    quartiles = np.array(
-        [np.quantile(_counts(samples, _levels(samples.size)), (0.25, 0.5, 0.75)) for samples in parts]
-    )
+    quartiles = np.array([np.quantile(_counts(samples, _levels(samples.size)), (0.25, 0.5, 0.75)) for samples in parts])
     spread = (quartiles[:, 2] - quartiles[:, 0]) / np.maximum(quartiles[:, 1], 1.0)
     return float(spread @ travels / travels.sum())
 

@@ -67,7 +67,7 @@ def clock_offset_of(record: Record, contact: Array) -> ClockOffset | None:
         return None
     loaded = contact & (record.force > record.force.min() + LEAST_FORCE_SHARE * float(np.ptp(record.force)))
     turns = (np.flatnonzero(np.diff(record.direction)) + 1).tolist()
-    bounds = [0, *turns, record.count]
+    bounds = [0, *turns, record.length]
     found: list[tuple[int, float, float]] = []
     for place, turn in enumerate(turns, start=1):
         room = min(turn - bounds[place - 1], bounds[place + 1] - turn)
