@@ -5,8 +5,8 @@ At each point two straight lines through w neighbours on either side are extrapo
 .. math:: g_i = \frac{1}{w}\sum_{k=0}^{w-1} c_k\,(y_{i+k} - y_{i-1-k}), \qquad c_k = 1 - \frac{3w(2k-w+1)}{w^2-1},
 
 vanishes for straight lines, kinks at i and parabolas.  Its own scatter along the signal, for each w, is the noise, so
-that slow noise counts.  A candidate is a step if a cubic with a step describes its neighbourhood far better than a cubic with
-a kink or with a ramp.
+that slow noise counts.  A candidate is a step if a cubic with a step describes its neighbourhood far better than a
+cubic with a kink or with a ramp.
 """
 
 from __future__ import annotations
