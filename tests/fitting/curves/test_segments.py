@@ -213,3 +213,35 @@ def test_a_relaxing_hold_stays_one():
     segment = np.repeat([0, 1, 2], [100, 60, 60])
     depth = np.concatenate([into, np.ones(60), np.linspace(1.0, 0.0, 60)])
     assert directions(depth, force, segment).tolist() == [1.0] * 100 + [0.0] * 60 + [-1.0] * 60
+
+
+@pytest.mark.parametrize("recovered", [0.02, 0.1])
+@pytest.mark.parametrize(("noise", "seed"), [(0.0, 0), (5e-4, 1), (1e-3, 2)])
+def test_twenty_partial_unloadings_of_a_stiff_contact(recovered, noise, seed):
+    """Each takes back 2 % of the depth, by nine tenths of the force; the first peaks are a twentieth of the last."""
+    force, depth, kinds, peak = [0.0], [0.0], ["loading"], 0.0
+    for number in range(1, 22):
+        lowest, before, peak, end = force[-1], peak, number / 21.0, 0.1 * number / 21.0 if number < 21 else 0.0
+        up, down = ramp(lowest, peak), ramp(peak, end)
+        slope = recovered / 0.9  # of the depth at a peak, over its force
+        again = np.sqrt(before) - slope * np.sqrt(before) * (1.0 - up / before) if before else up
+        depth += [*np.where(up > before, np.sqrt(up), again), *np.full(50, np.sqrt(peak))]
+        depth += list(np.sqrt(peak) - slope * np.sqrt(peak) * (1.0 - down / peak))
+        force += [*up, *np.full(50, peak), *down]
+        last = "partial unloading" if number < 21 else "last unloading"
+        kinds += ["loading"] * LEG + ["hold"] * 50 + [last] * LEG
+    random = np.random.default_rng(seed)
+    columns = (np.array(column) + noise * random.standard_normal(len(column)) for column in (depth, force))
+    found, stated = segments(ForceCurve(*columns)), runs(kinds)
+    assert [kind for kind, _ in found] == [kind for kind, _ in stated]
+    assert np.abs(np.array([a for _, a in found]) - np.array([b for _, b in stated])).max() <= 12
+
+
+@pytest.mark.parametrize("curve", ["sine", "parabola"])
+def test_a_smooth_noisy_turn_is_no_hold(curve):
+    along = np.linspace(-1.0, 1.0, 1001)
+    swing = np.cos(0.4 * np.pi * along) if curve == "sine" else 1.0 - along**2
+    for seed in range(5):
+        random = np.random.default_rng(seed)
+        position, force = (column + 5e-4 * random.standard_normal(1001) for column in (swing, swing**1.5))
+        assert [kind for kind, _ in segments(ForceCurve(position, force))] == ["loading", "last unloading"]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import math
+import re
 from pathlib import Path
 
 import numpy as np
@@ -16,7 +17,7 @@ from winkler.fitting.fit import fit
 from winkler.io.curves import PlacedCurve, read_curve
 from winkler.plot.fitting.fits import Grid, grid_of
 from winkler.study.batch.fit_outcome import Fitted, Refused
-from winkler.study.batch.fit_run import fit_curves, fit_study, gather_fits
+from winkler.study.batch.fit_run import fit_curves, fit_study, gather_fits, measured_curve
 from winkler.study.language.correcting import CORRECTIONS
 from winkler.study.language.fit_reading import parse_fit_study, read_fit_study
 from winkler.study.language.reading import parse_study
@@ -330,3 +331,74 @@ def test_a_fit_is_drawn_with_labels_and_units(here):
     assert np.allclose(shown[:, 1], 1e12 * result.fit.residuals)
     with pytest.raises(InvalidInput, match="no extent; leave it out"):
         draw(result.fit, extent=1.0)
+
+
+def loop_of(late=0.0, ripple=0.0):
+    """A loop with times, whose force is late, and which light disturbs by a sinusoid of a period of 125 nm."""
+    random = np.random.default_rng(7)
+    position = np.concatenate([np.linspace(-1e-6, 1e-6, 400), np.full(200, 1e-6), np.linspace(1e-6, -1e-6, 400)])
+    time = 1e-3 * np.arange(1000.0)
+    force = np.interp(time - late, time, hertz(position, 4e3)) + ripple * np.sin(2.0 * np.pi * position / 125e-9)
+    return position + 0.3e-6, force + 5e-12 * random.standard_normal(1000), time
+
+
+def loop_study(folder, lines, **disturbed):
+    columns = [column.tolist() for column in loop_of(**disturbed)]
+    rows = (f"{1e9 * d!r}, {1e9 * f!r}, {t!r}\n" for d, f, t in zip(*columns, strict=True))
+    (folder / "curve.csv").write_text("depth [nm], force [nN], time [s]\n" + "".join(rows), encoding="utf-8")
+    return parse_fit_study(STUDY.replace('part = "approach"', f'part = "approach"\n{lines}'), folder=folder)
+
+
+def test_interference_is_subtracted_and_stated(here):
+    (result,) = fit_study(loop_study(here, 'correct = ["interference"]', ripple=3e-11)).fitted
+    (step,) = (step for step in result.steps if step.startswith("interference"))
+    assert re.search(r"amplitude (29|30|31)\.\d+ ± [0-2]\.\d+ pN and the period 12[45]\.\d+ ± [01]\.\d+ nm", step)
+    low, high = result.fit.interval(result.fit.names[0])
+    assert low < 4e3 < high
+
+
+def test_the_clock_is_set_and_stated(here):
+    plain, mended = (fit_study(loop_study(here, lines, late=0.02)).fitted[0] for lines in ("", 'correct = ["clock"]'))
+    (step,) = (step for step in mended.steps if step.startswith("clock"))
+    assert re.search(r"recorded late by (19|20)\.\d+ ± 0\.\d+ ms, and was shifted", step)
+    young = mended.fit.names[0]
+    assert mended.fit.value(young) == pytest.approx(4e3, rel=0.01)
+    assert abs(plain.fit.value("contact_point") - 0.3e-6) > 5.0 * abs(mended.fit.value("contact_point") - 0.3e-6)
+
+
+def test_what_is_not_there_is_not_corrected(here):
+    (result,) = fit_study(loop_study(here, 'correct = ["interference", "clock"]')).fitted
+    assert any("no sinusoid over the position stands out" in step for step in result.steps)
+    assert any("which is not certain; nothing was shifted" in step for step in result.steps)
+
+
+def test_events_are_stated(here):
+    lines = 'events = ["baseline 0 s to 0.1 s", "pop-in 320"]\ncorrect = ["baseline"]'
+    study = loop_study(here, lines)
+    (result,) = fit_study(study).fitted
+    assert "events: as stated, baseline 0 s to 0.1 s, pop-in 320." in result.steps
+    measured = measured_curve(study, result)
+    assert [(event.first, event.last) for event in measured.events.of("baseline before contact")] == [(0, 100)]
+    assert [event.first for event in measured.events.of("pop-in")] == [320]
+    assert measured.count == 1000
+    nothing = loop_study(here, 'events = "none"')
+    assert (
+        "events: stated as none; snap-in, pop-ins and pull-off were not sought." in fit_study(nothing).fitted[0].steps
+    )
+    assert loop_study(here, 'events = "found"').events == ()
+
+
+@pytest.mark.parametrize(
+    ("events", "sentence"),
+    [
+        ("3", "fit.events is 3; give 'found', 'none', or a list of events"),
+        ("[]", r"fit.events is \[\]; give 'found', 'none'"),
+        ('["pop-in"]', "fit.events holds 'pop-in', which is no event with its place"),
+        ('["popin 3"]', r"fit.events holds 'popin 3', a 'popin' \(did you mean 'pop-in'\?\); there are baseline"),
+        ('["pop-in 3000"]', "events: line 0 spans the points 3000 to 3000; give indices from 0 to 999"),
+        ('["pop-in 3 N"]', "fit.events, 'pop-in 3 N': .* give a time"),
+    ],
+)
+def test_events_that_are_refused(here, events, sentence):
+    with pytest.raises(InvalidInput, match=sentence):
+        fit_study(loop_study(here, f"events = {events}"))

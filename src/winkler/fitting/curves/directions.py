@@ -161,6 +161,8 @@ def _turns(level: Array, least: float) -> list[int]:
             result, lowest, trend = [*result, (highest, IN)], index, -1
         elif trend <= 0 and cells[index] > cells[lowest] + least:
             result, highest, trend = [*result, (lowest, OUT)], index, 1
+    if result and abs(cells[result[0][0]] - cells[0]) <= least:  # the first extreme is noise about the start
+        result = result[1:]
     turns = [0]
     for cell, sign in result:
         first = max(int(starts[cell]) - size, turns[-1])
@@ -193,9 +195,7 @@ def _unevenness(signal: _Signal) -> float:
     travels = np.array([np.ptp(samples) for samples in parts])
     if not travels.size or not travels.sum() > 0.0:
         return 0.0
-    quartiles = np.array(
-        [np.quantile(_counts(samples, _levels(samples.size)), (0.25, 0.5, 0.75)) for samples in parts]
-    )
+    quartiles = np.array([np.quantile(_counts(samples, _levels(samples.size)), (0.25, 0.5, 0.75)) for samples in parts])
     spread = (quartiles[:, 2] - quartiles[:, 0]) / np.maximum(quartiles[:, 1], 1.0)
     return float(spread @ travels / travels.sum())
 

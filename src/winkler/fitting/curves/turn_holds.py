@@ -1,7 +1,7 @@
 """Holds at a turn of a noisy signal that are too short for their density of samples to stand out.
 
-About the turn, two straight lines joined by a level are compared with two parabolas that meet in a point: the hold is one
-if it leaves clearly less, although it has fewer numbers.
+About the turn, two straight lines joined by a level are compared with two parabolas that meet in a point, and with a
+polynomial: the hold is one if it leaves clearly less, although it has fewer numbers.
 """
 
 from __future__ import annotations
@@ -14,7 +14,8 @@ __all__ = ["turn_hold"]
 
 MOST_REACH, FEWEST_REACH = 240, 12
 """Most and fewest points on each side of a turn."""
-FEWEST_HELD = 5
+FEWEST_HELD, SMOOTH_DEGREE = 5, 6
+"""Fewest points of a hold, and degree of the polynomial of a smooth turn."""
 TRIALS = 17
 """Trial places of each end of the level; refined once."""
 LEAST_GAIN = 30.0
@@ -46,6 +47,7 @@ def turn_hold(level: Array, noise: float, before: int, turn: int, behind: int) -
     start, stop, left = _best_level(x, y, start + fine, stop + fine)
     variance = max(noise**2, left / max(x.size - 5, 1))
     peaked = min(_left(_peak(x, at), y) for at in np.linspace(-0.3 * reach, 0.3 * reach, TRIALS))
+    peaked = min(peaked, _left(np.polynomial.legendre.legvander(x / reach, SMOOTH_DEGREE), y))
     if stop - start < FEWEST_HELD or peaked - left < LEAST_GAIN * variance:
         return None
     columns = _flat(x, start, stop)

@@ -42,7 +42,6 @@ EVENTS_EXAMPLE = '["baseline 0 s to 2.5 s", "pop-in 3.1 s"]'
 EVENT = re.compile(r"\s*([a-z]+(?:-[a-z]+)?)\s+(\S.*?)(?:\s+to\s+(\S.*?))?\s*")
 
 
-
 def stated_segments(raw: Any) -> tuple[str, ...]:
     """Refuse what is neither "found" nor a list of kinds with their beginnings."""
     if raw in (FOUND, [FOUND]):
@@ -111,7 +110,7 @@ def stated_events(raw: Any) -> tuple[str, ...]:
     if raw in (NONE, [NONE]):
         return (NONE,)
     if not isinstance(raw, list | tuple) or not raw or not all(isinstance(item, str) for item in raw):
-        wrong(f"{WHERE} is {raw!r}; give 'found', 'none', or a list of events with their places, such as {EVENTS_EXAMPLE}.")
+        wrong(f"{WHERE} is {raw!r}; give 'found', 'none', or a list of events, such as {EVENTS_EXAMPLE}.")
     for item in raw:
         line = EVENT.fullmatch(item)
         if line is None:

@@ -19,7 +19,9 @@ LEAST_SHARE = 2e-3
 """Least tension relative to the range of the force."""
 BASE_LENGTH = 8
 """Length of the free part next to the tension, in averaged neighbours, from which it counts."""
-COMPRESSION_RATIO, LASTING = 5.0, 3
+COMPRESSION_RATIO = 5.0
+SHARP_WIDTH, SHARP_RATIO = 3, 20.0
+"""Neighbours whose mean is the tension where it is clearly above the noise, and its least ratio to their noise."""
 
 
 class Tension(NamedTuple):
@@ -41,7 +43,7 @@ def tension(force: Array, branch: FreeBranch) -> Tension | None:
         From the far end on [N].
     branch : FreeBranch
     """
-    width, free = branch.averaged, branch.count
+    width, free = branch.averaged, branch.points
     if not free or free + 2 * width > force.size:
         return None
     above = force - branch.line(force.size)
@@ -64,5 +66,10 @@ def tension(force: Array, branch: FreeBranch) -> Tension | None:
     half = np.flatnonzero(means[begin : lowest + 1] < base - 0.5 * size)
     first = begin + int(half[0]) + width // 2
     span = slice(max(first - 60, 0), min(first + 60, force.size))
-    sudden = any(abs(step.index + span.start - first) <= 2 * width for step in found_steps(force[span], -1.0))
+    sudden = any(abs(step.place + span.start - first) <= 2 * width for step in found_steps(force[span], -1.0))
+    sharp_error = branch.noise / np.sqrt(SHARP_WIDTH)
+    if size > SHARP_RATIO * sharp_error and width > SHARP_WIDTH:  # a long mean would smooth the tip of it
+        sharp = moving_mean(above, SHARP_WIDTH)[begin : end + width - SHARP_WIDTH]
+        size, error, lowest = base - float(sharp.min()), max(sharp_error, error), begin + int(np.argmin(sharp))
+        return Tension(min(first, lowest), lowest + 1, size, error, sudden)
     return Tension(first, lowest + width // 2, size, error, sudden)

@@ -67,7 +67,7 @@ def clock_offset_of(record: Record, contact: Array) -> ClockOffset | None:
         return None
     loaded = contact & (record.force > record.force.min() + LEAST_FORCE_SHARE * float(np.ptp(record.force)))
     turns = (np.flatnonzero(np.diff(record.direction)) + 1).tolist()
-    bounds = [0, *turns, record.count]
+    bounds = [0, *turns, record.length]
     found: list[tuple[int, float, float]] = []
     for place, turn in enumerate(turns, start=1):
         room = min(turn - bounds[place - 1], bounds[place + 1] - turn)
@@ -121,7 +121,10 @@ def _located(time: Array, signal: Array, origin: float) -> _Kink | None:
     sampling = float(np.ptp(time)) / max(time.size - 1, 1)
     if not sampling > 0.0:
         return None
-    x, y = time / sampling, signal - signal.mean()
+    span = float(np.ptp(signal))
+    if not span > 0.0:
+        return None
+    x, y = time / sampling, (signal - signal.mean()) / span
     widest = 0.4 * min(-x[0], x[-1])
     trials = np.arange(-widest, widest + 0.25, 0.25)
     if trials.size < 5:
@@ -137,11 +140,13 @@ def _located(time: Array, signal: Array, origin: float) -> _Kink | None:
     freedom = max(x.size - 6, 1)
     variance = float(rest @ rest) / freedom
     noise = deviation(np.diff(y, 2)) / math.sqrt(6.0)
-    if math.sqrt(variance) > max(MOST_LEFT_RATIO * noise, MOST_LEFT_SHARE * float(np.ptp(y))):
+    if math.sqrt(variance) > max(MOST_LEFT_RATIO * noise, MOST_LEFT_SHARE):
         return None
     # the derivative with respect to the place of the kink joins the columns
     moved = (_columns(x, at + 0.01)[:, 3:] - columns[:, 3:]) @ numbers[3:] / 0.01
-    spread = np.linalg.pinv(np.column_stack([columns, moved]).T @ np.column_stack([columns, moved]))
+    design = np.column_stack([columns, moved])
+    sizes = np.maximum(np.linalg.norm(design, axis=0), 1e-300)
+    spread = np.linalg.pinv((design / sizes).T @ (design / sizes)) / np.outer(sizes, sizes)
     error = math.sqrt(variance * max(float(spread[5, 5]), 0.0) + SYSTEMATIC_POINTS**2)
     kink_error = math.sqrt(max(variance * float(spread[3, 3]), 0.0))
     ratio = abs(float(numbers[3])) / kink_error if kink_error > 0.0 else math.inf

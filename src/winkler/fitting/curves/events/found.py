@@ -32,7 +32,7 @@ def free_points(record: Record) -> tuple[Array, Array]:
     stated = np.flatnonzero(record.marks == FREE)
     if stated.size:
         touched = np.flatnonzero(record.marks != FREE)
-        middle = touched[0] if touched.size else record.count
+        middle = touched[0] if touched.size else record.length
         return stated[stated < middle], stated[stated >= middle]
     parts = free_parts(record)
     return parts.before_points, parts.after_points
@@ -48,9 +48,7 @@ def kept_points(record: Record) -> tuple[Array, Array]:
 
 def interference_in(record: Record) -> Interference | None:
     """Return the interference in the free points; None if there is none."""
-    return interference_of(
-        [(record.position[part], record.force[part]) for part in kept_points(record) if part.size]
-    )
+    return interference_of([(record.position[part], record.force[part]) for part in kept_points(record) if part.size])
 
 
 def drag_in(record: Record) -> Drag | None:
@@ -66,7 +64,7 @@ def drag_in(record: Record) -> Drag | None:
 
 def clock_offset_in(record: Record) -> ClockOffset | None:
     """Return the time by which the force is late; None where no edge determines it."""
-    contact = np.ones(record.count, dtype=bool)
+    contact = np.ones(record.length, dtype=bool)
     contact[np.concatenate(free_points(record))] = False
     return clock_offset_of(record, contact)
 
@@ -160,21 +158,21 @@ def _happened(record: Record, parts: FreeParts) -> list[CurveEvent]:
     """Return snap-in, pop-ins and pull-off as they are found."""
     events = []
     going, coming = record.incoming, record.outgoing
-    first = going.start + parts.before.count
-    if (snap := tension(record.force[going], parts.before)) is not None and parts.before.count < going.stop:
+    first = going.start + parts.before.points
+    if (snap := tension(record.force[going], parts.before)) is not None and parts.before.points < going.stop:
         ends = going.start + snap.first, going.start + snap.last
         first = max(first, ends[1] + 1)
-        confidence = confidence_of(snap.size / snap.error if snap.error else 40.0, parts.before.count)
+        confidence = confidence_of(snap.size / snap.error if snap.error else 40.0, parts.before.points)
         remark = "sudden" if snap.sudden else "gradual"
         events.append(CurveEvent(EventKind.SNAP_IN, *ends, snap.size, snap.error, "N", confidence, remark))
     for each in pop_ins(record, first):
-        confidence = confidence_of(min(each.ratio, 40.0), record.count)
-        remark = f"at {with_unit(float(record.force[each.index - 1]), 'N')}"
-        ends = each.index - 1, each.index
+        confidence = confidence_of(min(each.ratio, 40.0), record.length)
+        remark = f"at {with_unit(float(record.force[each.place - 1]), 'N')}"
+        ends = each.place - 1, each.place
         events.append(CurveEvent(EventKind.POP_IN, *ends, each.size, each.error, each.unit, confidence, remark))
     if (pull := tension(record.force[coming][::-1], parts.after)) is not None:
         ends = coming.stop - 1 - pull.last, coming.stop - 1 - pull.first
-        confidence = confidence_of(pull.size / pull.error if pull.error else 40.0, parts.after.count)
+        confidence = confidence_of(pull.size / pull.error if pull.error else 40.0, parts.after.points)
         remark = "sudden" if pull.sudden else "gradual"
         events.append(CurveEvent(EventKind.PULL_OFF, *ends, pull.size, pull.error, "N", confidence, remark))
     return events
@@ -185,7 +183,7 @@ def _stated(record: Record) -> list[CurveEvent]:
     events = []
     names = {mark: EventKind(name) for name, mark in MARKS.items() if mark != FREE}
     turns = np.flatnonzero(np.diff(record.marks)) + 1
-    for part in np.split(np.arange(record.count), turns):
+    for part in np.split(np.arange(record.length), turns):
         kind = names.get(float(record.marks[part[0]]))
         if kind is None:
             continue

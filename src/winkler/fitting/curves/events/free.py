@@ -29,6 +29,8 @@ MOST_LINE_SHARE = 0.4
 """Greatest change of the force along a free line, relative to the range of forces."""
 MOST_SLOPE_SHARE = 0.5
 """Greatest slope of a free line, relative to the mean slope behind it."""
+LEAST_CURVED_SHARE, MOST_LEFT_BY_PARABOLA = 0.1, 0.1
+"""Free part, relative to the branch, below which it must not be a parabola, and the squares that a parabola leaves."""
 ROUNDS = 4
 
 
@@ -37,7 +39,7 @@ class FreeBranch(NamedTuple):
 
     Parameters
     ----------
-    count : int
+    points : int
         Number of free points; zero if there are too few.
     level, slope : float
         Force at the far end [N], and its change from point to point.
@@ -48,7 +50,7 @@ class FreeBranch(NamedTuple):
     averaged : int
     """
 
-    count: int
+    points: int
     level: float = 0.0
     slope: float = 0.0
     noise: float = 0.0
@@ -77,8 +79,8 @@ def free_parts(record: Record) -> FreeParts:
     return FreeParts(
         before,
         after,
-        np.arange(going.start, going.start + before.count),
-        np.arange(coming.stop - after.count, coming.stop),
+        np.arange(going.start, going.start + before.points),
+        np.arange(coming.stop - after.points, coming.stop),
     )
 
 
@@ -141,7 +143,7 @@ def _line(force: Array, count: int, averaged: int) -> FreeBranch:
 
 def _departure(force: Array, branch: FreeBranch, span: float) -> int:
     """Return the first point from which means leave the line; the number of points if there is none."""
-    count, width = branch.count, branch.averaged
+    count, width = branch.points, branch.averaged
     means = np.abs(moving_mean(force - branch.line(force.size), width))
     along = np.arange(means.size) - 0.5 * (count - 1)
     memory = branch.mean_noise * np.sqrt(width)  # more than the noise where neighbours are correlated
@@ -159,10 +161,19 @@ def _departure(force: Array, branch: FreeBranch, span: float) -> int:
 
 def _is_contact(force: Array, branch: FreeBranch, span: float) -> bool:
     """Return whether the line is a good part of the force, or nearly as steep as what follows it."""
-    change = abs(branch.slope) * branch.count
-    behind = force.size - branch.count
+    if branch.points < LEAST_CURVED_SHARE * force.size and _bends(force[: branch.points]):
+        return True
+    change = abs(branch.slope) * branch.points
+    behind = force.size - branch.points
     if change > MOST_LINE_SHARE * span:
         return True
-    steepest = abs(float(force[-3:].mean() - branch.line(force.size)[branch.count - 1])) / max(behind, 1)
+    steepest = abs(float(force[-3:].mean() - branch.line(force.size)[branch.points - 1])) / max(behind, 1)
     is_certain = change > DEPARTURE_TO_NOISE * branch.noise
     return behind >= FEWEST_FREE and is_certain and abs(branch.slope) > MOST_SLOPE_SHARE * steepest
+
+
+def _bends(force: Array) -> bool:
+    """Return whether a parabola explains nearly all that a line leaves: the beginning of a contact, without noise."""
+    along = np.linspace(-1.0, 1.0, force.size)
+    line, parabola = (force - np.polyval(np.polyfit(along, force, degree), along) for degree in (1, 2))
+    return float(parabola @ parabola) < MOST_LEFT_BY_PARABOLA * float(line @ line)

@@ -87,7 +87,7 @@ class Interference:
         phase = 2.0 * math.pi / self.period * along
         slope = along * (self.sine * np.cos(phase) - self.cosine * np.sin(phase))
         columns = np.stack([np.cos(phase), np.sin(phase), slope], axis=-1)
-        return np.sqrt(np.einsum("...i,ij,...j->...", columns, self.covariance, columns))
+        return np.asarray(np.sqrt(np.einsum("...i,ij,...j->...", columns, self.covariance, columns)))
 
 
 class _Found(NamedTuple):
@@ -145,7 +145,8 @@ def _averaged(position: Array, force: Array) -> tuple[Array, Array]:
     """Return means of neighbours, if there are many points."""
     size = position.size // MOST_POINTS + 1
     count = position.size // size
-    return tuple(column[: count * size].reshape(count, size).mean(axis=1) for column in (position, force))  # type: ignore[return-value]
+    place, load = (column[: count * size].reshape(count, size).mean(axis=1) for column in (position, force))
+    return place, load
 
 
 def _free_columns(parts: list[tuple[Array, Array]]) -> Array:

@@ -118,8 +118,8 @@ class CurveEvents(tuple[CurveEvent, ...]):
     >>> from winkler.fitting.curves.curve import ForceCurve
     >>> curve = ForceCurve([0.0, 1e-9, 2e-9, 1e-9, 0.0], [0.0, 1e-9, 2e-9, 1e-9, 0.0])
     >>> print(curve.events)
-    points 0 to 2: loading, force by 2 nN
-    points 3 to 4: last unloading, force by -2 nN
+    points 0 to 2: loading, force by 2 nN, position by 2 nm
+    points 3 to 4: last unloading, force by −2 nN, position by −2 nm
     """
 
     __slots__ = ()

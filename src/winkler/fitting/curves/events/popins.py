@@ -20,9 +20,9 @@ MOST_FORCE_SHARE = 0.3
 
 
 class PopIn(NamedTuple):
-    """Index of the first point behind the step, its size with standard error, and the unit of both, m or N."""
+    """Number of the first point behind the step, its size with standard error, and the unit of both, m or N."""
 
-    index: int
+    place: int
     size: float
     error: float
     unit: str
@@ -37,7 +37,7 @@ def pop_ins(record: Record, first: int) -> tuple[PopIn, ...]:
     """Return the pop-ins while the tip goes in, from the point `first` on."""
     turns = np.flatnonzero(np.diff(record.direction)) + 1
     result: list[PopIn] = []
-    for part in np.split(np.arange(record.count), turns):
+    for part in np.split(np.arange(record.length), turns):
         inside = part[part >= first]
         if inside.size and record.direction[inside[0]] == IN:
             result += _of_stretch(record.position[inside], record.force[inside], int(inside[0]))
@@ -49,18 +49,18 @@ def _of_stretch(position: Array, force: Array, offset: int) -> list[PopIn]:
     steps = [(step, "m") for step in found_steps(position, 1.0) if not _driven(position, force, step)]
     kept: list[tuple[Step, str]] = []
     for step, unit in sorted(drops + steps, key=lambda pair: -pair[0].ratio):
-        if all(abs(step.index - other.index) > NEIGHBOURS // 2 for other, _ in kept):
+        if all(abs(step.place - other.place) > NEIGHBOURS // 2 for other, _ in kept):
             kept.append((step, unit))
-    kept.sort(key=lambda pair: pair[0].index)
-    return [PopIn(offset + step.index, abs(step.size), step.error, unit) for step, unit in kept]
+    kept.sort(key=lambda pair: pair[0].place)
+    return [PopIn(offset + step.place, abs(step.size), step.error, unit) for step, unit in kept]
 
 
 def _other(signal: Array, step: Step) -> float:
     """Return the step of another signal at the same place, beyond its usual course."""
-    size = min(NEIGHBOURS, step.index - 1, signal.size - step.index - 1)
+    size = min(NEIGHBOURS, step.place - 1, signal.size - step.place - 1)
     if size < 2:
         return 0.0
-    before, behind = signal[step.index - size : step.index], signal[step.index : step.index + size]
+    before, behind = signal[step.place - size : step.place], signal[step.place : step.place + size]
     along = np.arange(size) - 0.5 * (size - 1)
     spread = float(along @ along)
     slope = 0.5 * float(along @ before + along @ behind) / spread
@@ -74,10 +74,10 @@ def _usual(signal: Array) -> float:
 
 def _driven(position: Array, force: Array, step: Step) -> bool:
     """Return whether the force follows a step of the position as it does beside it: the machine jumped."""
-    size = min(NEIGHBOURS, step.index - 1, position.size - step.index - 1)
+    size = min(NEIGHBOURS, step.place - 1, position.size - step.place - 1)
     if size < 2:
         return True
-    parts = [slice(step.index - size, step.index), slice(step.index, step.index + size)]
+    parts = [slice(step.place - size, step.place), slice(step.place, step.place + size)]
     x = np.concatenate([position[part] - position[part].mean() for part in parts])
     y = np.concatenate([force[part] - force[part].mean() for part in parts])
     stiffness = float(x @ y) / max(float(x @ x), 1e-300)

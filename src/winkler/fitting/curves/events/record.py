@@ -37,7 +37,7 @@ class Record(NamedTuple):
     compliance: float
 
     @property
-    def count(self) -> int:
+    def length(self) -> int:
         """Number of points."""
         return int(self.position.size)
 
@@ -59,7 +59,7 @@ class Record(NamedTuple):
             return slice(0, 0)
         first = int(inward[0])
         turns = np.flatnonzero(self.direction[first:] != IN)
-        return slice(first, first + int(turns[0]) if turns.size else self.count)
+        return slice(first, first + int(turns[0]) if turns.size else self.length)
 
     @property
     def outgoing(self) -> slice:

@@ -4,9 +4,9 @@ At each point two straight lines through w neighbours on either side are extrapo
 
 .. math:: g_i = \frac{1}{w}\sum_{k=0}^{w-1} c_k\,(y_{i+k} - y_{i-1-k}), \qquad c_k = 1 - \frac{3w(2k-w+1)}{w^2-1},
 
-vanishes for straight lines, kinks at i and parabolas.  Its own scatter along the signal, for each w, is the noise, so that slow
-noise counts.  A candidate is a step if a cubic with a step describes its neighbourhood far better than a cubic with
-a kink or with a ramp.
+vanishes for straight lines, kinks at i and parabolas.  Its own scatter along the signal, for each w, is the noise, so
+that slow noise counts.  A candidate is a step if a cubic with a step describes its neighbourhood far better than a
+cubic with a kink or with a ramp.
 """
 
 from __future__ import annotations
@@ -39,9 +39,9 @@ MOST_STEPS = 200
 
 
 class Step(NamedTuple):
-    """A step between the points `index` - 1 and `index`: its size, and the standard error of that."""
+    """A step between the points `place` - 1 and `place`: its size, and the standard error of that."""
 
-    index: int
+    place: int
     size: float
     error: float
 
@@ -78,7 +78,7 @@ def found_steps(signal: Array, sign: float = 1.0) -> tuple[Step, ...]:
             continue
         if _is_sudden(signal, index, width):
             kept.append((index, width, Step(index, gap, error)))
-    return tuple(sorted((step for _, _, step in kept), key=lambda step: step.index))
+    return tuple(sorted((step for _, _, step in kept), key=lambda step: step.place))
 
 
 def _gaps(signal: Array, width: int) -> Array:
@@ -86,7 +86,8 @@ def _gaps(signal: Array, width: int) -> Array:
     k = np.arange(width)
     half = 1.0 / width - 6.0 * (k - 0.5 * (width - 1.0)) / (width**2 - 1.0)
     kernel = np.concatenate([-half[::-1], half])
-    return np.asarray(np.correlate(signal - signal[0], kernel, mode="valid"))
+    gaps: Array = np.correlate(signal - signal[0], kernel, mode="valid")
+    return gaps
 
 
 def _noise(gaps: Array, width: int) -> Array:
@@ -96,7 +97,7 @@ def _noise(gaps: Array, width: int) -> Array:
     reach, stride = LOCAL_WIDTHS * width, max(width, 1)
     centres = np.arange(0, gaps.size, stride)
     local = np.array([float(np.median(sizes[max(c - reach, 0) : c + reach + 1])) for c in centres])
-    return np.maximum(whole, MAD_TO_SIGMA * np.interp(np.arange(gaps.size), centres, local))
+    return np.asarray(np.maximum(whole, MAD_TO_SIGMA * np.interp(np.arange(gaps.size), centres, local)))
 
 
 def _peaks(heights: Array, width: int) -> list[int]:
