@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import math
 import os
+import re
 from array import array
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -31,6 +32,8 @@ __all__ = ["Column", "Table", "names_columns", "read_table"]
 
 SEPARATORS_TRIED = ("\t", ";", ",", None)
 COMMENT_MARKS = "#% \t"
+NAME_LETTER = re.compile(r"[^\W\d_eE]")
+"""A letter other than that of an exponent: rows of numbers have none."""
 
 
 @value
@@ -171,7 +174,7 @@ def names_columns(path: str | os.PathLike[str], columns: Sequence[Column]) -> bo
     texts = [
         line.lstrip(COMMENT_MARKS).rstrip()
         for line in head_of(path, _needs(columns))
-        if _may_name(line.lower(), columns)
+        if NAME_LETTER.search(line) and _may_name(line.lower(), columns)
     ]
     rows = [cells_of(text, separator) for text in texts if text for separator in SEPARATORS_TRIED]
     return any(all(any(named(cell, column.names)[0] for cell in cells) for column in columns) for cells in rows)
