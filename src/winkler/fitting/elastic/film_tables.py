@@ -70,6 +70,7 @@ class FilmTables(EachAnew):
 
     def __init__(self, model: Indentation, name: str) -> None:
         self.model, self.name = model, name
+        self.profile = cast(Foundation, model.bed).profile
         self.start = math.log(number_at(model, name))
         self._windows: list[Window] = []
         self._highest = -math.inf
@@ -145,8 +146,8 @@ class FilmTables(EachAnew):
     def _homogeneous(self) -> Array:
         """Return d and F over E* of the profile on a half-space ``(2, panels, nodes)``."""
         radius = self._radii(panel_nodes()[0])
-        depth = self.model.bed.profile.gap(radius)
-        return np.stack([depth, 2.0 * (radius * depth - self.model.bed.profile.gap_integral(radius))])
+        depth = self.profile.gap(radius)
+        return np.stack([depth, 2.0 * (radius * depth - self.profile.gap_integral(radius))])
 
     def _radii(self, nodes: Array) -> Array:
         """Return radii at nodes from -1 to 1 of all panels ``(panels, nodes)``."""
@@ -173,7 +174,7 @@ class FilmTables(EachAnew):
         """Return the window around a modulus."""
         cheb = np.polynomial.chebyshev
         at, moduli = cheb.chebpts1(RADII), cheb.chebpts1(NODES)
-        radii, profile = self._radii(at), self.model.bed.profile
+        radii, profile = self._radii(at), self.profile
         ends = [self._medium(centre + far) for far in (-HALF_WIDTH, HALF_WIDTH)]
         count = max(nodes_for(end, float(radii.max())) for end in ends)
         rows = []
