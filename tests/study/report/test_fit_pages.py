@@ -15,7 +15,7 @@ from winkler.fitting.fit import fit
 from winkler.plot.fitting.noise_sheet import noise_sheet
 from winkler.study.batch.fit_run import fit_study
 from winkler.study.language.fit_reading import parse_fit_study
-from winkler.study.report.fit_pages import write_pages
+from winkler.study.report.fits.pages import write_pages
 
 STUDY = """title = "Gel"
 [problem]

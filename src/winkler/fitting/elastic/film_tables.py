@@ -45,7 +45,7 @@ MOST_REACH = 0.9
 ROUGH_STEPS, ROUGH_TOLERANCE = 6, 0.03
 
 
-class Window(NamedTuple):
+class ModulusWindow(NamedTuple):
     """Chebyshev series in ln E around `centre`: of ln d and ln F over those of the first layer alone.
 
     `series` has the shape (NODES, 2, panels, nodes).
@@ -72,7 +72,7 @@ class FilmTables(EachAnew):
         self.model, self.name = model, name
         self.profile = cast(Foundation, model.bed).profile
         self.start = math.log(number_at(model, name))
-        self._windows: list[Window] = []
+        self._windows: list[ModulusWindow] = []
         self._highest = -math.inf
         self._is_used = True
         self._edges = np.zeros(0)
@@ -170,7 +170,7 @@ class FilmTables(EachAnew):
         modulus = np.array([1.0, states.bed.medium.modulus])[:, None, None]  # type: ignore[attr-defined]
         return np.asarray(np.exp(np.tensordot(weights, window.series, 1)) * self._homogeneous() * modulus)
 
-    def _solved(self, centre: float) -> Window:
+    def _solved(self, centre: float) -> ModulusWindow:
         """Return the window around a modulus."""
         cheb = np.polynomial.chebyshev
         at, moduli = cheb.chebpts1(RADII), cheb.chebpts1(NODES)
@@ -188,7 +188,9 @@ class FilmTables(EachAnew):
         share = np.square(self._edges[1:] / self._edges[-1])  # of the greatest depth
         self._is_used = float(np.max(np.abs(in_radius[..., -1]) * share)) < RESOLVED
         to_series = np.linalg.inv(cheb.chebvander(moduli, NODES - 1))
-        return Window(centre, np.tensordot(to_series, in_radius @ cheb.chebvander(panel_nodes()[0], RADII - 1).T, 1))
+        return ModulusWindow(
+            centre, np.tensordot(to_series, in_radius @ cheb.chebvander(panel_nodes()[0], RADII - 1).T, 1)
+        )
 
 
 def _radius_at(bed: Foundation, depth: float) -> float:
