@@ -23,6 +23,7 @@ GROUPS = {
         "bench_adhesive_cycle",
         "bench_contacts",
         "bench_fit",
+        "bench_fit_models",
         "bench_friction",
         "bench_impact",
     ),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import json
 import os
 import re
@@ -138,6 +139,26 @@ def test_the_report_holds_what_made_the_numbers(here):
         assert part in page, part
     assert "<script" not in page
     assert "http" not in re.sub(r"https://doi\.org/|http://www\.w3\.org/", "", page)
+
+
+def test_the_first_line_is_the_number_with_its_interval(here, capsys):
+    (here / "gel.toml").write_text(STUDY.replace('"gel"\npart', '"gel/curve1.csv"\npart'), encoding="utf-8")
+    assert main(["fit", "gel.toml", "--pages", "1"]) == 0
+    first = capsys.readouterr().out.splitlines()[1]
+    found = re.fullmatch(r"young = (\S+) kPa ± (\S+) Pa \(95 %\), from (\d+) effective points of 100\.", first)
+    assert found is not None, first
+    assert abs(float(found[1]) * 1e3 - 4e3) < 2.0 * float(found[2])
+    with (here / "results/gel/fit.csv").open(encoding="utf-8") as file:
+        rows = list(csv.reader(line for line in file if not line.startswith("#")))
+    place = next(i for i, name in enumerate(rows[0]) if name.endswith("young_low") or "young_low" in name)
+    half = 0.5 * (float(rows[-1][place + 1]) - float(rows[-1][place]))
+    assert float(found[2]) == pytest.approx(half, rel=0.06)
+    assert [path.name for path in (here / "results/gel/pages").iterdir()] == ["1_gel_curve1.csv.html"]
+
+
+def test_a_negative_number_of_pages(here, capsys):
+    assert main(["fit", "gel.toml", "--pages", "-1"]) == 2
+    assert "--pages is -1" in capsys.readouterr().err
 
 
 def test_run_sends_to_fit(here, capsys):

@@ -12,7 +12,7 @@ kind = "indentation"
 
 [problem.bed]
 kind = "foundation"
-profile = { kind = "sphere", radius = "5 um" }
+profile = { kind = "sphere", curvature_radius = "5 um" }
 
 [problem.bed.medium]
 kind = "half_space"

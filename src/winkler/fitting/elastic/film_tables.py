@@ -33,10 +33,10 @@ NODES = 12
 """Moduli of a window."""
 HALF_WIDTH, OVERLAP = 2.0, 0.05
 """Half-width of a window in ln E, and how far beyond it may be used."""
-RADII, OCTAVES = 7, 7
+RADII, OCTAVES = 8, 7
 """Contact radii on an octave, and octaves; below is one more panel."""
 RESOLVED = 1e-5
-"""Greatest last coefficient of a series, in parts of d and F."""
+"""Greatest last coefficient of a series in ln E or in the radius, in parts of d and F; else tables are made anew."""
 MARGIN = 1.3
 """Greatest depth of the tables relative to the greatest requested one."""
 WIDENING, MOST_WIDENINGS = 1.2, 60
@@ -45,7 +45,7 @@ MOST_REACH = 0.9
 ROUGH_STEPS, ROUGH_TOLERANCE = 6, 0.03
 
 
-class Window(NamedTuple):
+class ModulusWindow(NamedTuple):
     """Chebyshev series in ln E around `centre`: of ln d and ln F over those of the first layer alone.
 
     `series` has the shape (NODES, 2, panels, nodes).
@@ -70,8 +70,9 @@ class FilmTables(EachAnew):
 
     def __init__(self, model: Indentation, name: str) -> None:
         self.model, self.name = model, name
+        self.profile = cast(Foundation, model.bed).profile
         self.start = math.log(number_at(model, name))
-        self._windows: list[Window] = []
+        self._windows: list[ModulusWindow] = []
         self._highest = -math.inf
         self._is_used = True
         self._edges = np.zeros(0)
@@ -95,13 +96,15 @@ class FilmTables(EachAnew):
 
     def rough(self, states: EdgeStates, depth: float) -> tuple[float, float]:
         """Return the forces; without adhesion that at pull-off is zero."""
-        bed = cast(Foundation, states.bed)
-        a = rough_root(bed.profile.gap, depth)
+        bed, widest = cast(Foundation, states.bed), MOST_REACH * end_of(states.bed)
+        if math.isfinite(widest) and float(states.bed.gap(np.array([widest]))[0]) < 2.0 * depth:
+            return super().rough(states, depth)
+        a = _radius_at(bed, depth)
         for _ in range(ROUGH_STEPS):
             reached, force = depth_and_force(cast(CoatedHalfSpace, bed.medium), bed.profile, np.array([a]))
             if abs(float(reached[0]) - depth) < ROUGH_TOLERANCE * depth:
                 break
-            a = rough_root(bed.profile.gap, float(bed.profile.gap(np.array([a]))[0]) * depth / float(reached[0]))
+            a = _radius_at(bed, float(bed.profile.gap(np.array([a]))[0]) * depth / float(reached[0]))
         return float(force[0]) * (depth / float(reached[0])), 0.0
 
     def differences(self, table: RadiusTable, states: EdgeStates, compliance: float, radius: Array) -> Array:
@@ -117,16 +120,20 @@ class FilmTables(EachAnew):
         """Choose the radii of all tables, so that the contact at the position `highest` lies within them."""
         bed = cast(Foundation, states.bed)
         self._highest, self._windows = MARGIN * highest, []
-        high = rough_root(bed.profile.gap, self._highest)
+        widest = MOST_REACH * end_of(bed)
+        self._is_used = math.isinf(widest) or float(bed.profile.gap(np.array([widest]))[0]) > self._highest
+        if not self._is_used:
+            return
+        high = _radius_at(bed, self._highest)
         for _ in range(MOST_WIDENINGS):
             # of the stiffest and the softest body of a window, both deeper than requested
             bodies = [self._medium(self._logarithm(states) + far) for far in (-HALF_WIDTH, HALF_WIDTH)]
             depths = [float(depth_and_force(body, bed.profile, np.array([high]))[0][0]) for body in bodies]
-            if min(depths) >= self._highest:
+            if min(depths) >= self._highest or high * WIDENING > widest:
                 break
             high *= WIDENING
         self._edges = np.concatenate([[0.0], high * 2.0 ** np.arange(-OCTAVES, 1.0)])
-        self._is_used = bool(min(depths) >= self._highest and high < MOST_REACH * end_of(bed))
+        self._is_used = min(depths) >= self._highest
 
     def _medium(self, logarithm: float) -> CoatedHalfSpace:
         """Return the film with a modulus, given as the logarithm of its ratio to the start."""
@@ -139,8 +146,8 @@ class FilmTables(EachAnew):
     def _homogeneous(self) -> Array:
         """Return d and F over E* of the profile on a half-space ``(2, panels, nodes)``."""
         radius = self._radii(panel_nodes()[0])
-        depth = self.model.bed.profile.gap(radius)
-        return np.stack([depth, 2.0 * (radius * depth - self.model.bed.profile.gap_integral(radius))])
+        depth = self.profile.gap(radius)
+        return np.stack([depth, 2.0 * (radius * depth - self.profile.gap_integral(radius))])
 
     def _radii(self, nodes: Array) -> Array:
         """Return radii at nodes from -1 to 1 of all panels ``(panels, nodes)``."""
@@ -156,19 +163,18 @@ class FilmTables(EachAnew):
         if window is None:
             window = self._solved(x)
             self._windows.insert(0, window)
-            ends = np.abs(window.series[-2:]).max(axis=0)
-            self._is_used = bool(np.max(ends) < RESOLVED)
+            self._is_used = self._is_used and float(np.max(np.abs(window.series[-2:]))) < RESOLVED
             if not self._is_used:
                 return None
         weights = np.polynomial.chebyshev.chebvander(np.array([(x - window.centre) / HALF_WIDTH]), NODES - 1)[0]
         modulus = np.array([1.0, states.bed.medium.modulus])[:, None, None]  # type: ignore[attr-defined]
         return np.asarray(np.exp(np.tensordot(weights, window.series, 1)) * self._homogeneous() * modulus)
 
-    def _solved(self, centre: float) -> Window:
+    def _solved(self, centre: float) -> ModulusWindow:
         """Return the window around a modulus."""
         cheb = np.polynomial.chebyshev
         at, moduli = cheb.chebpts1(RADII), cheb.chebpts1(NODES)
-        radii, profile = self._radii(at), self.model.bed.profile
+        radii, profile = self._radii(at), self.profile
         ends = [self._medium(centre + far) for far in (-HALF_WIDTH, HALF_WIDTH)]
         count = max(nodes_for(end, float(radii.max())) for end in ends)
         rows = []
@@ -178,6 +184,22 @@ class FilmTables(EachAnew):
             alone = profile.gap(radii.ravel())
             whole = 2.0 * medium.modulus * (radii.ravel() * alone - profile.gap_integral(radii.ravel()))
             rows.append(np.log([depth / alone, force / whole]).reshape(2, *radii.shape))
-        between = cheb.chebvander(panel_nodes()[0], RADII - 1) @ np.linalg.inv(cheb.chebvander(at, RADII - 1))
+        in_radius = np.array(rows) @ np.linalg.inv(cheb.chebvander(at, RADII - 1)).T
+        share = np.square(self._edges[1:] / self._edges[-1])  # of the greatest depth
+        self._is_used = float(np.max(np.abs(in_radius[..., -1]) * share)) < RESOLVED
         to_series = np.linalg.inv(cheb.chebvander(moduli, NODES - 1))
-        return Window(centre, np.tensordot(to_series, np.array(rows) @ between.T, 1))
+        return ModulusWindow(
+            centre, np.tensordot(to_series, in_radius @ cheb.chebvander(panel_nodes()[0], RADII - 1).T, 1)
+        )
+
+
+def _radius_at(bed: Foundation, depth: float) -> float:
+    """Return the radius [m] at which the profile alone has a depth [m], at most nearly its end."""
+    from scipy.optimize import brentq
+
+    widest = MOST_REACH * end_of(bed)
+    if math.isinf(widest):
+        return rough_root(bed.profile.gap, depth)
+    if float(bed.profile.gap(np.array([widest]))[0]) <= depth:
+        return widest
+    return float(brentq(lambda a: float(bed.profile.gap(np.array([a]))[0]) - depth, 0.0, widest))

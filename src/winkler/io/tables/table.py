@@ -37,6 +37,8 @@ SEPARATORS_TRIED = ("\t", ";", ",", None)
 CELSIUS, CELSIUS_ZERO = ("degC", "°C"), 273.15
 COMMENT_MARKS = "#% \t"
 NO_NUMBERS = re.compile(r"[^\d\s.,;eE+-]", re.ASCII)
+NAME_LETTER = re.compile(r"[^\W\d_eE]")
+"""A letter other than that of an exponent: rows of numbers have none."""
 
 
 @value
@@ -188,7 +190,11 @@ def names_columns(
         If the file cannot be read.
     """
     lines = head_of(path, _needs(columns)) if head is None else head
-    texts = [line.lstrip(COMMENT_MARKS).rstrip() for line in lines if _may_name(line.lower(), columns)]
+    texts = [
+        line.lstrip(COMMENT_MARKS).rstrip()
+        for line in lines
+        if NAME_LETTER.search(line) and _may_name(line.lower(), columns)
+    ]
     rows = [cells_of(text, separator) for text in texts if text for separator in SEPARATORS_TRIED]
     return any(all(any(named(cell, column.names)[0] for cell in cells) for column in columns) for cells in rows)
 

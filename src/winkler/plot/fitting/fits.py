@@ -78,7 +78,7 @@ def fit_panels(fit: AnyFit, some: Array | None = None) -> tuple[Panel, Panel]:
     across = PanelAxis.of(along, margin=0.02)
     upper = Panel(
         tuple(above),
-        PanelAxis(scale=across.scale, margin=0.02),
+        PanelAxis(scale=Scale(across.scale.factor, ""), margin=0.02),  # its label stands below
         PanelAxis.of(measured, upright, margin=0.05),
         legend="upper left" if isinstance(fit, Fit) else "best",
         marker_scale=2.0,

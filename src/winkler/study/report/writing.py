@@ -70,7 +70,7 @@ def write_outcome(outcome: Outcome | FitOutcome, folder: Path, *, pages: int = 0
 
             page_parts.write_page(outcome, folder, fit_report.figures_of(outcome), fit_report.page)
         if pages:
-            from winkler.study.report.fit_pages import write_pages
+            from winkler.study.report.fits.pages import write_pages
 
             write_pages(outcome, folder, pages)
         text, left = outcome.study.text, outcome.left
