@@ -121,7 +121,22 @@ def found_zero_point(curve: ForceCurve) -> ZeroPoint:
     doubt = min(abs(taken.position - before.position), MOST_DOUBT * taken.error)
     error = math.hypot(taken.error, doubt)
     free = int(np.count_nonzero(depth[:chosen] < taken.position - 2.0 * error))
-    return ZeroPoint(taken.position, error, taken.baseline, free < 5)
+    position, baseline = taken.position, taken.baseline
+    if free < 5:
+        position, error = _not_before_the_first_point(depth, force, position, error)
+    return ZeroPoint(position, error, baseline, free < 5)
+
+
+def _not_before_the_first_point(depth: Array, force: Array, position: float, error: float) -> tuple[float, float]:
+    """Return position and error of a touch from which the first force could have grown, as its power of at most 2."""
+    least = 4.0 * max(float(force[0]), white_noise(force))
+    next_one = int(np.argmax(force > least))
+    step = max(float(depth[next_one] - depth[0]), 0.0)
+    earliest, latest = float(depth[0]) - step, float(depth[0]) + step
+    if earliest <= position <= latest:
+        return position, error
+    width = max(latest - earliest, white_noise(depth))
+    return min(max(position, earliest), latest), max(width / math.sqrt(12.0), min(error, width))
 
 
 def _windows(top: float, noise: float) -> list[float]:
