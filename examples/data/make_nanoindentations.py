@@ -34,7 +34,7 @@ def indentation(seed, young, poisson, hardness, peak, levels):
     depth, force, segment = [np.linspace(-40e-9, 0.0, 40)], [np.zeros(40)], [np.zeros(40)]
     before, start, deepest, width = 0.0, 0.0, 0.0, 0.0
     for number, top in enumerate(peak * (np.arange(1.0, levels + 1.0) / levels) ** 2):
-        up = np.linspace(start, top, int(8 * RATE))[1:]
+        up = start + (top - start) * np.linspace(0.0, 1.0, int(16 * RATE))[1:] ** (1.0 if number else 2.0)
         virgin = contact_depth(up / hardness)
         outer = virgin + 0.75 * up / (2.0 * modulus * np.sqrt(area(virgin) / np.pi))
         back = deepest - width * (1.0 - (up / before) ** (2.0 / 3.0)) if number else outer
@@ -65,7 +65,7 @@ def main():
         for number in range(1, 4):
             columns = indentation(10 * place + number, young, poisson, hardness, peak, 4)
             rows = [f"{t:.3f},{1e9 * d:.2f},{1e3 * f:.5f}" for t, d, f in zip(*columns, strict=True)]
-            text = "\n".join(["time [s],piezo [nm],force [mN]", *rows]) + "\n"
+            text = "\n".join(["time [s],depth [nm],force [mN]", *rows]) + "\n"
             (FOLDER / f"{name}_{number}.csv").write_text(text, encoding="utf-8")
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from winkler.checks.number_checks import NonNegative, PoissonRatio
 from winkler.errors import InvalidInput
 from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
-from winkler.fitting.nanoindentation.readings import Peaks, moved_by, readings_of
+from winkler.fitting.nanoindentation.readings import Peaks, factors_of, moved_by, readings_of
 from winkler.fitting.unloading.continuous_stiffness import ContinuousStiffness
 from winkler.numerics.types import Array
 from winkler.values import value, words
@@ -100,10 +100,7 @@ class ContinuousIndentation:
     def _calibration(self, peaks: Peaks) -> list[Any]:
         if not self.indenter.calibrated:
             return []
-        spread = np.maximum(np.sqrt(np.diag(self.indenter.covariance)), np.finfo(float).tiny)
-        values, vectors = np.linalg.eigh(self.indenter.covariance / np.outer(spread, spread))
-        columns = spread[:, None] * vectors * np.sqrt(np.maximum(values, 0.0))
-        return [moved_by(peaks, self.indenter, self.poisson, numbers=column) for column in columns.T]
+        return [moved_by(peaks, self.indenter, self.poisson, numbers=column) for column in factors_of(self.indenter.covariance).T]
 
 
 @value

@@ -32,7 +32,7 @@ from winkler.errors import InvalidInput
 from winkler.fitting.curves.corrections import without_drift
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
-from winkler.fitting.nanoindentation.readings import Peaks, Readings, moved_by, readings_of
+from winkler.fitting.nanoindentation.readings import Peaks, Readings, factors_of, moved_by, readings_of
 from winkler.fitting.nanoindentation.solution import NanoindentationSolution
 from winkler.fitting.nanoindentation.thermal_drift import ThermalDrift, found_drift
 from winkler.fitting.nanoindentation.unloadings import FittedUnloadings, fitted_unloadings
@@ -200,7 +200,7 @@ def contributions(problem: Nanoindentation, ready: Prepared) -> dict[str, list[R
     slopes = np.array([_intercept_slope(exponent) for exponent in fits.exponent.tolist()])
     noise = [
         moved(depth=root[:, 0], compliance=root[:, 1], intercept=slopes * root[:, 2])
-        for root in np.moveaxis(_factors(fits.covariance), 2, 0)
+        for root in np.moveaxis(factors_of(fits.covariance), 2, 0)
     ]
     waited = fits.time - ready.touched
     doubt = np.abs(peaks.intercept - USUAL_INTERCEPT) / math.sqrt(3.0)
@@ -208,7 +208,7 @@ def contributions(problem: Nanoindentation, ready: Prepared) -> dict[str, list[R
         "noise": noise,
         "zero point": [moved(depth=-ready.zero_point.error)],
         "drift": [moved(depth=-waited * ready.drift.error, compliance=-fits.pace * ready.drift.error)],
-        "calibration": [moved(numbers=column) for column in _factors(indenter.covariance[None])[0].T]
+        "calibration": [moved(numbers=column) for column in factors_of(indenter.covariance).T]
         if indenter.calibrated
         else [],
         "epsilon": [moved(intercept=doubt)],
@@ -232,14 +232,6 @@ def _by_poisson(problem: Nanoindentation, peaks: Peaks) -> Readings:
 def _root(changes: list[Readings]) -> Readings:
     """Return the roots of the sums of squares."""
     return Readings(*(np.sqrt(sum(np.square(part) for part in parts)) for parts in zip(*changes, strict=True)))
-
-
-def _factors(covariance: Array) -> Array:
-    """Return L with L L^T = V for covariances ``(n, k, k)``, negative eigenvalues of rounding dropped."""
-    spread = np.sqrt(np.maximum(np.diagonal(covariance, axis1=1, axis2=2), np.finfo(float).tiny))
-    scaled = covariance / (spread[:, :, None] * spread[:, None, :])
-    values, vectors = np.linalg.eigh(scaled)
-    return np.asarray(spread[:, :, None] * vectors * np.sqrt(np.maximum(values, 0.0))[:, None, :])
 
 
 def _intercept_slope(exponent: float) -> float:

@@ -23,9 +23,8 @@ from winkler.errors import OutsideValidity
 from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
 from winkler.numerics.types import Array
 
-__all__ = ["OUTPUTS", "Peaks", "Readings", "area_of", "moved_by", "readings_of"]
+__all__ = ["Peaks", "Readings", "area_of", "factors_of", "moved_by", "readings_of"]
 
-OUTPUTS = ("contact_depth", "area", "modulus", "young", "hardness")
 STEP = 1e-6
 
 
@@ -113,3 +112,11 @@ def moved_by(
 
     ahead, behind = at(1.0), at(-1.0)
     return Readings(*((one - other) / (2.0 * STEP) for one, other in zip(ahead, behind, strict=True)))
+
+
+def factors_of(covariance: Array) -> Array:
+    """Return L with L L^T = V of covariances ``(..., k, k)``: each column moves the inputs by one independent part."""
+    spread = np.sqrt(np.maximum(np.diagonal(covariance, axis1=-2, axis2=-1), 0.0))
+    unit = np.where(spread > 0.0, spread, 1.0)
+    values, vectors = np.linalg.eigh(covariance / (unit[..., :, None] * unit[..., None, :]))
+    return np.asarray(unit[..., :, None] * vectors * np.sqrt(np.maximum(values, 0.0))[..., None, :])

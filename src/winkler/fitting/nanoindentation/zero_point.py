@@ -10,7 +10,7 @@ part of the error: ranges of growing force are fitted, and the largest is taken 
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -30,7 +30,7 @@ MOST_DOUBT = 3.0
 """Greatest contribution of the change with the range, in standard errors: small ranges may know nothing."""
 MOST_STARTED = 300
 """Points from which a start is sought."""
-LEAST_POINTS = 10
+LEAST_POINTS = 8
 EXPONENTS = np.linspace(1.0, 2.4, 5)
 EXPONENT_RANGE = (1.0, 2.6)
 USUAL_EXPONENT, EXPONENT_SPREAD = 1.6, 0.25
@@ -117,8 +117,8 @@ def found_zero_point(curve: ForceCurve) -> ZeroPoint:
             f"found_zero_point: curve '{curve.name}' has fewer than {LEAST_POINTS} points of contact at low forces of its first "
             "loading: give contact_point with its error."
         )
-    taken, before = found[-1], found[-2] if len(found) > 1 else found[-1]
-    doubt = min(abs(taken.position - before.position), MOST_DOUBT * taken.error)
+    taken = found[-1]
+    doubt = min(max(abs(taken.position - one.position) for one in found), MOST_DOUBT * taken.error)
     error = math.hypot(taken.error, doubt)
     free = int(np.count_nonzero(depth[:chosen] < taken.position - 2.0 * error))
     position, baseline = taken.position, taken.baseline
@@ -139,12 +139,12 @@ def _not_before_the_first_point(depth: Array, force: Array, position: float, err
     return min(max(position, earliest), latest), max(width / math.sqrt(12.0), min(error, width))
 
 
-def _windows(top: float, noise: float) -> list[float]:
+def _windows(top: float, noise: float) -> list[Any]:
     """Return the greatest forces of the ranges, growing."""
     largest = LARGEST_WINDOW * top
     smallest = min(max(SMALLEST_WINDOW * noise, 1e-4 * top), largest)
-    count = 1 + int(math.log(largest / smallest) / math.log(WINDOW_RATIO))
-    return [smallest * WINDOW_RATIO**step for step in range(count)]
+    count = 1 + round(math.log(largest / smallest) / math.log(WINDOW_RATIO))
+    return np.geomspace(smallest, largest, max(count, 2)).tolist()
 
 
 def _touch(depth: Array, force: Array) -> _Touch:

@@ -58,7 +58,7 @@ def over_depth(items: list[NanoindentationSolution]) -> tuple[Panel, Panel]:
         errors = np.concatenate([getattr(item, f"{name}_errors") for item in items])
         series = Series(name, word, numbers)
         line = Line(
-            depth, numbers, style.BLUE, width=0.0, marker="o", size=3.5, error_y=np.stack([WIDTH * errors] * 2),
+            depth, numbers, style.BLUE, width=1.0, marker="o", size=3.5, error_y=np.stack([WIDTH * errors] * 2),
             error_colour=style.MUTED,
         )  # fmt: skip
         place = Series("contact_depth", DEPTH, depth)

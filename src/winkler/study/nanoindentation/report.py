@@ -76,7 +76,7 @@ def calibration_rows(outcome: NanoindentationOutcome) -> list[tuple[str, str, st
         rows.append(("frame compliance", frame, with_unit(float(errors[0]), "m/N", 2)))
         for place, coefficient in enumerate(item.indenter.area.coefficients):
             power = 2.0 - 2.0 ** (1 - place)
-            unit = f" m^{power:g}" if power else ""
+            unit = {0.0: "", 1.0: " m"}.get(power, f" m^{power:g}")
             rows.append((f"C{place}", f"{coefficient:.5g}{unit}", f"{errors[1 + place]:.2g}{unit}"))
         low, high = item.contact_depth.min(), item.contact_depth.max()
         rows.append(("contact depths", f"{with_unit(float(low), 'm', 3)} to {with_unit(float(high), 'm', 3)}", ""))
