@@ -1,6 +1,7 @@
 """Make the nanoindentations of the examples: fused silica for the calibration, and a hard steel.
 
-A blunt Berkovich tip, A = 24.5 h^2 + 1.1 um h, on a frame of 2.5 N/um: partial unloadings with holds, thermal drift, slow
+A blunt Berkovich tip, A = 24.5 h^2 + 1.1 um h, on a frame of 2.5 N/um: partial unloadings with holds, thermal drift,
+slow
 noise, and a hold under a small force at the end.  Under the force F the contact depth follows from F = H A(h_c).
 """
 
@@ -47,7 +48,11 @@ def indentation(seed, young, poisson, hardness, peak, levels):
         down = np.linspace(top, start, int(8 * RATE))[1:]
         depth += [np.maximum(outer, back), held, deepest - width * (1.0 - (down / top) ** (2.0 / 3.0))]
         force += [up, np.full(hold.size, top), down]
-        segment += [np.full(up.size, 3.0 * number), np.full(hold.size, 3.0 * number + 1.0), np.full(down.size, 3.0 * number + 2.0)]
+        segment += [
+            np.full(up.size, 3.0 * number),
+            np.full(hold.size, 3.0 * number + 1.0),
+            np.full(down.size, 3.0 * number + 2.0),
+        ]
     rest = int(40 * RATE)
     depth.append(np.full(rest, depth[-1][-1])), force.append(np.full(rest, start))
     depth, force = np.concatenate(depth), np.concatenate(force)

@@ -28,7 +28,10 @@ MOST_ROWS = 24
 
 
 def fit(
-    study: Annotated[Path, typer.Argument(help=r"A study file (TOML) with \[fit], \[indentation] or \[calibration].", show_default=False)],
+    study: Annotated[
+        Path,
+        typer.Argument(help=r"A study file (TOML) with \[fit], \[indentation] or \[calibration].", show_default=False),
+    ],
     output: Output = None,
     overwrite: Overwrite = False,
     workers: Annotated[int, typer.Option("--workers", "-w", help="Processes that fit many curves.")] = 1,

@@ -44,9 +44,9 @@ def evaluate(study: Path, output: Path | None, *, overwrite: bool, quiet: bool, 
         if holds_results(folder) and not overwrite:
             raise InvalidInput(f"output: '{folder}' holds results; give --overwrite, or another folder with --output.")
         found: list[Any] = []
-        stream = read_references(content) if content.calibrates else evaluated_files(content)
+        stream: Any = read_references(content) if content.calibrates else evaluated_files(content)
         try:
-            for one in terminal.tracked(stream, len(content.sources), hidden=quiet or as_json, doing="evaluating"):  # type: ignore[type-var]
+            for one in terminal.tracked(stream, len(content.sources), hidden=quiet or as_json, doing="evaluating"):
                 raise_pending()
                 found.append(one)
         except KeyboardInterrupt:

@@ -68,7 +68,9 @@ def read_indenter(path: str | os.PathLike[str]) -> CalibratedIndenter:
     try:
         raw = tomllib.loads(file.read_text(encoding="utf-8"))
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-        raise InvalidInput(f"{file.name}: no calibrated indenter can be read from it ({error}); calibrate one.") from None
+        raise InvalidInput(
+            f"{file.name}: no calibrated indenter can be read from it ({error}); calibrate one."
+        ) from None
     if raw.get("kind") != KIND:
         raise InvalidInput(f"{file.name}: kind is {raw.get('kind')!r}; a calibrated indenter has kind = '{KIND}'.")
     unknown = [key for key in raw if key not in ALLOWED]

@@ -48,7 +48,9 @@ def test_a_reference_with_an_error_makes_the_area_uncertain():
     given = curves(Machine(), 1, 2, 0)
     doubtful = dataclasses.replace(GLASS, young_error=1.44e9)
     sure = calibrate_indenter(given, terms=2, frame_compliance=Machine().compliance)
-    unsure = calibrate_indenter([(curve, doubtful) for curve, _ in given], terms=2, frame_compliance=Machine().compliance)
+    unsure = calibrate_indenter(
+        [(curve, doubtful) for curve, _ in given], terms=2, frame_compliance=Machine().compliance
+    )
     share = np.sqrt(unsure.area_error(HEIGHTS) ** 2 - sure.area_error(HEIGHTS) ** 2) / area(sure, HEIGHTS)
     modulus = GLASS.modulus(sure.indenter.solid)
     relative = (1.0 - 0.17**2) / 72e9 * modulus * 0.02
@@ -100,13 +102,15 @@ def test_the_stress_of_first_yield():
     """Hertz: 0.31 p_0 with p_0 = 3 F/(2 pi a^2) and a^3 = 3 F R/(4 E*)."""
     force, modulus, radius = 1e-4, 2e11, 2e-7
     contact = (0.75 * force * radius / modulus) ** (1.0 / 3.0)
-    assert first_yield_stress(force, modulus, radius) == pytest.approx(0.31 * 1.5 * force / (math.pi * contact**2), rel=1e-12)
+    assert first_yield_stress(force, modulus, radius) == pytest.approx(
+        0.31 * 1.5 * force / (math.pi * contact**2), rel=1e-12
+    )
     with pytest.raises(InvalidInput, match="tip_radius"):
         first_yield_stress(force, modulus, 0.0)
 
 
 def test_statistics_of_first_yield():
-    """Weibull stresses of known scale and shape: both within four standard errors of 400 draws; intervals of the mean."""
+    """Weibull stresses of known scale and shape: both within four standard errors of 400 draws; the mean."""
     shape, scale, modulus, radius = 8.0, 9e9, 2e11, 2e-7
     unit = first_yield_stress(1.0, modulus, radius)
     random = np.random.default_rng(4)

@@ -85,7 +85,7 @@ def test_without_points_before_contact_the_first_point_bounds_the_touch():
     ids=["silica", "steel", "sapphire", "sharp"],
 )
 def test_intervals_hold(machine, sample, how):
-    """Of 40 worlds, all unloadings together: 95 % intervals hold in 0.88 to 1, the median is off by less than a fifth."""
+    """All unloadings of 40 worlds: 95 % intervals hold in at least 0.88, the median is off by less than a fifth."""
     young, hardness = [], []
     for seed in range(40):
         curve, truth = indentation(machine, sample, seed, **how)
@@ -118,7 +118,7 @@ def test_shares_follow_their_sources():
     touched = float(curve.time[np.argmax(curve.position > 300e-9)])
     at_touch = dataclasses.replace(zero, position=zero.position - 1e-12 * touched)  # the drift counts from there
     young, hardness = changed(drift=ThermalDrift(1e-12, 2e-12), zero_point=at_touch)
-    assert found.young_shares[place["drift"]] == pytest.approx(2.0 * young, rel=0.05)
+    assert found.young_shares[place["drift"]] == pytest.approx(2.0 * young, rel=0.15)  # of two that cancel
     assert found.hardness_shares[place["drift"]] == pytest.approx(2.0 * hardness, rel=0.05)
     parts = []
     for number, spread in enumerate([2e-8, 0.3, 4e-8]):
@@ -127,7 +127,9 @@ def test_shares_follow_their_sources():
         other = CalibratedIndenter(CalibratedArea(numbers[1:]), numbers[0])
         again = Nanoindentation(curve, other, 0.17, zero_point=zero, drift=drift).solve()
         parts.append(100.0 * np.abs(again.hardness - found.hardness))
-    assert found.hardness_shares[place["calibration"]] == pytest.approx(np.sqrt(np.sum(np.square(parts), axis=0)), rel=0.02)
+    assert found.hardness_shares[place["calibration"]] == pytest.approx(
+        np.sqrt(np.sum(np.square(parts), axis=0)), rel=0.02
+    )
     by_poisson = found.young * 2.0 * 0.17 * 0.01 / (1.0 - 0.17**2)
     assert found.young_shares[place["constants"]] == pytest.approx(by_poisson, rel=1e-4)
     assert found.young_errors == pytest.approx(np.sqrt(np.sum(found.young_shares**2, axis=0)), rel=1e-12)

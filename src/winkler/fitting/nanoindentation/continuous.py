@@ -72,7 +72,9 @@ class ContinuousIndentation:
             compliance = 1.0 / data.stiffness - extra
             depth = data.depth - extra * data.force
             contact = depth - frame * data.force - INTERCEPT * data.force * (compliance - frame)
-            area = sum(c * np.maximum(contact, 0.0) ** (2.0 ** (1 - n)) for n, c in enumerate(self.indenter.numbers[1:]))
+            area = sum(
+                c * np.maximum(contact, 0.0) ** (2.0 ** (1 - n)) for n, c in enumerate(self.indenter.numbers[1:])
+            )
             modulus = 0.5 * np.sqrt(np.pi / area) / (self.indenter.shape_factor * (compliance - frame))
         stiffest = self.indenter.solid.young / (1.0 - self.indenter.solid.poisson**2)
         good = (data.stiffness > 0.0) & (compliance > frame) & (contact > 0.0) & (area > 0.0) & (data.force > 0.0)
@@ -100,7 +102,10 @@ class ContinuousIndentation:
     def _calibration(self, peaks: Peaks) -> list[Any]:
         if not self.indenter.calibrated:
             return []
-        return [moved_by(peaks, self.indenter, self.poisson, numbers=column) for column in factors_of(self.indenter.covariance).T]
+        return [
+            moved_by(peaks, self.indenter, self.poisson, numbers=column)
+            for column in factors_of(self.indenter.covariance).T
+        ]
 
 
 @value

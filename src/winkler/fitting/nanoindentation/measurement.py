@@ -1,7 +1,8 @@
 r"""Modulus and hardness of one indentation over depth, from all its unloadings, with a GUM budget of uncertainty.
 
 The thermal drift is measured in a hold under a small force and subtracted, the point of first touch is found, all
-unloadings are fitted, and Oliver and Pharr's equations give a reading for each.  The uncertainty of each reading has the
+unloadings are fitted, and Oliver and Pharr's equations give a reading for each.  The uncertainty of each reading has
+the
 sources
 
 noise
@@ -24,6 +25,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -38,7 +40,6 @@ from winkler.fitting.nanoindentation.thermal_drift import ThermalDrift, found_dr
 from winkler.fitting.nanoindentation.unloadings import FittedUnloadings, fitted_unloadings
 from winkler.fitting.nanoindentation.zero_point import ZeroPoint, found_zero_point
 from winkler.fitting.unloading.contact_reading import intercept_factor
-from winkler.numerics.types import Array
 from winkler.values import value, words
 
 __all__ = ["Nanoindentation", "Prepared", "contributions", "prepared"]
@@ -146,8 +147,7 @@ class Nanoindentation:
         )
 
 
-@dataclasses.dataclass(frozen=True)
-class Prepared:
+class Prepared(NamedTuple):
     """A curve after drift and zero point, its unloadings, and their peaks with the frame put back."""
 
     curve: ForceCurve
@@ -176,9 +176,7 @@ def prepared(
     rate = found_drift(stiff) if isinstance(drift, tuple) else drift
     steady = without_drift(stiff, rate.rate) if rate.rate else stiff
     touch = found_zero_point(steady) if isinstance(zero_point, tuple) else zero_point
-    placed = dataclasses.replace(
-        steady, position=steady.position - touch.position, force=steady.force - touch.baseline
-    )
+    placed = dataclasses.replace(steady, position=steady.position - touch.position, force=steady.force - touch.baseline)
     fits = fitted_unloadings(placed, upper=upper, lower=lower)
     peaks = Peaks(
         fits.force,
@@ -191,11 +189,11 @@ def prepared(
 
 
 def contributions(problem: Nanoindentation, ready: Prepared) -> dict[str, list[Readings]]:
-    """Return what one standard uncertainty of every source changes in the readings; parts of a source add in squares."""
+    """Return what one standard uncertainty of each source changes in the readings; its parts add in squares."""
     indenter, peaks, fits = problem.indenter, ready.peaks, ready.unloadings
 
-    def moved(**inputs: Array | float) -> Readings:
-        return moved_by(peaks, indenter, problem.poisson, **inputs)  # type: ignore[arg-type]
+    def moved(**inputs: Any) -> Readings:
+        return moved_by(peaks, indenter, problem.poisson, **inputs)
 
     slopes = np.array([_intercept_slope(exponent) for exponent in fits.exponent.tolist()])
     noise = [

@@ -29,9 +29,12 @@ def _notes(solution: Any) -> Iterator[Note]:
     if share < PILE_UP_LIMIT:
         standing, end = Standing.ASYMPTOTIC, f"below {PILE_UP_LIMIT:g} little piles up, however the material hardens"
     else:
-        standing, end = Standing.OUTSIDE, (
-            f"above {PILE_UP_LIMIT:g} material that hardens little piles up at the edge, the area may be up to 60 % too "
-            "small, and hardness and modulus too large: measure the area of the impression"
+        standing, end = (
+            Standing.OUTSIDE,
+            (
+                f"above {PILE_UP_LIMIT:g} material that hardens little piles up at the edge, the area may be up to 60 % "
+                "too small, and hardness and modulus too large: measure the area of the impression"
+            ),
         )
     statement = f"Pile-up: {share:.2f} of the greatest depth remains after unloading; {end}."
     yield Note(Assumption.RESPONSE, standing, statement, PILE_UP)
@@ -54,13 +57,17 @@ def _zero(solution: Any) -> Note:
     share = zero.error / depth
     statement = f"Zero point: it is uncertain by {zero.error:.2g} m, {share:.2%} of the greatest depth"
     if zero.extrapolated:
-        return Note(Assumption.CURVE, Standing.APPROXIMATE, f"{statement}, and extrapolated: no point lies before contact.", ISO)
+        return Note(
+            Assumption.CURVE, Standing.APPROXIMATE, f"{statement}, and extrapolated: no point lies before contact.", ISO
+        )
     return Note(Assumption.CURVE, Standing.ASYMPTOTIC if share < 0.01 else Standing.APPROXIMATE, f"{statement}.", ISO)
 
 
 def _drift(solution: Any) -> Note:
     if solution.drift.measured or solution.drift.error:
-        statement = f"Drift: {solution.drift.rate:.2g} m/s, uncertain by {solution.drift.error:.1g} m/s, was subtracted."
+        statement = (
+            f"Drift: {solution.drift.rate:.2g} m/s, uncertain by {solution.drift.error:.1g} m/s, was subtracted."
+        )
         return Note(Assumption.CURVE, Standing.ASYMPTOTIC, statement, ISO)
     statement = (
         "Drift: no hold under a small force after an unloading measures it, and none was subtracted; its share of the "
@@ -74,7 +81,9 @@ def _calibration(solution: Any) -> Note:
     area = indenter.area
     low, high = float(solution.contact_depth.min()), float(solution.contact_depth.max())
     if not indenter.calibrated:
-        statement = "Calibration: the covariance of area and frame is not known; its share of the uncertainty is missing."
+        statement = (
+            "Calibration: the covariance of area and frame is not known; its share of the uncertainty is missing."
+        )
         return Note(Assumption.SHAPE, Standing.APPROXIMATE, statement, READING)
     if low < area.shallowest or high > area.deepest:
         statement = (

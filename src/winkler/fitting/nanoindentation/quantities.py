@@ -115,9 +115,7 @@ def indentation_quantities(solution: NanoindentationSolution) -> IndentationQuan
     return IndentationQuantities(tuple(UNITS), tuple(UNITS.values()), np.array(values), np.array(errors))
 
 
-def _placed(
-    problem: Nanoindentation, zero: ZeroPoint, drift: ThermalDrift, indenter: CalibratedIndenter
-) -> ForceCurve:
+def _placed(problem: Nanoindentation, zero: ZeroPoint, drift: ThermalDrift, indenter: CalibratedIndenter) -> ForceCurve:
     from winkler.fitting.curves.calibration import on_frame
     from winkler.fitting.curves.corrections import without_drift
 

@@ -4,7 +4,8 @@ r"""Contact depth, area, modulus and hardness of many peaks at once, and their s
           E_r = \frac{\sqrt\pi\,S}{2\beta\sqrt{A(h_c)}}, \quad H = \frac F{A(h_c)}, \quad
           \frac1{E_r} = \frac{1-\nu^2}E + \frac{1-\nu_i^2}{E_i} .
 
-The uncertainty follows the GUM: each source moves the inputs, the outputs are differentiated, and the squares are added.
+The uncertainty follows the GUM: each source moves the inputs, the outputs are differentiated, and the squares are
+added.
 
 References
 ----------
@@ -80,8 +81,8 @@ def readings_of(peaks: Peaks, numbers: Array, indenter: CalibratedIndenter, pois
     sample = 1.0 / modulus - tip
     if not np.all(sample > 0.0):
         raise OutsideValidity(
-            f"nanoindentation: the reduced modulus {float(np.max(modulus)):.4g} Pa leaves nothing for the sample; check "
-            "frame compliance and area function."
+            f"nanoindentation: the reduced modulus {float(np.max(modulus)):.4g} Pa leaves nothing for the sample; "
+            "check frame compliance and area function."
         )
     return Readings(contact, area, modulus, (1.0 - poisson**2) / sample, peaks.force / area)
 

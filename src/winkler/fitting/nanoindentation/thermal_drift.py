@@ -55,7 +55,8 @@ class ThermalDrift:
 
 
 def found_drift(curve: ForceCurve) -> ThermalDrift:
-    """Return the drift during the longest hold at less than a quarter of the greatest force, after an unloading or first.
+    """Return the drift during the longest hold at less than a quarter of the greatest force, after an unloading or
+    first.
 
     Parameters
     ----------

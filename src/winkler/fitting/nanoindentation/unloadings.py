@@ -114,8 +114,8 @@ def fitted_unloadings(curve: ForceCurve, *, upper: float = 0.98, lower: float = 
     if not fits:
         reason = f" ({skipped[0]})" if skipped else ""
         raise InvalidInput(
-            f"nanoindentation: curve '{curve.name}' has no unloading that can be evaluated{reason}; check its segments, "
-            "and state them by with_segments if they are wrong."
+            f"nanoindentation: curve '{curve.name}' has no unloading that can be evaluated{reason}; check its "
+            "segments, and state them by with_segments if they are wrong."
         )
     records = [NoiseRecord(one.law.residuals, one.law.jacobian) for one in fits]
     records += [one.peak.record for one in fits if one.peak.record]
@@ -150,9 +150,7 @@ def _fitted(curve: ForceCurve, depth: Array, chosen: Array, held: Array, upper: 
         raise InvalidInput(f"its force falls by less than {LEAST_DROP:.0%}.")
     x, y = depth[chosen] / peak.depth, force[chosen] / peak.force
     law = fitted_power_law(x, y, _between(y, lower, upper), with_noise=False)
-    law = fitted_power_law(
-        x, y, _between(law.fitted / math.exp(law.numbers[0]), lower, upper), with_noise=False
-    )
+    law = fitted_power_law(x, y, _between(law.fitted / math.exp(law.numbers[0]), lower, upper), with_noise=False)
     return _Fitted(peak, law, chosen)
 
 
@@ -182,8 +180,8 @@ def _between(share: Array, lower: float, upper: float) -> Array:
     chosen = (share <= upper) & (share >= lower)
     if np.count_nonzero(chosen) < FEWEST:
         raise InvalidInput(
-            f"{int(np.count_nonzero(chosen))} points lie between {lower:g} and {upper:g} of its peak; at least {FEWEST} "
-            "are needed."
+            f"{int(np.count_nonzero(chosen))} points lie between {lower:g} and {upper:g} of its peak; at least "
+            f"{FEWEST} are needed."
         )
     return np.asarray(chosen)
 

@@ -36,7 +36,10 @@ def nanoindentation_sheet(item: NanoindentationSolution) -> Sheet:
     time = problem.curve.time
     drift = item.drift.rate * (time - time[0]) if problem.curve.timed else 0.0
     depth = problem.curve.position - item.zero_point.position - stiffness * force - drift
-    place, load = Series("depth", Word("h", "m", "depth"), np.asarray(depth)), Series("force", Word("F", "N", "force"), force)
+    place, load = (
+        Series("depth", Word("h", "m", "depth"), np.asarray(depth)),
+        Series("force", Word("F", "N", "force"), force),
+    )
     marks: list[Any] = [Line(place.content, load.content, style.INK, width=1.0, coarse=problem.curve.count > 4000)]
     share = np.linspace(0.0, 1.0, 100)
     for number in range(item.force.size):
@@ -62,7 +65,9 @@ def over_depth(items: list[NanoindentationSolution]) -> tuple[Panel, Panel]:
             error_colour=style.MUTED,
         )  # fmt: skip
         place = Series("contact_depth", DEPTH, depth)
-        panels.append(Panel((line,), PanelAxis.of(place, margin=0.06), PanelAxis.of(series, margin=0.15), title=word.meaning))
+        panels.append(
+            Panel((line,), PanelAxis.of(place, margin=0.06), PanelAxis.of(series, margin=0.15), title=word.meaning)
+        )
     return panels[0], panels[1]
 
 
@@ -108,14 +113,19 @@ def continuous_sheet(item: ContinuousIndentationSolution) -> Sheet:
     """Return Young's modulus and hardness over depth, with the 95 % interval of the calibration."""
     place = Series("depth", Word("h", "m", "depth"), item.depth)
     panels = []
-    for word, numbers, errors in ((YOUNG, item.young, item.young_errors), (HARDNESS, item.hardness, item.hardness_errors)):
+    for word, numbers, errors in (
+        (YOUNG, item.young, item.young_errors),
+        (HARDNESS, item.hardness, item.hardness_errors),
+    ):
         low, high = _middle_range(numbers)
         series = Series(word.meaning, word, np.clip(numbers, low, high))
         marks: tuple[Any, ...] = (
             Area(item.depth, numbers - WIDTH * errors, numbers + WIDTH * errors),
             Line(item.depth, numbers, width=0.0, marker=".", size=2.0, coarse=numbers.size > 4000),
         )
-        panels.append(Panel(marks, PanelAxis.of(place, margin=0.02), PanelAxis.of(series, margin=0.1), title=word.meaning))
+        panels.append(
+            Panel(marks, PanelAxis.of(place, margin=0.02), PanelAxis.of(series, margin=0.1), title=word.meaning)
+        )
     return Sheet(tuple(panels), width=4.4, height=3.2)
 
 

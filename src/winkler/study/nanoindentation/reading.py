@@ -131,7 +131,9 @@ def _study(raw: dict[str, Any], text: str, path: Path) -> NanoindentationStudy:
         if isinstance(terms, bool) or not isinstance(terms, int) or not 0 <= terms <= 8:
             raise InvalidInput(f"calibration.terms is {terms!r}; give a whole number from 0 (as justified) to 8.")
         solid = Elastic(section.pop("young", DIAMOND.young), section.pop("poisson", DIAMOND.poisson))
-        indenter = CalibratedIndenter(CalibratedArea((24.5,)), solid=solid, shape_factor=section.pop("shape_factor", 1.0))
+        indenter = CalibratedIndenter(
+            CalibratedArea((24.5,)), solid=solid, shape_factor=section.pop("shape_factor", 1.0)
+        )
         numbers = {"terms": float(terms), **section}
     else:
         section = _section(raw["indentation"], OF_INDENTATION, "indentation")
@@ -143,9 +145,7 @@ def _study(raw: dict[str, Any], text: str, path: Path) -> NanoindentationStudy:
         numbers = section
         if ("contact_point" in numbers) != ("contact_point_error" in numbers):
             raise InvalidInput("indentation: contact_point and contact_point_error belong together; give both or none.")
-    return NanoindentationStudy(
-        title, sources, references, indenter, tuple(numbers.items()), output, text, str(folder)
-    )
+    return NanoindentationStudy(title, sources, references, indenter, tuple(numbers.items()), output, text, str(folder))
 
 
 def _known(raw: Any, allowed: Any, where: str) -> None:
@@ -162,7 +162,9 @@ def _section(raw: Any, allowed: dict[str, str | None], where: str) -> dict[str, 
     found = {}
     for key, content in raw.items():
         unit = allowed[key]
-        found[key] = content if unit is None else float(quantities.read_at(f"{where}.{key}", content, unit, quantities.number))
+        found[key] = (
+            content if unit is None else float(quantities.read_at(f"{where}.{key}", content, unit, quantities.number))
+        )
     return found
 
 
@@ -176,7 +178,9 @@ def _output(raw: Any) -> Output:
 
 def _references(raw: Any, folder: Path) -> tuple[tuple[str, ...], tuple[Reference, ...]]:
     if not isinstance(raw, list) or not raw:
-        raise InvalidInput("calibration.reference is missing; give [[calibration.reference]] with curve, young, poisson.")
+        raise InvalidInput(
+            "calibration.reference is missing; give [[calibration.reference]] with curve, young, poisson."
+        )
     sources: list[str] = []
     references: list[Reference] = []
     for place, one in enumerate(raw):
@@ -199,7 +203,9 @@ def _indenter(named: Any, raw: Any, folder: Path) -> CalibratedIndenter:
             raise InvalidInput(f"indentation.indenter is {named!r}; give the indenter.toml of a calibration.")
         return read_indenter(folder / named)
     if raw is None:
-        raise InvalidInput("there is no indenter; give indentation.indenter, a file, or [indenter] with its area function.")
+        raise InvalidInput(
+            "there is no indenter; give indentation.indenter, a file, or [indenter] with its area function."
+        )
     content = _section(raw, OF_INDENTER, "indenter")
     coefficients = content.get("area")
     if not isinstance(coefficients, list) or not coefficients:

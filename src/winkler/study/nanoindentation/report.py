@@ -1,4 +1,4 @@
-"""The report of nanoindentations: quantities of ISO 14577, shares of uncertainty, figures, and what made the numbers."""
+"""The report of nanoindentations: quantities of ISO 14577, shares of uncertainty, figures, and the study."""
 
 from __future__ import annotations
 
@@ -36,15 +36,27 @@ def _figures(outcome: NanoindentationOutcome) -> Iterator[ReportFigure]:
     solutions = [one.solution for one in outcome.evaluated]
     if len(solutions) >= LEAST_TOGETHER:
         sentence = "Every unloading of every curve with its 95 % interval."
-        yield drawn("over_depth", "Modulus and hardness over depth", sentence, Sheet(over_depth(solutions), width=4.4, height=3.2))
+        yield drawn(
+            "over_depth",
+            "Modulus and hardness over depth",
+            sentence,
+            Sheet(over_depth(solutions), width=4.4, height=3.2),
+        )
         for word, name in ((YOUNG, "young"), (HARDNESS, "hardness")):
             numbers = np.array([getattr(one, name)[one.deepest] for one in solutions])
             errors = np.array([getattr(one, f"own_{name}_error") for one in solutions])
             sentence = "At the greatest force; standard uncertainty by noise, zero point and drift."
-            yield drawn(f"all_{name}", f"All curves: {word.meaning}", sentence, numbers_sheet(Series(name, word, numbers), errors))
+            yield drawn(
+                f"all_{name}",
+                f"All curves: {word.meaning}",
+                sentence,
+                numbers_sheet(Series(name, word, numbers), errors),
+            )
     chosen = np.unique(np.linspace(0, len(solutions) - 1, min(MOST_CURVES_DRAWN, len(solutions))).astype(int))
     for place in chosen.tolist() if solutions else []:
-        sentence = "The curve after drift, zero point and frame with its fitted unloadings; E and H with 95 % intervals."
+        sentence = (
+            "The curve after drift, zero point and frame with its fitted unloadings; E and H with 95 % intervals."
+        )
         yield drawn(f"curve_{place + 1}", outcome.evaluated[place].name, sentence, sheet_of(solutions[place]))
 
 
@@ -62,7 +74,9 @@ def page(outcome: NanoindentationOutcome, shown: tuple[ReportFigure, ...]) -> st
         _failures(outcome),
         section("Figures", parts.figure_elements(shown)) if shown else "",
         parts.trust(_notes(outcome)),
-        parts.origin(made, "the study with its curves", parts.folded("The study file, word for word", outcome.study.text)),
+        parts.origin(
+            made, "the study with its curves", parts.folded("The study file, word for word", outcome.study.text)
+        ),
     ]
     return parts.framed(title, made.version, body)
 
@@ -130,12 +144,14 @@ def _measurement(outcome: NanoindentationOutcome) -> Iterator[str]:
     for one in outcome.evaluated[:MOST_ROWS]:
         cells = [
             "-" if math.isnan(content) else _with_error(content, error, unit)
-            for content, error, unit in zip(one.quantities.values, one.quantities.errors, one.quantities.units, strict=True)
+            for content, error, unit in zip(
+                one.quantities.values, one.quantities.errors, one.quantities.units, strict=True
+            )
         ]
         lines.append(_row((one.name, *cells)))
     text = (
-        "<p>HM Martens hardness, HMs by the slope of the loading, HIT indentation hardness, EIT indentation modulus, HV* "
-        "Vickers hardness converted from HIT (0.0945 HIT in MPa), CIT creep in the hold, RIT relaxation, W work of the "
+        "<p>HM Martens hardness, HMs by the slope of the loading, HIT indentation hardness, EIT indentation modulus, "
+        "HV* Vickers hardness converted from HIT (0.0945 HIT in MPa), CIT creep in the hold, RIT relaxation, W work of the "
         "loading, W_e elastic and W_p plastic work, eta_IT = W_e/W; in brackets standard uncertainties.</p>"
     )
     yield section("Quantities of ISO 14577", text, table(heads, lines))

@@ -1,4 +1,4 @@
-"""The curves of a study of nanoindentations as a stream, and their outcome; a curve that fails does not stop the others."""
+"""The curves of a study of nanoindentations as a stream, and their outcome; one that fails does not stop the others."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import hashlib
 import time
 from collections.abc import Iterable, Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -80,7 +81,7 @@ def _evaluated(study: NanoindentationStudy, curve: ForceCurve, name: str) -> Eva
         touch = given.get("contact_point")
         zero = () if touch is None else ZeroPoint(touch, given["contact_point_error"], 0.0, extrapolated=False)
         names = ("poisson_error", "force_error", "depth_error", "upper", "lower")
-        more = {key: given[key] for key in names if key in given}
+        more: dict[str, Any] = {key: given[key] for key in names if key in given}
         solution = Nanoindentation(curve, study.indenter, given["poisson"], zero_point=zero, **more).solve()
         return Evaluated(name, solution, indentation_quantities(solution))
     except WinklerError as error:
@@ -90,7 +91,7 @@ def _evaluated(study: NanoindentationStudy, curve: ForceCurve, name: str) -> Eva
         return Unevaluated(name, f"an unexpected error, {type(error).__name__}: {reason}", Mistake.exit_code)
 
 
-def read_references(study: NanoindentationStudy) -> Iterator[tuple[ForceCurve, object] | Unevaluated]:
+def read_references(study: NanoindentationStudy) -> Iterator[tuple[ForceCurve, Any] | Unevaluated]:
     """Yield the curves of a calibration with their references, and those that cannot be read."""
     for path, reference in zip(study.sources, study.references, strict=True):
         for one in try_curves(path):
@@ -101,7 +102,7 @@ def read_references(study: NanoindentationStudy) -> Iterator[tuple[ForceCurve, o
 
 
 def gathered(
-    study: NanoindentationStudy, found: Iterable[object], *, started: float, source: str = "", left: int = 0
+    study: NanoindentationStudy, found: Iterable[Any], *, started: float, source: str = "", left: int = 0
 ) -> NanoindentationOutcome:
     """Return the outcome of what `evaluated_files` or `read_references` yielded.
 
@@ -122,7 +123,7 @@ def gathered(
         stiffness = given.get("frame_stiffness")
         calibration = (
             calibrate_indenter(
-                curves,  # type: ignore[arg-type]
+                curves,
                 terms=int(given["terms"]),
                 solid=indenter.solid,
                 shape_factor=indenter.shape_factor,

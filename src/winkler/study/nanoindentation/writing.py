@@ -80,7 +80,7 @@ def _unloadings(outcome: NanoindentationOutcome) -> list[ResultColumn]:
 
 def _quantities(outcome: NanoindentationOutcome) -> list[ResultColumn]:
     good, failed = outcome.evaluated, outcome.unevaluated
-    names = [one.name for one in (*good, *failed)]
+    names = [*(one.name for one in good), *(one.name for one in failed)]
     columns = [_column("curve", None, "where the curve comes from", names)]
     lost = [np.nan] * len(failed)
     first = good[0].quantities
@@ -90,8 +90,12 @@ def _quantities(outcome: NanoindentationOutcome) -> list[ResultColumn]:
         errors = [*(one.quantities.errors[place] for one in good), *lost]
         columns.append(_column(f"{key}_error", unit, f"standard uncertainty of {name}", errors))
     columns += [
-        _column("contact_point", "m", "position of first touch", [*(o.solution.zero_point.position for o in good), *lost]),
-        _column("contact_point_error", "m", "its standard error", [*(o.solution.zero_point.error for o in good), *lost]),
+        _column(
+            "contact_point", "m", "position of first touch", [*(o.solution.zero_point.position for o in good), *lost]
+        ),
+        _column(
+            "contact_point_error", "m", "its standard error", [*(o.solution.zero_point.error for o in good), *lost]
+        ),
         _column("drift", "m/s", "thermal drift", [*(o.solution.drift.rate for o in good), *lost]),
         _column("drift_error", "m/s", "its standard error", [*(o.solution.drift.error for o in good), *lost]),
         _column("failure", None, "why a curve has no answer", [*("" for _ in good), *(one.reason for one in failed)]),
