@@ -10,7 +10,7 @@ from winkler.fitting.compare import Comparison, compare
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.segments import Segment, SegmentKind
 from winkler.fitting.fit import Fit, fit, fit_steps
-from winkler.fitting.nanoindentation.calibration import Reference, calibrate_indenter
+from winkler.fitting.nanoindentation.calibration import ReferenceSample, calibrate_indenter
 from winkler.fitting.nanoindentation.calibration_solution import IndenterCalibration
 from winkler.fitting.nanoindentation.continuous import ContinuousIndentation, ContinuousIndentationSolution
 from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
@@ -165,20 +165,20 @@ __all__ = [
     "NominalPressure", "NotConverged", "Note", "OliverPharr", "OliverPharrSolution", "Oscillate", "OutsideValidity",
     "PairWear", "Paraboloid", "Path", "PeakStress", "PlacedCurve", "PlacedStress", "PlaneFoundation", "Plated",
     "PopInStatistics", "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "Program", "Prony", "PunchRow",
-    "Radius", "Ramp", "RandomTopography", "RateDependentWork", "Reference", "RelaxationData", "RelaxingInProportion",
-    "RepeatedMean", "Rigid", "Rod", "RoundedCone", "RoundedEnds", "RoundedPunch", "SampledProfile", "SaturatingWork",
-    "Segment", "SegmentKind", "SelfAffine", "Shape", "SharpEnds", "ShearForce", "ShearedFields", "Shift", "ShortRange",
-    "SigmoidalGrading", "Sphere", "SpheroConical", "Spikes", "Springs", "Staircase", "StandardSolid", "Standing",
-    "Start", "StaticKinetic", "SubsurfaceFields", "Sum", "SurfaceFields", "SurfaceFilm", "TabulatedGrading",
-    "ThermalConductor", "ThermalDrift", "ThermalInterface", "Tilt", "Topography", "Torque", "TransverselyIsotropic",
-    "TransverselyIsotropicHalfSpace", "TruncatedCone", "TruncatedParaboloid", "Vickers", "ViscoelasticFit",
-    "ViscoelasticHalfSpace", "Voltage", "Wavy", "WiedemannFranz", "WilliamsLandelFerry", "WinklerError", "ZeroPoint",
-    "calibrate_indenter", "compare", "compare_terms", "contact_reading", "first_yield_stress", "fit", "fit_steps",
-    "found_drift", "found_zero_point", "indentation_quantities", "intercept_factor", "material", "material_names",
-    "peak_stress", "pop_in_statistics", "random_topography", "read_bed", "read_contacts", "read_creep",
-    "read_cross_profile", "read_curve", "read_curves", "read_dynamic", "read_grading", "read_indenter", "read_path",
-    "read_profile", "read_profile_pair", "read_relaxation", "read_scan", "read_section", "read_spectrum",
-    "read_surface_load", "read_topography", "relaxation_band", "repeated_mean", "restore", "restore_body",
-    "restore_shift", "sample_young", "spectrum_of", "staircase", "to_pandas", "to_xarray", "write_contacts",
-    "write_indenter", "write_law", "write_trace", "write_vtk",
+    "Radius", "Ramp", "RandomTopography", "RateDependentWork", "ReferenceSample", "RelaxationData",
+    "RelaxingInProportion", "RepeatedMean", "Rigid", "Rod", "RoundedCone", "RoundedEnds", "RoundedPunch",
+    "SampledProfile", "SaturatingWork", "Segment", "SegmentKind", "SelfAffine", "Shape", "SharpEnds", "ShearForce",
+    "ShearedFields", "Shift", "ShortRange", "SigmoidalGrading", "Sphere", "SpheroConical", "Spikes", "Springs",
+    "Staircase", "StandardSolid", "Standing", "Start", "StaticKinetic", "SubsurfaceFields", "Sum", "SurfaceFields",
+    "SurfaceFilm", "TabulatedGrading", "ThermalConductor", "ThermalDrift", "ThermalInterface", "Tilt", "Topography",
+    "Torque", "TransverselyIsotropic", "TransverselyIsotropicHalfSpace", "TruncatedCone", "TruncatedParaboloid",
+    "Vickers", "ViscoelasticFit", "ViscoelasticHalfSpace", "Voltage", "Wavy", "WiedemannFranz", "WilliamsLandelFerry",
+    "WinklerError", "ZeroPoint", "calibrate_indenter", "compare", "compare_terms", "contact_reading",
+    "first_yield_stress", "fit", "fit_steps", "found_drift", "found_zero_point", "indentation_quantities",
+    "intercept_factor", "material", "material_names", "peak_stress", "pop_in_statistics", "random_topography",
+    "read_bed", "read_contacts", "read_creep", "read_cross_profile", "read_curve", "read_curves", "read_dynamic",
+    "read_grading", "read_indenter", "read_path", "read_profile", "read_profile_pair", "read_relaxation", "read_scan",
+    "read_section", "read_spectrum", "read_surface_load", "read_topography", "relaxation_band", "repeated_mean",
+    "restore", "restore_body", "restore_shift", "sample_young", "spectrum_of", "staircase", "to_pandas", "to_xarray",
+    "write_contacts", "write_indenter", "write_law", "write_trace", "write_vtk",
 ]  # fmt: skip

@@ -44,7 +44,7 @@ from winkler.materials.elastic import Elastic
 from winkler.numerics.types import Array
 from winkler.values import value, words
 
-__all__ = ["FUSED_SILICA", "SAPPHIRE", "Reference", "calibrate_indenter"]
+__all__ = ["FUSED_SILICA", "SAPPHIRE", "ReferenceSample", "calibrate_indenter"]
 
 FEWEST_READINGS = 4
 ROUNDS = 6
@@ -54,7 +54,7 @@ MOST_TERMS = 4
 
 
 @value
-class Reference:
+class ReferenceSample:
     """A reference sample.
 
     Parameters
@@ -80,13 +80,13 @@ class Reference:
         return 1.0 / ((1.0 - self.poisson**2) / self.young + (1.0 - solid.poisson**2) / solid.young)
 
 
-FUSED_SILICA = Reference(72e9, 0.17, 0.6e9, "fused silica")
-SAPPHIRE = Reference(410e9, 0.234, 8e9, "sapphire")
+FUSED_SILICA = ReferenceSample(72e9, 0.17, 0.6e9, "fused silica")
+SAPPHIRE = ReferenceSample(410e9, 0.234, 8e9, "sapphire")
 """Of the c-plane, as indentation feels it."""
 
 
 def calibrate_indenter(
-    curves: Sequence[tuple[ForceCurve, Reference]],
+    curves: Sequence[tuple[ForceCurve, ReferenceSample]],
     *,
     terms: int = 0,
     solid: Elastic = DIAMOND,
@@ -97,7 +97,7 @@ def calibrate_indenter(
 
     Parameters
     ----------
-    curves : sequence of (ForceCurve, Reference)
+    curves : sequence of (ForceCurve, ReferenceSample)
         Indentations, best with partial unloadings over the depths that are wanted, each with its reference.  The
         compliance of the frame is found in addition to that of the curves.
     terms : int, optional
@@ -138,8 +138,8 @@ def calibrate_indenter(
 
 
 def _prepared_curves(
-    curves: Sequence[tuple[ForceCurve, Reference]], compliance: float
-) -> tuple[list[Prepared], list[Reference], list[str]]:
+    curves: Sequence[tuple[ForceCurve, ReferenceSample]], compliance: float
+) -> tuple[list[Prepared], list[ReferenceSample], list[str]]:
     ready, references, skipped = [], [], []
     for curve, reference in curves:
         try:
@@ -153,7 +153,7 @@ def _prepared_curves(
     return ready, references, skipped
 
 
-def _readings(ready: list[Prepared], references: list[Reference], solid: Elastic) -> ReferenceReadings:
+def _readings(ready: list[Prepared], references: list[ReferenceSample], solid: Elastic) -> ReferenceReadings:
     columns = [np.concatenate([getattr(one.peaks, name) for one in ready]) for name in ready[0].peaks._fields]
     force, depth, compliance, intercept = columns
     if force.size < FEWEST_READINGS:
@@ -197,7 +197,7 @@ def _covariance_of(one: Prepared) -> Callable[[Array, Array], Array]:
 
 def _best_fit(
     readings: ReferenceReadings,
-    references: list[Reference],
+    references: list[ReferenceSample],
     solid: Elastic,
     shape_factor: float,
     terms: int,
@@ -213,7 +213,7 @@ def _best_fit(
 
 
 def _with_references(
-    fit: AreaFit, readings: ReferenceReadings, references: list[Reference], solid: Elastic, shape_factor: float
+    fit: AreaFit, readings: ReferenceReadings, references: list[ReferenceSample], solid: Elastic, shape_factor: float
 ) -> AreaFit:
     """Return the fit with the uncertainty of the references' moduli in its covariance."""
     covariance = fit.covariance.copy()
@@ -241,7 +241,7 @@ def _with_references(
 def _calibration(
     fit: AreaFit,
     readings: ReferenceReadings,
-    references: list[Reference],
+    references: list[ReferenceSample],
     solid: Elastic,
     shape_factor: float,
     ready: list[Prepared],

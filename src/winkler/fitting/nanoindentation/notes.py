@@ -32,8 +32,8 @@ def _notes(solution: Any) -> Iterator[Note]:
         standing, end = (
             Standing.OUTSIDE,
             (
-                f"above {PILE_UP_LIMIT:g} material that hardens little piles up at the edge, the area may be up to 60 % "
-                "too small, and hardness and modulus too large: measure the area of the impression"
+                f"above {PILE_UP_LIMIT:g} material that hardens little piles up at the edge, the area may be up to "
+                "60 % too small, and hardness and modulus too large: measure the area of the impression"
             ),
         )
     statement = f"Pile-up: {share:.2f} of the greatest depth remains after unloading; {end}."

@@ -72,7 +72,7 @@ class _Peak(NamedTuple):
     record: NoiseRecord | tuple[()]
 
 
-class _Fitted(NamedTuple):
+class _FittedUnloading(NamedTuple):
     """A peak, the power law of the unloading in parts of the peak, and its first and last point."""
 
     peak: _Peak
@@ -96,7 +96,7 @@ def fitted_unloadings(curve: ForceCurve, *, upper: float = 0.98, lower: float = 
         If no unloading can be evaluated.
     """
     depth = curve.depth(0.0)
-    fits: list[_Fitted] = []
+    fits: list[_FittedUnloading] = []
     skipped: list[str] = []
     parts = curve.segments
     for place, part in enumerate(parts):
@@ -138,7 +138,9 @@ def _goes_on(parts: tuple[object, ...], place: int) -> bool:
     return place > 1 and getattr(parts[place - 2], "kind", None) in unloadings
 
 
-def _fitted(curve: ForceCurve, depth: Array, chosen: Array, held: Array, upper: float, lower: float) -> _Fitted:
+def _fitted(
+    curve: ForceCurve, depth: Array, chosen: Array, held: Array, upper: float, lower: float
+) -> _FittedUnloading:
     """Return the peak and the power law of one unloading."""
     force = curve.force
     if chosen.size < FEWEST:
@@ -151,11 +153,11 @@ def _fitted(curve: ForceCurve, depth: Array, chosen: Array, held: Array, upper: 
     x, y = depth[chosen] / peak.depth, force[chosen] / peak.force
     law = fitted_power_law(x, y, _between(y, lower, upper), with_noise=False)
     law = fitted_power_law(x, y, _between(law.fitted / math.exp(law.numbers[0]), lower, upper), with_noise=False)
-    return _Fitted(peak, law, chosen)
+    return _FittedUnloading(peak, law, chosen)
 
 
 def _numbers(
-    curve: ForceCurve, one: _Fitted, noise: PooledNoise, place: int, hold_place: int
+    curve: ForceCurve, one: _FittedUnloading, noise: PooledNoise, place: int, hold_place: int
 ) -> tuple[tuple[float, ...], Array]:
     """Return force, depth, compliance, exponent, time, pace, final depth, first and last, and the covariance."""
     peak, law, chosen = one.peak, one.law, one.points

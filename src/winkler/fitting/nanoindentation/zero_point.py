@@ -116,8 +116,8 @@ def found_zero_point(curve: ForceCurve) -> ZeroPoint:
         found.append(touch)
     if not found:
         raise InvalidInput(
-            f"found_zero_point: curve '{curve.name}' has fewer than {LEAST_POINTS} points of contact at low forces of its "
-            "first loading: give contact_point with its error."
+            f"found_zero_point: curve '{curve.name}' has fewer than {LEAST_POINTS} points of contact at low forces "
+            "of its first loading: give contact_point with its error."
         )
     taken = found[-1]
     doubt = min(max(abs(taken.position - one.position) for one in found), MOST_DOUBT * taken.error)

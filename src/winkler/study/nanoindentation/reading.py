@@ -22,7 +22,7 @@ from pathlib import Path
 from typing import Any
 
 from winkler.errors import InvalidInput, WinklerError, suggest
-from winkler.fitting.nanoindentation.calibration import Reference
+from winkler.fitting.nanoindentation.calibration import ReferenceSample
 from winkler.fitting.nanoindentation.indenter import DIAMOND, CalibratedIndenter
 from winkler.fitting.unloading.contact_reading import CalibratedArea
 from winkler.io.indenter_file import read_indenter
@@ -176,13 +176,13 @@ def _output(raw: Any) -> Output:
     return Output(folder=str(raw.get("folder", "")), figures=tuple(figures), report=bool(raw.get("report", True)))
 
 
-def _references(raw: Any, folder: Path) -> tuple[tuple[str, ...], tuple[Reference, ...]]:
+def _references(raw: Any, folder: Path) -> tuple[tuple[str, ...], tuple[ReferenceSample, ...]]:
     if not isinstance(raw, list) or not raw:
         raise InvalidInput(
             "calibration.reference is missing; give [[calibration.reference]] with curve, young, poisson."
         )
     sources: list[str] = []
-    references: list[Reference] = []
+    references: list[ReferenceSample] = []
     for place, one in enumerate(raw):
         where = f"calibration.reference[{place}]"
         content = _section(one, OF_REFERENCE, where)
@@ -191,7 +191,7 @@ def _references(raw: Any, folder: Path) -> tuple[tuple[str, ...], tuple[Referenc
                 raise InvalidInput(f"{where}.{key} is missing; give it.")
         files = _files(content.pop("curve"), folder, f"{where}.curve")
         sources += files
-        references += [Reference(**content)] * len(files)
+        references += [ReferenceSample(**content)] * len(files)
     return tuple(sources), tuple(references)
 
 

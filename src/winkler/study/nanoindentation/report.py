@@ -151,8 +151,8 @@ def _measurement(outcome: NanoindentationOutcome) -> Iterator[str]:
         lines.append(_row((one.name, *cells)))
     text = (
         "<p>HM Martens hardness, HMs by the slope of the loading, HIT indentation hardness, EIT indentation modulus, "
-        "HV* Vickers hardness converted from HIT (0.0945 HIT in MPa), CIT creep in the hold, RIT relaxation, W work of the "
-        "loading, W_e elastic and W_p plastic work, eta_IT = W_e/W; in brackets standard uncertainties.</p>"
+        "HV* Vickers hardness converted from HIT (0.0945 HIT in MPa), CIT creep in the hold, RIT relaxation, W work of "
+        "the loading, W_e elastic and W_p plastic work, eta_IT = W_e/W; in brackets standard uncertainties.</p>"
     )
     yield section("Quantities of ISO 14577", text, table(heads, lines))
 
