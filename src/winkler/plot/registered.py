@@ -8,7 +8,7 @@ from winkler.plot.conduction import line as line_conduction  # noqa: F401
 from winkler.plot.dispatch import sheet_of
 from winkler.plot.drawing import draw
 from winkler.plot.fitting import fits as elastic_fits  # noqa: F401
-from winkler.plot.fitting import unloading  # noqa: F401
+from winkler.plot.fitting import nanoindentation, unloading  # noqa: F401
 from winkler.plot.friction import damping  # noqa: F401
 from winkler.plot.friction import sheets as friction_sheets  # noqa: F401
 from winkler.plot.heating import ellipses, heating, strips  # noqa: F401
