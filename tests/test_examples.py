@@ -107,7 +107,9 @@ def test_script_on_its_own(script, tmp_path):
 def test_study(study, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     output = tmp_path / "answer"
-    command = "fit" if "\n[fit]\n" in study.read_text(encoding="utf-8") else "run"
+    text = study.read_text(encoding="utf-8")
+    fits = any(f"\n[{section}]" in text for section in ("fit", "indentation", "calibration"))
+    command = "fit" if fits else "run"
     assert main([command, str(study), "--output", str(output), "--workers", "1"]) == 0, capsys.readouterr()
     report = list(output.rglob("report.html"))
     assert report, f"no report.html in {sorted(path.name for path in output.rglob('*'))}"

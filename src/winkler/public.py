@@ -17,6 +17,17 @@ from winkler.fitting.fit import Fit, fit, fit_steps
 from winkler.fitting.holds.depth_scaling import DepthScaling, depth_scaling
 from winkler.fitting.holds.held_force import HeldForce
 from winkler.fitting.holds.poroelastic import PoroelasticFit, fit_poroelastic
+from winkler.fitting.nanoindentation.calibration import ReferenceSample, calibrate_indenter
+from winkler.fitting.nanoindentation.calibration_solution import IndenterCalibration
+from winkler.fitting.nanoindentation.continuous import ContinuousIndentation, ContinuousIndentationSolution
+from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
+from winkler.fitting.nanoindentation.measurement import Nanoindentation
+from winkler.fitting.nanoindentation.pop_ins import PopInStatistics, first_yield_stress, pop_in_statistics
+from winkler.fitting.nanoindentation.quantities import IndentationQuantities, indentation_quantities
+from winkler.fitting.nanoindentation.repetition import RepeatedMean, repeated_mean
+from winkler.fitting.nanoindentation.solution import NanoindentationSolution
+from winkler.fitting.nanoindentation.thermal_drift import ThermalDrift, found_drift
+from winkler.fitting.nanoindentation.zero_point import ZeroPoint, found_zero_point
 from winkler.fitting.outcome import CreepFit, ViscoelasticFit
 from winkler.fitting.relaxation_terms import compare_terms
 from winkler.fitting.search import FitState
@@ -44,6 +55,7 @@ from winkler.foundation.sheared_fields import BodyFields, ShearedFields
 from winkler.foundation.springs import Springs
 from winkler.io.contact_state import read_contacts, write_contacts
 from winkler.io.curves import PlacedCurve, read_curve, read_curves
+from winkler.io.indenter_file import read_indenter, write_indenter
 from winkler.io.tables.bed_table import read_bed
 from winkler.io.tables.cross_profile_file import read_cross_profile
 from winkler.io.tables.grading_table import read_grading
@@ -153,36 +165,40 @@ from winkler.validity import Assumption, Note, Standing
 
 __all__ = [
     "Angle", "Archard", "AreaFunction", "Arrhenius", "Assumption", "AtTemperature", "BallInSocket", "Berkovich",
-    "BodyFields", "CalibratedArea", "CalibratedTip", "CalibrationShares", "CappedCylinder", "CappedParaboloid",
-    "Circle", "CoatedHalfSpace", "Comparison", "Cone", "ContactEllipse", "ContactReading", "ContinuousStiffness",
-    "Coulomb", "CreepData", "CreepFit", "CrossProfile", "CrownedEnds", "CubeCorner", "Current", "CurveEvent",
-    "CurveEvents", "CurvedBodies", "CurvedPair", "Cylinder", "CylinderRow", "Depth", "DepthGradedHalfSpace",
-    "DepthScaling", "DepthSeries", "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData", "DynamicSweeps",
-    "Elastic", "ElectricalConductor", "ElectricalConductors", "Ellipsoid", "EllipticFoundation", "EqualMaximum",
-    "EqualMean", "EventKind", "ExponentialGrading", "ExponentialSlipWeakening", "FallingFriction", "Fit", "FitState",
-    "FixedShare", "FlatPunch", "Follow", "Force", "ForceCurve", "Formula", "FormulaSection", "Foundation",
-    "FractionalZener", "GeneralisedKelvin", "GradedHalfSpace", "GroupRatio", "HalfSpace", "HalfWidth", "HeatConductors",
-    "HeldForce", "Hold", "Hyperboloid", "InvalidInput", "JointFit", "KelvinVoigt", "Layer", "LayeredLineFoundation",
-    "LineForce", "LineFoundation", "LineOfAction", "LineScan", "LineShearForce", "LinearSlipWeakening",
-    "LogarithmicEnds", "Maxwell", "MeanPressure", "Measured", "MeasuredBed", "MeasuredSection", "MirroredSection",
-    "ModelVerdict", "Moment", "NamedElastic", "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor",
-    "NominalPressure", "NotConverged", "Note", "OliverPharr", "OliverPharrSolution", "Oscillate", "OutsideValidity",
-    "PairWear", "Paraboloid", "Path", "PeakStress", "PlacedCurve", "PlacedStress", "PlaneFoundation", "Plated",
-    "Population", "PoroelasticFit", "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "Program", "Prony",
-    "PunchRow", "Pyramid", "PyramidByEdges", "Radius", "Ramp", "RandomTopography", "RateDependentWork",
-    "RelaxationData", "RelaxationSweeps", "RelaxingInProportion", "Rigid", "Rod", "RoundedCone", "RoundedEnds",
-    "RoundedPunch", "RoundedPyramid", "SampledProfile", "SaturatingWork", "Segment", "SegmentKind", "SelfAffine",
-    "Shape", "SharpEnds", "ShearForce", "ShearedFields", "Shift", "ShortRange", "SigmoidalGrading", "Sphere",
-    "SpheroConical", "Spikes", "Springs", "Staircase", "StandardSolid", "Standing", "Start", "StaticKinetic",
+    "BodyFields", "CalibratedArea", "CalibratedIndenter", "CalibratedTip", "CalibrationShares", "CappedCylinder",
+    "CappedParaboloid", "Circle", "CoatedHalfSpace", "Comparison", "Cone", "ContactEllipse", "ContactReading",
+    "ContinuousIndentation", "ContinuousIndentationSolution", "ContinuousStiffness", "Coulomb", "CreepData", "CreepFit",
+    "CrossProfile", "CrownedEnds", "CubeCorner", "Current", "CurveEvent", "CurveEvents", "CurvedBodies", "CurvedPair",
+    "Cylinder", "CylinderRow", "Depth", "DepthGradedHalfSpace", "DepthScaling", "DepthSeries", "DerjaguinMullerToporov",
+    "Designed", "Dugdale", "DynamicData", "DynamicSweeps", "Elastic", "ElectricalConductor", "ElectricalConductors",
+    "Ellipsoid", "EllipticFoundation", "EqualMaximum", "EqualMean", "EventKind", "ExponentialGrading",
+    "ExponentialSlipWeakening", "FallingFriction", "Fit", "FitState", "FixedShare", "FlatPunch", "Follow", "Force",
+    "ForceCurve", "Formula", "FormulaSection", "Foundation", "FractionalZener", "GeneralisedKelvin", "GradedHalfSpace",
+    "GroupRatio", "HalfSpace", "HalfWidth", "HeatConductors", "HeldForce", "Hold", "Hyperboloid",
+    "IndentationQuantities", "IndenterCalibration", "InvalidInput", "JointFit", "KelvinVoigt", "Layer",
+    "LayeredLineFoundation", "LineForce", "LineFoundation", "LineOfAction", "LineScan", "LineShearForce",
+    "LinearSlipWeakening", "LogarithmicEnds", "Maxwell", "MeanPressure", "Measured", "MeasuredBed", "MeasuredSection",
+    "MirroredSection", "ModelVerdict", "Moment", "NamedElastic", "NamedElectricalConductor", "NamedMaterial",
+    "NamedThermalConductor", "Nanoindentation", "NanoindentationSolution", "NominalPressure", "NotConverged", "Note",
+    "OliverPharr", "OliverPharrSolution", "Oscillate", "OutsideValidity", "PairWear", "Paraboloid", "Path",
+    "PeakStress", "PlacedCurve", "PlacedStress", "PlaneFoundation", "Plated", "PopInStatistics", "Population",
+    "PoroelasticFit", "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "Program", "Prony", "PunchRow",
+    "Pyramid", "PyramidByEdges", "Radius", "Ramp", "RandomTopography", "RateDependentWork", "ReferenceSample",
+    "RelaxationData", "RelaxationSweeps", "RelaxingInProportion", "RepeatedMean", "Rigid", "Rod", "RoundedCone",
+    "RoundedEnds", "RoundedPunch", "RoundedPyramid", "SampledProfile", "SaturatingWork", "Segment", "SegmentKind",
+    "SelfAffine", "Shape", "SharpEnds", "ShearForce", "ShearedFields", "Shift", "ShortRange", "SigmoidalGrading",
+    "Sphere", "SpheroConical", "Spikes", "Springs", "Staircase", "StandardSolid", "Standing", "Start", "StaticKinetic",
     "SubsurfaceFields", "Sum", "SurfaceFields", "SurfaceFilm", "TabulatedGrading", "TabulatedTip", "ThermalConductor",
-    "ThermalInterface", "Tilt", "Topography", "Torque", "TransverselyIsotropic", "TransverselyIsotropicHalfSpace",
-    "TruncatedCone", "TruncatedParaboloid", "Vickers", "ViscoelasticFit", "ViscoelasticHalfSpace", "Voltage", "Wavy",
-    "WiedemannFranz", "WilliamsLandelFerry", "WinklerError", "calibration_shares", "compare", "compare_terms",
-    "contact_reading", "depth_scaling", "fit", "fit_poroelastic", "fit_steps", "fit_together", "intercept_factor",
-    "material", "material_names", "over_depth", "peak_stress", "population", "random_topography", "ratio_of",
-    "read_bed", "read_contacts", "read_creep", "read_cross_profile", "read_curve", "read_curves", "read_dynamic",
-    "read_dynamic_sweeps", "read_grading", "read_path", "read_profile", "read_profile_pair", "read_relaxation",
-    "read_relaxation_sweeps", "read_scan", "read_section", "read_spectrum", "read_surface_load", "read_topography",
-    "relaxation_band", "restore", "restore_body", "restore_shift", "sample_young", "spectrum_of", "staircase",
-    "to_pandas", "to_xarray", "verdict_of", "write_contacts", "write_law", "write_trace", "write_vtk",
+    "ThermalDrift", "ThermalInterface", "Tilt", "Topography", "Torque", "TransverselyIsotropic",
+    "TransverselyIsotropicHalfSpace", "TruncatedCone", "TruncatedParaboloid", "Vickers", "ViscoelasticFit",
+    "ViscoelasticHalfSpace", "Voltage", "Wavy", "WiedemannFranz", "WilliamsLandelFerry", "WinklerError", "ZeroPoint",
+    "calibrate_indenter", "calibration_shares", "compare", "compare_terms", "contact_reading", "depth_scaling",
+    "first_yield_stress", "fit", "fit_poroelastic", "fit_steps", "fit_together", "found_drift", "found_zero_point",
+    "indentation_quantities", "intercept_factor", "material", "material_names", "over_depth", "peak_stress",
+    "pop_in_statistics", "population", "random_topography", "ratio_of", "read_bed", "read_contacts", "read_creep",
+    "read_cross_profile", "read_curve", "read_curves", "read_dynamic", "read_dynamic_sweeps", "read_grading",
+    "read_indenter", "read_path", "read_profile", "read_profile_pair", "read_relaxation", "read_relaxation_sweeps",
+    "read_scan", "read_section", "read_spectrum", "read_surface_load", "read_topography", "relaxation_band",
+    "repeated_mean", "restore", "restore_body", "restore_shift", "sample_young", "spectrum_of", "staircase",
+    "to_pandas", "to_xarray", "verdict_of", "write_contacts", "write_indenter", "write_law", "write_trace", "write_vtk",
 ]  # fmt: skip

@@ -28,7 +28,10 @@ MOST_ROWS = 24
 
 
 def fit(
-    study: Annotated[Path, typer.Argument(help=r"A study file (TOML) with \[fit].", show_default=False)],
+    study: Annotated[
+        Path,
+        typer.Argument(help=r"A study file (TOML) with \[fit], \[indentation] or \[calibration].", show_default=False),
+    ],
     output: Output = None,
     overwrite: Overwrite = False,
     workers: Annotated[int, typer.Option("--workers", "-w", help="Processes that fit many curves.")] = 1,
@@ -49,7 +52,7 @@ def fit(
     quiet: Quiet = False,
     as_json: AsJson = False,
 ) -> int:
-    """Fit numbers of a model to one curve, a batch of files, or a force map.
+    """Fit numbers of a model to one curve, a batch of files, or a force map; evaluate or calibrate nanoindentations.
 
     The results are written whole or not at all; after Ctrl-C with what was fitted so far. A batch that was stopped goes
     on where it was if the same study is fitted again. If curves have no answer, the exit code is that of the first one.
@@ -57,7 +60,7 @@ def fit(
 
     Example: winkler fit examples/studies/fitting/fit_gel.toml --output results/gel
     """
-    from winkler.cli import terminal
+    from winkler.cli import nanoindentation, terminal
     from winkler.errors import Interrupted, InvalidInput, WinklerError
     from winkler.study.batch.fit_outcome import Fitted
     from winkler.study.batch.fit_recording import recalled_fits
@@ -69,6 +72,8 @@ def fit(
     from winkler.study.report.writing import write_outcome
 
     started = time.perf_counter()
+    if nanoindentation.wanted(study):
+        return nanoindentation.evaluate(study, output, overwrite=overwrite, quiet=quiet, as_json=as_json)
     if time_limit is not None and not time_limit > 0.0:
         raise InvalidInput(f"fit: --time-limit is {time_limit:g}; give a positive time in s.")
     if pages < 0:

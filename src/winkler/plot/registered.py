@@ -7,7 +7,7 @@ from winkler.plot.conduction import constriction, fields, spots  # noqa: F401
 from winkler.plot.conduction import line as line_conduction  # noqa: F401
 from winkler.plot.dispatch import sheet_of
 from winkler.plot.drawing import draw
-from winkler.plot.fitting import curve_events, unloading  # noqa: F401
+from winkler.plot.fitting import curve_events, nanoindentation, unloading  # noqa: F401
 from winkler.plot.fitting import examined as examined_fits  # noqa: F401
 from winkler.plot.fitting import fits as elastic_fits  # noqa: F401
 from winkler.plot.friction import damping  # noqa: F401

@@ -5,9 +5,12 @@ Every unloading of a reference of known modulus :math:`E_r` gives the measured c
 .. math:: c = C_f + \frac{\sqrt\pi}{2\beta E_r}\frac1{\sqrt{A(h_c)}}, \qquad
           h_c = h_m - C_f F - \epsilon F\,(c - C_f), \qquad A = \sum_k C_k\,h_c^{\,2^{1-k}}, \quad C_k \ge 0 .
 
-Compliance and depth are corrected with the same :math:`C_f`, which the fit and the power laws of the unloadings share: the
-power laws are fitted again with the found compliance until it stays.  Residuals in the logarithm of the contact's compliance
-have the covariance of noise, zero point and drift, those of one curve being correlated, times a factor by which the scatter
+Compliance and depth are corrected with the same :math:`C_f`, which the fit and the power laws of the unloadings
+share: the
+power laws are fitted again with the found compliance until it stays.  Residuals in the logarithm of the contact's
+compliance
+have the covariance of noise, zero point and drift, those of one curve being correlated, times a factor by which the
+scatter
 exceeds it.  Coefficients are added as long as the criterion of Schwarz improves; those at zero are left out.
 
 References
@@ -19,36 +22,39 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
 
 import numpy as np
 
 from winkler.checks.number_checks import NonNegative, PoissonRatio, Positive
 from winkler.errors import InvalidInput, NotConverged, WinklerError
 from winkler.fitting.curves.curve import ForceCurve
+from winkler.fitting.nanoindentation.area_fit import (
+    COMMON_ZERO,
+    AreaFit,
+    ReferenceReadings,
+    covariance_of,
+    fitted_area,
+    slope_of,
+)
 from winkler.fitting.nanoindentation.calibration_solution import IndenterCalibration
 from winkler.fitting.nanoindentation.indenter import DIAMOND, CalibratedIndenter
 from winkler.fitting.nanoindentation.measurement import Prepared, prepared
-from winkler.fitting.nanoindentation.readings import area_of
 from winkler.fitting.unloading.contact_reading import CalibratedArea
 from winkler.materials.elastic import Elastic
 from winkler.numerics.types import Array
 from winkler.values import value, words
 
-__all__ = ["FUSED_SILICA", "SAPPHIRE", "Reference", "calibrate_indenter"]
+__all__ = ["FUSED_SILICA", "SAPPHIRE", "ReferenceSample", "calibrate_indenter"]
 
 FEWEST_READINGS = 4
 ROUNDS = 6
 CONVERGED = 0.03
 """Change of the frame compliance between two rounds, in parts of its error, that ends the iteration."""
 MOST_TERMS = 4
-DEPTH_STEP = 1e-5
-COMMON_ZERO = 0.5
-"""Part of the variance of the zero points that all curves share: the shape of the first contact is the same."""
 
 
 @value
-class Reference:
+class ReferenceSample:
     """A reference sample.
 
     Parameters
@@ -74,25 +80,13 @@ class Reference:
         return 1.0 / ((1.0 - self.poisson**2) / self.young + (1.0 - solid.poisson**2) / solid.young)
 
 
-FUSED_SILICA = Reference(72e9, 0.17, 0.6e9, "fused silica")
-SAPPHIRE = Reference(410e9, 0.234, 8e9, "sapphire")
+FUSED_SILICA = ReferenceSample(72e9, 0.17, 0.6e9, "fused silica")
+SAPPHIRE = ReferenceSample(410e9, 0.234, 8e9, "sapphire")
 """Of the c-plane, as indentation feels it."""
 
 
-class _Readings(NamedTuple):
-    """Peaks of all unloadings: numbers, the curve and reference of each, and covariances of one curve each."""
-
-    force: Array
-    depth: Array
-    compliance: Array
-    intercept: Array
-    reference: Array
-    zero: Array
-    blocks: list[tuple[Array, Callable[[Array, Array], Array]]]
-
-
 def calibrate_indenter(
-    curves: Sequence[tuple[ForceCurve, Reference]],
+    curves: Sequence[tuple[ForceCurve, ReferenceSample]],
     *,
     terms: int = 0,
     solid: Elastic = DIAMOND,
@@ -103,7 +97,7 @@ def calibrate_indenter(
 
     Parameters
     ----------
-    curves : sequence of (ForceCurve, Reference)
+    curves : sequence of (ForceCurve, ReferenceSample)
         Indentations, best with partial unloadings over the depths that are wanted, each with its reference.  The
         compliance of the frame is found in addition to that of the curves.
     terms : int, optional
@@ -125,7 +119,7 @@ def calibrate_indenter(
     if not 0 <= terms <= 8:
         raise InvalidInput(f"calibrate_indenter: terms is {terms!r}; give 1 to 8, or 0 for as many as are justified.")
     fixed = frame_compliance is not None
-    compliance, before, skipped = frame_compliance or 0.0, math.inf, []
+    compliance, before = frame_compliance or 0.0, math.inf
     for _ in range(ROUNDS):
         ready, references, skipped = _prepared_curves(curves, compliance)
         readings = _readings(ready, references, solid)
@@ -144,8 +138,8 @@ def calibrate_indenter(
 
 
 def _prepared_curves(
-    curves: Sequence[tuple[ForceCurve, Reference]], compliance: float
-) -> tuple[list[Prepared], list[Reference], list[str]]:
+    curves: Sequence[tuple[ForceCurve, ReferenceSample]], compliance: float
+) -> tuple[list[Prepared], list[ReferenceSample], list[str]]:
     ready, references, skipped = [], [], []
     for curve, reference in curves:
         try:
@@ -159,7 +153,7 @@ def _prepared_curves(
     return ready, references, skipped
 
 
-def _readings(ready: list[Prepared], references: list[Reference], solid: Elastic) -> _Readings:
+def _readings(ready: list[Prepared], references: list[ReferenceSample], solid: Elastic) -> ReferenceReadings:
     columns = [np.concatenate([getattr(one.peaks, name) for one in ready]) for name in ready[0].peaks._fields]
     force, depth, compliance, intercept = columns
     if force.size < FEWEST_READINGS:
@@ -168,7 +162,10 @@ def _readings(ready: list[Prepared], references: list[Reference], solid: Elastic
             "are needed."
         )
     moduli = np.concatenate(
-        [np.full(one.peaks.force.size, reference.modulus(solid)) for one, reference in zip(ready, references, strict=True)]
+        [
+            np.full(one.peaks.force.size, reference.modulus(solid))
+            for one, reference in zip(ready, references, strict=True)
+        ]
     )
     blocks, first = [], 0
     for one in ready:
@@ -176,7 +173,7 @@ def _readings(ready: list[Prepared], references: list[Reference], solid: Elastic
         blocks.append((np.arange(first, first + size), _covariance_of(one)))
         first += size
     zero = np.concatenate([np.full(one.peaks.force.size, one.zero_point.error) for one in ready])
-    return _Readings(force, depth, compliance, intercept, moduli, zero, blocks)
+    return ReferenceReadings(force, depth, compliance, intercept, moduli, zero, blocks)
 
 
 def _covariance_of(one: Prepared) -> Callable[[Array, Array], Array]:
@@ -198,119 +195,38 @@ def _covariance_of(one: Prepared) -> Callable[[Array, Array], Array]:
     return covariance
 
 
-class _Fit(NamedTuple):
-    """Frame compliance and coefficients, their covariance, residuals, criterion, and factor of the scatter."""
-
-    numbers: Array
-    covariance: Array
-    residuals: Array
-    criterion: float
-    factor: float
-
-
-def _residuals(numbers: Array, readings: _Readings, shape_factor: float, shift: Array | float = 0.0,
-               softer: Array | float = 0.0) -> Array:  # fmt: skip
-    """Return ln of the contact's measured compliance over that of the model."""
-    own = np.maximum(readings.compliance + softer - numbers[0], 1e-3 * readings.compliance)
-    contact = readings.depth + shift - numbers[0] * readings.force - readings.intercept * readings.force * own
-    contact = np.maximum(contact, 1e-3 * readings.depth)
-    area = np.maximum(area_of(numbers[1:], contact), np.finfo(float).tiny)
-    return np.asarray(np.log(own * 2.0 * shape_factor * readings.reference * np.sqrt(area / np.pi)))
-
-
 def _best_fit(
-    readings: _Readings, references: list[Reference], solid: Elastic, shape_factor: float, terms: int, known: float | None
-) -> _Fit:
+    readings: ReferenceReadings,
+    references: list[ReferenceSample],
+    solid: Elastic,
+    shape_factor: float,
+    terms: int,
+    known: float | None,
+) -> AreaFit:
     most = min(MOST_TERMS, readings.force.size - 2)
     if terms > readings.force.size - 1:
         raise InvalidInput(
             f"calibrate_indenter: {terms} coefficients and the frame from {readings.force.size} unloadings; take fewer."
         )
-    fits = [_fit(readings, count, shape_factor, known) for count in ([terms] if terms else range(1, most + 1))]
+    fits = [fitted_area(readings, count, shape_factor, known) for count in ([terms] if terms else range(1, most + 1))]
     return _with_references(min(fits, key=lambda fit: fit.criterion), readings, references, solid, shape_factor)
 
 
-def _fit(readings: _Readings, count: int, shape_factor: float, known: float | None) -> _Fit:
-    """Return the generalised least-squares fit with `count` coefficients, those at zero left out."""
-    from scipy.optimize import least_squares
-
-    size = float(readings.depth.max())
-    scale = np.array([float(readings.compliance.min()), *(size ** (2.0 - 2.0 ** (1 - n)) for n in range(count))])
-    start = np.zeros(1 + count)
-    area = np.pi * (1.0 / (2.0 * shape_factor * readings.reference * readings.compliance)) ** 2
-    start[1] = float(np.median(area / (0.8 * readings.depth) ** 2))
-    start[0] = 0.05 if known is None else known / scale[0]
-    start[2:] = 0.02
-    free = np.arange(1 + count) if known is None else np.arange(1, 1 + count)
-    x = start.copy()
-    whiten = np.eye(readings.force.size)
-    for _ in range(4):
-        def misfit(part: Array) -> Array:
-            full = x.copy()
-            full[free] = part
-            return np.asarray(whiten @ _residuals(full * scale, readings, shape_factor))  # noqa: B023
-
-        high = np.full(free.size, np.inf)
-        high[free == 0] = 0.95
-        result = least_squares(misfit, np.clip(x[free], 1e-9, 0.9 * high), bounds=(0.0, high), xtol=1e-12, ftol=1e-12)
-        x[free] = result.x
-        covariance = _covariance(x * scale, readings, shape_factor)
-        whiten = np.linalg.inv(np.linalg.cholesky(covariance))
-    active = np.array([place for place in free.tolist() if place <= 1 or x[place] > 1e-6])
-    x[[place for place in free.tolist() if place not in active]] = 0.0
-    residuals = _residuals(x * scale, readings, shape_factor)
-    white = whiten @ residuals
-    freedom = max(residuals.size - active.size, 1)
-    factor = float(white @ white) / freedom
-    rows = np.stack([whiten @ _slope(x * scale, place, scale[place], readings, shape_factor) for place in active], axis=1)
-    inner = np.linalg.pinv(rows.T @ rows) * max(factor, 1.0) * freedom / max(freedom - 2, 1)
-    whole = np.zeros((1 + count, 1 + count))
-    whole[np.ix_(active, active)] = inner * np.outer(scale[active], scale[active])
-    size_of = residuals.size
-    criterion = size_of * math.log(max(factor, 1.0) * freedom / size_of + 1e-300) + math.log(size_of) * active.size
-    criterion += (freedom * factor / max(factor, 1.0)) if factor < 1.0 else 0.0
-    return _Fit(x * scale, whole, residuals, criterion, factor)
-
-
-def _slope(numbers: Array, place: int, scale: float, readings: _Readings, shape_factor: float) -> Array:
-    """Return the derivative of the residuals by a number in parts of its scale."""
-    step = np.zeros(numbers.size)
-    step[place] = DEPTH_STEP * scale
-    ahead, behind = (_residuals(numbers + sign * step, readings, shape_factor) for sign in (1.0, -1.0))
-    return (ahead - behind) / (2.0 * DEPTH_STEP)
-
-
-def _covariance(numbers: Array, readings: _Readings, shape_factor: float) -> Array:
-    """Return the covariance of the residuals by noise, zero points and drifts."""
-    deep, soft = DEPTH_STEP * readings.depth, DEPTH_STEP * readings.compliance
-    by_depth, by_compliance = (
-        (
-            _residuals(numbers, readings, shape_factor, **{name: step})
-            - _residuals(numbers, readings, shape_factor, **{name: -step})
-        )
-        / (2.0 * step)
-        for name, step in (("shift", deep), ("softer", soft))
-    )
-    covariance = np.zeros((readings.force.size, readings.force.size))
-    for which, block in readings.blocks:
-        covariance[np.ix_(which, which)] = block(by_depth[which], by_compliance[which])
-    together = by_depth * readings.zero
-    covariance += COMMON_ZERO * np.outer(together, together)
-    floor = (1e-6) ** 2 * np.eye(covariance.shape[0])
-    return covariance + floor
-
-
 def _with_references(
-    fit: _Fit, readings: _Readings, references: list[Reference], solid: Elastic, shape_factor: float
-) -> _Fit:
+    fit: AreaFit, readings: ReferenceReadings, references: list[ReferenceSample], solid: Elastic, shape_factor: float
+) -> AreaFit:
     """Return the fit with the uncertainty of the references' moduli in its covariance."""
     covariance = fit.covariance.copy()
-    whole = _covariance(fit.numbers, readings, shape_factor)
+    whole = covariance_of(fit.numbers, readings, shape_factor)
     inverse = np.linalg.inv(whole)
     active = np.flatnonzero(np.diag(fit.covariance) > 0.0)
     scale = np.maximum(np.abs(fit.numbers), np.sqrt(np.diag(fit.covariance)))
     rows = np.stack(
-        [_slope(fit.numbers, place, scale[place], readings, shape_factor) / scale[place] for place in active], axis=1
+        [
+            slope_of(fit.numbers, place, scale[place], readings, shape_factor) / scale[place]
+            for place in active.tolist()
+        ],
+        axis=1,
     )
     weigh = np.linalg.pinv((rows * scale[active]).T @ inverse @ (rows * scale[active])) * scale[active][:, None]
     project = weigh @ (rows * scale[active]).T @ inverse
@@ -323,9 +239,9 @@ def _with_references(
 
 
 def _calibration(
-    fit: _Fit,
-    readings: _Readings,
-    references: list[Reference],
+    fit: AreaFit,
+    readings: ReferenceReadings,
+    references: list[ReferenceSample],
     solid: Elastic,
     shape_factor: float,
     ready: list[Prepared],

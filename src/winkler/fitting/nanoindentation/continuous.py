@@ -10,7 +10,7 @@ import numpy as np
 from winkler.checks.number_checks import NonNegative, PoissonRatio
 from winkler.errors import InvalidInput
 from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
-from winkler.fitting.nanoindentation.readings import Peaks, moved_by, readings_of
+from winkler.fitting.nanoindentation.readings import Peaks, factors_of, moved_by, readings_of
 from winkler.fitting.unloading.continuous_stiffness import ContinuousStiffness
 from winkler.numerics.types import Array
 from winkler.values import value, words
@@ -72,7 +72,9 @@ class ContinuousIndentation:
             compliance = 1.0 / data.stiffness - extra
             depth = data.depth - extra * data.force
             contact = depth - frame * data.force - INTERCEPT * data.force * (compliance - frame)
-            area = sum(c * np.maximum(contact, 0.0) ** (2.0 ** (1 - n)) for n, c in enumerate(self.indenter.numbers[1:]))
+            area = sum(
+                c * np.maximum(contact, 0.0) ** (2.0 ** (1 - n)) for n, c in enumerate(self.indenter.numbers[1:])
+            )
             modulus = 0.5 * np.sqrt(np.pi / area) / (self.indenter.shape_factor * (compliance - frame))
         stiffest = self.indenter.solid.young / (1.0 - self.indenter.solid.poisson**2)
         good = (data.stiffness > 0.0) & (compliance > frame) & (contact > 0.0) & (area > 0.0) & (data.force > 0.0)
@@ -100,10 +102,10 @@ class ContinuousIndentation:
     def _calibration(self, peaks: Peaks) -> list[Any]:
         if not self.indenter.calibrated:
             return []
-        spread = np.maximum(np.sqrt(np.diag(self.indenter.covariance)), np.finfo(float).tiny)
-        values, vectors = np.linalg.eigh(self.indenter.covariance / np.outer(spread, spread))
-        columns = spread[:, None] * vectors * np.sqrt(np.maximum(values, 0.0))
-        return [moved_by(peaks, self.indenter, self.poisson, numbers=column) for column in columns.T]
+        return [
+            moved_by(peaks, self.indenter, self.poisson, numbers=column)
+            for column in factors_of(self.indenter.covariance).T
+        ]
 
 
 @value

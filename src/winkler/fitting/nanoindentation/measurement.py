@@ -1,7 +1,8 @@
 r"""Modulus and hardness of one indentation over depth, from all its unloadings, with a GUM budget of uncertainty.
 
 The thermal drift is measured in a hold under a small force and subtracted, the point of first touch is found, all
-unloadings are fitted, and Oliver and Pharr's equations give a reading for each.  The uncertainty of each reading has the
+unloadings are fitted, and Oliver and Pharr's equations give a reading for each.  The uncertainty of each reading has
+the
 sources
 
 noise
@@ -24,6 +25,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -32,13 +34,12 @@ from winkler.errors import InvalidInput
 from winkler.fitting.curves.corrections import without_drift
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
-from winkler.fitting.nanoindentation.readings import Peaks, Readings, moved_by, readings_of
+from winkler.fitting.nanoindentation.readings import Peaks, Readings, factors_of, moved_by, readings_of
 from winkler.fitting.nanoindentation.solution import NanoindentationSolution
 from winkler.fitting.nanoindentation.thermal_drift import ThermalDrift, found_drift
 from winkler.fitting.nanoindentation.unloadings import FittedUnloadings, fitted_unloadings
 from winkler.fitting.nanoindentation.zero_point import ZeroPoint, found_zero_point
 from winkler.fitting.unloading.contact_reading import intercept_factor
-from winkler.numerics.types import Array
 from winkler.values import value, words
 
 __all__ = ["Nanoindentation", "Prepared", "contributions", "prepared"]
@@ -146,8 +147,7 @@ class Nanoindentation:
         )
 
 
-@dataclasses.dataclass(frozen=True)
-class Prepared:
+class Prepared(NamedTuple):
     """A curve after drift and zero point, its unloadings, and their peaks with the frame put back."""
 
     curve: ForceCurve
@@ -176,9 +176,7 @@ def prepared(
     rate = found_drift(stiff) if isinstance(drift, tuple) else drift
     steady = without_drift(stiff, rate.rate) if rate.rate else stiff
     touch = found_zero_point(steady) if isinstance(zero_point, tuple) else zero_point
-    placed = dataclasses.replace(
-        steady, position=steady.position - touch.position, force=steady.force - touch.baseline
-    )
+    placed = dataclasses.replace(steady, position=steady.position - touch.position, force=steady.force - touch.baseline)
     fits = fitted_unloadings(placed, upper=upper, lower=lower)
     peaks = Peaks(
         fits.force,
@@ -191,16 +189,16 @@ def prepared(
 
 
 def contributions(problem: Nanoindentation, ready: Prepared) -> dict[str, list[Readings]]:
-    """Return what one standard uncertainty of every source changes in the readings; parts of a source add in squares."""
+    """Return what one standard uncertainty of each source changes in the readings; its parts add in squares."""
     indenter, peaks, fits = problem.indenter, ready.peaks, ready.unloadings
 
-    def moved(**inputs: Array | float) -> Readings:
-        return moved_by(peaks, indenter, problem.poisson, **inputs)  # type: ignore[arg-type]
+    def moved(**inputs: Any) -> Readings:
+        return moved_by(peaks, indenter, problem.poisson, **inputs)
 
     slopes = np.array([_intercept_slope(exponent) for exponent in fits.exponent.tolist()])
     noise = [
         moved(depth=root[:, 0], compliance=root[:, 1], intercept=slopes * root[:, 2])
-        for root in np.moveaxis(_factors(fits.covariance), 2, 0)
+        for root in np.moveaxis(factors_of(fits.covariance), 2, 0)
     ]
     waited = fits.time - ready.touched
     doubt = np.abs(peaks.intercept - USUAL_INTERCEPT) / math.sqrt(3.0)
@@ -208,7 +206,7 @@ def contributions(problem: Nanoindentation, ready: Prepared) -> dict[str, list[R
         "noise": noise,
         "zero point": [moved(depth=-ready.zero_point.error)],
         "drift": [moved(depth=-waited * ready.drift.error, compliance=-fits.pace * ready.drift.error)],
-        "calibration": [moved(numbers=column) for column in _factors(indenter.covariance[None])[0].T]
+        "calibration": [moved(numbers=column) for column in factors_of(indenter.covariance).T]
         if indenter.calibrated
         else [],
         "epsilon": [moved(intercept=doubt)],
@@ -232,14 +230,6 @@ def _by_poisson(problem: Nanoindentation, peaks: Peaks) -> Readings:
 def _root(changes: list[Readings]) -> Readings:
     """Return the roots of the sums of squares."""
     return Readings(*(np.sqrt(sum(np.square(part) for part in parts)) for parts in zip(*changes, strict=True)))
-
-
-def _factors(covariance: Array) -> Array:
-    """Return L with L L^T = V for covariances ``(n, k, k)``, negative eigenvalues of rounding dropped."""
-    spread = np.sqrt(np.maximum(np.diagonal(covariance, axis1=1, axis2=2), np.finfo(float).tiny))
-    scaled = covariance / (spread[:, :, None] * spread[:, None, :])
-    values, vectors = np.linalg.eigh(scaled)
-    return np.asarray(spread[:, :, None] * vectors * np.sqrt(np.maximum(values, 0.0))[:, None, :])
 
 
 def _intercept_slope(exponent: float) -> float:

@@ -1,7 +1,8 @@
 r"""One spectrum of noise for all parts of a curve, and what it does to least-squares fits of each part.
 
 The residuals of a part have the variances :math:`\sigma_i^2\,(1 + (\omega_c/\omega)^\alpha)` in their cosine transform,
-with a level :math:`\sigma_i` of their own, but the same exponent and the same frequency :math:`\omega_c` per point at which
+with a level :math:`\sigma_i` of their own, but the same exponent and the same frequency :math:`\omega_c` per point at
+which
 slow and white noise are equal.  The restricted likelihoods of all parts are multiplied; covariances are means over the
 candidates by that weight.  A part of a hundred points alone hardly knows its slow noise; all parts together do.
 

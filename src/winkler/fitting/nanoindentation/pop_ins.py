@@ -4,7 +4,8 @@ Before the first pop-in the contact is elastic, and the greatest shear stress be
 
 .. math:: \tau = 0.31\left(\frac{6FE^{*2}}{\pi^3R^2}\right)^{1/3} .
 
-The forces of n pop-ins have the distribution :math:`P = 1 - \exp(-(\tau/\tau_0)^k)` (Weibull).  Under thermal activation
+The forces of n pop-ins have the distribution :math:`P = 1 - \exp(-(\tau/\tau_0)^k)` (Weibull).  Under thermal
+activation
 (Schuh) the volume v in :math:`\ln(-\ln(1-P)) \approx \tau v/(k_BT) + const` follows from the slope over the stress.
 
 References
@@ -50,7 +51,7 @@ def first_yield_stress(force: float, modulus: float, tip_radius: float) -> float
     """
     for name, number, unit in (("force", force, "N"), ("modulus", modulus, "Pa"), ("tip_radius", tip_radius, "m")):
         checked(POSITIVE, "first_yield_stress", name, number, unit)
-    return 0.31 * (6.0 * force * modulus**2 / (math.pi**3 * tip_radius**2)) ** (1.0 / 3.0)
+    return float(0.31 * (6.0 * force * modulus**2 / (math.pi**3 * tip_radius**2)) ** (1.0 / 3.0))
 
 
 @value
@@ -134,7 +135,9 @@ def pop_in_statistics(
     stress = np.array([first_yield_stress(one, modulus, tip_radius) for one in force.tolist()])
     probability = (np.arange(force.size) + 0.5) / force.size
     mean = float(stress.mean())
-    error = math.hypot(float(stress.std(ddof=1)) / math.sqrt(force.size), 2.0 / 3.0 * mean * tip_radius_error / tip_radius)
+    error = math.hypot(
+        float(stress.std(ddof=1)) / math.sqrt(force.size), 2.0 / 3.0 * mean * tip_radius_error / tip_radius
+    )
     scale, shape = _weibull(stress)
     slope = float(np.polyfit(stress, np.log(-np.log1p(-probability)), 1)[0]) if np.ptp(stress) > 0.0 else math.inf
     return PopInStatistics(

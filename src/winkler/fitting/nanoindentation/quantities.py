@@ -30,10 +30,10 @@ from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.segments import SegmentKind
 from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
 from winkler.fitting.nanoindentation.measurement import Nanoindentation
-from winkler.fitting.nanoindentation.readings import area_of
+from winkler.fitting.nanoindentation.readings import area_of, factors_of
 from winkler.fitting.nanoindentation.solution import NanoindentationSolution
 from winkler.fitting.nanoindentation.thermal_drift import ThermalDrift
-from winkler.fitting.nanoindentation.zero_point import ZeroPoint
+from winkler.fitting.nanoindentation.zero_point import ZeroPoint, white_noise
 from winkler.numerics.types import Array
 from winkler.values import value, words
 
@@ -105,6 +105,7 @@ def indentation_quantities(solution: NanoindentationSolution) -> IndentationQuan
     for change in _changed(solution):
         squares += np.square((_of_path(*change) - middle) / STEP)
     squares[1] += _slope_error(curve, problem.indenter) ** 2
+    squares[2] += _creep_error(curve) ** 2
     place = solution.deepest
     hardness, hardness_error = float(solution.hardness[place]), float(solution.hardness_errors[place])
     vickers = 1e-6 / GRAVITY / SURFACE_RATIO
@@ -114,9 +115,7 @@ def indentation_quantities(solution: NanoindentationSolution) -> IndentationQuan
     return IndentationQuantities(tuple(UNITS), tuple(UNITS.values()), np.array(values), np.array(errors))
 
 
-def _placed(
-    problem: Nanoindentation, zero: ZeroPoint, drift: ThermalDrift, indenter: CalibratedIndenter
-) -> ForceCurve:
+def _placed(problem: Nanoindentation, zero: ZeroPoint, drift: ThermalDrift, indenter: CalibratedIndenter) -> ForceCurve:
     from winkler.fitting.curves.calibration import on_frame
     from winkler.fitting.curves.corrections import without_drift
 
@@ -135,20 +134,12 @@ def _changed(solution: NanoindentationSolution) -> list[tuple[ForceCurve, Calibr
         faster = dataclasses.replace(drift, rate=drift.rate + STEP * drift.error)
         changes.append((_placed(problem, zero, faster, indenter), indenter))
     if indenter.calibrated:
-        values, vectors = np.linalg.eigh(_scaled(indenter.covariance))
-        spread = np.sqrt(np.diag(indenter.covariance))
-        for place in range(values.size):
-            step = STEP * spread * vectors[:, place] * np.sqrt(max(float(values[place]), 0.0))
-            numbers = indenter.numbers + step
+        for column in factors_of(indenter.covariance).T:
+            numbers = indenter.numbers + STEP * column
             area = dataclasses.replace(indenter.area, coefficients=tuple(numbers[1:].tolist()))
             other = dataclasses.replace(indenter, area=area, frame_compliance=max(float(numbers[0]), 0.0))
             changes.append((_placed(problem, zero, drift, other), other))
     return changes
-
-
-def _scaled(covariance: Array) -> Array:
-    spread = np.maximum(np.sqrt(np.diag(covariance)), np.finfo(float).tiny)
-    return np.asarray(covariance / np.outer(spread, spread))
 
 
 def _of_path(curve: ForceCurve, indenter: CalibratedIndenter) -> Array:
@@ -188,6 +179,15 @@ def _during(depth: Array, force: Array, hold: Array) -> tuple[float, float]:
     constant_force, constant_depth = abs(f2 / f1 - 1.0) < HELD_FORCE, abs(d2 / d1 - 1.0) < HELD_DEPTH
     creep = d2 / d1 - 1.0 if constant_force else np.nan
     return creep, (1.0 - f2 / f1 if constant_depth and not constant_force else np.nan)
+
+
+def _creep_error(curve: ForceCurve) -> float:
+    """Return the standard error of the creep by noise."""
+    _, hold = _last_unloading(curve)
+    if hold.size < 10:
+        return 0.0
+    depth = curve.depth(0.0)[hold]
+    return white_noise(depth) * float(np.sqrt(2.0 / max(2, hold.size // 50))) / float(depth[0])
 
 
 def _slope(curve: ForceCurve, indenter: CalibratedIndenter) -> tuple[float, float]:

@@ -4,7 +4,8 @@ r"""Contact depth, area, modulus and hardness of many peaks at once, and their s
           E_r = \frac{\sqrt\pi\,S}{2\beta\sqrt{A(h_c)}}, \quad H = \frac F{A(h_c)}, \quad
           \frac1{E_r} = \frac{1-\nu^2}E + \frac{1-\nu_i^2}{E_i} .
 
-The uncertainty follows the GUM: each source moves the inputs, the outputs are differentiated, and the squares are added.
+The uncertainty follows the GUM: each source moves the inputs, the outputs are differentiated, and the squares are
+added.
 
 References
 ----------
@@ -23,9 +24,8 @@ from winkler.errors import OutsideValidity
 from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
 from winkler.numerics.types import Array
 
-__all__ = ["OUTPUTS", "Peaks", "Readings", "area_of", "moved_by", "readings_of"]
+__all__ = ["Peaks", "Readings", "area_of", "factors_of", "moved_by", "readings_of"]
 
-OUTPUTS = ("contact_depth", "area", "modulus", "young", "hardness")
 STEP = 1e-6
 
 
@@ -81,8 +81,8 @@ def readings_of(peaks: Peaks, numbers: Array, indenter: CalibratedIndenter, pois
     sample = 1.0 / modulus - tip
     if not np.all(sample > 0.0):
         raise OutsideValidity(
-            f"nanoindentation: the reduced modulus {float(np.max(modulus)):.4g} Pa leaves nothing for the sample; check "
-            "frame compliance and area function."
+            f"nanoindentation: the reduced modulus {float(np.max(modulus)):.4g} Pa leaves nothing for the sample; "
+            "check frame compliance and area function."
         )
     return Readings(contact, area, modulus, (1.0 - poisson**2) / sample, peaks.force / area)
 
@@ -113,3 +113,11 @@ def moved_by(
 
     ahead, behind = at(1.0), at(-1.0)
     return Readings(*((one - other) / (2.0 * STEP) for one, other in zip(ahead, behind, strict=True)))
+
+
+def factors_of(covariance: Array) -> Array:
+    """Return L with L L^T = V of covariances ``(..., k, k)``: each column moves the inputs by one independent part."""
+    spread = np.sqrt(np.maximum(np.diagonal(covariance, axis1=-2, axis2=-1), 0.0))
+    unit = np.where(spread > 0.0, spread, 1.0)
+    values, vectors = np.linalg.eigh(covariance / (unit[..., :, None] * unit[..., None, :]))
+    return np.asarray(unit[..., :, None] * vectors * np.sqrt(np.maximum(values, 0.0))[..., None, :])

@@ -4,8 +4,10 @@ The mean of n indentations has the variance
 
 .. math:: u^2 = \max\Bigl(\frac{s^2}n, \frac{\overline{u_{own}^2}}n\Bigr) + \sum_j \bar u_j^2 ,
 
-with the scatter s of the indentations, the uncertainties :math:`u_{own}` of each by noise, zero point and drift, which the
-scatter contains, and those by calibration, epsilon and constants, which all indentations share and no mean reduces.  The
+with the scatter s of the indentations, the uncertainties :math:`u_{own}` of each by noise, zero point and drift,
+which the
+scatter contains, and those by calibration, epsilon and constants, which all indentations share and no mean reduces.
+The
 interval takes Student's t with the degrees of freedom of Welch and Satterthwaite.
 
 References
@@ -92,7 +94,9 @@ def repeated_mean(solutions: Sequence[NanoindentationSolution], name: str = "you
         If there is no indentation, or the name is another one.
     """
     if not solutions or name not in ("young", "hardness"):
-        raise InvalidInput(f"repeated_mean: of {len(solutions)} indentations and {name!r}; give one, and young or hardness.")
+        raise InvalidInput(
+            f"repeated_mean: of {len(solutions)} indentations and {name!r}; give one, and young or hardness."
+        )
     numbers = np.array([getattr(one, name)[one.deepest] for one in solutions])
     shares = np.array([getattr(one, f"{name}_shares")[:, one.deepest] for one in solutions])
     sources, count = solutions[0].sources, numbers.size
@@ -105,7 +109,11 @@ def repeated_mean(solutions: Sequence[NanoindentationSolution], name: str = "you
     whole = own + beyond**2 + float(np.sum(np.square(parts[common])))
     random = own + beyond**2
     freedom = (count - 1) * (whole / random) ** 2 if beyond > 0.0 and random > 0.0 else 1e6
-    order = [*[s for s in sources if s not in COMMON_SOURCES], "repetition", *[s for s in sources if s in COMMON_SOURCES]]
+    order = [
+        *[s for s in sources if s not in COMMON_SOURCES],
+        "repetition",
+        *[s for s in sources if s in COMMON_SOURCES],
+    ]
     lookup = {**dict(zip(sources, parts.tolist(), strict=True)), "repetition": beyond}
     return RepeatedMean(
         float(numbers.mean()), tuple(order), np.array([lookup[s] for s in order]), float(freedom), count, scatter

@@ -7,9 +7,11 @@ from typing import Any
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.fitting.nanoindentation.notes import nanoindentation_notes
 from winkler.fitting.nanoindentation.thermal_drift import ThermalDrift
 from winkler.fitting.nanoindentation.zero_point import ZeroPoint
 from winkler.numerics.types import Array
+from winkler.validity import Note
 from winkler.values import value, words
 
 __all__ = ["COMMON_SOURCES", "NanoindentationSolution"]
@@ -111,6 +113,11 @@ class NanoindentationSolution:
         """Index of the unloading from the greatest force, the last of equal ones."""
         top = float(self.force.max())
         return int(np.flatnonzero(self.force >= 0.99 * top)[-1])
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """Validity of the evaluation: pile-up, exponent, zero point, drift, calibration, unloadings left out."""
+        return nanoindentation_notes(self)
 
     @property
     def own_young_error(self) -> float:

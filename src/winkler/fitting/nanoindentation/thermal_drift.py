@@ -15,6 +15,8 @@ __all__ = ["ThermalDrift", "found_drift"]
 
 LARGEST_SHARE = 0.25
 """Greatest force of the hold, in parts of the greatest of the curve: above it the sample creeps."""
+AFTER = (SegmentKind.PARTIAL_UNLOADING, SegmentKind.LAST_UNLOADING)
+"""What a hold follows that measures drift: after a loading the sample creeps."""
 LEAST_POINTS = 20
 EVALUATED_SHARE = 0.6
 """Last part of the hold that is evaluated: at first the sample recovers."""
@@ -53,7 +55,8 @@ class ThermalDrift:
 
 
 def found_drift(curve: ForceCurve) -> ThermalDrift:
-    """Return the drift during the longest hold at less than a quarter of the greatest force, before or after the peak.
+    """Return the drift during the longest hold at less than a quarter of the greatest force, after an unloading or
+    first.
 
     Parameters
     ----------
@@ -65,8 +68,9 @@ def found_drift(curve: ForceCurve) -> ThermalDrift:
     top = float(curve.force.max())
     holds = [
         part
-        for part in curve.segments
+        for before, part in zip((None, *curve.segments), curve.segments, strict=False)
         if part.kind is SegmentKind.HOLD
+        and (before is None or before.kind in AFTER)
         and part.count >= LEAST_POINTS
         and float(np.median(curve.force[part.first : part.last + 1])) < LARGEST_SHARE * top
     ]

@@ -72,7 +72,7 @@ class _Peak(NamedTuple):
     record: NoiseRecord | tuple[()]
 
 
-class _Fitted(NamedTuple):
+class _FittedUnloading(NamedTuple):
     """A peak, the power law of the unloading in parts of the peak, and its first and last point."""
 
     peak: _Peak
@@ -96,7 +96,7 @@ def fitted_unloadings(curve: ForceCurve, *, upper: float = 0.98, lower: float = 
         If no unloading can be evaluated.
     """
     depth = curve.depth(0.0)
-    fits: list[_Fitted] = []
+    fits: list[_FittedUnloading] = []
     skipped: list[str] = []
     parts = curve.segments
     for place, part in enumerate(parts):
@@ -114,8 +114,8 @@ def fitted_unloadings(curve: ForceCurve, *, upper: float = 0.98, lower: float = 
     if not fits:
         reason = f" ({skipped[0]})" if skipped else ""
         raise InvalidInput(
-            f"nanoindentation: curve '{curve.name}' has no unloading that can be evaluated{reason}; check its segments, "
-            "and state them by with_segments if they are wrong."
+            f"nanoindentation: curve '{curve.name}' has no unloading that can be evaluated{reason}; check its "
+            "segments, and state them by with_segments if they are wrong."
         )
     records = [NoiseRecord(one.law.residuals, one.law.jacobian) for one in fits]
     records += [one.peak.record for one in fits if one.peak.record]
@@ -138,7 +138,9 @@ def _goes_on(parts: tuple[object, ...], place: int) -> bool:
     return place > 1 and getattr(parts[place - 2], "kind", None) in unloadings
 
 
-def _fitted(curve: ForceCurve, depth: Array, chosen: Array, held: Array, upper: float, lower: float) -> _Fitted:
+def _fitted(
+    curve: ForceCurve, depth: Array, chosen: Array, held: Array, upper: float, lower: float
+) -> _FittedUnloading:
     """Return the peak and the power law of one unloading."""
     force = curve.force
     if chosen.size < FEWEST:
@@ -150,14 +152,12 @@ def _fitted(curve: ForceCurve, depth: Array, chosen: Array, held: Array, upper: 
         raise InvalidInput(f"its force falls by less than {LEAST_DROP:.0%}.")
     x, y = depth[chosen] / peak.depth, force[chosen] / peak.force
     law = fitted_power_law(x, y, _between(y, lower, upper), with_noise=False)
-    law = fitted_power_law(
-        x, y, _between(law.fitted / math.exp(law.numbers[0]), lower, upper), with_noise=False
-    )
-    return _Fitted(peak, law, chosen)
+    law = fitted_power_law(x, y, _between(law.fitted / math.exp(law.numbers[0]), lower, upper), with_noise=False)
+    return _FittedUnloading(peak, law, chosen)
 
 
 def _numbers(
-    curve: ForceCurve, one: _Fitted, noise: PooledNoise, place: int, hold_place: int
+    curve: ForceCurve, one: _FittedUnloading, noise: PooledNoise, place: int, hold_place: int
 ) -> tuple[tuple[float, ...], Array]:
     """Return force, depth, compliance, exponent, time, pace, final depth, first and last, and the covariance."""
     peak, law, chosen = one.peak, one.law, one.points
@@ -182,8 +182,8 @@ def _between(share: Array, lower: float, upper: float) -> Array:
     chosen = (share <= upper) & (share >= lower)
     if np.count_nonzero(chosen) < FEWEST:
         raise InvalidInput(
-            f"{int(np.count_nonzero(chosen))} points lie between {lower:g} and {upper:g} of its peak; at least {FEWEST} "
-            "are needed."
+            f"{int(np.count_nonzero(chosen))} points lie between {lower:g} and {upper:g} of its peak; at least "
+            f"{FEWEST} are needed."
         )
     return np.asarray(chosen)
 

@@ -1,7 +1,9 @@
 r"""The point of first touch of an indentation, with its standard error.
 
-The first part of the first loading is fitted by :math:`F = F_0 + K\,(D-D_0)_+^n`, with an exponent between that of a flat
-punch, 1, and above that of a cone, 2: a blunt tip passes from 3/2 to 2.  Points without contact before the touch fix the
+The first part of the first loading is fitted by :math:`F = F_0 + K\,(D-D_0)_+^n`, with an exponent between that of a
+flat
+punch, 1, and above that of a cone, 2: a blunt tip passes from 3/2 to 2.  Points without contact before the touch fix
+the
 baseline :math:`F_0`; without them it is zero, and the touch is extrapolated.  The change with the fitted range is
 part of the error: ranges of growing force are fitted, and the largest is taken that agrees with all smaller ones
 (Lepski's rule), so that the changing exponent of a blunt tip does not shift the touch.
@@ -30,11 +32,11 @@ MOST_DOUBT = 3.0
 """Greatest contribution of the change with the range, in standard errors: small ranges may know nothing."""
 MOST_STARTED = 300
 """Points from which a start is sought."""
-LEAST_POINTS = 10
+LEAST_POINTS = 8
 EXPONENTS = np.linspace(1.0, 2.4, 5)
 EXPONENT_RANGE = (1.0, 2.6)
 USUAL_EXPONENT, EXPONENT_SPREAD = 1.6, 0.25
-"""Exponent of the first part of a loading and its standard deviation: 1 plastic under a ball, 3/2 elastic, 2 a pyramid."""
+"""Exponent of the first part of a loading, its standard deviation: 1 plastic under a ball, 3/2 elastic, 2 pyramid."""
 CANDIDATES = 30
 """Positions that are tried as a start."""
 MOST_POINTS = 3000
@@ -100,7 +102,7 @@ def found_zero_point(curve: ForceCurve) -> ZeroPoint:
     depth, force = depth[: end + 1], force[: end + 1]
     found: list[_Touch] = []
     chosen = 0
-    for limit in _windows(float(force.max()), white_noise(force)):
+    for limit in _windows(float(force.max()), white_noise(force)).tolist():
         count = int(np.argmax(force > limit)) or force.size
         if count < LEAST_POINTS:
             continue
@@ -114,22 +116,38 @@ def found_zero_point(curve: ForceCurve) -> ZeroPoint:
         found.append(touch)
     if not found:
         raise InvalidInput(
-            f"found_zero_point: curve '{curve.name}' has fewer than {LEAST_POINTS} points of contact at low forces of its first "
-            "loading: give contact_point with its error."
+            f"found_zero_point: curve '{curve.name}' has fewer than {LEAST_POINTS} points of contact at low forces "
+            "of its first loading: give contact_point with its error."
         )
-    taken, before = found[-1], found[-2] if len(found) > 1 else found[-1]
-    doubt = min(abs(taken.position - before.position), MOST_DOUBT * taken.error)
+    taken = found[-1]
+    doubt = min(max(abs(taken.position - one.position) for one in found), MOST_DOUBT * taken.error)
     error = math.hypot(taken.error, doubt)
     free = int(np.count_nonzero(depth[:chosen] < taken.position - 2.0 * error))
-    return ZeroPoint(taken.position, error, taken.baseline, free < 5)
+    position, baseline = taken.position, taken.baseline
+    if free < 5:
+        position, error = _not_before_the_first_point(depth, force, position, error)
+    return ZeroPoint(position, error, baseline, free < 5)
 
 
-def _windows(top: float, noise: float) -> list[float]:
+def _not_before_the_first_point(depth: Array, force: Array, position: float, error: float) -> tuple[float, float]:
+    """Return position and error of a touch from which the first force could have grown, as its power of at most 2."""
+    least = 4.0 * max(float(force[0]), white_noise(force))
+    next_one = int(np.argmax(force > least))
+    step = max(float(depth[next_one] - depth[0]), 0.0)
+    earliest, latest = float(depth[0]) - step, float(depth[0]) + step
+    if earliest <= position <= latest:
+        return position, error
+    width = max(latest - earliest, white_noise(depth))
+    bounded = min(max(position, earliest), latest)
+    return bounded, max(width / math.sqrt(12.0), min(error, width))
+
+
+def _windows(top: float, noise: float) -> Array:
     """Return the greatest forces of the ranges, growing."""
     largest = LARGEST_WINDOW * top
     smallest = min(max(SMALLEST_WINDOW * noise, 1e-4 * top), largest)
-    count = 1 + int(math.log(largest / smallest) / math.log(WINDOW_RATIO))
-    return [smallest * WINDOW_RATIO**step for step in range(count)]
+    count = 1 + round(math.log(largest / smallest) / math.log(WINDOW_RATIO))
+    return np.geomspace(smallest, largest, max(count, 2))
 
 
 def _touch(depth: Array, force: Array) -> _Touch:

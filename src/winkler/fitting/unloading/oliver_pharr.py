@@ -30,7 +30,7 @@ from winkler.checks.number_checks import Finite, Fraction, Positive
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.segments import SegmentKind
-from winkler.fitting.unloading.contact_reading import Tip, contact_reading, intercept_factor
+from winkler.fitting.unloading.contact_reading import Tip, area_at, contact_reading, intercept_factor
 from winkler.fitting.unloading.unloading_law import fitted_power_law
 from winkler.fitting.unloading.unloading_notes import unloading_notes
 from winkler.fitting.unloading.unloading_peak import FEWEST, UnloadingFromPeak, unloading_from_peak
@@ -115,6 +115,7 @@ class OliverPharr:
             jacobian[:, i] = (ahead - behind) / (2.0 * DIFFERENCE_STEP)
         errors = np.sqrt(np.maximum(np.einsum("ij,jk,ik->i", jacobian, law.covariance, jacobian), 0.0))
         fitted = math.exp(law.numbers[0]) * path.highest
+        errors = np.hypot(errors, self._moved_by_depth(numbers, path))
         force = path.highest if path.held else fitted
         about: list[Any] = [errors, law.scatter * path.highest, fitted, path.points[chosen]]
         return OliverPharrSolution(self, force, path.deepest, *numbers.tolist(), *about)
@@ -142,6 +143,14 @@ class OliverPharr:
                 f"the greatest force; at least {FEWEST} are needed."
             )
         return np.asarray(chosen)
+
+    def _moved_by_depth(self, numbers: Array, path: UnloadingFromPeak) -> Array:
+        """Return what the standard error of the depth at the peak changes in contact depth, area, modulus, hardness."""
+        step = DIFFERENCE_STEP * float(numbers[3])
+        ahead, behind = (area_at(self.profile, float(numbers[3]) + sign * step) for sign in (1.0, -1.0))
+        share = path.depth_error * (ahead - behind) / (2.0 * step) / float(numbers[4])
+        area, modulus, hardness = share * numbers[4:7] * np.array([1.0, 0.5, 1.0])
+        return np.array([0.0, 0.0, 0.0, path.depth_error, area, modulus, hardness])
 
     def _evaluate(self, law: Array, path: UnloadingFromPeak) -> Array:
         """Return m, h_f, S, h_c, A, E_r and H from the numbers of the power law."""
@@ -182,7 +191,7 @@ class OliverPharrSolution:
         [Pa].
     standard_errors : ndarray, (7,)
         Of exponent, final_depth, stiffness, contact_depth, area, modulus, hardness, in their units: from the scatter of
-        the unloading alone.
+        the unloading and the noise of the depth at its peak; `Nanoindentation` adds zero point, drift and calibration.
     scatter : float
         Standard deviation of the forces about the power law [N].
     fitted_force : float

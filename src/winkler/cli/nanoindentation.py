@@ -1,0 +1,110 @@
+"""``winkler fit`` of a study with ``[indentation]`` or ``[calibration]``."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from winkler.cli.streams import until_closed, write_json
+
+if TYPE_CHECKING:
+    from winkler.study.nanoindentation.running import NanoindentationOutcome
+
+__all__ = ["evaluate", "wanted"]
+
+MOST_FAILURES = 5
+
+
+def wanted(study: Path) -> bool:
+    """Return whether a study file is one of nanoindentations."""
+    from winkler.study.nanoindentation.reading import is_nanoindentation
+
+    return is_nanoindentation(study)
+
+
+def evaluate(study: Path, output: Path | None, *, overwrite: bool, quiet: bool, as_json: bool) -> int:
+    """Evaluate the curves of a study, or calibrate its indenter, and write the results; return the exit code.
+
+    After Ctrl-C the curves that were evaluated are written; a calibration needs all of its curves.
+    """
+    from winkler.cli import terminal
+    from winkler.errors import Interrupted, InvalidInput
+    from winkler.study.batch.stopping import clear_interrupt, raise_pending
+    from winkler.study.nanoindentation.reading import read_nanoindentation_study
+    from winkler.study.nanoindentation.running import evaluated_files, gathered, read_references
+    from winkler.study.nanoindentation.writing import write_nanoindentation
+    from winkler.study.report.reserving import reserved
+    from winkler.study.report.writing import holds_results, placed
+
+    started = time.perf_counter()
+    content = read_nanoindentation_study(study)
+    folder = output or Path(content.output.folder or Path("results") / study.stem)
+    with reserved(folder):
+        if holds_results(folder) and not overwrite:
+            raise InvalidInput(f"output: '{folder}' holds results; give --overwrite, or another folder with --output.")
+        found: list[Any] = []
+        stream: Any = read_references(content) if content.calibrates else evaluated_files(content)
+        try:
+            for one in terminal.tracked(stream, len(content.sources), hidden=quiet or as_json, doing="evaluating"):
+                raise_pending()
+                found.append(one)
+        except KeyboardInterrupt:
+            if content.calibrates or not found:
+                raise
+            clear_interrupt()
+        left = 0 if content.calibrates else len(content.sources) - len(found)
+        outcome = gathered(content, found, started=started, source=study.name, left=left)
+        with placed(folder, overwrite=overwrite) as partial:
+            write_nanoindentation(outcome, partial)
+    if as_json:
+        write_json(_as_json(outcome, folder))
+    elif not quiet:
+        _print(outcome, folder)
+    if left:
+        raise Interrupted(f"interrupted; {len(found)} files were done and are in {folder}, {left} are missing.")
+    return outcome.unevaluated[0].code if outcome.unevaluated else 0
+
+
+@until_closed()
+def _print(outcome: NanoindentationOutcome, folder: Path) -> None:
+    from winkler.cli import terminal
+    from winkler.study.nanoindentation.report import calibration_rows, mean_rows
+
+    out = terminal.console()
+    out.print(outcome.study.title)
+    if outcome.calibration:
+        table = terminal.table("number", "value", "standard uncertainty")
+        for row in calibration_rows(outcome):
+            table.add_row(*row)
+    else:
+        table = terminal.table("quantity", "mean", "standard uncertainty", "95 % interval")
+        for line in mean_rows(outcome):
+            table.add_row(*line)
+    out.print(table)
+    if outcome.evaluated:
+        unloadings = sum(one.solution.force.size for one in outcome.evaluated)
+        out.print(f"{len(outcome.evaluated)} curves with {unloadings} unloadings were evaluated.", soft_wrap=True)
+    for one in outcome.unevaluated[:MOST_FAILURES]:
+        out.print(f"no answer: {one.name}: {one.reason}", soft_wrap=True)
+    if len(outcome.unevaluated) > MOST_FAILURES:
+        out.print(f"and {len(outcome.unevaluated) - MOST_FAILURES} more without an answer, see the report.")
+    out.print(f"Written to {folder} in {outcome.provenance.seconds:.1f} s.", soft_wrap=True)
+
+
+def _as_json(outcome: NanoindentationOutcome, folder: Path) -> dict[str, Any]:
+    means = {
+        name: {"mean": mean.mean, "error": mean.error, "interval": list(mean.interval()),
+               "shares": dict(zip(mean.sources, mean.shares.tolist(), strict=True))}
+        for name, mean in outcome.means.items()
+    }  # fmt: skip
+    calibration = [
+        {
+            "frame_compliance": one.frame_compliance,
+            "frame_compliance_error": one.frame_compliance_error,
+            "area": list(one.indenter.area.coefficients),
+        }
+        for one in outcome.calibration
+    ]
+    failed = [{"curve": one.name, "reason": one.reason, "code": one.code} for one in outcome.unevaluated]
+    return {"means": means, "calibration": calibration, "failed": failed, "left": outcome.left, "folder": str(folder)}

@@ -1,0 +1,95 @@
+"""Validity of the evaluation of an indentation: pile-up, zero point, drift, calibration, unloadings left out."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from winkler.fitting.unloading.unloading_notes import PILE_UP, PILE_UP_LIMIT, READING, REVIEW, USUAL_EXPONENTS
+from winkler.validity import Assumption, Note, Standing
+
+__all__ = ["nanoindentation_notes"]
+
+ISO = "ISO 14577-1:2015, Metallic materials - Instrumented indentation test - Part 1"
+
+
+def nanoindentation_notes(solution: Any) -> tuple[Note, ...]:
+    """Return the notes of an evaluation.
+
+    Parameters
+    ----------
+    solution : NanoindentationSolution
+    """
+    return tuple(_notes(solution))
+
+
+def _notes(solution: Any) -> Iterator[Note]:
+    place = solution.deepest
+    share = float(solution.final_depth[place] / solution.depth[place])
+    if share < PILE_UP_LIMIT:
+        standing, end = Standing.ASYMPTOTIC, f"below {PILE_UP_LIMIT:g} little piles up, however the material hardens"
+    else:
+        standing, end = (
+            Standing.OUTSIDE,
+            (
+                f"above {PILE_UP_LIMIT:g} material that hardens little piles up at the edge, the area may be up to "
+                "60 % too small, and hardness and modulus too large: measure the area of the impression"
+            ),
+        )
+    statement = f"Pile-up: {share:.2f} of the greatest depth remains after unloading; {end}."
+    yield Note(Assumption.RESPONSE, standing, statement, PILE_UP)
+    low, high = USUAL_EXPONENTS
+    exponent = float(solution.exponent[place])
+    usual = low <= exponent <= high
+    statement = f"Exponent: the unloading has m = {exponent:.3g}; impressions of sharp tips give {low:g} to {high:g}"
+    end = "." if usual else ": check drift, contact point and frame."
+    yield Note(Assumption.CURVE, Standing.ASYMPTOTIC if usual else Standing.APPROXIMATE, statement + end, REVIEW)
+    yield _zero(solution)
+    yield _drift(solution)
+    yield _calibration(solution)
+    if solution.skipped:
+        statement = f"Unloadings: {len(solution.skipped)} were not evaluated, the first: {solution.skipped[0]}"
+        yield Note(Assumption.CURVE, Standing.APPROXIMATE, statement, "the evaluation")
+
+
+def _zero(solution: Any) -> Note:
+    zero, depth = solution.zero_point, float(solution.depth[solution.deepest])
+    share = zero.error / depth
+    statement = f"Zero point: it is uncertain by {zero.error:.2g} m, {share:.2%} of the greatest depth"
+    if zero.extrapolated:
+        return Note(
+            Assumption.CURVE, Standing.APPROXIMATE, f"{statement}, and extrapolated: no point lies before contact.", ISO
+        )
+    return Note(Assumption.CURVE, Standing.ASYMPTOTIC if share < 0.01 else Standing.APPROXIMATE, f"{statement}.", ISO)
+
+
+def _drift(solution: Any) -> Note:
+    if solution.drift.measured or solution.drift.error:
+        statement = (
+            f"Drift: {solution.drift.rate:.2g} m/s, uncertain by {solution.drift.error:.1g} m/s, was subtracted."
+        )
+        return Note(Assumption.CURVE, Standing.ASYMPTOTIC, statement, ISO)
+    statement = (
+        "Drift: no hold under a small force after an unloading measures it, and none was subtracted; its share of the "
+        "uncertainty is missing."
+    )
+    return Note(Assumption.CURVE, Standing.APPROXIMATE, statement, ISO)
+
+
+def _calibration(solution: Any) -> Note:
+    indenter = solution.problem.indenter
+    area = indenter.area
+    low, high = float(solution.contact_depth.min()), float(solution.contact_depth.max())
+    if not indenter.calibrated:
+        statement = (
+            "Calibration: the covariance of area and frame is not known; its share of the uncertainty is missing."
+        )
+        return Note(Assumption.SHAPE, Standing.APPROXIMATE, statement, READING)
+    if low < area.shallowest or high > area.deepest:
+        statement = (
+            f"Calibration: contact depths of {low:.3g} to {high:.3g} m leave those of the calibration, "
+            f"{area.shallowest:.3g} to {area.deepest:.3g} m: the area function is extrapolated."
+        )
+        return Note(Assumption.SHAPE, Standing.OUTSIDE, statement, READING)
+    statement = "Calibration: all contact depths are within those of the calibration."
+    return Note(Assumption.SHAPE, Standing.ASYMPTOTIC, statement, READING)

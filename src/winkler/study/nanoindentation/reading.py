@@ -1,0 +1,248 @@
+"""Studies with ``[indentation]`` or ``[calibration]`` read from TOML.
+
+::
+
+    [indentation]
+    curve = "steel/*.csv"
+    poisson = 0.3
+    indenter = "results/calibration/indenter.toml"
+
+    [calibration]
+    [[calibration.reference]]
+    curve = "silica/*.csv"
+    young = "72 GPa"
+    poisson = 0.17
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from pathlib import Path
+from typing import Any
+
+from winkler.errors import InvalidInput, WinklerError, suggest
+from winkler.fitting.nanoindentation.calibration import ReferenceSample
+from winkler.fitting.nanoindentation.indenter import DIAMOND, CalibratedIndenter
+from winkler.fitting.unloading.contact_reading import CalibratedArea
+from winkler.io.indenter_file import read_indenter
+from winkler.materials.elastic import Elastic
+from winkler.study.language import quantities
+from winkler.study.language.reading import parsed, read_text
+from winkler.study.language.study import Output
+from winkler.values import value
+
+__all__ = ["NanoindentationStudy", "is_nanoindentation", "read_nanoindentation_study"]
+
+SECTIONS = ("indentation", "calibration")
+TOP = ("title", *SECTIONS, "indenter", "output")
+OF_INDENTATION = {
+    "curve": None, "poisson": "", "poisson_error": "", "indenter": None, "contact_point": "m",
+    "contact_point_error": "m", "force_error": "", "depth_error": "", "upper": "", "lower": "",
+}  # fmt: skip
+OF_CALIBRATION = {"reference": None, "terms": None, "frame_stiffness": "N/m", "young": "Pa", "poisson": "",
+                  "shape_factor": ""}  # fmt: skip
+OF_REFERENCE = {"curve": None, "young": "Pa", "poisson": "", "young_error": "Pa", "name": None}
+OF_INDENTER = {"area": None, "frame_stiffness": "N/m", "young": "Pa", "poisson": "", "shape_factor": "",
+               "shallowest": "m", "deepest": "m"}  # fmt: skip
+OF_OUTPUT = ("folder", "figures", "report")
+
+
+@value
+class NanoindentationStudy:
+    """What to evaluate, or to calibrate.
+
+    Parameters
+    ----------
+    title
+        One line for tables, figures and the report.
+    sources : tuple of str
+        Files of curves, in their order.
+    references : tuple
+        Reference of every file in a calibration; empty otherwise.
+    indenter : CalibratedIndenter
+        The calibrated one; in a calibration solid and shape factor of it.
+    numbers : tuple of (str, float)
+        Numbers of the section, SI.
+    output
+        What is written.
+    text, folder
+        The study file, word for word, and where it lies.
+    """
+
+    title: str
+    sources: tuple[str, ...]
+    references: tuple[Any, ...]
+    indenter: CalibratedIndenter
+    numbers: tuple[tuple[str, float], ...]
+    output: Output = Output()
+    text: str = ""
+    folder: str = "."
+
+    @property
+    def calibrates(self) -> bool:
+        """Whether this is a calibration."""
+        return bool(self.references)
+
+    @property
+    def given(self) -> dict[str, float]:
+        """Numbers of the section by their keys, SI."""
+        return dict(self.numbers)
+
+
+def is_nanoindentation(path: Path) -> bool:
+    """Return whether a study file has ``[indentation]`` or ``[calibration]``; False if it cannot be read."""
+    try:
+        raw = parsed(read_text(path), path.name)
+    except WinklerError:
+        return False
+    return any(section in raw for section in SECTIONS)
+
+
+def read_nanoindentation_study(path: Path) -> NanoindentationStudy:
+    """Read a study; the files that it names lie relative to it.
+
+    Raises
+    ------
+    InvalidInput
+        With one sentence: file, key, what it was, what is allowed.
+    """
+    text = read_text(path)
+    raw = parsed(text, path.name)
+    try:
+        return _study(raw, text, path)
+    except InvalidInput as error:
+        sentence = str(error)
+        raise InvalidInput(sentence if sentence.startswith(path.name) else f"{path.name}: {sentence}") from None
+
+
+def _study(raw: dict[str, Any], text: str, path: Path) -> NanoindentationStudy:
+    _known(raw, TOP, "the study")
+    if all(section in raw for section in SECTIONS):
+        raise InvalidInput("a study has either [indentation] or [calibration]; write two studies.")
+    title, output = str(raw.get("title", path.stem)), _output(raw.get("output", {}))
+    folder = path.parent
+    if "calibration" in raw:
+        section = _section(raw["calibration"], OF_CALIBRATION, "calibration")
+        if "indenter" in raw:
+            raise InvalidInput("[indenter] is what a calibration finds; leave it out, or take [indentation].")
+        sources, references = _references(section.pop("reference", []), folder)
+        terms = section.pop("terms", 0)
+        if isinstance(terms, bool) or not isinstance(terms, int) or not 0 <= terms <= 8:
+            raise InvalidInput(f"calibration.terms is {terms!r}; give a whole number from 0 (as justified) to 8.")
+        solid = Elastic(section.pop("young", DIAMOND.young), section.pop("poisson", DIAMOND.poisson))
+        indenter = CalibratedIndenter(
+            CalibratedArea((24.5,)), solid=solid, shape_factor=section.pop("shape_factor", 1.0)
+        )
+        numbers = {"terms": float(terms), **section}
+    else:
+        section = _section(raw["indentation"], OF_INDENTATION, "indentation")
+        for key in ("curve", "poisson"):
+            if key not in section:
+                raise InvalidInput(f"indentation.{key} is missing; give it.")
+        sources, references = _files(section.pop("curve"), folder, "indentation.curve"), ()
+        indenter = _indenter(section.pop("indenter", ""), raw.get("indenter"), folder)
+        numbers = section
+        if ("contact_point" in numbers) != ("contact_point_error" in numbers):
+            raise InvalidInput("indentation: contact_point and contact_point_error belong together; give both or none.")
+    return NanoindentationStudy(title, sources, references, indenter, tuple(numbers.items()), output, text, str(folder))
+
+
+def _known(raw: Any, allowed: Any, where: str) -> None:
+    if not isinstance(raw, dict):
+        raise InvalidInput(f"{where} is {raw!r}; give a table of keys.")
+    for key in raw:
+        if key not in allowed:
+            raise InvalidInput(f"{where} has no key '{key}'{suggest(key, tuple(allowed))}; give {', '.join(allowed)}.")
+
+
+def _section(raw: Any, allowed: dict[str, str | None], where: str) -> dict[str, Any]:
+    """Return a section with its quantities in SI units."""
+    _known(raw, allowed, f"[{where}]")
+    found = {}
+    for key, content in raw.items():
+        unit = allowed[key]
+        found[key] = (
+            content if unit is None else float(quantities.read_at(f"{where}.{key}", content, unit, quantities.number))
+        )
+    return found
+
+
+def _output(raw: Any) -> Output:
+    _known(raw, OF_OUTPUT, "[output]")
+    figures = raw.get("figures", ["svg"])
+    if not isinstance(figures, list) or any(one not in ("svg", "png", "pdf") for one in figures):
+        raise InvalidInput(f"output.figures is {figures!r}; give a list of svg, png, pdf.")
+    return Output(folder=str(raw.get("folder", "")), figures=tuple(figures), report=bool(raw.get("report", True)))
+
+
+def _references(raw: Any, folder: Path) -> tuple[tuple[str, ...], tuple[ReferenceSample, ...]]:
+    if not isinstance(raw, list) or not raw:
+        raise InvalidInput(
+            "calibration.reference is missing; give [[calibration.reference]] with curve, young, poisson."
+        )
+    sources: list[str] = []
+    references: list[ReferenceSample] = []
+    for place, one in enumerate(raw):
+        where = f"calibration.reference[{place}]"
+        content = _section(one, OF_REFERENCE, where)
+        for key in ("curve", "young", "poisson"):
+            if key not in content:
+                raise InvalidInput(f"{where}.{key} is missing; give it.")
+        files = _files(content.pop("curve"), folder, f"{where}.curve")
+        sources += files
+        references += [ReferenceSample(**content)] * len(files)
+    return tuple(sources), tuple(references)
+
+
+def _indenter(named: Any, raw: Any, folder: Path) -> CalibratedIndenter:
+    if named and raw is not None:
+        raise InvalidInput("the indenter is given twice; give indentation.indenter, a file, or the section [indenter].")
+    if named:
+        if not isinstance(named, str) or not (folder / named).is_file():
+            raise InvalidInput(f"indentation.indenter is {named!r}; give the indenter.toml of a calibration.")
+        return read_indenter(folder / named)
+    if raw is None:
+        raise InvalidInput(
+            "there is no indenter; give indentation.indenter, a file, or [indenter] with its area function."
+        )
+    content = _section(raw, OF_INDENTER, "indenter")
+    coefficients = content.get("area")
+    if not isinstance(coefficients, list) or not coefficients:
+        raise InvalidInput('indenter.area is missing; give a list C0, C1, ..., such as [24.5, "1.1 um"].')
+    exponents = ["", "m", "m^1.5", "m^1.75", "m^1.875", "m^1.9375", "m^1.96875", "m^1.984375", "m^1.9921875"]
+    if len(coefficients) > len(exponents):
+        raise InvalidInput(f"indenter.area has {len(coefficients)} coefficients; give at most {len(exponents)}.")
+    numbers = [
+        float(quantities.read_at(f"indenter.area[{n}]", c, exponents[n], quantities.number))
+        for n, c in enumerate(coefficients)
+    ]
+    stiffness = content.get("frame_stiffness", math.inf)
+    if not stiffness > 0.0:
+        raise InvalidInput(f"indenter.frame_stiffness is {stiffness:g} N/m; it must be positive.")
+    area = CalibratedArea(tuple(numbers), content.get("shallowest", 0.0), content.get("deepest", math.inf))
+    solid = Elastic(content.get("young", DIAMOND.young), content.get("poisson", DIAMOND.poisson))
+    return CalibratedIndenter(area, 1.0 / stiffness, solid=solid, shape_factor=content.get("shape_factor", 1.0))
+
+
+def _files(given: Any, folder: Path, where: str) -> tuple[str, ...]:
+    """Return the files that a name, a folder or a pattern stands for, curve2 before curve10."""
+    if not isinstance(given, str) or not given:
+        raise InvalidInput(f"{where} is {given!r}; give a file, a folder or a pattern from the study.")
+    path = folder / given
+    try:
+        if path.is_file():
+            found = [path]
+        elif path.is_dir():
+            found = [one for one in path.iterdir() if one.is_file() and not one.name.startswith(".")]
+        else:
+            found = [one for one in folder.glob(given) if one.is_file()] if re.search(r"[*?\[]", given) else []
+    except (OSError, ValueError, NotImplementedError) as error:
+        raise InvalidInput(f"{where} is {given!r}, which cannot be accessed ({error}).") from None
+    if not found:
+        raise InvalidInput(f"{where} is {given!r}, where there is no file; give a file, a folder or a pattern.")
+
+    def in_numbers(one: Path) -> list[tuple[int, str]]:
+        return [(int(p), "") if p.isdecimal() else (-1, p) for p in re.split(r"(\d+)", one.as_posix())]
+
+    return tuple(str(one) for one in sorted(found, key=in_numbers))

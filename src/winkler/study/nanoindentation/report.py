@@ -1,0 +1,174 @@
+"""The report of nanoindentations: quantities of ISO 14577, shares of uncertainty, figures, and the study."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from winkler.plot import sheet_of
+from winkler.plot.fitting.fits import numbers_sheet
+from winkler.plot.fitting.nanoindentation import HARDNESS, YOUNG, over_depth
+from winkler.plot.panel import Sheet
+from winkler.plot.series import Series
+from winkler.readable import with_unit
+from winkler.study.nanoindentation.running import NanoindentationOutcome
+from winkler.study.report import page_parts as parts
+from winkler.study.report.figure import ReportFigure, drawn
+from winkler.study.report.markup import number, safe, section, table
+from winkler.validity import Note
+
+__all__ = ["calibration_rows", "figures_of", "mean_rows", "page"]
+
+MOST_CURVES_DRAWN, MOST_ROWS, LEAST_TOGETHER = 6, 40, 3
+
+
+def figures_of(outcome: NanoindentationOutcome) -> tuple[ReportFigure, ...]:
+    """Return the figures: the calibration, or E and H over depth, their histograms, and single curves."""
+    return tuple(_figures(outcome))
+
+
+def _figures(outcome: NanoindentationOutcome) -> Iterator[ReportFigure]:
+    for item in outcome.calibration:
+        sentence = "Left the area that every unloading demands, right its distance to the fitted function."
+        yield drawn("calibration", "Area function", sentence, sheet_of(item))
+    solutions = [one.solution for one in outcome.evaluated]
+    if len(solutions) >= LEAST_TOGETHER:
+        sentence = "Every unloading of every curve with its 95 % interval."
+        yield drawn(
+            "over_depth",
+            "Modulus and hardness over depth",
+            sentence,
+            Sheet(over_depth(solutions), width=4.4, height=3.2),
+        )
+        for word, name in ((YOUNG, "young"), (HARDNESS, "hardness")):
+            numbers = np.array([getattr(one, name)[one.deepest] for one in solutions])
+            errors = np.array([getattr(one, f"own_{name}_error") for one in solutions])
+            sentence = "At the greatest force; standard uncertainty by noise, zero point and drift."
+            yield drawn(
+                f"all_{name}",
+                f"All curves: {word.meaning}",
+                sentence,
+                numbers_sheet(Series(name, word, numbers), errors),
+            )
+    chosen = np.unique(np.linspace(0, len(solutions) - 1, min(MOST_CURVES_DRAWN, len(solutions))).astype(int))
+    for place in chosen.tolist() if solutions else []:
+        sentence = (
+            "The curve after drift, zero point and frame with its fitted unloadings; E and H with 95 % intervals."
+        )
+        yield drawn(f"curve_{place + 1}", outcome.evaluated[place].name, sentence, sheet_of(solutions[place]))
+
+
+def page(outcome: NanoindentationOutcome, shown: tuple[ReportFigure, ...]) -> str:
+    """Return the report as one HTML page with its figures."""
+    made = outcome.provenance
+    title = safe(outcome.study.title)
+    many = len(outcome.evaluated) + len(outcome.unevaluated)
+    count = f"{len(outcome.evaluated)} of {many} curves were evaluated" if outcome.evaluated else "Calibration"
+    line = f'<p class="small">{count}, with winkler {safe(made.version)}, {safe(made.created[:10])}.</p>'
+    body = [
+        f"<header><h1>{title}</h1>{line}</header>",
+        *_calibration(outcome),
+        *_measurement(outcome),
+        _failures(outcome),
+        section("Figures", parts.figure_elements(shown)) if shown else "",
+        parts.trust(_notes(outcome)),
+        parts.origin(
+            made, "the study with its curves", parts.folded("The study file, word for word", outcome.study.text)
+        ),
+    ]
+    return parts.framed(title, made.version, body)
+
+
+def calibration_rows(outcome: NanoindentationOutcome) -> list[tuple[str, str, str]]:
+    """Return name, number and standard uncertainty of the frame compliance and the coefficients of the area."""
+    rows = []
+    for item in outcome.calibration:
+        errors = np.sqrt(np.diag(item.indenter.covariance))
+        frame = with_unit(item.frame_compliance, "m/N", 4)
+        rows.append(("frame compliance", frame, with_unit(float(errors[0]), "m/N", 2)))
+        for place, coefficient in enumerate(item.indenter.area.coefficients):
+            power = 2.0 - 2.0 ** (1 - place)
+            unit = {0.0: "", 1.0: " m"}.get(power, f" m^{power:g}")
+            rows.append((f"C{place}", f"{coefficient:.5g}{unit}", f"{errors[1 + place]:.2g}{unit}"))
+        low, high = item.contact_depth.min(), item.contact_depth.max()
+        rows.append(("contact depths", f"{with_unit(float(low), 'm', 3)} to {with_unit(float(high), 'm', 3)}", ""))
+        rows.append(("scatter over that of the noise", f"{math.sqrt(item.factor):.2f}", ""))
+    return rows
+
+
+def mean_rows(outcome: NanoindentationOutcome) -> list[tuple[str, str, str, str]]:
+    """Return quantity, mean, standard uncertainty and 95 % interval over all curves."""
+    rows = []
+    for name, mean in outcome.means.items():
+        low, high = mean.interval()
+        interval = f"{with_unit(low, 'Pa', 4)} ... {with_unit(high, 'Pa', 4)}"
+        word = {"young": "Young's modulus E", "hardness": "hardness H"}[name]
+        rows.append((word, with_unit(mean.mean, "Pa", 4), with_unit(mean.error, "Pa", 2), interval))
+    return rows
+
+
+def _row(cells: tuple[str, ...]) -> str:
+    return f"<tr><td>{safe(cells[0])}</td>{''.join(number(safe(cell)) for cell in cells[1:])}</tr>"
+
+
+def _calibration(outcome: NanoindentationOutcome) -> Iterator[str]:
+    if outcome.calibration:
+        rows = [_row(row) for row in calibration_rows(outcome)]
+        names = ", ".join(f"{one.name or 'reference'} (E = {with_unit(one.young, 'Pa')}, nu = {one.poisson:g})"
+                          for one in outcome.calibration[0].references)  # fmt: skip
+        lead = f"<p>From {len(outcome.calibration[0].force)} unloadings in {safe(names)}.</p>"
+        yield section("The indenter", lead, table(["number", "#value", "#standard uncertainty"], rows))
+
+
+def _measurement(outcome: NanoindentationOutcome) -> Iterator[str]:
+    if not outcome.evaluated:
+        return
+    rows = [_row(row) for row in mean_rows(outcome)]
+    yield section("Modulus and hardness at the greatest force",
+                  table(["quantity", "#mean", "#standard uncertainty", "#95 % interval"], rows))  # fmt: skip
+    means = outcome.means
+    shares = [
+        _row((source, *(f"{100.0 * float(mean.shares[place]) / mean.mean:.2g} %" for mean in means.values())))
+        for place, source in enumerate(means["young"].sources)
+    ]
+    lead = "<p>Standard uncertainties of the means, in parts of them; their squares add (GUM).</p>"
+    calibrated = "" if outcome.study.indenter.calibrated else (
+        "<p>The indenter was given without a covariance: its calibration is no part of the uncertainty.</p>"
+    )  # fmt: skip
+    yield section("Shares of the uncertainty", lead, calibrated, table(["source", "#of E", "#of H"], shares))
+    first = outcome.evaluated[0].quantities
+    heads = ["curve", *(f"#{name}" for name in first.names)]
+    lines = []
+    for one in outcome.evaluated[:MOST_ROWS]:
+        cells = [
+            "-" if math.isnan(content) else _with_error(content, error, unit)
+            for content, error, unit in zip(
+                one.quantities.values, one.quantities.errors, one.quantities.units, strict=True
+            )
+        ]
+        lines.append(_row((one.name, *cells)))
+    text = (
+        "<p>HM Martens hardness, HMs by the slope of the loading, HIT indentation hardness, EIT indentation modulus, "
+        "HV* Vickers hardness converted from HIT (0.0945 HIT in MPa), CIT creep in the hold, RIT relaxation, W work of "
+        "the loading, W_e elastic and W_p plastic work, eta_IT = W_e/W; in brackets standard uncertainties.</p>"
+    )
+    yield section("Quantities of ISO 14577", text, table(heads, lines))
+
+
+def _with_error(content: float, error: float, unit: str) -> str:
+    return f"{with_unit(float(content), unit, 4)} ({with_unit(float(error), unit, 2)})"
+
+
+def _failures(outcome: NanoindentationOutcome) -> str:
+    if not outcome.unevaluated:
+        return ""
+    items = "".join(f"<li>{safe(one.name)}: {safe(one.reason)}</li>" for one in outcome.unevaluated[:MOST_ROWS])
+    return section("Curves without an answer", f"<ul>{items}</ul>")
+
+
+def _notes(outcome: NanoindentationOutcome) -> tuple[Note, ...]:
+    from winkler.study.batch.outcome import worst_of_each
+
+    return worst_of_each(note for one in outcome.evaluated for note in one.solution.validity)

@@ -1,0 +1,158 @@
+"""The curves of a study of nanoindentations as a stream, and their outcome; one that fails does not stop the others."""
+
+from __future__ import annotations
+
+import hashlib
+import time
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from winkler.errors import InvalidInput, Mistake, WinklerError
+from winkler.fitting.curves.curve import ForceCurve
+from winkler.fitting.nanoindentation.calibration import calibrate_indenter
+from winkler.fitting.nanoindentation.calibration_solution import IndenterCalibration
+from winkler.fitting.nanoindentation.measurement import Nanoindentation
+from winkler.fitting.nanoindentation.quantities import IndentationQuantities, indentation_quantities
+from winkler.fitting.nanoindentation.repetition import RepeatedMean, repeated_mean
+from winkler.fitting.nanoindentation.solution import NanoindentationSolution
+from winkler.fitting.nanoindentation.zero_point import ZeroPoint
+from winkler.io.curves import UnreadCurve, try_curves
+from winkler.study.batch.outcome import Provenance
+from winkler.study.batch.run import provenance
+from winkler.study.nanoindentation.reading import NanoindentationStudy
+from winkler.values import value
+
+__all__ = ["Evaluated", "NanoindentationOutcome", "Unevaluated", "evaluated_files", "gathered", "read_references"]
+
+
+@value
+class Evaluated:
+    """A curve with its readings and the quantities of ISO 14577."""
+
+    name: str
+    solution: NanoindentationSolution
+    quantities: IndentationQuantities
+
+
+@value
+class Unevaluated:
+    """A curve without an answer, the reason, and the exit code."""
+
+    name: str
+    reason: str
+    code: int
+
+
+@value
+class NanoindentationOutcome:
+    """The outcome of a study: evaluated and other curves, or the calibration."""
+
+    study: NanoindentationStudy
+    evaluated: tuple[Evaluated, ...]
+    unevaluated: tuple[Unevaluated, ...]
+    calibration: tuple[IndenterCalibration, ...]
+    provenance: Provenance
+    left: int = 0
+
+    @property
+    def means(self) -> dict[str, RepeatedMean]:
+        """Means of Young's modulus and hardness over the curves."""
+        solutions = [one.solution for one in self.evaluated]
+        return {name: repeated_mean(solutions, name) for name in ("young", "hardness")} if solutions else {}
+
+
+def evaluated_files(study: NanoindentationStudy) -> Iterator[tuple[Evaluated | Unevaluated, ...]]:
+    """Yield the results of each file of the study, in their order."""
+    for path in study.sources:
+        yield tuple(
+            Unevaluated(_name(study, path), one.reason, InvalidInput.exit_code)
+            if isinstance(one, UnreadCurve)
+            else _evaluated(study, one.curve, _name(study, path))
+            for one in try_curves(path)
+        )
+
+
+def _evaluated(study: NanoindentationStudy, curve: ForceCurve, name: str) -> Evaluated | Unevaluated:
+    given = study.given
+    try:
+        touch = given.get("contact_point")
+        zero = () if touch is None else ZeroPoint(touch, given["contact_point_error"], 0.0, extrapolated=False)
+        names = ("poisson_error", "force_error", "depth_error", "upper", "lower")
+        more: dict[str, Any] = {key: given[key] for key in names if key in given}
+        solution = Nanoindentation(curve, study.indenter, given["poisson"], zero_point=zero, **more).solve()
+        return Evaluated(name, solution, indentation_quantities(solution))
+    except WinklerError as error:
+        return Unevaluated(name, str(error), error.exit_code)
+    except Exception as error:  # this curve fails, not the batch
+        reason = " ".join(str(error).split())
+        return Unevaluated(name, f"an unexpected error, {type(error).__name__}: {reason}", Mistake.exit_code)
+
+
+def read_references(study: NanoindentationStudy) -> Iterator[tuple[ForceCurve, Any] | Unevaluated]:
+    """Yield the curves of a calibration with their references, and those that cannot be read."""
+    for path, reference in zip(study.sources, study.references, strict=True):
+        for one in try_curves(path):
+            if isinstance(one, UnreadCurve):
+                yield Unevaluated(_name(study, path), one.reason, InvalidInput.exit_code)
+            else:
+                yield one.curve, reference
+
+
+def gathered(
+    study: NanoindentationStudy, found: Iterable[Any], *, started: float, source: str = "", left: int = 0
+) -> NanoindentationOutcome:
+    """Return the outcome of what `evaluated_files` or `read_references` yielded.
+
+    Raises
+    ------
+    InvalidInput, NotConverged, OutsideValidity
+        If no curve has an answer: the reason of the first.
+    """
+    each = [one for many in found for one in (many if isinstance(many, tuple) and not study.calibrates else (many,))]
+    failed = tuple(one for one in each if isinstance(one, Unevaluated))
+    good = tuple(one for one in each if isinstance(one, Evaluated))
+    calibration: tuple[IndenterCalibration, ...] = ()
+    if study.calibrates:
+        curves = [one for one in each if isinstance(one, tuple)]
+        if not curves:
+            raise InvalidInput(f"no curve can be read; the first: {failed[0].name}: {failed[0].reason}")
+        given, indenter = study.given, study.indenter
+        stiffness = given.get("frame_stiffness")
+        calibration = (
+            calibrate_indenter(
+                curves,
+                terms=int(given["terms"]),
+                solid=indenter.solid,
+                shape_factor=indenter.shape_factor,
+                frame_compliance=None if stiffness is None else 1.0 / stiffness,
+            ),
+        )
+        failed += tuple(
+            Unevaluated(line.partition(": ")[0], line.partition(": ")[2], InvalidInput.exit_code)
+            for line in calibration[0].skipped
+        )
+    elif not good:
+        first = failed[0]
+        many = f"none of the {len(failed)} curves can be evaluated; the first: " if len(failed) > 1 else ""
+        raise InvalidInput(f"{many}{first.name}: {first.reason}")
+    made = provenance(_hash(study), time.perf_counter() - started, source)
+    return NanoindentationOutcome(study, good, failed, calibration, made, left)
+
+
+def _name(study: NanoindentationStudy, path: str) -> str:
+    try:
+        return Path(path).relative_to(study.folder).as_posix()
+    except ValueError:
+        return Path(path).name
+
+
+def _hash(study: NanoindentationStudy) -> str:
+    """Return the SHA-256 of study, indenter and the bytes of the curves."""
+    whole = hashlib.sha256(study.text.encode())
+    whole.update(np.ascontiguousarray(study.indenter.numbers).tobytes())
+    for path in study.sources:
+        whole.update(Path(path).read_bytes())
+    return whole.hexdigest()

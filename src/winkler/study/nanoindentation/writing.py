@@ -1,0 +1,114 @@
+"""The files of a study of nanoindentations.
+
+::
+
+    unloadings.csv     one row per unloading: force, depth, contact depth, E and H with every share of uncertainty
+    quantities.csv     one row per curve: the quantities of ISO 14577 with standard uncertainties, and failures
+    indenter.toml      of a calibration: area function, frame compliance, covariance
+    calibration.csv    of a calibration: one row per unloading
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from winkler.io.indenter_file import write_indenter
+from winkler.study.batch.outcome import ResultColumn
+from winkler.study.nanoindentation.running import NanoindentationOutcome
+from winkler.study.report.archive import write_table
+from winkler.study.report.page_parts import write_page
+from winkler.study.report.writing import write_provenance
+from winkler.vocabulary import Word
+
+__all__ = ["write_nanoindentation"]
+
+
+def write_nanoindentation(outcome: NanoindentationOutcome, folder: Path) -> None:
+    """Write the results of a study into an existing, empty `folder`."""
+    study = outcome.study
+    if study.calibrates:
+        line = f"{study.title}: {len(outcome.calibration[0].force)} unloadings, study {outcome.provenance.hash[:12]}"
+        write_indenter(outcome.calibration[0].indenter, folder / "indenter.toml", made_from=line)
+        write_table(_readings(outcome), folder / "calibration.csv", nothing="")
+    else:
+        write_table(_unloadings(outcome), folder / "unloadings.csv", nothing="")
+        write_table(_quantities(outcome), folder / "quantities.csv", nothing="")
+    if study.output.report or study.output.figures:
+        from winkler.study.nanoindentation.report import figures_of, page
+
+        write_page(outcome, folder, figures_of(outcome), page)
+    (folder / "study.toml").write_text(study.text, encoding="utf-8")
+    write_provenance(outcome.provenance, folder, missing=outcome.left)
+
+
+def _column(name: str, unit: str | None, meaning: str, content: object) -> ResultColumn:
+    return ResultColumn(name, Word("", unit, meaning), np.asarray(content))
+
+
+def _unloadings(outcome: NanoindentationOutcome) -> list[ResultColumn]:
+    names = [one.name for one in outcome.evaluated for _ in one.solution.force]
+    order = [place + 1.0 for one in outcome.evaluated for place in range(one.solution.force.size)]
+    columns = [
+        _column("curve", None, "where the curve comes from", names),
+        _column("unloading", "", "number of the unloading", order),
+    ]
+    words = {
+        "force": ("N", "force at the peak"),
+        "depth": ("m", "depth at the peak"),
+        "contact_depth": ("m", "contact depth"),
+        "stiffness": ("N/m", "stiffness of the contact"),
+        "exponent": ("", "exponent of the unloading"),
+        "area": ("m^2", "projected area of contact"),
+        "modulus": ("Pa", "reduced modulus"),
+        "young": ("Pa", "Young's modulus of the sample"),
+        "young_errors": ("Pa", "standard uncertainty of Young's modulus"),
+        "hardness": ("Pa", "hardness"),
+        "hardness_errors": ("Pa", "standard uncertainty of the hardness"),
+    }
+    for name, (unit, meaning) in words.items():
+        content = np.concatenate([getattr(one.solution, name) for one in outcome.evaluated])
+        columns.append(_column(name.replace("_errors", "_error"), unit, meaning, content))
+    for name in ("young", "hardness"):
+        for place, source in enumerate(outcome.evaluated[0].solution.sources):
+            content = np.concatenate([getattr(one.solution, f"{name}_shares")[place] for one in outcome.evaluated])
+            meaning = f"standard uncertainty of {name} by {source}"
+            columns.append(_column(f"{name}_by_{source.replace(' ', '_')}", "Pa", meaning, content))
+    return columns
+
+
+def _quantities(outcome: NanoindentationOutcome) -> list[ResultColumn]:
+    good, failed = outcome.evaluated, outcome.unevaluated
+    names = [*(one.name for one in good), *(one.name for one in failed)]
+    columns = [_column("curve", None, "where the curve comes from", names)]
+    lost = [np.nan] * len(failed)
+    first = good[0].quantities
+    for place, (name, unit) in enumerate(zip(first.names, first.units, strict=True)):
+        key = name.replace("*", "_star")
+        columns.append(_column(key, unit, name, [*(one.quantities.values[place] for one in good), *lost]))
+        errors = [*(one.quantities.errors[place] for one in good), *lost]
+        columns.append(_column(f"{key}_error", unit, f"standard uncertainty of {name}", errors))
+    columns += [
+        _column(
+            "contact_point", "m", "position of first touch", [*(o.solution.zero_point.position for o in good), *lost]
+        ),
+        _column(
+            "contact_point_error", "m", "its standard error", [*(o.solution.zero_point.error for o in good), *lost]
+        ),
+        _column("drift", "m/s", "thermal drift", [*(o.solution.drift.rate for o in good), *lost]),
+        _column("drift_error", "m/s", "its standard error", [*(o.solution.drift.error for o in good), *lost]),
+        _column("failure", None, "why a curve has no answer", [*("" for _ in good), *(one.reason for one in failed)]),
+    ]
+    return columns
+
+
+def _readings(outcome: NanoindentationOutcome) -> list[ResultColumn]:
+    item = outcome.calibration[0]
+    return [
+        _column("curve", None, "where the curve comes from", item.curve_names),
+        _column("force", "N", "force at the peak", item.force),
+        _column("contact_depth", "m", "contact depth", item.contact_depth),
+        _column("area", "m^2", "area that the stiffness demands", item.measured_area),
+        _column("residual", "", "ln of the measured over the fitted compliance of the contact", item.residuals),
+    ]

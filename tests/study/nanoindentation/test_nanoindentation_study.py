@@ -1,0 +1,99 @@
+"""Studies of nanoindentations from file to results: calibration, evaluation, bad files by name, mistakes."""
+
+from __future__ import annotations
+
+import csv
+import json
+import shutil
+from pathlib import Path
+
+import pytest
+
+from winkler.cli import main
+from winkler.errors import InvalidInput
+from winkler.io.indenter_file import read_indenter
+from winkler.study.nanoindentation.reading import is_nanoindentation, read_nanoindentation_study
+
+EXAMPLES = Path(__file__).resolve().parents[3] / "examples"
+DATA = EXAMPLES / "data" / "nanoindentation"
+
+
+def study(folder, text, name="study.toml"):
+    path = folder / name
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+CALIBRATION = """
+title = "tip"
+[calibration]
+[[calibration.reference]]
+curve = "silica_*.csv"
+young = "72 GPa"
+poisson = 0.17
+[output]
+figures = []
+report = false
+"""
+INDENTATION = """
+title = "steel"
+[indentation]
+curve = "steel_*.csv"
+poisson = 0.3
+indenter = "tip/indenter.toml"
+"""
+
+
+def test_a_calibration_is_read_by_an_evaluation(tmp_path, capsys):
+    """The data are made with A = 24.5 h^2 + 1.1 um h, 0.4 um/N, and a steel of 210 GPa."""
+    for number in (1, 2):
+        shutil.copy(DATA / f"silica_{number}.csv", tmp_path)
+    shutil.copy(DATA / "steel_1.csv", tmp_path)
+    (tmp_path / "steel_2.csv").write_text("no numbers\n", encoding="utf-8")
+    assert main(["fit", str(study(tmp_path, CALIBRATION)), "--output", str(tmp_path / "tip"), "--quiet"]) == 0
+    indenter = read_indenter(tmp_path / "tip" / "indenter.toml")
+    assert indenter.frame_compliance == pytest.approx(0.4e-6, abs=4.0 * indenter.covariance[0, 0] ** 0.5)
+    capsys.readouterr()
+    where = ["--output", str(tmp_path / "steel"), "--json"]
+    assert main(["fit", str(study(tmp_path, INDENTATION, "steel.toml")), *where]) == 2
+    answer = json.loads(capsys.readouterr().out)
+    assert answer["failed"][0]["curve"] == "steel_2.csv"
+    low, high = answer["means"]["young"]["interval"]
+    assert low < 210e9 < high < 1.3 * low
+    assert answer["means"]["young"]["shares"]["calibration"] > 0.0
+    with (tmp_path / "steel" / "unloadings.csv").open(encoding="utf-8") as file:
+        rows = [row for row in csv.reader(file) if row and not row[0].startswith("#")]
+    assert len(rows) == 1 + 4
+    report = (tmp_path / "steel" / "report.html").read_text(encoding="utf-8")
+    for words in ("Shares of the uncertainty", "Quantities of ISO 14577", "steel_2.csv", "eta_IT", "Pile-up"):
+        assert words in report
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        (INDENTATION.replace("poisson", "poison"), "has no key 'poison'.*poisson"),
+        (INDENTATION.replace("poisson = 0.3", ""), "indentation.poisson is missing"),
+        (INDENTATION.replace('"tip/indenter.toml"', '"lost.toml"'), "indenter is 'lost.toml'"),
+        (INDENTATION.replace('indenter = "tip/indenter.toml"', ""), "there is no indenter"),
+        (INDENTATION.replace("steel_*", "gold_*"), "where there is no file"),
+        (INDENTATION + '\n[indenter]\narea = [24.5]\n', "given twice"),
+        (INDENTATION.replace('indenter = "tip/indenter.toml"', "[indenter]\narea = [24.5, 1]"), r"area\[1\]"),
+        (INDENTATION + CALIBRATION.replace('title = "tip"', ""), "either \\[indentation\\] or \\[calibration\\]"),
+        (CALIBRATION.replace("[calibration]\n", "[calibration]\nterms = 99\n"), "terms is 99"),
+        (CALIBRATION.replace("young =", "yung ="), "has no key 'yung'.*young"),
+        ("[calibration]\n", "calibration.reference is missing"),
+    ],
+)  # fmt: skip
+def test_mistakes_are_named(tmp_path, text, words):
+    for name in ("steel_1.csv", "silica_1.csv"):
+        shutil.copy(DATA / name, tmp_path)
+    path = study(tmp_path, text)
+    assert is_nanoindentation(path)
+    with pytest.raises(InvalidInput, match=words):
+        read_nanoindentation_study(path)
+
+
+def test_other_studies_are_left_alone(tmp_path):
+    assert not is_nanoindentation(EXAMPLES / "studies" / "fitting" / "fit_gel.toml")
+    assert not is_nanoindentation(tmp_path / "lost.toml")
