@@ -183,5 +183,3 @@ def harder_worlds(count: int) -> dict[str, World | Creep]:
         ),
         "creep with drift": Creep({**solid, "contact_point": 4e-7, "baseline": 5e-11}, count),
     }  # fmt: skip
-
-

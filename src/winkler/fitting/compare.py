@@ -7,9 +7,9 @@ Every model is fitted; Akaike's and Schwarz' criteria weigh the likelihood L of 
 
 The number of independent points is that of the likeliest model, the same for all.
 
-The rule: a curve tells a model from the best one if this is :math:`e^{\Delta\mathrm{AIC}/2} \ge 100` times likelier, and
-if the best one explains the curve (no flag `misfit`).  If none explains it, their likelihoods state only which one is
-less wrong, and no model is told from another.  `Comparison.undecided` names the models that remain.
+The rule: a curve tells a model from the best one if this is :math:`e^{\Delta\mathrm{AIC}/2} \ge 100` times likelier,
+and if the best one explains the curve (no flag `misfit`).  If none explains it, their likelihoods state only which one
+is less wrong, and no model is told from another.  `Comparison.undecided` names the models that remain.
 """
 
 from __future__ import annotations
