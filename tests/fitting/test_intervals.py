@@ -118,6 +118,8 @@ def test_a_sticky_curve_speaks_for_jkr():
     assert np.all(np.diff(found.aic) >= 0.0)
     assert len(found.refused) == 1
     assert "DMT of a cone: DerjaguinMullerToporov" in found.refused[0]
+    assert not found.decided
+    assert found.verdict.endswith("Not fitted, and therefore not excluded: DMT of a cone.")
     sizes = np.array([len(one.names) for one in found.fits])
     np.testing.assert_allclose(found.bic - found.aic, (np.log(found.effective_count) - 2.0) * sizes, rtol=1e-6)
 

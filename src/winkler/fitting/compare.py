@@ -97,12 +97,16 @@ class Comparison:
 
     @property
     def decided(self) -> bool:
-        """Whether the curve tells the best model from all others, of which there is at least one."""
-        return len(self.undecided) == 1 < len(self.models)
+        """Whether the curve tells the best model from all others, of which there is one at least and none unfitted."""
+        return len(self.undecided) == 1 < len(self.models) and not self.refused
 
     @property
     def verdict(self) -> str:
-        """What the curve says about the models, in one sentence."""
+        """What the curve says about the models, in one sentence, and which were not fitted."""
+        unfitted = ", ".join(text.partition(":")[0] for text in self.refused)
+        return self._statement() + (f" Not fitted, and therefore not excluded: {unfitted}." if unfitted else "")
+
+    def _statement(self) -> str:
         names, rest = ", ".join(self.undecided), [name for name in self.models if name not in self.undecided]
         if self.models[0] in self.unexplained:
             return f"None of the models explains the curve ({names}); {self.models[0]} is least wrong."
