@@ -108,7 +108,7 @@ def film_curve(widest: float, nodes: int = 24) -> tuple[np.ndarray, np.ndarray]:
         return np.tensordot(np.cos(x[..., None] * wave), measure * (1.0 - hard), 1)
 
     at, weight = np.polynomial.legendre.leggauss(nodes)
-    radii = np.linspace(0.0, widest, 60)[1:]
+    radii = np.linspace(0.0, widest, 41)[1:]
     depths, loads = [0.0], [0.0]
     for a in radii:
         t, w = 0.5 * a * (at + 1.0), 0.5 * a * weight
@@ -183,5 +183,3 @@ def harder_worlds(count: int) -> dict[str, World | Creep]:
         ),
         "creep with drift": Creep({**solid, "contact_point": 4e-7, "baseline": 5e-11}, count),
     }  # fmt: skip
-
-

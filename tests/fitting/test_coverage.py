@@ -53,15 +53,8 @@ def test_some_curves(memory):
 @pytest.mark.slow
 @pytest.mark.parametrize("memory", [0.0, 0.7])
 @pytest.mark.parametrize("sticky", [False, True], ids=["Hertz", "JKR"])
-def test_two_hundred_curves(sticky, memory):
-    """Other seeds than those of the quick test.
-
-    Of white noise more may lie inside: so few points cannot exclude slow noise, most of all in the baseline.  There,
-    sixty curves suffice if they miss the truth at most once: intervals that hold 91 % do so once in 40.
-    """
-    inside = hits(sticky, memory, range(90_000, 90_060), 250)
-    if not memory and min(inside.values()) >= 59:
-        return
-    more = hits(sticky, memory, range(90_060, 90_200), 250)
-    most = 0.985 * 200 if memory else 200
-    assert all(0.91 * 200 <= count + more[name] <= most for name, count in inside.items()), (inside, more)
+def test_a_hundred_curves(sticky, memory):
+    """Other seeds than those of the quick test; of white noise the baseline may have all (its slow part is unknown)."""
+    inside = hits(sticky, memory, range(90_000, 90_100), 250)
+    least = int(binom.ppf(1e-3, 100, 0.92))
+    assert all(count >= least for count in inside.values()), inside

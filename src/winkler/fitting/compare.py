@@ -6,6 +6,10 @@ Every model is fitted; Akaike's and Schwarz' criteria weigh the likelihood L of 
 .. math:: \mathrm{AIC} = -2\ln L + 2p, \qquad \mathrm{BIC} = -2\ln L + p\ln n_\mathrm{eff} .
 
 The number of independent points is that of the likeliest model, the same for all.
+
+The rule: a curve tells a model from the best one if this is :math:`e^{\Delta\mathrm{AIC}/2} \ge 100` times likelier,
+and if the best one explains the curve (no flag `misfit`).  If none explains it, their likelihoods state only which one
+is less wrong, and no model is told from another.  `Comparison.undecided` names the models that remain.
 """
 
 from __future__ import annotations
@@ -25,7 +29,10 @@ from winkler.numerics.types import Array, Quantity
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.values import value, words
 
-__all__ = ["AnyFit", "Comparison", "compare", "ranked"]
+__all__ = ["DECISIVE", "AnyFit", "Comparison", "compare", "ranked"]
+
+DECISIVE = 100.0
+"""Least evidence that tells a model from the best one."""
 
 
 @value
@@ -70,6 +77,45 @@ class Comparison:
     def best(self) -> AnyFit:
         """The fit of the best model."""
         return self.fits[0]
+
+    @property
+    def unexplained(self) -> tuple[str, ...]:
+        """Models that do not explain the curve: their residuals are more than its noise."""
+        pairs = zip(self.models, self.fits, strict=True)
+        return tuple(name for name, found in pairs if any(flag.name == "misfit" for flag in found.flags))
+
+    @property
+    def undecided(self) -> tuple[str, ...]:
+        """Models that this curve cannot tell apart, the best first; a single one is told from all others.
+
+        All of them, if the best one does not explain the curve.  Whether a model that was not compared would describe
+        it as well, no curve tells.
+        """
+        if self.models[0] in self.unexplained:
+            return self.models
+        return tuple(name for name, odds in zip(self.models, self.evidence.tolist(), strict=True) if odds < DECISIVE)
+
+    @property
+    def decided(self) -> bool:
+        """Whether the curve tells the best model from all others, of which there is one at least and none unfitted."""
+        return len(self.undecided) == 1 < len(self.models) and not self.refused
+
+    @property
+    def verdict(self) -> str:
+        """What the curve says about the models, in one sentence, and which were not fitted."""
+        unfitted = ", ".join(text.partition(":")[0] for text in self.refused)
+        return self._statement() + (f" Not fitted, and therefore not excluded: {unfitted}." if unfitted else "")
+
+    def _statement(self) -> str:
+        names, rest = ", ".join(self.undecided), [name for name in self.models if name not in self.undecided]
+        if self.models[0] in self.unexplained:
+            return f"None of the models explains the curve ({names}); {self.models[0]} is least wrong."
+        if not rest:
+            return f"This curve cannot tell {names} apart." if len(self.models) > 1 else f"{names} explains the curve."
+        against = f"at least {self.evidence[len(self.undecided)]:.3g} times likelier than {', '.join(rest)}"
+        if len(self.undecided) == 1:
+            return f"{names} is {against}."
+        return f"This curve cannot tell {names} apart; {self.models[0]} is {against}."
 
 
 def compare(

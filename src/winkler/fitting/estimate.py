@@ -19,6 +19,8 @@ __all__ = ["FitEstimate"]
 LARGEST_EXPONENT = math.log(np.finfo(float).max)
 REFERENCE_WIDTH = 2.0
 """Half-width in standard errors to which the stretches of intervals refer."""
+MOST_STRETCHES = 1.5
+"""Greatest power of a stretch: beyond three standard errors it is not extrapolated."""
 LINE_PARAMETERS = ("baseline", "tilt", "drag")
 """Parameters that follow from the free points."""
 
@@ -39,7 +41,7 @@ class FitEstimate:
         scatter=("s", "N", "standard deviation of the weighted residuals"),
         slow_share=("", "", "part of the noise's variance that is slow"),
         log_likelihood=(r"\ln L", None, "logarithm of the likelihood, integrated over the noise"),
-        reaches=("", "", "half-widths of intervals of 1, 2 and 3 sigma in standard errors"),
+        reaches=("", "", "half-widths of the intervals of 68, 90, 95, 99 and 99.7 % in standard errors"),
         stretches=("", "", "factors of the half-widths of intervals"),
         predicted=("F", "N", "fitted forces with the baseline"),
         flags=("", None, "what speaks against the numbers"),
@@ -120,7 +122,7 @@ class FitEstimate:
         width = self.quantile(confidence, name)
         ends = []
         for sign, stretch in zip((-1.0, 1.0), self.stretches[index].tolist(), strict=True):
-            half = width * float(stretch) ** min(width / REFERENCE_WIDTH, LARGEST_EXPONENT)
+            half = width * float(stretch) ** min(width / REFERENCE_WIDTH, MOST_STRETCHES)
             if self.logarithmic[index]:
                 part = half * (error / number) if number > 0.0 and half > 0.0 else math.inf
                 ends.append(_scaled(number, sign * part))

@@ -6,7 +6,8 @@ under the mean white and slow noise of the fit, has grown by
 .. math:: \Delta = \frac{\mathrm{var}}{\mathrm{var}_0}\,t^2 ,
 
 with the variance of the parameter with and without the uncertainty of the noise, and the half-width t of the mixture of
-noises in standard errors.  It follows a curved valley of the misfit, and is the same for a parameter and its logarithm.  `FitEstimate.interval` has its ends to first
+noises in standard errors.  It follows a curved valley of the misfit, and is the same for a parameter and its logarithm.
+`FitEstimate.interval` has its ends to first
 order in the curvature (`winkler.fitting.curvature`).
 """
 

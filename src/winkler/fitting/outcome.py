@@ -57,6 +57,8 @@ class Fit(FitEstimate):
         Part of the noise's variance that is slow (1/f, a random walk, or correlated neighbours).
     log_likelihood : float
         Logarithm of the likelihood, integrated over the noise; of fits of one quantity only differences mean something.
+    reaches : ndarray, (p, 5)
+        Half-widths of the intervals of 68, 90, 95, 99 and 99.7 % in standard errors, of the mixture of noises.
     stretches : ndarray, (p, 2)
         Factors of the lower and upper half-widths of intervals by profile likelihood; 1 for nearly linear models.
     predicted : ndarray, (n,)

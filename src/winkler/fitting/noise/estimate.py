@@ -5,8 +5,8 @@ Residuals r of n points, with the derivatives J by the p fitted coordinates, are
 .. math:: r = J\beta + B\gamma + e, \qquad \gamma \sim N(0, s^2\sigma^2), \qquad e \sim N(0, \sigma^2 V) ,
 
 with noise e of one of the candidates V (`winkler.fitting.noise.spectra`), and slow disturbances B that the model does
-not contain (`winkler.fitting.noise.disturbances`), each absent, faint or present: their amplitude s.  With flat priors of
-:math:`\beta` and :math:`\ln\sigma`, a candidate has the restricted likelihood
+not contain (`winkler.fitting.noise.disturbances`), each absent, faint or present by its amplitude s.  With flat priors
+of :math:`\beta` and :math:`\ln\sigma`, a candidate has the restricted likelihood
 
 .. math:: \ln L = -\tfrac12\ln|V| - \tfrac12\ln|A| - \sum\ln s - \tfrac{n-p}2\ln Q, \qquad A = X^TV^{-1}X + R,
 

@@ -23,8 +23,10 @@ from winkler.numerics.types import Array
 
 __all__ = ["SIGMAS", "Mixture"]
 
-SIGMAS = (1.0, 2.0, 3.0)
-"""Half-widths of a normal distribution, in standard deviations, whose parts of the mixture are stated."""
+SIGMAS = (1.0, 1.644853627, 1.959963985, 2.575829304, 3.0)
+"""Half-widths of a normal distribution, in standard deviations, that hold the stated parts: 68, 90, 95, 99, 99.7 %."""
+FARTHEST = 20.0
+"""Greatest half-width, in standard errors: by Chebyshev's inequality 99.75 % lie within."""
 SETTLED = 1e-4
 """Accuracy of a half-width, in standard deviations."""
 
@@ -51,14 +53,14 @@ class Mixture(_MixtureFields):
 
     @functools.cached_property
     def reaches(self) -> Array:
-        """Half-widths ``(p, 3)`` of the intervals of one, two and three sigma, in standard errors."""
+        """Half-widths ``(p, 5)`` of the intervals of 68, 90, 95, 99 and 99.7 %, in standard errors."""
         from scipy.special import ndtr
 
         deviations = np.sqrt(np.diag(self.covariance))
         apart = ((self.steps - self.mean) / deviations)[:, :, None]
         errors = (np.sqrt(np.einsum("mii->mi", self.covariances)) / deviations)[:, :, None]
         wanted = 2.0 * ndtr(np.array(SIGMAS)) - 1.0
-        low, high = np.zeros((deviations.size, len(SIGMAS))), np.full((deviations.size, len(SIGMAS)), 2.0 * SIGMAS[-1])
+        low, high = np.zeros((deviations.size, len(SIGMAS))), np.full((deviations.size, len(SIGMAS)), FARTHEST)
         while float(np.max(high - low)) > SETTLED:
             middle = 0.5 * (low + high)
             held = np.tensordot(self.shares, ndtr((middle - apart) / errors) - ndtr((-middle - apart) / errors), 1)

@@ -65,8 +65,8 @@ class UnderForce(RelaxingTask):
 
     @functools.cached_property
     def disturbances(self) -> Array:
-        """The drift of a position, weighted ``(n, 1)``."""
-        return disturbances_of(self.curve, of_force=False) * self.weights[:, None]
+        """The drift of a position, weighted ``(n, 1)``; none where the force is fitted."""
+        return disturbances_of(self.curve, of_force=False) * np.where(self.by_force, 0.0, self.weights)[:, None]
 
     def instrument(self, coordinates: Array, prediction: Prediction) -> Array:
         """Return the derivatives along the smoothed curve, which the noise of the input does not bias."""
