@@ -124,11 +124,6 @@ class ForceCurve:
             raise InvalidInput("ForceCurve: marks holds other numbers than 0 to 4; state events by with_events.")
         object.__setattr__(self, "machine_stiffness", float(self.machine_stiffness))
 
-    def __str__(self) -> str:
-        """Return the outline of the curve, with the whole of its reading."""
-        fields = [line for line in repr(self).splitlines() if not line.startswith("  reading ")]
-        return "\n".join([*fields, *textwrap.wrap(self.reading, 100, initial_indent="  ", subsequent_indent="    ")])
-
     @property
     def count(self) -> int:
         """How many points there are."""
@@ -234,11 +229,13 @@ class ForceCurve:
         return dataclasses.replace(self, marks=stated_marks(stated, self.count))
 
     def __str__(self) -> str:
-        """Return what was done, in its order, as a notebook says it."""
+        """Return what was done, in its order, as a notebook says it, and how its file was read."""
         machine = "" if math.isinf(self.machine_stiffness) else f", machine {with_unit(self.machine_stiffness, 'N/m')}"
         clock = f" in {with_unit(float(self.time[-1] - self.time[0]), 's')}" if self.timed else ""
         title = f"force curve{f' {self.name!r}' if self.name else ''}: {self.count} points{clock}{machine}"
-        return "\n".join([title, *(f"  {line}" for line in self.events.lines(self.time if self.timed else ()))])
+        done = [f"  {line}" for line in self.events.lines(self.time if self.timed else ())]
+        read = textwrap.wrap(self.reading, 100, initial_indent="  ", subsequent_indent="    ")
+        return "\n".join([title, *done, *read])
 
     @property
     def approach(self) -> ForceCurve:

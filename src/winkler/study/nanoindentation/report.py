@@ -169,6 +169,6 @@ def _failures(outcome: NanoindentationOutcome) -> str:
 
 
 def _notes(outcome: NanoindentationOutcome) -> tuple[Note, ...]:
-    from winkler.study.batch.outcome import worst_of_each
+    from winkler.validity import worst_of_each
 
     return worst_of_each(note for one in outcome.evaluated for note in one.solution.validity)
