@@ -11,7 +11,8 @@ import os
 from winkler.errors import InvalidInput
 from winkler.foundation.measured import MeasuredBed
 from winkler.io.foreign import in_file, reader
-from winkler.io.tables.table import Column, names_columns, read_table
+from winkler.io.tables.header import names_columns
+from winkler.io.tables.table import Column, read_table
 
 __all__ = ["read_bed"]
 

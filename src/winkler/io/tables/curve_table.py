@@ -30,7 +30,8 @@ from winkler.io.foreign import in_file
 from winkler.io.placed_curves import PlacedCurve
 from winkler.io.segments import directions
 from winkler.io.swapped_columns import swap_note
-from winkler.io.tables.table import Column, header_lines, names_columns, read_table
+from winkler.io.tables.header import header_lines, names_columns
+from winkler.io.tables.table import Column, read_table
 from winkler.io.tables.table_makers import maker_in
 from winkler.units import comma_hint
 

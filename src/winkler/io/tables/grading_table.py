@@ -9,7 +9,8 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.io.foreign import in_file, reader
-from winkler.io.tables.table import Column, names_columns, read_table
+from winkler.io.tables.header import names_columns
+from winkler.io.tables.table import Column, read_table
 from winkler.materials.depth_grading import TabulatedGrading
 
 __all__ = ["read_grading"]

@@ -6,7 +6,8 @@ import os
 
 from winkler.errors import InvalidInput
 from winkler.io.foreign import in_file, reader
-from winkler.io.tables.table import Column, names_columns, read_table
+from winkler.io.tables.header import names_columns
+from winkler.io.tables.table import Column, read_table
 from winkler.loading import Angle, Depth, Force, ShearForce, Shift, Torque
 from winkler.path import Path
 

@@ -14,7 +14,8 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.io.foreign import in_file, reader
-from winkler.io.tables.table import Column, Table, names_columns, read_table
+from winkler.io.tables.header import names_columns
+from winkler.io.tables.table import Column, Table, read_table
 from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
 
 __all__ = ["read_creep", "read_dynamic", "read_relaxation"]

@@ -5,7 +5,8 @@ from __future__ import annotations
 import os
 
 from winkler.io.foreign import in_file, reader
-from winkler.io.tables.table import Column, names_columns, read_table
+from winkler.io.tables.header import names_columns
+from winkler.io.tables.table import Column, read_table
 from winkler.profiles.rough.line_scan import LineScan
 
 __all__ = ["is_scan", "read_scan"]

@@ -9,8 +9,9 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.io.foreign import in_file, reader
+from winkler.io.tables.header import names_columns
 from winkler.io.tables.scan_table import is_scan, read_scan
-from winkler.io.tables.table import Column, Table, names_columns, read_table
+from winkler.io.tables.table import Column, Table, read_table
 from winkler.profiles.rough.line_scan import spectrum_of_lines
 from winkler.profiles.rough.spectrum import PowerSpectrum
 

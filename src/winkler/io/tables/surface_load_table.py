@@ -10,7 +10,8 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.io.array_file import read_arrays
 from winkler.io.foreign import in_file, reader
-from winkler.io.tables.table import Column, Table, names_columns, read_table
+from winkler.io.tables.header import names_columns
+from winkler.io.tables.table import Column, Table, read_table
 from winkler.io.text_file import existing
 from winkler.limits import MOST_NUMBERS
 from winkler.numerics.types import Array

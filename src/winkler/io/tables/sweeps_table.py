@@ -9,6 +9,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.io.foreign import in_file, reader
+from winkler.io.tables.header import names_columns
 from winkler.io.tables.relaxation_table import (
     ANGULAR,
     FREQUENCY,
@@ -21,7 +22,7 @@ from winkler.io.tables.relaxation_table import (
     YOUNG_MODULUS,
     young_over_shear,
 )
-from winkler.io.tables.table import Column, names_columns, read_table
+from winkler.io.tables.table import Column, read_table
 from winkler.materials.sweeps import DynamicSweeps, RelaxationSweeps
 from winkler.numerics.types import Array
 

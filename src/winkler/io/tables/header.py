@@ -1,0 +1,186 @@
+"""The header of a table: which line names the columns, which units they have, and what separates the cells."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+from winkler.errors import InvalidInput
+from winkler.io.tables.column import Column, example_of
+from winkler.io.tables.given_units import filled_units, refuse_contradiction
+from winkler.io.tables.table_cells import cells_of, is_number, like_number, named
+from winkler.io.text_file import head_of
+from winkler.units import scale
+
+__all__ = ["Header", "header_lines", "header_of", "names_columns", "needs_of", "separator_of", "zero_of"]
+
+SEPARATORS_TRIED = ("\t", ";", ",", None)
+CELSIUS, CELSIUS_ZERO = ("degC", "°C"), 273.15
+COMMENT_MARKS = "#% \t"
+NO_NUMBERS = re.compile(r"[^\d\s.,;eE+-]", re.ASCII)
+NAME_LETTER = re.compile(r"[^\W\d_eE]")
+"""A letter other than that of an exponent: rows of numbers have none."""
+
+
+class Header(NamedTuple):
+    """Line counted from 1, separator, cells, and the places and units of the columns asked for."""
+
+    line: int
+    separator: str | None
+    cells: tuple[str, ...]
+    places: tuple[int, ...]
+    units: tuple[str, ...]
+
+
+def names_columns(
+    path: str | os.PathLike[str], columns: Sequence[Column], *, head: Sequence[str] | None = None
+) -> bool:
+    """Return whether the header of a table names all of these columns.
+
+    Parameters
+    ----------
+    path : str or path
+        The file.
+    columns : sequence of Column
+        The columns.
+    head : sequence of str, optional
+        Lines among which its header stands, where they are known; see `header_lines`.
+
+    Raises
+    ------
+    InvalidInput
+        If the file cannot be read.
+    """
+    lines = head_of(path, needs_of(columns)) if head is None else head
+    texts = [
+        line.lstrip(COMMENT_MARKS).rstrip()
+        for line in lines
+        if NAME_LETTER.search(line) and _may_name(line.lower(), columns)
+    ]
+    rows = [cells_of(text, separator) for text in texts if text for separator in SEPARATORS_TRIED]
+    return any(all(any(named(cell, column.names)[0] for cell in cells) for column in columns) for cells in rows)
+
+
+def header_lines(path: str | os.PathLike[str], columns: Sequence[Column]) -> list[str]:
+    """Return the lines that may be the header of a table: those among the first that are no row of numbers.
+
+    Raises
+    ------
+    InvalidInput
+        If the file cannot be read.
+    """
+    return [line for line in head_of(path, needs_of(columns)) if NO_NUMBERS.search(line)]
+
+
+def _may_name(line: str, columns: Sequence[Column]) -> bool:
+    """Return whether a line holds the letters of every column's name; rows of numbers are excluded quickly."""
+    return all(any(name in line for name in column.names) for column in columns)
+
+
+def needs_of(columns: Sequence[Column]) -> str:
+    """Return what a file of such a table must hold, for messages."""
+    return f"a header such as '{example_of(columns)}', and numbers below"
+
+
+def header_of(lines: Sequence[str], columns: Sequence[Column], file: str, given: Mapping[str, str] | None) -> Header:
+    """Return the first line in which every column is named; one behind a comment mark only if there is no other."""
+    for index, line in sorted(enumerate(lines), key=lambda numbered: numbered[1].lstrip()[:1] in ("#", "%")):
+        text = line.lstrip(COMMENT_MARKS).rstrip()
+        for separator in SEPARATORS_TRIED if text else ():
+            cells = cells_of(text, separator)
+            candidates = [[p for p, cell in enumerate(cells) if named(cell, column.names)[0]] for column in columns]
+            if not all(candidates):
+                continue
+            candidates = [
+                _fitting(cells, places, column) if len(places) > 1 else places
+                for column, places in zip(columns, candidates, strict=True)
+            ]
+            for column, places in zip(columns, candidates, strict=True):
+                if len(places) > 1:
+                    listed = " and ".join(f"'{cells[place]}'" for place in places)
+                    raise InvalidInput(
+                        f"{file}, line {index + 1}: {listed} may each be the {column.word}; rename all but one."
+                    )
+            units = tuple(
+                named(cells[places[0]], column.names)[1] for column, places in zip(columns, candidates, strict=True)
+            )
+            header = Header(index + 1, separator, tuple(cells), tuple(places[0] for places in candidates), units)
+            return _with_units(header, lines, columns, file, given)
+    raise InvalidInput(f"{file}: {_without_header(lines, columns)}.")
+
+
+def _fitting(cells: Sequence[str], places: list[int], column: Column) -> list[int]:
+    """Return the places whose unit fits, if there is one such: instruments repeat a depth in m and in volts."""
+    fitting = []
+    for place in places:
+        try:
+            scale(named(cells[place], column.names)[1], column.unit)
+        except InvalidInput:
+            continue
+        fitting.append(place)
+    return fitting if len(fitting) == 1 else places
+
+
+def _with_units(
+    header: Header, lines: Sequence[str], columns: Sequence[Column], file: str, given: Mapping[str, str] | None
+) -> Header:
+    """Take units that are not in the header from the row below it or from those given, and check that all fit."""
+    where = f"{file}, line {header.line}"
+    needs = [bool(column.unit) for column in columns]
+    stated_units = zip(header.places, header.units, needs, strict=True)
+    bare = [header.cells[place] for place, unit, need in stated_units if need and not unit]
+    if bare:
+        below = cells_of(lines[header.line].lstrip(COMMENT_MARKS), header.separator) if header.line < len(lines) else []
+        wanted = [below[place].strip("[]() ") for place in header.places] if len(below) == len(header.cells) else []
+        missing = [need and (not unit or like_number(unit)) for unit, need in zip(wanted, needs, strict=False)]
+        if wanted and not any(missing):
+            header = header._replace(line=header.line + 1, units=tuple(wanted))
+            where = f"{file}, line {header.line}"
+        else:
+            header = header._replace(
+                units=filled_units(header.units, header.cells, header.places, columns, given, where)
+            )
+    plain = tuple(unit if need else unit.strip("-") for unit, need in zip(header.units, needs, strict=True))
+    for column, unit in zip(columns, plain, strict=True):
+        if not zero_of(unit, column.unit):
+            scale(unit, column.unit, what=f"{where}, {column.word}")
+        refuse_contradiction(column, unit, given, where)
+    return header._replace(units=plain)
+
+
+def _without_header(lines: Sequence[str], columns: Sequence[Column]) -> str:
+    """Return why no header was found."""
+    example = example_of(columns)
+    above: list[str] = []
+    for index, line in enumerate(lines):
+        text = line.lstrip(COMMENT_MARKS).rstrip()
+        splits = [cells_of(text, separator) for separator in SEPARATORS_TRIED]
+        if text == line.strip() and any(
+            any(cells) and all(like_number(cell) for cell in cells if cell) for cells in splits
+        ):
+            if not above:
+                return f"numbers begin in line {index + 1} without a header above them; write one, as '{example}'"
+            break
+        if text:
+            above = next((cells for cells in splits if len(cells) > 1), [text])
+    missing = [column for column in columns if not any(named(cell, column.names)[0] for cell in above)]
+    wanted = " and no ".join(f"{column.word} ({', '.join(column.names)})" for column in missing)
+    listed = ", ".join(f"'{cell[:40]}'" for cell in above[:20] if cell)
+    return f"the header has no {wanted}, there are {listed}; name the columns, as in '{example}'"
+
+
+def separator_of(lines: Sequence[str], header: Header) -> str | None:
+    """Return the separator of the numbers: that of the header, or another one if it fits the first row."""
+    first = next((line for line in lines[header.line :] if line.partition("#")[0].strip()), "")
+    for separator in (header.separator, *SEPARATORS_TRIED):
+        cells = cells_of(first.partition("#")[0], separator)
+        if len(cells) == len(header.cells) and all(is_number(cells[place]) for place in header.places):
+            return separator
+    return header.separator
+
+
+def zero_of(unit: str, wanted: str) -> float:
+    """Return the zero of degC [K] where a column holds temperatures; of other units nothing."""
+    return CELSIUS_ZERO if wanted == "K" and unit in CELSIUS else 0.0
