@@ -176,9 +176,9 @@ def _fit(
         deviation = _deviation(curve, noise, "N" if isinstance(model.path.normal, Depth) else "m")
         task = driven_task(curve, model, stated, deviation, rough_outline)
     else:
-        if np.count_nonzero(curve.direction) < FEWEST <= curve.count:
+        if (in_motion := np.count_nonzero(curve.direction)) < FEWEST <= curve.count:
             raise InvalidInput(
-                f"curve '{curve.name}': {np.count_nonzero(curve.direction)} of {curve.count} points lie on a loading or "
+                f"curve '{curve.name}': {in_motion} of {curve.count} points lie on a loading or "
                 f"an unloading, and a fit needs {FEWEST}: the position hardly changes, or the segments are wrong."
             )
         moving = curve.chosen(curve.direction != 0.0) if np.any(curve.direction == 0.0) else curve
