@@ -20,6 +20,8 @@ PREFIXED = ("m", "N", "Pa", "J", "W", "s", "V", "A", "Hz", "K", "ohm", "S", "N m
 POWERS = {"m^2": (2, 1e-2), "m^3": (3, 1e-3)}
 """Areas and volumes -> power of the metre, and the least number that its prefix may leave."""
 
+WHOLE_BELOW = 1e6
+"""Largest number whose rounded digits are written as zeros."""
 SUPERSCRIPT = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
 
@@ -110,12 +112,19 @@ def with_unit(number: float, unit: str | None, digits: int = 4) -> str:
     ('0.055 mm²', '1200 µm³', '5.3·10⁻²³ m', '1.8 mN m')
     >>> with_unit(math.inf, "ohm"), with_unit(math.nan, "")
     ('infinite', 'undefined')
+
+    Rounded digits before the point are written as zeros:
+
+    >>> with_unit(0.2394, "Pa", 2), with_unit(-1.52e8, "Pa", 2)
+    ('240 mPa', '−150 MPa')
     """
     if not math.isfinite(number):
         return "undefined" if math.isnan(number) else f"{'−' * (number < 0.0)}infinite"
     scale = scale_of(unit, number)
     text = f"{number / scale.factor:.{digits}g}".replace("-", "−")
-    if "e" in text:
+    if "e+" in text and abs(float(text.replace("−", "-"))) < WHOLE_BELOW:
+        text = f"{float(text.replace('−', '-')):.0f}".replace("-", "−")
+    elif "e" in text:
         mantissa, exponent = text.split("e")
         power = str(int(exponent.replace("−", "-"))).translate(SUPERSCRIPT)
         text = f"{mantissa}·10{power}"

@@ -268,6 +268,12 @@ def test_a_curve_that_is_wrong_is_refused_by_name():
         fit(curve, elastic(), free=[PATH, "contact_point"])
 
 
+def test_a_curve_whose_position_stands_still_is_refused():
+    held = ForceCurve(np.zeros(100), np.linspace(0.0, 1e-9, 100), name="held")
+    with pytest.raises(InvalidInput, match=r"^curve 'held': 0 of 100 points lie on a loading or an unloading"):
+        fit(held, wk.Indentation(bed(), wk.Depth(0.0)), free=[PATH])
+
+
 def test_another_problem_is_refused():
     position, _ = there_and_back(-1e-6, 1e-6, 100)
     curve = measured(hertz_on_spring(position, MODULUS, R, SPRING), position)

@@ -25,6 +25,7 @@ from winkler.fitting.certainty import certainty, doubts, refuse_singular
 from winkler.fitting.curvature import stretches_of
 from winkler.fitting.curves.checks import CurveOutline, Flag, outline, refuse
 from winkler.fitting.curves.curve import ForceCurve
+from winkler.fitting.curves.outline import FEWEST
 from winkler.fitting.elastic.task import elastic_task
 from winkler.fitting.generalised import Generalised, generalised
 from winkler.fitting.least_squares import solved
@@ -175,6 +176,11 @@ def _fit(
         deviation = _deviation(curve, noise, "N" if isinstance(model.path.normal, Depth) else "m")
         task = driven_task(curve, model, stated, deviation, rough_outline)
     else:
+        if (in_motion := np.count_nonzero(curve.direction)) < FEWEST <= curve.count:
+            raise InvalidInput(
+                f"curve '{curve.name}': {in_motion} of {curve.count} points lie on a loading or "
+                f"an unloading, and a fit needs {FEWEST}: the position hardly changes, or the segments are wrong."
+            )
         moving = curve.chosen(curve.direction != 0.0) if np.any(curve.direction == 0.0) else curve
         flags, rough_outline = refuse(moving), outline(moving)
         deviation = _deviation(curve, noise, "N")

@@ -143,3 +143,13 @@ def test_a_machine_that_would_bend_more_than_it_moved():
 
 def test_a_flag_can_be_read():
     assert str(examined(good().chosen(np.arange(5)))[0]).startswith("few_points: The curve has 5 points")
+
+
+def test_noise_alone_is_no_pull():
+    """The least of many means of points lies several of their errors below the far end; that is no tension."""
+    position = np.linspace(-1.1e-6, 0.9e-6, 150)
+    found = []
+    for seed in range(200):
+        noise = 1e-10 * np.random.default_rng(seed).standard_normal(position.size)
+        found += names(ForceCurve(position, 4e-9 * (np.clip(position, 0.0, None) / 0.9e-6) ** 1.5 + noise))
+    assert found == []

@@ -15,6 +15,7 @@ from winkler.fitting.fit import fit
 from winkler.plot.fitting.noise_sheet import noise_sheet
 from winkler.study.batch.fit_run import fit_study
 from winkler.study.language.fit_reading import parse_fit_study
+from winkler.study.report.fit_report import figures_of
 from winkler.study.report.fits.pages import write_pages
 
 STUDY = """title = "Gel"
@@ -69,6 +70,12 @@ def test_a_page_states_everything_behind_its_numbers(outcome, tmp_path):
         assert text in page
     assert page.count("<svg") == 3
     assert not re.search(r'(src|href)="https?://(?!doi\.org)', page)
+
+
+def test_the_report_of_one_curve_shows_once_what_was_done(outcome, tmp_path):
+    study = parse_fit_study(STUDY.replace("RADIUS", "5").replace('"gel"', '"gel/c1.csv"'), folder=tmp_path)
+    drawn = [figure.name for figure in figures_of(fit_study(study))]
+    assert drawn == ["curve_1", "measured_1", "noise"]
 
 
 def test_notes_on_many_curves_name_those_they_hold_for(outcome):

@@ -187,8 +187,8 @@ def _wrong_forces(curve: ForceCurve, rough_outline: CurveOutline) -> Iterator[Fl
     elif top <= limit and rough_outline.pull == 0.0:
         yield Flag(
             "no_contact",
-            f"At the largest position the force is {top:.3g} N, within the noise of {noise:.3g} N; there is no "
-            "contact.",
+            f"At the largest position the force is {top:.3g} N, not above {SIGNAL_TO_NOISE:g} times the noise of "
+            f"{noise:.3g} N; there is no contact, or none that can be told from noise.",
         )
     elif (count := _saturated_points(curve).size) > 0:
         yield Flag(

@@ -131,7 +131,11 @@ def _explained(sums: Array, right: Array, degree: int) -> Array:
 
 def far_force(force: Array) -> float:
     """Return the force far from the sample, of forces in the order of positions."""
-    return float(np.median(force[: max(FEWEST_FAR_POINTS, int(FAR_SHARE * force.size))]))
+    return float(np.median(force[: _far_count(force.size)]))
+
+
+def _far_count(points: int) -> int:
+    return max(FEWEST_FAR_POINTS, int(FAR_SHARE * points))
 
 
 def _pull(curve: ForceCurve, noise: float, top: float, slope: float) -> float:
@@ -146,6 +150,8 @@ def _pull(curve: ForceCurve, noise: float, top: float, slope: float) -> float:
         window = max(1, min(5, force.size // 50))
         smooth = np.convolve(force, np.ones(window) / window, mode="valid")
         pull = far_force(force) - float(smooth.min())
-        if pull > SIGNAL_TO_NOISE * noise / math.sqrt(window) and pull > 1e-3 * top:
+        # a median of n points has the variance pi/(2 n), in parts of that of one point
+        uncertain = noise * math.sqrt(1.0 / window + 0.5 * math.pi / _far_count(force.size))
+        if pull > SIGNAL_TO_NOISE * uncertain and pull > 1e-3 * top:
             largest = max(largest, pull)
     return largest

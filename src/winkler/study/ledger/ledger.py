@@ -125,7 +125,10 @@ def _entry(
     """Return the entry of a case, with the fields that `results` computes."""
     for key, content in (("source", case.source), ("grade", case.grade), ("[[expect]]", case.expect)):
         if not content:
-            raise InvalidInput(f"{path.name}: a case needs {key}; add it, see `winkler show study`.")
+            raise InvalidInput(
+                f"{path.name}: a case needs {key}; add it, see `winkler show study`. A study that is no case is "
+                "checked by `winkler run` or `winkler fit`, before it is solved."
+            )
     if case.grade not in GRADES:
         raise InvalidInput(f"{path.name}: grade: '{case.grade}' is not known; give one of {', '.join(GRADES)}.")
     entry = LedgerEntry(path.stem, case.title, case.source, case.grade, physics, (), ())

@@ -26,7 +26,7 @@ from winkler.study.report.examined.sections import further_figures, further_sect
 from winkler.study.report.figure import ReportFigure, drawn
 from winkler.study.report.fit_tables import MOST_ROWS, answers, counts, doubts, failures
 from winkler.study.report.fit_writing import CSV, MAPS, MOST_CURVES_AS_TEXT, NETCDF, map_grid
-from winkler.study.report.fits.pages import curve_facts, noise_figures
+from winkler.study.report.fits.pages import curve_facts, noise_figure
 from winkler.study.report.markup import safe, section, table
 from winkler.study.report.mathml import formula
 from winkler.study.report.tables import given_rows
@@ -89,7 +89,7 @@ def figures_of_curves(outcome: FitOutcome) -> Iterator[ReportFigure]:
             events = " ".join(f"{line}." for line in curve.events.lines(curve.time if curve.timed else ()))
             yield drawn(f"measured_{number}", f"{result.name}: what was done", events, sheet_of(curve))
     if len(outcome.results) == 1:
-        yield from noise_figures(outcome.fitted[0])
+        yield noise_figure(outcome.fitted[0])
 
 
 def _stem(free: Free) -> str:

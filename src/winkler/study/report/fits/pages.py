@@ -6,7 +6,6 @@ import dataclasses
 import hashlib
 import math
 import re
-from collections.abc import Iterator
 from pathlib import Path
 
 from winkler.errors import WinklerError
@@ -21,7 +20,7 @@ from winkler.study.report.figure import ReportFigure, drawn
 from winkler.study.report.fit_tables import answers, doubts
 from winkler.study.report.markup import safe, section, table
 
-__all__ = ["PAGES", "curve_facts", "noise_figures", "write_pages"]
+__all__ = ["PAGES", "curve_facts", "noise_figure", "write_pages"]
 
 PAGES = "pages"
 """Folder of the pages."""
@@ -56,7 +55,7 @@ def _page(outcome: FitOutcome, result: Fitted) -> str:
         f"<header><h1>{safe(result.name)}</h1><p class='small'>{safe(outcome.study.title)}</p></header>",
         answers(outcome),
         doubts(outcome),
-        section("Figures", parts.figure_elements((_fit_figure(result), *noise_figures(result)))),
+        section("Figures", parts.figure_elements((_fit_figure(result), noise_figure(result), _segments(result)))),
         curve_facts(outcome, result),
         parts.trust(outcome.validity),
         parts.origin(
@@ -72,15 +71,18 @@ def _fit_figure(result: Fitted) -> ReportFigure:
     return drawn("curve", "Fit", "The curve with the fitted model, below what is left over.", sheet_of(result.fit))
 
 
-def noise_figures(result: Fitted) -> Iterator[ReportFigure]:
-    """Yield the residuals in units of the noise with their spectrum, and the segments of the fitted points."""
+def noise_figure(result: Fitted) -> ReportFigure:
+    """Return the residuals in units of the noise, with their spectrum."""
     sentence = (
         "Left the residuals over the standard deviation of the noise, dashed: twice that; right their power over the "
         "frequency, 1 for white noise of that size. Slow noise, or a misfit, rises to the left."
     )
-    yield drawn("noise", "Residuals in units of the noise", sentence, noise_sheet(result.fit))
+    return drawn("noise", "Residuals in units of the noise", sentence, noise_sheet(result.fit))
+
+
+def _segments(result: Fitted) -> ReportFigure:
     sentence = "What was done, as the file states, the study states, or as detected: the points that were fitted."
-    yield drawn("segments", "Segments", sentence, sheet_of(result.fit.curve))
+    return drawn("segments", "Segments", sentence, sheet_of(result.fit.curve))
 
 
 def curve_facts(outcome: FitOutcome, result: Fitted) -> str:
