@@ -19,7 +19,7 @@ __all__ = ["FitEstimate"]
 LARGEST_EXPONENT = math.log(np.finfo(float).max)
 REFERENCE_WIDTH = 2.0
 """Half-width in standard errors to which the stretches of intervals refer."""
-LINE_PARAMETERS = ("baseline", "tilt", "drag")
+LINE_PARAMETERS = ("baseline", "tilt", "drag", "inertia")
 """Parameters that follow from the free points."""
 
 
