@@ -263,7 +263,7 @@ def _translated(data: Any, name: str, file_name: str, overrides: dict[str, float
     with in_file(file_name):
         directed = directions(position, force, segment)
         reading = _reading(data, height, bool(time.size), overrides)
-        curve = ForceCurve(position, force, float(stiffness), time, directed, name, reading)
+        curve = ForceCurve(position, force, float(stiffness), time, directed, name, reading=reading)
     x, y = (float(data.metadata.get(f"position {axis}", np.nan)) for axis in "xy")
     return PlacedCurve(curve, x, y)
 

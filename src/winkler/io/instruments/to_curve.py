@@ -96,7 +96,7 @@ def curve_of_test(
     ]
     reading = f"{test.instrument}: " + "; ".join(fact for fact in facts if fact)
     with in_file(path):
-        curve = ForceCurve(depth, force, machine, time, direction, test.name, reading)
+        curve = ForceCurve(depth, force, machine, time, direction, test.name, reading=reading)
     return PlacedCurve(curve, test.x, test.y, continuous)
 
 

@@ -148,7 +148,7 @@ def read_curve_table(
         )
         reading = f"{maker_in(head)}: " + "; ".join(fact for fact in facts if fact)
         directed = directions(position, force, segment)
-        curve = ForceCurve(position, force, machine, time, directed, name, reading)
+        curve = ForceCurve(position, force, machine, time, directed, name, reading=reading)
     return PlacedCurve(curve, math.nan, math.nan, continuous)
 
 
