@@ -21,7 +21,7 @@ REFERENCE_WIDTH = 2.0
 """Half-width in standard errors to which the stretches of intervals refer."""
 MOST_STRETCHES = 1.5
 """Greatest power of a stretch: beyond three standard errors it is not extrapolated."""
-LINE_PARAMETERS = ("baseline", "tilt", "drag")
+LINE_PARAMETERS = ("baseline", "tilt", "drag", "inertia")
 """Parameters that follow from the free points."""
 
 

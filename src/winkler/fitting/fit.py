@@ -88,8 +88,8 @@ def fit(
         motion; Path([0.0], Force(0.0)), and positions under the measured forces.
     free : mapping or iterable of str
         Paths into the model ("bed.medium.first.young", "law.work") and parameters of the curve ("contact_point",
-        "baseline", "tilt", with times also "drift" of the position [m/s] and "drag" [N s/m] of a liquid on the
-        cantilever); a mapping gives (low, high), a start value, or () for neither.
+        "baseline", "tilt", with times also "drift" of the position [m/s], "drag" [N s/m] of a liquid on the
+        cantilever and "inertia" [kg] of the probe); a mapping gives (low, high), a start value, or () for neither.
     noise : float or ndarray, optional
         Standard deviation of the fitted quantity, forces [N] or positions [m], one for all or ``(n,)``; zero (unless
         given): estimated from the free points.

@@ -63,6 +63,8 @@ class _TaskFields(NamedTuple):
         Decorrelation of the residuals in least squares; none unless given.
     tables : ModelTables, optional
         What all predictions of a fit share (`winkler.fitting.elastic.model_tables`); of contacts that do not relax.
+    acceleration : ndarray, (n,), optional
+        Of the tip into the body [m/s^2]; none without inertia.
     """
 
     curve: ForceCurve
@@ -74,6 +76,7 @@ class _TaskFields(NamedTuple):
     fixed: tuple[tuple[str, float], ...] = ()
     whitening: Whitening | None = None
     tables: Any = None
+    acceleration: Array | None = None
 
 
 class FitTask(_TaskFields):
@@ -161,8 +164,10 @@ class FitTask(_TaskFields):
 
     def line(self, numbers: dict[str, float]) -> Array:
         """Return the part of the force outside the contact [N]."""
-        drag = numbers.get("drag", 0.0) * self.velocity
-        return np.asarray(numbers.get("baseline", 0.0) + numbers.get("tilt", 0.0) * self.along(numbers) + drag)
+        moving = numbers.get("drag", 0.0) * self.velocity
+        if self.acceleration is not None:
+            moving = moving + numbers.get("inertia", 0.0) * self.acceleration
+        return np.asarray(numbers.get("baseline", 0.0) + numbers.get("tilt", 0.0) * self.along(numbers) + moving)
 
     @functools.cached_property
     def disturbances(self) -> Array:
@@ -228,6 +233,7 @@ class FitTask(_TaskFields):
             weights=self.weights[indices],
             velocity=self.velocity[indices],
             per_force=self.per_force[indices],
+            acceleration=None if self.acceleration is None else self.acceleration[indices],
         )
 
     @functools.cached_property

@@ -11,8 +11,8 @@ from winkler.fitting.parameters import number_at, unit_of
 
 __all__ = ["CURVE_PARAMETERS", "NATURAL_BOUNDS", "Parameter", "parameters_of"]
 
-CURVE_PARAMETERS = ("contact_point", "baseline", "tilt", "drift", "drag")
-"""Parameters of the curve itself; the last two need times."""
+CURVE_PARAMETERS = ("contact_point", "baseline", "tilt", "drift", "drag", "inertia")
+"""Parameters of the curve itself; the last three need times."""
 NATURAL_BOUNDS = {"poisson": (-0.99, 0.5), "half_angle": (1e-3, 0.5 * np.pi - 1e-3)}
 """Bounds of parameters that are not arbitrary positive numbers."""
 

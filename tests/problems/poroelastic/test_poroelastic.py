@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from biot_elements import shares
 from biot_solution import Body, lai_hu
 
 import winkler as wk
@@ -43,6 +44,16 @@ def test_the_tables_are_the_solution_of_the_dual_integral_equations():
     for tau in (0.03, 0.2, 1.0, 7.0):
         for shape, share in body.shares(tau).items():
             assert relaxed_share(shape, np.array([tau]), 0.25)[0] == pytest.approx(share, abs=2e-3), (shape, tau)
+
+
+@pytest.mark.slow
+def test_finite_elements_in_space_and_time_agree_and_decide_against_older_fits():
+    tau = np.array([0.03, 0.1, 0.3, 1.0, 3.0])
+    found = shares(tau, 0.25, steps=10)
+    for shape, share in found.items():
+        assert relaxed_share(shape, tau, 0.25) == pytest.approx(share, abs=0.015), shape
+    older = 0.491 * np.exp(-0.908 * np.sqrt(tau)) + 0.509 * np.exp(-1.679 * tau)  # Hu et al. 2010, a ball
+    assert np.abs(older - found["ball"]).max() > 0.08
 
 
 @pytest.mark.parametrize(

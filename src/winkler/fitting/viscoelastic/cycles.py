@@ -36,7 +36,7 @@ class UnderCycles(UnderMotion):
     """Forces fitted along the measured depth of several cycles."""
 
     def prediction(self, coordinates: Array) -> Prediction:
-        """Return the forces [N] with baseline and drag."""
+        """Return the forces [N] with baseline, drag and inertia."""
         numbers = self.numbers(coordinates)
         line = self.line(numbers)
         depth = self.place(numbers) - self.curve.compliance * (self.curve.force - line)

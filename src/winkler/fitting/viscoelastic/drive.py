@@ -13,6 +13,7 @@ from winkler.fitting.curves.outline import FEWEST
 from winkler.fitting.parameters import each
 from winkler.fitting.task import even_weights
 from winkler.fitting.varied import NATURAL_BOUNDS, parameters_of
+from winkler.fitting.viscoelastic.acceleration import tip_acceleration
 from winkler.fitting.viscoelastic.creep import FORCE_FIT_SHARE, LEAST_NOISE, UnderForce
 from winkler.fitting.viscoelastic.cycles import UnderCycles, goes_in_again
 from winkler.fitting.viscoelastic.motion import UnderMotion
@@ -121,10 +122,14 @@ def driven_task(
         "tilt": strength / span,
         "drift": span / duration,
         "drag": strength / fastest,
+        "inertia": 1.0,
     }
     free_paths = {
         path: stated for name, stated in free.items() for path in (each(model, name) if "." in name else (name,))
     }
+    acceleration = tip_acceleration(curve) if "inertia" in free_paths else None
+    if acceleration is not None:
+        scales["inertia"] = strength / (float(np.abs(acceleration).max()) or 1.0)
     weights = even_weights(curve, noise)
     exponents = {
         name: EXPONENT_BOUNDS for name in free_paths if name.startswith("bed.medium.") and name.endswith(".exponent")
@@ -139,9 +144,13 @@ def driven_task(
                 f"m; cycles "
                 "are fitted along the measured depth of a stiff machine only: fit one approach and its retraction."
             )
-        return UnderCycles(curve, model, parameters, weights, velocity, zeros)
+        return UnderCycles(curve, model, parameters, weights, velocity, zeros, acceleration=acceleration)
     if isinstance(model.path.normal, Depth):
-        return UnderMotion(curve, model, parameters, weights, velocity, zeros)
+        return UnderMotion(curve, model, parameters, weights, velocity, zeros, acceleration=acceleration)
+    if acceleration is not None:
+        raise InvalidInput(
+            "fit: 'inertia' acts on the force, and here positions are fitted; leave it out, or fit forces."
+        )
     if np.any(curve.direction < 0.0):
         raise InvalidInput(
             "fit: positions follow from forces only while a contact grows; leave out the retraction, or fit forces."

@@ -23,8 +23,21 @@ __all__ = ["UnderMotion"]
 class UnderMotion(RelaxingTask):
     """Forces fitted along the measured motion."""
 
+    def place(self, numbers: dict[str, float]) -> Array:
+        """Return D from first touch, without drift, and less what the inertia of the probe bends the machine by [m]."""
+        steady = super().place(numbers)
+        if self.acceleration is None or self.curve.compliance == 0.0:
+            return steady
+        return np.asarray(steady - self.curve.compliance * numbers.get("inertia", 0.0) * self.acceleration)
+
+    def slope(self, name: str, numbers: dict[str, float], prediction: Prediction) -> Any:
+        """Return the derivative with respect to a number in closed form ``(n,)``, else None."""
+        if name == "inertia" and self.curve.compliance == 0.0:
+            return self.acceleration
+        return super().slope(name, numbers, prediction)
+
     def prediction(self, coordinates: Array) -> Prediction:
-        """Return the forces [N] with baseline and drag."""
+        """Return the forces [N] with baseline, drag and inertia."""
         numbers = self.numbers(coordinates)
         model, place = self.with_numbers(numbers), self.place(numbers)
         highest = float(place.max())

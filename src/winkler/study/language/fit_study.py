@@ -34,6 +34,7 @@ OF_A_CURVE = {
 OF_A_TIMED_CURVE = OF_A_CURVE | {
     "drift": Word("u", "m/s", "drift of the position"),
     "drag": Word("c_v", "N s/m", "drag of the liquid on the cantilever, over its velocity"),
+    "inertia": Word("m", "kg", "mass that moves with the probe, over the acceleration of its tip"),
 }
 """Free numbers of a curve where the model relaxes."""
 
