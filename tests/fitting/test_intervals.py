@@ -114,7 +114,8 @@ def test_a_sticky_curve_speaks_for_jkr():
     assert found.models[0] == "JKR"
     assert found.best is found.fits[0]
     assert found.evidence[0] == 1.0
-    assert np.all(found.evidence[1:] > 1e6)
+    assert found.evidence[1] > 100.0
+    assert np.all(found.evidence[2:] > 1e6)
     assert np.all(np.diff(found.aic) >= 0.0)
     assert len(found.refused) == 1
     assert "DMT of a cone: DerjaguinMullerToporov" in found.refused[0]
@@ -151,7 +152,7 @@ def test_what_cannot_be_told_apart_is_named():
     assert told.possible == ("Hertz",)
     assert told.excluded == ("cone",)
     assert told.decided
-    assert told.evidence[1] > np.exp(5.0)
+    assert told.evidence[1] > np.exp(7.0)
     assert told.verdict == "This curve tells Hertz from cone."
     near = compare(curve, {name: kinds[name] for name in ("Hertz", "JKR")})
     assert set(near.possible) == {"Hertz", "JKR"}

@@ -31,8 +31,8 @@ from winkler.values import value, words
 
 __all__ = ["LEAST_DIFFERENCE", "AnyFit", "Comparison", "compare", "ranked"]
 
-LEAST_DIFFERENCE = 10.0
-"""Difference of both criteria from which on a model is excluded."""
+LEAST_DIFFERENCE = 14.0
+"""Difference of both criteria from which on a model is excluded: a thousand to one."""
 
 
 @value
