@@ -16,7 +16,7 @@ from winkler.fitting.fit import fit
 
 QUICK, FULL = worlds(240), worlds(600)
 HARD = harder_worlds(600)
-SLOW_CURVES = {"bonded film": 12, "creep with drift": 30}
+SLOW_CURVES = {"bonded film": 12, "creep with drift": 40}
 """Fewer curves where a fit takes long."""
 
 
