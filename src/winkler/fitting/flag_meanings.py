@@ -24,6 +24,7 @@ FLAG_MEANINGS = {
     "collapsed": "two relaxation times are one within their errors: use one term fewer",
     "vanished": "a term of the relaxation is negligible: use one term fewer",
     "span": "the series of a power law does not cover the measured times: widen shortest and longest",
+    "disagree": "curves fitted together differ by more than their noise: look at each, or share fewer numbers",
     "drag": "approach and retraction differ out of contact: free drag, or correct it",
 }
 """Flags that stand beside the numbers of a fit."""
