@@ -12,7 +12,6 @@ from winkler.fitting.curves.events.kinds import CurveEvent, CurveEvents, EventKi
 from winkler.fitting.curves.segments import Segment, SegmentKind
 from winkler.fitting.examined.calibrated import CalibrationShares, calibration_shares
 from winkler.fitting.examined.over_depth import DepthSeries, over_depth
-from winkler.fitting.examined.verdict import ModelVerdict, verdict_of
 from winkler.fitting.fit import Fit, fit, fit_steps
 from winkler.fitting.holds.depth_scaling import DepthScaling, depth_scaling
 from winkler.fitting.holds.held_force import HeldForce
@@ -178,7 +177,7 @@ __all__ = [
     "IndentationQuantities", "IndenterCalibration", "InvalidInput", "JointFit", "KelvinVoigt", "Layer",
     "LayeredLineFoundation", "LineForce", "LineFoundation", "LineOfAction", "LineScan", "LineShearForce",
     "LinearSlipWeakening", "LogarithmicEnds", "Maxwell", "MeanPressure", "Measured", "MeasuredBed", "MeasuredSection",
-    "MirroredSection", "ModelVerdict", "Moment", "NamedElastic", "NamedElectricalConductor", "NamedMaterial",
+    "MirroredSection", "Moment", "NamedElastic", "NamedElectricalConductor", "NamedMaterial",
     "NamedThermalConductor", "Nanoindentation", "NanoindentationSolution", "NominalPressure", "NotConverged", "Note",
     "OliverPharr", "OliverPharrSolution", "Oscillate", "OutsideValidity", "PairWear", "Paraboloid", "Path",
     "PeakStress", "PlacedCurve", "PlacedStress", "PlaneFoundation", "Plated", "PopInStatistics", "Population",
@@ -200,5 +199,5 @@ __all__ = [
     "read_indenter", "read_path", "read_profile", "read_profile_pair", "read_relaxation", "read_relaxation_sweeps",
     "read_scan", "read_section", "read_spectrum", "read_surface_load", "read_topography", "relaxation_band",
     "repeated_mean", "restore", "restore_body", "restore_shift", "sample_young", "spectrum_of", "staircase",
-    "to_pandas", "to_xarray", "verdict_of", "write_contacts", "write_indenter", "write_law", "write_trace", "write_vtk",
+    "to_pandas", "to_xarray", "write_contacts", "write_indenter", "write_law", "write_trace", "write_vtk",
 ]  # fmt: skip

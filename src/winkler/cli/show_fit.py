@@ -33,6 +33,8 @@ CORRECTION_MEANINGS = {
     "drag": "subtracts half the difference of approach and retraction out of contact",
     "drift": "subtracts the drift of the position, measured during a hold",
     "saturation": "leaves out points at which the detector is at its end",
+    "interference": "subtracts a sinusoid over the position, found out of contact",
+    "clock": "moves the forces in time against the positions, by the offset found in the curve",
 }
 
 

@@ -22,7 +22,7 @@ __all__ = ["Certainty", "certainty", "doubts", "refuse_singular"]
 
 SINGULAR_RATIO = 1e-7
 CORRELATION_LIMIT = 0.99
-POINTS_PER_PARAMETER = 10
+POINTS_PER_PARAMETER = 5
 """Fewest independent points for each parameter."""
 
 

@@ -7,9 +7,9 @@ Every model is fitted; Akaike's and Schwarz' criteria weigh the likelihood L of 
 
 The number of independent points is that of the likeliest model, the same for all.
 
-The rule: a curve tells a model from the best one if this is :math:`e^{\Delta\mathrm{AIC}/2} \ge 100` times likelier,
-and if the best one explains the curve (no flag `misfit`).  If none explains it, their likelihoods state only which one
-is less wrong, and no model is told from another.  `Comparison.undecided` names the models that remain.
+The rule: a curve excludes a model if both criteria of it exceed those of the best one by `LEAST_DIFFERENCE`, and if the
+best one explains the curve (no flag `misfit`).  If none explains it, none is possible, and their likelihoods state only
+which one comes nearest.  A model that could not be fitted is not excluded.
 """
 
 from __future__ import annotations
@@ -29,10 +29,10 @@ from winkler.numerics.types import Array, Quantity
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.values import value, words
 
-__all__ = ["DECISIVE", "AnyFit", "Comparison", "compare", "ranked"]
+__all__ = ["LEAST_DIFFERENCE", "AnyFit", "Comparison", "compare", "ranked"]
 
-DECISIVE = 100.0
-"""Least evidence that tells a model from the best one."""
+LEAST_DIFFERENCE = 14.0
+"""Difference of both criteria from which on a model is excluded: a thousand to one."""
 
 
 @value
@@ -79,43 +79,52 @@ class Comparison:
         return self.fits[0]
 
     @property
-    def unexplained(self) -> tuple[str, ...]:
-        """Models that do not explain the curve: their residuals are more than its noise."""
-        pairs = zip(self.models, self.fits, strict=True)
-        return tuple(name for name, found in pairs if any(flag.name == "misfit" for flag in found.flags))
+    def explained(self) -> bool:
+        """Whether the best model explains the curve: its residuals are no more than the noise."""
+        return all(flag.name != "misfit" for flag in self.best.flags)
 
     @property
-    def undecided(self) -> tuple[str, ...]:
-        """Models that this curve cannot tell apart, the best first; a single one is told from all others.
+    def possible(self) -> tuple[str, ...]:
+        """Models that the curve allows, the best first; none, if the best one does not explain the curve.
 
-        All of them, if the best one does not explain the curve.  Whether a model that was not compared would describe
-        it as well, no curve tells.
+        Whether a model that was not compared would describe it as well, no curve tells.
         """
-        if self.models[0] in self.unexplained:
-            return self.models
-        return tuple(name for name, odds in zip(self.models, self.evidence.tolist(), strict=True) if odds < DECISIVE)
+        if not self.explained:
+            return ()
+        worse = np.minimum(self.aic - self.aic[0], self.bic - self.bic[0])
+        return tuple(name for name, more in zip(self.models, worse.tolist(), strict=True) if more < LEAST_DIFFERENCE)
+
+    @property
+    def excluded(self) -> tuple[str, ...]:
+        """Models that were fitted and are not possible, the best first."""
+        possible = self.possible
+        return tuple(name for name in self.models if name not in possible)
+
+    @property
+    def unfitted(self) -> tuple[str, ...]:
+        """Names of the models that could not be fitted, and are therefore not excluded."""
+        return tuple(text.partition(":")[0] for text in self.refused)
 
     @property
     def decided(self) -> bool:
-        """Whether the curve tells the best model from all others, of which there is one at least and none unfitted."""
-        return len(self.undecided) == 1 < len(self.models) and not self.refused
+        """Whether the curve excludes all models but the best, of which there is one at least, and all were fitted."""
+        return len(self.possible) == 1 < len(self.models) and not self.refused
 
     @property
     def verdict(self) -> str:
         """What the curve says about the models, in one sentence, and which were not fitted."""
-        unfitted = ", ".join(text.partition(":")[0] for text in self.refused)
+        unfitted = _listed(self.unfitted)
         return self._statement() + (f" Not fitted, and therefore not excluded: {unfitted}." if unfitted else "")
 
     def _statement(self) -> str:
-        names, rest = ", ".join(self.undecided), [name for name in self.models if name not in self.undecided]
-        if self.models[0] in self.unexplained:
-            return f"None of the models explains the curve ({names}); {self.models[0]} is least wrong."
-        if not rest:
-            return f"This curve cannot tell {names} apart." if len(self.models) > 1 else f"{names} explains the curve."
-        against = f"at least {self.evidence[len(self.undecided)]:.3g} times likelier than {', '.join(rest)}"
-        if len(self.undecided) == 1:
-            return f"{names} is {against}."
-        return f"This curve cannot tell {names} apart; {self.models[0]} is {against}."
+        possible, excluded = _listed(self.possible), _listed(self.excluded)
+        if not self.explained:
+            return f"None of the models explains this curve; {self.models[0]} comes nearest."
+        if len(self.possible) > 1:
+            return f"This curve cannot tell: {possible}{f'; it excludes {excluded}' if excluded else ''}."
+        if excluded:
+            return f"This curve tells {possible} from {excluded}."
+        return f"{possible} is the only model that was fitted."
 
 
 def compare(
@@ -176,3 +185,7 @@ def ranked(fits: Mapping[str, AnyFit], refused: Sequence[str] = ()) -> Compariso
         np.array([bic[name] for name in order]),
         tuple(refused),
     )
+
+
+def _listed(names: tuple[str, ...]) -> str:
+    return " and ".join(part for part in (", ".join(names[:-1]), *names[-1:]) if part)

@@ -27,7 +27,7 @@ from winkler.fitting.curves.checks import CurveOutline, Flag, outline, refuse
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.outline import FEWEST
 from winkler.fitting.elastic.task import elastic_task
-from winkler.fitting.generalised import Generalised, generalised
+from winkler.fitting.generalised import Generalised, generalised, likeliest
 from winkler.fitting.least_squares import solved
 from winkler.fitting.outcome import AnyFit, CreepFit, Fit, ViscoelasticFit
 from winkler.fitting.search import FitState, Search
@@ -229,7 +229,8 @@ def _best(
     if not prediction.touched.any():
         raise OutsideValidity("fit: the best fit has no point in contact; the model does not describe this curve.")
     refuse_singular(task.parameters, task.jacobian(coordinates, prediction), task.size)
-    return _with_errors(task, generalised(task, task.final(coordinates), noise, search), noise, flags)
+    best = generalised(task, task.final(coordinates), noise, search)
+    return _with_errors(task, likeliest(task, best, noise, search), noise, flags)
 
 
 def _with_errors(task: FitTask, best: Generalised, noise: float, flags: tuple[Flag, ...]) -> AnyFit:

@@ -14,7 +14,7 @@ REFUSING_FLAGS = {
 """Flags with which a curve is refused."""
 FLAG_MEANINGS = {
     "misfit": "residuals are more than the noise: the model does not explain the curve",
-    "memory": "the noise is slow: fewer than ten independent points for each number",
+    "memory": "the noise is slow: fewer than five independent points for each number",
     "at_bound": "a number has reached its bound; its error has no meaning: widen the bound, or fix the number",
     "undetermined": "a number is less than its own error: fix it, or give more of the curve",
     "correlated": "two numbers act nearly alike: fix one of them",
@@ -24,6 +24,7 @@ FLAG_MEANINGS = {
     "collapsed": "two relaxation times are one within their errors: use one term fewer",
     "vanished": "a term of the relaxation is negligible: use one term fewer",
     "span": "the series of a power law does not cover the measured times: widen shortest and longest",
+    "disagree": "curves fitted together differ by more than their noise: look at each, or share fewer numbers",
     "drag": "approach and retraction differ out of contact: free drag, or correct it",
 }
 """Flags that stand beside the numbers of a fit."""

@@ -18,7 +18,7 @@ from winkler.fitting.search import Search
 from winkler.fitting.task import FitTask, Prediction
 from winkler.numerics.types import Array
 
-__all__ = ["Generalised", "generalised"]
+__all__ = ["Generalised", "generalised", "likeliest"]
 
 MOST_STEPS = 6
 SETTLED_ERRORS = 0.02
@@ -29,6 +29,8 @@ LEAST_GAIN = -0.5
 """Least change of the logarithm of the likelihood by a step."""
 POINTS_PER_PARAMETER = 3
 """Fewest independent points for each parameter with which the numbers of least squares are changed."""
+CLEAR_GAIN = 0.5
+"""Least gain of the logarithm of the likelihood for which another optimum is taken."""
 
 
 class _GeneralisedFields(NamedTuple):
@@ -111,6 +113,34 @@ def generalised(task: FitTask, coordinates: Array, noise: float, search: Search)
     return begun
 
 
+def likeliest(task: FitTask, best: Generalised, noise: float, search: Search) -> Generalised:
+    """Return the likeliest optimum of a fit that may have several (`FitTask.restarts`).
+
+    Parameters
+    ----------
+    task : FitTask
+    best : Generalised
+        From `generalised`.
+    noise, search
+        As there.
+    """
+    low, high = bounds(task.parameters, best.coordinates)
+    margin = 2e-6 * (1.0 + np.abs(best.coordinates))
+    for start in task.restarts(best.coordinates, best.covariance):
+        try:
+            with np.errstate(
+                divide="ignore", invalid="ignore"
+            ):  # a start at which a number has no effect is no optimum
+                other = generalised(task, np.clip(start, low + margin, high - margin), noise, search)
+        except (OutsideValidity, np.linalg.LinAlgError):
+            search.check()
+            continue
+        explains = _is_noise(task, other, noise) or not _is_noise(task, best, noise)
+        if explains and other.noise.likelihood > best.noise.likelihood + CLEAR_GAIN:
+            best = other
+    return best
+
+
 def _is_noise(task: FitTask, here: Generalised, noise: float) -> bool:
     """Return whether the residuals may be noise."""
     enough = here.noise.effective_count >= POINTS_PER_PARAMETER * here.coordinates.size
@@ -145,4 +175,4 @@ def _at(task: FitTask, coordinates: Array) -> Generalised:
     prediction = task.prediction(coordinates)
     jacobian = task.instrument(coordinates, prediction)
     residuals = (task.measured - prediction.fitted) * task.weights
-    return Generalised(coordinates, prediction, residuals, noise_of(residuals, jacobian, task.disturbances))
+    return Generalised(coordinates, prediction, residuals, noise_of(residuals, jacobian, task.courses(jacobian)))

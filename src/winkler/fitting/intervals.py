@@ -84,7 +84,8 @@ def _decorrelated(task: ElasticTask, coordinates: Array) -> ElasticTask:
     """Return the task whose least squares are generalised ones, under the noise of its residuals."""
     prediction = task.prediction(coordinates)
     residuals = (task.measured - prediction.fitted) * task.weights
-    noise = noise_of(residuals, task.jacobian(coordinates, prediction), task.disturbances)
+    jacobian = task.jacobian(coordinates, prediction)
+    noise = noise_of(residuals, jacobian, task.courses(jacobian))
     return task._replace(whitening=whitening_of(noise))
 
 

@@ -174,6 +174,27 @@ class FitTask(_TaskFields):
         """Weighted courses ``(n, q)`` of disturbances that the model does not contain."""
         return disturbances_of(self.curve) * self.weights[:, None]
 
+    def courses(self, jacobian: Array) -> Array:
+        """Return the disturbances at coordinates with a weighted jacobian ``(n, p)``, unless they are the same at all.
+
+        The shape is ``(n, q)``.
+        """
+        del jacobian
+        return self.disturbances
+
+    def restarts(self, coordinates: Array, covariance: Array) -> list[Array]:
+        """Return coordinates from which a fit with several optima begins again; none, unless the fitted quantity jumps.
+
+        Parameters
+        ----------
+        coordinates : ndarray, (p,)
+            Of an optimum.
+        covariance : ndarray, (p, p)
+            Of these.
+        """
+        del coordinates, covariance
+        return []
+
     def residuals(self, coordinates: Array) -> Array:
         """Return the weighted misfit, measured less predicted."""
         return self.decorrelated((self.measured - self.prediction(coordinates).fitted) * self.weights)

@@ -35,8 +35,14 @@ from winkler.fitting.validity import Model
 from winkler.fitting.varied import NATURAL_BOUNDS, parameters_of
 from winkler.loading import Depth
 from winkler.numerics.types import Array
+from winkler.problems.adhesion.indentation import AdhesiveIndentation
 
 __all__ = ["ElasticTask", "elastic_task"]
+
+SHIFTS = (-2.5, -1.0, 1.0, 2.5)
+"""Shifts of the contact point, in standard errors, from which a fit with adhesion begins again."""
+LITTLE = -3.0
+"""Change of the logarithm of a work of adhesion from which it begins again."""
 
 
 class ElasticTask(FitTask):
@@ -61,6 +67,22 @@ class ElasticTask(FitTask):
         """Return coordinates for some contact points, moduli and works of adhesion of the right magnitude."""
         assert rough_outline is not None
         return starts(self, rough_outline)
+
+    def restarts(self, coordinates: Array, covariance: Array) -> list[Array]:
+        """Return, with adhesion, coordinates with other contact points, and with little adhesion.
+
+        Each snap lies between two points, so that there are several optima.
+        """
+        if not isinstance(self.model, AdhesiveIndentation):
+            return []
+        found = []
+        for place, parameter in enumerate(self.parameters):
+            if parameter.name == "contact_point":
+                along = covariance[:, place] / np.sqrt(covariance[place, place])
+                found += [coordinates + shift * along for shift in SHIFTS]
+            elif parameter.name.startswith("law.") and parameter.logarithmic:
+                found.append(moved(coordinates, place, LITTLE))
+        return found
 
     def sample_of(self, stretch: Array) -> Array:
         """Return points evenly spaced."""

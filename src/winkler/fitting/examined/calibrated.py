@@ -136,7 +136,7 @@ def calibration_shares(
     prediction = task.prediction(coordinates)
     residuals = (task.measured - prediction.fitted) * task.weights
     jacobian = task.instrument(coordinates, prediction)
-    whitening = whitening_of(noise_of(residuals, jacobian, task.disturbances))
+    whitening = whitening_of(noise_of(residuals, jacobian, task.courses(jacobian)))
     columns = whitening.of(jacobian)
     size = np.linalg.norm(columns, axis=0)
     rates = []

@@ -68,6 +68,19 @@ class UnderForce(RelaxingTask):
         """The drift of a position, weighted ``(n, 1)``; none where the force is fitted."""
         return disturbances_of(self.curve, of_force=False) * np.where(self.by_force, 0.0, self.weights)[:, None]
 
+    def courses(self, jacobian: Array) -> Array:
+        """Return the drift of a position, also in the forces at the points where these are fitted ``(n, 1)``.
+
+        It moves these forces as a contact point does that drifts.
+        """
+        names = [parameter.name for parameter in self.parameters]
+        late = ~self.by_force & (self.weights > 0.0)
+        if "contact_point" not in names or not self.by_force.any() or not late.any():
+            return self.disturbances
+        shift = jacobian[:, names.index("contact_point")]
+        unit = float(np.mean(shift[late] / self.weights[late]))
+        return disturbances_of(self.curve, of_force=False) * (shift / unit)[:, None]
+
     def instrument(self, coordinates: Array, prediction: Prediction) -> Array:
         """Return the derivatives along the smoothed curve, which the noise of the input does not bias."""
         del prediction

@@ -20,7 +20,6 @@ from winkler.fitting.compare import AnyFit, Comparison, ranked
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.examined.calibrated import CalibrationShares, calibration_shares
 from winkler.fitting.examined.over_depth import DepthSeries, over_depth
-from winkler.fitting.examined.verdict import ModelVerdict, verdict_of
 from winkler.fitting.fit import fit
 from winkler.fitting.outcome import Fit
 from winkler.fitting.several.joint import JointFit
@@ -39,7 +38,6 @@ __all__ = [
     "further_columns",
     "further_of",
     "joint_of_study",
-    "verdict",
 ]
 
 CONTACT_POINT = "contact_point"
@@ -129,13 +127,10 @@ def shares_of(study: FitStudy, found: AnyFit) -> CalibrationShares:
 
 
 def compared(study: FitStudy, found: AnyFit, further: Further) -> Comparison:
-    """Return the problem of a study and its other models, ranked."""
-    return ranked({study.model: found} | dict(zip(further.names, further.fits, strict=True)))
-
-
-def verdict(study: FitStudy, found: AnyFit, further: Further) -> ModelVerdict:
-    """Return which models a curve allows."""
-    return verdict_of(compared(study, found, further))
+    """Return the problem of a study and its other models, ranked; those that could not be fitted are named."""
+    names = [one.name for one in study.models if one.name not in further.names]
+    refused = [text for text in further.refused if text.partition(":")[0] in names]
+    return ranked({study.model: found} | dict(zip(further.names, further.fits, strict=True)), refused)
 
 
 def contact_correlation(study: FitStudy, found: AnyFit) -> float:
@@ -166,12 +161,17 @@ def further_columns(study: FitStudy, fits: Sequence[AnyFit | str], furthers: Seq
         said = Word("", None, f"{study.own_numbers[0].label} over the greatest fitted depth")
         add("over_depth", said, lambda _, further: further.depths[0].verdict if further.depths else "", "")
     if study.models:
-        said = Word("", None, "models that the curve does not tell apart")
-        add("models", said, lambda found, further: "; ".join(verdict(study, found, further).possible), "")
+        said = Word("", None, "models that the curve does not exclude, those that were not fitted in brackets")
+        add("models", said, lambda found, further: _remaining(compared(study, found, further)), "")
         for name in (study.model, *(one.name for one in study.models)):
             word = Word("", "", f"Akaike's criterion of '{name}' above that of the best model")
             add(f"aic_{name}", word, _criterion(study, name))
     return columns
+
+
+def _remaining(comparison: Comparison) -> str:
+    names = comparison.possible or ("none explains the curve",)
+    return "; ".join([*names, *(f"({name})" for name in comparison.unfitted)])
 
 
 def _calibration_error(free: Free) -> Any:

@@ -17,10 +17,11 @@ from typing import Any
 import numpy as np
 
 from winkler.errors import WinklerError
+from winkler.fitting.compare import LEAST_DIFFERENCE
 from winkler.plot.fitting.examined import comparison_sheet, depth_sheet, shared_sheet
 from winkler.plot.series import name_in_words
 from winkler.readable import with_unit
-from winkler.study.batch.fit_further import compared, verdict
+from winkler.study.batch.fit_further import compared
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted
 from winkler.study.batch.outcome import ResultColumn
 from winkler.study.language.fit_study import FitStudy, Free, word_of
@@ -52,7 +53,7 @@ def _models(outcome: FitOutcome) -> str:
     rows = []
     for result in outcome.fitted:
         comparison = compared(outcome.study, result.fit, result.further)
-        said = verdict(outcome.study, result.fit, result.further)
+        possible = comparison.possible
         for place, (name, one) in enumerate(zip(comparison.models, comparison.fits, strict=True)):
             free = _free_of(outcome.study, name)
             texts = [f"{label} = {with_unit(one.value(path), unit, 4)}" for path, label, unit in free]
@@ -60,14 +61,14 @@ def _models(outcome: FitOutcome) -> str:
             aic, bic = (float(criterion[place] - criterion.min()) for criterion in (comparison.aic, comparison.bic))
             rows.append(
                 f"<tr><td>{safe(result.name)}</td><td>{safe(name)}</td>"
-                f"<td>{'possible' if name in said.possible else 'excluded'}</td>{number(f'{aic:.1f}')}"
+                f"<td>{'possible' if name in possible else 'excluded'}</td>{number(f'{aic:.1f}')}"
                 f"{number(f'{bic:.1f}')}{number(f'{one.chi_square_in_contact:.3g}')}<td>{safe(', '.join(texts))}</td>"
                 f"<td>{safe(flags)}</td></tr>"
             )
     heads = ["curve", "model", "", "#AIC", "#BIC", "#χ² in contact", "numbers", "flags"]
     lead = (
         "<p class='small'>Criteria above the least one, by the likelihood under white and slow noise; a model is "
-        "excluded from 10 on, in both.</p>"
+        f"excluded from {LEAST_DIFFERENCE:g} on, in both; if the best does not explain the curve, none is possible.</p>"
     )
     return table(heads, rows[:MOST_ROWS]) + lead
 
@@ -130,11 +131,11 @@ def _of_curve(outcome: FitOutcome, result: Fitted) -> Iterator[ReportFigure]:
         yield drawn(f"depth_{index}", f"Over depth: {result.name}", sentence, sheet)
     if result.further.fits:
         try:
-            sheet = comparison_sheet(compared(study, result.fit, result.further))
+            comparison = compared(study, result.fit, result.further)
+            sheet = comparison_sheet(comparison)
         except WinklerError:
             return
-        sentence = verdict(study, result.fit, result.further).statement
-        yield drawn(f"models_{index}", f"Models: {result.name}", sentence, sheet)
+        yield drawn(f"models_{index}", f"Models: {result.name}", comparison.verdict, sheet)
 
 
 def _stem(free: Free) -> str:
@@ -180,7 +181,7 @@ def _model_columns(outcome: FitOutcome) -> list[ResultColumn]:
     paths: dict[str, str | None] = {}
     for result in outcome.fitted:
         comparison = compared(outcome.study, result.fit, result.further)
-        possible = verdict(outcome.study, result.fit, result.further).possible
+        possible = comparison.possible
         for place, (name, one) in enumerate(zip(comparison.models, comparison.fits, strict=True)):
             numbers = {}
             for path, _, unit in _free_of(outcome.study, name):

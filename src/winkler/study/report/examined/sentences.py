@@ -13,7 +13,7 @@ from winkler.fitting.several.groups import ratio_of
 from winkler.fitting.several.joint import JointFit
 from winkler.fitting.several.population import Population, population, quantile
 from winkler.readable import with_unit
-from winkler.study.batch.fit_further import common_calibration, contact_correlation, verdict
+from winkler.study.batch.fit_further import common_calibration, compared, contact_correlation
 from winkler.study.batch.fit_outcome import CONFIDENCE, FitOutcome, Fitted
 from winkler.study.language.fit_study import Free
 
@@ -55,7 +55,7 @@ def _of_one(outcome: FitOutcome, result: Fitted) -> Iterator[str]:
     for series in result.further.depths:
         yield f"{study.own_numbers[0].label} over depth: {series.verdict}."
     if study.models:
-        yield verdict(study, found, result.further).statement
+        yield compared(study, found, result.further).verdict
 
 
 def population_of(outcome: FitOutcome, free: Free, results: Sequence[Fitted] = ()) -> Population | tuple[()]:
@@ -126,11 +126,14 @@ def _counts(outcome: FitOutcome) -> Iterator[str]:
         yield f"{name} over depth is constant within its errors in {constant} of {len(series)} curves."
     if not study.models:
         return
-    verdicts = [verdict(study, result.fit, result.further) for result in outcome.fitted]
+    comparisons = [compared(study, result.fit, result.further) for result in outcome.fitted]
     for name in (study.model, *(one.name for one in study.models)):
-        told = sum(one.told and one.possible[0] == name for one in verdicts)
-        possible = sum(name in one.possible and one.explained for one in verdicts)
-        yield f"Model '{name}': told from all others in {told}, possible in {possible} of {len(verdicts)} curves."
+        told = sum(one.decided and one.models[0] == name for one in comparisons)
+        possible = sum(name in one.possible for one in comparisons)
+        unfitted = sum(name in one.unfitted for one in comparisons)
+        more = f", not fitted in {unfitted}" if unfitted else ""
+        count = f"{len(comparisons)} curves"
+        yield f"Model '{name}': told from all others in {told}, possible in {possible} of {count}{more}."
 
 
 def _shared(outcome: FitOutcome) -> Iterator[str]:
