@@ -171,7 +171,7 @@ def test_quantities_of_the_standard():
     assert got.value("HIT") == pytest.approx(10e-3 / area, rel=3e-3)
     assert got.value("HV*") == pytest.approx(0.0945 * 10e-3 / area * 1e-6, rel=3e-3)
     assert got.value("EIT") == pytest.approx(SILICA.young, rel=2e-3)
-    start = machine.contact_depth(np.array([10e-3 / SILICA.hardness]))[0]
+    start = machine.contact_depth(np.array([10e-3]), SILICA)[0]
     start += 0.75 * 10e-3 / (2.0 * SILICA.modulus * math.sqrt(machine.area(start) / math.pi))
     assert got.value("CIT") == pytest.approx(deepest / start - 1.0, rel=0.06)
     assert math.isnan(got.value("RIT"))
