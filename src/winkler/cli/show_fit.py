@@ -33,6 +33,8 @@ CORRECTION_MEANINGS = {
     "drag": "subtracts half the difference of approach and retraction out of contact",
     "drift": "subtracts the drift of the position, measured during a hold",
     "saturation": "leaves out points at which the detector is at its end",
+    "interference": "subtracts the sinusoid of interfering light, measured out of contact",
+    "clock": "shifts the force in time by the offset of its clock",
 }
 
 
