@@ -39,7 +39,9 @@ def show_nanoindentation() -> None:
     out.print(table)
     out.print("Examples:\n")
     out.print(EXAMPLES, soft_wrap=True, markup=False)
-    out.print("`winkler fit STUDY` evaluates them; docs/experiments/nanoindentation.md explains the rest.", markup=False)
+    out.print(
+        "`winkler fit STUDY` evaluates them; docs/experiments/nanoindentation.md explains the rest.", markup=False
+    )
 
 
 def nanoindentation_json() -> dict[str, list[dict[str, str]]]:

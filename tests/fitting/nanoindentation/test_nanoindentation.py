@@ -66,6 +66,20 @@ def test_a_hold_at_a_small_peak_is_no_drift():
     assert not found_drift(curve).measured
 
 
+def test_a_tip_that_is_lifted_off_first_neither_drifts_nor_touches_early():
+    """As instruments do that begin in contact: 2 s at a small force, lifted off, and back."""
+    machine = Machine(drift=0.0)
+    curve, _ = indentation(machine, SILICA, 5, free=3.0, low_hold=0.0)
+    random = np.random.default_rng(1)
+    back = np.concatenate([np.full(4, 302e-9), np.linspace(300e-9, 240e-9, 60)])
+    position = np.concatenate([back + machine.depth_noise * random.standard_normal(64), curve.position])
+    force = np.concatenate([np.full(4, 8e-6), np.zeros(60)]) + machine.force_noise * random.standard_normal(64)
+    time = np.concatenate([np.arange(64) / machine.rate, curve.time + 64 / machine.rate])
+    lifted = ForceCurve(position, np.concatenate([force, curve.force]), time=time)
+    assert not found_drift(lifted).measured
+    assert found_zero_point(lifted).position == pytest.approx(300e-9, abs=2e-9)
+
+
 def test_without_points_before_contact_the_first_point_bounds_the_touch():
     curve, _ = indentation(Machine(), SILICA, 2)
     first = int(np.argmax(curve.position > 301e-9))

@@ -41,7 +41,6 @@ from winkler.fitting.nanoindentation.reference_readings import prepared_referenc
 from winkler.fitting.nanoindentation.reference_samples import ReferenceSample
 from winkler.fitting.unloading.contact_reading import CalibratedArea
 from winkler.materials.elastic import Elastic
-from winkler.numerics.types import Array
 
 __all__ = ["calibrate_indenter"]
 

@@ -7,7 +7,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.fitting.nanoindentation.readings import area_of
 from winkler.fitting.nanoindentation.touch_laws import AreaLaw, PowerLaw, TouchLaw
 from winkler.fitting.noise.estimate import noise_of
 from winkler.numerics.types import Array

@@ -18,6 +18,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
+from winkler.fitting.curves.segments import SegmentKind
 from winkler.fitting.nanoindentation.touch import LEAST_POINTS, Touch, fitted_touch, white_noise
 from winkler.numerics.types import Array
 from winkler.values import value, words
@@ -82,9 +83,10 @@ def found_zero_point(curve: ForceCurve, area: Sequence[float] | Array = (), rim:
         If the first loading has fewer than twelve points at low forces.
     """
     depth, force = curve.depth(0.0), curve.force
-    first = curve.segments[0] if curve.segments else None
+    first = next((one for one in curve.segments if one.kind is SegmentKind.LOADING), None)  # a hold may come before
     end = first.last if first is not None and first.count >= LEAST_POINTS else int(np.argmax(force))
-    depth, force = depth[: end + 1], force[: end + 1]
+    start = int(np.argmin(depth[: end + 1]))  # the tip may be lifted off before the loading
+    depth, force = depth[start : end + 1], force[start : end + 1]
     coefficients = np.asarray(area, dtype=float) if rim > 0.0 else np.zeros(0)
     found: list[Touch] = []
     chosen = 0

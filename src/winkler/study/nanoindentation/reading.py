@@ -22,8 +22,8 @@ from pathlib import Path
 from typing import Any
 
 from winkler.errors import InvalidInput, WinklerError, suggest
-from winkler.fitting.nanoindentation.reference_samples import ReferenceSample
 from winkler.fitting.nanoindentation.indenter import DIAMOND, CalibratedIndenter
+from winkler.fitting.nanoindentation.reference_samples import ReferenceSample
 from winkler.fitting.unloading.contact_reading import CalibratedArea
 from winkler.io.indenter_file import read_indenter
 from winkler.materials.elastic import Elastic

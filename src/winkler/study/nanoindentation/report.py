@@ -55,9 +55,9 @@ def _figures(outcome: NanoindentationOutcome) -> Iterator[ReportFigure]:
     if (found := outcome.first_yield) is not None:
         sentence = "Greatest shear stress below the tip at the first pop-in of each curve, with Weibull's distribution."
         yield drawn("first_yield", "First yield", sentence, sheet_of(found))
-    for number, one in enumerate(outcome.continuous[:MOST_CURVES_DRAWN]):
+    for place, one in enumerate(outcome.continuous[:MOST_CURVES_DRAWN]):
         sentence = "E and H of the continuously measured stiffness; band: 95 % interval without noise."
-        yield drawn(f"continuous_{number + 1}", one.name, sentence, sheet_of(one.solution))
+        yield drawn(f"continuous_{place + 1}", one.name, sentence, sheet_of(one.solution))
     chosen = np.unique(np.linspace(0, len(solutions) - 1, min(MOST_CURVES_DRAWN, len(solutions))).astype(int))
     for place in chosen.tolist() if solutions else []:
         sentence = (
@@ -172,7 +172,9 @@ def _continuous(outcome: NanoindentationOutcome) -> Iterator[str]:
     for one in outcome.continuous[:MOST_ROWS]:
         found = one.solution
         deep = found.depth >= 0.5 * float(found.depth.max())
-        cells = [f"{with_unit(0.5 * float(found.depth.max()), 'm', 3)} ... {with_unit(float(found.depth.max()), 'm', 3)}"]
+        cells = [
+            f"{with_unit(0.5 * float(found.depth.max()), 'm', 3)} ... {with_unit(float(found.depth.max()), 'm', 3)}"
+        ]
         for name in ("young", "hardness"):
             numbers, errors = getattr(found, name)[deep], getattr(found, f"{name}_errors")[deep]
             cells.append(f"{with_unit(float(numbers.mean()), 'Pa', 4)} ({with_unit(float(errors.mean()), 'Pa', 2)})")
