@@ -82,8 +82,8 @@ def _print(outcome: NanoindentationOutcome, folder: Path) -> None:
         for line in mean_rows(outcome):
             table.add_row(*line)
     out.print(table)
-    for row in first_yield_rows(outcome):
-        out.print(f"{row[0]}: {row[1]}", soft_wrap=True)
+    for name, content in first_yield_rows(outcome):
+        out.print(f"{name}: {content}", soft_wrap=True)
     if outcome.continuous:
         depths = sum(one.solution.points.size for one in outcome.continuous)
         out.print(f"Continuous stiffness: {len(outcome.continuous)} curves, {depths} depths.", soft_wrap=True)

@@ -5,13 +5,11 @@ Every unloading of a reference of known modulus :math:`E_r` gives the measured c
 .. math:: c = C_f + \frac{\sqrt\pi}{2\beta E_r}\frac1{\sqrt{A(h_c)}}, \qquad
           h_c = h_m - C_f F - \epsilon F\,(c - C_f), \qquad A = \sum_k C_k\,h_c^{\,2^{1-k}}, \quad C_k \ge 0 .
 
-Compliance and depth are corrected with the same :math:`C_f`, which the fit and the power laws of the unloadings
-share: the
-power laws and the touch of each curve, by the area found so far, are fitted again until the compliance stays.  Residuals in the logarithm of the contact's
-compliance
-have the covariance of noise, zero point and drift, those of one curve being correlated, times a factor by which the
-scatter
-exceeds it.  Coefficients are added as long as the criterion of Schwarz improves; those at zero are left out.
+Compliance and depth are corrected with the same :math:`C_f`, which the fit and the power laws of the unloadings share:
+the power laws, and the touch of each curve by the area found so far, are fitted again until the compliance stays.
+Residuals in the logarithm of the contact's compliance have the covariance of noise, zero point and drift, those of one
+curve being correlated, times a factor by which the scatter exceeds it.  Coefficients are added as long as the criterion
+of Schwarz improves; those at zero are left out.
 
 References
 ----------

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.fitting.nanoindentation.touch_laws import AreaLaw, PowerLaw, TouchLaw
+from winkler.fitting.nanoindentation.touch_laws import TouchByArea, TouchByPower, TouchLaw
 from winkler.fitting.noise.estimate import noise_of
 from winkler.numerics.types import Array
 
@@ -105,9 +105,9 @@ def fitted_touch(depth: Array, force: Array, coefficients: Array, rim: float) ->
 def _law(coefficients: Array, rim: float, span: float) -> TouchLaw:
     """Return the law for depths in parts of the range."""
     if not coefficients.size:
-        return PowerLaw()
+        return TouchByPower()
     scaled = coefficients * span ** (2.0 ** (1.0 - np.arange(coefficients.size)) - 2.0)
-    return AreaLaw.of(scaled, rim)
+    return TouchByArea.of(scaled, rim)
 
 
 def _start(x: Array, y: Array, law: TouchLaw) -> tuple[Array, bool]:

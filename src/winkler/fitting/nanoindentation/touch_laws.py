@@ -1,8 +1,7 @@
 r"""Laws of the first part of a loading: a power of the depth, or the area function of a known tip.
 
-Without the tip, :math:`F = K x^n` with the depth :math:`x` since first touch.  With it, the depth is that of the contact
-and
-its elastic rim,
+Without the tip, :math:`F = K x^n` with the depth :math:`x` since first touch.  With it, the depth is that of the
+contact and its elastic rim,
 
 .. math:: x = h_c + \kappa\sqrt{A(h_c)}, \qquad F = K\,A(h_c)\,h_c^{\,q},
 
@@ -13,34 +12,21 @@ the hardness with depth, negative for a size effect and positive where the first
 from __future__ import annotations
 
 import math
-from typing import NamedTuple, Protocol
+from typing import NamedTuple
 
 import numpy as np
 
 from winkler.fitting.nanoindentation.readings import area_of
 from winkler.numerics.types import Array
 
-__all__ = ["AreaLaw", "PowerLaw", "TouchLaw"]
+__all__ = ["TouchByArea", "TouchByPower", "TouchLaw"]
 
 NODES = 400
 SMALLEST = 1e-9
 """Least depth since touch, in parts of the fitted range: derivatives stay finite."""
 
 
-class TouchLaw(Protocol):
-    """A law F = K f(x) with further numbers, all in parts of the fitted range and its greatest force."""
-
-    means: tuple[float, ...]
-    spreads: tuple[float, ...]
-    limits: tuple[tuple[float, float], ...]
-    starts: tuple[tuple[float, ...], ...]
-
-    def course(self, gap: Array, numbers: Array) -> tuple[Array, Array, Array]:
-        """Return f, df/dx and the derivatives by the numbers ``(k, n)``."""
-        ...
-
-
-class PowerLaw(NamedTuple):
+class TouchByPower(NamedTuple):
     """f = x^n; 1 for plastic contact of a ball, 3/2 for an elastic one, 2 for a pyramid."""
 
     means: tuple[float, ...] = (1.6,)
@@ -61,7 +47,7 @@ RIM_SPREAD = 0.3
 """Standard deviation of kappa in parts of it: the hardness at first touch is not that at the peaks."""
 
 
-class AreaLaw(NamedTuple):
+class TouchByArea(NamedTuple):
     """f = A(h_c) h_c^q with x = h_c + kappa sqrt(A), by the coefficients of A for depths in parts of the range."""
 
     coefficients: Array
@@ -71,10 +57,12 @@ class AreaLaw(NamedTuple):
     starts: tuple[tuple[float, ...], ...]
 
     @staticmethod
-    def of(coefficients: Array, rim: float) -> AreaLaw:
+    def of(coefficients: Array, rim: float) -> TouchByArea:
         """Return the law of a tip on a sample whose kappa is known from its unloadings."""
         limits = ((-0.6, 0.8), (0.0, 4.0 * rim))
-        return AreaLaw(coefficients, (0.0, rim), (POWER_SPREAD, RIM_SPREAD * rim), limits, ((0.0, rim), (-0.4, rim)))
+        return TouchByArea(
+            coefficients, (0.0, rim), (POWER_SPREAD, RIM_SPREAD * rim), limits, ((0.0, rim), (-0.4, rim))
+        )
 
     def course(self, gap: Array, numbers: Array) -> tuple[Array, Array, Array]:
         """Return f, df/dx and the derivatives by q and kappa."""
@@ -96,3 +84,7 @@ class AreaLaw(NamedTuple):
         exponents = 2.0 ** (1.0 - np.arange(self.coefficients.size))
         parts = self.coefficients[:, None] * height[None, :] ** exponents[:, None]
         return np.asarray(parts.sum(axis=0)), np.asarray((exponents[:, None] * parts).sum(axis=0) / height)
+
+
+TouchLaw = TouchByPower | TouchByArea
+"""A law F = K f(x) with further numbers, all in parts of the fitted range and its greatest force."""
