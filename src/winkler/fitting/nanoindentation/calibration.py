@@ -42,7 +42,9 @@ from winkler.materials.elastic import Elastic
 
 __all__ = ["calibrate_indenter"]
 
-ROUNDS = 6
+ROUNDS = 8
+AREA_ROUNDS = 2
+"""Rounds after which the area function, by which the touches are found, is taken anew."""
 CONVERGED = 0.03
 """Change of the frame compliance between two rounds, in parts of its error, that ends the iteration."""
 MOST_TERMS = 4
@@ -77,20 +79,22 @@ def calibrate_indenter(
     InvalidInput
         If there are fewer than four readings, or fewer than there are numbers.
     NotConverged
-        If frame compliance and power laws do not agree after six rounds.
+        If frame compliance and power laws do not agree after eight rounds.
     """
     if not 0 <= terms <= 8:
         raise InvalidInput(f"calibrate_indenter: terms is {terms!r}; give 1 to 8, or 0 for as many as are justified.")
     fixed = frame_compliance is not None
     compliance, before = frame_compliance or 0.0, math.inf
     area: tuple[float, ...] = ()
-    for _ in range(ROUNDS):
+    for number in range(ROUNDS):
         ready, references, skipped = prepared_references(curves, compliance, area)
         readings = reference_readings(ready, references, solid)
         fit = _best_fit(readings, references, solid, shape_factor, terms, compliance if fixed else None)
         found = float(fit.numbers[0])
         error = math.sqrt(max(float(fit.covariance[0, 0]), 0.0))
-        known, area = bool(area), tuple(fit.numbers[1:].tolist())
+        known = bool(area)
+        if number < AREA_ROUNDS:  # then the touches keep the law, so that compliance and power laws can settle
+            area = tuple(fit.numbers[1:].tolist())
         if known and (fixed or abs(found - compliance) <= max(CONVERGED * error, 1e-6 * abs(found))):
             return _calibration(fit, readings, references, solid, shape_factor, ready, skipped)
         before, compliance = compliance, max(found, 0.0)
