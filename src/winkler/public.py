@@ -16,13 +16,14 @@ from winkler.fitting.fit import Fit, fit, fit_steps
 from winkler.fitting.holds.depth_scaling import DepthScaling, depth_scaling
 from winkler.fitting.holds.held_force import HeldForce
 from winkler.fitting.holds.poroelastic import PoroelasticFit, fit_poroelastic
-from winkler.fitting.nanoindentation.calibration import ReferenceSample, calibrate_indenter
+from winkler.fitting.nanoindentation.calibration import calibrate_indenter
 from winkler.fitting.nanoindentation.calibration_solution import IndenterCalibration
 from winkler.fitting.nanoindentation.continuous import ContinuousIndentation, ContinuousIndentationSolution
 from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
 from winkler.fitting.nanoindentation.measurement import Nanoindentation
 from winkler.fitting.nanoindentation.pop_ins import PopInStatistics, first_yield_stress, pop_in_statistics
 from winkler.fitting.nanoindentation.quantities import IndentationQuantities, indentation_quantities
+from winkler.fitting.nanoindentation.reference_samples import ReferenceSample
 from winkler.fitting.nanoindentation.repetition import RepeatedMean, repeated_mean
 from winkler.fitting.nanoindentation.solution import NanoindentationSolution
 from winkler.fitting.nanoindentation.thermal_drift import ThermalDrift, found_drift

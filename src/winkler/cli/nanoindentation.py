@@ -69,7 +69,7 @@ def evaluate(study: Path, output: Path | None, *, overwrite: bool, quiet: bool, 
 @until_closed()
 def _print(outcome: NanoindentationOutcome, folder: Path) -> None:
     from winkler.cli import terminal
-    from winkler.study.nanoindentation.report import calibration_rows, mean_rows
+    from winkler.study.nanoindentation.report import calibration_rows, first_yield_rows, mean_rows
 
     out = terminal.console()
     out.print(outcome.study.title)
@@ -82,6 +82,11 @@ def _print(outcome: NanoindentationOutcome, folder: Path) -> None:
         for line in mean_rows(outcome):
             table.add_row(*line)
     out.print(table)
+    for name, content in first_yield_rows(outcome):
+        out.print(f"{name}: {content}", soft_wrap=True)
+    if outcome.continuous:
+        depths = sum(one.solution.points.size for one in outcome.continuous)
+        out.print(f"Continuous stiffness: {len(outcome.continuous)} curves, {depths} depths.", soft_wrap=True)
     if outcome.evaluated:
         unloadings = sum(one.solution.force.size for one in outcome.evaluated)
         out.print(f"{len(outcome.evaluated)} curves with {unloadings} unloadings were evaluated.", soft_wrap=True)
@@ -107,4 +112,8 @@ def _as_json(outcome: NanoindentationOutcome, folder: Path) -> dict[str, Any]:
         for one in outcome.calibration
     ]
     failed = [{"curve": one.name, "reason": one.reason, "code": one.code} for one in outcome.unevaluated]
-    return {"means": means, "calibration": calibration, "failed": failed, "left": outcome.left, "folder": str(folder)}
+    found = outcome.first_yield
+    first_yield = None if found is None else {"curves": found.force.size, "mean_stress": found.mean_stress,
+                                              "interval": list(found.interval()), "shape": found.shape}  # fmt: skip
+    return {"means": means, "first_yield": first_yield, "continuous": [one.name for one in outcome.continuous],
+            "calibration": calibration, "failed": failed, "left": outcome.left, "folder": str(folder)}  # fmt: skip

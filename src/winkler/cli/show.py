@@ -16,14 +16,14 @@ __all__ = ["show"]
 def _names() -> Iterable[str]:
     from winkler.study.language.catalogue import CATALOGUE, kinds
 
-    return ("study", "fit", "materials", *CATALOGUE, *kinds())
+    return ("study", "fit", "nanoindentation", "materials", *CATALOGUE, *kinds())
 
 
 def show(
     name: Annotated[
         str,
         typer.Argument(
-            help="A kind, a group, a material, 'study', 'fit' or 'materials'.",
+            help="A kind, a group, a material, 'study', 'fit', 'nanoindentation' or 'materials'.",
             autocompletion=completion(_names),
             show_default=False,
         ),
@@ -33,12 +33,13 @@ def show(
     """Show what a kind takes: keys, units, ranges, and an example.
 
     Without a name, all kinds are listed; 'study' shows the sections of a study file, 'fit' those of `winkler fit` with
-    its models, corrections and flags, 'materials' the table of common materials, and the name of a material its numbers
+    its models, corrections and flags, 'nanoindentation' the sections [indentation], [calibration] and [indenter],
+    'materials' the table of common materials, and the name of a material its numbers
     and their sources.
 
     Example: winkler show sphero_conical
     """
-    from winkler.cli import materials, show_fit
+    from winkler.cli import materials, show_fit, show_nanoindentation
     from winkler.errors import InvalidInput, suggest
     from winkler.materials.named import material, material_names
     from winkler.study.language.catalogue import CATALOGUE, REFUSED, kinds
@@ -46,6 +47,8 @@ def show(
     # a word may name a group and a kind (force is one, load the other): the kind is meant, groups have no kind's name
     if as_json and name == "fit":
         write_json(show_fit.fit_json())
+    elif as_json and name == "nanoindentation":
+        write_json(show_nanoindentation.nanoindentation_json())
     elif as_json:
         _json(name)
     elif name in kinds():
@@ -54,6 +57,8 @@ def show(
         _study()
     elif name == "fit":
         show_fit.show_fit()
+    elif name == "nanoindentation":
+        show_nanoindentation.show_nanoindentation()
     elif name == "materials":
         materials.every()
     elif not name or name in CATALOGUE:
@@ -84,6 +89,7 @@ def _list(only: str) -> None:
     out = terminal.console()
     out.print(table)
     out.print("`winkler show KIND` shows what a kind takes, `winkler show study` what a study file may contain.")
+    out.print("`winkler show fit` and `winkler show nanoindentation` show what is evaluated from measured curves.")
 
 
 @until_closed()

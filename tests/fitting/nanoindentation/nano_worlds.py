@@ -32,6 +32,12 @@ class Sample:
     young: float = 72e9
     poisson: float = 0.17
     hardness: float = 9.3e9
+    size: float = 0.0
+    power: float = 0.5
+
+    def hardness_at(self, height):
+        """H (1 + l/h_c)^p: p = 1/2 of an indentation size effect, p = -1/2 of a blunt apex that touches elastically."""
+        return self.hardness * (1.0 + self.size / np.maximum(height, 1e-15)) ** self.power
 
     @property
     def modulus(self):
@@ -56,11 +62,12 @@ class Machine:
     def area(self, height):
         return sum(c * np.asarray(height) ** (2.0 ** (1 - n)) for n, c in enumerate(self.coefficients))
 
-    def contact_depth(self, area):
-        low, high = np.zeros_like(area), np.full_like(area, 1e-3)
+    def contact_depth(self, force, sample):
+        """h_c where F = H(h_c) A(h_c)."""
+        low, high = np.zeros_like(force), np.full_like(force, 1e-3)
         for _ in range(80):
             middle = 0.5 * (low + high)
-            below = self.area(middle) < area
+            below = sample.hardness_at(middle) * self.area(middle) < force
             low, high = np.where(below, middle, low), np.where(below, high, middle)
         return 0.5 * (low + high)
 
@@ -82,7 +89,7 @@ def indentation(machine, sample, seed, *, peak=10e-3, levels=5, leg=10.0, hold=1
     peaks = peak * np.linspace(0.0, 1.0, levels + 1)[1:] ** 2 if levels > 1 else np.array([peak])
 
     def contact(force):
-        return machine.contact_depth(np.maximum(force, 0.0) / sample.hardness)
+        return machine.contact_depth(np.maximum(force, 0.0), sample)
 
     def total(height, force):
         stiffness = 2.0 * sample.modulus * np.sqrt(machine.area(height) / np.pi)

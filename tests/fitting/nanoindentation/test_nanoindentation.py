@@ -8,6 +8,7 @@ import math
 import numpy as np
 import pytest
 from nano_worlds import SAPPHIRE, SILICA, STEEL, Machine, indentation
+from scipy.stats import binom
 
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.fitting.curves.curve import ForceCurve
@@ -65,6 +66,20 @@ def test_a_hold_at_a_small_peak_is_no_drift():
     assert not found_drift(curve).measured
 
 
+def test_a_tip_that_is_lifted_off_first_neither_drifts_nor_touches_early():
+    """As instruments do that begin in contact: 2 s at a small force, lifted off, and back."""
+    machine = Machine(drift=0.0)
+    curve, _ = indentation(machine, SILICA, 5, free=3.0, low_hold=0.0)
+    random = np.random.default_rng(1)
+    back = np.concatenate([np.full(4, 302e-9), np.linspace(300e-9, 240e-9, 60)])
+    position = np.concatenate([back + machine.depth_noise * random.standard_normal(64), curve.position])
+    force = np.concatenate([np.full(4, 8e-6), np.zeros(60)]) + machine.force_noise * random.standard_normal(64)
+    time = np.concatenate([np.arange(64) / machine.rate, curve.time + 64 / machine.rate])
+    lifted = ForceCurve(position, np.concatenate([force, curve.force]), time=time)
+    assert not found_drift(lifted).measured
+    assert found_zero_point(lifted).position == pytest.approx(300e-9, abs=2e-9)
+
+
 def test_without_points_before_contact_the_first_point_bounds_the_touch():
     curve, _ = indentation(Machine(), SILICA, 2)
     first = int(np.argmax(curve.position > 301e-9))
@@ -73,31 +88,32 @@ def test_without_points_before_contact_the_first_point_bounds_the_touch():
     assert zero.position == pytest.approx(300e-9, abs=5e-9)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("machine", "sample", "how"),
-    [
-        (Machine(), SILICA, {}),
-        (Machine(rate=50.0), STEEL, {"levels": 1, "leg": 20.0}),
-        (Machine(), SAPPHIRE, {"peak": 30e-3}),
-        (Machine(coefficients=(24.5, 1e-7)), SILICA, {}),
-    ],
-    ids=["silica", "steel", "sapphire", "sharp"],
-)
-def test_intervals_hold(machine, sample, how):
-    """All unloadings of 20 worlds: 95 % intervals hold in at least 0.85, the median is off by less than a quarter.
+WORLDS = {
+    "silica": (Machine(), SILICA, {}),
+    "steel": (Machine(rate=50.0), STEEL, {"levels": 1, "leg": 20.0}),
+    "sapphire": (Machine(), SAPPHIRE, {"peak": 30e-3}),
+    "sharp": (Machine(coefficients=(24.5, 1e-7)), SILICA, {}),
+    "noisy": (Machine(depth_noise=0.6e-9, force_noise=1e-6), SILICA, {"levels": 3}),
+    "coarse": (Machine(rate=8.0), SILICA, {"levels": 1}),
+    "elastic_start": (Machine(), dataclasses.replace(SILICA, size=10e-9, power=-0.5), {}),
+}
 
-    Of the hardness of the steel it is off by 0.8 standard uncertainties: its touch is found 1 nm too early.
-    """
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", WORLDS)
+def test_intervals_hold(name):
+    """All unloadings of each world: intervals of 95 % hold as often as 0.92 allows, the median is off by less than a
+    fifth of the interval."""
+    machine, sample, how = WORLDS[name]
     young, hardness = [], []
-    for seed in range(20):
+    for seed in range(7000, 7020):
         curve, truth = indentation(machine, sample, seed, **how)
         found = Nanoindentation(curve, indenter(machine), sample.poisson).solve()
         young.append((found.young - sample.young) / found.young_errors)
         hardness.append((found.hardness - truth.hardness) / found.hardness_errors)
     for errors in (np.array(young), np.array(hardness)):
-        assert np.mean(np.abs(errors) < 1.96) >= 0.85
-        assert abs(np.median(errors)) < 0.25 * 2.0 * 1.96
+        assert np.count_nonzero(np.abs(errors) < 1.96) >= binom.ppf(1e-3, errors.size, 0.92)
+        assert abs(np.median(errors)) < 0.2 * 2.0 * 1.96
 
 
 def test_shares_follow_their_sources():
@@ -171,7 +187,7 @@ def test_quantities_of_the_standard():
     assert got.value("HIT") == pytest.approx(10e-3 / area, rel=3e-3)
     assert got.value("HV*") == pytest.approx(0.0945 * 10e-3 / area * 1e-6, rel=3e-3)
     assert got.value("EIT") == pytest.approx(SILICA.young, rel=2e-3)
-    start = machine.contact_depth(np.array([10e-3 / SILICA.hardness]))[0]
+    start = machine.contact_depth(np.array([10e-3]), SILICA)[0]
     start += 0.75 * 10e-3 / (2.0 * SILICA.modulus * math.sqrt(machine.area(start) / math.pi))
     assert got.value("CIT") == pytest.approx(deepest / start - 1.0, rel=0.06)
     assert math.isnan(got.value("RIT"))

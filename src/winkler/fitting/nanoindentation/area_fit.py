@@ -13,8 +13,8 @@ from winkler.numerics.types import Array
 
 __all__ = ["COMMON_ZERO", "AreaFit", "ReferenceReadings", "covariance_of", "fitted_area", "slope_of"]
 
-COMMON_ZERO = 0.5
-"""Part of the variance of the zero points that all curves share: the shape of the first contact is the same."""
+COMMON_ZERO = 0.25
+"""Part of the variance of the zero points that all curves share: their laws of the first contact fail alike."""
 DEPTH_STEP = 1e-5
 
 

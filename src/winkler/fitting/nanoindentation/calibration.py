@@ -5,13 +5,11 @@ Every unloading of a reference of known modulus :math:`E_r` gives the measured c
 .. math:: c = C_f + \frac{\sqrt\pi}{2\beta E_r}\frac1{\sqrt{A(h_c)}}, \qquad
           h_c = h_m - C_f F - \epsilon F\,(c - C_f), \qquad A = \sum_k C_k\,h_c^{\,2^{1-k}}, \quad C_k \ge 0 .
 
-Compliance and depth are corrected with the same :math:`C_f`, which the fit and the power laws of the unloadings
-share: the
-power laws are fitted again with the found compliance until it stays.  Residuals in the logarithm of the contact's
-compliance
-have the covariance of noise, zero point and drift, those of one curve being correlated, times a factor by which the
-scatter
-exceeds it.  Coefficients are added as long as the criterion of Schwarz improves; those at zero are left out.
+Compliance and depth are corrected with the same :math:`C_f`, which the fit and the power laws of the unloadings share:
+the power laws, and the touch of each curve by the area found so far, are fitted again until the compliance stays.
+Residuals in the logarithm of the contact's compliance have the covariance of noise, zero point and drift, those of one
+curve being correlated, times a factor by which the scatter exceeds it.  Coefficients are added as long as the criterion
+of Schwarz improves; those at zero are left out.
 
 References
 ----------
@@ -21,15 +19,13 @@ W. C. Oliver, G. M. Pharr, J. Mater. Res. 19 (2004) 3-20, doi:10.1557/jmr.2004.1
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
-from winkler.checks.number_checks import NonNegative, PoissonRatio, Positive
-from winkler.errors import InvalidInput, NotConverged, WinklerError
+from winkler.errors import InvalidInput, NotConverged
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.nanoindentation.area_fit import (
-    COMMON_ZERO,
     AreaFit,
     ReferenceReadings,
     covariance_of,
@@ -38,51 +34,20 @@ from winkler.fitting.nanoindentation.area_fit import (
 )
 from winkler.fitting.nanoindentation.calibration_solution import IndenterCalibration
 from winkler.fitting.nanoindentation.indenter import DIAMOND, CalibratedIndenter
-from winkler.fitting.nanoindentation.measurement import Prepared, prepared
+from winkler.fitting.nanoindentation.measurement import Prepared
+from winkler.fitting.nanoindentation.reference_readings import prepared_references, reference_readings
+from winkler.fitting.nanoindentation.reference_samples import ReferenceSample
 from winkler.fitting.unloading.contact_reading import CalibratedArea
 from winkler.materials.elastic import Elastic
-from winkler.numerics.types import Array
-from winkler.values import value, words
 
-__all__ = ["FUSED_SILICA", "SAPPHIRE", "ReferenceSample", "calibrate_indenter"]
+__all__ = ["calibrate_indenter"]
 
-FEWEST_READINGS = 4
-ROUNDS = 6
+ROUNDS = 8
+AREA_ROUNDS = 2
+"""Rounds after which the area function, by which the touches are found, is taken anew."""
 CONVERGED = 0.03
 """Change of the frame compliance between two rounds, in parts of its error, that ends the iteration."""
 MOST_TERMS = 4
-
-
-@value
-class ReferenceSample:
-    """A reference sample.
-
-    Parameters
-    ----------
-    young : float
-        E [Pa].
-    poisson : float
-        nu [-].
-    young_error : float, optional
-        Standard uncertainty of E [Pa]; zero unless given.
-    name : str, optional
-    """
-
-    __words__ = words(young_error=("u(E)", "Pa", "standard uncertainty of Young's modulus"), name=("", None, "name"))
-
-    young: Positive
-    poisson: PoissonRatio
-    young_error: NonNegative = 0.0
-    name: str = ""
-
-    def modulus(self, solid: Elastic) -> float:
-        """Return the reduced modulus [Pa] with a tip."""
-        return 1.0 / ((1.0 - self.poisson**2) / self.young + (1.0 - solid.poisson**2) / solid.young)
-
-
-FUSED_SILICA = ReferenceSample(72e9, 0.17, 0.6e9, "fused silica")
-SAPPHIRE = ReferenceSample(410e9, 0.234, 8e9, "sapphire")
-"""Of the c-plane, as indentation feels it."""
 
 
 def calibrate_indenter(
@@ -114,19 +79,23 @@ def calibrate_indenter(
     InvalidInput
         If there are fewer than four readings, or fewer than there are numbers.
     NotConverged
-        If frame compliance and power laws do not agree after six rounds.
+        If frame compliance and power laws do not agree after eight rounds.
     """
     if not 0 <= terms <= 8:
         raise InvalidInput(f"calibrate_indenter: terms is {terms!r}; give 1 to 8, or 0 for as many as are justified.")
     fixed = frame_compliance is not None
     compliance, before = frame_compliance or 0.0, math.inf
-    for _ in range(ROUNDS):
-        ready, references, skipped = _prepared_curves(curves, compliance)
-        readings = _readings(ready, references, solid)
+    area: tuple[float, ...] = ()
+    for number in range(ROUNDS):
+        ready, references, skipped = prepared_references(curves, compliance, area)
+        readings = reference_readings(ready, references, solid)
         fit = _best_fit(readings, references, solid, shape_factor, terms, compliance if fixed else None)
         found = float(fit.numbers[0])
         error = math.sqrt(max(float(fit.covariance[0, 0]), 0.0))
-        if fixed or abs(found - compliance) <= max(CONVERGED * error, 1e-6 * abs(found)):
+        known = bool(area)
+        if number < AREA_ROUNDS:  # then the touches keep the law, so that compliance and power laws can settle
+            area = tuple(fit.numbers[1:].tolist())
+        if known and (fixed or abs(found - compliance) <= max(CONVERGED * error, 1e-6 * abs(found))):
             return _calibration(fit, readings, references, solid, shape_factor, ready, skipped)
         before, compliance = compliance, max(found, 0.0)
     if abs(before - compliance) <= 0.1 * error:
@@ -135,64 +104,6 @@ def calibrate_indenter(
         f"calibrate_indenter: the frame compliance still changes from {before:.4g} to {compliance:.4g} m/N; give "
         "frame_compliance, or curves over a wider range of depths."
     )
-
-
-def _prepared_curves(
-    curves: Sequence[tuple[ForceCurve, ReferenceSample]], compliance: float
-) -> tuple[list[Prepared], list[ReferenceSample], list[str]]:
-    ready, references, skipped = [], [], []
-    for curve, reference in curves:
-        try:
-            ready.append(prepared(curve, compliance))
-            references.append(reference)
-        except WinklerError as error:
-            skipped.append(f"{curve.name}: {error}")
-    if not ready:
-        reason = f": {skipped[0]}" if skipped else ""
-        raise InvalidInput(f"calibrate_indenter: no curve can be evaluated{reason}.")
-    return ready, references, skipped
-
-
-def _readings(ready: list[Prepared], references: list[ReferenceSample], solid: Elastic) -> ReferenceReadings:
-    columns = [np.concatenate([getattr(one.peaks, name) for one in ready]) for name in ready[0].peaks._fields]
-    force, depth, compliance, intercept = columns
-    if force.size < FEWEST_READINGS:
-        raise InvalidInput(
-            f"calibrate_indenter: there are {force.size} unloadings; at least {FEWEST_READINGS}, at different depths, "
-            "are needed."
-        )
-    moduli = np.concatenate(
-        [
-            np.full(one.peaks.force.size, reference.modulus(solid))
-            for one, reference in zip(ready, references, strict=True)
-        ]
-    )
-    blocks, first = [], 0
-    for one in ready:
-        size = one.peaks.force.size
-        blocks.append((np.arange(first, first + size), _covariance_of(one)))
-        first += size
-    zero = np.concatenate([np.full(one.peaks.force.size, one.zero_point.error) for one in ready])
-    return ReferenceReadings(force, depth, compliance, intercept, moduli, zero, blocks)
-
-
-def _covariance_of(one: Prepared) -> Callable[[Array, Array], Array]:
-    """Return what makes the covariance of the residuals of one curve from their derivatives by depth and compliance."""
-    fits, zero, drift = one.unloadings, one.zero_point.error, one.drift.error
-    waited = fits.time - one.touched
-
-    def covariance(by_depth: Array, by_compliance: Array) -> Array:
-        own = (
-            by_depth**2 * fits.covariance[:, 0, 0]
-            + by_compliance**2 * fits.covariance[:, 1, 1]
-            + 2.0 * by_depth * by_compliance * fits.covariance[:, 0, 1]
-        )
-        moved = by_depth * zero
-        drifted = drift * (waited * by_depth + fits.pace * by_compliance)
-        alone = (1.0 - COMMON_ZERO) * np.outer(moved, moved)
-        return np.asarray(np.diag(own) + alone + np.outer(drifted, drifted))
-
-    return covariance
 
 
 def _best_fit(

@@ -25,6 +25,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -37,9 +38,11 @@ from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
 from winkler.fitting.nanoindentation.readings import Peaks, Readings, factors_of, moved_by, readings_of
 from winkler.fitting.nanoindentation.solution import NanoindentationSolution
 from winkler.fitting.nanoindentation.thermal_drift import ThermalDrift, found_drift
+from winkler.fitting.nanoindentation.tip_touch import touched
 from winkler.fitting.nanoindentation.unloadings import FittedUnloadings, fitted_unloadings
-from winkler.fitting.nanoindentation.zero_point import ZeroPoint, found_zero_point
+from winkler.fitting.nanoindentation.zero_point import ZeroPoint
 from winkler.fitting.unloading.contact_reading import intercept_factor
+from winkler.numerics.types import Array
 from winkler.values import value, words
 
 __all__ = ["Nanoindentation", "Prepared", "contributions", "prepared"]
@@ -119,6 +122,7 @@ class Nanoindentation:
             self.indenter.frame_compliance,
             zero_point=self.zero_point,
             drift=self.drift,
+            area=self.indenter.area.coefficients,
             upper=self.upper,
             lower=self.lower,
         )
@@ -164,6 +168,7 @@ def prepared(
     *,
     zero_point: ZeroPoint | tuple[()] = (),
     drift: ThermalDrift | tuple[()] = (),
+    area: Sequence[float] | Array = (),
     upper: float = 0.98,
     lower: float = 0.4,
 ) -> Prepared:
@@ -175,7 +180,7 @@ def prepared(
     stiff = dataclasses.replace(curve, machine_stiffness=1.0 / compliance if compliance > 0.0 else math.inf)
     rate = found_drift(stiff) if isinstance(drift, tuple) else drift
     steady = without_drift(stiff, rate.rate) if rate.rate else stiff
-    touch = found_zero_point(steady) if isinstance(zero_point, tuple) else zero_point
+    touch = touched(steady, area) if isinstance(zero_point, tuple) else zero_point
     placed = dataclasses.replace(steady, position=steady.position - touch.position, force=steady.force - touch.baseline)
     fits = fitted_unloadings(placed, upper=upper, lower=lower)
     peaks = Peaks(

@@ -33,7 +33,8 @@ from winkler.fitting.nanoindentation.measurement import Nanoindentation
 from winkler.fitting.nanoindentation.readings import area_of, factors_of
 from winkler.fitting.nanoindentation.solution import NanoindentationSolution
 from winkler.fitting.nanoindentation.thermal_drift import ThermalDrift
-from winkler.fitting.nanoindentation.zero_point import ZeroPoint, white_noise
+from winkler.fitting.nanoindentation.touch import white_noise
+from winkler.fitting.nanoindentation.zero_point import ZeroPoint
 from winkler.numerics.types import Array
 from winkler.values import value, words
 

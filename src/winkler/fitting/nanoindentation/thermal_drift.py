@@ -18,6 +18,8 @@ LARGEST_SHARE = 0.25
 AFTER = (SegmentKind.PARTIAL_UNLOADING, SegmentKind.LAST_UNLOADING)
 """What a hold follows that measures drift: after a loading the sample creeps."""
 LEAST_POINTS = 20
+LARGEST_TRAVEL = 0.1
+"""Greatest travel during the hold, in parts of that of the curve: above it the tip is moved, not held."""
 EVALUATED_SHARE = 0.6
 """Last part of the hold that is evaluated: at first the sample recovers."""
 
@@ -72,6 +74,7 @@ def found_drift(curve: ForceCurve) -> ThermalDrift:
         if part.kind is SegmentKind.HOLD
         and (before is None or before.kind in AFTER)
         and part.count >= LEAST_POINTS
+        and float(np.ptp(curve.position[part.first : part.last + 1])) < LARGEST_TRAVEL * float(np.ptp(curve.position))
         and float(np.median(curve.force[part.first : part.last + 1])) < LARGEST_SHARE * top
     ]
     if not holds:

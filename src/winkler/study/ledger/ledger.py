@@ -24,6 +24,7 @@ from winkler.study.language.varied import Axis
 from winkler.study.ledger.fit_case import FitCase, fit_verdicts, read_fit_case
 from winkler.study.ledger.function_case import FunctionCase, function_verdicts, read_function_case
 from winkler.study.ledger.physics import FITS, physics_of
+from winkler.study.nanoindentation.reading import read_nanoindentation_study
 from winkler.values import value
 
 __all__ = ["CASES", "LedgerEntry", "case_files", "ledger", "remarks", "run_case"]
@@ -115,6 +116,12 @@ def run_case(path: Path) -> LedgerEntry:
     if "function" in sections:
         evaluated = read_function_case(path)
         return _entry(path, evaluated, evaluated.function.physics, lambda: _at_no_points(function_verdicts(evaluated)))
+    if "indentation" in sections or "calibration" in sections:
+        read_nanoindentation_study(path)  # names what is wrong in it first
+        raise InvalidInput(
+            f"{path.name}: a study with [indentation] or [calibration] is no case with expected numbers; evaluate it "
+            f"with `winkler fit {path.name}`."
+        )
     study = read_study(path)
     return _entry(path, study, physics_of(study), lambda: _of_study(study, path.name))
 

@@ -22,29 +22,21 @@ from pathlib import Path
 from typing import Any
 
 from winkler.errors import InvalidInput, WinklerError, suggest
-from winkler.fitting.nanoindentation.calibration import ReferenceSample
 from winkler.fitting.nanoindentation.indenter import DIAMOND, CalibratedIndenter
+from winkler.fitting.nanoindentation.reference_samples import ReferenceSample
 from winkler.fitting.unloading.contact_reading import CalibratedArea
 from winkler.io.indenter_file import read_indenter
 from winkler.materials.elastic import Elastic
 from winkler.study.language import quantities
 from winkler.study.language.reading import parsed, read_text
 from winkler.study.language.study import Output
+from winkler.study.nanoindentation.keys import UNITS
 from winkler.values import value
 
 __all__ = ["NanoindentationStudy", "is_nanoindentation", "read_nanoindentation_study"]
 
 SECTIONS = ("indentation", "calibration")
 TOP = ("title", *SECTIONS, "indenter", "output")
-OF_INDENTATION = {
-    "curve": None, "poisson": "", "poisson_error": "", "indenter": None, "contact_point": "m",
-    "contact_point_error": "m", "force_error": "", "depth_error": "", "upper": "", "lower": "",
-}  # fmt: skip
-OF_CALIBRATION = {"reference": None, "terms": None, "frame_stiffness": "N/m", "young": "Pa", "poisson": "",
-                  "shape_factor": ""}  # fmt: skip
-OF_REFERENCE = {"curve": None, "young": "Pa", "poisson": "", "young_error": "Pa", "name": None}
-OF_INDENTER = {"area": None, "frame_stiffness": "N/m", "young": "Pa", "poisson": "", "shape_factor": "",
-               "shallowest": "m", "deepest": "m"}  # fmt: skip
 OF_OUTPUT = ("folder", "figures", "report")
 
 
@@ -123,7 +115,7 @@ def _study(raw: dict[str, Any], text: str, path: Path) -> NanoindentationStudy:
     title, output = str(raw.get("title", path.stem)), _output(raw.get("output", {}))
     folder = path.parent
     if "calibration" in raw:
-        section = _section(raw["calibration"], OF_CALIBRATION, "calibration")
+        section = _section(raw["calibration"], UNITS["calibration"], "calibration")
         if "indenter" in raw:
             raise InvalidInput("[indenter] is what a calibration finds; leave it out, or take [indentation].")
         sources, references = _references(section.pop("reference", []), folder)
@@ -136,12 +128,19 @@ def _study(raw: dict[str, Any], text: str, path: Path) -> NanoindentationStudy:
         )
         numbers = {"terms": float(terms), **section}
     else:
-        section = _section(raw["indentation"], OF_INDENTATION, "indentation")
+        section = _section(raw["indentation"], UNITS["indentation"], "indentation")
         for key in ("curve", "poisson"):
             if key not in section:
                 raise InvalidInput(f"indentation.{key} is missing; give it.")
         sources, references = _files(section.pop("curve"), folder, "indentation.curve"), ()
         indenter = _indenter(section.pop("indenter", ""), raw.get("indenter"), folder)
+        seeks = section.pop("pop_ins", False)
+        if not isinstance(seeks, bool):
+            raise InvalidInput(f"indentation.pop_ins is {seeks!r}; give true or false.")
+        if seeks != ("tip_radius" in section):
+            raise InvalidInput("indentation: pop_ins = true and tip_radius belong together; give both or none.")
+        if not section.get("tip_radius", 1.0) > 0.0:
+            raise InvalidInput(f"indentation.tip_radius is {section['tip_radius']:g} m; it must be positive.")
         numbers = section
         if ("contact_point" in numbers) != ("contact_point_error" in numbers):
             raise InvalidInput("indentation: contact_point and contact_point_error belong together; give both or none.")
@@ -185,7 +184,7 @@ def _references(raw: Any, folder: Path) -> tuple[tuple[str, ...], tuple[Referenc
     references: list[ReferenceSample] = []
     for place, one in enumerate(raw):
         where = f"calibration.reference[{place}]"
-        content = _section(one, OF_REFERENCE, where)
+        content = _section(one, UNITS["calibration.reference"], where)
         for key in ("curve", "young", "poisson"):
             if key not in content:
                 raise InvalidInput(f"{where}.{key} is missing; give it.")
@@ -206,7 +205,7 @@ def _indenter(named: Any, raw: Any, folder: Path) -> CalibratedIndenter:
         raise InvalidInput(
             "there is no indenter; give indentation.indenter, a file, or [indenter] with its area function."
         )
-    content = _section(raw, OF_INDENTER, "indenter")
+    content = _section(raw, UNITS["indenter"], "indenter")
     coefficients = content.get("area")
     if not isinstance(coefficients, list) or not coefficients:
         raise InvalidInput('indenter.area is missing; give a list C0, C1, ..., such as [24.5, "1.1 um"].')

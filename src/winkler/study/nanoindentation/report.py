@@ -19,7 +19,7 @@ from winkler.study.report.figure import ReportFigure, drawn
 from winkler.study.report.markup import number, safe, section, table
 from winkler.validity import Note
 
-__all__ = ["calibration_rows", "figures_of", "mean_rows", "page"]
+__all__ = ["calibration_rows", "figures_of", "first_yield_rows", "mean_rows", "page"]
 
 MOST_CURVES_DRAWN, MOST_ROWS, LEAST_TOGETHER = 6, 40, 3
 
@@ -52,6 +52,12 @@ def _figures(outcome: NanoindentationOutcome) -> Iterator[ReportFigure]:
                 sentence,
                 numbers_sheet(Series(name, word, numbers), errors),
             )
+    if (found := outcome.first_yield) is not None:
+        sentence = "Greatest shear stress below the tip at the first pop-in of each curve, with Weibull's distribution."
+        yield drawn("first_yield", "First yield", sentence, sheet_of(found))
+    for place, one in enumerate(outcome.continuous[:MOST_CURVES_DRAWN]):
+        sentence = "E and H of the continuously measured stiffness; band: 95 % interval without noise."
+        yield drawn(f"continuous_{place + 1}", one.name, sentence, sheet_of(one.solution))
     chosen = np.unique(np.linspace(0, len(solutions) - 1, min(MOST_CURVES_DRAWN, len(solutions))).astype(int))
     for place in chosen.tolist() if solutions else []:
         sentence = (
@@ -65,12 +71,14 @@ def page(outcome: NanoindentationOutcome, shown: tuple[ReportFigure, ...]) -> st
     made = outcome.provenance
     title = safe(outcome.study.title)
     many = len(outcome.evaluated) + len(outcome.unevaluated)
-    count = f"{len(outcome.evaluated)} of {many} curves were evaluated" if outcome.evaluated else "Calibration"
+    count = "Calibration" if outcome.calibration else f"{len(outcome.evaluated)} of {many} curves were evaluated"
     line = f'<p class="small">{count}, with winkler {safe(made.version)}, {safe(made.created[:10])}.</p>'
     body = [
         f"<header><h1>{title}</h1>{line}</header>",
         *_calibration(outcome),
         *_measurement(outcome),
+        *_continuous(outcome),
+        *_first_yield(outcome),
         _failures(outcome),
         section("Figures", parts.figure_elements(shown)) if shown else "",
         parts.trust(_notes(outcome)),
@@ -155,6 +163,54 @@ def _measurement(outcome: NanoindentationOutcome) -> Iterator[str]:
         "the loading, W_e elastic and W_p plastic work, eta_IT = W_e/W; in brackets standard uncertainties.</p>"
     )
     yield section("Quantities of ISO 14577", text, table(heads, lines))
+
+
+def _continuous(outcome: NanoindentationOutcome) -> Iterator[str]:
+    if not outcome.continuous:
+        return
+    rows = []
+    for one in outcome.continuous[:MOST_ROWS]:
+        found = one.solution
+        deep = found.depth >= 0.5 * float(found.depth.max())
+        cells = [
+            f"{with_unit(0.5 * float(found.depth.max()), 'm', 3)} ... {with_unit(float(found.depth.max()), 'm', 3)}"
+        ]
+        for name in ("young", "hardness"):
+            numbers, errors = getattr(found, name)[deep], getattr(found, f"{name}_errors")[deep]
+            cells.append(f"{with_unit(float(numbers.mean()), 'Pa', 4)} ({with_unit(float(errors.mean()), 'Pa', 2)})")
+        rows.append(_row((one.name, *cells, "of the unloadings" if one.own_touch else "of the file")))
+    lead = (
+        "<p>Means over the deeper half of each curve; in brackets standard uncertainties by calibration, touch and "
+        "stiffness scale.  All depths are in continuous.csv.</p>"
+    )
+    yield section("Continuously measured stiffness", lead, table(["curve", "#depth", "#E", "#H", "#touch"], rows))
+
+
+def first_yield_rows(outcome: NanoindentationOutcome) -> list[tuple[str, str]]:
+    """Return the numbers of first yield; no rows where it was not sought."""
+    if "tip_radius" not in outcome.study.given:
+        return []
+    count = sum(math.isfinite(one.pop_in) for one in outcome.evaluated)
+    rows = [("curves with a pop-in", f"{count} of {len(outcome.evaluated)}")]
+    found = outcome.first_yield
+    if found is None:
+        return [*rows, ("statistics", "none: at least three curves with a pop-in are needed")]
+    low, high = found.interval()
+    return [
+        *rows,
+        ("mean shear stress", f"{with_unit(found.mean_stress, 'Pa', 4)} ({with_unit(found.mean_error, 'Pa', 2)})"),
+        ("95 % interval", f"{with_unit(low, 'Pa', 4)} ... {with_unit(high, 'Pa', 4)}"),
+        ("Weibull's stress", with_unit(found.scale, "Pa", 4)),
+        ("Weibull's exponent", f"{found.shape:.3g} ({found.shape_error:.2g})"),
+        ("activation volume", with_unit(found.activation_volume, "m^3", 3)),
+    ]
+
+
+def _first_yield(outcome: NanoindentationOutcome) -> Iterator[str]:
+    if rows := first_yield_rows(outcome):
+        radius = with_unit(outcome.study.given["tip_radius"], "m", 3)
+        lead = f"<p>Greatest shear stress below a ball of radius {radius} at the first pop-in (Hertz).</p>"
+        yield section("First yield", lead, table(["quantity", "#value"], [_row(row) for row in rows]))
 
 
 def _with_error(content: float, error: float, unit: str) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import math
 import time
 from collections.abc import Iterable, Iterator
 from pathlib import Path
@@ -15,13 +16,17 @@ from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.nanoindentation.calibration import calibrate_indenter
 from winkler.fitting.nanoindentation.calibration_solution import IndenterCalibration
 from winkler.fitting.nanoindentation.measurement import Nanoindentation
+from winkler.fitting.nanoindentation.pop_ins import PopInStatistics
 from winkler.fitting.nanoindentation.quantities import IndentationQuantities, indentation_quantities
 from winkler.fitting.nanoindentation.repetition import RepeatedMean, repeated_mean
 from winkler.fitting.nanoindentation.solution import NanoindentationSolution
 from winkler.fitting.nanoindentation.zero_point import ZeroPoint
 from winkler.io.curves import UnreadCurve, try_curves
+from winkler.io.placed_curves import PlacedCurve
 from winkler.study.batch.outcome import Provenance
 from winkler.study.batch.run import provenance
+from winkler.study.nanoindentation.continuous_curve import EvaluatedContinuously, evaluated_continuously
+from winkler.study.nanoindentation.first_yield import first_pop_in, first_yield
 from winkler.study.nanoindentation.reading import NanoindentationStudy
 from winkler.values import value
 
@@ -30,11 +35,12 @@ __all__ = ["Evaluated", "NanoindentationOutcome", "Unevaluated", "evaluated_file
 
 @value
 class Evaluated:
-    """A curve with its readings and the quantities of ISO 14577."""
+    """A curve with its readings, the quantities of ISO 14577, and the force [N] at its first pop-in, where sought."""
 
     name: str
     solution: NanoindentationSolution
     quantities: IndentationQuantities
+    pop_in: float = math.nan
 
 
 @value
@@ -56,6 +62,16 @@ class NanoindentationOutcome:
     calibration: tuple[IndenterCalibration, ...]
     provenance: Provenance
     left: int = 0
+    continuous: tuple[EvaluatedContinuously, ...] = ()
+
+    @property
+    def first_yield(self) -> PopInStatistics | None:
+        """Statistics of first yield; None where it was not sought, or fewer than three curves have a pop-in."""
+        given = self.study.given
+        if "tip_radius" not in given:
+            return None
+        solutions, forces = [one.solution for one in self.evaluated], [one.pop_in for one in self.evaluated]
+        return first_yield(solutions, forces, given["tip_radius"], given.get("tip_radius_error", 0.0))
 
     @property
     def means(self) -> dict[str, RepeatedMean]:
@@ -64,15 +80,35 @@ class NanoindentationOutcome:
         return {name: repeated_mean(solutions, name) for name in ("young", "hardness")} if solutions else {}
 
 
-def evaluated_files(study: NanoindentationStudy) -> Iterator[tuple[Evaluated | Unevaluated, ...]]:
+def evaluated_files(
+    study: NanoindentationStudy,
+) -> Iterator[tuple[Evaluated | Unevaluated | EvaluatedContinuously, ...]]:
     """Yield the results of each file of the study, in their order."""
     for path in study.sources:
+        name = _name(study, path)
         yield tuple(
-            Unevaluated(_name(study, path), one.reason, InvalidInput.exit_code)
-            if isinstance(one, UnreadCurve)
-            else _evaluated(study, one.curve, _name(study, path))
+            result
             for one in try_curves(path)
+            for result in (
+                (Unevaluated(name, one.reason, InvalidInput.exit_code),)
+                if isinstance(one, UnreadCurve)
+                else _both(study, one, name)
+            )
         )
+
+
+def _both(
+    study: NanoindentationStudy, placed: PlacedCurve, file: str
+) -> tuple[Evaluated | Unevaluated | EvaluatedContinuously, ...]:
+    """Return the unloadings of a curve and its continuous stiffness, where it was measured."""
+    own = placed.curve.name
+    name = file if own in ("", Path(file).name, Path(file).stem) or file.endswith(own) else f"{file}: {own}"
+    found = _evaluated(study, placed.curve, name)
+    if placed.continuous is None:
+        return (found,)
+    unloadings = found.solution if isinstance(found, Evaluated) else None
+    over_depth = evaluated_continuously(study, placed.continuous, name, unloadings)
+    return found, Unevaluated(name, over_depth, InvalidInput.exit_code) if isinstance(over_depth, str) else over_depth
 
 
 def _evaluated(study: NanoindentationStudy, curve: ForceCurve, name: str) -> Evaluated | Unevaluated:
@@ -83,7 +119,8 @@ def _evaluated(study: NanoindentationStudy, curve: ForceCurve, name: str) -> Eva
         names = ("poisson_error", "force_error", "depth_error", "upper", "lower")
         more: dict[str, Any] = {key: given[key] for key in names if key in given}
         solution = Nanoindentation(curve, study.indenter, given["poisson"], zero_point=zero, **more).solve()
-        return Evaluated(name, solution, indentation_quantities(solution))
+        pop_in = first_pop_in(solution) if "tip_radius" in given else math.nan
+        return Evaluated(name, solution, indentation_quantities(solution), pop_in)
     except WinklerError as error:
         return Unevaluated(name, str(error), error.exit_code)
     except Exception as error:  # this curve fails, not the batch
@@ -114,6 +151,7 @@ def gathered(
     each = [one for many in found for one in (many if isinstance(many, tuple) and not study.calibrates else (many,))]
     failed = tuple(one for one in each if isinstance(one, Unevaluated))
     good = tuple(one for one in each if isinstance(one, Evaluated))
+    continuous = tuple(one for one in each if isinstance(one, EvaluatedContinuously))
     calibration: tuple[IndenterCalibration, ...] = ()
     if study.calibrates:
         curves = [one for one in each if isinstance(one, tuple)]
@@ -134,12 +172,12 @@ def gathered(
             Unevaluated(line.partition(": ")[0], line.partition(": ")[2], InvalidInput.exit_code)
             for line in calibration[0].skipped
         )
-    elif not good:
+    elif not good and not continuous:
         first = failed[0]
         many = f"none of the {len(failed)} curves can be evaluated; the first: " if len(failed) > 1 else ""
         raise InvalidInput(f"{many}{first.name}: {first.reason}")
     made = provenance(_hash(study), time.perf_counter() - started, source)
-    return NanoindentationOutcome(study, good, failed, calibration, made, left)
+    return NanoindentationOutcome(study, good, failed, calibration, made, left, continuous)
 
 
 def _name(study: NanoindentationStudy, path: str) -> str:

@@ -4,6 +4,8 @@
 
     unloadings.csv     one row per unloading: force, depth, contact depth, E and H with every share of uncertainty
     quantities.csv     one row per curve: the quantities of ISO 14577 with standard uncertainties, and failures
+    continuous.csv     of continuously measured stiffness: one row per depth, E and H with standard uncertainties
+    first_yield.csv    where pop-ins are sought: force, shear stress and cumulative probability of each
     indenter.toml      of a calibration: area function, frame compliance, covariance
     calibration.csv    of a calibration: one row per unloading
 """
@@ -14,6 +16,7 @@ from pathlib import Path
 
 import numpy as np
 
+from winkler.fitting.nanoindentation.pop_ins import PopInStatistics
 from winkler.io.indenter_file import write_indenter
 from winkler.study.batch.outcome import ResultColumn
 from winkler.study.nanoindentation.running import NanoindentationOutcome
@@ -32,9 +35,13 @@ def write_nanoindentation(outcome: NanoindentationOutcome, folder: Path) -> None
         line = f"{study.title}: {len(outcome.calibration[0].force)} unloadings, study {outcome.provenance.hash[:12]}"
         write_indenter(outcome.calibration[0].indenter, folder / "indenter.toml", made_from=line)
         write_table(_readings(outcome), folder / "calibration.csv", nothing="")
-    else:
+    if outcome.evaluated:
         write_table(_unloadings(outcome), folder / "unloadings.csv", nothing="")
         write_table(_quantities(outcome), folder / "quantities.csv", nothing="")
+    if outcome.continuous:
+        write_table(_continuous(outcome), folder / "continuous.csv", nothing="")
+    if (statistics := outcome.first_yield) is not None:
+        write_table(_first_yield(statistics), folder / "first_yield.csv", nothing="")
     if study.output.report or study.output.figures:
         from winkler.study.nanoindentation.report import figures_of, page
 
@@ -89,6 +96,8 @@ def _quantities(outcome: NanoindentationOutcome) -> list[ResultColumn]:
         columns.append(_column(key, unit, name, [*(one.quantities.values[place] for one in good), *lost]))
         errors = [*(one.quantities.errors[place] for one in good), *lost]
         columns.append(_column(f"{key}_error", unit, f"standard uncertainty of {name}", errors))
+    if "tip_radius" in outcome.study.given:
+        columns.append(_column("pop_in", "N", "force at the first pop-in", [*(one.pop_in for one in good), *lost]))
     columns += [
         _column(
             "contact_point", "m", "position of first touch", [*(o.solution.zero_point.position for o in good), *lost]
@@ -101,6 +110,34 @@ def _quantities(outcome: NanoindentationOutcome) -> list[ResultColumn]:
         _column("failure", None, "why a curve has no answer", [*("" for _ in good), *(one.reason for one in failed)]),
     ]
     return columns
+
+
+def _continuous(outcome: NanoindentationOutcome) -> list[ResultColumn]:
+    each = [one.solution for one in outcome.continuous]
+    names = [one.name for one in outcome.continuous for _ in one.solution.points]
+    words = {
+        "depth": ("m", "depth"),
+        "force": ("N", "force"),
+        "contact_depth": ("m", "contact depth"),
+        "modulus": ("Pa", "reduced modulus"),
+        "young": ("Pa", "Young's modulus of the sample"),
+        "young_errors": ("Pa", "standard uncertainty of Young's modulus, without noise"),
+        "hardness": ("Pa", "hardness"),
+        "hardness_errors": ("Pa", "standard uncertainty of the hardness, without noise"),
+    }
+    columns = [_column("curve", None, "where the curve comes from", names)]
+    for name, (unit, meaning) in words.items():
+        content = np.concatenate([getattr(one, name) for one in each])
+        columns.append(_column(name.replace("_errors", "_error"), unit, meaning, content))
+    return columns
+
+
+def _first_yield(found: PopInStatistics) -> list[ResultColumn]:
+    return [
+        _column("force", "N", "force at the first pop-in", found.force),
+        _column("stress", "Pa", "greatest shear stress at the first pop-in", found.stress),
+        _column("probability", "", "cumulative probability", found.probability),
+    ]
 
 
 def _readings(outcome: NanoindentationOutcome) -> list[ResultColumn]:

@@ -1,0 +1,129 @@
+"""Fit of the first part of a loading by a law of the touch: position, standard error and baseline."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.fitting.nanoindentation.touch_laws import TouchByArea, TouchByPower, TouchLaw
+from winkler.fitting.noise.estimate import noise_of
+from winkler.numerics.types import Array
+
+__all__ = ["LEAST_POINTS", "Touch", "fitted_touch", "white_noise"]
+
+LEAST_POINTS = 8
+MOST_STARTED = 300
+"""Points from which a start is sought."""
+CANDIDATES = 30
+"""Positions that are tried as a start."""
+STEPS = 2
+"""Fits, each with the weights of the one before."""
+
+
+class Touch(NamedTuple):
+    """Position [m], its standard error [m], and force before contact [N]."""
+
+    position: float
+    error: float
+    baseline: float
+
+
+def white_noise(samples: Array) -> float:
+    """Return the white noise of samples of a smooth course, from their third differences (median)."""
+    if samples.size < 5:
+        return 0.0
+    return float(np.median(np.abs(np.diff(samples, 3)))) / (0.6745 * math.sqrt(20.0))
+
+
+def fitted_touch(depth: Array, force: Array, coefficients: Array, rim: float) -> Touch:
+    """Return position, error and baseline of the touch.
+
+    Parameters
+    ----------
+    depth, force : ndarray, (n,)
+        Of the first part of the loading [m], [N].
+    coefficients : ndarray, (k,)
+        Of the area function of the tip; none where it is not known.
+    rim : float
+        kappa of the sample (`winkler.fitting.nanoindentation.touch_laws`), where the area function is known.
+    """
+    from scipy.optimize import least_squares
+
+    low, high = float(depth.min()), float(depth.max())
+    span, top = max(high - low, np.finfo(float).tiny), float(np.ptp(force)) or 1.0
+    law = _law(coefficients, rim, span)
+    x, y = (depth - low) / span, force / top
+    thin = -(-x.size // MOST_STARTED)
+    start, free = _start(x[::thin], y[::thin], law)
+    s_depth, s_force = white_noise(depth) / span, max(white_noise(force) / top, 1e-6)
+    own = len(law.means)
+    places = np.arange(2, 2 + own)
+    means, spreads = np.array(law.means), np.array(law.spreads)
+
+    def predicted(p: Array) -> tuple[Array, Array]:
+        in_contact = x > p[0]
+        shape, slope, rest = law.course(np.maximum(x - p[0], 0.0), p[places])
+        scale = np.exp(p[1]) * in_contact
+        columns = [-scale * slope, scale * shape, *(scale * one for one in rest)]
+        return scale * shape + (p[2 + own] if free else 0.0), np.stack(
+            [*columns, *([np.ones_like(x)] if free else [])], axis=1
+        )
+
+    weight, prior = np.ones_like(x), s_force / spreads
+    count = 2 + own + free
+    edges = [(-1.0, 0.98), (-30.0, 30.0), *law.limits, (-1.0, 1.0)][:count]
+    low_bounds, high_bounds = np.array(edges).T
+    of_prior = np.eye(count)[places]
+    p = np.clip(start[:count], low_bounds, high_bounds)
+    for _ in range(STEPS):
+        result = least_squares(
+            lambda q: np.append(weight * (predicted(q)[0] - y), prior * (q[places] - means)),  # noqa: B023
+            p,
+            jac=lambda q: np.vstack([weight[:, None] * predicted(q)[1], prior[:, None] * of_prior]),  # noqa: B023
+            bounds=(low_bounds, high_bounds),
+            x_scale=np.array([0.05, 0.3, *([0.2, 0.05][:own]), 0.05])[:count],
+            max_nfev=100,
+        )
+        p = result.x
+        slope = np.abs(predicted(p)[1][:, 0])
+        weight = 1.0 / np.sqrt(1.0 + np.minimum((slope * s_depth / s_force) ** 2, 1e4))
+    course, jacobian = predicted(p)
+    if np.count_nonzero(x > p[0]) < LEAST_POINTS:
+        return Touch(low, math.inf, 0.0)
+    try:
+        noise = noise_of(weight * (y - course), weight[:, None] * jacobian, np.zeros((x.size, 0)))
+        precision = np.linalg.inv(noise.covariance) + (of_prior.T / spreads**2) @ of_prior
+        variance = max(float(np.linalg.inv(precision)[0, 0]), 0.0)
+    except np.linalg.LinAlgError:  # so few points that they do not determine all numbers
+        return Touch(low, math.inf, 0.0)
+    baseline = float(p[2 + own]) * top if free else 0.0
+    return Touch(low + span * float(p[0]), span * math.sqrt(variance), baseline)
+
+
+def _law(coefficients: Array, rim: float, span: float) -> TouchLaw:
+    """Return the law for depths in parts of the range."""
+    if not coefficients.size:
+        return TouchByPower()
+    scaled = coefficients * span ** (2.0 ** (1.0 - np.arange(coefficients.size)) - 2.0)
+    return TouchByArea.of(scaled, rim)
+
+
+def _start(x: Array, y: Array, law: TouchLaw) -> tuple[Array, bool]:
+    """Return a start (D_0, ln K, the law's own, F_0), and whether points before contact fix the baseline."""
+    best, found = math.inf, np.array([0.0, 0.0, *law.starts[0], 0.0])
+    for place in np.linspace(-0.3, 0.95, CANDIDATES):
+        gap = np.maximum(x - place, 0.0)
+        if np.count_nonzero(gap) < 4:
+            break
+        before = x < place
+        for own in law.starts:
+            course = law.course(gap, np.array(own))[0] * (gap > 0.0)
+            rows = np.stack([course, np.ones_like(x)], axis=1) if np.count_nonzero(before) > 4 else course[:, None]
+            numbers, *_ = np.linalg.lstsq(rows, y, rcond=None)
+            misfit = float(np.sum((rows @ numbers - y) ** 2))
+            if misfit < best and numbers[0] > 0.0:
+                best = misfit
+                found = np.array([place, math.log(numbers[0]), *own, numbers[1] if numbers.size > 1 else 0.0])
+    return found, bool(np.count_nonzero(x < found[0]) > 4)
