@@ -38,6 +38,7 @@ READERS = {
     "curves": lambda path: list(wk.read_curves(path)),
     "dynamic": wk.read_dynamic,
     "grading": wk.read_grading,
+    "indenter": wk.read_indenter,
     "map": lambda path: wk.read_topography(path, **SIZES),
     "path": wk.read_path,
     "profile": wk.read_profile,

@@ -36,6 +36,8 @@ WITHOUT = {
     "elliptic_yield_onset": "the onset is its answer",
     "line_shakedown": "the limit after yield is its answer",
     "line_yield_onset": "the onset is its answer",
+    "master_curve": "measurements of a solid, no contact",
+    "poroelastic_relaxation": "a wet gel, whose network has no strength",
     "spot_cluster": "no elastic bodies",
     "surface_friction_heating": "a map of loads without elastic bodies",
     "yield_onset": "the onset is its answer",

@@ -60,6 +60,7 @@ ELSEWHERE = {
     wk.HeatFields,
     wk.NamedMaterial,
     wk.PlateBase,
+    wk.RelaxationSpectrum,
     wk.RollerCentre,
     wk.LayerStress,
     wk.LineFields,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
 from winkler.fitting.nanoindentation.readings import Peaks, factors_of, moved_by, readings_of
 from winkler.fitting.unloading.continuous_stiffness import ContinuousStiffness
 from winkler.numerics.types import Array
+from winkler.validity import Assumption
 from winkler.values import value, words
 
 __all__ = ["ContinuousIndentation", "ContinuousIndentationSolution"]
@@ -42,6 +43,8 @@ class ContinuousIndentation:
     ----------
     X. Li, B. Bhushan, Mater. Charact. 48 (2002) 11-36, doi:10.1016/S1044-5803(02)00192-4
     """
+
+    assumptions: ClassVar[frozenset[Assumption]] = frozenset((Assumption.CURVE, Assumption.SHAPE, Assumption.RESPONSE))
 
     __words__ = words(
         data=("", None, "continuously measured stiffness"),

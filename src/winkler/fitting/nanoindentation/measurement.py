@@ -26,7 +26,7 @@ from __future__ import annotations
 import dataclasses
 import math
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
@@ -43,6 +43,7 @@ from winkler.fitting.nanoindentation.unloadings import FittedUnloadings, fitted_
 from winkler.fitting.nanoindentation.zero_point import ZeroPoint
 from winkler.fitting.unloading.contact_reading import intercept_factor
 from winkler.numerics.types import Array
+from winkler.validity import Assumption
 from winkler.values import value, words
 
 __all__ = ["Nanoindentation", "Prepared", "contributions", "prepared"]
@@ -77,6 +78,8 @@ class Nanoindentation:
     ----------
     W. C. Oliver, G. M. Pharr, J. Mater. Res. 19 (2004) 3-20, doi:10.1557/jmr.2004.19.1.3
     """
+
+    assumptions: ClassVar[frozenset[Assumption]] = frozenset((Assumption.CURVE, Assumption.SHAPE, Assumption.RESPONSE))
 
     __words__ = words(
         indenter=("", None, "calibrated indenter on its frame"),

@@ -47,7 +47,7 @@ def first_yield_stress(force: float, modulus: float, tip_radius: float) -> float
     Examples
     --------
     >>> round(first_yield_stress(1e-4, 200e9, 200e-9) / 1e9, 2)
-    8.28
+    8.32
     """
     for name, number, unit in (("force", force, "N"), ("modulus", modulus, "Pa"), ("tip_radius", tip_radius, "m")):
         checked(POSITIVE, "first_yield_stress", name, number, unit)

@@ -19,7 +19,7 @@ TOKEN = re.compile(r"\\[A-Za-z]+|\\[,;! ]|\d+(?:\.\d+)?|[A-Za-z]|\S")
 LETTERS = {
     "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "theta": "θ", "kappa": "κ", "lambda": "λ",
     "mu": "μ", "nu": "ν", "pi": "π", "rho": "ρ", "sigma": "σ", "tau": "τ", "phi": "φ", "xi": "ξ", "psi": "ψ",
-    "omega": "ω", "eta": "η", "zeta": "ζ", "varphi": "φ", "ell": "ℓ",
+    "omega": "ω", "chi": "χ", "eta": "η", "zeta": "ζ", "varphi": "φ", "ell": "ℓ",
     "Delta": "Δ", "Gamma": "Γ", "Phi": "Φ", "Lambda": "Λ", "Omega": "Ω", "infty": "∞", "partial": "∂",
 }  # fmt: skip
 SIGNS = {
