@@ -109,6 +109,13 @@ ROUNDED: dict[tuple[str, str], Rounded] = {
         ("SurfaceRollingHeatingSolution", name): Rounded(1e-3, "stick and slip have a tolerance of 1e-7 of the loss")
         for name in ("heat_rate", "creep_power", "max_temperature", "mean_temperature", "grid_error")
     },
+    **{
+        ("MasterCurveSolution", name): Rounded(1e-4, "the evidence is flat at its maximum, where its search ends")
+        for name in (
+            *("shift_factor", "shift_error", "relaxed_shear", "relaxed_shear_error", "freedom"),
+            *("first_constant", "second_constant", "activation_energy", "shears", "scatter"),
+        )
+    },
     ("ReductionSolution", "misfit"): Rounded(1e-6, "it is checked by contacts of a tolerance of 1e-6"),
     ("ReductionSolution", "force"): Rounded(1e-8, "each contact has a tolerance of 1e-6"),
     ("ProfilePairSolution", "grid_error"): ERROR,

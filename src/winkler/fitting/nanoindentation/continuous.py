@@ -10,15 +10,24 @@ import numpy as np
 from winkler.checks.number_checks import NonNegative, PoissonRatio
 from winkler.errors import InvalidInput
 from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
+from winkler.fitting.nanoindentation.notes import calibration_note
 from winkler.fitting.nanoindentation.readings import Peaks, factors_of, moved_by, readings_of
 from winkler.fitting.unloading.continuous_stiffness import ContinuousStiffness
+from winkler.fitting.unloading.unloading_notes import PILE_UP
 from winkler.numerics.types import Array
-from winkler.validity import Assumption
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
 __all__ = ["ContinuousIndentation", "ContinuousIndentationSolution"]
 
 INTERCEPT = 0.75
+UNSEEN = Note(
+    Assumption.RESPONSE,
+    Standing.APPROXIMATE,
+    "Pile-up: a continuous stiffness without an unloading does not show how much of the depth remains; material that "
+    "piles up at the edge makes hardness and modulus too large.",
+    PILE_UP,
+)
 
 
 @value
@@ -145,6 +154,11 @@ class ContinuousIndentationSolution:
     hardness: Array
     young_errors: Array
     hardness_errors: Array
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """Whether the contact depths are those of the calibration, and what the errors leave out."""
+        return (calibration_note(self.problem.indenter, self.contact_depth), UNSEEN)
 
     def mean(self, low: float, high: float) -> tuple[float, float, float, float]:
         """Return the means of E and H [Pa] over a range of depths [m], each with its standard deviation.

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
 from winkler.fitting.unloading.unloading_notes import PILE_UP, PILE_UP_LIMIT, READING, REVIEW, USUAL_EXPONENTS
+from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["nanoindentation_notes"]
+__all__ = ["calibration_note", "nanoindentation_notes"]
 
 ISO = "ISO 14577-1:2015, Metallic materials - Instrumented indentation test - Part 1"
 
@@ -46,7 +48,7 @@ def _notes(solution: Any) -> Iterator[Note]:
     yield Note(Assumption.CURVE, Standing.ASYMPTOTIC if usual else Standing.APPROXIMATE, statement + end, REVIEW)
     yield _zero(solution)
     yield _drift(solution)
-    yield _calibration(solution)
+    yield calibration_note(solution.problem.indenter, solution.contact_depth)
     if solution.skipped:
         statement = f"Unloadings: {len(solution.skipped)} were not evaluated, the first: {solution.skipped[0]}"
         yield Note(Assumption.CURVE, Standing.APPROXIMATE, statement, "the evaluation")
@@ -76,10 +78,10 @@ def _drift(solution: Any) -> Note:
     return Note(Assumption.CURVE, Standing.APPROXIMATE, statement, ISO)
 
 
-def _calibration(solution: Any) -> Note:
-    indenter = solution.problem.indenter
+def calibration_note(indenter: CalibratedIndenter, contact_depth: Array) -> Note:
+    """Return whether contact depths ``(n,)`` [m] lie within those of the calibration."""
     area = indenter.area
-    low, high = float(solution.contact_depth.min()), float(solution.contact_depth.max())
+    low, high = float(contact_depth.min()), float(contact_depth.max())
     if not indenter.calibrated:
         statement = (
             "Calibration: the covariance of area and frame is not known; its share of the uncertainty is missing."

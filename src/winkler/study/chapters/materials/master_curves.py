@@ -32,18 +32,23 @@ LAWS = Equation(
     r"\log_{10} a_T = -\frac{c_1(T-T_0)}{c_2+T-T_0}, \quad \ln a_T = \frac{Q}{R}\left(\frac{1}{T}-\frac{1}{T_0}\right)",
 )
 
-COLD, WARM = "280 K", "300 K"
+WARM = "300 K"
+TEMPERATURES = ("280 K", WARM, "320 K", "340 K")
 SWEEPS: dict[str, Any] = {
     "kind": "dynamic_sweeps",
-    "temperature": [COLD] * 5 + [WARM] * 5,
-    "angular_frequency": ["0.1 rad/s", "1 rad/s", "10 rad/s", "100 rad/s", "1000 rad/s"] * 2,
+    "temperature": [temperature for temperature in TEMPERATURES for _ in range(5)],
+    "angular_frequency": ["0.1 rad/s", "1 rad/s", "10 rad/s", "100 rad/s", "1000 rad/s"] * len(TEMPERATURES),
     "storage_shear": [
-        *("1.33 MPa", "1.71 MPa", "2.46 MPa", "3.29 MPa", "3.74 MPa"),
-        *("1.1 MPa", "1.3 MPa", "1.66 MPa", "2.42 MPa", "3.26 MPa"),
+        *("1.72 MPa", "2.92 MPa", "3.71 MPa", "3.93 MPa", "3.98 MPa"),
+        *("1.11 MPa", "1.47 MPa", "2.5 MPa", "3.53 MPa", "3.89 MPa"),
+        *("1.04 MPa", "1.15 MPa", "1.61 MPa", "2.76 MPa", "3.65 MPa"),
+        *("1.02 MPa", "1.07 MPa", "1.29 MPa", "2.08 MPa", "3.28 MPa"),
     ],
     "loss_shear": [
-        *("0.27 MPa", "0.5 MPa", "0.67 MPa", "0.53 MPa", "0.24 MPa"),
-        *("0.1 MPa", "0.25 MPa", "0.48 MPa", "0.67 MPa", "0.54 MPa"),
+        *("0.594 MPa", "0.716 MPa", "0.318 MPa", "0.0922 MPa", "0.024 MPa"),
+        *("0.142 MPa", "0.449 MPa", "0.764 MPa", "0.449 MPa", "0.142 MPa"),
+        *("0.0495 MPa", "0.183 MPa", "0.536 MPa", "0.746 MPa", "0.367 MPa"),
+        *("0.024 MPa", "0.0922 MPa", "0.318 MPa", "0.716 MPa", "0.594 MPa"),
     ],
 }
 
@@ -61,11 +66,13 @@ MASTER_CURVES = Chapter(
                 "winkler.materials.sweeps:RelaxationSweeps",
                 reader="winkler.io.tables.sweeps_table:read_relaxation_sweeps",
                 problem="master_curve",
-                temperature=[COLD] * 5 + [WARM] * 5,
-                time=["1 ms", "10 ms", "0.1 s", "1 s", "10 s"] * 2,
+                temperature=[temperature for temperature in TEMPERATURES for _ in range(5)],
+                time=["1 ms", "10 ms", "0.1 s", "1 s", "10 s"] * len(TEMPERATURES),
                 shear=[
-                    *("3.6 MPa", "3.1 MPa", "2.2 MPa", "1.55 MPa", "1.25 MPa"),
-                    *("3.1 MPa", "2.2 MPa", "1.55 MPa", "1.25 MPa", "1.1 MPa"),
+                    *("3.97 MPa", "3.89 MPa", "3.59 MPa", "2.84 MPa", "1.85 MPa"),
+                    *("3.82 MPa", "3.4 MPa", "2.5 MPa", "1.6 MPa", "1.18 MPa"),
+                    *("3.52 MPa", "2.71 MPa", "1.75 MPa", "1.23 MPa", "1.06 MPa"),
+                    *("3.15 MPa", "2.16 MPa", "1.41 MPa", "1.11 MPa", "1.03 MPa"),
                 ],
             ),
         }
