@@ -49,16 +49,20 @@ def warm(law):
 
 
 MEGA = 1e6
-SWEPT = np.repeat([280.0, 300.0], 5)
+SWEPT = np.repeat([280.0, 300.0, 320.0, 340.0], 5)
+STORED = """1.72 2.92 3.71 3.93 3.98  1.11 1.47 2.5 3.53 3.89  1.04 1.15 1.61 2.76 3.65  1.02 1.07 1.29 2.08 3.28"""
+LOST = """
+0.594 0.716 0.318 0.0922 0.024  0.142 0.449 0.764 0.449 0.142  0.0495 0.183 0.536 0.746 0.367
+0.024 0.0922 0.318 0.716 0.594
+"""
+HELD = "3.97 3.89 3.59 2.84 1.85 3.82 3.4 2.5 1.6 1.18 3.52 2.71 1.75 1.23 1.06 3.15 2.16 1.41 1.11 1.03"
 SWEEPS = wk.DynamicSweeps(
     SWEPT,
-    np.tile([0.1, 1.0, 10.0, 100.0, 1000.0], 2),
-    np.array([1.33, 1.71, 2.46, 3.29, 3.74, 1.1, 1.3, 1.66, 2.42, 3.26]) * MEGA,
-    np.array([0.27, 0.5, 0.67, 0.53, 0.24, 0.1, 0.25, 0.48, 0.67, 0.54]) * MEGA,
+    np.tile([0.1, 1.0, 10.0, 100.0, 1000.0], 4),
+    np.array(STORED.split(), dtype=float) * MEGA,
+    np.array(LOST.split(), dtype=float) * MEGA,
 )
-RELAXED = wk.RelaxationSweeps(
-    SWEPT, np.tile(TIMES, 2), np.array([3.6, 3.1, 2.2, 1.55, 1.25, 3.1, 2.2, 1.55, 1.25, 1.1]) * MEGA
-)
+RELAXED = wk.RelaxationSweeps(SWEPT, np.tile(TIMES, 4), np.array(HELD.split(), dtype=float) * MEGA)
 
 RELAXING = {
     **{kind: relaxing(RUBBER) for kind in ("standard_solid", "viscoelastic_half_space", "viscoelastic_indentation")},

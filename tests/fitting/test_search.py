@@ -62,7 +62,9 @@ def test_a_stream_ends_with_what_fit_finds(kind):
     assert np.array_equal(found.standard_errors, plain.standard_errors)
     assert [state.evaluations for state in states] == list(range(1, len(states) + 1))
     assert all(state.names == found.names for state in states)
-    assert states[-1].values == pytest.approx(found.values, rel=1e-3)
+    # the last step, to the noise of the residuals, is a part of the errors
+    apart = np.abs(states[-1].values - found.values)
+    assert np.all(apart <= np.maximum(1e-3 * np.abs(found.values), 0.5 * found.standard_errors))
     assert states[-1].scatter == pytest.approx(found.scatter, rel=0.05)
 
 

@@ -30,10 +30,10 @@ def show(
     ] = "",
     as_json: Annotated[bool, typer.Option("--json", help="Show it as JSON.")] = False,
 ) -> None:
-    """Show what a kind takes: keys, units, ranges, and an example.
+    r"""Show what a kind takes: keys, units, ranges, and an example.
 
     Without a name, all kinds are listed; 'study' shows the sections of a study file, 'fit' those of `winkler fit` with
-    its models, corrections and flags, 'nanoindentation' the sections [indentation], [calibration] and [indenter],
+    its models, corrections and flags, 'nanoindentation' the sections \[indentation], \[calibration] and \[indenter],
     'materials' the table of common materials, and the name of a material its numbers
     and their sources.
 

@@ -13,6 +13,8 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
 from winkler.fitting.unloading.contact_reading import CalibratedArea
+from winkler.io.foreign import sentence_of
+from winkler.io.text_file import lines_of
 from winkler.materials.elastic import Elastic
 
 __all__ = ["read_indenter", "write_indenter"]
@@ -64,13 +66,9 @@ def read_indenter(path: str | os.PathLike[str]) -> CalibratedIndenter:
     InvalidInput
         If the file does not exist, is no such file, or a number is not allowed.
     """
+    with sentence_of(path, "no calibrated indenter can be read from it", "calibrate one with `winkler fit`"):
+        raw = tomllib.loads("\n".join(lines_of(path, "a calibrated indenter as a calibration writes it")))
     file = Path(path)
-    try:
-        raw = tomllib.loads(file.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-        raise InvalidInput(
-            f"{file.name}: no calibrated indenter can be read from it ({error}); calibrate one."
-        ) from None
     if raw.get("kind") != KIND:
         raise InvalidInput(f"{file.name}: kind is {raw.get('kind')!r}; a calibrated indenter has kind = '{KIND}'.")
     unknown = [key for key in raw if key not in ALLOWED]
