@@ -15,6 +15,7 @@ from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
 from winkler.fitting.unloading.contact_reading import CalibratedArea
 from winkler.io.foreign import sentence_of
 from winkler.io.text_file import lines_of
+from winkler.io.whole_file import write_whole_text
 from winkler.materials.elastic import Elastic
 
 __all__ = ["read_indenter", "write_indenter"]
@@ -50,7 +51,7 @@ def write_indenter(indenter: CalibratedIndenter, path: str | os.PathLike[str], *
         "poisson": indenter.solid.poisson,
         "shape_factor": indenter.shape_factor,
     }
-    Path(path).write_text(tomli_w.dumps(content), encoding="utf-8")
+    write_whole_text(Path(path), tomli_w.dumps(content))
 
 
 def read_indenter(path: str | os.PathLike[str]) -> CalibratedIndenter:
