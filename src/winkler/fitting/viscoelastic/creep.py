@@ -22,6 +22,7 @@ from winkler.fitting.curves.checks import CurveOutline
 from winkler.fitting.noise.disturbances import disturbances_of
 from winkler.fitting.outcome import CreepFit
 from winkler.fitting.task import Prediction
+from winkler.fitting.viscoelastic.corners import Corners, corners_of, with_corners
 from winkler.fitting.viscoelastic.response import ContactHistory, ElasticTable, elastic_table, forces, positions
 from winkler.fitting.viscoelastic.task import RelaxingTask
 from winkler.loading import Force
@@ -90,6 +91,13 @@ class UnderForce(RelaxingTask):
         """Return the points at which positions are fitted ``(n,)``."""
         return ~self.by_force
 
+    @functools.cached_property
+    def _corners(self) -> Corners:
+        """The turns of the force between the points at which positions are fitted."""
+        found = corners_of(self.curve.time, self.curve.force, self.curve.direction)
+        late = ~(self.by_force[found.before] | self.by_force[found.before + 1])
+        return Corners(*(part[late] for part in found))
+
     def prediction(self, coordinates: Array) -> Prediction:
         """Return the positions [m] with drift and the deflection of the machine.
 
@@ -106,7 +114,8 @@ class UnderForce(RelaxingTask):
             contact = ContactHistory(*(np.concatenate([part, borne[last:]]) for part in contact))
         most = float(np.max(borne, where=early, initial=0.0))  # at most the measured force
         driving = np.where(early, np.minimum(contact.force, most), borne)
-        depth = positions(table, creep, self.curve.time, driving)
+        time, driven, measured = with_corners(self._corners, self.curve.time, self.curve.force, driving)
+        depth = positions(table, creep, time, driven)[measured]
         if not np.all(np.isfinite(depth)):
             raise OutsideValidity(
                 "fit: the solid sinks in farther than twice the travel of the machine; give bounds or starts nearer to "

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 from typing import Any
 
 import numpy as np
 
 from winkler.fitting.outcome import ViscoelasticFit
 from winkler.fitting.task import Prediction
+from winkler.fitting.viscoelastic.corners import Corners, corners_of, with_corners
 from winkler.fitting.viscoelastic.response import ContactHistory, elastic_table, forces
 from winkler.fitting.viscoelastic.task import RelaxingTask
 from winkler.loading import Depth
@@ -22,6 +24,11 @@ __all__ = ["UnderMotion"]
 
 class UnderMotion(RelaxingTask):
     """Forces fitted along the measured motion."""
+
+    @functools.cached_property
+    def _corners(self) -> Corners:
+        """The turns of the machine between its points."""
+        return corners_of(self.curve.time, self.curve.position, self.curve.direction)
 
     def place(self, numbers: dict[str, float]) -> Array:
         """Return D from first touch, without drift, and less what the inertia of the probe bends the machine by [m]."""
@@ -40,13 +47,16 @@ class UnderMotion(RelaxingTask):
         """Return the forces [N] with baseline, drag and inertia."""
         numbers = self.numbers(coordinates)
         model, place = self.with_numbers(numbers), self.place(numbers)
-        highest = float(place.max())
+        time, driven, measured = with_corners(self._corners, self.curve.time, self.curve.position, place)
+        highest = float(driven.max())
         if not highest > 0.0:
             nothing = np.zeros(place.size)
             return Prediction(self.line(numbers), nothing > 0.0, ContactHistory(nothing, place, nothing))
         table = elastic_table(elastic_like(model.bed), highest)
         series = relaxation_of("fit", model.bed)
-        contact = forces(table, series, self.curve.time, place, self.turn, self.curve.compliance)
+        turn = self.turn + int(np.count_nonzero(self._corners.before < self.turn))
+        contact = forces(table, series, time, driven, turn, self.curve.compliance)
+        contact = ContactHistory(*(part[measured] for part in contact))
         return Prediction(contact.force + self.line(numbers), contact.force > 0.0, contact)
 
     def model_of(self, numbers: dict[str, float], prediction: Prediction) -> ViscoelasticIndentation:
