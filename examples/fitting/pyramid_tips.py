@@ -18,7 +18,7 @@ import numpy as np
 import winkler as wk
 from winkler.problems.assumptions.pyramid_film import layer_error
 
-here = Path(__file__) if "__file__" in globals() else Path("examples/fitting/pyramid_tips.py")
+HERE = Path(__file__).resolve().parent if "__file__" in globals() else Path.cwd()
 FACE = np.radians(35.0)
 YOUNG, START = "bed.medium.first.young", 1e3
 
@@ -34,7 +34,7 @@ def bed(tip, young=START):
 # The curve was made with the constant of another program and a modulus of 4 kPa. The cone of equal cross-section, and
 # a cone with the half-angle of the faces, fit as well, with other moduli: the residuals do not tell.
 
-curve = wk.read_curve(here.resolve().parents[1] / "data" / "gel_pyramid.csv").approach
+curve = wk.read_curve(HERE.parent / "data" / "gel_pyramid.csv").approach
 tips = {
     "pyramid": wk.Pyramid(sides=4, face_angle=FACE),
     "cone, equal area": wk.Cone(np.arctan(np.sqrt(4.0 / np.pi) * np.tan(FACE))),

@@ -113,7 +113,7 @@ def test_show_what_is_not_known(name, sentence, code, capsys):
 # -------------------------------------------------------------------------------------------------------- new
 
 
-KNOWN_TO_SMALL_RADII = {"measured", "designed"}
+KNOWN_TO_SMALL_RADII = {"measured", "designed", "calibrated_tip", "tabulated_tip"}
 """Profiles whose examples end at radii that soft bodies reach."""
 SOFT = ("viscoelastic_indentation", "relaxation_test", "harmonic_indentation", "viscoelastic_tangential")
 
@@ -140,6 +140,9 @@ def goes_together(problem: str, profile: str) -> bool:
         "cube_corner",
         "area_function",
         "capped_paraboloid",
+        "pyramid",
+        "pyramid_by_edges",
+        "calibrated_tip",
     }
     pinned = {"flat_punch", "capped_cylinder"}
     refused = {
@@ -147,7 +150,10 @@ def goes_together(problem: str, profile: str) -> bool:
         "yield_onset": sharp,
         **dict.fromkeys(("line_yield_onset", "line_shakedown"), sharp),
         **{name: {"area_function"} for name in OTHER_LINES},  # of a tip of revolution
-        "periodic_indentation": {"area_function"},  # of a tip of revolution
+        "periodic_indentation": {
+            "area_function",
+            "capped_cylinder",
+        },  # of a tip of revolution, or narrower than the pitch
         **dict.fromkeys(
             ("line_rolling", "line_rolling_start", "line_rolling_resistance"),
             set(CATALOGUE["profile"]) - {"paraboloid"},

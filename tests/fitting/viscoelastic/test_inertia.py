@@ -80,7 +80,7 @@ def test_numbers_hold_with_inertia_and_not_without():
 @pytest.mark.slow
 def test_intervals_of_curves_with_inertia():
     free = FREE | {"inertia": MASS}
-    rows = scores(range(1, 13), free)
+    rows = scores(range(1, 25), free)
     truth = np.array(list(free.values()))
     assert np.all(np.mean((rows[..., 1] <= truth) & (truth <= rows[..., 2]), axis=0) >= 0.8)
     assert np.all(np.abs(np.median(rows[..., 0], axis=0)) < 0.2 * np.median(rows[..., 2] - rows[..., 1], axis=0))

@@ -145,7 +145,9 @@ def _located(time: Array, signal: Array, origin: float) -> _Kink | None:
     # the derivative with respect to the place of the kink joins the columns
     moved = (_columns(x, at + 0.01)[:, 3:] - columns[:, 3:]) @ numbers[3:] / 0.01
     design = np.column_stack([columns, moved])
-    sizes = np.maximum(np.linalg.norm(design, axis=0), 1e-300)
+    sizes = np.linalg.norm(design, axis=0)
+    if not np.all(sizes > 0.0):  # no bend: its place moves nothing
+        return None
     spread = np.linalg.pinv((design / sizes).T @ (design / sizes)) / np.outer(sizes, sizes)
     error = math.sqrt(variance * max(float(spread[5, 5]), 0.0) + SYSTEMATIC_POINTS**2)
     kink_error = math.sqrt(max(variance * float(spread[3, 3]), 0.0))
