@@ -67,7 +67,7 @@ def test_from_a_curve_to_its_modulus(fresh, tmp_path):
     assert again.value(gel_study.free[0].path) == fit.value(gel_study.free[0].path)
     assert "Fitted numbers" in app_page.taken("report").decode("utf-8")
     with zipfile.ZipFile(io.BytesIO(app_page.taken("png"))) as pack:
-        assert pack.namelist() == ["curve_1.png"]
+        assert pack.namelist() == ["curve_1.png", "measured_1.png", "noise.png"]
 
     other = fresh()
     with other.page.expect_file_chooser() as chooser:
@@ -114,7 +114,7 @@ def test_a_body_that_relaxes_in_a_narrow_window(fresh):
     uploaded(app_page, EXAMPLES / "data" / "cell_loop.csv")
     app_page.settled()
     app_page.page.locator('[data-picture="loop"] .main-svg').first.wait_for()
-    assert app_page.page.locator(".sheets figure svg").count() == 1
+    assert app_page.page.locator(".sheets figure svg").count() == 3
     assert app_page.card("shear modulus").startswith("499.9 Pa")
     assert app_page.page.evaluate("document.documentElement.scrollWidth") <= 390
     app_page.shot("fit_narrow")

@@ -13,11 +13,9 @@ import tomli_w
 from winkler.cli import main
 from winkler.errors import InvalidInput
 from winkler.io.curves import read_curve
-from winkler.study.batch.fit_run import fit_study
 from winkler.study.language.fit_reading import FITTED, parse_fit_study
 from winkler.study.language.reading import parsed
 from winkler.web.form import fit_form, form
-from winkler.web.form.sample_curve import SAMPLE, sample_curve
 from winkler.web.form.study_form import StudyForm
 from winkler.web.pictures.answer import AnswerText, MomentComplete
 from winkler.web.pictures.fitted import MOST_POINTS, drawn_points
@@ -192,16 +190,6 @@ def test_a_study_and_its_curve_travel_together(folder_):
         other.unpack(b"PK\x03\x04 spoilt", "study.toml")
     uploads.close()
     other.close()
-
-
-def test_the_form_begins_with_a_curve_that_can_be_fitted(folder_):
-    (folder_ / SAMPLE).write_bytes(sample_curve())
-    table = fit_form.initial_table(FITTED[0])
-    form.put(table, "fit.curve", SAMPLE)
-    found = fit_study(parse_fit_study(tomli_w.dumps(table), folder=folder_)).fitted[0].fit
-    low, high = found.interval("bed.medium.first.young")
-    assert low < 4e3 < high < 1.02 * 4e3
-    assert found.flags == ()
 
 
 def test_only_so_many_points_are_drawn():

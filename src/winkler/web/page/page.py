@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -10,14 +9,13 @@ from typing import Any
 import tomli_w
 from nicegui import context, ui
 
-from winkler.errors import InvalidInput, WinklerError, mistake_in
+from winkler.errors import WinklerError, mistake_in
 from winkler.io.foreign import reason_of
 from winkler.study.language.catalogue import CATALOGUE, kinds
 from winkler.study.language.explain import summary
 from winkler.study.language.fit_reading import FITTED
 from winkler.study.language.reading import parsed
 from winkler.web.form import fit_form, form
-from winkler.web.form.sample_curve import SAMPLE, sample_curve
 from winkler.web.form.study_form import TASKS, StudyForm
 from winkler.web.page.astext import AsText
 from winkler.web.page.fields import FormFields
@@ -77,8 +75,6 @@ class Page:
         except OSError:
             self.uploads.close()
             raise
-        with contextlib.suppress(InvalidInput):  # a full disk: the form then asks for a curve
-            form.put(self.entered.other_table, "fit.curve", self.uploads.keep(SAMPLE, sample_curve()))
         self.requests = RequestQueue(self.send)
         self.anew = True
         self.shown_task = self.entered.task
