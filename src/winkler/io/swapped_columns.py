@@ -13,7 +13,7 @@ from winkler.numerics.types import Array
 __all__ = ["swap_note"]
 
 CONCAVE = 0.58
-"""Force at half of the way over the greatest: 0.5 for a punch, 0.35 for a ball, 0.25 for a cone; swapped 0.5 to 1."""
+"""Force at half of the depth over the greatest: 0.5 for a punch, 0.35 for a ball, 0.25 for a cone; swapped 0.5 to 1."""
 WINDOW = 0.03
 """Half the width of the middle, relative to the travel of the loading."""
 FEWEST = 10
@@ -40,6 +40,6 @@ def swap_note(position: Array, force: Array) -> str:
     if share <= CONCAVE:
         return ""
     return (
-        f"doubtful: half of the way bears {100 * share:.0f} % of the greatest force, and the loading is concave; "
+        f"doubtful: half of the depth bears {100 * share:.0f} % of the greatest force, and the loading is concave; "
         "position and force may be exchanged"
     )

@@ -26,7 +26,7 @@ MOST_DOUBT = 3.0
 def touched(curve: ForceCurve, area: Sequence[float] | Array) -> ZeroPoint:
     """Return the touch by a power of the depth or, where it is known, by the area function of the tip.
 
-    The two laws fail in different ways, the power where the exponent changes, the area function where the hardness
+    The two laws fail differently, the power where the exponent changes, the area function where the hardness
     does: their difference is taken as the half-width of a uniform distribution, and added to the error.
     """
     plain = found_zero_point(curve)

@@ -70,10 +70,10 @@ def clock_offset_of(record: Record, contact: Array) -> ClockOffset | None:
     bounds = [0, *turns, record.length]
     found: list[tuple[int, float, float]] = []
     for place, turn in enumerate(turns, start=1):
-        room = min(turn - bounds[place - 1], bounds[place + 1] - turn)
-        if room < 2 * FEWEST_POINTS or not loaded[turn]:
+        space = min(turn - bounds[place - 1], bounds[place + 1] - turn)
+        if space < 2 * FEWEST_POINTS or not loaded[turn]:
             continue
-        reach = min(room // 2, MOST_LATE)
+        reach = min(space // 2, MOST_LATE)
         kinks = [_kink(record.time, signal, turn, reach) for signal in (record.position, record.force)]
         if all(kink is not None and kink.ratio > LEAST_KINK_RATIO for kink in kinks):
             of_position, of_force = (kink for kink in kinks if kink is not None)
