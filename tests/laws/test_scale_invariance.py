@@ -110,7 +110,7 @@ ROUNDED: dict[tuple[str, str], Rounded] = {
         for name in ("heat_rate", "creep_power", "max_temperature", "mean_temperature", "grid_error")
     },
     **{
-        ("MasterCurveSolution", name): Rounded(1e-4, "the evidence is flat at its maximum, where its search ends")
+        ("MasterCurveSolution", name): Rounded(1e-7, "the evidence is flat at its maximum, where its search ends")
         for name in (
             *("shift_factor", "shift_error", "relaxed_shear", "relaxed_shear_error", "freedom"),
             *("first_constant", "second_constant", "activation_energy", "shears", "scatter"),

@@ -188,5 +188,12 @@ def test_what_must_be_given():
 @pytest.mark.parametrize(("young", "strength"), [(210e9, 1e20), (1e-20, 1e9)])
 def test_a_strength_that_no_slope_reaches_is_refused(shape, young, strength):
     bed = wk.Foundation(shape, wk.HalfSpace(wk.Elastic(young, 0.3, strength=strength)))
-    with pytest.raises(wk.OutsideValidity, match="far below the strength, .*check the units"):
+    with pytest.raises(wk.OutsideValidity, match="below the strength, .*check the units"):
+        wk.YieldOnset(bed).solve()
+
+
+def test_a_strength_that_no_load_reaches_is_refused_on_a_plane_foundation():
+    """The gap of a ball in the plane is finite at its equator; only its slope is not."""
+    bed = wk.PlaneFoundation(wk.Sphere(4.8e-3), wk.HalfSpace(wk.Elastic(135e9, 0.42, strength=205e9)))
+    with pytest.raises(wk.OutsideValidity, match="nearly vertical, .*below the strength, .*check the units"):
         wk.YieldOnset(bed).solve()

@@ -27,7 +27,10 @@ from winkler.numerics.types import Array
 
 __all__ = ["Measurements", "Response", "SpectrumEstimate", "estimate_spectrum"]
 
-SETTLED = 1e-7
+SETTLED = 1e-12
+"""Longest step of a logarithm with which the search ends; Gauss and Newton's steps shorten by a factor only."""
+ROUNDING = 1e-14
+"""Part of the cost that is rounding."""
 MOST_STEPS = 400
 MOST_ROUNDS = 200
 LEAST_WEIGHT, GREATEST_WEIGHT = 1e-4, 1e7
@@ -230,8 +233,8 @@ def _settle(
         ahead[free] += step
         next_slopes, next_residuals = _linearised(measured, times, layout, ahead)
         there = cost(ahead, next_residuals)
-        if math.isfinite(there) and there <= here:
-            settled = here - there <= SETTLED * (1.0 + abs(here))
+        if math.isfinite(there) and there <= here + ROUNDING * (1.0 + abs(here)):
+            settled = float(np.max(np.abs(step))) <= SETTLED
             numbers, slopes, residuals, here = ahead, next_slopes, next_residuals, there
             damping = max(0.2 * damping, 1e-12)
             if settled:

@@ -23,7 +23,7 @@ from winkler.numerics.types import Array
 from winkler.problems.master_curves.master_curve_notes import master_curve_notes
 from winkler.problems.master_curves.shifted_solid import ShiftedSolid
 from winkler.problems.master_curves.spectrum_solid import Covariances
-from winkler.problems.master_curves.temperature_groups import grouped, spread_times
+from winkler.problems.master_curves.temperature_groups import grouped, in_own_units, spread_times
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -140,7 +140,7 @@ class MasterCurve:
             If the search does not settle.
         """
         centres, group = self._groups
-        measured = self.sweeps.measured(group)
+        measured, abscissa, modulus = in_own_units(self.sweeps.measured(group))
         shifts = pairwise_shifts(measured, centres.size, self._reference)
         factors = np.log(centres / centres[self._reference]) if self.entropic else None
         for _ in range(ROUNDS):
@@ -157,9 +157,10 @@ class MasterCurve:
             shifts = found.shifts
             if moved < NEW_GRID:
                 break
-        return self._solution(centres, found)
+        time = abscissa if isinstance(self.sweeps, RelaxationSweeps) else 1.0 / abscissa
+        return self._solution(centres, found, time, modulus)
 
-    def _solution(self, centres: Array, found: SpectrumEstimate) -> MasterCurveSolution:
+    def _solution(self, centres: Array, found: SpectrumEstimate, time: float, modulus: float) -> MasterCurveSolution:
         k, m = found.times.size, centres.size
         error = np.sqrt(np.maximum(np.diag(found.covariance), 0.0))
         start = k + 1
@@ -170,9 +171,9 @@ class MasterCurve:
             shift_error=error[start : start + m],
             vertical_factor=np.exp(found.factors),
             vertical_error=error[start + m :],
-            relaxation_times=found.times,
-            shears=np.exp(found.strengths),
-            relaxed_shear=math.exp(found.level) if not self.fluid else 0.0,
+            relaxation_times=time * found.times,
+            shears=modulus * np.exp(found.strengths),
+            relaxed_shear=modulus * math.exp(found.level) if not self.fluid else 0.0,
             covariances=Covariances(
                 found.covariance[:start, :start], found.covariance[start : start + m, start : start + m]
             ),

@@ -9,7 +9,7 @@ import numpy as np
 from winkler.numerics.springs.relaxation_spectrum import Measurements, Response
 from winkler.numerics.types import Array
 
-__all__ = ["grouped", "longest_run", "reached_times", "spread_times"]
+__all__ = ["grouped", "in_own_units", "longest_run", "reached_times", "spread_times"]
 
 DECADES_BEYOND = 1.0
 """Decades of relaxation times beyond the measured ones."""
@@ -28,6 +28,16 @@ def reached_times(one: Measurements, shifts: Array) -> Array:
     """Return logarithms of 1 / (omega a) or t / a of each row ``(n,)``."""
     turn = 1.0 if one.response is Response.RELAXATION else -1.0
     return np.asarray(turn * np.log(one.abscissa) - shifts[one.group])
+
+
+def in_own_units(measured: tuple[Measurements, ...]) -> tuple[tuple[Measurements, ...], float, float]:
+    """Return measurements of about one, and their units of abscissa and modulus: powers of two, which round nothing."""
+    abscissa, modulus = (
+        2.0 ** math.frexp(max(float(numbers.max()) for numbers in of_each))[1]
+        for of_each in ([one.abscissa for one in measured], [one.modulus for one in measured])
+    )
+    scaled = (one._replace(abscissa=one.abscissa / abscissa, modulus=one.modulus / modulus) for one in measured)
+    return tuple(scaled), abscissa, modulus
 
 
 def spread_times(measured: tuple[Measurements, ...], shifts: Array, per_decade: int) -> Array:

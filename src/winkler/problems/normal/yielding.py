@@ -24,8 +24,6 @@ MOST_STEPS = 40
 OCTAVES = 500
 REACH_SHARE = 0.999
 """Part of the reach of a profile that becomes vertical there, up to which the onset is sought."""
-STRENGTH_FACTOR = 10.0
-"""A strength so many times the modulus times the slope there is not reached."""
 
 
 @value
@@ -137,7 +135,9 @@ def _onset(bed: Bed, part: StrongPart) -> tuple[float, GreatestStress] | str:
     def stress(radius: float) -> GreatestStress:
         return greatest_stress(PressedSprings(bed, float(bed.gap(np.array([radius]))[0]), radius), part)
 
-    if end in sharp or math.isfinite(at_end(bed)[0]):
+    with np.errstate(divide="ignore", invalid="ignore"):
+        vertical = not math.isfinite(float(bed.gap_slope(np.array([end]))[0]))  # as the equator of a ball
+    if end in sharp or (math.isfinite(at_end(bed)[0]) and not vertical):
         place = stress(end)
         if place.value < strength:
             if end in sharp or bed.rim <= bed.reach:  # reached first, and there the stress is infinite
@@ -147,12 +147,13 @@ def _onset(bed: Bed, part: StrongPart) -> tuple[float, GreatestStress] | str:
                 f"{strength:.6g} Pa; the body does not yield before the profile ends."
             )
     elif math.isfinite(end):
-        steepest = float(bed.gap_slope(np.array([REACH_SHARE * end]))[0])
-        if STRENGTH_FACTOR * bed.medium.modulus * steepest < strength:
+        end *= REACH_SHARE
+        place = stress(end)
+        if place.value < strength:
             return (
-                f"YieldOnset: at {REACH_SHARE * end:.6g} m, where the profile is nearly vertical, its slope times the "
-                f"modulus is {steepest * bed.medium.modulus:.6g} Pa, far below the strength, {strength:.6g} Pa: the "
-                "body does not yield before; check the units of strength and modulus."
+                f"YieldOnset: at {end:.6g} m, where the profile is nearly vertical, the largest von Mises stress is "
+                f"{place.value:.6g} Pa, below the strength, {strength:.6g} Pa: the body does not yield before; check the "
+                "units of strength and modulus."
             )
     low, high = flat, end
     last: tuple[float, float] | None = None

@@ -263,13 +263,21 @@ def _range(raw: dict[str, Any], unit: str | None) -> Array:
     return np.where(np.abs(values) < 1e-12 * np.ptp(values), 0.0, values)
 
 
+def _is_finite(item: float) -> bool:
+    """Return whether a float can hold a number; an integer of a study may have any number of digits."""
+    try:
+        return math.isfinite(item)
+    except OverflowError:
+        return False
+
+
 def _with_one_unit(raw: dict[str, Any], unit: str | None) -> Array:
     check_keys(raw, ("values", "unit"), ("values",) if not unit else ("values", "unit"), "a table of values")
     values, unit_name = raw["values"], raw.get("unit", "")
     if not isinstance(values, list) or not values:
         wrong(f"{WHERE}.values is {values!r}; give a list with at least one number.")
     for place, item in enumerate(values):
-        if isinstance(item, bool) or not isinstance(item, int | float) or not np.isfinite(item):
+        if isinstance(item, bool) or not isinstance(item, int | float) or not _is_finite(item):
             wrong(f"{WHERE}.values[{place}] is {item!r}; give finite numbers, their unit stands in unit.")
     if not isinstance(unit_name, str):
         wrong(
