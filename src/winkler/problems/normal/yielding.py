@@ -152,8 +152,8 @@ def _onset(bed: Bed, part: StrongPart) -> tuple[float, GreatestStress] | str:
         if place.value < strength:
             return (
                 f"YieldOnset: at {end:.6g} m, where the profile is nearly vertical, the largest von Mises stress is "
-                f"{place.value:.6g} Pa, below the strength, {strength:.6g} Pa: the body does not yield before; check the "
-                "units of strength and modulus."
+                f"{place.value:.6g} Pa, below the strength, {strength:.6g} Pa: the body does not yield before; check "
+                "the units of strength and modulus."
             )
     low, high = flat, end
     last: tuple[float, float] | None = None
