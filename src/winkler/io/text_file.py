@@ -15,7 +15,17 @@ from winkler.errors import InvalidInput, suggest
 from winkler.io.foreign import path_text, sentence_of
 from winkler.limits import HEADER_LETTERS, HEADER_LINES, LINE_LETTERS, TEXT_BYTES, TEXT_LINES
 
-__all__ = ["UNMARKED_UTF16", "UTF16_MARKS", "content_of", "existing", "head_of", "headed", "lines_of", "lines_of_bytes", "refuse_large"]
+__all__ = [
+    "UNMARKED_UTF16",
+    "UTF16_MARKS",
+    "content_of",
+    "existing",
+    "head_of",
+    "headed",
+    "lines_of",
+    "lines_of_bytes",
+    "refuse_large",
+]
 
 SPREADSHEET = "this is a spreadsheet or an archive; save the table as text (CSV)"
 SIGNATURES = (
