@@ -17,6 +17,7 @@ from winkler.study.nanoindentation.running import NanoindentationOutcome
 from winkler.study.report import page_parts as parts
 from winkler.study.report.figure import ReportFigure, drawn
 from winkler.study.report.markup import number, safe, section, table
+from winkler.study.report.tables import expected_section
 from winkler.validity import Note
 
 __all__ = ["calibration_rows", "figures_of", "first_yield_rows", "mean_rows", "page"]
@@ -79,6 +80,7 @@ def page(outcome: NanoindentationOutcome, shown: tuple[ReportFigure, ...]) -> st
         *_measurement(outcome),
         *_continuous(outcome),
         *_first_yield(outcome),
+        expected_section(outcome.verdicts),
         _failures(outcome),
         section("Figures", parts.figure_elements(shown)) if shown else "",
         parts.trust(_notes(outcome)),
