@@ -82,6 +82,24 @@ tolerance = 0.1
 """
 
 
+def test_the_iso_table_has_one_row_for_each_quantity_and_few_columns(tmp_path):
+    """Six curves stand in two tables, each at most four curves wide; every quantity of the CSV file is in both."""
+    shutil.copy(DATA / "berkovich.toml", tmp_path)
+    for number in range(1, 7):
+        shutil.copy(DATA / f"steel_{(number - 1) % 3 + 1}.csv", tmp_path / f"steel_{number}.csv")
+    path = study(tmp_path, INDENTATION.replace("tip/indenter", "berkovich") + "[output]\nfigures = []\n")
+    assert main(["fit", str(path), "--output", str(tmp_path / "out"), "--quiet"]) == 0
+    report = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
+    part = report.partition("Quantities of ISO 14577")[2].partition("<h2")[0]
+    heads = [re.findall(r"<th[^>]*>([^<]*)</th>", one) for one in part.split("<table>")[1:]]
+    assert heads == [["quantity", *(f"steel_{n}.csv" for n in numbers)] for numbers in ((1, 2, 3, 4), (5, 6))]
+    with (tmp_path / "out" / "quantities.csv").open(encoding="utf-8") as file:
+        names = next(csv.reader(line for line in file if not line.startswith("#")))
+    for name in ("HM", "HMs", "HIT", "EIT", "HV*", "CIT", "RIT", "W", "W_e", "W_p", "eta_IT"):
+        assert part.count(f"<td>{name}, ") == 2
+        assert any(key.split(" ")[0] == name.replace("*", "_star") for key in names)
+
+
 @pytest.mark.parametrize(("told", "missed"), [(7.0, 0), (9.0, 1)])
 def test_expected_numbers(tmp_path, capsys, told, missed):
     """The steel of the data has 210 GPa, and a hardness of 7 GPa."""
