@@ -16,7 +16,6 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import winkler as wk
-from winkler.problems.assumptions.pyramid_film import layer_error
 
 HERE = Path(__file__).resolve().parent if "__file__" in globals() else Path.cwd()
 FACE = np.radians(35.0)
@@ -79,7 +78,7 @@ left.legend(frameon=False)
 wide = np.geomspace(0.1, 10.0, 100)
 for sides, color in ((4, "C0"), (3, "C3")):
     for contrast, style in ((np.inf, "-"), (10.0, "--"), (0.1, ":")):
-        error = [100.0 * layer_error(sides, a, contrast, 0.3) for a in wide]
+        error = [100.0 * wk.pyramid_layer_error(sides, a, contrast, 0.3) for a in wide]
         base = "rigid base" if np.isinf(contrast) else f"base {contrast:g} times as stiff"
         right.semilogx(wide, error, style, color=color, label=f"{sides} faces, {base}")
 right.axhline(0.0, color="0.7", linewidth=0.8)

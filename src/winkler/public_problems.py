@@ -7,6 +7,7 @@ from winkler.problems.adhesion.model_choice import which_model
 from winkler.problems.adhesion.pull_off import PullOff, PullOffSolution
 from winkler.problems.adhesion.shear import AdhesiveShear, AdhesiveShearSolution
 from winkler.problems.adhesion.tabor import maugis_parameter, tabor_parameter
+from winkler.problems.assumptions.pyramid_film import pyramid_layer_error
 from winkler.problems.conduction.bounds import ConductanceBounds, ConductanceBoundsSolution
 from winkler.problems.conduction.constriction import Constriction, ConstrictionSolution
 from winkler.problems.conduction.fields import CurrentFields, HeatFields, restore_conduction
@@ -143,5 +144,5 @@ __all__ = [
     "ViscoelasticImpactSolution", "ViscoelasticIndentation", "ViscoelasticSolution", "ViscoelasticTangential",
     "ViscoelasticTangentialSolution", "YieldOnset", "YieldOnsetSolution", "area_fraction", "creep_coefficients",
     "design_for_pressure", "design_profile", "linear_creep_coefficients", "maugis_parameter", "mean_separation",
-    "reduce", "restore_conduction", "tabor_parameter", "which_model",
+    "pyramid_layer_error", "reduce", "restore_conduction", "tabor_parameter", "which_model",
 ]  # fmt: skip

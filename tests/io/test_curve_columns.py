@@ -94,12 +94,24 @@ def test_a_unit_that_the_file_states_too(tmp_path):
     assert read_curve(path, units={"force": "uN"}).force[1] == pytest.approx(1e-6)
 
 
-@pytest.mark.parametrize("encoding", ["utf-8", "latin-1", "utf-8-sig"])
+@pytest.mark.parametrize("encoding", ["utf-8", "latin-1", "utf-8-sig", "utf-16"])
 def test_decimal_commas(tmp_path, encoding):
     path = write(tmp_path, "h (µm);F (mN)\n0,0;0,0\n0,5;1,250\n1,25;2,000\n", encoding=encoding)
     curve = read_curve(path)
     np.testing.assert_allclose(curve.position, [0.0, 0.5e-6, 1.25e-6])
     np.testing.assert_allclose(curve.force, [0.0, 1.25e-3, 2e-3])
+
+
+@pytest.mark.parametrize("order", ["le", "be"])
+def test_a_long_table_in_utf_16(tmp_path, order):
+    """The header is read from a first part of the file, which ends within a line."""
+    count = 4000
+    text = "\ufefftime [s],h [µm],F [nN]\n" + "".join(f"{i},{0.5 * i},{i * i}\n" for i in range(count))
+    path = tmp_path / "curve.csv"
+    path.write_bytes(text.encode(f"utf-16-{order}"))
+    curve = read_curve(path)
+    np.testing.assert_allclose(curve.position, 0.5e-6 * np.arange(count))
+    np.testing.assert_allclose(curve.force, 1e-9 * np.arange(count) ** 2)
 
 
 @pytest.mark.parametrize(

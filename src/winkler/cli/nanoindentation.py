@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 __all__ = ["evaluate", "wanted"]
 
 MOST_FAILURES = 5
+NUMBER_MISSED = 1
 
 
 def wanted(study: Path) -> bool:
@@ -55,6 +56,7 @@ def evaluate(study: Path, output: Path | None, *, overwrite: bool, quiet: bool, 
             clear_interrupt()
         left = 0 if content.calibrates else len(content.sources) - len(found)
         outcome = gathered(content, found, started=started, source=study.name, left=left)
+        outcome.verdicts  # noqa: B018  an expectation that no evaluation has is refused before anything is written
         with placed(folder, overwrite=overwrite) as partial:
             write_nanoindentation(outcome, partial)
     if as_json:
@@ -63,12 +65,15 @@ def evaluate(study: Path, output: Path | None, *, overwrite: bool, quiet: bool, 
         _print(outcome, folder)
     if left:
         raise Interrupted(f"interrupted; {len(found)} files were done and are in {folder}, {left} are missing.")
-    return outcome.unevaluated[0].code if outcome.unevaluated else 0
+    if outcome.unevaluated:
+        return outcome.unevaluated[0].code
+    return 0 if all(verdict.passed for verdict, _ in outcome.verdicts) else NUMBER_MISSED
 
 
 @until_closed()
 def _print(outcome: NanoindentationOutcome, folder: Path) -> None:
     from winkler.cli import terminal
+    from winkler.cli.validate import verdict_table
     from winkler.study.nanoindentation.report import calibration_rows, first_yield_rows, mean_rows
 
     out = terminal.console()
@@ -84,6 +89,9 @@ def _print(outcome: NanoindentationOutcome, folder: Path) -> None:
     out.print(table)
     for name, content in first_yield_rows(outcome):
         out.print(f"{name}: {content}", soft_wrap=True)
+    if outcome.verdicts:
+        verdicts, names = zip(*outcome.verdicts, strict=True)
+        out.print(verdict_table(verdicts, names))
     if outcome.continuous:
         depths = sum(one.solution.points.size for one in outcome.continuous)
         out.print(f"Continuous stiffness: {len(outcome.continuous)} curves, {depths} depths.", soft_wrap=True)
@@ -98,6 +106,8 @@ def _print(outcome: NanoindentationOutcome, folder: Path) -> None:
 
 
 def _as_json(outcome: NanoindentationOutcome, folder: Path) -> dict[str, Any]:
+    from winkler.cli.validate import verdict_json
+
     means = {
         name: {"mean": mean.mean, "error": mean.error, "interval": list(mean.interval()),
                "shares": dict(zip(mean.sources, mean.shares.tolist(), strict=True))}
@@ -116,4 +126,5 @@ def _as_json(outcome: NanoindentationOutcome, folder: Path) -> dict[str, Any]:
     first_yield = None if found is None else {"curves": found.force.size, "mean_stress": found.mean_stress,
                                               "interval": list(found.interval()), "shape": found.shape}  # fmt: skip
     return {"means": means, "first_yield": first_yield, "continuous": [one.name for one in outcome.continuous],
+            "expect": [verdict_json(verdict) | {"curve": name} for verdict, name in outcome.verdicts],
             "calibration": calibration, "failed": failed, "left": outcome.left, "folder": str(folder)}  # fmt: skip

@@ -23,7 +23,8 @@ import numpy as np
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.fitting.certainty import certainty, doubts, refuse_singular
 from winkler.fitting.curvature import stretches_of
-from winkler.fitting.curves.checks import CurveOutline, Flag, outline, refuse
+from winkler.fitting.curves.across_pop_ins import across_pop_ins
+from winkler.fitting.curves.checks import CurveOutline, Flag, outline, refuse, without_baseline
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.outline import FEWEST
 from winkler.fitting.elastic.task import elastic_task
@@ -192,9 +193,12 @@ def _fit(
             f"fit: {count} points do not determine {free_count} parameters; give more points, or free fewer."
         )
     try:
-        return _best(task, rough_outline, deviation, float(np.mean(noise)), flags, search)
+        found = _best(task, rough_outline, deviation, float(np.mean(noise)), flags, search)
     except NotConverged as error:
         raise NotConverged(" ".join([str(error), *map(str, flags)])) from None
+    if not isinstance(found, Fit):
+        return found
+    return dataclasses.replace(found, flags=(*found.flags, *across_pop_ins(curve, found.touched)))
 
 
 def _deviation(curve: ForceCurve, noise: Quantity, unit: str) -> Array:
@@ -263,5 +267,8 @@ def _with_errors(task: FitTask, best: Generalised, noise: float, flags: tuple[Fl
         "flags": (*flags, *task.doubts(numbers, errors)),
     }
     result = task.outcome(numbers, prediction, shared)
-    further = doubts(task.parameters, coordinates, result, uncertainty)
+    further = [*doubts(task.parameters, coordinates, result, uncertainty)]
+    if not any(flag.name == "no_baseline" for flag in result.flags):
+        both = ("approach", "retract") if isinstance(result, Fit) else ("approach",)
+        further += without_baseline(result.curve, result.touched, both)
     return dataclasses.replace(result, flags=(*result.flags, *further))

@@ -29,7 +29,7 @@ from winkler.io.placed_curves import PlacedCurve, UnreadCurve
 from winkler.io.segments import directions
 from winkler.io.tables.curve_table import is_curve_table, read_curve_table
 from winkler.io.tables.given_units import checked_units
-from winkler.io.text_file import existing, refuse_large
+from winkler.io.text_file import UNMARKED_UTF16, UTF16_MARKS, existing, refuse_large
 from winkler.limits import FILE_BYTES
 
 __all__ = ["PlacedCurve", "UnreadCurve", "read_curve", "read_curves", "try_curves"]
@@ -147,7 +147,7 @@ def _is_text(path: Path) -> bool:
     """Return whether the file may be a table: it is text."""
     with path.open("rb") as file:
         start = file.read(4096)
-    if start.startswith((b"\xff\xfe", b"\xfe\xff")):  # UTF-16, which its reader refuses by name
+    if start.startswith(UTF16_MARKS) or UNMARKED_UTF16.match(start):  # their reader names what it cannot read
         return True
     return b"\x00" not in start and not start.startswith((b"PK", b"\x89HDF"))
 

@@ -5,6 +5,7 @@ Devices, pipes and sockets are refused, since some of them never end; the limits
 
 from __future__ import annotations
 
+import codecs
 import itertools
 import os
 import re
@@ -14,15 +15,28 @@ from winkler.errors import InvalidInput, suggest
 from winkler.io.foreign import path_text, sentence_of
 from winkler.limits import HEADER_LETTERS, HEADER_LINES, LINE_LETTERS, TEXT_BYTES, TEXT_LINES
 
-__all__ = ["content_of", "existing", "head_of", "headed", "lines_of", "refuse_large"]
+__all__ = [
+    "UNMARKED_UTF16",
+    "UTF16_MARKS",
+    "content_of",
+    "existing",
+    "head_of",
+    "headed",
+    "lines_of",
+    "lines_of_bytes",
+    "refuse_large",
+]
 
 SPREADSHEET = "this is a spreadsheet or an archive; save the table as text (CSV)"
 SIGNATURES = (
-    (b"\xff\xfe", "the file is written in UTF-16; save it as UTF-8"),
-    (b"\xfe\xff", "the file is written in UTF-16; save it as UTF-8"),
+    (b"\xff\xfe\x00\x00", "the file is written in UTF-32; save it as UTF-8"),
     (b"PK\x03\x04", SPREADSHEET),
     (b"\xd0\xcf\x11", SPREADSHEET),
 )
+UTF16_MARKS = codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE
+"""First bytes of a text in UTF-16."""
+UNMARKED_UTF16 = re.compile(rb"(?:[\t\n\r -~]\x00){4}|(?:\x00[\t\n\r -~]){4}")
+"""Four letters of a text in UTF-16 without these bytes."""
 UNREADABLE = "the file cannot be read", "check it"
 MOST_NAMES_COMPARED = 1000
 """Files of a folder among which a similar name is searched."""
@@ -99,7 +113,7 @@ def refuse_large(path: Path, most_bytes: int) -> None:
 
 
 def lines_of(given: str | os.PathLike[str], needs: str) -> list[str]:
-    """Return the lines of a text in UTF-8, or Latin-1 as older instruments write it.
+    """Return the lines of a text in UTF-8, UTF-16 with a byte order mark, or Latin-1 as older instruments write it.
 
     Parameters
     ----------
@@ -118,7 +132,7 @@ def lines_of(given: str | os.PathLike[str], needs: str) -> list[str]:
     count = content.count(b"\n") + content.count(b"\r")
     if count > TEXT_LINES and count - content.count(b"\r\n") > TEXT_LINES:
         raise InvalidInput(f"{path_text(path)}: the file has more than {TEXT_LINES} lines; thin it out.")
-    return _decoded(path, content, needs)
+    return lines_of_bytes(content, path_text(path), needs)
 
 
 def head_of(given: str | os.PathLike[str], needs: str) -> list[str]:
@@ -131,9 +145,8 @@ def head_of(given: str | os.PathLike[str], needs: str) -> list[str]:
     """
     path = existing(given, "a text file")
     content = content_of(path, TEXT_BYTES, start=HEADER_LETTERS)
-    if len(content) == HEADER_LETTERS:  # cut somewhere, perhaps within a letter
-        content = content[: max(content.rfind(b"\n"), content.rfind(b"\r")) + 1] or content
-    return headed(_decoded(path, content, needs), path_text(path))
+    lines = lines_of_bytes(content, path_text(path), needs, is_cut=len(content) == HEADER_LETTERS)
+    return headed(lines, path_text(path))
 
 
 def headed(lines: list[str], where: str) -> list[str]:
@@ -161,20 +174,52 @@ def headed(lines: list[str], where: str) -> list[str]:
     return head
 
 
-def _decoded(path: Path, content: bytes, needs: str) -> list[str]:
-    """Return the lines of a text; every line by itself, so that no second copy of all is needed."""
+def _in_utf8(where: str, content: bytes, *, is_cut: bool = False) -> bytes:
+    """Return a text in UTF-16 as UTF-8, and any other as it is; what is no text is refused by its first bytes."""
     for start, what in SIGNATURES:
         if content.startswith(start):
-            raise InvalidInput(f"{path_text(path)}: {what}.")
+            raise InvalidInput(f"{where}: {what}.")
+    if not content.startswith(UTF16_MARKS):
+        return content
+    try:
+        return codecs.getincrementaldecoder("utf-16")().decode(content, final=not is_cut).encode()
+    except UnicodeDecodeError:
+        raise InvalidInput(f"{where}: the file is damaged UTF-16; save it anew as UTF-8.") from None
+
+
+def lines_of_bytes(content: bytes, where: str, needs: str, *, is_cut: bool = False) -> list[str]:
+    """Return the lines of a text that was read already; every line by itself, so that no second copy of all is needed.
+
+    Parameters
+    ----------
+    content : bytes
+        In UTF-8, UTF-16 with a byte order mark, or Latin-1.
+    where : str
+        Its name, for messages.
+    needs : str
+        What it should hold, for an empty one.
+    is_cut : bool
+        Whether it is the beginning of a longer text, cut somewhere, perhaps within a letter.
+
+    Raises
+    ------
+    InvalidInput
+        If it is no text, or empty.
+    """
+    content = _in_utf8(where, content, is_cut=is_cut)
+    if is_cut:
+        content = content[: max(content.rfind(b"\n"), content.rfind(b"\r")) + 1] or content
+    if UNMARKED_UTF16.match(content):
+        raise InvalidInput(f"{where}: the file looks like UTF-16 without a byte order mark; save it as UTF-8.")
     if re.search(rb"[\x00-\x08\x0e-\x1f\x7f]", content):
-        raise InvalidInput(f"{path_text(path)}: the file is not a text; save the table as text (CSV) in UTF-8.")
-    raw = content.removeprefix(b"\xef\xbb\xbf").splitlines()
+        raise InvalidInput(f"{where}: the file is not a text; save the table as text (CSV) in UTF-8.")
+    raw = content.removeprefix(codecs.BOM_UTF8).splitlines()
     try:
         lines = [line.decode("utf-8") for line in raw]
     except UnicodeDecodeError:
         lines = [line.decode("latin-1") for line in raw]
     if not any(line.strip() for line in lines):
-        raise InvalidInput(f"{path_text(path)}: the file is empty; it needs {needs}.")
+        raise InvalidInput(f"{where}: the file is empty; it needs {needs}.")
     return lines
 
 

@@ -26,6 +26,7 @@ MOTION: dict[str, Word] = {
     "loss": Word(r"\Delta W", "J", "energy lost in a jump"),
     "dissipation": Word("W_d", "J", "energy lost since the beginning"),
     "hysteresis": Word("W_h", "J", "energy that opening has cost more than closing has gained, since the beginning"),
+    "frame_compliance": Word("C_f", "m/N", "compliance of the frame"),
     "compliance": Word("1/k_m", "m/N", "compliance of what holds the bodies"),
     "snap_in": Word("", None, "whether the bodies came into contact in a jump"),
     # what is prescribed

@@ -59,7 +59,7 @@ def test_micro_materials(tmp_path):
     assert "no header: time, depth and load, in s, nm and mN, are the order of this instrument" in placed.curve.reading
     with zipfile.ZipFile(tmp_path / "steel.zip", "w") as archive:
         archive.writestr("steel 1 0 0.txt", text)
-        archive.writestr("steel 2 25 0.txt", text.replace("12.5", "13.5"))
+        archive.writestr("steel 2 25 0.txt", text.replace("12.5", "13.5").encode("utf-16"))
     both = list(read_curves(tmp_path / "steel.zip"))
     assert [one.curve.force.max() for one in both] == pytest.approx([12.5e-3, 13.5e-3])
     nameless = tmp_path / "steel.txt"

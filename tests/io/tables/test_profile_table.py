@@ -102,7 +102,7 @@ NO_UNIT = "; write it in the header, as 'radius [um], height [nm]'."
 EMPTY = ": the file is empty; it needs a header such as 'radius [um], height [nm]', and numbers below."
 POINTS = "a comma; write decimals with a point and thousands without, as "
 MISSING = ": a number is missing or not finite; complete or delete the line"
-UTF16 = ": the file is written in UTF-16; save it as UTF-8."
+UTF16 = ": the file is damaged UTF-16; save it anew as UTF-8."
 SPREADSHEET = ": this is a spreadsheet or an archive; save the table as text (CSV)."
 NO_TEXT = ": the file is not a text; save the table as text (CSV) in UTF-8."
 
@@ -162,8 +162,8 @@ REFUSED = [
     ("r [um],h [nm]\n1,1e999\n", ": line 2" + MISSING + "."),
     ("r [um],h [nm]\n1,2\n2,\n3,inf\n4,1\n,5\n", ": lines 3, 4, 6" + MISSING + "s."),
     ("r [um],h [nm]\n" + "NaN,1\n" * 9, ": lines 2, 3, 4, 5, 6 and 4 more" + MISSING + "s."),
-    (("r [um],h [nm]\n" + rows(",")).encode("utf-16"), UTF16),
-    (b"\xfe\xff\x00r", UTF16),
+    (("r [um],h [nm]\n" + rows(",")).encode("utf-16")[:-1], UTF16),
+    (b"\xfe\xff\x00", UTF16),
     (b"PK\x03\x04 and so on", SPREADSHEET),
     (b"\xd0\xcf\x11\xe0\xa1\xb1", SPREADSHEET),
     (b"r [um],h [nm]\n1,2\n\x00\x01\x02", NO_TEXT),

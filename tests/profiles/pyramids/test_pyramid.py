@@ -7,7 +7,7 @@ import pytest
 from pressed_elements import HALF_WIDTH, Elements, extrapolated, layer_excess, rounded, sharp, turned
 
 import winkler as wk
-from winkler.problems.assumptions.pyramid_film import ERRORS, layer_error
+from winkler.problems.assumptions.pyramid_film import ERRORS, pyramid_layer_error
 from winkler.profiles.pyramids.angles import edge_angle_of, face_angle_of
 from winkler.profiles.pyramids.pyramid import AREA_CONSTANTS, CONTACT_OUTLINES, FORCE_CONSTANTS
 from winkler.validity import Standing
@@ -190,7 +190,7 @@ def test_errors_on_layers_by_boundary_elements(sides, poisson, contrast, radius)
     bed = wk.Foundation(tip, film(1e4 if contrast == 1e3 else contrast, poisson))
     contact = wk.Indentation(bed, wk.Radius(radius)).solve()
     force = layer_force(sides, float(contact.depth), 1e4 if contrast == 1e3 else contrast, poisson, 120)
-    stated = layer_error(sides, radius, contrast, poisson)
+    stated = pyramid_layer_error(sides, radius, contrast, poisson)
     assert contact.force / force - 1.0 == pytest.approx(stated, abs=1e-3 + 0.01 * abs(stated))
 
 
@@ -223,3 +223,9 @@ def test_bad_angles(angle):
 def test_degrees_are_recognised():
     with pytest.raises(wk.InvalidInput, match=r"if 35 are degrees, give math\.radians\(35\)"):
         wk.Pyramid(4, 35.0)
+
+
+@pytest.mark.parametrize("wrong", [(2, 1.0, 1.0), (4, 0.0, 1.0), (4, 1.0, -1.0), (4, float("nan"), 1.0)])
+def test_the_public_error_on_layers_refuses_what_is_no_layer(wrong):
+    with pytest.raises(wk.InvalidInput, match="at least three faces, and positive numbers"):
+        wk.pyramid_layer_error(*wrong, 0.3)

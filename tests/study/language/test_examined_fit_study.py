@@ -134,6 +134,17 @@ def test_models_are_compared(here, tmp_path):
     assert "Model 'cone': told from all others in 0, possible in 0 of 2 curves." in list(further_sentences(outcome))
 
 
+def test_a_comparison_goes_on_beside_a_curve_without_contact(here):
+    noise = 1e-3 * np.random.default_rng(3).standard_normal(200)
+    lines = [f"{z},{force}" for z, force in zip(np.linspace(0.0, 2000.0, 200), noise, strict=True)]
+    (here / "curve31.csv").write_text("\n".join(["piezo [nm],force [nN]", *lines, ""]), encoding="utf-8")
+    outcome = fit_study(study(here, 'model = "ball"', "curve[23]*.csv", CONE))
+    assert [one.name for one in outcome.refused] == ["curve31.csv"]
+    said = list(further_sentences(outcome))
+    assert "Model 'cone': told from all others in 0, possible in 0 of 3 curves, not fitted in 1." in said
+    assert "Not compared, as no model could be fitted: curve31.csv (no_contact)." in said
+
+
 def test_shared_numbers_are_those_of_all_curves(here, tmp_path):
     outcome = fit_study(study(here, f'shared = ["{YOUNG}"]'))
     (joint,) = outcome.joint

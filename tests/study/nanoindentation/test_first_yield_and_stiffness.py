@@ -131,7 +131,7 @@ def test_show_and_validate_know_the_sections(tmp_path, capsys):
     (tmp_path / "curves").mkdir()
     shutil.copy(DATA / "steel_1.csv", tmp_path / "curves")
     assert main(["validate", study(tmp_path)]) == 2
-    assert "evaluate it with `winkler fit study.toml`" in capsys.readouterr().err
+    assert "study.toml: a case needs source" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import re
 import shutil
 from pathlib import Path
 
@@ -67,6 +68,103 @@ def test_a_calibration_is_read_by_an_evaluation(tmp_path, capsys):
     report = (tmp_path / "steel" / "report.html").read_text(encoding="utf-8")
     for words in ("Shares of the uncertainty", "Quantities of ISO 14577", "steel_2.csv", "eta_IT", "Pile-up"):
         assert words in report
+
+
+EXPECT = """
+[[expect]]
+quantity = "young"
+value = "210 GPa"
+tolerance = 0.05
+[[expect]]
+quantity = "hardness.0"
+value = "TOLD GPa"
+tolerance = 0.1
+"""
+
+
+def test_the_iso_table_has_one_row_for_each_quantity_and_few_columns(tmp_path):
+    """Six curves stand in two tables, each at most four curves wide; every quantity of the CSV file is in both."""
+    shutil.copy(DATA / "berkovich.toml", tmp_path)
+    for number in range(1, 7):
+        shutil.copy(DATA / f"steel_{(number - 1) % 3 + 1}.csv", tmp_path / f"steel_{number}.csv")
+    path = study(tmp_path, INDENTATION.replace("tip/indenter", "berkovich") + "[output]\nfigures = []\n")
+    assert main(["fit", str(path), "--output", str(tmp_path / "out"), "--quiet"]) == 0
+    report = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
+    part = report.partition("Quantities of ISO 14577")[2].partition("<h2")[0]
+    heads = [re.findall(r"<th[^>]*>([^<]*)</th>", one) for one in part.split("<table>")[1:]]
+    assert heads == [["quantity", *(f"steel_{n}.csv" for n in numbers)] for numbers in ((1, 2, 3, 4), (5, 6))]
+    with (tmp_path / "out" / "quantities.csv").open(encoding="utf-8") as file:
+        names = next(csv.reader(line for line in file if not line.startswith("#")))
+    for name in ("HM", "HMs", "HIT", "EIT", "HV*", "CIT", "RIT", "W", "W_e", "W_p", "eta_IT"):
+        assert part.count(f"<td>{name}, ") == 2
+        assert any(key.split(" ")[0] == name.replace("*", "_star") for key in names)
+
+
+@pytest.mark.parametrize(("told", "missed"), [(7.0, 0), (9.0, 1)])
+def test_expected_numbers(tmp_path, capsys, told, missed):
+    """The steel of the data has 210 GPa, and a hardness of 7 GPa."""
+    head = f'title = "steel"\nsource = "the data"\ngrade = "analytical"\n{EXPECT}'.replace("TOLD", str(told))
+    text = head + INDENTATION.replace('title = "steel"\n', "").replace("tip/indenter", "berkovich")
+    shutil.copy(DATA / "berkovich.toml", tmp_path)
+    shutil.copy(DATA / "steel_1.csv", tmp_path)
+    path = study(tmp_path, text, "case.toml")
+    assert main(["fit", str(path), "--output", str(tmp_path / "out"), "--json"]) == missed
+    found = json.loads(capsys.readouterr().out)["expect"]
+    assert [(one["quantity"], one["curve"]) for one in found] == [
+        ("young", "steel_1.csv"),
+        ("hardness.0", "steel_1.csv"),
+    ]
+    assert [one["passed"] for one in found] == [True, not missed]
+    with (tmp_path / "out" / "unloadings.csv").open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    assert found[0]["got"] == pytest.approx(float(rows[-1]["young [Pa]"]), rel=1e-9)
+    assert found[1]["got"] == pytest.approx(float(rows[0]["hardness [Pa]"]), rel=1e-9)
+    report = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
+    assert f"{2 - missed} of 2 expectations were met" in report
+    assert main(["validate", str(path)]) == missed
+    assert "steel_1.csv" in capsys.readouterr().out
+
+
+def test_a_calibration_expects_its_frame(tmp_path):
+    for number in (1, 2):
+        shutil.copy(DATA / f"silica_{number}.csv", tmp_path)
+    expect = '[[expect]]\nquantity = "frame_compliance"\nvalue = "VALUE um/N"\ntolerance = 0.1\n'
+    for number, code in ((0.4, 0), (0.6, 1)):
+        path = study(tmp_path, CALIBRATION + expect.replace("VALUE", str(number)))
+        assert main(["fit", str(path), "--output", str(tmp_path / "tip"), "--quiet", "--overwrite"]) == code
+
+
+@pytest.mark.parametrize(
+    ("entry", "words"),
+    [
+        ('quantity = "yuong"\nvalue = "1 GPa"\ntolerance = 0.1', "expect: quantity is 'yuong'.*young"),
+        ('quantity = "young"\nvalue = "1 um"\ntolerance = 0.1', "expect: value: '1 um' is a length, not a pressure"),
+        ('quantity = "young"\nvalue = "1 GPa"', "expect needs tolerance"),
+    ],
+)
+def test_wrong_expectations_are_refused(tmp_path, entry, words):
+    shutil.copy(DATA / "berkovich.toml", tmp_path)
+    shutil.copy(DATA / "steel_1.csv", tmp_path)
+    path = study(tmp_path, INDENTATION.replace("tip/indenter", "berkovich") + f"[[expect]]\n{entry}\n")
+    with pytest.raises(InvalidInput, match=words):
+        read_nanoindentation_study(path)
+
+
+@pytest.mark.parametrize(
+    ("quantity", "words"),
+    [
+        ("peak_pressure", "'peak_pressure' is no answer; there are .*young"),
+        ("young.7", "young.7 asks for one of . unloadings"),
+    ],
+)
+def test_expectations_that_no_evaluation_has_are_refused_before_results_are_written(tmp_path, capsys, quantity, words):
+    shutil.copy(DATA / "berkovich.toml", tmp_path)
+    shutil.copy(DATA / "steel_1.csv", tmp_path)
+    entry = f'[[expect]]\nquantity = "{quantity}"\nvalue = "1 GPa"\ntolerance = 0.1\n'
+    path = study(tmp_path, INDENTATION.replace("tip/indenter", "berkovich") + entry)
+    assert main(["fit", str(path), "--output", str(tmp_path / "out"), "--quiet"]) == 2
+    assert re.search(words, " ".join(capsys.readouterr().err.split()))
+    assert not (tmp_path / "out").exists()
 
 
 @pytest.mark.parametrize(

@@ -38,7 +38,7 @@ from winkler.fitting.curves.outline import (
 from winkler.numerics.types import Array
 from winkler.values import value, words
 
-__all__ = ["CurveOutline", "Flag", "examined", "outline", "refuse", "unsaturated"]
+__all__ = ["CurveOutline", "Flag", "examined", "outline", "refuse", "unsaturated", "without_baseline"]
 
 LONGEST_TRAVEL, GREATEST_FORCE = 0.1, 1e5
 MOST_DEFLECTION_RATIO = 1.5
@@ -145,10 +145,37 @@ def examined(curve: ForceCurve) -> tuple[Flag, ...]:
         return (Flag("few_points", f"The curve has {curve.count} points; at least {FEWEST} are needed."),)
     rough_outline = outline(curve)
     flags = [*_wrong_units(curve, rough_outline), *_wrong_forces(curve, rough_outline)]
-    if not any(flag.name in ("reversed", "no_contact") for flag in flags) and (missing := _missing_baselines(curve)):
-        statement = f"{' and '.join(missing).capitalize()}; the zero of force and the contact point are uncertain."
-        flags.append(Flag("no_baseline", statement))
+    if not any(flag.name in ("reversed", "no_contact") for flag in flags):
+        flags += _no_baseline(_missing_baselines(curve))
     return tuple(flags)
+
+
+def without_baseline(curve: ForceCurve, touched: Array, directions: tuple[str, ...]) -> Iterator[Flag]:
+    """Yield `no_baseline` for a fitted curve that hardly has points out of contact.
+
+    Without a model, a curve wholly in contact may look like a tilted baseline with a contact behind it (`examined`).
+
+    Parameters
+    ----------
+    curve : ForceCurve
+    touched : ndarray of bool, (n,)
+        Points in contact, as fitted.
+    directions : tuple of str
+        Of "approach" and "retract" those that need a baseline; none is asked of a direction of few points.
+    """
+    missing = []
+    for word in directions:
+        selected = curve.direction == (1.0 if word == "approach" else -1.0)
+        count = int(np.count_nonzero(selected & ~touched))
+        if np.count_nonzero(selected) >= FEWEST and count < BASELINE_POINTS:
+            missing.append(f"on {word} {count} points lie out of contact")
+    yield from _no_baseline(missing)
+
+
+def _no_baseline(missing: list[str]) -> Iterator[Flag]:
+    if missing:
+        statement = f"{' and '.join(missing).capitalize()}; the zero of force and the contact point are uncertain."
+        yield Flag("no_baseline", statement)
 
 
 def _wrong_units(curve: ForceCurve, rough_outline: CurveOutline) -> Iterator[Flag]:

@@ -50,7 +50,6 @@ class CalibratedIndenter:
 
     __words__ = words(
         area=("A", None, "area function"),
-        frame_compliance=("C_f", "m/N", "compliance of the frame"),
         covariance=("V", None, "of frame compliance and area coefficients"),
         solid=("", None, "solid of the tip"),
         shape_factor=(r"\beta", "", "factor of the stiffness of a tip that is not round"),

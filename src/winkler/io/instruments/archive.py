@@ -11,6 +11,7 @@ from winkler.io.archive_file import refuse_large_archive
 from winkler.io.foreign import path_text
 from winkler.io.instruments.instrument_test import InstrumentTest
 from winkler.io.instruments.micro_materials import NAME, is_micro_materials, tests_of_micro_materials
+from winkler.io.text_file import lines_of_bytes
 from winkler.limits import HEADER_LETTERS
 
 __all__ = ["is_archive_of_tests", "tests_of_archive"]
@@ -29,7 +30,11 @@ def is_archive_of_tests(path: Path) -> bool:
             return False
         refuse_large_archive(path, "save a part of the tests")
         with archive.open(names[0]) as file:
-            head = file.read(HEADER_LETTERS).decode("latin-1").splitlines()
+            start = file.read(HEADER_LETTERS)
+    try:
+        head = lines_of_bytes(start, names[0], "a curve", is_cut=len(start) == HEADER_LETTERS)
+    except InvalidInput:  # its reader names what it cannot read
+        return False
     return is_micro_materials(head, Path(names[0]).name)
 
 
@@ -42,7 +47,7 @@ def tests_of_archive(path: Path) -> Iterator[InstrumentTest]:
                 raise InvalidInput(
                     f"{where}: {size / 1e6:.0f} MB are too much; at most {MOST_BYTES / 1e6:.0f} MB are read."
                 )
-            lines = archive.read(name).decode("latin-1").splitlines()
+            lines = lines_of_bytes(archive.read(name), where, "a curve")
             yield from tests_of_micro_materials(lines, Path(name).name, where)
 
 

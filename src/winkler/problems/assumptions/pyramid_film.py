@@ -12,6 +12,7 @@ import math
 
 import numpy as np
 
+from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
 from winkler.foundation.on_medium import UnderProfile
 from winkler.materials.elastic import Elastic
@@ -23,7 +24,7 @@ from winkler.profiles.pyramids.pyramid import FORCE_CONSTANTS, PyramidShape, cro
 from winkler.profiles.pyramids.rounded_pyramid import RoundedPyramid
 from winkler.validity import Assumption, Note, Standing, standing_of
 
-__all__ = ["layer_error", "pyramid_notes"]
+__all__ = ["pyramid_layer_error", "pyramid_notes"]
 
 RADII = np.array([0.1, 0.3, 1.0, 3.0, 10.0])
 """Radii of contact over the thickness, the columns."""
@@ -83,7 +84,7 @@ def _thin(sides: int) -> float:
     return math.pi * (0.5 * math.pi * FORCE_CONSTANTS[sides]) ** 2 / cross_section_constant(sides) - 1.0
 
 
-def layer_error(sides: int, radius: float, contrast: float, poisson: float) -> float:
+def pyramid_layer_error(sides: int, radius: float, contrast: float, poisson: float) -> float:
     """Return the force of the cone over that of the pyramid, less one, on a bonded layer; interpolated.
 
     Parameters
@@ -96,7 +97,29 @@ def layer_error(sides: int, radius: float, contrast: float, poisson: float) -> f
         E / (1 - nu^2) of the base over that of the layer [-]; infinite of a rigid base.
     poisson : float
         Of the layer [-].
+
+    Returns
+    -------
+    float
+        Relative error of the force [-].
+
+    Raises
+    ------
+    InvalidInput
+        If there are fewer than three faces, or radius or contrast is not positive.
+
+    Examples
+    --------
+    A contact as wide as the layer is thick, on a rigid base.
+
+    >>> round(pyramid_layer_error(4, 1.0, float("inf"), 0.5), 3)
+    0.045
     """
+    if sides < 3 or not radius > 0.0 or not contrast > 0.0:
+        raise InvalidInput(
+            f"pyramid_layer_error: sides {sides!r}, radius {radius!r}, contrast {contrast!r}; give at least three "
+            "faces, and positive numbers."
+        )
     table = ERRORS[min(sides, 4)] * (_thin(sides) / _thin(4) if sides > 4 else 1.0)
     share = float(np.clip((poisson - POISSONS[0]) / (POISSONS[1] - POISSONS[0]), 0.0, 1.0))
     rows = (1.0 - share) * table[0] + share * table[1]
@@ -129,7 +152,7 @@ def pyramid_notes(bed: Bed, medium: Medium, radius: float) -> tuple[Note, ...]:
     if isinstance(base, Elastic):
         contrast = base.young / (1.0 - base.poisson**2) / top.young * (1.0 - top.poisson**2)
     wide = radius / medium.thickness
-    error = layer_error(tip.sides, wide, contrast, top.poisson)
+    error = pyramid_layer_error(tip.sides, wide, contrast, top.poisson)
     several = "" if len(medium.layers) == 1 else " (of one layer with the modulus of the uppermost)"
     standing = standing_of(abs(error), SMALL_ERROR, LARGE_ERROR)
     advice = "" if standing is Standing.ASYMPTOTIC else ", and moduli fitted with it are wrong by as much"

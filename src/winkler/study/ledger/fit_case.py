@@ -15,11 +15,11 @@ from winkler.study.batch.fit_outcome import Fitted
 from winkler.study.batch.fit_run import fit_study
 from winkler.study.batch.outcome import ComparedNumber
 from winkler.study.batch.verdicts import deviation
+from winkler.study.language.compared.expectations import expectations
 from winkler.study.language.fit_reading import parse_fit_study
 from winkler.study.language.fit_study import FitStudy
 from winkler.study.language.reading import parsed, read_text
 from winkler.study.language.study import Expectation
-from winkler.study.ledger.expected_case import expectations
 
 __all__ = ["FitCase", "fit_verdicts", "read_fit_case"]
 

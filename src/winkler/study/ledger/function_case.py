@@ -26,10 +26,10 @@ from winkler.errors import InvalidInput, suggest
 from winkler.numerics.types import Quantity
 from winkler.study.batch.outcome import ComparedNumber
 from winkler.study.batch.verdicts import deviation
+from winkler.study.language.compared.expectations import expectations
 from winkler.study.language.quantities import read_at
 from winkler.study.language.reading import parsed, read_text
 from winkler.study.language.study import Expectation
-from winkler.study.ledger.expected_case import expectations
 from winkler.study.ledger.functions import FUNCTIONS, Function
 
 __all__ = ["FunctionCase", "function_verdicts", "read_function_case"]

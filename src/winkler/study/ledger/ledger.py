@@ -24,7 +24,8 @@ from winkler.study.language.varied import Axis
 from winkler.study.ledger.fit_case import FitCase, fit_verdicts, read_fit_case
 from winkler.study.ledger.function_case import FunctionCase, function_verdicts, read_function_case
 from winkler.study.ledger.physics import FITS, physics_of
-from winkler.study.nanoindentation.reading import read_nanoindentation_study
+from winkler.study.nanoindentation.reading import NanoindentationStudy, read_nanoindentation_study
+from winkler.study.nanoindentation.running import evaluated_files, gathered, read_references
 from winkler.values import value
 
 __all__ = ["CASES", "LedgerEntry", "case_files", "ledger", "remarks", "run_case"]
@@ -117,17 +118,17 @@ def run_case(path: Path) -> LedgerEntry:
         evaluated = read_function_case(path)
         return _entry(path, evaluated, evaluated.function.physics, lambda: _at_no_points(function_verdicts(evaluated)))
     if "indentation" in sections or "calibration" in sections:
-        read_nanoindentation_study(path)  # names what is wrong in it first
-        raise InvalidInput(
-            f"{path.name}: a study with [indentation] or [calibration] is no case with expected numbers; evaluate it "
-            f"with `winkler fit {path.name}`."
-        )
+        indented = read_nanoindentation_study(path)
+        return _entry(path, indented, FITS, lambda: _of_nanoindentation(indented))
     study = read_study(path)
     return _entry(path, study, physics_of(study), lambda: _of_study(study, path.name))
 
 
 def _entry(
-    path: Path, case: Study | FitCase | FunctionCase, physics: str, results: Callable[[], dict[str, Any]]
+    path: Path,
+    case: Study | FitCase | FunctionCase | NanoindentationStudy,
+    physics: str,
+    results: Callable[[], dict[str, Any]],
 ) -> LedgerEntry:
     """Return the entry of a case, with the fields that `results` computes."""
     for key, content in (("source", case.source), ("grade", case.grade), ("[[expect]]", case.expect)):
@@ -149,6 +150,12 @@ def _of_study(study: Study, file: str) -> dict[str, Any]:
     outcome = gather(study, solve_points(study), started=time.perf_counter(), source=file)
     failure = outcome.failed[0].reason if outcome.failed else ""
     return {"verdicts": outcome.verdicts, "points": _points(outcome), "failure": failure}
+
+
+def _of_nanoindentation(study: NanoindentationStudy) -> dict[str, Any]:
+    found = read_references(study) if study.calibrates else evaluated_files(study)
+    pairs = gathered(study, found, started=time.perf_counter()).verdicts
+    return {"verdicts": tuple(one for one, _ in pairs), "points": tuple(name for _, name in pairs)}
 
 
 def _at_no_points(verdicts: tuple[ComparedNumber, ...]) -> dict[str, Any]:

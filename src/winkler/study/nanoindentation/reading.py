@@ -28,15 +28,16 @@ from winkler.fitting.unloading.contact_reading import CalibratedArea
 from winkler.io.indenter_file import read_indenter
 from winkler.materials.elastic import Elastic
 from winkler.study.language import quantities
+from winkler.study.language.compared.expectations import expectations
 from winkler.study.language.reading import parsed, read_text
-from winkler.study.language.study import Output
+from winkler.study.language.study import Expectation, Output
 from winkler.study.nanoindentation.keys import UNITS
 from winkler.values import value
 
 __all__ = ["NanoindentationStudy", "is_nanoindentation", "read_nanoindentation_study"]
 
 SECTIONS = ("indentation", "calibration")
-TOP = ("title", *SECTIONS, "indenter", "output")
+TOP = ("title", *SECTIONS, "indenter", "output", "expect", "source", "grade")
 OF_OUTPUT = ("folder", "figures", "report")
 
 
@@ -60,6 +61,10 @@ class NanoindentationStudy:
         What is written.
     text, folder
         The study file, word for word, and where it lies.
+    expect
+        Expected numbers.
+    source, grade
+        Of a case: where these come from, and how independent they are.
     """
 
     title: str
@@ -70,6 +75,9 @@ class NanoindentationStudy:
     output: Output = Output()
     text: str = ""
     folder: str = "."
+    expect: tuple[Expectation, ...] = ()
+    source: str = ""
+    grade: str = ""
 
     @property
     def calibrates(self) -> bool:
@@ -144,7 +152,19 @@ def _study(raw: dict[str, Any], text: str, path: Path) -> NanoindentationStudy:
         numbers = section
         if ("contact_point" in numbers) != ("contact_point_error" in numbers):
             raise InvalidInput("indentation: contact_point and contact_point_error belong together; give both or none.")
-    return NanoindentationStudy(title, sources, references, indenter, tuple(numbers.items()), output, text, str(folder))
+    of_case = str(raw.get("source", "")), str(raw.get("grade", ""))
+    return NanoindentationStudy(
+        title,
+        sources,
+        references,
+        indenter,
+        tuple(numbers.items()),
+        output,
+        text,
+        str(folder),
+        expectations(raw.get("expect", []), path.name),
+        *of_case,
+    )
 
 
 def _known(raw: Any, allowed: Any, where: str) -> None:

@@ -3,25 +3,44 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from winkler.fitting.nanoindentation.quantities import IndentationQuantities
 from winkler.plot import sheet_of
 from winkler.plot.fitting.fits import numbers_sheet
 from winkler.plot.fitting.nanoindentation import HARDNESS, YOUNG, over_depth
 from winkler.plot.panel import Sheet
 from winkler.plot.series import Series
 from winkler.readable import with_unit
-from winkler.study.nanoindentation.running import NanoindentationOutcome
+from winkler.study.nanoindentation.running import Evaluated, NanoindentationOutcome
 from winkler.study.report import page_parts as parts
 from winkler.study.report.figure import ReportFigure, drawn
 from winkler.study.report.markup import number, safe, section, table
+from winkler.study.report.tables import expected_section
 from winkler.validity import Note
 
 __all__ = ["calibration_rows", "figures_of", "first_yield_rows", "mean_rows", "page"]
 
 MOST_CURVES_DRAWN, MOST_ROWS, LEAST_TOGETHER = 6, 40, 3
+CURVES_BESIDE = 4
+"""Curves in one table of quantities; more are wider than the page."""
+ISO_TEXT = "<p>At the greatest force of each curve; in brackets standard uncertainties.</p>"
+MEANINGS = {
+    "HM": "Martens hardness",
+    "HMs": "Martens hardness by the slope of the loading",
+    "HIT": "indentation hardness",
+    "EIT": "indentation modulus",
+    "HV*": "Vickers hardness converted from HIT (0.0945 HIT in MPa)",
+    "CIT": "creep in the hold",
+    "RIT": "relaxation in the hold",
+    "W": "work of the loading",
+    "W_e": "elastic work, of the unloading",
+    "W_p": "plastic work, W - W_e",
+    "eta_IT": "elastic part of the work, W_e/W",
+}
+"""What each quantity of ISO 14577 is."""
 
 
 def figures_of(outcome: NanoindentationOutcome) -> tuple[ReportFigure, ...]:
@@ -79,6 +98,7 @@ def page(outcome: NanoindentationOutcome, shown: tuple[ReportFigure, ...]) -> st
         *_measurement(outcome),
         *_continuous(outcome),
         *_first_yield(outcome),
+        expected_section(outcome.verdicts),
         _failures(outcome),
         section("Figures", parts.figure_elements(shown)) if shown else "",
         parts.trust(_notes(outcome)),
@@ -146,23 +166,32 @@ def _measurement(outcome: NanoindentationOutcome) -> Iterator[str]:
         "<p>The indenter was given without a covariance: its calibration is no part of the uncertainty.</p>"
     )  # fmt: skip
     yield section("Shares of the uncertainty", lead, calibrated, table(["source", "#of E", "#of H"], shares))
-    first = outcome.evaluated[0].quantities
-    heads = ["curve", *(f"#{name}" for name in first.names)]
-    lines = []
-    for one in outcome.evaluated[:MOST_ROWS]:
-        cells = [
-            "-" if math.isnan(content) else _with_error(content, error, unit)
-            for content, error, unit in zip(
-                one.quantities.values, one.quantities.errors, one.quantities.units, strict=True
-            )
+    yield section("Quantities of ISO 14577", ISO_TEXT, *_iso_tables(outcome.evaluated[:MOST_ROWS]), _rest(outcome))
+
+
+def _iso_tables(shown: Sequence[Evaluated]) -> Iterator[str]:
+    """Yield tables of a few curves each, with one row for each quantity, so that they fit the page."""
+    common = max((one.name.rpartition("/")[0] + "/" for one in shown), key=len)
+    common = common if all(one.name.startswith(common) for one in shown) else ""
+    for first in range(0, len(shown), CURVES_BESIDE):
+        part = shown[first : first + CURVES_BESIDE]
+        heads = ["quantity", *(f"#{safe(one.name.removeprefix(common))}" for one in part)]
+        quantities = [one.quantities for one in part]
+        rows = [
+            _row((f"{name}, {MEANINGS[name]}", *(_iso_cell(each, place) for each in quantities)))
+            for place, name in enumerate(quantities[0].names)
         ]
-        lines.append(_row((one.name, *cells)))
-    text = (
-        "<p>HM Martens hardness, HMs by the slope of the loading, HIT indentation hardness, EIT indentation modulus, "
-        "HV* Vickers hardness converted from HIT (0.0945 HIT in MPa), CIT creep in the hold, RIT relaxation, W work of "
-        "the loading, W_e elastic and W_p plastic work, eta_IT = W_e/W; in brackets standard uncertainties.</p>"
-    )
-    yield section("Quantities of ISO 14577", text, table(heads, lines))
+        yield table(heads, rows)
+
+
+def _iso_cell(quantities: IndentationQuantities, place: int) -> str:
+    content, error = float(quantities.values[place]), float(quantities.errors[place])
+    return "-" if math.isnan(content) else _with_error(content, error, quantities.units[place])
+
+
+def _rest(outcome: NanoindentationOutcome) -> str:
+    more = len(outcome.evaluated) - MOST_ROWS
+    return f"<p class='small'>… and {more} more curves; quantities.csv holds all.</p>" if more > 0 else ""
 
 
 def _continuous(outcome: NanoindentationOutcome) -> Iterator[str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import hashlib
 import math
 import time
@@ -23,9 +24,10 @@ from winkler.fitting.nanoindentation.solution import NanoindentationSolution
 from winkler.fitting.nanoindentation.zero_point import ZeroPoint
 from winkler.io.curves import UnreadCurve, try_curves
 from winkler.io.placed_curves import PlacedCurve
-from winkler.study.batch.outcome import Provenance
+from winkler.study.batch.outcome import ComparedNumber, Provenance
 from winkler.study.batch.run import provenance
 from winkler.study.nanoindentation.continuous_curve import EvaluatedContinuously, evaluated_continuously
+from winkler.study.nanoindentation.expected import verdicts_of
 from winkler.study.nanoindentation.first_yield import first_pop_in, first_yield
 from winkler.study.nanoindentation.reading import NanoindentationStudy
 from winkler.values import value
@@ -72,6 +74,14 @@ class NanoindentationOutcome:
             return None
         solutions, forces = [one.solution for one in self.evaluated], [one.pop_in for one in self.evaluated]
         return first_yield(solutions, forces, given["tip_radius"], given.get("tip_radius_error", 0.0))
+
+    @functools.cached_property
+    def verdicts(self) -> tuple[tuple[ComparedNumber, str], ...]:
+        """Verdicts on the expected numbers, with the name of the curve of each."""
+        found: list[tuple[str, Any]] = [("", one) for one in self.calibration]
+        found += [(one.name, one.solution) for one in self.evaluated]
+        found += [(one.name, None) for one in self.unevaluated if not self.calibration]
+        return verdicts_of(self.study.expect, found)
 
     @property
     def means(self) -> dict[str, RepeatedMean]:

@@ -18,7 +18,16 @@ from winkler.study.report.describe import Input, content_label, in_words, inputs
 from winkler.study.report.markup import number, safe, section, table, with_fixed_units
 from winkler.study.report.mathml import symbol
 
-__all__ = ["answer_section", "expected", "failures", "given_rows", "input_section", "question_section", "reason_list"]
+__all__ = [
+    "answer_section",
+    "expected",
+    "expected_section",
+    "failures",
+    "given_rows",
+    "input_section",
+    "question_section",
+    "reason_list",
+]
 
 MOST_ROWS = 24
 """Longer tables are cut in the middle; the CSV file holds all rows."""
@@ -229,26 +238,31 @@ def reason_list(reasons: Sequence[tuple[str, str]], most_shown: int, file: str) 
 
 def expected(outcome: Outcome) -> str:
     """Return expected and computed numbers, missed ones first; empty if there are none."""
-    if not outcome.verdicts:
+    settings = {point.index: point.settings for point in outcome.points} if outcome.study.sweep else {}
+    where = [settings_text(outcome.study, settings[verdict.index]) if settings else "" for verdict in outcome.verdicts]
+    return expected_section(zip(outcome.verdicts, where, strict=True))
+
+
+def expected_section(verdicts: Iterable[tuple[ComparedNumber, str]]) -> str:
+    """Return expected and computed numbers with the point or curve of each, missed ones first; empty without any."""
+    ranked = sorted(verdicts, key=lambda pair: pair[0].passed)
+    if not ranked:
         return ""
-    ranked = sorted(outcome.verdicts, key=lambda verdict: verdict.passed)
-    missed = sum(not verdict.passed for verdict in ranked)
+    missed = sum(not verdict.passed for verdict, _ in ranked)
     lead = f"{len(ranked) - missed} of {len(ranked)} expectations were met."
     if len(ranked) > MOST_ROWS:
         lead += f" The first {MOST_ROWS} are shown, those that were missed first."
     heads = ["what", "", "#expected", "#came out", "#deviation", "#allowed"]
-    rows = [_verdict(outcome, verdict) for verdict in ranked[:MOST_ROWS]]
+    rows = [_verdict(*pair) for pair in ranked[:MOST_ROWS]]
     return section("What was expected", f"<p>{lead}</p>", table(heads, rows))
 
 
-def _verdict(outcome: Outcome, verdict: ComparedNumber) -> str:
+def _verdict(verdict: ComparedNumber, point: str) -> str:
     item = verdict.expectation
     unit = item.unit
     where = ", ".join(f"{name} = {with_unit(place, 'm')}" for name, place in item.place)
     what = _quantity_text(item.quantity) + (f" at {where}" if where else "")
-    if outcome.study.sweep:
-        settings = next(point.settings for point in outcome.points if point.index == verdict.index)
-        what += f", {settings_text(outcome.study, settings)}"
+    what += f", {point}" if point else ""
     cells = [
         f"<td>{safe(what)}</td>",
         f"<td>{'as expected' if verdict.passed else '<strong>missed</strong>'}</td>",

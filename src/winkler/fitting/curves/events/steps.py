@@ -96,8 +96,19 @@ def _noise(gaps: Array, width: int) -> Array:
     whole = MAD_TO_SIGMA * float(np.median(sizes))
     reach, stride = LOCAL_WIDTHS * width, max(width, 1)
     centres = np.arange(0, gaps.size, stride)
-    local = np.array([float(np.median(sizes[max(c - reach, 0) : c + reach + 1])) for c in centres])
+    inner = (centres >= reach) & (centres + reach < gaps.size)
+    local = np.empty(centres.size)
+    if inner.any():
+        windows = np.lib.stride_tricks.sliding_window_view(sizes, 2 * reach + 1)
+        local[inner] = np.median(windows[centres[inner] - reach], axis=1)
+    local[~inner] = [_median(sizes[max(c - reach, 0) : c + reach + 1]) for c in centres[~inner].tolist()]
     return np.asarray(np.maximum(whole, MAD_TO_SIGMA * np.interp(np.arange(gaps.size), centres, local)))
+
+
+def _median(numbers: Array) -> float:
+    """Return the median of a few numbers; np.median takes ten times as long for them."""
+    ordered = np.sort(numbers)
+    return 0.5 * float(ordered[(ordered.size - 1) // 2] + ordered[ordered.size // 2])
 
 
 def _peaks(heights: Array, width: int) -> list[int]:

@@ -1,1 +1,1 @@
-"""Other models of the curves of a study."""
+"""What curves are compared with: other models of a study, and expected numbers."""

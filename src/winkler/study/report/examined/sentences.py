@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import functools
 import math
+import re
 from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.fitting.flag_meanings import REFUSING_FLAGS
 from winkler.fitting.several.groups import ratio_of
 from winkler.fitting.several.joint import JointFit
 from winkler.fitting.several.population import Population, population, quantile
 from winkler.readable import with_unit
 from winkler.study.batch.fit_further import common_calibration, compared, contact_correlation
-from winkler.study.batch.fit_outcome import CONFIDENCE, FitOutcome, Fitted
+from winkler.study.batch.fit_outcome import CONFIDENCE, FitOutcome, Fitted, Refused
 from winkler.study.language.fit_study import Free
 
 __all__ = ["further_sentences", "groups_of", "population_of"]
@@ -23,6 +25,8 @@ FEWEST_TOGETHER = 3
 """Curves from which a mean is stated."""
 MOST_NAMES = 5
 MOST_GROUPS = 6
+FLAGGED = re.compile(rf"curve '.*': ({'|'.join(REFUSING_FLAGS)}): ")
+"""Beginning of the reason why a curve with a refusing flag was not fitted."""
 
 
 def further_sentences(outcome: FitOutcome) -> Iterator[str]:
@@ -130,10 +134,20 @@ def _counts(outcome: FitOutcome) -> Iterator[str]:
     for name in (study.model, *(one.name for one in study.models)):
         told = sum(one.decided and one.models[0] == name for one in comparisons)
         possible = sum(name in one.possible for one in comparisons)
-        unfitted = sum(name in one.unfitted for one in comparisons)
+        unfitted = sum(name in one.unfitted for one in comparisons) + len(outcome.refused)
         more = f", not fitted in {unfitted}" if unfitted else ""
-        count = f"{len(comparisons)} curves"
+        count = f"{len(comparisons) + len(outcome.refused)} curves"
         yield f"Model '{name}': told from all others in {told}, possible in {possible} of {count}{more}."
+    if outcome.refused:
+        names = [_refused(one) for one in outcome.refused[:MOST_NAMES]]
+        more = f" and {len(outcome.refused) - MOST_NAMES} more" if len(outcome.refused) > MOST_NAMES else ""
+        yield f"Not compared, as no model could be fitted: {', '.join(names)}{more}."
+
+
+def _refused(result: Refused) -> str:
+    """Return the name of a curve that could not be fitted, with the flag that says why, if there is one."""
+    found = FLAGGED.match(result.reason)
+    return f"{result.name} ({found[1]})" if found else result.name
 
 
 def _shared(outcome: FitOutcome) -> Iterator[str]:
