@@ -42,6 +42,34 @@ def pytest_configure(config: pytest.Config) -> None:
             os.environ["NUMBA_CACHE_DIR"] = fresh.name
 
 
+def _spread(members: list[pytest.Item], count: int) -> list[pytest.Item]:
+    """So many members of a test, far from each other, which have as many values of each parameter as possible."""
+    width = len(members).bit_length()
+    left = sorted(range(len(members)), key=lambda place: f"{place:0{width}b}"[::-1])  # van der Corput's order
+    chosen: list[pytest.Item] = []
+    seen: set[tuple[str, int]] = set()
+    while left and len(chosen) < count:
+        values = [set(members[place].callspec.indices.items()) for place in left]
+        best = max(range(len(left)), key=lambda place: len(values[place] - seen))
+        seen |= values[best]
+        chosen.append(members[left.pop(best)])
+    return chosen
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Run as many members of a test as its mark ``few`` says; the others are among the slow tests."""
+    found: dict[tuple[pytest.Item, str], list[pytest.Item]] = {}
+    for item in items:
+        if item.get_closest_marker("few") and not item.get_closest_marker("slow"):
+            found.setdefault((item.parent, item.originalname), []).append(item)
+    for members in found.values():
+        chosen = _spread(members, members[0].get_closest_marker("few").args[0])
+        for item in members:
+            if item not in chosen:
+                item.add_marker(pytest.mark.slow)
+
+
 def pytest_collection_finish() -> None:
     """Look no more for garbage among some ten thousand collected tests and what they imported: each look takes long."""
     gc.collect()

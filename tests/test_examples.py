@@ -1,7 +1,7 @@
 """Every example runs: the scripts as a reader would start them, the studies through the command line.
 
-One script and one study of each folder run in this process, as the manual's gallery runs them; each script in a process
-of its own, and all other studies, among the slow tests.
+They run in this process, as the manual's gallery runs them: one script of each folder and some studies by default, all
+others among the slow tests, where one script of each folder runs in a process of its own, too.
 """
 
 from __future__ import annotations
@@ -70,7 +70,11 @@ def test_one_of_each_folder_is_quick():
     assert {path.parent for path in examples} == {(EXAMPLES / path).parent for path in QUICK}
 
 
-@pytest.mark.parametrize("script", QUICK_SCRIPTS, ids=map(name, QUICK_SCRIPTS))
+@pytest.mark.parametrize(
+    "script",
+    [pytest.param(script, marks=[] if name(script) in QUICK else [pytest.mark.slow]) for script in SCRIPTS],
+    ids=map(name, SCRIPTS),
+)
 def test_script(script, tmp_path, monkeypatch):
     import matplotlib.pyplot as plt
 
@@ -83,7 +87,7 @@ def test_script(script, tmp_path, monkeypatch):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("script", SCRIPTS, ids=map(name, SCRIPTS))
+@pytest.mark.parametrize("script", QUICK_SCRIPTS, ids=map(name, QUICK_SCRIPTS))
 def test_script_on_its_own(script, tmp_path):
     solution = subprocess.run(
         [sys.executable, str(script)],
@@ -99,6 +103,7 @@ def test_script_on_its_own(script, tmp_path):
     assert solution.returncode == 0, solution.stdout + solution.stderr
 
 
+@pytest.mark.few(4)
 @pytest.mark.parametrize(
     "study",
     [pytest.param(study, marks=[] if name(study) in QUICK else [pytest.mark.slow]) for study in STUDIES],

@@ -43,7 +43,7 @@ else:
             from importlib.metadata import version
 
             return version("winkler")
-        if name.startswith("__") and name != "__all__":
+        if name.startswith("_") and name != "__all__":  # a search for the nearest name takes time; tools ask for such
             raise AttributeError(f"module 'winkler' has no attribute {name!r}")
         if name == "__all__":
             attribute = sorted([*_modules(), "__version__"])

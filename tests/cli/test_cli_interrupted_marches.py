@@ -43,6 +43,7 @@ def interrupted(monkeypatch, cls, count):
     monkeypatch.setattr(cls, "steps", broken)
 
 
+@pytest.mark.few(5)
 @pytest.mark.parametrize("name", SEVEN)
 def test_ctrl_c_keeps_the_points_that_were_reached(name, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
@@ -58,6 +59,7 @@ def test_ctrl_c_keeps_the_points_that_were_reached(name, tmp_path, monkeypatch, 
     assert "the points that were reached are kept in out" in output.err
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", ["adhesive_cycle", "adhesive_impact", "elastic_plastic_particle"])
 def test_the_report_draws_what_was_reached_and_says_so(name, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)

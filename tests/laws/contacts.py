@@ -74,13 +74,20 @@ def contacts(draw, kind: str, medium: str = "half_space", least: float = 0.1) ->
 
 
 def over_shapes(count: int, slow: int, *, kinds: Iterable[str] = KINDS, medium: str = "half_space"):
-    """Turn a law of a contact into a test of every kind of shape, each with so many examples."""
+    """Turn a law of a contact into a test of every kind of shape: each with a third of so many examples, or all."""
+    all_of = {kind: slow if kind in SLOW else count for kind in kinds}
+    few = [pytest.param(kind, math.ceil(many / 3), id=kind) for kind, many in all_of.items()]
+    more = [
+        pytest.param(kind, many, id=f"{kind}-{many}", marks=pytest.mark.slow)
+        for kind, many in all_of.items()
+        if many > 1
+    ]
 
     def decorate(law: Callable[[Contact], None]):
-        @pytest.mark.parametrize("kind", kinds)
+        @pytest.mark.parametrize(("kind", "many"), [*few, *more])
         @functools.wraps(law, assigned=("__module__", "__name__", "__qualname__", "__doc__"))
-        def test(kind: str) -> None:
-            examples(slow if kind in SLOW else count)(given(contacts(kind, medium))(law))()
+        def test(kind: str, many: int) -> None:
+            examples(many)(given(contacts(kind, medium))(law))()
 
         del test.__wrapped__
         return test

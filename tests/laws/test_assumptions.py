@@ -1,20 +1,18 @@
 """Every kind of problem declares what it assumes, states the result of its check, and flags what violates it."""
 
 import dataclasses
-import functools
 import math
 
 import mpmath
 import numpy as np
 import pytest
+from example_answers import example_problem, solved
 
 import winkler as wk
 from winkler.problems.assumptions.coupling import dundurs, stuck_stiffening
 from winkler.problems.assumptions.film import film_strain
 from winkler.problems.assumptions.inertia import wave_loss
-from winkler.study.language.build import build
 from winkler.study.language.catalogue import CATALOGUE
-from winkler.study.language.explain import example_study
 from winkler.validity import Assumption, Note, Standing, worst
 
 KINDS = sorted(CATALOGUE["problem"])
@@ -24,10 +22,9 @@ LIKE = wk.HalfSpace.between(STEEL, STEEL)
 COULOMB = wk.Coulomb(0.3)
 
 
-@functools.cache
 def result(kind):
     """The solution of the example of a kind, once for all tests of a worker."""
-    return build(example_study(kind)["problem"]).solve()
+    return solved(example_problem(kind))
 
 
 def find(notes, assumption) -> Note:

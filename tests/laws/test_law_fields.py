@@ -92,7 +92,7 @@ def test_on_every_medium(medium, kind):
         fit = result.depth - bed.height(r)
         np.testing.assert_allclose(wk.restore(result, r).displacement, fit, rtol=0.0, atol=1e-8 * result.depth)
 
-    law(kind)
+    law(kind, 5)
 
 
 @over_shapes(6, 1, kinds=["sphere", "cone", "truncated_cone", "flat_punch", "rounded_punch", "measured", "sum"])

@@ -36,9 +36,13 @@ def assert_scaled(contact, s: float, m: float) -> None:
             assert getattr(scaled, word) == pytest.approx(expected, rel=1e-10, abs=0.0), (word, load)
 
 
-@pytest.mark.parametrize("kind", KINDS)
-def test_answers_scale(kind):
-    @examples(2 if kind == "wavy_ball" else 10)
+FEW = [pytest.param(kind, 1 if kind == "wavy_ball" else 3, id=kind) for kind in KINDS]
+MORE = [pytest.param(kind, 10, id=f"{kind}-10", marks=pytest.mark.slow) for kind in KINDS]
+
+
+@pytest.mark.parametrize(("kind", "many"), [*FEW, *MORE])
+def test_answers_scale(kind, many):
+    @examples(many)
     @given(data=st.data())
     def law(data):
         assert_scaled(data.draw(contacts(kind)), *scales(data))

@@ -16,6 +16,7 @@ import winkler as wk
 from winkler.numerics.transforms import abel
 
 SHAPES = {**KINDS, **WAVES}
+SLOW = {"wavy", "wavy_ball", "formula", "measured"}
 PLACES = np.array([1e-4, 0.03, 0.11, 0.26, 0.41, 0.59, 0.73, 0.88, 0.99])
 
 
@@ -25,9 +26,12 @@ def places(specimen: Specimen) -> np.ndarray:
 
 
 def over_specimens(law):
-    @pytest.mark.parametrize("kind", SHAPES)
-    def test(kind):
-        examples(4 if kind in {"wavy", "wavy_ball", "formula", "measured"} else 12)(given(SHAPES[kind])(law))()
+    few = [pytest.param(kind, 2 if kind in SLOW else 4, id=kind) for kind in SHAPES]
+    more = [pytest.param(kind, 4 if kind in SLOW else 12, id=f"{kind}-more", marks=pytest.mark.slow) for kind in SHAPES]
+
+    @pytest.mark.parametrize(("kind", "many"), [*few, *more])
+    def test(kind, many):
+        examples(many)(given(SHAPES[kind])(law))()
 
     return test
 

@@ -27,6 +27,7 @@ def false_alarms(world, seeds):
     return [(seed, event.kind.value) for seed in seeds for event in world.curve(seed)[0].events if event.kind in SUDDEN]
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("name", QUIET)
 def test_where_nothing_happened_nothing_is_found(name):
     assert false_alarms(QUIET[name], range(5)) == []
@@ -167,6 +168,7 @@ def test_a_sinusoid_over_the_time_is_no_interference():
     assert sum(one is not None for one in found) <= 3  # a chance of half that the phases agree
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("late", [-4.0, 1.5, 20.0])
 @pytest.mark.parametrize("relaxing", [False, True])
 def test_the_clock(late, relaxing):

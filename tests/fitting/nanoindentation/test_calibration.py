@@ -45,6 +45,7 @@ def test_area_and_frame_are_found_together():
     assert found.force.size == 15
 
 
+@pytest.mark.slow
 def test_a_reference_with_an_error_makes_the_area_uncertain():
     """At a known frame A goes as 1/E_r^2 of the reference."""
     given = curves(Machine(), 1, 2, 0)

@@ -26,6 +26,7 @@ def test_published_meta_analysis():
     assert (low, high) == pytest.approx((-0.7145 - 2.178813 * error, -0.7145 + 2.178813 * error), abs=4e-4)
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("between", [0.0, 0.05, 0.3], ids=["none", "like the errors", "much"])
 @pytest.mark.parametrize("count", [5, 12, 50])
 def test_intervals_hold_the_mean(count, between):

@@ -102,6 +102,7 @@ def test_notes_say_what_is_assumed():
     assert bed(start("loop").bed.medium.first).medium.span == (1e-3, 20.0)
 
 
+@pytest.mark.slow
 def test_a_hold_far_too_short_does_not_settle():
     """Over a two-hundredth of the relaxation time the misfit is a valley without a bottom above the noise."""
     one = held(StandardSolid(300.0, 700.0, 2000.0), count=60)

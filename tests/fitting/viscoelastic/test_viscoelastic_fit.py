@@ -34,6 +34,7 @@ def hits(kind, seeds):
     return inside
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("kind", FREE)
 def test_some_curves(kind):
     """Five curves: fewer hits than this happen once in a thousand tests of an honest interval."""

@@ -70,6 +70,7 @@ def grown(problem, early: int, late: int) -> int:
         tracemalloc.stop()
 
 
+@pytest.mark.slow
 def test_some_hundred_steps():
     """Before caches were bounded, a sheared contact kept a kilobyte for each step."""
     assert grown(MARCHES["tangential"](1400), 600, 1300) < ALLOWED

@@ -463,6 +463,7 @@ def disc_before_touch(law, c):
         return float(depth), float(-depth - middle)
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("strength", [0.2, 1.0, 3.0])
 @pytest.mark.parametrize("stiffness", [math.inf, 60.0])
 def test_dugdale_keeps_its_energy(strength, stiffness):

@@ -167,6 +167,7 @@ def shapes():
     )
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("case", list(shapes()), ids=lambda case: case[0])
 def test_other_shapes(case):
     """d(a), F(a) and the dead load's limit: g at 30 digits, its integral by quadrature."""

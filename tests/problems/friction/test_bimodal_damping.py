@@ -58,6 +58,7 @@ CYCLES = [
 ]
 
 
+@pytest.mark.few(4)
 @pytest.mark.parametrize("cycle", CYCLES, ids=str)
 def test_against_a_march_of_springs(cycle):
     """The march converges to it with the second power of its steps, and its second cycle is steady."""
@@ -70,6 +71,7 @@ def test_against_a_march_of_springs(cycle):
     assert abs(fine - loss) < 0.2 * abs(coarse - loss) + 1e-5 * loss
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize(("n", "m", "count"), [(1, 1, 60), (1, 1, 240), (1, 2, 120), (3, 2, 200)])
 def test_against_a_march_along_the_path(n, m, count):
     """`Tangential` along straight pieces, which cut corners by the square of their length."""

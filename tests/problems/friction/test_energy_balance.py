@@ -169,6 +169,7 @@ def test_next_to_nothing_resists_a_ball_that_slides_far_from_its_relaxation_time
         assert result.line_shear_force == pytest.approx(slow if speed < 1.0 else fast, rel=tolerance)
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("coefficient", [0.3, math.inf])
 @pytest.mark.parametrize("profile", [wk.Paraboloid(0.01), wk.FlatPunch(1e-3)], ids=["paraboloid", "punch"])
 def test_slip_on_a_random_path_balances_energy(profile, coefficient):
@@ -198,6 +199,7 @@ class Rooted:
 LAWS = [wk.Coulomb(0.3), wk.Coulomb(math.inf), wk.StaticKinetic(0.5, 0.3), Rooted()]
 
 
+@pytest.mark.few(4)
 @pytest.mark.parametrize("law", LAWS, ids=["Coulomb", "rough", "static", "own"])
 @pytest.mark.parametrize("profile", [wk.Paraboloid(0.01), wk.FlatPunch(1e-3)], ids=["paraboloid", "punch"])
 def test_springs_on_random_paths_balance_energy(law, profile):
@@ -245,6 +247,7 @@ def test_a_spring_that_turns_takes_the_work_of_its_path(last, angle, track):
     assert result[0] == pytest.approx(float(mpmath.quad(pull, [0.0, 0.1 * track, 0.3 * track, track])), rel=1e-9)
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("coefficient", [0.3, math.inf])
 @pytest.mark.parametrize("profile", [wk.Paraboloid(0.01), wk.FlatPunch(1e-3)], ids=["paraboloid", "punch"])
 def test_torsion_on_a_random_path_balances_energy(profile, coefficient):

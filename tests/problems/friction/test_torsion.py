@@ -291,6 +291,7 @@ def test_without_friction_nothing_is_borne():
     assert solution.stick_radius.tolist() == [0.0, 0.0]
 
 
+@pytest.mark.slow
 def test_a_torque_under_a_changing_load():
     """Under a growing force the torque stays below the first limit; the path to it is cut until the angle settles."""
     solution = twisted(BALL, Force(np.array([1.0, 2.0]) * F), Torque(np.array([0.3, 0.7]) * MOMENT))
@@ -326,6 +327,7 @@ def test_solve_gathers_the_steps():
         solution.at(6)
 
 
+@pytest.mark.slow
 @settings(max_examples=5, deadline=None, derandomize=True)
 @given(
     st.lists(st.tuples(st.floats(-0.2, 1.5), st.floats(-0.6, 0.6)), min_size=2, max_size=3),

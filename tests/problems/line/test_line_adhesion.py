@@ -115,6 +115,7 @@ def test_half_widths_say_whether_they_are_stable():
     assert contact.at(2).half_width == contact.half_width[2]
 
 
+@pytest.mark.slow
 def test_waves_hold_a_wavy_cylinder_stronger():
     """Of all equilibria the pull-off is the least stable force: a dense scan of P(a) by Bessel functions."""
     h, length = 1e-7, 5e-5

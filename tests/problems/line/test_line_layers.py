@@ -241,6 +241,7 @@ def test_the_picture_shows_the_depth_where_there_is_one():
         pyplot.close(figure)
 
 
+@pytest.mark.slow
 def test_the_search_under_a_falling_profile_ends():
     bed = strip(thickness=0.02, profile=wk.Wavy(0.01, 4.0))
     with pytest.raises(wk.OutsideValidity, match="no wider strip is sought where the load may fall"):

@@ -184,6 +184,7 @@ def test_a_force_off_the_middle_tilts_the_body():
     np.testing.assert_allclose(again.edges, found.edges, rtol=1e-10)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("place", [0.2, 0.45, 0.71])
 def test_a_free_cylinder_rolls_to_the_force(place):
     """x - m = theta R: however narrow the contact is, it moves along under the force."""

@@ -36,6 +36,7 @@ def test_without_scatter_shifts_and_constants_come_back(law, name):
         assert found.second_constant == pytest.approx(REFERENCE, rel=1e-2)  # Arrhenius is a Ferry with c2 = T0
 
 
+@pytest.mark.slow
 def test_intervals_hold_the_truth_as_often_as_they_say():
     scores, constants = [], []
     for seed in range(FEW):

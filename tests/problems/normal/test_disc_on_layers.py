@@ -38,6 +38,7 @@ def pushes(bed: wk.Foundation, a: float) -> bool:
     return bool(np.min(pressure) > 0.0)
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize(
     ("medium", "shape", "a", "disc"),
     [
@@ -235,6 +236,7 @@ def test_energy_of_powers_in_graded_media(k, n):
     assert contact.energy == pytest.approx(contact.force * contact.depth * n / (2 * n + k + 1), rel=1e-11)
 
 
+@pytest.mark.few(7)
 @pytest.mark.parametrize(
     ("name", "shape"),
     [(name, wk.Paraboloid(1.0)) for name in MEDIA]

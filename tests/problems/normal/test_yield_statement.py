@@ -211,6 +211,7 @@ def test_friction_on_layers_and_wide_contacts_are_not_known():
     assert "use peak_stress" in wide.statement
 
 
+@pytest.mark.slow
 def test_attraction_without_range():
     """The edge is torn with an infinite stress whatever the strength; the constant stress of Dugdale is finite."""
     rubber = wk.HalfSpace(wk.Elastic(1e6, 0.5, 1e9))

@@ -116,6 +116,7 @@ def test_sharp_bodies_yield_at_once(profile, why):
     assert all(note.statement for note in contact.validity)
 
 
+@pytest.mark.slow
 def test_a_blunt_cusp_is_not_pointed():
     """f = c r^1.1: the pressure on the axis is finite, p(0) = E* kappa c n a^(n-1)/(pi (n-1)), and so is the onset."""
     onset = wk.YieldOnset(bed(wk.PowerLaw(0.01, 1.1))).solve()

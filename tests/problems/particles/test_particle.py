@@ -230,6 +230,7 @@ def test_no_history_creates_energy(seed):
     assert particle.dissipation[-1] > 0.0
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize(("opening", "closing"), [(0.0, 0.0), (0.5, 0.0), (0.5, 0.5)])
 def test_the_work_is_the_integral_of_the_force(opening, closing):
     corners = np.array([0.005, 0.08, 0.06, 0.0, 0.1, 0.085]) * RADIUS

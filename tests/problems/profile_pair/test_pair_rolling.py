@@ -51,6 +51,7 @@ def manchester(shared_data):
     return placed
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("case", [1, 2, 3, 4, 5])
 def test_forces_of_a_wheel_are_those_of_contact(manchester, case):
     """Five positions, placed by the profiles alone; friction of the mirror image changes its sign across.
@@ -99,6 +100,7 @@ def test_a_wheel_that_rolls_freely_is_that_of_contact(manchester):
     assert rolled.stick_share[0] == pytest.approx(row["stick_share"], abs=0.04)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(
     ("radius", "creep", "power", "sticks"),
     [

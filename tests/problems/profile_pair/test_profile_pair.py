@@ -96,6 +96,7 @@ def test_a_deep_groove_is_that_of_contact(radius, peak, width):
     assert found.patches[0].turned == pytest.approx(width / radius, rel=0.05)
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("case", range(6))
 def test_a_wheel_on_a_rail_is_that_of_contact(manchester, case):
     """Six positions of the Manchester benchmark, placed by the profiles alone; CONTACT has friction too."""

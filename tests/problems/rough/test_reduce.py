@@ -82,6 +82,7 @@ def test_the_error_of_the_force_is_as_stated(name):
     assert np.all(np.diff(result.depth) > 0.0)
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("seed", range(4))
 def test_the_error_of_random_surfaces_is_as_stated(seed):
     """Rough stamps and rough balls, from a few spots to full contact, at depths of chance."""

@@ -48,6 +48,7 @@ def noted(solution):
     return note, float(share), int(state)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["tangential", "steady", pytest.param("start", marks=pytest.mark.slow)])
 def test_the_worst_state_of_a_history_decides(name):
     make, worst = HISTORIES[name]

@@ -20,6 +20,7 @@ def rolled(drive, medium=ALIKE, friction=FALLING) -> wk.SurfaceRollingSolution:
     return wk.SurfaceRolling(WHEEL, medium, wk.Force(NORMAL), friction, drive, speed=SPEED).solve()
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("medium", [ALIKE, DISSIMILAR], ids=["alike", "dissimilar"])
 @pytest.mark.parametrize("by_moment", [False, True], ids=["spin", "moment"])
 def test_forces_lead_back_to_the_creepages_of_the_rising_branch(medium, by_moment):
@@ -49,6 +50,7 @@ def test_dissimilar_bodies_under_friction_that_does_not_fall():
         assert getattr(flat, name) == getattr(coulomb, name)
 
 
+@pytest.mark.slow
 def test_up_to_the_maximum_of_the_creep_curve_and_not_beyond():
     """Just below it the lesser one of two creepages is found; above it none, and the sentence says why."""
     creep = np.linspace(2e-3, 5e-3, 61)
@@ -64,6 +66,7 @@ def test_up_to_the_maximum_of_the_creep_curve_and_not_beyond():
         rolled(wk.ShearForce(1.01 * most))
 
 
+@pytest.mark.slow
 def test_forces_after_one_near_the_maximum_of_the_creep_curve():
     """Where the curve is flat no stiffness leads on: each force begins from rest, in any order."""
     most = float(np.max(rolled(wk.Creepage(longitudinal=np.linspace(2e-3, 5e-3, 61))).longitudinal_force))

@@ -30,6 +30,7 @@ def rolled(drive, **more):
     return wk.SurfaceRolling(**(stated | more), drive=drive).solve()
 
 
+@pytest.mark.slow
 def test_the_creep_curve_of_contact_turned_round(shared_data):
     """Its forces give its creepages, as near as both codes agree at given creepages: 0.15 % of the friction."""
     file = shared_data / "reference" / "contact" / "creep_curve_ellipse.csv"
@@ -61,6 +62,7 @@ def test_few_rolls_find_them(monkeypatch):
     assert len(counted) <= 10 * push.size + 3
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("seed", [0, *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(1, 20))])
 def test_random_forces_and_back(seed):
     """The creepages that are found give the forces, and the stated misfit contains what is missing."""

@@ -73,6 +73,7 @@ def ting(series, t_max, t):
     return brentq(weight, 0.0, t_max, xtol=1e-12)
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize(
     "solid", [MAXWELL, STANDARD, Prony(0.05, [0.1, 0.1], [0.05, 1.0])], ids=["Maxwell", "standard", "two times"]
 )

@@ -32,6 +32,7 @@ def pulled(speed, far=50e-6, bed=BALL, law=LAW, press=5e-6, count=2, **more):
     return ViscoelasticAdhesion(bed, law, Path(time, Depth(depth)), **more).solve()
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("profile", [wk.Paraboloid(R), wk.PowerLaw(1e9, 4.0)])
 def test_slow_rubber_is_elastic(profile):
     """The limit of no speed: JKR, with its snap-in, pull-off and loss."""
@@ -113,6 +114,7 @@ def test_only_one_number_counts():
     assert ratios[0] < -1.6
 
 
+@pytest.mark.slow
 def test_the_pull_off_rises_with_the_speed():
     forces = np.array([-pulled(speed, far=4e-4).lowest_force[-1] for speed in [1e-10, 1e-6]]) / ONE
     assert np.all(np.diff(forces) > 0.0)
@@ -175,6 +177,7 @@ def test_a_relaxed_solid_and_its_steps():
     assert worst(elastic.validity[:1]) is Standing.APPROXIMATE
 
 
+@pytest.mark.slow
 def test_a_work_that_comes_to_an_end():
     """Slow as the unbounded law, fast as JKR with the greatest work; what is driven by more runs at once."""
     bounded = SaturatingWork(W, 5.0 * W, 1e-6, 0.6)

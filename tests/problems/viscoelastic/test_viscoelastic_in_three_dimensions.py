@@ -97,6 +97,7 @@ HISTORIES = {
 }
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("name", HISTORIES)
 @pytest.mark.parametrize("solid", [MAXWELL, TWO], ids=["Maxwell", "two times"])
 def test_under_the_body_the_surface_follows_it(name, solid):

@@ -177,8 +177,12 @@ def test_cases_are_found_by_name_file_and_folder(tmp_path):
         case_files([str(tmp_path / "empty")])
 
 
-LONG = {"coated_substrate_limit", "coated_winkler_paraboloid", "coated_winkler_punch", "depth_graded_soft_skin"}
-"""Contacts much wider than a layer, and a grading cut into hundreds of layers."""
+LONG = {
+    *("coated_substrate_limit", "coated_winkler_paraboloid", "coated_winkler_punch", "depth_graded_soft_skin"),
+    *("steady_circle_overshoot", "maw_barber_fawcett_table", "rough_line_stiffness", "jkr_slow_peeling"),
+    *("reduced_friction_ellipse", "line_fretting_reaches_the_limit", "coated_hard_stiffness"),
+}
+"""Contacts much wider than a layer, a grading cut into hundreds of layers, and marches of a second and longer."""
 
 
 @pytest.mark.parametrize(

@@ -26,6 +26,8 @@ PRESSED = [
 ]
 COSTLY = {"bimodal_damping", "impact", "sliding_wear", "tangential", "viscoelastic_adhesion"}
 """Problems that take seconds on all beds; they run among the slow tests."""
+ON_MAPS = {"reduced_friction", "surface_rolling", "surface_rolling_start", "surface_tangential"}
+"""Problems that take a second or more with all parts; those of the others on maps run by default."""
 STEEL = wk.Elastic(210e9, 0.3)
 PAIR = wk.HalfSpace.between(STEEL, STEEL)
 BALL = wk.Paraboloid(10e-3)
@@ -98,7 +100,9 @@ def test_a_part_is_taken_or_refused_by_a_sentence(name):
         replaced(whole, field, example(other))
 
 
-@pytest.mark.parametrize("name", PROBLEMS)
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=pytest.mark.slow) if name in ON_MAPS else name for name in PROBLEMS]
+)
 def test_a_problem_takes_what_it_can_answer(name):
     """Parts of all other kinds, beds apart; what is taken is solved or refused by a sentence."""
     whole = example(name)
