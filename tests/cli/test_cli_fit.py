@@ -16,6 +16,8 @@ import numpy as np
 import pytest
 
 from winkler.cli import main
+from winkler.study.batch import fit_run
+from winkler.study.batch.pool import Machine
 from winkler.study.report.writing import PROVENANCE
 
 STUDY = """title = "Gel & bead"
@@ -367,6 +369,19 @@ def test_a_bar_shows_how_far_the_fit_has_come(here, monkeypatch):
     assert main(["fit", "gel.toml", "--quiet"]) == 0
     assert re.fullmatch(r"fitting: 1 evaluation, residuals of [\d.]+ \S?N", message[0])
     assert re.fullmatch(r"fitting: \d\d? evaluations, residuals of [\d.]+ pN", message[-2])
+
+
+@pytest.mark.parametrize(("told", "workers"), [([], Machine()), (["--workers", "1"], 1)])
+def test_a_batch_takes_all_processors_unless_told(here, monkeypatch, told, workers):
+    asked, real = [], fit_run.fit_curves
+
+    def seen(*content, **how):
+        asked.append(how["workers"])
+        return real(*content, **{**how, "workers": 1})
+
+    monkeypatch.setattr(fit_run, "fit_curves", seen)
+    assert main(["fit", "gel.toml", "--quiet", *told]) == 0
+    assert asked == [workers]
 
 
 @pytest.mark.slow

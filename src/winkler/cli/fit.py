@@ -34,7 +34,12 @@ def fit(
     ],
     output: Output = None,
     overwrite: Overwrite = False,
-    workers: Annotated[int, typer.Option("--workers", "-w", help="Processes that fit many curves.")] = 1,
+    workers: Annotated[
+        int | None,
+        typer.Option(
+            "--workers", "-w", help="Processes that fit many curves; all processors, if it takes a while, unless given."
+        ),
+    ] = None,
     time_limit: Annotated[
         float | None,
         typer.Option(help=r"The longest that the fit of one curve may take \[s]; that of the study if not given."),
@@ -66,6 +71,7 @@ def fit(
     from winkler.study.batch.fit_recording import recalled_fits
     from winkler.study.batch.fit_run import fit_curves, gather_fits, pieces
     from winkler.study.batch.journal import Journal
+    from winkler.study.batch.pool import Machine
     from winkler.study.batch.run import named
     from winkler.study.batch.stopping import clear_interrupt
     from winkler.study.language.fit_reading import read_fit_study
@@ -90,7 +96,8 @@ def fit(
     with resumed(folder, journal, many=many, overwrite=overwrite, anew=anew) as partial:
         before, batch_journal = recalled_fits(content, todo, journal), journal if len(todo) > 1 else None
         known_count, hidden = len(before), quiet or as_json
-        stream = fit_curves(content, todo, before, workers=workers, watch=running.watch, journal=batch_journal)
+        solvers = Machine() if workers is None else workers
+        stream = fit_curves(content, todo, before, workers=solvers, watch=running.watch, journal=batch_journal)
         try:
             fitted.update(
                 terminal.tracked(stream, len(todo), hidden=hidden, doing=running.progress, before=known_count)

@@ -23,6 +23,8 @@ __all__ = ["Generalised", "generalised", "likeliest"]
 MOST_STEPS = 6
 SETTLED_ERRORS = 0.02
 """Greatest last step in standard errors."""
+NEAR_ERRORS = 0.3
+"""Greatest distance from a known optimum, in standard errors, at which a search that began elsewhere has found it."""
 MOST_HALVINGS = 4
 LONGEST_STEP = 1.0
 LEAST_GAIN = -0.5
@@ -81,7 +83,9 @@ class Generalised(_GeneralisedFields):
         return known[noise]
 
 
-def generalised(task: FitTask, coordinates: Array, noise: float, search: Search) -> Generalised:
+def generalised(
+    task: FitTask, coordinates: Array, noise: float, search: Search, known: Generalised | None = None
+) -> Generalised:
     """Return generalised least squares from the coordinates of least squares; at a bound, or for a misfit, these.
 
     Parameters
@@ -92,6 +96,8 @@ def generalised(task: FitTask, coordinates: Array, noise: float, search: Search)
         Standard deviation; zero: estimated.
     search : Search
         Counts the predictions.
+    known : Generalised, optional
+        An optimum that is returned as soon as a step has come near it, with the same points in contact.
     """
     begun = here = _at(task, coordinates)
     low, high = bounds(task.parameters, coordinates)
@@ -107,6 +113,8 @@ def generalised(task: FitTask, coordinates: Array, noise: float, search: Search)
         if further is None:
             break
         here = further
+        if known is not None and _is_near(here, known):
+            return known
     if here is begun or _is_noise(task, here, noise):
         return here
     _record(task, begun, search)
@@ -131,9 +139,11 @@ def likeliest(task: FitTask, best: Generalised, noise: float, search: Search) ->
             with np.errstate(
                 divide="ignore", invalid="ignore"
             ):  # a start at which a number has no effect is no optimum
-                other = generalised(task, np.clip(start, low + margin, high - margin), noise, search)
+                other = generalised(task, np.clip(start, low + margin, high - margin), noise, search, best)
         except (OutsideValidity, np.linalg.LinAlgError):
             search.check()
+            continue
+        if other is best:
             continue
         explains = _is_noise(task, other, noise) or not _is_noise(task, best, noise)
         if explains and other.noise.likelihood > best.noise.likelihood + CLEAR_GAIN:
@@ -169,6 +179,12 @@ def _record(task: FitTask, here: Generalised, search: Search) -> None:
     search.begin()
     squares = float(here.residuals @ here.residuals)
     search.record(task.numbers(here.coordinates), squares, int(np.count_nonzero(task.weights)))
+
+
+def _is_near(here: Generalised, known: Generalised) -> bool:
+    """Return whether a fit is within a part of the errors of a known optimum, with the same points in contact."""
+    apart = np.abs(here.coordinates - known.coordinates) / np.sqrt(np.diag(known.noise.covariance))
+    return bool(apart.max() <= NEAR_ERRORS) and np.array_equal(known.prediction.touched, here.prediction.touched)
 
 
 def _at(task: FitTask, coordinates: Array) -> Generalised:

@@ -47,7 +47,11 @@ def best_start(task: FitTask, rough_outline: CurveOutline | None, search: Search
     if not starts:
         raise OutsideValidity("fit: none of the starts is within the reach of the model; give starts or bounds.")
     starts.sort(key=lambda start: start[1])
-    improved = [solved(coarse, candidate, search, coarse=True) for candidate, _ in starts[: task.starts_improved]]
+    improved = []
+    for candidate, _ in starts[: task.starts_improved]:
+        improved.append(solved(coarse, candidate, search, coarse=True))
+        if task.explained_by(improved[-1][1], coarse, rough_outline):
+            break
     return min(improved, key=lambda start: start[1])[0]
 
 

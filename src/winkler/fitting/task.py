@@ -30,6 +30,8 @@ from winkler.numerics.types import Array
 __all__ = ["DIFFERENCE_STEP", "FitTask", "Prediction", "even_weights", "moved"]
 
 DIFFERENCE_STEP = 1e-5
+MOST_RECENT = 8
+"""Models that a task keeps."""
 
 
 class Prediction(NamedTuple):
@@ -105,6 +107,11 @@ class FitTask(_TaskFields):
         """Return coordinates from which a fit may begin."""
         raise NotImplementedError
 
+    def explained_by(self, squares: float, coarse: Self, rough_outline: CurveOutline | None) -> bool:
+        """Return whether a start with this sum of weighted squares at the points of `coarse` needs no other."""
+        del squares, coarse, rough_outline
+        return False
+
     def sample_of(self, stretch: Array) -> Array:
         """Return a part of the points of one direction, as indices."""
         raise NotImplementedError
@@ -151,7 +158,17 @@ class FitTask(_TaskFields):
     def with_numbers(self, numbers: dict[str, float]) -> Any:
         """Return the model with its numbers."""
         own = {name: number for name, number in numbers.items() if name not in CURVE_PARAMETERS}
-        return changed(self.model, own) if own else self.model
+        key = tuple(own.items())
+        if key not in self.recent_models:
+            if len(self.recent_models) >= MOST_RECENT:
+                del self.recent_models[next(iter(self.recent_models))]
+            self.recent_models[key] = changed(self.model, own) if own else self.model
+        return self.recent_models[key]
+
+    @functools.cached_property
+    def recent_models(self) -> dict[tuple[tuple[str, float], ...], Any]:
+        """The last models by their numbers: a prediction, its derivatives and steps of the line share them."""
+        return {}
 
     def along(self, numbers: dict[str, float]) -> Array:
         """Return the measured positions from the contact point on [m]."""

@@ -92,7 +92,7 @@ def _missing_baselines(curve: ForceCurve) -> list[str]:
         selected = curve.direction == direction
         if np.count_nonzero(selected) < FEWEST:
             continue
-        part = curve.chosen(selected)
+        part = curve if selected.all() else curve.chosen(selected)
         rough_outline = outline(part)
         position, force = single_direction(part)
         pull = rough_outline.pull

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from typing import NamedTuple
 
@@ -67,8 +68,9 @@ def single_direction(curve: ForceCurve) -> tuple[Array, Array]:
     return curve.position[chosen], curve.force[chosen]
 
 
+@functools.lru_cache(maxsize=2)
 def outline(curve: ForceCurve) -> CurveOutline:
-    """Return the rough outline of a curve."""
+    """Return the rough outline of a curve; of the last ones it is kept, as checks and start of a fit both need it."""
     position, force = single_direction(curve)
     slope = _first_slope(position, force)
     base = far_force(force - slope * position) + slope * position

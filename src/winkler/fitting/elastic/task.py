@@ -41,6 +41,8 @@ __all__ = ["ElasticTask", "elastic_task"]
 
 SHIFTS = (-2.5, -1.0, 1.0, 2.5)
 """Shifts of the contact point, in standard errors, from which a fit with adhesion begins again."""
+EXPLAINED_NOISE = 1.2
+"""Greatest root mean square of the residuals of a start that needs no other beside it, relative to the noise."""
 LITTLE = -3.0
 """Change of the logarithm of a work of adhesion from which it begins again."""
 
@@ -67,6 +69,14 @@ class ElasticTask(FitTask):
         """Return coordinates for some contact points, moduli and works of adhesion of the right magnitude."""
         assert rough_outline is not None
         return starts(self, rough_outline)
+
+    def explained_by(self, squares: float, coarse: FitTask, rough_outline: CurveOutline | None) -> bool:
+        """Return whether the residuals are hardly larger than the noise out of contact, and no snap has optima."""
+        if rough_outline is None or isinstance(self.model, AdhesiveIndentation):
+            return False
+        count = max(int(np.count_nonzero(coarse.weights)) - len(self.parameters), 1)
+        level = EXPLAINED_NOISE * rough_outline.noise * float(np.mean(coarse.weights))
+        return bool(squares <= count * level**2)
 
     def restarts(self, coordinates: Array, covariance: Array) -> list[Array]:
         """Return, with adhesion, coordinates with other contact points, and with little adhesion.
