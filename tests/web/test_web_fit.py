@@ -13,9 +13,11 @@ import tomli_w
 from winkler.cli import main
 from winkler.errors import InvalidInput
 from winkler.io.curves import read_curve
+from winkler.study.batch.fit_run import fit_study
 from winkler.study.language.fit_reading import FITTED, parse_fit_study
 from winkler.study.language.reading import parsed
 from winkler.web.form import fit_form, form
+from winkler.web.form.sample_curve import SAMPLE, sample_curve
 from winkler.web.form.study_form import StudyForm
 from winkler.web.pictures.answer import AnswerText, MomentComplete
 from winkler.web.pictures.fitted import MOST_POINTS, drawn_points
@@ -164,11 +166,28 @@ def test_both_studies_are_unchanged_while_one_turns():
 def test_the_curve_stays_when_the_model_changes():
     entered = StudyForm(lambda: None, lambda: None)
     entered.switch_task("fit")
-    entered.read("fit.curve", "gel.csv")
+    entered.read_curve("gel.csv")
     entered.choose("problem", "adhesive_indentation")
     assert form.at(entered.table, "fit.curve") == "gel.csv"
     assert form.at(entered.table, "problem.kind") == "adhesive_indentation"
     assert list(files_in(entered.table)) == [("fit.curve", "gel.csv")]
+
+
+def test_another_curve_leaves_the_form_as_it_is():
+    """A form that were made anew when an upload arrives would lose bounds that are being typed."""
+    calls = []
+    entered = StudyForm(lambda: calls.append("form"), lambda: calls.append("solve"))
+    entered.switch_task("fit")
+    entered.read_curve("gel.csv")
+    assert form.at(entered.table, "fit.curve") == "gel.csv"
+    assert calls == ["form", "solve"]
+
+
+def test_the_guess_of_a_radius_is_said_until_one_is_entered():
+    table = fit_form.initial_table(FITTED[0])
+    assert "5 um, is a guess" in fit_form.model_remark(table)
+    form.put(table, "problem.bed.profile.curvature_radius", "4 um")
+    assert "guess" not in fit_form.model_remark(table)
 
 
 def test_a_study_and_its_curve_travel_together(folder_):
@@ -190,6 +209,16 @@ def test_a_study_and_its_curve_travel_together(folder_):
         other.unpack(b"PK\x03\x04 spoilt", "study.toml")
     uploads.close()
     other.close()
+
+
+def test_the_form_begins_with_a_curve_that_can_be_fitted(folder_):
+    (folder_ / SAMPLE).write_bytes(sample_curve())
+    table = fit_form.initial_table(FITTED[0])
+    form.put(table, "fit.curve", SAMPLE)
+    found = fit_study(parse_fit_study(tomli_w.dumps(table), folder=folder_)).fitted[0].fit
+    low, high = found.interval("bed.medium.first.young")
+    assert low < 4e3 < high < 1.02 * 4e3
+    assert found.flags == ()
 
 
 def test_only_so_many_points_are_drawn():
