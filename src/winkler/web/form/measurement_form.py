@@ -34,7 +34,7 @@ QUESTIONS = {
     "over_depth": "number",
     "shared": "list of text",
     "model": "text",
-    "models": "text",
+    "models": "table",
     "time_limit": "quantity [s]",
 }
 """Keys of ``[fit]`` and what they take."""

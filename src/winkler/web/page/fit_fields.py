@@ -17,6 +17,7 @@ from winkler.web.page.fields import FormFields
 __all__ = ["draw_curve", "draw_free", "draw_measurement", "show_curve"]
 
 FILE_HINT = "A table with columns such as ‘piezo [nm], force [nN]’, or a file of a force microscope."
+OF_TABLES = ("fit.units", "fit.models", "fit.shared")
 BOUNDS_HINT = "Parameters are free between two bounds, from a start value in the first box, or without either."
 
 
@@ -75,7 +76,9 @@ def draw_measurement(fields: FormFields, entered: StudyForm) -> None:
         with ui.expansion(group.title, value=group.is_used).classes("astext"):
             for entry in group.entries:
                 fields.entry(entry, slides=entry.takes.startswith("quantity"))
-                fields.reserve_message(entry.path)
+            for path in OF_TABLES:
+                if any(entry.path.startswith(path) for entry in group.entries):
+                    fields.reserve_message(path)  # for sentences about what they hold
             for one in group.choices:
                 _choice(fields, entered, one)
 
