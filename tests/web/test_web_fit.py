@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import re
 import shutil
 from pathlib import Path
 
@@ -321,3 +322,13 @@ def test_depths_models_and_events_stand_on_the_page(bench, folder_):
     assert titles == [f"Over depth: {name}", f"Models: {name}", f"{name}: what was done", titles[-1]]
     assert "noise" in titles[-1].lower() or "residual" in titles[-1].lower()
     assert all(one.svg for one in others if isinstance(one, DrawnSheet))
+
+
+def test_the_headline_holds_the_error_of_the_calibration(bench, folder_):
+    """The interval of 95 % under 8 % of error is at least 1.96 * 8 % wide to either side of 3.99 kPa."""
+    table = gel_table()
+    table["fit"] |= {"spring_constant_error": "8 %"}
+    answer, *_ = solved(bench, table, folder_)
+    low, high = re.search(r"95 %:\D*([\d.]+)\D+?([\d.]+)", re.sub(r"<[^>]*>", " ", answer.answers)).groups()
+    assert 3.0 < float(low) < 3.99 * 0.87
+    assert 3.99 * 1.14 < float(high) < 5.0

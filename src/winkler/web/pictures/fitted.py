@@ -13,7 +13,7 @@ from winkler.numerics.types import Array
 from winkler.plot.fitting.fits import fit_panels
 from winkler.plot.series import with_unit as number_text
 from winkler.plot.viscoelastic.fits import relaxing_loop
-from winkler.study.batch.fit_outcome import FitOutcome, Fitted
+from winkler.study.batch.fit_outcome import FitOutcome, Fitted, interval_of
 from winkler.study.report import fit_tables
 from winkler.study.report.examined.sections import further_figures, further_section
 from winkler.study.report.fit_report import figures_of_curves, figures_of_many, steps
@@ -59,10 +59,11 @@ def fit_text(outcome: FitOutcome, text: str) -> AnswerText:
 
 def _cards(outcome: FitOutcome) -> str:
     """Return the fitted parameters with their intervals as cards."""
-    fit, cards = outcome.fitted[0].fit, []
+    (result,), cards = outcome.fitted, []
+    fit = result.fit
     for free in outcome.study.free:
         word = outcome.study.word(free.key)
-        low, high = (number_text(end, word.unit) for end in fit.interval(free.path))
+        low, high = (number_text(end, word.unit) for end in interval_of(result, free))
         name = key_in_words(free.key).rpartition("› ")[2]
         cards.append(
             f'<div class="card"><div class="value">{safe(number_text(fit.value(free.path), word.unit))}</div>'
