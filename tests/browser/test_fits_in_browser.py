@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import tomllib
 import zipfile
 from pathlib import Path
 
@@ -15,13 +16,26 @@ from winkler.study.language.fit_reading import read_fit_study
 pytestmark = pytest.mark.browser
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
+GEL = EXAMPLES / "data" / "gel_bead.csv"
 YOUNG = "problem.bed.medium.first.young"
+
+NO_CURVE = """[problem]
+kind = "indentation"
+[problem.bed]
+kind = "foundation"
+profile = { kind = "sphere", curvature_radius = "5 um" }
+medium = { kind = "half_space", first = { kind = "elastic", young = "1 kPa", poisson = 0.5 } }
+[fit]
+curve = ""
+part = "approach"
+free = { "problem.bed.medium.first.young" = true }
+"""
 
 
 def turned(app_page):
     """Turn the page to fits."""
     app_page.page.get_by_role("button", name="Fit a curve").click()
-    app_page.settled("wrong")  # there is no curve yet
+    shown(app_page, Path("sample_curve.csv"))
 
 
 def uploaded(app_page, path):
@@ -29,6 +43,12 @@ def uploaded(app_page, path):
     with app_page.page.expect_file_chooser() as chooser:
         app_page.page.locator('[data-upload="fit.curve"]').click()
     chooser.value.set_files(path)
+
+
+def shown(app_page, path):
+    """Wait until the fit of a curve is shown."""
+    app_page.page.locator(".pictures", has_text=f"Curve and fit: {path.name}").wait_for(timeout=60_000)
+    app_page.settled()
 
 
 def rows_of(content):
@@ -40,10 +60,12 @@ def rows_of(content):
 def test_from_a_curve_to_its_modulus(fresh, tmp_path):
     app_page = fresh()
     turned(app_page)
-    assert "upload a measured curve" in app_page.page.locator(".study-side .wrong", has_text="curve").first.inner_text()
+    assert app_page.card("Young's modulus").startswith("4.0")
+    assert app_page.page.get_by_text("A made curve, not a measurement").is_visible()
     app_page.shot("fit_begun")
-    uploaded(app_page, EXAMPLES / "data" / "gel_bead.csv")
-    app_page.settled()
+    uploaded(app_page, GEL)
+    shown(app_page, GEL)
+    assert not app_page.page.get_by_text("A made curve, not a measurement").is_visible()
     app_page.type(f"fit.free.{YOUNG}.0", "10 Pa")
     app_page.type(f"fit.free.{YOUNG}.1", "10 MPa")
     app_page.busy()
@@ -78,6 +100,41 @@ def test_from_a_curve_to_its_modulus(fresh, tmp_path):
     assert rows_of(other.taken("csv")) == exported
 
 
+def test_bounds_typed_while_a_curve_arrives_are_kept(fresh):
+    """The upload is held back until the bounds stand in their boxes, from where they are sent after a pause."""
+    app_page, held = fresh(), []
+    turned(app_page)
+    app_page.page.route("**/upload/**", lambda route: held.append(route))
+    uploaded(app_page, GEL)
+    while not held:
+        app_page.page.wait_for_timeout(20)
+    low, high = f"fit.free.{YOUNG}.0", f"fit.free.{YOUNG}.1"
+    app_page.type(low, "10 Pa")
+    app_page.type(high, "10 MPa")
+    held[0].continue_()
+    shown(app_page, GEL)
+    app_page.page.wait_for_timeout(2_000)  # longer than the pause before typed text is sent
+    app_page.settled()
+    assert app_page.page.locator(f'input[data-path="{low}"]').input_value() == "10 Pa"
+    assert app_page.page.locator(f'input[data-path="{high}"]').input_value() == "10 MPa"
+    with zipfile.ZipFile(io.BytesIO(app_page.taken("study"))) as pack:
+        study = tomllib.loads(pack.read("study.toml").decode("utf-8"))
+    assert study["fit"]["free"][YOUNG] == ["10 Pa", "10 MPa"]
+
+
+def test_a_late_answer_does_not_replace_what_is_wrong(fresh):
+    """The sample is still being fitted when a study without a curve is opened."""
+    app_page = fresh()
+    app_page.page.get_by_role("button", name="Fit a curve").click()
+    app_page.busy()
+    app_page.page.locator('input[type="file"]').first.set_input_files(
+        {"name": "s.toml", "mimeType": "text/plain", "buffer": NO_CURVE.encode()}
+    )
+    app_page.settled("wrong")
+    app_page.page.wait_for_timeout(5_000)
+    app_page.settled("wrong")
+
+
 def test_what_is_wrong_stands_beside_its_field(fresh, tmp_path):
     app_page = fresh()
     turned(app_page)
@@ -88,8 +145,8 @@ def test_what_is_wrong_stands_beside_its_field(fresh, tmp_path):
     sentence.wait_for(timeout=20_000)
     app_page.settled("wrong")
     app_page.shot("fit_spoilt")
-    uploaded(app_page, EXAMPLES / "data" / "gel_bead.csv")
-    app_page.settled()
+    uploaded(app_page, GEL)
+    shown(app_page, GEL)
     assert sentence.count() == 0
     bound = f"fit.free.{YOUNG}.0"
     app_page.type(f"fit.free.{YOUNG}.1", "10 MPa")

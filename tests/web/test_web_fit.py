@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
+import re
 import shutil
 from pathlib import Path
 
@@ -13,11 +15,15 @@ import tomli_w
 from winkler.cli import main
 from winkler.errors import InvalidInput
 from winkler.io.curves import read_curve
+from winkler.study.batch.fit_run import fit_study
+from winkler.study.language.fit_grammar import fit_form as section
 from winkler.study.language.fit_reading import FITTED, parse_fit_study
 from winkler.study.language.reading import parsed
-from winkler.web.form import fit_form, form
+from winkler.web.form import fit_form, form, measurement_form
+from winkler.web.form.sample_curve import SAMPLE, sample_curve
 from winkler.web.form.study_form import StudyForm
-from winkler.web.pictures.answer import AnswerText, MomentComplete
+from winkler.web.form.typed import typed
+from winkler.web.pictures.answer import AnswerText, DrawnSheet, InteractivePicture, MomentComplete
 from winkler.web.pictures.fitted import MOST_POINTS, drawn_points
 from winkler.web.session.upload_folder import UploadFolder, files_in
 from winkler.web.session.worker import Export, Look, Solve, Wrong, _WorkerState, beside_the_curve
@@ -49,7 +55,9 @@ def solved(bench, table, folder):
 
 
 def test_the_app_and_the_command_line_fit_equal_numbers(bench, folder_, tmp_path):
-    answer, *pictures, frame = solved(bench, gel_table(), folder_)
+    answer, *others = solved(bench, gel_table(), folder_)
+    pictures = [one for one in others if isinstance(one, InteractivePicture)]
+    (frame,) = (one for one in others if isinstance(one, MomentComplete))
     (file,) = bench.replies(Export(2, "csv"))
     plain = {**gel_table(), "output": {"report": False, "figures": []}}
     (folder_ / "study.toml").write_text(tomli_w.dumps(plain), encoding="utf-8")
@@ -164,11 +172,28 @@ def test_both_studies_are_unchanged_while_one_turns():
 def test_the_curve_stays_when_the_model_changes():
     entered = StudyForm(lambda: None, lambda: None)
     entered.switch_task("fit")
-    entered.read("fit.curve", "gel.csv")
+    entered.read_curve("gel.csv")
     entered.choose("problem", "adhesive_indentation")
     assert form.at(entered.table, "fit.curve") == "gel.csv"
     assert form.at(entered.table, "problem.kind") == "adhesive_indentation"
     assert list(files_in(entered.table)) == [("fit.curve", "gel.csv")]
+
+
+def test_another_curve_leaves_the_form_as_it_is():
+    """A form that were made anew when an upload arrives would lose bounds that are being typed."""
+    calls = []
+    entered = StudyForm(lambda: calls.append("form"), lambda: calls.append("solve"))
+    entered.switch_task("fit")
+    entered.read_curve("gel.csv")
+    assert form.at(entered.table, "fit.curve") == "gel.csv"
+    assert calls == ["form", "solve"]
+
+
+def test_the_guess_of_a_radius_is_said_until_one_is_entered():
+    table = fit_form.initial_table(FITTED[0])
+    assert "5 um, is a guess" in fit_form.model_remark(table)
+    form.put(table, "problem.bed.profile.curvature_radius", "4 um")
+    assert "guess" not in fit_form.model_remark(table)
 
 
 def test_a_study_and_its_curve_travel_together(folder_):
@@ -192,6 +217,16 @@ def test_a_study_and_its_curve_travel_together(folder_):
     other.close()
 
 
+def test_the_form_begins_with_a_curve_that_can_be_fitted(folder_):
+    (folder_ / SAMPLE).write_bytes(sample_curve())
+    table = fit_form.initial_table(FITTED[0])
+    form.put(table, "fit.curve", SAMPLE)
+    found = fit_study(parse_fit_study(tomli_w.dumps(table), folder=folder_)).fitted[0].fit
+    low, high = found.interval("bed.medium.first.young")
+    assert low < 4e3 < high < 1.02 * 4e3
+    assert found.flags == ()
+
+
 def test_only_so_many_points_are_drawn():
     assert drawn_points(10).tolist() == list(range(10))
     some = drawn_points(100_000)
@@ -201,3 +236,99 @@ def test_only_so_many_points_are_drawn():
 
 def test_whose_fault_it_is():
     assert beside_the_curve("gel.csv: it never touches.") == "fit.curve: gel.csv: it never touches."
+
+
+ALL_KEYS = {
+    "segments": ["loading 0", "unloading 200"],
+    "events": ["baseline 0 to 20"],
+    "spring_constant": "0.04 N/m",
+    "sensitivity": "50 nm/V",
+    "units": {"position": "nm", "force": "nN"},
+    "frame_stiffness": "1 MN/m",
+    "correct": ["baseline"],
+    "noise": "10 pN",
+    "time_limit": "2 min",
+    "spring_constant_error": "8 %",
+    "sensitivity_error": 0.02,
+    "spring_constant_by": "thermal",
+    "over_depth": 4,
+    "shared": [YOUNG],
+    "model": "ball",
+    "models": {
+        "cone": {"problem.bed.profile": {"kind": "cone", "half_angle": "60 deg"}},
+        "free ball": {"free": {YOUNG: ["1 Pa", "1 MPa"]}},
+    },
+}
+
+
+def measured(table):
+    """All entries and choices of a measurement, by path."""
+    found = measurement_form.groups(table)
+    entries = {entry.path: entry for group in found for entry in group.entries}
+    picks = [one for group in found for one in group.choices]
+    return entries, {one.path: one for one in (*picks, *measurement_form.choices(table))}
+
+
+def test_all_keys_of_a_fit_have_a_field():
+    table = fit_form.initial_table(FITTED[-1])
+    entries, picks = measured(table)
+    shown = {path.split(".")[1] for path in (*entries, *picks)}
+    assert shown | {"curve", "free"} == set(section().model_fields)
+    assert all(entry.hint for entry in entries.values())
+
+
+def test_what_the_form_shows_comes_back_unchanged(folder_):
+    table = gel_table()
+    table["fit"] |= ALL_KEYS
+    before = tomli_w.dumps(table)
+    entries, picks = measured(table)
+    for path, entry in entries.items():
+        if entry.text:
+            form.put(table, path, typed(entry.text, entry.takes))
+    for path, pick in picks.items():
+        assert pick.chosen == form.at(table, path)
+    read, expected = (parse_fit_study(text, folder=folder_) for text in (tomli_w.dumps(table), before))
+    assert dataclasses.replace(read, text="") == dataclasses.replace(expected, text="")
+
+
+def test_units_are_typed_and_removed_one_by_one():
+    entered = StudyForm(lambda: None, lambda: None)
+    entered.switch_task("fit")
+    entered.change("fit.units.force", "nN", "text")
+    entered.change("fit.units.position", "nm", "text")
+    assert form.at(entered.table, "fit.units") == {"force": "nN", "position": "nm"}
+    entered.change("fit.units.force", "", "text")
+    entered.change("fit.units.position", "", "text")
+    assert "units" not in entered.table["fit"]
+
+
+def test_the_measurement_stays_when_the_model_changes():
+    entered = StudyForm(lambda: None, lambda: None)
+    entered.switch_task("fit")
+    entered.table["fit"] |= ALL_KEYS
+    entered.choose("problem", "viscoelastic_indentation")
+    left = {"over_depth", "shared", "model", "models"}
+    assert {name for name in ALL_KEYS if name in entered.table["fit"]} == set(ALL_KEYS) - left
+
+
+def test_depths_models_and_events_stand_on_the_page(bench, folder_):
+    table = gel_table()
+    table["fit"] |= {"over_depth": 3, "models": {"cone": ALL_KEYS["models"]["cone"]}}
+    answer, *others = solved(bench, table, folder_)
+    assert "What else the curves say" in answer.answers
+    assert "<td>cone</td><td>excluded</td>" in answer.answers
+    titles = [one.title for one in others if isinstance(one, DrawnSheet)]
+    name = "gel_bead.csv"
+    assert titles == [f"Over depth: {name}", f"Models: {name}", f"{name}: what was done", titles[-1]]
+    assert "noise" in titles[-1].lower() or "residual" in titles[-1].lower()
+    assert all(one.svg for one in others if isinstance(one, DrawnSheet))
+
+
+def test_the_headline_holds_the_error_of_the_calibration(bench, folder_):
+    """The interval of 95 % under 8 % of error is at least 1.96 * 8 % wide to either side of 3.99 kPa."""
+    table = gel_table()
+    table["fit"] |= {"spring_constant_error": "8 %"}
+    answer, *_ = solved(bench, table, folder_)
+    low, high = re.search(r"95 %:\D*([\d.]+)\D+?([\d.]+)", re.sub(r"<[^>]*>", " ", answer.answers)).groups()
+    assert 3.0 < float(low) < 3.99 * 0.87
+    assert 3.99 * 1.14 < float(high) < 5.0

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from typing import Any, get_args, get_type_hints
 
 from winkler.checks.number_checks import Whole
@@ -44,10 +45,15 @@ def inline(content: Any) -> str:
     if isinstance(content, str):
         return json.dumps(content, ensure_ascii=False)
     if isinstance(content, dict):
-        return "{ " + ", ".join(f"{key} = {inline(item)}" for key, item in content.items()) + " }"
+        return "{ " + ", ".join(f"{_bare(key)} = {inline(item)}" for key, item in content.items()) + " }"
     if isinstance(content, list | tuple):
         return "[" + ", ".join(inline(item) for item in content) + "]"
     return repr(content)
+
+
+def _bare(key: str) -> str:
+    """Return a key as TOML, in quotes where it has other characters than letters, digits, "_" and "-"."""
+    return key if re.fullmatch(r"[A-Za-z0-9_-]+", key) else json.dumps(key, ensure_ascii=False)
 
 
 def _comment(key: Key) -> str:

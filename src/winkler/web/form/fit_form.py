@@ -6,30 +6,31 @@ from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 from winkler.plot.series import name_in_words
-from winkler.study.language.correcting import CORRECTIONS
 from winkler.study.language.explain import completed
 from winkler.study.language.fit_reading import FITTED
 from winkler.study.language.fit_study import OF_A_CURVE, OF_A_TIMED_CURVE
-from winkler.study.language.grammar import SECTIONS
 from winkler.vocabulary import Word
 from winkler.web.form import form
 from winkler.web.form.form import FormEntry, FormPart, Many, Slot
 from winkler.web.form.typed import field_text
 
 __all__ = [
-    "Choice",
+    "CURVE",
     "FreeNumber",
     "bounds",
-    "choices",
     "free_numbers",
     "initial_table",
     "key_in_words",
-    "measurement",
     "model",
+    "model_remark",
     "numbers_in",
 ]
 
 RELAXES = FITTED[-1]
+CURVE = "fit.curve"
+"""The key of the measured curve."""
+RADIUS = ("problem.bed.profile.curvature_radius", "5 um")
+"""The key of the radius of the tip, and what it is before anybody has entered one."""
 PLACEHOLDERS = ("problem.load", "problem.path")
 """Keys of the model that the curve replaces."""
 INITIALLY_FREE: dict[str, dict[str, Any]] = {
@@ -51,15 +52,6 @@ VISCOELASTIC_SAMPLE = {
     },
 }
 NUMERIC = ("quantity", "number", "list of quantity", "list of number")
-CURVE_PARTS = {
-    "approach": "the approach",
-    "hold": "the approach and the hold",
-    "retract": "the retraction",
-    "both": "approach and retraction",
-}
-DRIVEN = {"force": "forces along the measured motion", "position": "positions under the measured forces"}
-NUMBERS = {"spring_constant": "N/m", "sensitivity": "m/V", "frame_stiffness": "N/m"}
-"""Keys of the measurement, with units; that of the noise depends on what is fitted."""
 
 
 class FreeNumber(NamedTuple):
@@ -84,16 +76,6 @@ class FreeNumber(NamedTuple):
     high: str
 
 
-class Choice(NamedTuple):
-    """A key of the measurement that takes one of a few words."""
-
-    path: str
-    label: str
-    hint: str
-    names: dict[str, str]
-    chosen: str
-
-
 def initial_table(kind: str) -> dict[str, Any]:
     """Return the initial table of a fit: a bead on a soft sample."""
     problem = completed({"kind": kind})
@@ -101,12 +83,21 @@ def initial_table(kind: str) -> dict[str, Any]:
         problem.pop(path.rpartition(".")[2], None)
     problem["bed"] = {
         "kind": "foundation",
-        "profile": {"kind": "paraboloid", "curvature_radius": "5 um"},
+        "profile": {"kind": "paraboloid", "curvature_radius": RADIUS[1]},
         "medium": completed(VISCOELASTIC_SAMPLE if kind == RELAXES else ELASTIC_SAMPLE),
     }
     free = {**INITIALLY_FREE[kind], "contact_point": True, "baseline": True}
     part = "both" if kind == RELAXES else "approach"
     return {"title": "fit of a curve", "problem": problem, "fit": {"curve": "", "part": part, "free": free}}
+
+
+def model_remark(table: dict[str, Any]) -> str:
+    """Return what the numbers of the model mean, and which of them nobody has entered."""
+    known = "Fixed parameters keep these values; free ones start from them."
+    key, initial = RADIUS
+    if form.at(table, key) == initial:
+        known += f" The radius of the tip, {initial}, is a guess: enter that of your tip."
+    return known
 
 
 def model(table: dict[str, Any]) -> FormPart:
@@ -178,32 +169,3 @@ def bounds(low: str, high: str, unit: str) -> Any:
     if high.strip():
         return [typed("", "text"), stated[0]]  # an upper bound alone: the check reports the missing lower one
     return stated[0] if stated else True
-
-
-def choices(table: dict[str, Any]) -> tuple[Choice, ...]:
-    """Return the choices of the fitted part and quantity of the curve."""
-    relaxes = form.at(table, "problem.kind") == RELAXES
-    parts = {name: CURVE_PARTS[name] for name in CURVE_PARTS if name != ("retract" if relaxes else "hold")}
-    section_keys = SECTIONS["fit"]
-    result = [Choice("fit.part", "part of the curve", section_keys["part"], parts, str(form.at(table, "fit.part")))]
-    if relaxes:
-        driven = str(form.at(table, "fit.fitted") or "force")
-        result.append(Choice("fit.fitted", "what is fitted", section_keys["fitted"], DRIVEN, driven))
-    return tuple(result)
-
-
-def measurement(table: dict[str, Any]) -> tuple[FormEntry, ...]:
-    """Return the entries of the measurement."""
-    hints = SECTIONS["fit"]
-    units = NUMBERS | {"noise": "m" if form.at(table, "fit.fitted") == "position" else "N"}
-    numbers = (
-        form.entry_at(table, f"fit.{name}", name.replace("_", " "), hints[name], f"quantity [{unit}]", unit=unit)
-        for name, unit in units.items()
-    )
-    steps = f"in their order, any of {', '.join(CORRECTIONS)}; no other correction is applied"
-    return (
-        *numbers,
-        form.entry_at(table, "fit.segments", "segments", hints["segments"], "list of text"),
-        form.entry_at(table, "fit.events", "events", hints["events"], "list of text"),
-        form.entry_at(table, "fit.correct", "corrections", steps, "list of text"),
-    )

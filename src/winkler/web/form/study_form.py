@@ -8,12 +8,14 @@ from typing import Any
 
 from winkler.study.language.explain import completed
 from winkler.study.language.fit_reading import FITTED
-from winkler.web.form import fit_form, form, sweep_form
+from winkler.web.form import fit_form, form, measurement_form, sweep_form
 from winkler.web.form.typed import typed
 
 __all__ = ["FIRST", "TASKS", "StudyForm"]
 
 FIRST = "indentation"
+UNITS = "fit.units."
+"""Beginning of the keys of units of columns."""
 TASKS = {"solve": "Solve a problem", "fit": "Fit a curve"}
 """Tasks with their labels."""
 
@@ -59,9 +61,9 @@ class StudyForm:
         if kind == str((form.at(self.table, path) or {}).get("kind", "")):
             return
         if path == "problem" and self.task == "fit":
-            curve = form.at(self.table, "fit.curve")
+            measured = measurement_form.kept(self.table)
             self.table = fit_form.initial_table(kind)
-            form.put(self.table, "fit.curve", curve)
+            self.table["fit"] |= measured
         elif kind:
             form.choose_kind(self.table, path, kind)
         else:
@@ -88,17 +90,25 @@ class StudyForm:
         content = typed(text, takes) if text.strip() else None
         if content == form.at(self.table, path):
             return
+        if path.startswith(UNITS):
+            self.table["fit"].setdefault("units", {})
         if content is None:
             form.drop(self.table, path)
         else:
             form.put(self.table, path, content)
+        if self.task == "fit" and self.table["fit"].get("units") == {}:
+            del self.table["fit"]["units"]
         self.solve()
 
     def choose_option(self, path: str, word: str) -> None:
         """Choose an option of the measurement, which may change other fields."""
-        if word != form.at(self.table, path):
+        if word == str(form.at(self.table, path) or ""):
+            return
+        if word:
             form.put(self.table, path, word)
-            self.changed()
+        else:
+            form.drop(self.table, path)
+        self.changed()
 
     def add(self, path: str, kind: str) -> None:
         """Add a kind to a list."""
@@ -111,12 +121,17 @@ class StudyForm:
 
     def read(self, path: str, name: str) -> None:
         """Replace numbers by a file; an empty name restores numbers."""
-        if path == "fit.curve":
-            form.put(self.table, path, name)
-        else:
-            kind = str(form.at(self.table, path)["kind"])
-            form.put(self.table, path, {"kind": kind, "file": name} if name else completed({"kind": kind}))
+        kind = str(form.at(self.table, path)["kind"])
+        form.put(self.table, path, {"kind": kind, "file": name} if name else completed({"kind": kind}))
         self.changed()
+
+    def read_curve(self, name: str) -> None:
+        """Fit another curve.
+
+        No field depends on it: a form that were rebuilt when an upload arrives would lose what is being typed.
+        """
+        form.put(self.table, fit_form.CURVE, name)
+        self.solve()
 
     # ------------------------------------------------------------------------------------------------- of a fit
 

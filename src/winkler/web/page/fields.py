@@ -63,6 +63,8 @@ class FormFields:
     def __init__(self, actions: FieldActions, files: tuple[str, ...], picker: str) -> None:
         self.actions, self.files, self.picker = actions, files, picker
         self.inputs: dict[str, Any] = {}
+        self.curves: Any = None
+        self.sample: Any = None
         self.messages: dict[str, ui.label] = {}
 
     def draw(self, part: FormPart) -> None:

@@ -7,38 +7,47 @@ import functools
 from nicegui import ui
 
 from winkler.study.language.explain import plain_symbol
-from winkler.web.form import fit_form, form
+from winkler.web.form import fit_form, form, measurement_form
+from winkler.web.form.fit_form import CURVE
+from winkler.web.form.measurement_form import Choice
+from winkler.web.form.sample_curve import SAMPLE, SAMPLE_REMARK
 from winkler.web.form.study_form import StudyForm
 from winkler.web.page.fields import FormFields
 
-__all__ = ["draw_curve", "draw_free", "draw_measurement"]
+__all__ = ["draw_curve", "draw_free", "draw_measurement", "show_curve"]
 
-CURVE = "fit.curve"
 FILE_HINT = "A table with columns such as ‘piezo [nm], force [nN]’, or a file of a force microscope."
+OF_TABLES = ("fit.units", "fit.models", "fit.shared")
 BOUNDS_HINT = "Parameters are free between two bounds, from a start value in the first box, or without either."
 
 
 def draw_curve(fields: FormFields, entered: StudyForm) -> None:
     """Draw the file of the curve, and the choice of its fitted part."""
-    fields.heading("fit.curve", "The measured curve", FILE_HINT)
+    fields.heading(CURVE, "The measured curve", FILE_HINT)
     with ui.element("div").classes("entry file"):
-        chosen = str(form.at(entered.table, CURVE) or "")
-        names = {name: name for name in dict.fromkeys((*fields.files, *filter(None, [chosen])))}
-        choice = ui.select(names, value=chosen or None, label="file").props("outlined dense options-dense")
+        fields.curves = choice = ui.select({}, label="file").props("outlined dense options-dense")
         choice.props["data-choice"] = CURVE
-        choice.on_value_change(lambda event: entered.read(CURVE, event.value) if event.value else None)
         fields.upload(CURVE)
-    for one in fit_form.choices(entered.table):
-        with ui.element("div").classes("entry wide"):
-            pick = ui.select(one.names, value=one.chosen if one.chosen in one.names else None, label=one.label)
-            pick.props("outlined dense options-dense hide-hint hide-bottom-space no-error-icon").props["hint"] = (
-                one.hint
-            )
-            pick.props["data-choice"] = one.path
-            pick.on_value_change(
-                lambda event, path=one.path: entered.choose_option(path, event.value) if event.value else None
-            )
-            fields.inputs[one.path] = pick
+    fields.sample = ui.label(SAMPLE_REMARK).classes("meaning")
+    show_curve(fields, entered)
+    choice.on_value_change(lambda event: _chosen(fields, entered, event.value))
+    for one in measurement_form.choices(entered.table):
+        _choice(fields, entered, one)
+
+
+def show_curve(fields: FormFields, entered: StudyForm) -> None:
+    """Show the chosen file among those that were uploaded; the other fields stay as they are."""
+    chosen = str(form.at(entered.table, CURVE) or "")
+    names = {name: name for name in dict.fromkeys((*fields.files, *filter(None, [chosen])))}
+    if fields.curves is not None:
+        fields.curves.set_options(names, value=chosen or None)
+        fields.sample.set_visibility(chosen == SAMPLE)
+
+
+def _chosen(fields: FormFields, entered: StudyForm, name: str | None) -> None:
+    if name and name != form.at(entered.table, CURVE):
+        fields.sample.set_visibility(name == SAMPLE)
+        entered.read_curve(name)
 
 
 def draw_free(fields: FormFields, entered: StudyForm) -> None:
@@ -62,9 +71,24 @@ def draw_free(fields: FormFields, entered: StudyForm) -> None:
 
 
 def draw_measurement(fields: FormFields, entered: StudyForm) -> None:
-    """Draw the entries of the measurement that the file may lack."""
-    entries = fit_form.measurement(entered.table)
-    title = any(entry.text for entry in entries)
-    with ui.expansion("The measurement", value=title).classes("astext"):
-        for entry in entries:
-            fields.entry(entry)
+    """Draw the entries that the file may lack, and what else is asked of the curve."""
+    for group in measurement_form.groups(entered.table):
+        with ui.expansion(group.title, value=group.is_used).classes("astext"):
+            for entry in group.entries:
+                fields.entry(entry, slides=entry.takes.startswith("quantity"))
+            for path in OF_TABLES:
+                if any(entry.path.startswith(path) for entry in group.entries):
+                    fields.reserve_message(path)  # for sentences about what they hold
+            for one in group.choices:
+                _choice(fields, entered, one)
+
+
+def _choice(fields: FormFields, entered: StudyForm, one: Choice) -> None:
+    with ui.element("div").classes("entry wide"):
+        pick = ui.select(one.names, value=one.chosen if one.chosen in one.names else None, label=one.label)
+        pick.props("outlined dense options-dense hide-hint hide-bottom-space no-error-icon").props["hint"] = one.hint
+        pick.props["data-choice"] = one.path
+        pick.on_value_change(
+            lambda event: entered.choose_option(one.path, event.value) if event.value is not None else None
+        )
+        fields.inputs[one.path] = pick

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -9,24 +10,24 @@ from typing import Any
 import tomli_w
 from nicegui import context, ui
 
-from winkler.errors import WinklerError, mistake_in
-from winkler.io.foreign import reason_of
+from winkler.errors import InvalidInput, WinklerError, mistake_in
 from winkler.study.language.catalogue import CATALOGUE, kinds
 from winkler.study.language.explain import summary
 from winkler.study.language.fit_reading import FITTED
 from winkler.study.language.reading import parsed
 from winkler.web.form import fit_form, form
+from winkler.web.form.sample_curve import SAMPLE, sample_curve
 from winkler.web.form.study_form import TASKS, StudyForm
 from winkler.web.page.astext import AsText
 from winkler.web.page.fields import FormFields
-from winkler.web.page.fit_fields import draw_curve, draw_free, draw_measurement
+from winkler.web.page.fit_fields import draw_curve, draw_free, draw_measurement, show_curve
 from winkler.web.page.result import Result
 from winkler.web.page.sweep_fields import draw_sweep
 from winkler.web.pictures.answer import AnswerText, DrawnSheet, InteractivePicture, MomentComplete
 from winkler.web.session.export import File
 from winkler.web.session.files import Files
 from winkler.web.session.requests import RequestQueue
-from winkler.web.session.solver import Solver
+from winkler.web.session.solver import Solver, no_process
 from winkler.web.session.upload_folder import UploadFolder
 from winkler.web.session.worker import Done, Export, Look, Progress, Solve, Wrong
 
@@ -42,11 +43,6 @@ def style() -> None:
     ui.add_css((FOLDER / "app.css").read_text(encoding="utf-8"))
     report = (FOLDER.parents[1] / "study" / "report" / "report.css").read_text(encoding="utf-8")
     ui.add_css(f".paper {{ {report} }}")
-
-
-def no_process(error: OSError) -> str:
-    """Return the sentence for a process that cannot be started."""
-    return f"No process can be started ({reason_of(error).lower()}); close other programs, then change the study."
 
 
 class Page:
@@ -75,6 +71,8 @@ class Page:
         except OSError:
             self.uploads.close()
             raise
+        with contextlib.suppress(InvalidInput):  # a full disk: the form then asks for a curve
+            form.put(self.entered.other_table, "fit.curve", self.uploads.keep(SAMPLE, sample_curve()))
         self.requests = RequestQueue(self.send)
         self.anew = True
         self.shown_task = self.entered.task
@@ -117,7 +115,6 @@ class Page:
         """Rebuild the form."""
         entered = self.entered
         fits = entered.task == "fit"
-        known = "Fixed parameters keep these values; free ones start from them."
         problem = fit_form.model(entered.table) if fits else form.part_of(entered.table)
         self.task.set_value(entered.task)
         names = {name: name.replace("_", " ") for name in (FITTED if fits else CATALOGUE["problem"])}
@@ -130,7 +127,7 @@ class Page:
             if fits:
                 draw_curve(self.fields, entered)
                 draw_free(self.fields, entered)
-                self.fields.heading("problem", "The model", known)
+                self.fields.heading("problem", "The model", fit_form.model_remark(entered.table))
             self.fields.draw(problem)
             if fits:
                 draw_measurement(self.fields, entered)
@@ -171,8 +168,15 @@ class Page:
 
     def uploaded(self, name: str) -> None:
         """Use an uploaded file at the path for which it was meant."""
-        if form.at(self.entered.table, self.entered.target) is not None:
-            self.entered.read(self.entered.target, name)
+        target = self.entered.target
+        if form.at(self.entered.table, target) is None:
+            return
+        if target == fit_form.CURVE:
+            self.fields.files, self.anew = self.uploads.names, True
+            self.entered.read_curve(name)
+            show_curve(self.fields, self.entered)
+        else:
+            self.entered.read(target, name)
 
     def upload_refused(self, sentence: str) -> None:
         """Show beside its field why an upload is refused."""
@@ -207,6 +211,8 @@ class Page:
         try:
             self.uploads.check(table)
         except WinklerError as error:
+            self.requests.clear()
+            self.solver.disregard()
             self.wrong(str(error).splitlines())
             return
 

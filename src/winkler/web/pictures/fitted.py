@@ -13,8 +13,9 @@ from winkler.numerics.types import Array
 from winkler.plot.fitting.fits import fit_panels
 from winkler.plot.series import with_unit as number_text
 from winkler.plot.viscoelastic.fits import relaxing_loop
-from winkler.study.batch.fit_outcome import FitOutcome, Fitted
+from winkler.study.batch.fit_outcome import FitOutcome, Fitted, interval_of
 from winkler.study.report import fit_tables
+from winkler.study.report.examined.sections import further_figures, further_section
 from winkler.study.report.fit_report import figures_of_curves, figures_of_many, steps
 from winkler.study.report.markup import safe, with_fixed_units
 from winkler.study.report.mathml import symbol
@@ -39,7 +40,12 @@ def fit_text(outcome: FitOutcome, text: str) -> AnswerText:
     """Return the fitted parameters as text."""
     count = len(outcome.fitted)
     answers = [_cards(outcome) if count == 1 else "", fit_tables.doubts(outcome)]
-    body = [fit_tables.answers(outcome), steps(outcome), fit_tables.failures(outcome)]
+    body = [
+        fit_tables.answers(outcome),
+        further_section(outcome),
+        steps(outcome),
+        fit_tables.failures(outcome),
+    ]
     return AnswerText(
         worst(outcome.validity).value,
         f"{''.join(answers)}<div class='whole'>{''.join(body)}</div>",
@@ -53,10 +59,11 @@ def fit_text(outcome: FitOutcome, text: str) -> AnswerText:
 
 def _cards(outcome: FitOutcome) -> str:
     """Return the fitted parameters with their intervals as cards."""
-    fit, cards = outcome.fitted[0].fit, []
+    (result,), cards = outcome.fitted, []
+    fit = result.fit
     for free in outcome.study.free:
         word = outcome.study.word(free.key)
-        low, high = (number_text(end, word.unit) for end in fit.interval(free.path))
+        low, high = (number_text(end, word.unit) for end in interval_of(result, free))
         name = key_in_words(free.key).rpartition("› ")[2]
         cards.append(
             f'<div class="card"><div class="value">{safe(number_text(fit.value(free.path), word.unit))}</div>'
@@ -111,6 +118,11 @@ def _relaxing(result: Fitted) -> Iterator[InteractivePicture]:
 
 
 def fit_sheets(outcome: FitOutcome) -> Iterator[DrawnSheet]:
-    """Yield the sheets of fits: maps and numbers of many curves, and of a body that relaxes its relaxation."""
+    """Yield the figures of the report that are not interactive: many curves, depths, models, events and noise."""
     relaxing = not isinstance(outcome.fitted[0].fit, Fit)
-    yield from map(sheet_of, (*figures_of_many(outcome), *(figures_of_curves(outcome) if relaxing else ())))
+    yield from map(sheet_of, figures_of_many(outcome))
+    yield from map(sheet_of, further_figures(outcome))
+    if relaxing or len(outcome.fitted) == 1:
+        yield from (
+            sheet_of(one) for one in figures_of_curves(outcome) if relaxing or not one.name.startswith("curve_")
+        )

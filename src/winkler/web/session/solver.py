@@ -11,9 +11,10 @@ import time
 from collections.abc import Callable
 from typing import Any, NamedTuple, Protocol
 
+from winkler.io.foreign import reason_of
 from winkler.web.session.worker import Done, Solve, work
 
-__all__ = ["Solver", "Worker", "started"]
+__all__ = ["Solver", "Worker", "no_process", "started"]
 
 
 class Worker(NamedTuple):
@@ -112,6 +113,11 @@ class Solver:
         with contextlib.suppress(OSError):  # the worker has ended, which the listener notices
             self.pipe.send(request)
 
+    def disregard(self) -> None:
+        """Pass on no further reply to earlier requests, as their results would replace why there are none."""
+        self.number += 1
+        self.study = self.number
+
     @property
     def working(self) -> bool:
         """Whether a reply is incomplete."""
@@ -141,3 +147,8 @@ class Solver:
             self.process.kill()
             self.process.join(1.0)
             self.process = None
+
+
+def no_process(error: OSError) -> str:
+    """Return the sentence for a process that cannot be started."""
+    return f"No process can be started ({reason_of(error).lower()}); close other programs, then change the study."
