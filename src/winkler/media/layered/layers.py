@@ -16,6 +16,7 @@ decay of the tractions with depth comes along, from which the field inside is bu
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple, Self
 
 import numpy as np
@@ -251,10 +252,33 @@ class NormalResponse(_LayeredResponse):
 
     def excess(self, xi: ComplexArray) -> ComplexArray:
         """M(xi) [-] at real or complex wave numbers (m,) [1/m]."""
+        return np.asarray((self._relative(xi) - 1.0) * self._share)
+
+    def whole(self, xi: ComplexArray) -> ComplexArray:
+        """1 + M(xi) [-], to all digits where it is small, too."""
+        return np.asarray(self._relative(xi) * self._share + (1.0 - self._share))
+
+    @property
+    def compressed(self) -> float:
+        """The limit of (1 + M) / xi for long waves [m]; infinite if one of the bodies is a half-space."""
+        if isinstance(self.on, Elastic) or isinstance(self.second, Elastic):
+            return math.inf
+        solids = [(layer.thickness, layer.solid) for layer in self.layers]
+        return 0.5 * self.modulus * sum(h * (1.0 - 2.0 * s.poisson) / (2.0 * s.shear * (1.0 - s.poisson)) for h, s in solids)
+
+    @property
+    def _share(self) -> float:
+        """Compliance of the uppermost layer in that of the pair."""
+        if not isinstance(self.second, Elastic):
+            return 1.0
+        top = self.layers[0].solid
+        return self.modulus * (1.0 - top.poisson**2) / top.young
+
+    def _relative(self, xi: ComplexArray) -> ComplexArray:
+        """Return the compliance of the stack over that of a half-space of its uppermost layer."""
         top = self.layers[0].solid
         compliance = through_layers(self.layers, self.on, xi)[0].compliance[:, 1, 1]
-        relative = -compliance * top.shear / (1.0 - top.poisson) - 1.0
-        return np.asarray(relative * (self.modulus * (1.0 - top.poisson**2) / top.young))
+        return np.asarray(-compliance * top.shear / (1.0 - top.poisson))
 
 
 @value
