@@ -31,6 +31,8 @@ FIRST_CONTACT_RATIO = 0.01
 """Part of the pixels, the highest ones, under which a load begins."""
 MOST_ROUNDS = 20
 """How often the whole surface is checked before it has not converged; two are usual."""
+SINGLE_DIGITS_CONTRAST, CONTRAST_WAVES = 1e2, 40
+"""Ratio of 1 + M among these many waves up to which single digits are enough."""
 INNER_RATIO = 0.6
 """Part of the tolerance to which the box around the contact is solved, and then to less."""
 
@@ -73,6 +75,15 @@ class _Surface(NamedTuple):
         """Return the grid of this shape."""
         size = shape[0], shape[1]
         return SurfaceGrid.of(size, self.pixel, periodic=self.periodic, digits=digits, layers=self.layers)
+
+    def rough_grid(self, shape: tuple[int, ...]) -> SurfaceGrid:
+        """Return the grid for changes of pressures, whose digits suffice for the contrast of the layers."""
+        if not self.layers:
+            return self.grid(shape, SINGLE)
+        longest = max(n * side for n, side in zip(shape, self.pixel, strict=True))
+        waves = 2.0 * np.pi * np.geomspace(1.0 / longest, 0.5 / min(self.pixel), CONTRAST_WAVES)
+        whole = self.layers.whole(waves)
+        return self.grid(shape, SINGLE if float(np.max(whole) / np.min(whole)) < SINGLE_DIGITS_CONTRAST else DOUBLE)
 
     @property
     def coarser(self) -> _Surface:
@@ -179,7 +190,7 @@ def _pressed(
         if max(left) <= tolerance:
             return PressedSurface(p, gap, depth, *left, count)
         box = box_around((p > 0.0) | (gap < 0.0)) if math.isinf(ceiling) and not surface.periodic else everywhere
-        grid = surface.grid(heights[box].shape, SINGLE)
+        grid = surface.rough_grid(heights[box].shape)
         contact = BoxContact(grid, heights[box], drive, ceiling, p[box], u[box], depth)
         count += contact.solve(inner)
         p[box], depth, inner = contact.p, contact.depth, max(inner * INNER_RATIO, 1e-15)

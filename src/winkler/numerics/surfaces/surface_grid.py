@@ -26,6 +26,8 @@ ARRAY_COPIES = 5
 """How many arrays of the size of the transform are alive at once."""
 MEAN_WAVE_RATIO = 0.5
 """What the preconditioner uses as the wave number of the mean, over the smallest other one."""
+STIFF_FILM_POWER = 0.7
+"""Of 1 + M in the preconditioner where it is more than one: the bending of a stiff film hardly ends with the contact."""
 LARGEST_CACHED_PIXELS = 2**20
 """Pixels up to which grids are kept for the next contact; larger ones would hold too much memory."""
 SINGLE_THREAD_PIXELS = 2**14
@@ -62,7 +64,7 @@ class SurfaceGrid(NamedTuple):
     response
         Transform of the displacement under a unit pressure on one pixel [m].
     wave_numbers
-        |q| / 2 [1/m] of the grid itself, over 1 + M: the inverse of `response`, but for the boundary.
+        |q| / 2 [1/m] of the grid itself, over 1 + M or less: about the inverse of `response`.
     workers
         Threads.
     """
@@ -154,7 +156,7 @@ def _made(
     qy = 2.0 * np.pi * scipy.fft.rfftfreq(ny, pixel[1])[None, :]
     wave = np.hypot(qx, qy)
     wave[0, 0] = MEAN_WAVE_RATIO * 2.0 * np.pi / max(nx * pixel[0], ny * pixel[1])
-    whole = layers.whole(wave) if layers else 1.0
+    whole = layers.whole(wave) if layers else np.ones_like(wave)
     if periodic:
         response = 2.0 * whole / wave
         response[0, 0] = layers.mean if layers else 0.0
@@ -168,7 +170,7 @@ def _made(
         kernel[padded[0] - nx + 1 :, :ny] = quarter[:0:-1]
         kernel[:, padded[1] - ny + 1 :] = kernel[:, ny - 1 : 0 : -1]
         response = np.ascontiguousarray(scipy.fft.rfft2(kernel, workers=workers).real)
-    pressing = 0.5 * wave / whole
+    pressing = 0.5 * wave / np.where(whole > 1.0, whole**STIFF_FILM_POWER, whole)
     return SurfaceGrid(shape, pixel, padded, response.astype(digits), pressing.astype(digits), workers)
 
 
