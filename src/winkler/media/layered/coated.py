@@ -21,7 +21,8 @@ from winkler.media.families import CoatedBody, DepthVaryingMedium
 from winkler.media.interior import subsurface
 from winkler.media.layered import coated_interior, coated_load, flat_punch, punch_facts
 from winkler.media.layered.coated_load import CarriedLoad, spread
-from winkler.media.layered.layers import NormalResponse, TangentialResponse
+from winkler.media.layered.layers import NormalResponse
+from winkler.media.layered.tangential_response import TangentialResponse
 from winkler.media.medium import Displacement, PunchFacts, rigid_body
 from winkler.media.punch_field import BodyField
 from winkler.numerics.surfaces.layered_pixels import GridResponse

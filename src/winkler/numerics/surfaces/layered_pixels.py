@@ -126,16 +126,19 @@ class LayeredSurface(NamedTuple):
         )
         return self.unit * result
 
+    def lost(self, pixel: tuple[float, float]) -> float:
+        """Return by which part displacements under a wave of sixteen pixels of this size are wrong."""
+        return max(_lost(self.response, side / self.unit) for side in pixel)
+
     def _refuse_coarse(self, pixel: tuple[float, float]) -> None:
-        for side in pixel:
-            lost = _lost(self.response, side / self.unit)
-            if lost > MOST_LOST:
-                raise OutsideValidity(
-                    f"pixels of {side / self.unit / self.response.length:.3g} times the thickness of the uppermost "
-                    f"layer are too coarse: under a wave of {TESTED_WAVE:.0f} of them the displacement would be wrong "
-                    f"by {lost:.0%}, since a nearly incompressible film only yields between pixels; take pixels as "
-                    "small as the film is thick, or a periodic map."
-                )
+        lost = self.lost(pixel)
+        if lost > MOST_LOST:
+            raise OutsideValidity(
+                f"pixels of {max(pixel) / self.unit / self.response.length:.3g} times the thickness of the uppermost "
+                f"layer are too coarse: under a wave of {TESTED_WAVE:.0f} of them the displacement would be wrong by "
+                f"{lost:.0%}, since a nearly incompressible film only yields between pixels; take pixels as small as "
+                "the film is thick, or a periodic map."
+            )
 
 
 def _gauss(spline: object, x: Array, y: Array, pixel: tuple[float, float], count: int) -> Array:

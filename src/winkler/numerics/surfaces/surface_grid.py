@@ -6,7 +6,7 @@ Where E* is one, pressures p sink the surface by
 
 a convolution, made by fast Fourier transforms: of a free surface on a grid of twice the size, with Love's exact
 displacement at the centres of the pixels; of a periodic one by 2 / \|q\|, which leaves its mean at rest.  Layers add
-the integral of their kernel over the pixel (`winkler.numerics.surfaces.layered_pixels`), and to the waves a factor 1 + M.
+the integral of their kernel over the pixel (`winkler.numerics.surfaces.layered_pixels`), or multiply waves by 1 + M.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ ARRAY_COPIES = 5
 MEAN_WAVE_RATIO = 0.5
 """What the preconditioner uses as the wave number of the mean, over the smallest other one."""
 STIFF_FILM_POWER = 0.7
-"""Of 1 + M in the preconditioner where it is more than one: the bending of a stiff film hardly ends with the contact."""
+"""Of 1 + M in the preconditioner where it is more than one: stiff films bend beyond the contact."""
 LARGEST_CACHED_PIXELS = 2**20
 """Pixels up to which grids are kept for the next contact; larger ones would hold too much memory."""
 SINGLE_THREAD_PIXELS = 2**14

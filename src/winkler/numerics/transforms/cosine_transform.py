@@ -21,7 +21,15 @@ from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values import value
 
-__all__ = ["ScaledResponse", "WaveResponse", "in_own_lengths", "on_axis", "scaled_response", "transform", "wave_numbers"]
+__all__ = [
+    "ScaledResponse",
+    "WaveResponse",
+    "in_own_lengths",
+    "on_axis",
+    "scaled_response",
+    "transform",
+    "wave_numbers",
+]
 
 PATH_ANGLES = (math.pi / 12.0, math.pi / 17.0)
 """Of the turned path, and of the one that checks it."""
