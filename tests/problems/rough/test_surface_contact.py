@@ -13,7 +13,7 @@ from winkler.loading import Depth, Force, Radius
 from winkler.materials.elastic import Elastic, TransverselyIsotropic
 from winkler.media.halfspace import HalfSpace
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
-from winkler.problems.rough import surface_contact
+from winkler.problems.rough import map_memory
 from winkler.problems.rough.surface_contact import SurfaceContact
 from winkler.profiles.rough.random_rough import random_topography
 from winkler.profiles.rough.spectrum import SelfAffine

@@ -185,7 +185,7 @@ def rounded(ratio: float) -> float:
 
 
 class LayeredResponse:
-    """What responses to pressures and to shear share: the lengths over which the stack differs from its uppermost layer."""
+    """What all responses of a stack share: the lengths over which it differs from its uppermost layer."""
 
     layers: tuple[Layer, ...]
     on: Solid
