@@ -17,7 +17,7 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
+from winkler.errors import NotConverged, OutsideValidity
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.transforms.cosine_transform import WaveResponse
@@ -107,7 +107,13 @@ class LayeredSurface(NamedTuple):
         self._refuse_coarse(pixel)
         dx, dy = pixel[0] / self.unit, pixel[1] / self.unit
         farthest = math.hypot(shape[0] * dx, shape[1] * dy)
-        kernel = radial_kernel(self.response, max(0, math.ceil(math.log2(farthest / self.response.length))))
+        try:
+            kernel = radial_kernel(self.response, max(0, math.ceil(math.log2(farthest / self.response.length))))
+        except NotConverged:
+            raise NotConverged(
+                "the displacements of the layers are not resolved, since their moduli differ by more than winkler can "
+                "carry; give layers whose moduli differ by a factor of less than 1e8."
+            ) from None
         side = max(dx, dy)
         near = tuple(min(n, math.ceil(FAR_ZONES[0][0] * side / d) + 1) for n, d in zip(shape, (dx, dy), strict=True))
         x, y = np.arange(shape[0]) * dx, np.arange(shape[1]) * dy
