@@ -11,7 +11,8 @@ import pytest
 import winkler as wk
 from winkler.materials.elastic import Elastic, Rigid
 from winkler.materials.layered import Layer
-from winkler.media.layered.layers import NormalResponse, TangentialResponse
+from winkler.media.layered.layers import NormalResponse
+from winkler.media.layered.tangential_response import TangentialResponse
 
 WAVES = np.array([1e-7, 1e-4, 3e-3, 0.05, 0.39, 0.41, 0.99, 1.01, 2.5, 7.0])
 

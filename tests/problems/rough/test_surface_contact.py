@@ -13,7 +13,7 @@ from winkler.loading import Depth, Force, Radius
 from winkler.materials.elastic import Elastic, TransverselyIsotropic
 from winkler.media.halfspace import HalfSpace
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
-from winkler.problems.rough import surface_contact
+from winkler.problems.rough import map_memory
 from winkler.problems.rough.surface_contact import SurfaceContact
 from winkler.profiles.rough.random_rough import random_topography
 from winkler.profiles.rough.spectrum import SelfAffine
@@ -299,7 +299,7 @@ def test_wrong_questions_are_refused(numbers, error, sentence):
 
 
 def test_a_map_larger_than_the_memory_is_refused(monkeypatch):
-    monkeypatch.setattr(surface_contact, "bytes_needed", lambda shape, periodic: 2**60)
+    monkeypatch.setattr(map_memory, "bytes_needed", lambda shape, periodic: 2**60)
     with pytest.raises(InvalidInput, match=r"takes 1.07e\+09 GiB of memory, this machine has"):
         SurfaceContact(ball(), STEEL, Force(1.0))
 

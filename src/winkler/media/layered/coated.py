@@ -21,9 +21,11 @@ from winkler.media.families import CoatedBody, DepthVaryingMedium
 from winkler.media.interior import subsurface
 from winkler.media.layered import coated_interior, coated_load, flat_punch, punch_facts
 from winkler.media.layered.coated_load import CarriedLoad, spread
-from winkler.media.layered.layers import NormalResponse, TangentialResponse
+from winkler.media.layered.layers import NormalResponse
+from winkler.media.layered.tangential_response import TangentialResponse
 from winkler.media.medium import Displacement, PunchFacts, rigid_body
 from winkler.media.punch_field import BodyField
+from winkler.numerics.surfaces.layered_pixels import GridResponse
 from winkler.numerics.transforms import abel, fredholm
 from winkler.numerics.transforms.cosine_transform import WaveResponse
 from winkler.numerics.types import Array, Curve
@@ -45,13 +47,17 @@ class SurfaceResponse(WaveResponse, Protocol):
         ...
 
 
+class PressedResponse(SurfaceResponse, GridResponse, Protocol):
+    """A response to pressures."""
+
+
 class LayeredMedium(DepthVaryingMedium):
     """What all media with a known surface compliance have in common: subclasses state it, and what is inside."""
 
     second: Solid
 
     @property
-    def response(self) -> SurfaceResponse:
+    def response(self) -> PressedResponse:
         """The response of the pair to a pressure."""
         raise NotImplementedError
 

@@ -14,6 +14,7 @@ A flat punch of any radius is then stiffer or softer by less than a part :math:`
 from __future__ import annotations
 
 import functools
+import math
 
 import numpy as np
 
@@ -27,6 +28,7 @@ from winkler.media.layered.depth_recursion import (
     surface_depth,
 )
 from winkler.numerics.caching import cached_by_value
+from winkler.numerics.transforms.cosine_transform import on_axis
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values import value
 
@@ -151,6 +153,13 @@ class NormalDepthResponse(_DepthResponse):
         """E* [Pa] of the surface and the second body."""
         bodies = [solid_at(self.grading), *([self.second] if isinstance(self.second, Elastic) else [])]
         return 1.0 / sum((1.0 - body.poisson**2) / body.young for body in bodies)
+
+    compressed = math.inf
+    """The limit of (1 + M) / xi for long waves: the body is a half-space."""
+
+    def whole(self, xi: Array) -> Array:
+        """1 + M(xi) [-] at many real wave numbers (m,) [1/m]: the recursion runs at few of them."""
+        return 1.0 + on_axis(self, xi)
 
     def _own(self, xi: ComplexArray) -> ComplexArray:
         top = solid_at(self.grading)

@@ -16,6 +16,7 @@ decay of the tractions with depth comes along, from which the field inside is bu
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple, Self
 
 import numpy as np
@@ -26,7 +27,15 @@ from winkler.media.layered.blocks import Four, add, four, invert, matrix, scaled
 from winkler.numerics.types import ComplexArray
 from winkler.values import value
 
-__all__ = ["LayerCompliance", "NormalResponse", "TangentialResponse", "half_space", "through_layer", "through_layers"]
+__all__ = [
+    "LayerCompliance",
+    "LayeredResponse",
+    "NormalResponse",
+    "half_space",
+    "rounded",
+    "through_layer",
+    "through_layers",
+]
 
 THIN_LAYER_LIMIT = 1.0
 """Up to this |xi h| a layer is crossed by its propagator."""
@@ -170,13 +179,13 @@ def through_layers(layers: tuple[Layer, ...], on: Solid, xi: ComplexArray) -> li
     return rungs[::-1]
 
 
-def _rounded(ratio: float) -> float:
+def rounded(ratio: float) -> float:
     """Return a ratio to 14 digits, so that the same stack in other units is the same value."""
     return float(f"{ratio:.13e}")
 
 
-class _LayeredResponse:
-    """What both responses share: the lengths over which the stack differs from its uppermost layer."""
+class LayeredResponse:
+    """What all responses of a stack share: the lengths over which it differs from its uppermost layer."""
 
     layers: tuple[Layer, ...]
     on: Solid
@@ -187,9 +196,9 @@ class _LayeredResponse:
         unit, top = self.length, self.layers[0].solid
 
         def scaled(solid: Elastic) -> Elastic:
-            return Elastic(_rounded(solid.young / top.young), solid.poisson)
+            return Elastic(rounded(solid.young / top.young), solid.poisson)
 
-        layers = tuple(Layer(scaled(layer.solid), _rounded(layer.thickness / unit)) for layer in self.layers)
+        layers = tuple(Layer(scaled(layer.solid), rounded(layer.thickness / unit)) for layer in self.layers)
         return type(self)(layers, scaled(self.on) if isinstance(self.on, Elastic) else self.on, second)  # type: ignore[call-arg]
 
     @property
@@ -215,7 +224,7 @@ class _LayeredResponse:
 
 
 @value
-class NormalResponse(_LayeredResponse):
+class NormalResponse(LayeredResponse):
     """The response of a coated body and its counterpart to a pressure: 1 + M(xi) = C(xi) E* xi / 2.
 
     Parameters
@@ -240,7 +249,7 @@ class NormalResponse(_LayeredResponse):
         """
         second = self.second
         if isinstance(second, Elastic):
-            second = Elastic(_rounded(second.young / (1.0 - second.poisson**2) / self.layers[0].solid.young), 0.0)
+            second = Elastic(rounded(second.young / (1.0 - second.poisson**2) / self.layers[0].solid.young), 0.0)
         return self._with_layer_of_one(second), self.length
 
     @property
@@ -251,42 +260,33 @@ class NormalResponse(_LayeredResponse):
 
     def excess(self, xi: ComplexArray) -> ComplexArray:
         """M(xi) [-] at real or complex wave numbers (m,) [1/m]."""
+        return np.asarray((self._relative(xi) - 1.0) * self._share)
+
+    def whole(self, xi: ComplexArray) -> ComplexArray:
+        """1 + M(xi) [-], to all digits where it is small, too."""
+        return np.asarray(self._relative(xi) * self._share + (1.0 - self._share))
+
+    @property
+    def compressed(self) -> float:
+        """The limit of (1 + M) / xi for long waves [m]; infinite if one of the bodies is a half-space."""
+        if isinstance(self.on, Elastic) or isinstance(self.second, Elastic):
+            return math.inf
+        compressed = 0.0
+        for layer in self.layers:
+            solid = layer.solid
+            compressed += layer.thickness * (1.0 - 2.0 * solid.poisson) / (solid.shear * (1.0 - solid.poisson))
+        return 0.25 * self.modulus * compressed
+
+    @property
+    def _share(self) -> float:
+        """Compliance of the uppermost layer in that of the pair."""
+        if not isinstance(self.second, Elastic):
+            return 1.0
+        top = self.layers[0].solid
+        return self.modulus * (1.0 - top.poisson**2) / top.young
+
+    def _relative(self, xi: ComplexArray) -> ComplexArray:
+        """Return the compliance of the stack over that of a half-space of its uppermost layer."""
         top = self.layers[0].solid
         compliance = through_layers(self.layers, self.on, xi)[0].compliance[:, 1, 1]
-        relative = -compliance * top.shear / (1.0 - top.poisson) - 1.0
-        return np.asarray(relative * (self.modulus * (1.0 - top.poisson**2) / top.young))
-
-
-@value
-class TangentialResponse(_LayeredResponse):
-    """The same for a tangential load, averaged over its angle with the wave: 1 + M(xi) = C_T(xi) G* xi / 2."""
-
-    layers: tuple[Layer, ...]
-    on: Solid
-    second: Solid = RIGID
-
-    @property
-    def own(self) -> tuple[TangentialResponse, float]:
-        """The same in units of its uppermost layer, as that of `NormalResponse`."""
-        second = self.second
-        if isinstance(second, Elastic):
-            second = Elastic(_rounded(4.0 * second.shear / (2.0 - second.poisson) / self.layers[0].solid.young), 0.0)
-        return self._with_layer_of_one(second), self.length
-
-    @property
-    def modulus(self) -> float:
-        """G* [Pa] of the uppermost layer and the second body."""
-        bodies = [self.layers[0].solid, *([self.second] if isinstance(self.second, Elastic) else [])]
-        return 1.0 / sum((2.0 - body.poisson) / (4.0 * body.shear) for body in bodies)
-
-    def excess(self, xi: ComplexArray) -> ComplexArray:
-        """M(xi) [-] at real or complex wave numbers (m,) [1/m]."""
-        along = -through_layers(self.layers, self.on, xi)[0].compliance[:, 0, 0]
-        across = np.full(xi.shape, 1.0 / self.on.shear if isinstance(self.on, Elastic) else 0.0, dtype=xi.dtype)
-        for layer in reversed(self.layers):
-            fall = np.tanh(xi * layer.thickness)
-            own = across * layer.solid.shear
-            across = (own + fall) / ((1.0 + own * fall) * layer.solid.shear)
-        top = self.layers[0].solid
-        own_share = (2.0 - top.poisson) / (4.0 * top.shear)
-        return np.asarray(self.modulus * (0.25 * (along + across) - own_share))
+        return np.asarray(-compliance * top.shear / (1.0 - top.poisson))

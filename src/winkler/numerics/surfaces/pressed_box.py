@@ -21,8 +21,8 @@ MOST_ITERATIONS = 2000
 """Iterations after which a grid has not converged; ten to forty are usual."""
 MARGIN_RATIO, LEAST_MARGIN = 16, 4
 """The box is wider than the contact by this part of it, and by this many pixels, on every side."""
-STEPS_WITHOUT_GAIN = 30
-"""Steps without any gain after which they are made half as long."""
+STEPS_WITHOUT_GAIN, STEPS_OF_STIFF_FILMS = 30, 200
+"""Steps without any gain after which they are made half as long: in single digits, and in double ones."""
 SINGLE_DIGITS_RATIO = 1e-5
 """Steps that differ by no more than this part of them are the same in single digits."""
 MOST_SHARING_STEPS = 200
@@ -107,7 +107,9 @@ class BoxContact:
 
     def solve(self, tolerance: float) -> int:
         """Solve it, and count the steps."""
-        along = before = np.zeros(self.p.shape, dtype=np.float32)
+        digits = self.grid.response.dtype.type
+        patience = STEPS_WITHOUT_GAIN if digits is np.float32 else STEPS_OF_STIFF_FILMS
+        along = before = np.zeros(self.p.shape, dtype=digits)
         product, left, best, last, share = 0.0, (math.inf, math.inf), math.inf, 0, 1.0
         self._carry()
         for count in range(MOST_ITERATIONS):
@@ -123,13 +125,13 @@ class BoxContact:
                 return count
             if max(left) < best:
                 best, last = max(left), count
-            elif count - last > STEPS_WITHOUT_GAIN:  # going in circles
+            elif count - last > patience:  # going in circles
                 last, share = count, 0.5 * share
-            wrong = np.where(inside, gap, 0.0).astype(np.float32)
-            uphill = self._evened(np.where(inside, self.grid.roughly_pressing(wrong), np.float32(0.0)), inside)
+            wrong = np.where(inside, gap, 0.0).astype(digits)
+            uphill = self._evened(np.where(inside, self.grid.roughly_pressing(wrong), digits(0.0)), inside)
             new = float(np.sum(wrong * uphill))
             held = max((new - float(np.sum(before * uphill))) / product, 0.0) if product > 0.0 else 0.0
-            along = np.where(inside, uphill + np.float32(held) * along, np.float32(0.0))
+            along = np.where(inside, uphill + digits(held) * along, digits(0.0))
             along = self._evened(along, inside)
             along = along if float(np.sum(wrong * along)) > 0.0 else uphill
             before, product = wrong, new if self._step(wrong, along, share, int(np.sum(inside))) else 0.0
@@ -149,7 +151,7 @@ class BoxContact:
         """Return a step of the pressures that leaves the load as it is; where all would go alike, with the load."""
         if math.isnan(self.load) or not np.any(inside):
             return step
-        even = step - np.where(inside, np.mean(step, where=inside), np.float32(0.0))
+        even = step - np.where(inside, np.mean(step, where=inside), step.dtype.type(0.0))
         return even if float(np.max(np.abs(even))) > SINGLE_DIGITS_RATIO * float(np.max(np.abs(step))) else step
 
     def _step(self, wrong: Array, along: Array, share: float, count: int) -> bool:
@@ -169,7 +171,7 @@ class BoxContact:
 
     def _change(self, pressure: Array) -> None:
         """Take other pressures."""
-        more = (pressure - self.p).astype(np.float32)
+        more = (pressure - self.p).astype(self.grid.response.dtype)
         self.u = self.u + self.grid.displaced(more)
         self.p = pressure
 

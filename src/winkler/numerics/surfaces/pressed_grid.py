@@ -13,9 +13,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
+from winkler.errors import NotConverged, OutsideValidity
+from winkler.numerics.surfaces.layered_pixels import LayeredSurface
 from winkler.numerics.surfaces.pressed_box import BoxContact, ByDepth, ByLoad, box_around, overlap_and_work, shared
-from winkler.numerics.surfaces.surface_grid import SINGLE, SurfaceGrid
+from winkler.numerics.surfaces.surface_grid import DOUBLE, SINGLE, SurfaceGrid
 from winkler.numerics.types import Array
 
 __all__ = ["ByDepth", "ByLoad", "PressedSurface", "press"]
@@ -30,6 +31,8 @@ FIRST_CONTACT_RATIO = 0.01
 """Part of the pixels, the highest ones, under which a load begins."""
 MOST_ROUNDS = 20
 """How often the whole surface is checked before it has not converged; two are usual."""
+SINGLE_DIGITS_CONTRAST, CONTRAST_WAVES = 1e2, 40
+"""Ratio of 1 + M among these many waves up to which single digits are enough."""
 INNER_RATIO = 0.6
 """Part of the tolerance to which the box around the contact is solved, and then to less."""
 
@@ -61,6 +64,33 @@ class PressedSurface(NamedTuple):
     iterations: int
 
 
+class _Surface(NamedTuple):
+    """What a grid is made on: the size of its pixels, whether it is periodic, and what lies below."""
+
+    pixel: tuple[float, float]
+    periodic: bool
+    layers: LayeredSurface | None
+
+    def grid(self, shape: tuple[int, ...], digits: np.dtype[np.floating] = DOUBLE) -> SurfaceGrid:
+        """Return the grid of this shape."""
+        size = shape[0], shape[1]
+        return SurfaceGrid.of(size, self.pixel, periodic=self.periodic, digits=digits, layers=self.layers)
+
+    def rough_grid(self, shape: tuple[int, ...]) -> SurfaceGrid:
+        """Return the grid for changes of pressures, whose digits suffice for the contrast of the layers."""
+        if not self.layers:
+            return self.grid(shape, SINGLE)
+        longest = max(n * side for n, side in zip(shape, self.pixel, strict=True))
+        waves = 2.0 * np.pi * np.geomspace(1.0 / longest, 0.5 / min(self.pixel), CONTRAST_WAVES)
+        whole = self.layers.whole(waves)
+        return self.grid(shape, SINGLE if float(np.max(whole) / np.min(whole)) < SINGLE_DIGITS_CONTRAST else DOUBLE)
+
+    @property
+    def coarser(self) -> _Surface:
+        """The same in pixels of twice the size."""
+        return self._replace(pixel=(2.0 * self.pixel[0], 2.0 * self.pixel[1]))
+
+
 def _halved(heights: Array) -> Array:
     """Return means over two by two pixels."""
     nx, ny = heights.shape[0] // 2, heights.shape[1] // 2
@@ -90,6 +120,7 @@ def press(
     ceiling: float = math.inf,
     tolerance: float = 1e-6,
     start: Array | tuple[()] = (),
+    layers: LayeredSurface | None = None,
 ) -> PressedSurface:
     """Solve the contact.
 
@@ -109,11 +140,15 @@ def press(
         Bound on `Pressed.penetration` and `Pressed.work`.
     start
         Pressures of a contact nearby, over E*; nothing to begin on coarser grids.
+    layers
+        In m, what differs from a homogeneous half-space of this E*; nothing unless given.
 
     Raises
     ------
     NotConverged
-        If the bounds are not met.
+        If the bounds are not met, or the contrasts of the layers are too large.
+    OutsideValidity
+        If the pixels are too coarse for the layers.
     """
     # in pixels along the map, and in about the depth across: small and large surfaces are the same to single digits
     patch = pixel[0] * pixel[1]
@@ -127,24 +162,24 @@ def press(
             scaled = ByLoad(load * pixel[0] / unit)
     strain = unit / pixel[0]
     begin = np.asarray(start) / strain
-    pressed = _pressed(heights / unit, (1.0, pixel[1] / pixel[0]), scaled, periodic, ceiling / strain, tolerance, begin)
+    surface = _Surface((1.0, pixel[1] / pixel[0]), periodic, layers.in_units_of(pixel[0]) if layers else None)
+    pressed = _pressed(heights / unit, surface, scaled, ceiling / strain, tolerance, begin)
     return pressed._replace(pressure=strain * pressed.pressure, gap=unit * pressed.gap, depth=unit * pressed.depth)
 
 
 def _pressed(
     heights: Array,
-    pixel: tuple[float, float],
+    surface: _Surface,
     drive: ByDepth | ByLoad,
-    periodic: bool,
     ceiling: float,
     tolerance: float,
     start: Array,
 ) -> PressedSurface:
     """Return the contact: solved where it may be, then checked everywhere, until nothing changes."""
-    shape = heights.shape[0], heights.shape[1]
-    begun = start if len(start) else _from_coarser(heights, pixel, drive, periodic, ceiling)
-    p = _first(heights, drive, pixel, ceiling, begun)
-    whole, everywhere = SurfaceGrid.of(shape, pixel, periodic=periodic), (slice(None), slice(None))
+    shape = heights.shape
+    whole, everywhere = surface.grid(shape), (slice(None), slice(None))
+    begun = start if len(start) else _from_coarser(heights, surface, drive, ceiling)
+    p = _first(heights, drive, surface.pixel, ceiling, begun)
     depth, count, inner = drive.depth if isinstance(drive, ByDepth) else math.nan, 0, INNER_RATIO * tolerance
     for _ in range(MOST_ROUNDS):
         u = whole.displaced(p)
@@ -154,9 +189,8 @@ def _pressed(
         left = overlap_and_work(p, gap, depth, ceiling)
         if max(left) <= tolerance:
             return PressedSurface(p, gap, depth, *left, count)
-        box = box_around((p > 0.0) | (gap < 0.0)) if math.isinf(ceiling) and not periodic else everywhere
-        part = heights[box].shape
-        grid = SurfaceGrid.of((part[0], part[1]), pixel, periodic=periodic, digits=SINGLE)
+        box = box_around((p > 0.0) | (gap < 0.0)) if math.isinf(ceiling) and not surface.periodic else everywhere
+        grid = surface.rough_grid(heights[box].shape)
         contact = BoxContact(grid, heights[box], drive, ceiling, p[box], u[box], depth)
         count += contact.solve(inner)
         p[box], depth, inner = contact.p, contact.depth, max(inner * INNER_RATIO, 1e-15)
@@ -177,9 +211,7 @@ def _first(heights: Array, drive: ByDepth | ByLoad, pixel: tuple[float, float], 
     return p if float(np.max(p)) <= ceiling else shared(np.minimum(p, ceiling) - heights, ceiling, drive.load)
 
 
-def _from_coarser(
-    heights: Array, pixel: tuple[float, float], drive: ByDepth | ByLoad, periodic: bool, ceiling: float
-) -> Array:
+def _from_coarser(heights: Array, surface: _Surface, drive: ByDepth | ByLoad, ceiling: float) -> Array:
     """Return the pressures of a grid of half as many pixels along a side, or zeros where there is none."""
     nothing = np.zeros(heights.shape)
     if min(heights.shape) < 2 * COARSEST_PIXELS:
@@ -189,12 +221,11 @@ def _from_coarser(
     easier = ByDepth(drive.depth - lowest) if isinstance(drive, ByDepth) else ByLoad(drive.load / 4.0)
     if float(np.ptp(coarse)) == 0.0:  # a fine grating: its means do not resolve it
         return nothing
-    most = float(np.mean(coarse)) - lowest if periodic else math.inf
+    most = float(np.mean(coarse)) - lowest if surface.periodic else math.inf
     if isinstance(easier, ByDepth) and not 0.0 < easier.depth < LARGEST_DEPTH_RATIO * most:
         return nothing
-    twice = 2.0 * pixel[0], 2.0 * pixel[1]
     try:
-        pressed = _pressed(coarse - lowest, twice, easier, periodic, ceiling, COARSE_TOLERANCE, np.empty(0))
-    except NotConverged:  # the coarse grid is only a first guess
+        pressed = _pressed(coarse - lowest, surface.coarser, easier, ceiling, COARSE_TOLERANCE, np.empty(0))
+    except (NotConverged, OutsideValidity):  # the coarse grid is only a first guess, or too coarse for the layers
         return nothing
     return _doubled(pressed.pressure, heights.shape)

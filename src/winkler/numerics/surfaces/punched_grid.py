@@ -6,11 +6,13 @@ punch that nearly fills a periodic surface hardly bends it; there all of it take
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 
 import numpy as np
 
 from winkler.errors import NotConverged
+from winkler.numerics.surfaces.layered_pixels import LayeredSurface
 from winkler.numerics.surfaces.pressed_box import box_around
 from winkler.numerics.surfaces.surface_grid import DOUBLE, SINGLE, SurfaceGrid
 from winkler.numerics.surfaces.traction_grid import Compliance, TractionGrid
@@ -38,6 +40,7 @@ def punch(
     periodic: bool,
     tolerance: float = 1e-6,
     start: Array | tuple[()] = (),
+    layers: LayeredSurface | None = None,
 ) -> Array:
     """Return the pressures over E* [1/m] under a flat punch of any shape at unit depth.
 
@@ -46,8 +49,8 @@ def punch(
     Parameters
     ----------
     touching
-        Where it presses, (nx, ny), somewhere but, on a periodic surface, not everywhere.
-    pixel, periodic
+        Where it presses, (nx, ny), somewhere but, on a periodic surface whose mean stays at rest, not everywhere.
+    pixel, periodic, layers
         As for `winkler.numerics.surfaces.pressed_grid.press`.
     tolerance
         Greatest error of the depth under the punch.
@@ -62,8 +65,10 @@ def punch(
     box = (slice(None), slice(None)) if periodic else box_around(touching)
     there = touching[box]
     shape, aspect = (there.shape[0], there.shape[1]), (1.0, pixel[1] / pixel[0])
-    single = SurfaceGrid.of(shape, aspect, periodic=periodic, digits=SINGLE)
-    exact = single if tolerance > SINGLE_DIGITS_TOLERANCE else SurfaceGrid.of(shape, aspect, periodic=periodic)
+    below = layers.in_units_of(pixel[0]) if layers else None
+    single = SurfaceGrid.of(shape, aspect, periodic=periodic, digits=SINGLE, layers=below)
+    double = functools.partial(SurfaceGrid.of, shape, aspect, periodic=periodic, layers=below)
+    exact = single if tolerance > SINGLE_DIGITS_TOLERANCE else double()
     even = 1.0 / np.sqrt(np.count_nonzero(there) * aspect[1])
     p = np.where(there, np.asarray(start)[box] * pixel[0] if len(start) else even, 0.0)
     inner, before = single, np.inf
@@ -76,7 +81,7 @@ def punch(
             whole[box] = p * (1.0 - wrong) / pixel[0]
             return whole
         if left > LEAST_GAIN_RATIO * before:  # digits are too few
-            inner = exact = SurfaceGrid.of(shape, aspect, periodic=periodic)
+            inner = exact = double()
         before = left
         try:
             wanted = wrong.astype(inner.response.dtype)

@@ -5,7 +5,8 @@ Where E* is one, pressures p sink the surface by
 .. math:: u(x, y) = \frac{1}{\pi}\int\frac{p(x', y')}{\sqrt{(x-x')^2+(y-y')^2}}\,\mathrm dA' ,
 
 a convolution, made by fast Fourier transforms: of a free surface on a grid of twice the size, with Love's exact
-displacement at the centres of the pixels; of a periodic one by 2 / \|q\|, which leaves its mean at rest.
+displacement at the centres of the pixels; of a periodic one by 2 / \|q\|, which leaves its mean at rest.  Layers add
+the integral of their kernel over the pixel (`winkler.numerics.surfaces.layered_pixels`), or multiply waves by 1 + M.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.numerics.surfaces.layered_pixels import LayeredSurface
 from winkler.numerics.types import Array
 
 __all__ = ["DOUBLE", "SINGLE", "SurfaceGrid", "bytes_needed"]
@@ -24,6 +26,8 @@ ARRAY_COPIES = 5
 """How many arrays of the size of the transform are alive at once."""
 MEAN_WAVE_RATIO = 0.5
 """What the preconditioner uses as the wave number of the mean, over the smallest other one."""
+STIFF_FILM_POWER = 0.7
+"""Of 1 + M in the preconditioner where it is more than one: stiff films bend beyond the contact."""
 LARGEST_CACHED_PIXELS = 2**20
 """Pixels up to which grids are kept for the next contact; larger ones would hold too much memory."""
 SINGLE_THREAD_PIXELS = 2**14
@@ -60,7 +64,7 @@ class SurfaceGrid(NamedTuple):
     response
         Transform of the displacement under a unit pressure on one pixel [m].
     wave_numbers
-        |q| / 2 [1/m] of the grid itself: the inverse of `response`, but for the boundary.
+        |q| / 2 [1/m] of the grid itself, over 1 + M or less: about the inverse of `response`.
     workers
         Threads.
     """
@@ -80,6 +84,7 @@ class SurfaceGrid(NamedTuple):
         *,
         periodic: bool,
         digits: np.dtype[np.floating] = DOUBLE,
+        layers: LayeredSurface | None = None,
     ) -> SurfaceGrid:
         """Return the grid; small ones are made once.
 
@@ -93,8 +98,18 @@ class SurfaceGrid(NamedTuple):
             Whether the surface goes on for ever, repeated, or bears nothing outside.
         digits
             Of all transforms: single ones are three times as fast, and good enough for small changes.
+        layers
+            What differs from a homogeneous half-space, in the unit of length of the pixels; nothing unless given.
+
+        Raises
+        ------
+        NotConverged
+            If the contrasts of the layers are too large.
+        OutsideValidity
+            If the pixels are too coarse for the layers.
         """
-        return (_cached_grid if shape[0] * shape[1] <= LARGEST_CACHED_PIXELS else _made)(shape, pixel, periodic, digits)
+        made = _cached_grid if shape[0] * shape[1] <= LARGEST_CACHED_PIXELS else _made
+        return made(shape, pixel, periodic, digits, layers)
 
     def waves(self, numbers: Array) -> Array:
         """Return the transform of numbers on the grid, (..., nx, ny), padded with zeros if it is not periodic."""
@@ -126,7 +141,11 @@ class SurfaceGrid(NamedTuple):
 
 
 def _made(
-    shape: tuple[int, int], pixel: tuple[float, float], periodic: bool, digits: np.dtype[np.floating]
+    shape: tuple[int, int],
+    pixel: tuple[float, float],
+    periodic: bool,
+    digits: np.dtype[np.floating],
+    layers: LayeredSurface | None,
 ) -> SurfaceGrid:
     """Return a grid."""
     import scipy.fft
@@ -136,20 +155,23 @@ def _made(
     qx = 2.0 * np.pi * scipy.fft.fftfreq(nx, pixel[0])[:, None]
     qy = 2.0 * np.pi * scipy.fft.rfftfreq(ny, pixel[1])[None, :]
     wave = np.hypot(qx, qy)
-    wave[0, 0] = np.inf
+    wave[0, 0] = MEAN_WAVE_RATIO * 2.0 * np.pi / max(nx * pixel[0], ny * pixel[1])
+    whole = layers.whole(wave) if layers else np.ones_like(wave)
     if periodic:
-        response = 2.0 / wave
+        response = 2.0 * whole / wave
+        response[0, 0] = layers.mean if layers else 0.0
         padded = shape
     else:
         padded = scipy.fft.next_fast_len(2 * nx - 1, True), scipy.fft.next_fast_len(2 * ny - 1, True)
         quarter = _rectangle(shape, pixel) / np.pi
+        quarter = quarter + layers.pixels(shape, pixel) if layers else quarter
         kernel = np.zeros(padded)
         kernel[:nx, :ny] = quarter
         kernel[padded[0] - nx + 1 :, :ny] = quarter[:0:-1]
         kernel[:, padded[1] - ny + 1 :] = kernel[:, ny - 1 : 0 : -1]
         response = np.ascontiguousarray(scipy.fft.rfft2(kernel, workers=workers).real)
-    wave[0, 0] = MEAN_WAVE_RATIO * 2.0 * np.pi / max(nx * pixel[0], ny * pixel[1])
-    return SurfaceGrid(shape, pixel, padded, response.astype(digits), (0.5 * wave).astype(digits), workers)
+    pressing = 0.5 * wave / np.where(whole > 1.0, whole**STIFF_FILM_POWER, whole)
+    return SurfaceGrid(shape, pixel, padded, response.astype(digits), pressing.astype(digits), workers)
 
 
 _cached_grid = functools.lru_cache(maxsize=12)(_made)

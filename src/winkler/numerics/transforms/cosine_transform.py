@@ -21,7 +21,15 @@ from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values import value
 
-__all__ = ["ScaledResponse", "WaveResponse", "in_own_lengths", "scaled_response", "transform", "wave_numbers"]
+__all__ = [
+    "ScaledResponse",
+    "WaveResponse",
+    "in_own_lengths",
+    "on_axis",
+    "scaled_response",
+    "transform",
+    "wave_numbers",
+]
 
 PATH_ANGLES = (math.pi / 12.0, math.pi / 17.0)
 """Of the turned path, and of the one that checks it."""
@@ -195,6 +203,12 @@ def _ray(response: WaveResponse, angle: float) -> Panels:
         return response.excess((s * turn).ravel()).reshape(s.shape)
 
     return fit_panels(along, np.array(edges), response.precision * (size + LEAST_RESPONSE))
+
+
+def on_axis(response: WaveResponse, xi: Array) -> Array:
+    """Return M at real wave numbers of any shape, to its precision, from polynomials; zero where it has vanished."""
+    panels = _ray(response, 0.0)
+    return np.where(xi <= panels.edges[-1], np.real(panels(xi)), 0.0)
 
 
 def _sum(xi: ComplexArray, weights: ComplexArray, x: Array) -> Array:

@@ -20,10 +20,12 @@ from winkler.checks.number_checks import Seed, Whole
 from winkler.limits import MOST_SPRINGS
 from winkler.loading import Depth, Force
 from winkler.media.conduction.conductors import ElectricalConductors
+from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.conduction.stiffness_analogy import conductance_of_stiffness
 from winkler.problems.rough.line_contact import RoughContact, RoughContactSolution
+from winkler.problems.rough.mapped_medium import homogeneous
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.profiles.rough.map_spectrum import spectrum_of
 from winkler.profiles.rough.topography import Topography
@@ -57,7 +59,7 @@ class SurfaceConduction:
     InvalidInput
         If an argument has the wrong type, or a number is out of range.
     OutsideValidity
-        If there is a film, a plating or a rod.
+        If there is a film, a plating or a rod, or the bodies have layers, of which stiffness tells no conductance.
 
     References
     ----------
@@ -79,7 +81,11 @@ class SurfaceConduction:
     }
 
     def __post_init__(self) -> None:
-        conductance_of_stiffness("SurfaceConduction", self.contact.medium, self.conductors)
+        conductance_of_stiffness("SurfaceConduction", self._medium, self.conductors)
+
+    @property
+    def _medium(self) -> HomogeneousMedium:
+        return homogeneous("SurfaceConduction", "the resistance", self.contact.medium)
 
     def solve(self) -> SurfaceConductionSolution:
         """Return the resistance under every load.
@@ -91,7 +97,7 @@ class SurfaceConduction:
         NotConverged
             If a contact is not solved to its tolerance.
         """
-        rough, medium = self.contact.topography, self.contact.medium
+        rough, medium = self.contact.topography, self._medium
         spectrum = spectrum_of(rough)  # first, since it may refuse
         contact_solution = self.contact.solve()
         side = math.sqrt(rough.area)
@@ -147,7 +153,7 @@ class SurfaceConductionSolution:
 
     def _resistance(self, stiffness: Quantity) -> Array:
         stated = self.problem
-        share = conductance_of_stiffness("SurfaceConduction", stated.contact.medium, stated.conductors)
+        share = conductance_of_stiffness("SurfaceConduction", stated._medium, stated.conductors)
         return np.asarray(1.0 / (share * np.asarray(stiffness, dtype=float)))
 
     @property

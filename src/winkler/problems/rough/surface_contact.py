@@ -1,10 +1,11 @@
-r"""A height map pressed into an elastic half-space: the boundary-element method, the reference for approximate methods.
+r"""A height map pressed into an elastic body: the boundary-element method, the reference for approximate methods.
 
 Pressures p >= 0 and gaps w >= 0 with p w = 0 in every pixel, and
 
 .. math:: w(x,y) = h(x,y) - d + \frac{1}{\pi E^*}\int\frac{p(x',y')}{\sqrt{(x-x')^2+(y-y')^2}}\,\mathrm dA' ,
 
-are found by preconditioned conjugate gradients (`winkler.numerics.surfaces.pressed_grid`).  The stiffness dF/dd is
+are found by preconditioned conjugate gradients (`winkler.numerics.surfaces.pressed_grid`); layers add a kernel
+(`winkler.numerics.surfaces.layered_pixels`).  The stiffness dF/dd is
 that of a flat punch of the shape of the contact (Barber).
 """
 
@@ -12,7 +13,6 @@ from __future__ import annotations
 
 import dataclasses
 import math
-import os
 from collections.abc import Iterable, Iterator
 from typing import Annotated, ClassVar
 
@@ -25,17 +25,17 @@ from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, press
 from winkler.numerics.surfaces.punched_grid import punch
-from winkler.numerics.surfaces.surface_grid import bytes_needed
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.rough.contact_area import contact_area
-from winkler.problems.rough.surface_notes import surface_notes
+from winkler.problems.rough.map_memory import refuse_too_large
+from winkler.problems.rough.mapped_medium import MappedMedium, homogeneous, layers_of, medium_notes, yield_notes
 from winkler.problems.rough.surface_states import SurfaceState
 from winkler.problems.rough.surface_yield import force_at_yield
 from winkler.problems.subsurface.below_surface import BelowSurface
-from winkler.problems.subsurface.map_yield import greatest_share, map_yield_notes
+from winkler.problems.subsurface.map_yield import greatest_share
 from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note
@@ -51,15 +51,15 @@ PUNCH_TOLERANCE = 3e-3
 
 @value
 class SurfaceContact:
-    """A height map pressed into an elastic half-space, without friction or adhesion.
+    """A height map pressed into an elastic half-space, layered or not, without friction or adhesion.
 
     Parameters
     ----------
     topography : Topography
         Heights of both bodies together, up towards the other one; the medium is flat.  A map that stands alone ends at
         its border like a stamp, a periodic one goes on for ever.
-    medium : HalfSpace or TransverselyIsotropicHalfSpace
-        Both bodies, homogeneous.
+    medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace or DepthGradedHalfSpace
+        Both bodies.
     load : Force or Depth
         What is prescribed, compression positive; an array is marched through as it comes, each load from the one
         before.  Of a periodic map the force on one period.
@@ -71,7 +71,7 @@ class SurfaceContact:
     Raises
     ------
     InvalidInput
-        If heights are missing or flat, the medium is not homogeneous, a load is not positive, the hardness or the
+        If heights are missing or flat, the medium is another one, a load is not positive, the hardness or the
         tolerance is out of range, or the map takes more memory than there is.
 
     References
@@ -94,7 +94,7 @@ class SurfaceContact:
     """
 
     topography: Topography
-    medium: Annotated[HomogeneousMedium, Advice("the boundary elements apply to no other")]
+    medium: Annotated[MappedMedium, Advice("the boundary elements apply to no other")]
     load: Force | Depth
     hardness: PositiveOrInfinite = math.inf
     tolerance: Annotated[float, between(1e-12, 0.1)] = 1e-6
@@ -126,30 +126,18 @@ class SurfaceContact:
                 f"SurfaceContact: load {bad[0]} is {flat[bad[0]]:.6g}; without adhesion bodies are pressed together, "
                 "give positive loads."
             )
-        self._refuse_too_large()
+        refuse_too_large(self.topography.heights.shape, self.topography.periodic)
         self._refuse_too_deep(flat)
 
     @property
     def _loads(self) -> Array:
         return numbers_of(self.load).ravel()
 
-    def _refuse_too_large(self) -> None:
-        shape = self.topography.heights.shape
-        needed = bytes_needed((shape[0], shape[1]), self.topography.periodic)
-        try:
-            there = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
-        except (AttributeError, ValueError, OSError):
-            return  # a system that does not report it
-        if needed > there:
-            raise InvalidInput(
-                f"SurfaceContact: a map of {shape[0]} x {shape[1]} pixels takes {needed / 2**30:.3g} GiB of memory, "
-                f"this machine has {there / 2**30:.3g} GiB; take topography.coarsened(2), or a part of it."
-            )
-
     def _refuse_too_deep(self, flat: Array) -> None:
         whole = float(np.mean(self.topography.gaps))
         area = self.topography.area
-        if self.topography.periodic and isinstance(self.load, Depth) and np.any(flat >= whole):
+        repeated = self.topography.periodic and not self._compressible
+        if repeated and isinstance(self.load, Depth) and np.any(flat >= whole):
             raise OutsideValidity(
                 f"SurfaceContact: the depth {np.max(flat):.6g} m closes the periodic map, whose mean planes can "
                 f"approach by less than {whole:.6g} m; prescribe a Force."
@@ -159,6 +147,12 @@ class SurfaceContact:
                 f"SurfaceContact: the force {np.max(flat):.6g} N is more than hardness times the area of the map, "
                 f"{self.hardness * area:.6g} N; press less."
             )
+
+    @property
+    def _compressible(self) -> bool:
+        """Whether a uniform pressure of all the surface has a depth: in layers on a rigid base."""
+        layers = layers_of(self.medium)
+        return layers is not None and layers.mean > 0.0
 
     @property
     def total(self) -> int:
@@ -171,9 +165,11 @@ class SurfaceContact:
         Raises
         ------
         NotConverged
-            If a contact is not solved to the tolerance.
+            If a contact is not solved to the tolerance, or the contrasts of the layers are too large.
+        OutsideValidity
+            If the pixels are too coarse for the layers.
         """
-        rough, modulus = self.topography, self.medium.modulus
+        rough, modulus, layers = self.topography, self.medium.modulus, layers_of(self.medium)
         pixel = rough.pixel
         patch = pixel[0] * pixel[1]
         gaps, start, under, before, stiffness = rough.gaps, np.empty(0), np.empty(0), math.inf, math.inf
@@ -186,17 +182,21 @@ class SurfaceContact:
             try:
                 solved = press(
                     gaps, pixel, drive, periodic=rough.periodic, ceiling=self.hardness / modulus,
-                    tolerance=self.tolerance, start=start if near else np.empty(0),
+                    tolerance=self.tolerance, start=start if near else np.empty(0), layers=layers,
                 )  # fmt: skip
                 start, before = solved.pressure, load
                 touching = start > 0.0
-                if touching.all() and rough.periodic:
+                if touching.all() and rough.periodic and not self._compressible:
                     stiffness, under = math.inf, np.empty(0)
                 else:
-                    under = punch(touching, pixel, periodic=rough.periodic, tolerance=PUNCH_TOLERANCE, start=under)
+                    under = punch(
+                        touching, pixel, periodic=rough.periodic, tolerance=PUNCH_TOLERANCE, start=under, layers=layers
+                    )
                     stiffness = modulus * patch * float(np.sum(under))
             except NotConverged as error:
                 raise NotConverged(f"SurfaceContact: under the load {load:.6g}, {error}") from None
+            except OutsideValidity as error:
+                raise OutsideValidity(f"SurfaceContact: {error}") from None
             yield SurfaceState(
                 solved.depth, modulus * patch * float(np.sum(start)), stiffness, *contact_area(touching, pixel,
                 rough.periodic), max(float(np.mean(solved.gap)), 0.0), solved.penetration, solved.work, modulus * start,
@@ -261,7 +261,7 @@ class SurfaceContactSolution(BelowSurface):
 
     @property
     def _medium(self) -> HomogeneousMedium:
-        return self.problem.medium
+        return homogeneous("SurfaceContactSolution", "the stress below the surface", self.problem.medium)
 
     def yield_force(self) -> float:
         """Return the force [N] under which yielding begins, by contacts under other forces; infinite without strength.
@@ -270,13 +270,16 @@ class SurfaceContactSolution(BelowSurface):
         ------
         NotConverged
             If a contact or the force is not found.
+        OutsideValidity
+            If the bodies have layers.
         """
+        medium = self._medium
 
         def share(force: float) -> float:
             pressed = dataclasses.replace(self.problem, load=Force(force), hardness=math.inf)
-            return greatest_share(pressed.medium, pressed.solve().surface_load)
+            return greatest_share(medium, pressed.solve().surface_load)
 
-        last = greatest_share(self.problem.medium, self.surface_load)
+        last = greatest_share(medium, self.surface_load)
         return force_at_yield(share, self.last.force, last) if last > 0.0 else math.inf
 
     @property
@@ -284,10 +287,10 @@ class SurfaceContactSolution(BelowSurface):
         """How far the result can be trusted: border, residual, slopes, pixels."""
         stated = self.problem
         blurred = float(np.max(np.asarray(self.area_error) / self.area))
-        notes = surface_notes(stated.topography, stated.hardness, blurred, self.penetration, self.misfit)
+        notes = medium_notes(stated.medium, stated.topography, stated.hardness, blurred, self.penetration, self.misfit)
         if float(np.max(self.depth)) > self.last.depth:
             return (
                 *notes,
                 *unknown_yield(stated.medium, "pressures are stored of the last load, which is not the greatest"),
             )
-        return (*notes, *map_yield_notes(stated.medium, self.surface_load))
+        return (*notes, *yield_notes(stated.medium, self.surface_load))

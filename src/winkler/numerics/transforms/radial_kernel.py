@@ -1,0 +1,94 @@
+r"""What a layered surface moves beyond a homogeneous one, at the distance r from a point force and under a disc.
+
+The compliance :math:`\frac{2}{E^*\xi}(1+M(\xi))` adds to Boussinesq's displacement the kernel
+
+.. math:: k(r) = \frac1\pi\int_0^\infty M(\xi)\,J_0(\xi r)\,\mathrm d\xi = \frac1\pi\int_0^{\pi/2}C(r\sin\theta)\,
+          \mathrm d\theta , \qquad
+          Q(r) = \int_0^r k\,r'\,\mathrm dr' = \frac{r^2}\pi\int_0^{\pi/2}C(r\sin\theta)\cos^2\theta\,\mathrm d\theta ,
+
+C the cosine transform of M (`winkler.numerics.transforms.cosine_transform`), which is smooth octave by octave; so are
+both functions, kept as Chebyshev polynomials.  Nothing oscillates, however far.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.numerics.caching import cached_by_value
+from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.panels.chebyshev import Panels, fit_panels
+from winkler.numerics.transforms.cosine_transform import LEAST_RESPONSE, WaveResponse, transform
+from winkler.numerics.types import Array
+
+__all__ = ["RadialKernel", "radial_kernel"]
+
+NODES = 32
+"""Of the quadrature, in every octave of sin theta."""
+TOLERANCE_RATIO = 10.0
+"""Error of r k and of Q / r, over the precision of M: what the transform C leaves."""
+
+
+class RadialKernel(NamedTuple):
+    """k and Q of a response, in its own unit of length.
+
+    Parameters
+    ----------
+    length : float
+        On which both are smooth near r = 0.
+    point, disc : Panels
+        w k and w Q / r^2 as functions of r, w the hypotenuse of r and `length`.
+    """
+
+    length: float
+    point: Panels
+    disc: Panels
+
+    def at(self, r: Array) -> Array:
+        """Return k(r)."""
+        return np.asarray(self.point(r) / np.hypot(r, self.length))
+
+    def within(self, r: Array) -> Array:
+        """Return Q(r), the integral of k r from 0 to r."""
+        return np.asarray(r * r * self.disc(r) / np.hypot(r, self.length))
+
+
+@cached_by_value(64)
+def radial_kernel(response: WaveResponse, octave: int) -> RadialKernel:
+    """Return k and Q up to r = `length` times two to the power of `octave`; cached by value.
+
+    Parameters
+    ----------
+    response : WaveResponse
+        M, in its own unit of length.
+    octave : int
+        Not negative.
+
+    Raises
+    ------
+    NotConverged
+        If C is not resolved: the contrasts are too large.
+    """
+    length = response.length
+    edges = length * np.concatenate(([0.0], 2.0 ** np.arange(octave + 1)))
+    curve = transform(response, float(edges[-1]))
+    # the octaves of sin theta below 1/2 by Gauss' rule in sin theta, the rest by the same in theta
+    node, weight = gauss_legendre(NODES)
+    starts = np.concatenate(([0.0], 0.5 ** np.arange(octave + 1, 0, -1)))
+    sines = (starts[:-1, None] + np.diff(starts)[:, None] * node).ravel()
+    shares = (np.diff(starts)[:, None] * weight).ravel() / np.sqrt(1.0 - sines**2)
+    angle = math.pi / 6.0 + math.pi / 3.0 * node
+    sines, shares = np.concatenate((sines, np.sin(angle))), np.concatenate((shares, math.pi / 3.0 * weight)) / math.pi
+    squares = shares * (1.0 - sines) * (1.0 + sines)
+
+    def summed(weights: Array) -> Panels:
+        def along(r: Array) -> Array:
+            return np.asarray(np.hypot(r, length) * (curve(r[..., None] * sines) @ weights))
+
+        return fit_panels(along, edges, tolerance)
+
+    size = float(np.max(np.abs(response.excess(np.concatenate(([1e-3 / response.span], 1.0 / edges[1:]))))))
+    tolerance = TOLERANCE_RATIO * response.precision * (size + LEAST_RESPONSE)
+    return RadialKernel(length, summed(shares), summed(squares))

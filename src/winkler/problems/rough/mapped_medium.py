@@ -1,0 +1,112 @@
+"""The media that a height map may be pressed into: what its boundary elements take of them, and what is not known."""
+
+from __future__ import annotations
+
+from typing import TypeAlias, cast
+
+from winkler.errors import OutsideValidity
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.media.layered.depth_graded import DepthGradedHalfSpace
+from winkler.numerics.surfaces.layered_pixels import GridResponse, LayeredSurface
+from winkler.numerics.transforms.cosine_transform import in_own_lengths
+from winkler.numerics.types import Quantity
+from winkler.problems.normal.unknown_yield import unknown_yield
+from winkler.problems.rough.surface_notes import surface_notes
+from winkler.problems.subsurface.map_yield import map_yield_notes
+from winkler.problems.subsurface.surface_load import SurfaceLoad
+from winkler.profiles.rough.topography import Topography
+from winkler.validity import Assumption, Note, Standing
+
+__all__ = ["MappedMedium", "homogeneous", "layers_of", "medium_notes", "yield_notes"]
+
+MappedMedium: TypeAlias = HomogeneousMedium | CoatedHalfSpace | DepthGradedHalfSpace
+"""A medium under a height map."""
+SULLIVAN = "T. C. O'Sullivan, R. B. King, J. Tribol. 110 (1988) 235-240, doi:10.1115/1.3261591"
+FOLLOWED_SHARE = 0.01
+"""Part of the displacement under a wave of sixteen pixels that may be wrong without a word."""
+
+
+def layers_of(medium: MappedMedium) -> LayeredSurface | None:
+    """Return what differs from a homogeneous half-space; nothing of a homogeneous medium.
+
+    Parameters
+    ----------
+    medium : HomogeneousMedium, CoatedHalfSpace or DepthGradedHalfSpace
+    """
+    if isinstance(medium, HomogeneousMedium):
+        return None
+    own, unit = in_own_lengths(medium.response)
+    return LayeredSurface(cast(GridResponse, own), unit)
+
+
+def homogeneous(owner: str, what: str, medium: MappedMedium) -> HomogeneousMedium:
+    """Return the medium, or refuse layers.
+
+    Parameters
+    ----------
+    owner, what : str
+        Who refuses, and what is not known in layers.
+    medium : HomogeneousMedium, CoatedHalfSpace or DepthGradedHalfSpace
+
+    Raises
+    ------
+    OutsideValidity
+        If it is not homogeneous.
+    """
+    if not isinstance(medium, HomogeneousMedium):
+        raise OutsideValidity(
+            f"{owner}: {what} of a height map on a {type(medium).__name__} is not known to winkler, pressures, gaps "
+            "and stiffness are; give a HalfSpace."
+        )
+    return medium
+
+
+def medium_notes(
+    medium: MappedMedium, rough: Topography, hardness: float, blurred: float, penetration: Quantity, misfit: Quantity
+) -> tuple[Note, ...]:
+    """Return what was assumed of a map and of the medium below it.
+
+    Parameters
+    ----------
+    medium : HomogeneousMedium, CoatedHalfSpace or DepthGradedHalfSpace
+    rough, hardness, blurred, penetration, misfit
+        As of `winkler.problems.rough.surface_notes.surface_notes`.
+    """
+    notes = surface_notes(rough, hardness, blurred, penetration, misfit)
+    layers = layers_of(medium)
+    if layers is None:
+        return notes
+    response = Note(
+        Assumption.RESPONSE,
+        Standing.EXACT,
+        "Frictionless contact of bonded, linear elastic layers or of a body graded in depth, every pixel pressing on "
+        "all others through their surface compliance.",
+        SULLIVAN,
+    )
+    border = notes[1]
+    if rough.periodic and layers.mean > 0.0:
+        border = Note(
+            Assumption.RESPONSE,
+            Standing.EXACT,
+            "The map is repeated for ever in both directions; depths are approaches of the mean planes, and how far "
+            "the mean pressure compresses the layers on their rigid base.",
+            SULLIVAN,
+        )
+    graded = medium.notes if isinstance(medium, DepthGradedHalfSpace) else ()
+    lost = 0.0 if rough.periodic else layers.lost(rough.pixel)
+    coarse = Note(
+        Assumption.RESOLUTION,
+        Standing.APPROXIMATE,
+        "The pixels are wide for a nearly incompressible film: under a wave of sixteen of them displacements are wrong "
+        f"by {lost:.1%}; take a finer map.",
+        "pixels of constant pressure against the compliance of the layers",
+    )
+    return (response, border, *graded, *((coarse,) if lost > FOLLOWED_SHARE else ()), *notes[2:])
+
+
+def yield_notes(medium: MappedMedium, load: SurfaceLoad) -> tuple[Note, ...]:
+    """Return whether the bodies stay elastic; of layers with a strength, that it is not known."""
+    if isinstance(medium, HomogeneousMedium):
+        return map_yield_notes(medium, load)
+    return unknown_yield(medium, "the stresses below a height map are not computed in layers")
