@@ -23,6 +23,7 @@ from winkler.problems.pressed_maps.seal_notes import seal_notes
 from winkler.problems.pressed_maps.seal_states import FilmPassage, gap_of, passage
 from winkler.problems.pressed_maps.two_grids import on_every_second_point, refuse_without_second_points
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
+from winkler.problems.rough.surface_notes import YASTREBOV
 from winkler.problems.rough.surface_states import SurfaceState
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
@@ -108,9 +109,14 @@ class Seal:
 
         contact = self.contact.gathered(watched())
         second = on_every_second_point(self.contact, contact.force)
-        coarse = np.array(
-            [_passage(gap_of(state.pressure, state.separation), second, False).flow.rate for state in second.steps()]
-        )
+        coarse: list[float] = []
+
+        def watched_again() -> Iterator[SurfaceState]:
+            for state in second.steps():
+                coarse.append(_passage(gap_of(state.pressure, state.separation), second, False).flow.rate)
+                yield state
+
+        area = second.gathered(watched_again()).area
         shape = numbers_of(self.contact.load).shape
         leak = self.pressure_drop / (12.0 * self.viscosity)
 
@@ -120,9 +126,10 @@ class Seal:
         rate = np.array([x.flow.rate for x, _ in rows])
         return SealSolution(
             self, contact,
-            *(contact.depth, contact.force, contact.area, contact.mean_gap),
+            *(contact.depth, contact.force, contact.area),
+            *(shaped(np.abs(np.asarray(contact.area) - area)), contact.mean_gap),
             column([leak * x.flow.rate for x, _ in rows]),
-            column((leak * np.abs(rate - coarse)).tolist()),
+            column((leak * np.abs(rate - np.array(coarse))).tolist()),
             column([leak * y.flow.rate for _, y in rows]),
             column([leak * x.medium for x, _ in rows]),
             column([x.factor for x, _ in rows]),
@@ -149,6 +156,8 @@ class SealSolution:
         The contact, with its maps under the last load.
     depth, force, area, mean_gap : float or ndarray
         As in `SurfaceContactSolution` [m], [N], [m^2], [m].
+    area_error : float or ndarray
+        By how much the area differs from that on every second point of the map [m^2].
     leak_rate : float or ndarray
         Volume per time that flows along x through the whole map [m^3/s]; zero where no way leads through.
     leak_rate_error : float or ndarray
@@ -167,6 +176,7 @@ class SealSolution:
 
     __words__ = words(
         contact=("", None, "the contact by boundary elements"),
+        area_error=(r"\Delta A", "m^2", "change of the area from every second point of the map"),
         leak_rate=("Q", "m^3/s", "volume of fluid per time that flows along x"),
         leak_rate_error=(r"\Delta Q", "m^3/s", "change of the leak rate from every second point of the map"),
         lateral_leak_rate=("Q_y", "m^3/s", "volume of fluid per time under the same pressure along y"),
@@ -183,6 +193,7 @@ class SealSolution:
     depth: Quantity
     force: Quantity
     area: Quantity
+    area_error: Quantity
     mean_gap: Quantity
     leak_rate: Quantity
     leak_rate_error: Quantity
@@ -215,8 +226,9 @@ class SealSolution:
         stated = self.problem
         rough = stated.contact.topography
         return (
-            *self.contact.validity,
+            *(note for note in self.contact.validity if note.source != YASTREBOV),
             *seal_notes(
+                area=float(np.max(np.asarray(self.area_error) / self.area)),
                 squeeze=stated.pressure_drop * rough.area / float(np.min(self.force)),
                 leak=np.ravel(np.asarray(self.leak_rate)),
                 change=np.ravel(np.asarray(self.leak_rate_error)),

@@ -20,12 +20,14 @@ SMALL_SQUEEZE, LARGE_SQUEEZE = 0.1, 1.0
 
 
 def seal_notes(
-    *, squeeze: float, leak: Array, change: Array, narrow: Array, overlap: Array, periodic: bool
+    *, area: float, squeeze: float, leak: Array, change: Array, narrow: Array, overlap: Array, periodic: bool
 ) -> tuple[Note, ...]:
     """Return what was assumed of a film.
 
     Parameters
     ----------
+    area
+        Relative change of the area of contact from every second point, the greatest of all loads.
     squeeze
         Pressure drop over force per area of the map, the greatest of all loads.
     leak, change
@@ -52,6 +54,12 @@ def seal_notes(
             f"The fluid does not press the bodies apart: its pressure is up to {squeeze:.2g} of the mean pressure of "
             "the contact.",
             "comparison of both pressures",
+        ),
+        Note(
+            Assumption.RESOLUTION,
+            standing_of(area, SMALL_CHANGE, LARGE_CHANGE),
+            f"On every second point of the map the area of contact differs by up to {100.0 * area:.2g} per cent.",
+            DAPP,
         ),
     ]
     open_loads = leak > 0.0

@@ -23,13 +23,13 @@ from winkler.problems.pressed_maps.two_grids import on_every_second_point, refus
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.rough.surface_notes import YASTREBOV
 from winkler.problems.rough.surface_states import SurfaceState
-from winkler.validity import Assumption, Note, Standing, standing_of
+from winkler.validity import Assumption, Note, standing_of
 from winkler.values import value, words
 
 __all__ = ["TrueArea", "TrueAreaSolution"]
 
 SMALL_CHANGE, LARGE_CHANGE = 0.02, 0.5
-"""Change of the area or peak pressure from every second point, over the number: below, the grid is fine; above, lost."""
+"""Relative change of the area or peak pressure from every second point at which the grid is no more fine, and lost."""
 
 
 @value
@@ -63,7 +63,7 @@ class TrueArea:
     >>> wave = Topography(0.01 * np.cos(2.0 * np.pi * x[:, None]) + 0.0 * x, [1.0, 1.0], periodic=True)
     >>> contact = SurfaceContact(wave, HalfSpace(Elastic(1.0, 0.0)), Force(0.5 * np.pi * 0.01))
     >>> touching = TrueArea(contact).solve()
-    >>> round(touching.area, 1), touching.patch_count
+    >>> round(touching.area, 1), int(touching.patch_count)
     (0.5, 1)
     """
 

@@ -22,6 +22,7 @@ from winkler.study.chapters.materials.master_curves import MASTER_CURVES
 from winkler.study.chapters.materials.poroelastic import POROELASTIC
 from winkler.study.chapters.normal import NORMAL, normal_formulas
 from winkler.study.chapters.particles import PARTICLES
+from winkler.study.chapters.pressed_maps import PRESSED_MAPS
 from winkler.study.chapters.profile_pair import PROFILE_PAIR
 from winkler.study.chapters.rolling import ROLLING
 from winkler.study.chapters.rough import ROUGH
@@ -56,6 +57,7 @@ CHAPTERS: tuple[Chapter, ...] = (
     WEAR,
     LINE_WEAR,
     ROUGH,
+    PRESSED_MAPS,
     SUBSURFACE,
     PROFILE_PAIR,
     SURFACE_FRICTION,
