@@ -21,8 +21,8 @@ STEEL = HalfSpace(Elastic(210e9, 0.3))
 SPECTRUM = SelfAffine(0.8, 1e-6, 1e-3, 6e-5, roll_off=2.5e-4)
 
 
-def rough(seed=1, count=64, periodic=True):
-    return random_topography(SPECTRUM, (count, count), [1e-3, 1e-3], seed=seed, periodic=periodic)
+def rough(seed=1, count=64):
+    return random_topography(SPECTRUM, (count, count), [1e-3, 1e-3], seed=seed)
 
 
 def grooves(count=256, rows=8, height=0.01):
@@ -134,15 +134,15 @@ def test_seals_close_at_some_forty_per_cent_of_contact():
 
     Of large isotropic surfaces; small ones scatter.
     """
-    spectrum = SelfAffine(0.8, 1e-6, 1e-3, 1.6e-5, roll_off=1.25e-4)
+    spectrum = SelfAffine(0.8, 1e-6, 1e-3, 6.2e-5, roll_off=2.5e-4)  # eight pixels to the shortest wave
     shares = []
     for seed in range(4):
         surface = random_topography(spectrum, (128, 128), [1e-3, 1e-3], seed=seed)
-        load = Force(np.geomspace(1.5e3, 7e3, 16))
-        found = Seal(SurfaceContact(surface, STEEL, load), 1e-3, 1e5).solve()
+        loads = 1e-6 * STEEL.modulus * surface.rms_slope * np.array([0.18, 0.22, 0.24, 0.26, 0.28, 0.3, 0.33, 0.36])
+        found = Seal(SurfaceContact(surface, STEEL, Force(loads), tolerance=1e-4), 1e-3, 1e5).solve()
         for leak in (found.leak_rate, found.lateral_leak_rate):
             tight = np.flatnonzero(leak == 0.0)
             assert tight.size
             assert tight[0] > 0
             shares.append(0.5 * (found.area[tight[0] - 1] + found.area[tight[0]]) / surface.area)
-    assert np.mean(shares) == pytest.approx(0.415, abs=0.04)
+    assert np.mean(shares) == pytest.approx(0.415, abs=0.03)

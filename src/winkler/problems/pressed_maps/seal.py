@@ -20,7 +20,7 @@ from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.pressed_maps.seal_notes import seal_notes
-from winkler.problems.pressed_maps.seal_states import FilmPassage, gap_of, passage
+from winkler.problems.pressed_maps.seal_states import FilmPassage, factor_of, gap_of, passage
 from winkler.problems.pressed_maps.two_grids import on_every_second_point, refuse_without_second_points
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.rough.surface_notes import YASTREBOV
@@ -132,8 +132,8 @@ class Seal:
             column((leak * np.abs(rate - np.array(coarse))).tolist()),
             column([leak * y.flow.rate for _, y in rows]),
             column([leak * x.medium for x, _ in rows]),
-            column([x.factor for x, _ in rows]),
-            column([y.factor for _, y in rows]),
+            column([factor_of(x) for x, _ in rows]),
+            column([factor_of(y) for _, y in rows]),
             column([x.way.gap for x, _ in rows]),
             column([y.way.gap for _, y in rows]),
             column([max(x.flow.imbalance, y.flow.imbalance) for x, y in rows]),
@@ -177,14 +177,6 @@ class SealSolution:
     __words__ = words(
         contact=("", None, "the contact by boundary elements"),
         area_error=(r"\Delta A", "m^2", "change of the area from every second point of the map"),
-        leak_rate=("Q", "m^3/s", "volume of fluid per time that flows along x"),
-        leak_rate_error=(r"\Delta Q", "m^3/s", "change of the leak rate from every second point of the map"),
-        lateral_leak_rate=("Q_y", "m^3/s", "volume of fluid per time under the same pressure along y"),
-        medium_leak_rate=("Q_e", "m^3/s", "leak rate along x by Bruggeman's effective medium"),
-        flow_factor=(r"\phi_x", "", "flow along x over that of the mean gap"),
-        lateral_flow_factor=(r"\phi_y", "", "flow along y over that of the mean gap"),
-        critical_gap=("h_c", "m", "narrowest place of the widest way along x"),
-        lateral_critical_gap=("h_{c,y}", "m", "narrowest place of the widest way along y"),
         imbalance=(r"\epsilon_Q", "", "difference of the flows in and out, over their mean"),
     )
 

@@ -12,7 +12,7 @@ from winkler.numerics.films.thin_film import FilmFlow, film_flow
 from winkler.numerics.types import Array
 from winkler.profiles.rough.topography import Topography
 
-__all__ = ["FilmPassage", "gap_of", "passage"]
+__all__ = ["FilmPassage", "factor_of", "gap_of", "passage"]
 
 
 class FilmPassage(NamedTuple):
@@ -35,10 +35,10 @@ class FilmPassage(NamedTuple):
     even: float
     medium: float
 
-    @property
-    def factor(self) -> float:
-        """Flow over that of the mean gap; zero where no film is left."""
-        return self.flow.rate / self.even if self.even > 0.0 else 0.0
+
+def factor_of(found: FilmPassage) -> float:
+    """Return the flow over that of the mean gap; zero where no film is left."""
+    return found.flow.rate / found.even if found.even > 0.0 else 0.0
 
 
 def gap_of(pressure: Array, separation: Array) -> Array:

@@ -160,9 +160,6 @@ class TrueAreaSolution:
         contact=("", None, "the contact by boundary elements"),
         area_error=(r"\Delta A", "m^2", "change of the area from every second point of the map"),
         peak_pressure=(r"p_\mathrm{max}", "Pa", "greatest pressure of a pixel"),
-        peak_pressure_error=(r"\Delta p_\mathrm{max}", "Pa", "its change from every second point of the map"),
-        patch_count=("n", "", "number of patches of contact"),
-        largest_patch=("A_1", "m^2", "area of the largest patch of contact"),
     )
 
     problem: TrueArea
