@@ -86,7 +86,7 @@ def test_fluid_that_would_lift_the_body_is_flagged():
     contact = SurfaceContact(rough(), STEEL, Force(30.0))
     notes = {drop: Seal(contact, 1e-3, drop).solve().validity for drop in (1e5, 1e8)}
     standing = {
-        drop: next(note.standing for note in found if note.assumption is Assumption.UNCOUPLED)
+        drop: next(note.standing for note in found if note.assumption is Assumption.EQUILIBRIUM)
         for drop, found in notes.items()
     }
     assert standing == {1e5: Standing.ASYMPTOTIC, 1e8: Standing.OUTSIDE}

@@ -84,7 +84,7 @@ class Seal:
     pressure_drop: Positive
 
     references: ClassVar[tuple[str, ...]] = ("patir_cheng_1978", "dapp_2012", "polonsky_keer_1999")
-    assumptions: ClassVar[frozenset[Assumption]] = MAPPED | {Assumption.UNCOUPLED}
+    assumptions: ClassVar[frozenset[Assumption]] = MAPPED
 
     def __post_init__(self) -> None:
         refuse_without_second_points("Seal", self.contact)

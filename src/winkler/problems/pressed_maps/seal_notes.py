@@ -49,10 +49,10 @@ def seal_notes(
             PATIR,
         ),
         Note(
-            Assumption.UNCOUPLED,
+            Assumption.EQUILIBRIUM,
             standing_of(squeeze, SMALL_SQUEEZE, LARGE_SQUEEZE),
-            f"The fluid does not press the bodies apart: its pressure is up to {squeeze:.2g} of the mean pressure of "
-            "the contact.",
+            "The bodies are in equilibrium without the fluid, which does not press them apart: its pressure is up to "
+            f"{squeeze:.2g} of the mean pressure of the contact.",
             "comparison of both pressures",
         ),
         Note(
