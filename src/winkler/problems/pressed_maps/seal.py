@@ -14,7 +14,8 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Positive
+from winkler.checks.number_checks import Positive, affordable
+from winkler.limits import MOST_FILM_PIXELS
 from winkler.numerics.films.thin_film import FilmFlow
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import numbers_of
@@ -47,8 +48,8 @@ class Seal:
     Raises
     ------
     InvalidInput
-        If a number is not positive, or the map has fewer than eight pixels along a side, or is periodic with an odd
-        number of them.
+        If a number is not positive, or the map has more than 2048 x 2048 pixels or fewer than eight along a side, or is
+        periodic with an odd number of them.
 
     References
     ----------
@@ -87,6 +88,7 @@ class Seal:
     assumptions: ClassVar[frozenset[Assumption]] = MAPPED
 
     def __post_init__(self) -> None:
+        affordable("Seal", "pixels", self.contact.topography.heights.size, MOST_FILM_PIXELS)
         refuse_without_second_points("Seal", self.contact)
 
     def solve(self) -> SealSolution:
