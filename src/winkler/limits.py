@@ -20,6 +20,7 @@ __all__ = [
     "MEASURED_PLACES",
     "MEASURED_TIMES",
     "MOST_CURVES",
+    "MOST_FILM_PIXELS",
     "MOST_HOLES",
     "MOST_NUMBERS",
     "MOST_SPRINGS",
@@ -67,6 +68,8 @@ PATH_POINTS = 10_000_000
 """Points of a path."""
 MADE_PIXELS = 2**24
 """Pixels of a map that is made at random: 4096 x 4096."""
+MOST_FILM_PIXELS = 2**22
+"""Pixels of a thin film through which a fluid flows: 2048 x 2048, some minutes and 8 GiB."""
 MOST_SPRINGS = 2**20
 """Springs, samples and realisations of a problem,"""
 RELAXING_SPRINGS = 50_000

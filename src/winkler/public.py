@@ -144,6 +144,7 @@ from winkler.profiles.pyramids.rounded_pyramid import RoundedPyramid
 from winkler.profiles.roller_ends import CrownedEnds, LogarithmicEnds, RoundedEnds, SharpEnds
 from winkler.profiles.rough.line_scan import LineScan
 from winkler.profiles.rough.map_spectrum import spectrum_of
+from winkler.profiles.rough.map_statistics import MapStatistics, bearing_heights, correlation_length, map_statistics
 from winkler.profiles.rough.random_rough import random_topography
 from winkler.profiles.rough.random_surface import RandomTopography
 from winkler.profiles.rough.sampled_profile import SampledProfile
@@ -177,8 +178,8 @@ __all__ = [
     "GroupRatio", "HalfSpace", "HalfWidth", "HeatConductors", "HeldForce", "Hold", "Hyperboloid",
     "IndentationQuantities", "IndenterCalibration", "InvalidInput", "JointFit", "KelvinVoigt", "Layer",
     "LayeredLineFoundation", "LineForce", "LineFoundation", "LineOfAction", "LineScan", "LineShearForce",
-    "LinearSlipWeakening", "LogarithmicEnds", "Maxwell", "MeanPressure", "Measured", "MeasuredBed", "MeasuredSection",
-    "MirroredSection", "Moment", "NamedElastic", "NamedElectricalConductor", "NamedMaterial",
+    "LinearSlipWeakening", "LogarithmicEnds", "MapStatistics", "Maxwell", "MeanPressure", "Measured", "MeasuredBed",
+    "MeasuredSection", "MirroredSection", "Moment", "NamedElastic", "NamedElectricalConductor", "NamedMaterial",
     "NamedThermalConductor", "Nanoindentation", "NanoindentationSolution", "NominalPressure", "NotConverged", "Note",
     "OliverPharr", "OliverPharrSolution", "Oscillate", "OutsideValidity", "PairWear", "Paraboloid", "Path",
     "PeakStress", "PlacedCurve", "PlacedStress", "PlaneFoundation", "Plated", "PopInStatistics", "Population",
@@ -192,13 +193,14 @@ __all__ = [
     "ThermalDrift", "ThermalInterface", "Tilt", "Topography", "Torque", "TransverselyIsotropic",
     "TransverselyIsotropicHalfSpace", "TruncatedCone", "TruncatedParaboloid", "Vickers", "ViscoelasticFit",
     "ViscoelasticHalfSpace", "Voltage", "Wavy", "WiedemannFranz", "WilliamsLandelFerry", "WinklerError", "ZeroPoint",
-    "calibrate_indenter", "calibration_shares", "compare", "compare_terms", "contact_reading", "depth_scaling",
-    "first_yield_stress", "fit", "fit_poroelastic", "fit_steps", "fit_together", "found_drift", "found_zero_point",
-    "indentation_quantities", "intercept_factor", "material", "material_names", "over_depth", "peak_stress",
-    "pop_in_statistics", "population", "random_topography", "ratio_of", "read_bed", "read_contacts", "read_creep",
-    "read_cross_profile", "read_curve", "read_curves", "read_dynamic", "read_dynamic_sweeps", "read_grading",
-    "read_indenter", "read_path", "read_profile", "read_profile_pair", "read_relaxation", "read_relaxation_sweeps",
-    "read_scan", "read_section", "read_spectrum", "read_surface_load", "read_topography", "relaxation_band",
-    "repeated_mean", "restore", "restore_body", "restore_shift", "sample_young", "spectrum_of", "staircase",
-    "to_pandas", "to_xarray", "write_contacts", "write_indenter", "write_law", "write_trace", "write_vtk",
+    "bearing_heights", "calibrate_indenter", "calibration_shares", "compare", "compare_terms", "contact_reading",
+    "correlation_length", "depth_scaling", "first_yield_stress", "fit", "fit_poroelastic", "fit_steps", "fit_together",
+    "found_drift", "found_zero_point", "indentation_quantities", "intercept_factor", "map_statistics", "material",
+    "material_names", "over_depth", "peak_stress", "pop_in_statistics", "population", "random_topography", "ratio_of",
+    "read_bed", "read_contacts", "read_creep", "read_cross_profile", "read_curve", "read_curves", "read_dynamic",
+    "read_dynamic_sweeps", "read_grading", "read_indenter", "read_path", "read_profile", "read_profile_pair",
+    "read_relaxation", "read_relaxation_sweeps", "read_scan", "read_section", "read_spectrum", "read_surface_load",
+    "read_topography", "relaxation_band", "repeated_mean", "restore", "restore_body", "restore_shift", "sample_young",
+    "spectrum_of", "staircase", "to_pandas", "to_xarray", "write_contacts", "write_indenter", "write_law",
+    "write_trace", "write_vtk",
 ]  # fmt: skip

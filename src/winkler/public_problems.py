@@ -60,6 +60,8 @@ from winkler.problems.particles.elastic_plastic import ElasticPlasticParticle, P
 from winkler.problems.particles.impacts import BallImpacts, BallImpactsSolution
 from winkler.problems.particles.trace import ContactTrace
 from winkler.problems.poroelastic.held import PoroelasticRelaxation, PoroelasticSolution
+from winkler.problems.pressed_maps.seal import Seal, SealSolution
+from winkler.problems.pressed_maps.true_area import TrueArea, TrueAreaSolution
 from winkler.problems.profile_pair.pair_rolling import ProfilePairRolling, ProfilePairRollingSolution
 from winkler.problems.profile_pair.patch import ProfilePatch
 from winkler.problems.profile_pair.profile_pair import ProfilePair, ProfilePairSolution
@@ -132,17 +134,18 @@ __all__ = [
     "ReducedFriction", "ReducedFrictionSolution", "Reduction", "ReductionSolution", "RelaxationDamper",
     "RelaxationDamperSolution", "RelaxationSpectrum", "RelaxationTest", "RolledPatch", "RollerCentre", "RollerContact",
     "RollerSolution", "Rolling", "RollingSolution", "RollingStart", "RollingStartSolution", "RoughContact",
-    "RoughContactSolution", "RoughIndentation", "RoughIndentationSolution", "RoughLine", "SimplifiedRolling",
-    "SimplifiedRollingSolution", "SlidingResistance", "SlidingResistanceSolution", "SlidingSolution", "SlidingWear",
-    "SpectrumSolution", "Spin", "SpotCluster", "SpotClusterSolution", "SpringMarch", "SpringTrace", "SurfaceConduction",
-    "SurfaceConductionSolution", "SurfaceContact", "SurfaceContactSolution", "SurfaceFrictionHeating",
-    "SurfaceFrictionHeatingSolution", "SurfaceLoad", "SurfaceRolling", "SurfaceRollingHeating",
-    "SurfaceRollingHeatingSolution", "SurfaceRollingSolution", "SurfaceRollingStart", "SurfaceRollingStartSolution",
-    "SurfaceTangential", "SurfaceTangentialSolution", "Tangential", "TangentialSolution", "ThermalConstriction",
-    "ThermalConstrictionSolution", "Torsion", "TorsionSolution", "TransientHeating", "TransientHeatingSolution",
-    "TwistedFields", "Uncalibrated", "ViscoelasticAdhesion", "ViscoelasticAdhesionSolution", "ViscoelasticImpact",
-    "ViscoelasticImpactSolution", "ViscoelasticIndentation", "ViscoelasticSolution", "ViscoelasticTangential",
-    "ViscoelasticTangentialSolution", "YieldOnset", "YieldOnsetSolution", "area_fraction", "creep_coefficients",
-    "design_for_pressure", "design_profile", "linear_creep_coefficients", "maugis_parameter", "mean_separation",
-    "pyramid_layer_error", "reduce", "restore_conduction", "tabor_parameter", "which_model",
+    "RoughContactSolution", "RoughIndentation", "RoughIndentationSolution", "RoughLine", "Seal", "SealSolution",
+    "SimplifiedRolling", "SimplifiedRollingSolution", "SlidingResistance", "SlidingResistanceSolution",
+    "SlidingSolution", "SlidingWear", "SpectrumSolution", "Spin", "SpotCluster", "SpotClusterSolution", "SpringMarch",
+    "SpringTrace", "SurfaceConduction", "SurfaceConductionSolution", "SurfaceContact", "SurfaceContactSolution",
+    "SurfaceFrictionHeating", "SurfaceFrictionHeatingSolution", "SurfaceLoad", "SurfaceRolling",
+    "SurfaceRollingHeating", "SurfaceRollingHeatingSolution", "SurfaceRollingSolution", "SurfaceRollingStart",
+    "SurfaceRollingStartSolution", "SurfaceTangential", "SurfaceTangentialSolution", "Tangential", "TangentialSolution",
+    "ThermalConstriction", "ThermalConstrictionSolution", "Torsion", "TorsionSolution", "TransientHeating",
+    "TransientHeatingSolution", "TrueArea", "TrueAreaSolution", "TwistedFields", "Uncalibrated", "ViscoelasticAdhesion",
+    "ViscoelasticAdhesionSolution", "ViscoelasticImpact", "ViscoelasticImpactSolution", "ViscoelasticIndentation",
+    "ViscoelasticSolution", "ViscoelasticTangential", "ViscoelasticTangentialSolution", "YieldOnset",
+    "YieldOnsetSolution", "area_fraction", "creep_coefficients", "design_for_pressure", "design_profile",
+    "linear_creep_coefficients", "maugis_parameter", "mean_separation", "pyramid_layer_error", "reduce",
+    "restore_conduction", "tabor_parameter", "which_model",
 ]  # fmt: skip

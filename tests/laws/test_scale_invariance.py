@@ -75,6 +75,7 @@ ROUNDED: dict[tuple[str, str], Rounded] = {
     **{("EllipticYieldOnsetSolution", name): PLACE for name in "xyz"},
     ("SurfaceContactSolution", "penetration"): ERROR,
     ("SurfaceContactSolution", "misfit"): ERROR,
+    ("SealSolution", "imbalance"): ERROR,
     ("LineProfileSolution", "strip_error"): ERROR,
     ("LineProfileSolution", "line_of_action"): Rounded(1e-13, "zero of an even section", beside="contact_length"),
     **{

@@ -26,6 +26,7 @@ from winkler.plot.rough import (  # noqa: F401
     ellipse,
     lines,
     pair_rolling,
+    pressed_maps,
     profile_pair,
     reduced_friction,
     roughness,

@@ -79,9 +79,34 @@ def conduction_of_a_map(problem: dict) -> dict:
     return {"conductance": 4 * a / sum(number(pair[which]["resistivity"]) for which in ("first", "second"))}
 
 
+def true_area_of_a_ball(problem: dict) -> dict:
+    """Hertz with the radius 1 m of the map."""
+    depth = number(problem["contact"]["load"]["depth"])
+    return {"area": mp.pi * depth, "peak_pressure": 2 * mp.sqrt(depth) / mp.pi, "patch_count": mp.mpf(1)}
+
+
+def seal_of_grooves(problem: dict) -> dict:
+    """Westergaard's wave of the height 0.01 m: the integral of the slope of its gap, and the cubic law."""
+    height = mp.mpf("0.01")
+    c = number(problem["contact"]["load"]["force"]) / (mp.pi * height)
+    b = mp.asin(mp.sqrt(c))
+
+    def gap(t):
+        u = max(mp.sin(t) ** 2, c)  # rounding at the edge
+        return 2 * height * (mp.sqrt(u * (u - c)) - c * mp.log((mp.sqrt(u) + mp.sqrt(u - c)) / mp.sqrt(c)))
+
+    def moment(power):
+        width = mp.pi / 2 - b  # s^2, as the gap begins with a power of 3/2
+        return 2 / mp.pi * mp.quad(lambda s: gap(b + width * s**2) ** power * 2 * s * width, [0, 0.5, 1])
+
+    mean, cube = moment(1), moment(3)
+    drop, viscosity = number(problem["pressure_drop"]), number(problem["viscosity"])
+    return {"leak_rate": cube * drop / (12 * viscosity), "mean_gap": mean, "flow_factor": cube / mean**3}
+
+
 RECOMPUTED = (
     jkr_equilibria, jkr_slow_peeling, fretting_heat_rate, elastomer_one_wave, rough_indentation_smooth,
-    reduction_of_a_ball, conduction_of_a_map,
+    reduction_of_a_ball, conduction_of_a_map, true_area_of_a_ball, seal_of_grooves,
 )  # fmt: skip
 
 

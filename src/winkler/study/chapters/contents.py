@@ -18,6 +18,7 @@ from winkler.study.chapters.lines.line_profiles import LINE_PROFILES
 from winkler.study.chapters.lines.line_rolling import LINE_ROLLING
 from winkler.study.chapters.lines.line_viscoelastic import LINE_VISCOELASTIC
 from winkler.study.chapters.lines.line_wear import LINE_WEAR
+from winkler.study.chapters.maps.pressed_maps import PRESSED_MAPS
 from winkler.study.chapters.materials.master_curves import MASTER_CURVES
 from winkler.study.chapters.materials.poroelastic import POROELASTIC
 from winkler.study.chapters.normal import NORMAL, normal_formulas
@@ -56,6 +57,7 @@ CHAPTERS: tuple[Chapter, ...] = (
     WEAR,
     LINE_WEAR,
     ROUGH,
+    PRESSED_MAPS,
     SUBSURFACE,
     PROFILE_PAIR,
     SURFACE_FRICTION,

@@ -6,6 +6,8 @@ from typing import Any
 
 import numpy as np
 
+from winkler.problems.pressed_maps.seal import SealSolution
+from winkler.problems.pressed_maps.true_area import TrueAreaSolution
 from winkler.problems.rough.surface_conduction import SurfaceConductionSolution
 from winkler.problems.rough.surface_contact import SurfaceContactSolution
 from winkler.problems.rough.surface_states import SurfaceState
@@ -18,7 +20,7 @@ __all__ = ["add_maps"]
 
 MOST_MAPS = 256
 """Points of a sweep up to which maps are stored; of longer ones only numbers."""
-SOLUTIONS_WITH_MAPS = (SurfaceContactSolution, SurfaceConductionSolution)
+SOLUTIONS_WITH_MAPS = (SurfaceContactSolution, SurfaceConductionSolution, SealSolution, TrueAreaSolution)
 MAP_QUANTITIES = ("pressure", "separation")
 
 
@@ -48,6 +50,7 @@ def add_maps(outcome: Outcome, dims: tuple[str, ...], variables: dict[str, Any],
             coords[name] = ((name,), places, netcdf_attributes(entry))
 
 
-def _contact(solution: SurfaceContactSolution | SurfaceConductionSolution) -> SurfaceContactSolution:
+def _contact(solution: Any) -> SurfaceContactSolution:
     """Return the contact of a height map in a solution."""
-    return solution.contact if isinstance(solution, SurfaceConductionSolution) else solution
+    contact: SurfaceContactSolution = getattr(solution, "contact", solution)
+    return contact

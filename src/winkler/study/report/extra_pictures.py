@@ -10,7 +10,11 @@ from winkler.study.chapters.kind import is_a
 
 __all__ = ["ExtraPicture", "extra_pictures"]
 
-CONDUCTION_SOLUTION = "winkler.problems.rough.surface_conduction:SurfaceConductionSolution"
+HOLD_A_CONTACT = (
+    "winkler.problems.rough.surface_conduction:SurfaceConductionSolution",
+    "winkler.problems.pressed_maps.seal:SealSolution",
+    "winkler.problems.pressed_maps.true_area:TrueAreaSolution",
+)
 REDUCED_BED = "winkler.problems.rough.reduced_bed:ReducedBed"
 HEIGHT_MAP = "winkler.profiles.rough.topography:Topography"
 SURFACE_CAPTION = Caption(
@@ -30,7 +34,7 @@ class ExtraPicture(NamedTuple):
 def extra_pictures(solution: Any) -> tuple[ExtraPicture, ...]:
     """Return the additional pictures of a solution; empty for most solutions."""
     problem: Any = getattr(solution, "problem", None)
-    contact = solution.contact if is_a(solution, CONDUCTION_SOLUTION) else None
+    contact = solution.contact if is_a(solution, *HOLD_A_CONTACT) else None
     bed: Any = getattr(problem, "bed", None)
     rough = getattr(problem if contact is None else contact.problem, "topography", None)
     if is_a(bed, REDUCED_BED):

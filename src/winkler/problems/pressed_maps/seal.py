@@ -1,0 +1,233 @@
+r"""A height map pressed against a flat, and the fluid that leaks between them.
+
+The film between the bodies is as wide as the gap h of the contact, and zero where they touch; Reynolds' equation
+
+.. math:: \nabla\cdot\left(\frac{h^3}{12\eta}\,\nabla p\right) = 0
+
+is solved on its pixels between two opposite sides of the map.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.checks.number_checks import Positive, affordable
+from winkler.limits import MOST_FILM_PIXELS
+from winkler.numerics.films.thin_film import FilmFlow
+from winkler.numerics.types import Array, Quantity, shaped
+from winkler.path import numbers_of
+from winkler.problems.assumptions.declared import MAPPED
+from winkler.problems.pressed_maps.seal_notes import seal_notes
+from winkler.problems.pressed_maps.seal_states import FilmPassage, factor_of, gap_of, passage
+from winkler.problems.pressed_maps.two_grids import on_every_second_point, refuse_without_second_points
+from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
+from winkler.problems.rough.surface_notes import YASTREBOV
+from winkler.problems.rough.surface_states import SurfaceState
+from winkler.validity import Assumption, Note
+from winkler.values import value, words
+
+__all__ = ["Seal", "SealSolution"]
+
+
+@value
+class Seal:
+    """A height map pressed against a flat, and the fluid that leaks between them.
+
+    Parameters
+    ----------
+    contact : SurfaceContact
+        How they are pressed together.
+    viscosity : float
+        Of the fluid, dynamic [Pa s].
+    pressure_drop : float
+        Between two opposite sides of the map [Pa].
+
+    Raises
+    ------
+    InvalidInput
+        If a number is not positive, or the map has more than 2048 x 2048 pixels or fewer than eight along a side, or is
+        periodic with an odd number of them.
+
+    References
+    ----------
+    N. Patir, H. S. Cheng, J. Lubr. Technol. 100 (1978) 12-17, doi:10.1115/1.3453103; W. B. Dapp, A. Luecke,
+    B. N. J. Persson, M. H. Mueser, Phys. Rev. Lett. 108 (2012) 244301, doi:10.1103/PhysRevLett.108.244301
+
+    Examples
+    --------
+    Grooves that are hardly pressed, water under 1 bar: along them it flows with the mean cube of the gap, across them
+    with its harmonic mean, which is zero where they touch.
+
+    >>> import numpy as np
+    >>> from winkler.loading import Force
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.rough.topography import Topography
+    >>> y = np.arange(64) / 64
+    >>> grooves = Topography(1e-6 * np.cos(2.0 * np.pi * y) + 0.0 * y[:, None], [1e-3, 1e-3], periodic=True)
+    >>> contact = SurfaceContact(grooves, HalfSpace(Elastic(210e9, 0.3)), Force(1.0))
+    >>> seal = Seal(contact, viscosity=1e-3, pressure_drop=1e5).solve()
+    >>> round(seal.flow_factor, 1), seal.lateral_flow_factor
+    (2.5, 0.0)
+    """
+
+    __words__ = words(
+        contact=("", None, "how the surface is pressed"),
+        viscosity=(r"\eta", "Pa s", "dynamic viscosity of the fluid"),
+        pressure_drop=(r"\Delta p", "Pa", "pressure of the fluid between two opposite sides"),
+    )
+
+    contact: SurfaceContact
+    viscosity: Positive
+    pressure_drop: Positive
+
+    references: ClassVar[tuple[str, ...]] = ("patir_cheng_1978", "dapp_2012", "polonsky_keer_1999")
+    assumptions: ClassVar[frozenset[Assumption]] = MAPPED
+
+    def __post_init__(self) -> None:
+        affordable("Seal", "pixels", self.contact.topography.heights.size, MOST_FILM_PIXELS)
+        refuse_without_second_points("Seal", self.contact)
+
+    def solve(self) -> SealSolution:
+        """Return the leak under every load.
+
+        Raises
+        ------
+        InvalidInput
+            If every second height of a periodic map is the same.
+        NotConverged
+            If a contact is not solved to its tolerance.
+        """
+        rows: list[tuple[FilmPassage, FilmPassage]] = []
+
+        def watched() -> Iterator[SurfaceState]:
+            for state in self.contact.steps():
+                gap = gap_of(state.pressure, state.separation)
+                rows.append((_passage(gap, self.contact, False), _passage(gap, self.contact, True)))
+                yield state
+
+        contact = self.contact.gathered(watched())
+        second = on_every_second_point(self.contact, contact.force)
+        coarse: list[float] = []
+
+        def watched_again() -> Iterator[SurfaceState]:
+            for state in second.steps():
+                coarse.append(_passage(gap_of(state.pressure, state.separation), second, False).flow.rate)
+                yield state
+
+        area = second.gathered(watched_again()).area
+        shape = numbers_of(self.contact.load).shape
+        leak = self.pressure_drop / (12.0 * self.viscosity)
+
+        def column(numbers: list[float]) -> Quantity:
+            return shaped(np.array(numbers).reshape(shape))
+
+        rate = np.array([x.flow.rate for x, _ in rows])
+        return SealSolution(
+            self, contact,
+            *(contact.depth, contact.force, contact.area),
+            *(shaped(np.abs(np.asarray(contact.area) - area)), contact.mean_gap),
+            column([leak * x.flow.rate for x, _ in rows]),
+            column((leak * np.abs(rate - np.array(coarse))).tolist()),
+            column([leak * y.flow.rate for _, y in rows]),
+            column([leak * x.medium for x, _ in rows]),
+            column([factor_of(x) for x, _ in rows]),
+            column([factor_of(y) for _, y in rows]),
+            column([x.way.gap for x, _ in rows]),
+            column([y.way.gap for _, y in rows]),
+            column([max(x.flow.imbalance, y.flow.imbalance) for x, y in rows]),
+        )  # fmt: skip
+
+
+def _passage(gap: Array, contact: SurfaceContact, lateral: bool) -> FilmPassage:
+    return passage(gap, contact.topography, lateral=lateral)
+
+
+@value
+class SealSolution:
+    """The solution of a `Seal`; quantities have the shape of the load.
+
+    Parameters
+    ----------
+    problem : Seal
+        The problem that was solved.
+    contact : SurfaceContactSolution
+        The contact, with its maps under the last load.
+    depth, force, area, mean_gap : float or ndarray
+        As in `SurfaceContactSolution` [m], [N], [m^2], [m].
+    area_error : float or ndarray
+        By how much the area differs from that on every second point of the map [m^2].
+    leak_rate : float or ndarray
+        Volume per time that flows along x through the whole map [m^3/s]; zero where no way leads through.
+    leak_rate_error : float or ndarray
+        By how much it differs from that on every second point of the map [m^3/s].
+    lateral_leak_rate : float or ndarray
+        The same flow along y [m^3/s].
+    medium_leak_rate : float or ndarray
+        Along x by Bruggeman's effective medium of the gaps [m^3/s]: of isotropic maps, zero if half of the map touches.
+    flow_factor, lateral_flow_factor : float or ndarray
+        Flow along x and y over that of a film of the mean gap everywhere (Patir and Cheng).
+    critical_gap, lateral_critical_gap : float or ndarray
+        Narrowest place of the widest way along x and y [m]; zero where no way leads through.
+    imbalance : float or ndarray
+        Difference of the flows in and out over their mean, the greater of both directions.
+    """
+
+    __words__ = words(
+        contact=("", None, "the contact by boundary elements"),
+        area_error=(r"\Delta A", "m^2", "change of the area from every second point of the map"),
+        imbalance=(r"\epsilon_Q", "", "difference of the flows in and out, over their mean"),
+    )
+
+    problem: Seal
+    contact: SurfaceContactSolution
+    depth: Quantity
+    force: Quantity
+    area: Quantity
+    area_error: Quantity
+    mean_gap: Quantity
+    leak_rate: Quantity
+    leak_rate_error: Quantity
+    lateral_leak_rate: Quantity
+    medium_leak_rate: Quantity
+    flow_factor: Quantity
+    lateral_flow_factor: Quantity
+    critical_gap: Quantity
+    lateral_critical_gap: Quantity
+    imbalance: Quantity
+
+    def last_passage(self, *, lateral: bool = False) -> FilmPassage:
+        """Return the film under the last load along x, or y: its flow per pressure over 12 viscosities, its way."""
+        state = self.contact.last
+        return _passage(gap_of(state.pressure, state.separation), self.problem.contact, lateral)
+
+    def fluid_pressure(self) -> Array:
+        """Return the pressure of the fluid under the last load [Pa], (nx, ny), with the drop along x; nan where none
+        flows through.
+        """
+        return np.asarray(self.problem.pressure_drop * self.last_flow().pressure)
+
+    def last_flow(self) -> FilmFlow:
+        """Return the flow along x under the last load, for a pressure drop of one over 12 viscosities."""
+        return self.last_passage().flow
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted: the contact, the film, its grid, the pressure of the fluid."""
+        stated = self.problem
+        rough = stated.contact.topography
+        return (
+            *(note for note in self.contact.validity if note.source != YASTREBOV),
+            *seal_notes(
+                area=float(np.max(np.asarray(self.area_error) / self.area)),
+                squeeze=stated.pressure_drop * rough.area / float(np.min(self.force)),
+                leak=np.ravel(np.asarray(self.leak_rate)),
+                change=np.ravel(np.asarray(self.leak_rate_error)),
+                narrow=np.ravel(np.asarray(self.critical_gap)),
+                overlap=np.ravel(np.asarray(self.contact.penetration) * np.asarray(self.depth)),
+                periodic=rough.periodic,
+            ),
+        )

@@ -1,0 +1,58 @@
+"""A contact solved again on every second point of its map: what changes is an estimate of the error of the grid."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.loading import Force
+from winkler.numerics.types import Quantity
+from winkler.problems.rough.surface_contact import SurfaceContact
+from winkler.profiles.rough.topography import Topography
+
+__all__ = ["on_every_second_point", "refuse_without_second_points"]
+
+FEWEST_PIXELS = 8
+"""Along a side, so that four are left."""
+
+
+def refuse_without_second_points(owner: str, contact: SurfaceContact) -> None:
+    """Raise if a map has no second grid.
+
+    Raises
+    ------
+    InvalidInput
+        If the map has fewer than eight pixels along a side, or is periodic and has an odd number of them.
+    """
+    shape = contact.topography.heights.shape
+    if min(shape) < FEWEST_PIXELS:
+        raise InvalidInput(
+            f"{owner}: the map has {shape[0]} x {shape[1]} pixels; its error is estimated on every second point, give "
+            f"{FEWEST_PIXELS} or more along each side."
+        )
+    if contact.topography.periodic and (shape[0] % 2 or shape[1] % 2):
+        raise InvalidInput(
+            f"{owner}: every second point of a periodic map of {shape[0]} x {shape[1]} pixels is not periodic; give "
+            "even numbers of pixels."
+        )
+
+
+def on_every_second_point(contact: SurfaceContact, force: Quantity) -> SurfaceContact:
+    """Return the contact of every second point of a map, under the forces found on all of them.
+
+    Raises
+    ------
+    InvalidInput
+        If these points are flat.
+    """
+    rough = contact.topography
+    heights = rough.heights[::2, ::2]
+    if rough.periodic and float(np.ptp(heights)) == 0.0:
+        raise InvalidInput(
+            "Topography: every second height of the periodic map is the same, its roughness is one pixel wide; give a "
+            "map whose shortest waves are four pixels and longer."
+        )
+    lengths = 2.0 * np.array(rough.pixel) * heights.shape
+    return dataclasses.replace(contact, topography=Topography(heights, lengths, rough.periodic), load=Force(force))

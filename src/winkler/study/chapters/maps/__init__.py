@@ -1,0 +1,1 @@
+"""Height maps looked at more closely: true areas and seals."""

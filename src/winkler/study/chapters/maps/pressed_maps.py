@@ -1,0 +1,72 @@
+"""True areas, patches and leak of pressed height maps: their problems and formulas."""
+
+from __future__ import annotations
+
+from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
+from winkler.study.chapters.rough import ELEMENTS, STAMP
+
+__all__ = ["PRESSED_MAPS"]
+
+PRESSED = {"kind": "surface_contact", "topography": {**STAMP, "seed": 1}}
+
+CORRECTED = Equation(
+    "Pixels that touch are counted, and what they count too much along their edge of the length S is taken off "
+    "(Yastrebov)",
+    r"A = A_{pixels}-\frac{\pi-1+\ln 2}{24}\,S\,\Delta x",
+)
+TWO_GRIDS = Equation(
+    "Its error is the change from the contact of every second point of the map",
+    r"\Delta A = |A(\Delta x)-A(2\Delta x)|",
+)
+REYNOLDS = Equation(
+    "The fluid flows through the gap h by Reynolds' equation",
+    r"q_i = -\frac{h^3}{12\eta}\,\frac{\partial p}{\partial x_i}, "
+    r"\quad \frac{\partial q_x}{\partial x}+\frac{\partial q_y}{\partial y} = 0",
+)
+FACTOR = Equation(
+    "The flow factor compares it with a film of the mean gap everywhere (Patir and Cheng)",
+    r"\phi_x = \frac{12\eta L_x Q}{L_y\,\bar{u}^3\,\Delta p}",
+)
+MEDIUM = Equation(
+    "Bruggeman's effective medium of the gaps needs only their distribution",
+    r"\left\langle\frac{h^3-s}{h^3+s}\right\rangle = 0, \quad Q_e = \frac{L_y\,s\,\Delta p}{12\eta L_x}",
+)
+
+PRESSED_MAPS = Chapter(
+    "true areas and seals",
+    kinds={},
+    answers={
+        "true_area": answer(
+            "winkler.problems.pressed_maps.true_area:TrueArea",
+            headline=("area", "area_error", "peak_pressure", "patch_count"),
+            contact=PRESSED,
+            picture=Caption(
+                "patches",
+                "Patches of contact, gaps and pressures",
+                "The patches in the colours of their areas, the distributions of gap and pressure, and how large the "
+                "patches are under the last load; of many loads also area and greatest pressure, each with the change "
+                "from every second point of the map.",
+            ),
+            curves=(("force", "area"), ("force", "peak_pressure"), ("force", "patch_count"), ("force", "mean_gap")),
+            pictured=PicturedContact.NONE,
+            formulas=(ELEMENTS, CORRECTED, TWO_GRIDS),
+        ),
+        "seal": answer(
+            "winkler.problems.pressed_maps.seal:Seal",
+            headline=("leak_rate", "leak_rate_error", "flow_factor", "critical_gap"),
+            contact=PRESSED,
+            viscosity="1 mPa s",
+            pressure_drop="100 kPa",
+            picture=Caption(
+                "leak",
+                "What leaks through the gap",
+                "The gap under the last load with the flow along x and the narrowest place of the widest way, the "
+                "pressure of the fluid, and the distribution of the gap; of many loads also leak rate and flow "
+                "factors.",
+            ),
+            curves=(("force", "leak_rate"), ("force", "flow_factor"), ("force", "critical_gap")),
+            pictured=PicturedContact.NONE,
+            formulas=(ELEMENTS, REYNOLDS, FACTOR, MEDIUM),
+        ),
+    },
+)
