@@ -72,6 +72,7 @@ from winkler.io.topography_file import read_topography
 from winkler.io.traces import write_trace
 from winkler.io.vtk import write_vtk
 from winkler.laws.adhesion import DerjaguinMullerToporov, Dugdale, ShortRange
+from winkler.laws.attraction import ExponentialAttraction, LennardJones
 from winkler.laws.crack import RateDependentWork, SaturatingWork
 from winkler.laws.current import Current, Voltage, WiedemannFranz
 from winkler.laws.film import SurfaceFilm, ThermalInterface
@@ -171,12 +172,13 @@ __all__ = [
     "CrossProfile", "CrownedEnds", "CubeCorner", "Current", "CurveEvent", "CurveEvents", "CurvedBodies", "CurvedPair",
     "Cylinder", "CylinderRow", "Depth", "DepthGradedHalfSpace", "DepthScaling", "DepthSeries", "DerjaguinMullerToporov",
     "Designed", "Dugdale", "DynamicData", "DynamicSweeps", "Elastic", "ElectricalConductor", "ElectricalConductors",
-    "Ellipsoid", "EllipticFoundation", "EqualMaximum", "EqualMean", "EventKind", "ExponentialGrading",
+    "Ellipsoid", "EllipticFoundation", "EqualMaximum", "EqualMean", "EventKind",
+    "ExponentialAttraction", "ExponentialGrading",
     "ExponentialSlipWeakening", "FallingFriction", "Fit", "FitState", "FixedShare", "FlatPunch", "Follow", "Force",
     "ForceCurve", "Formula", "FormulaSection", "Foundation", "FractionalZener", "GeneralisedKelvin", "GradedHalfSpace",
     "GroupRatio", "HalfSpace", "HalfWidth", "HeatConductors", "HeldForce", "Hold", "Hyperboloid",
     "IndentationQuantities", "IndenterCalibration", "InvalidInput", "JointFit", "KelvinVoigt", "Layer",
-    "LayeredLineFoundation", "LineForce", "LineFoundation", "LineOfAction", "LineScan", "LineShearForce",
+    "LayeredLineFoundation", "LennardJones", "LineForce", "LineFoundation", "LineOfAction", "LineScan", "LineShearForce",
     "LinearSlipWeakening", "LogarithmicEnds", "Maxwell", "MeanPressure", "Measured", "MeasuredBed", "MeasuredSection",
     "MirroredSection", "Moment", "NamedElastic", "NamedElectricalConductor", "NamedMaterial",
     "NamedThermalConductor", "Nanoindentation", "NanoindentationSolution", "NominalPressure", "NotConverged", "Note",

@@ -79,6 +79,7 @@ from winkler.problems.rough.persson import area_fraction, mean_separation
 from winkler.problems.rough.reduce import Reduction, ReductionSolution, reduce
 from winkler.problems.rough.reduced_bed import ReducedBed
 from winkler.problems.rough.spring_line import RoughLine
+from winkler.problems.surface_adhesion.adhesion import SurfaceAdhesion, SurfaceAdhesionSolution
 from winkler.problems.rough.surface_conduction import SurfaceConduction, SurfaceConductionSolution
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.subsurface.map_stress import MapStress, MapStressSolution
@@ -133,15 +134,16 @@ __all__ = [
     "RollerSolution", "Rolling", "RollingSolution", "RollingStart", "RollingStartSolution", "RoughContact",
     "RoughContactSolution", "RoughIndentation", "RoughIndentationSolution", "RoughLine", "SimplifiedRolling",
     "SimplifiedRollingSolution", "SlidingResistance", "SlidingResistanceSolution", "SlidingSolution", "SlidingWear",
-    "SpectrumSolution", "Spin", "SpotCluster", "SpotClusterSolution", "SpringMarch", "SpringTrace", "SurfaceConduction",
-    "SurfaceConductionSolution", "SurfaceContact", "SurfaceContactSolution", "SurfaceFrictionHeating",
-    "SurfaceFrictionHeatingSolution", "SurfaceLoad", "SurfaceRolling", "SurfaceRollingHeating",
-    "SurfaceRollingHeatingSolution", "SurfaceRollingSolution", "SurfaceRollingStart", "SurfaceRollingStartSolution",
-    "SurfaceTangential", "SurfaceTangentialSolution", "Tangential", "TangentialSolution", "ThermalConstriction",
-    "ThermalConstrictionSolution", "Torsion", "TorsionSolution", "TransientHeating", "TransientHeatingSolution",
-    "TwistedFields", "Uncalibrated", "ViscoelasticAdhesion", "ViscoelasticAdhesionSolution", "ViscoelasticImpact",
-    "ViscoelasticImpactSolution", "ViscoelasticIndentation", "ViscoelasticSolution", "ViscoelasticTangential",
-    "ViscoelasticTangentialSolution", "YieldOnset", "YieldOnsetSolution", "area_fraction", "creep_coefficients",
-    "design_for_pressure", "design_profile", "linear_creep_coefficients", "maugis_parameter", "mean_separation",
-    "reduce", "restore_conduction", "tabor_parameter", "which_model",
+    "SpectrumSolution", "Spin", "SpotCluster", "SpotClusterSolution", "SpringMarch", "SpringTrace", "SurfaceAdhesion",
+    "SurfaceAdhesionSolution", "SurfaceConduction", "SurfaceConductionSolution", "SurfaceContact",
+    "SurfaceContactSolution", "SurfaceFrictionHeating", "SurfaceFrictionHeatingSolution", "SurfaceLoad",
+    "SurfaceRolling", "SurfaceRollingHeating", "SurfaceRollingHeatingSolution", "SurfaceRollingSolution",
+    "SurfaceRollingStart", "SurfaceRollingStartSolution", "SurfaceTangential", "SurfaceTangentialSolution",
+    "Tangential", "TangentialSolution", "ThermalConstriction", "ThermalConstrictionSolution", "Torsion",
+    "TorsionSolution", "TransientHeating", "TransientHeatingSolution", "TwistedFields", "Uncalibrated",
+    "ViscoelasticAdhesion", "ViscoelasticAdhesionSolution", "ViscoelasticImpact", "ViscoelasticImpactSolution",
+    "ViscoelasticIndentation", "ViscoelasticSolution", "ViscoelasticTangential", "ViscoelasticTangentialSolution",
+    "YieldOnset", "YieldOnsetSolution", "area_fraction", "creep_coefficients", "design_for_pressure", "design_profile",
+    "linear_creep_coefficients", "maugis_parameter", "mean_separation", "reduce", "restore_conduction",
+    "tabor_parameter", "which_model",
 ]  # fmt: skip

@@ -4,7 +4,7 @@ r"""The state of equilibrium of attracted surfaces next to a given one: a minimu
 
 with K of `ElasticSurface`; lengths across are in ranges of the law, and :math:`\beta = w\,\Delta x/(E^*r^2)`.  The
 minimum is found by Newton's method in a trust region: pixels on the wall that press stay there, all others move
-(`winkler.numerics.surfaces.region_step`).  No step is taken that raises the energy, so that a surface which has lost
+(`winkler.numerics.attracted.region_step`).  No step is taken that raises the energy, so that a surface which has lost
 its hold runs down to the next minimum.
 """
 
@@ -16,9 +16,9 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import NotConverged
-from winkler.numerics.surfaces.attraction import Attraction
-from winkler.numerics.surfaces.elastic_surface import ElasticSurface
-from winkler.numerics.surfaces.region_step import region_step
+from winkler.numerics.attracted.attraction import Attraction
+from winkler.numerics.attracted.elastic_surface import ElasticSurface
+from winkler.numerics.attracted.region_step import region_step
 from winkler.numerics.types import Array
 
 __all__ = ["AttractedSurface", "Rest"]

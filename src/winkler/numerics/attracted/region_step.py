@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.numerics.surfaces.elastic_surface import ElasticSurface
+from winkler.numerics.attracted.elastic_surface import ElasticSurface
 from winkler.numerics.types import Array
 
 __all__ = ["RegionStep", "region_step"]
