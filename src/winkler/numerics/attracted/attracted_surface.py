@@ -122,7 +122,11 @@ class AttractedSurface(NamedTuple):
                     break
                 shift += mean * here.size / count
             here = here - shift
-        u[self.surface.area] = np.where(here - lowest < SNAP, lowest, here)
+        walled = here - lowest < SNAP
+        here = np.where(walled, lowest, here)
+        if self.surface.periodic and not walled.all():  # what snapping has moved, the others bear
+            here = np.where(walled, here, here - float(np.sum(here)) / np.count_nonzero(~walled))
+        u[self.surface.area] = here
         return u
 
     def _hold(self, traction: Array, pull: Array, gap: Array) -> Hold:

@@ -272,7 +272,7 @@ class SurfaceAdhesionSolution:
         return (
             *surface_adhesion_notes(
                 stated.topography, stated.law, stated.on_grid(), stated.tabor, float(np.max(self.residual)),
-                float(np.max(self.energy_misfit)), len(self.jumps),
+                float(self.energy_misfit[-1]), len(self.jumps),
             ),
             *unknown_yield(stated.medium, "the stresses below attracted surfaces are not searched"),
         )  # fmt: skip
