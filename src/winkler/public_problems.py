@@ -79,11 +79,11 @@ from winkler.problems.rough.persson import area_fraction, mean_separation
 from winkler.problems.rough.reduce import Reduction, ReductionSolution, reduce
 from winkler.problems.rough.reduced_bed import ReducedBed
 from winkler.problems.rough.spring_line import RoughLine
-from winkler.problems.surface_adhesion.adhesion import SurfaceAdhesion, SurfaceAdhesionSolution
 from winkler.problems.rough.surface_conduction import SurfaceConduction, SurfaceConductionSolution
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.subsurface.map_stress import MapStress, MapStressSolution
 from winkler.problems.subsurface.surface_load import SurfaceLoad
+from winkler.problems.surface_adhesion.adhesion import SurfaceAdhesion, SurfaceAdhesionSolution
 from winkler.problems.surface_friction.reduced import ReducedFriction, ReducedFrictionSolution
 from winkler.problems.surface_friction.tangential import SurfaceTangential, SurfaceTangentialSolution
 from winkler.problems.surface_heating.rolling import SurfaceRollingHeating, SurfaceRollingHeatingSolution

@@ -6,13 +6,12 @@ import math
 
 import numpy as np
 import pytest
+from attracted_rings import pull_off
 
 import winkler as wk
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.numerics.attracted.attraction import EightTwo, Exponential, RoundedStep
 from winkler.problems.surface_adhesion import march
-
-from attracted_rings import pull_off
 
 UNIT = wk.HalfSpace(wk.Elastic(1.0, 0.0))
 
@@ -24,7 +23,7 @@ def ball(count: int, radius: float, off: float = 0.0) -> wk.Topography:
 
 
 def spanned(law: type, span: float, tabor: float) -> tuple[wk.LennardJones | wk.ExponentialAttraction, float]:
-    """Return a law whose zone spans these pixels of one metre at E* = 1, and the radius of a ball of this Tabor number."""
+    """Return a law whose zone spans these pixels of one metre at E* = 1, and the radius of such a ball."""
     peak = 16.0 / (9.0 * math.sqrt(3.0)) if law is wk.LennardJones else 1.0
     reach = 1e-3
     work = reach**2 / (span * peak**2)
@@ -36,7 +35,9 @@ def drawn_off(surface, law, depths, **more) -> wk.SurfaceAdhesionSolution:
     return wk.SurfaceAdhesion(surface, UNIT, law, wk.Depth(depths), **more).solve()
 
 
-@pytest.mark.parametrize(("law", "gaps"), [(Exponential(), (0.0, 9.0)), (EightTwo(), (0.7, 9.0)), (RoundedStep(0.4), (0.0, 2.0))])
+@pytest.mark.parametrize(
+    ("law", "gaps"), [(Exponential(), (0.0, 9.0)), (EightTwo(), (0.7, 9.0)), (RoundedStep(0.4), (0.0, 2.0))]
+)
 def test_a_law_is_the_slope_of_its_energy(law, gaps):
     """The well is one deep, its slope is the pull, and the slope of that the stiffness."""
     gap, h = np.linspace(*gaps, 400), 1e-6
@@ -70,19 +71,19 @@ def test_pull_off_of_a_ball_under_dugdales_stress(tabor, count):
 
 
 def test_short_range_approaches_jkr():
-    """Between the force without range and a per cent and a half above it, with the Tabor number stated."""
-    work, tabor = 1e-6, 4.0
+    """Between the force without range and three per cent above it, with the Tabor number stated."""
+    work, tabor = 1e-6, 3.0
     reach = math.sqrt(2.0 * work)
     radius = tabor**3 * reach**3 / work**2
-    found = drawn_off(ball(160, radius), wk.ShortRange(work), reach * np.linspace(-0.5, -5.0, 10))
-    assert -1.525 * math.pi * radius * work < found.pull_off_force < -1.5 * math.pi * radius * work
+    found = drawn_off(ball(96, radius), wk.ShortRange(work), reach * np.linspace(-0.5, -3.5, 7))
+    assert -1.55 * math.pi * radius * work < found.pull_off_force < -1.5 * math.pi * radius * work
     assert found.problem.tabor == pytest.approx(tabor, rel=1e-9)
-    assert any("Tabor number of 4" in note.statement for note in found.validity)
+    assert any("Tabor number of 3" in note.statement for note in found.validity)
 
 
 @pytest.mark.slow
 def test_tabor_five_on_256_pixels():
-    """Within half a per cent of a grid of half the pixel size, a quarter of the ball, in one displacement after another."""
+    """Within half a per cent of a grid of half the pixel size, displacement after displacement."""
     work, tabor = 1e-6, 5.0
     reach = math.sqrt(2.0 * work)
     radius = tabor**3 * reach**3 / work**2
@@ -150,7 +151,7 @@ def test_energies_balance():
 
 
 def test_balance_by_the_sum_over_all_pixels():
-    """Tractions displace the surface as Love has it, pull as the law where it gapes, and never pull more on the wall."""
+    """Tractions displace the surface as Love has it, pull as the law where it gapes, and no more on the wall."""
     law, radius = spanned(wk.ExponentialAttraction, 2.5, 1.5)
     surface = ball(24, radius, off=0.3)
     state = drawn_off(surface, law, 1e-3 * np.array([0.0, -0.7])).last
@@ -161,7 +162,9 @@ def test_balance_by_the_sum_over_all_pixels():
         return u * np.arcsinh(v / np.abs(u)) + v * np.arcsinh(u / np.abs(v))
 
     u, v = i[:, None] - i, j[:, None] - j
-    love = (corner(u + 0.5, v + 0.5) - corner(u - 0.5, v + 0.5) - corner(u + 0.5, v - 0.5) + corner(u - 0.5, v - 0.5)) / math.pi
+    love = (
+        corner(u + 0.5, v + 0.5) - corner(u - 0.5, v + 0.5) - corner(u + 0.5, v - 0.5) + corner(u - 0.5, v - 0.5)
+    ) / math.pi
     p, gap = state.pressure.ravel(), state.separation.ravel()
     np.testing.assert_allclose(surface.gaps.ravel() - state.depth + love @ p, gap, atol=1e-9)
     pull = law.strength * np.exp(-gap / law.range)

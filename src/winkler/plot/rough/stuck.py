@@ -36,7 +36,9 @@ def stuck_sheet(item: SurfaceAdhesionSolution) -> Sheet:
         ("pressure", np.where(p > faint, p, np.nan), style.SHADES),
     ):
         if np.isfinite(part).any():
-            panels.append(framed(dataclasses.replace(image_of(rough, series("pressure", part), colours, label=name)), scale))
+            panels.append(
+                framed(dataclasses.replace(image_of(rough, series("pressure", part), colours, label=name)), scale)
+            )
             names.append(name)
     panels.append(map_panel(rough, series("separation", state.separation), style.SHADES))
     names.append("distance of the surfaces")

@@ -27,11 +27,11 @@ from winkler.path import numbers_of
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import ATTRACTED
 from winkler.problems.normal.unknown_yield import unknown_yield
+from winkler.problems.rough.contact_area import contact_area
+from winkler.problems.surface_adhesion.law_on_grid import AttractionOnGrid, RangedLaw, attraction_on_grid, tabor_of_map
 from winkler.problems.surface_adhesion.march import AdhesionMarch, Leapt
 from winkler.problems.surface_adhesion.notes import surface_adhesion_notes
 from winkler.problems.surface_adhesion.states import SurfaceAdhesionState, SurfaceJump
-from winkler.problems.surface_adhesion.law_on_grid import AttractionOnGrid, RangedLaw, attraction_on_grid, tabor_of_map
-from winkler.problems.rough.contact_area import contact_area
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
@@ -230,14 +230,12 @@ class SurfaceAdhesionSolution:
         In the order of the path.
     """
 
-    __words__ = {
+    __words__ = words(
         **SurfaceAdhesionState.__words__,
-        **words(
-            tightest=("", None, "the contact that pulls most"),
-            pull_off_force=("F_c", "N", "lowest force of the path, tension negative"),
-            pull_off_depth=("d_c", "m", "displacement at the lowest force"),
-        ),
-    }
+        tightest=("", None, "the contact that pulls most"),
+        pull_off_force=("F_c", "N", "lowest force of the path, tension negative"),
+        pull_off_depth=("d_c", "m", "displacement at the lowest force"),
+    )
 
     problem: SurfaceAdhesion
     depth: Array

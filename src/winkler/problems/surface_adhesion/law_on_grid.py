@@ -102,7 +102,9 @@ def curvature_radius(rough: Topography) -> float:
         mean = 0.5 * (bent[0] / dx**2 + bent[1] / dy**2)
     elif min(z.shape) > 2:
         inner = z[1:-1, 1:-1]
-        mean = 0.5 * ((z[2:, 1:-1] - 2.0 * inner + z[:-2, 1:-1]) / dx**2 + (z[1:-1, 2:] - 2 * inner + z[1:-1, :-2]) / dy**2)
+        mean = 0.5 * (
+            (z[2:, 1:-1] - 2.0 * inner + z[:-2, 1:-1]) / dx**2 + (z[1:-1, 2:] - 2 * inner + z[1:-1, :-2]) / dy**2
+        )
     else:
         return math.inf
     curved = math.sqrt(float(np.mean(mean**2)))

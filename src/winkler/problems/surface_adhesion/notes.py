@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 
-from winkler.numerics.attracted.attraction import RoundedStep
-from winkler.problems.surface_adhesion.law_on_grid import AttractionOnGrid, RangedLaw
-from winkler.problems.rough.surface_notes import surface_notes
 from winkler.laws.adhesion import ShortRange
+from winkler.numerics.attracted.attraction import RoundedStep
+from winkler.problems.rough.surface_notes import surface_notes
+from winkler.problems.surface_adhesion.law_on_grid import AttractionOnGrid, RangedLaw
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note, Standing
 
@@ -54,8 +54,8 @@ def surface_adhesion_notes(
         )
     elif isinstance(on_grid.law, RoundedStep):
         stated = (
-            f"The constant stress ends over {2.0 * on_grid.law.half_width:.3g} of its range instead of at once, so that "
-            f"the grid does not pin it; the map {number}."
+            f"The constant stress ends over {2.0 * on_grid.law.half_width:.3g} of its range instead of at once, so "
+            f"that the grid does not pin it; the map {number}."
         )
     else:
         stated = f"Gaps are taken between flat parts of the surfaces (Derjaguin); the map {number}."
@@ -64,9 +64,9 @@ def surface_adhesion_notes(
         Note(
             Assumption.RESOLUTION,
             Standing.ASYMPTOTIC,
-            f"The zone of attraction beside an edge spans {on_grid.span:.3g} pixels; the pull-off force of a ball is then "
-            f"within about half a per cent, in small jumps from pixel to pixel. Tractions are out of balance by at most "
-            f"{residual:.1g} of the greatest.",
+            f"The zone of attraction beside an edge spans {on_grid.span:.3g} pixels; the pull-off force of a ball is "
+            "then within about half a per cent, in small jumps from pixel to pixel. Tractions are out of balance by at "
+            f"most {residual:.1g} of the greatest.",
             REY,
         ),
         Note(Assumption.ADHESION, Standing.APPROXIMATE, stated, TABOR),

@@ -45,9 +45,7 @@ LOST = Equation(
     "Between jumps the machine's work is stored; in a jump all that the energy falls by is lost",
     r"\mathrm{d}W = F_N\,\mathrm{d}d = \mathrm{d}E",
 )
-SPAN = Equation(
-    "The zone of attraction beside an edge must span some pixels", r"\ell = \frac{E^* w}{\sigma^2}"
-)
+SPAN = Equation("The zone of attraction beside an edge must span some pixels", r"\ell = \frac{E^* w}{\sigma^2}")
 SAME_AREA = Equation(
     "The stiffness is that of a flat punch of the shape of the contact (after Barber)",
     r"k = \frac{\mathrm{d}F_N}{\mathrm{d}d}",
@@ -170,8 +168,8 @@ ROUGH = Chapter(
             picture=Caption(
                 "stuck",
                 "Approach and retraction of the attracted surface",
-                "Pressure, negative where the surfaces pull, and distance where they pull most; force, areas and energy "
-                "along the path, with its jumps.",
+                "Tension, pressure and distance at the displacement where the surfaces pull most; force, areas, work "
+                "and energy along the path.",
             ),
             curves=(("depth", "force"), ("depth", "area"), ("depth", "energy")),
             pictured=PicturedContact.NONE,
