@@ -68,7 +68,7 @@ class Rest(NamedTuple):
     steps: int
 
 
-class Hold(NamedTuple):
+class HeldPixels(NamedTuple):
     """Tractions out of balance on the torus, which pixels of the torus are free, and the mean traction."""
 
     wrong: Array
@@ -129,7 +129,7 @@ class AttractedSurface(NamedTuple):
         u[self.surface.area] = here
         return u
 
-    def _hold(self, traction: Array, pull: Array, gap: Array) -> Hold:
+    def _hold(self, traction: Array, pull: Array, gap: Array) -> HeldPixels:
         """Return what is out of balance, and what the wall does not hold."""
         wrong, area = traction.copy(), self.surface.area
         wrong[area] += self.share * pull
@@ -146,7 +146,7 @@ class AttractedSurface(NamedTuple):
         free = np.ones(wrong.shape, dtype=bool)
         free[area] = ~held
         wrong[~free] = 0.0
-        return Hold(wrong, free, -mean)
+        return HeldPixels(wrong, free, -mean)
 
     def at_rest(self, depth: float, start: Array, tolerance: float) -> Rest:
         """Return the surface at rest, next to where it starts.

@@ -43,7 +43,7 @@ class RegionStep(NamedTuple):
     at_edge: bool
 
 
-class _Reduced:
+class FreeMoves:
     """The surface as conjugate gradients see it: moves of the free pixels, without a mean if it is periodic."""
 
     def __init__(self, surface: ElasticSurface, free: Array, stiffness: Array):
@@ -98,7 +98,7 @@ def region_step(
     aim
         To what part of the residual the equations are solved.
     """
-    reduced = _Reduced(surface, free, stiffness)
+    reduced = FreeMoves(surface, free, stiffness)
     size = float(np.max(np.abs(wrong)))  # in single digits squares of small numbers would vanish
     r = reduced.projected((-wrong / size).astype(np.float32))
     s, ks = np.zeros_like(r), np.zeros_like(r)

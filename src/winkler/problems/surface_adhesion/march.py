@@ -13,7 +13,7 @@ import numpy as np
 
 from winkler.numerics.attracted.attracted_surface import AttractedSurface, Rest
 
-__all__ = ["AdhesionMarch", "Leapt", "Stage"]
+__all__ = ["AdhesionMarch", "Leapt", "RestStage"]
 
 JUMP_RATIO = 0.02
 """Energy that is lacking, over force times step, above which a step is halved."""
@@ -23,7 +23,7 @@ MOST_HALVINGS = 3
 """How often a step is halved to find a jump in it."""
 
 
-class Stage(NamedTuple):
+class RestStage(NamedTuple):
     """A displacement in ranges, the surface at rest there, and the sum of its tractions."""
 
     depth: float
@@ -34,8 +34,8 @@ class Stage(NamedTuple):
 class Leapt(NamedTuple):
     """A jump: the stages around it, and what was lost."""
 
-    before: Stage
-    after: Stage
+    before: RestStage
+    after: RestStage
     loss: float
 
 
@@ -63,8 +63,8 @@ class AdhesionMarch:
         self.work, self.lost, self.lacking = self.stage.rest.energy, 0.0, 0.0
         self.stages = [(self.stage.depth, self.stage.force)]
 
-    def _stage(self, depth: float, rest: Rest) -> Stage:
-        return Stage(depth, rest, float(np.sum(rest.traction)))
+    def _stage(self, depth: float, rest: Rest) -> RestStage:
+        return RestStage(depth, rest, float(np.sum(rest.traction)))
 
     def go(self, depth: float) -> tuple[Leapt, ...]:
         """Go on to a displacement, and return the jumps on the way.
