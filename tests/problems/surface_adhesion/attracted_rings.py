@@ -49,3 +49,38 @@ def _sunk(edges: np.ndarray, r: np.ndarray) -> np.ndarray:
             m = np.minimum(4.0 * r[:, None] * s / total**2, 1.0 - 1e-15)
             matrix[:, j] += 4.0 / math.pi * np.sum(s / total * ellipk(m) * weight, axis=1)
     return matrix
+
+
+def walled_pull_off(tabor: float, count: int) -> float:
+    """Return the greatest pull over pi R w under the exponential law behind a wall; lengths across in sqrt(R r).
+
+    First the gap of the middle is prescribed, then how many rings are in touch; the last of them bears the strength.
+    """
+    wide = 2.9 * math.sqrt(tabor)
+    edges = np.concatenate(
+        (np.linspace(0.0, wide, count), wide + (10.0 + 0.2 * wide) * np.linspace(0, 1, 60)[1:] ** 1.6)
+    )
+    r = 0.5 * (edges[1:] + edges[:-1])
+    sunk, height, n = tabor**1.5 * _sunk(edges, r), 0.5 * r * r, r.size
+    p, depth, pulls = np.zeros(n), -6.0, []
+    steps = [(0, gap) for gap in np.linspace(6.0, 0.02, 60)]
+    steps += [(touching, 0.0) for touching in range(1, int(0.75 * count), max(1, count // 60))]
+    for touching, wanted in steps:
+        inside = np.arange(n) < touching
+        for _ in range(80):
+            gap = height - depth + sunk @ p
+            pull = np.exp(-np.clip(gap, -3.0, 60.0))
+            matrix, left = np.zeros((n + 1, n + 1)), np.append(np.where(inside, gap, p + pull), 0.0)
+            matrix[:n, :n] = np.where(inside[:, None], sunk, np.eye(n) - pull[:, None] * sunk)
+            matrix[:n, n] = np.where(inside, -1.0, pull)
+            if touching:
+                matrix[n, touching - 1], left[n] = 1.0, p[touching - 1] + 1.0
+            else:
+                matrix[n, :n], matrix[n, n], left[n] = sunk[0], -1.0, gap[0] - wanted
+            step = np.linalg.solve(matrix, -left)
+            share = min(1.0, 1.0 / np.max(np.abs(sunk @ step[:n] - step[n])))
+            p, depth = p + share * step[:n], depth + share * step[n]
+            if share == 1.0 and np.max(np.abs(step)) < 1e-9:
+                break
+        pulls.append(float(np.sum(math.pi * np.diff(edges**2) * p)))
+    return -min(pulls) / math.pi

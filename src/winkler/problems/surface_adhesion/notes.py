@@ -65,7 +65,7 @@ def surface_adhesion_notes(
             Assumption.RESOLUTION,
             Standing.ASYMPTOTIC,
             f"The zone of attraction beside an edge spans {on_grid.span:.3g} pixels; the pull-off force of a ball is "
-            "then within about half a per cent, in small jumps from pixel to pixel. Tractions are out of balance by at "
+            "then within about a per cent, in small jumps from pixel to pixel. Tractions are out of balance by at "
             f"most {residual:.1g} of the greatest.",
             REY,
         ),
