@@ -187,6 +187,17 @@ def test_retraction_pulls_more_than_approach():
     assert np.max(found.residual) <= 1e-6
 
 
+def test_where_all_pixels_touch():
+    """Pressed so deep that the border touches, the force is that of the map without attraction, less the attraction."""
+    surface, medium = ball(24, 100.0), wk.HalfSpace(wk.Elastic(1.0, 0.0))
+    law = wk.ExponentialAttraction(1e-9, 1e-3)
+    found = wk.SurfaceAdhesion(surface, medium, law, wk.Depth([9.0])).solve()
+    assert np.all(found.last.separation == 0.0)
+    assert found.residual[-1] <= 1e-6
+    bare = wk.SurfaceContact(surface, medium, wk.Depth(9.0), tolerance=1e-9).solve()
+    assert found.force[-1] == pytest.approx(float(bare.force), rel=1e-6)
+
+
 def test_refusals():
     """One sentence each: zones below the grid, hysteresis of the law, closed maps, missing heights, no row."""
     surface, radius = ball(16, 100.0), 100.0

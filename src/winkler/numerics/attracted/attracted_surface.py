@@ -174,7 +174,7 @@ class AttractedSurface(NamedTuple):
             hold = self._hold(traction, pull, gap)
             most = max(share * law.peak, float(np.max(np.abs(traction[area] + hold.mean))))
             left = float(np.max(np.abs(hold.wrong))) / most
-            if left <= tolerance or not hold.free[area].any():
+            if left <= tolerance or not hold.free.any():
                 energy = 0.5 * float(np.sum(u * traction)) + share * float(np.sum(potential))
                 return Rest(u, traction[area] + hold.mean, gap, energy, left, count)
             aim = min(LARGEST_FORCING, math.sqrt(left))
