@@ -86,6 +86,7 @@ from winkler.problems.rough.surface_conduction import SurfaceConduction, Surface
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.subsurface.map_stress import MapStress, MapStressSolution
 from winkler.problems.subsurface.surface_load import SurfaceLoad
+from winkler.problems.surface_adhesion.adhesion import SurfaceAdhesion, SurfaceAdhesionSolution
 from winkler.problems.surface_friction.reduced import ReducedFriction, ReducedFrictionSolution
 from winkler.problems.surface_friction.tangential import SurfaceTangential, SurfaceTangentialSolution
 from winkler.problems.surface_heating.rolling import SurfaceRollingHeating, SurfaceRollingHeatingSolution
@@ -137,15 +138,15 @@ __all__ = [
     "RoughContactSolution", "RoughIndentation", "RoughIndentationSolution", "RoughLine", "Seal", "SealSolution",
     "SimplifiedRolling", "SimplifiedRollingSolution", "SlidingResistance", "SlidingResistanceSolution",
     "SlidingSolution", "SlidingWear", "SpectrumSolution", "Spin", "SpotCluster", "SpotClusterSolution", "SpringMarch",
-    "SpringTrace", "SurfaceConduction", "SurfaceConductionSolution", "SurfaceContact", "SurfaceContactSolution",
-    "SurfaceFrictionHeating", "SurfaceFrictionHeatingSolution", "SurfaceLoad", "SurfaceRolling",
-    "SurfaceRollingHeating", "SurfaceRollingHeatingSolution", "SurfaceRollingSolution", "SurfaceRollingStart",
-    "SurfaceRollingStartSolution", "SurfaceTangential", "SurfaceTangentialSolution", "Tangential", "TangentialSolution",
-    "ThermalConstriction", "ThermalConstrictionSolution", "Torsion", "TorsionSolution", "TransientHeating",
-    "TransientHeatingSolution", "TrueArea", "TrueAreaSolution", "TwistedFields", "Uncalibrated", "ViscoelasticAdhesion",
-    "ViscoelasticAdhesionSolution", "ViscoelasticImpact", "ViscoelasticImpactSolution", "ViscoelasticIndentation",
-    "ViscoelasticSolution", "ViscoelasticTangential", "ViscoelasticTangentialSolution", "YieldOnset",
-    "YieldOnsetSolution", "area_fraction", "creep_coefficients", "design_for_pressure", "design_profile",
-    "linear_creep_coefficients", "maugis_parameter", "mean_separation", "pyramid_layer_error", "reduce",
-    "restore_conduction", "tabor_parameter", "which_model",
+    "SpringTrace", "SurfaceAdhesion", "SurfaceAdhesionSolution", "SurfaceConduction", "SurfaceConductionSolution",
+    "SurfaceContact", "SurfaceContactSolution", "SurfaceFrictionHeating", "SurfaceFrictionHeatingSolution",
+    "SurfaceLoad", "SurfaceRolling", "SurfaceRollingHeating", "SurfaceRollingHeatingSolution", "SurfaceRollingSolution",
+    "SurfaceRollingStart", "SurfaceRollingStartSolution", "SurfaceTangential", "SurfaceTangentialSolution",
+    "Tangential", "TangentialSolution", "ThermalConstriction", "ThermalConstrictionSolution", "Torsion",
+    "TorsionSolution", "TransientHeating", "TransientHeatingSolution", "TrueArea", "TrueAreaSolution", "TwistedFields",
+    "Uncalibrated", "ViscoelasticAdhesion", "ViscoelasticAdhesionSolution", "ViscoelasticImpact",
+    "ViscoelasticImpactSolution", "ViscoelasticIndentation", "ViscoelasticSolution", "ViscoelasticTangential",
+    "ViscoelasticTangentialSolution", "YieldOnset", "YieldOnsetSolution", "area_fraction", "creep_coefficients",
+    "design_for_pressure", "design_profile", "linear_creep_coefficients", "maugis_parameter", "mean_separation",
+    "pyramid_layer_error", "reduce", "restore_conduction", "tabor_parameter", "which_model",
 ]  # fmt: skip

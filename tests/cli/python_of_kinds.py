@@ -248,6 +248,9 @@ PYRAMID = (
 )
 LOADS = wk.Force(np.geomspace(1.0, 100.0, 5))
 MEASURED_SPECTRUM = wk.PowerSpectrum(np.array([1e4, 1e5, 1e6]), np.array([1e-21, 4e-25, 1e-28]))
+SOFT_BALL = wk.SampledProfile([240e-6, 240e-6], wk.Sphere(1e-3), (48, 48))
+SOFT = wk.HalfSpace(wk.Elastic(1e6, 0.5))
+TO_AND_FRO = wk.Depth(np.concatenate((np.linspace(-3e-6, 0.5e-6, 8), np.linspace(0.0, -3e-6, 7))))
 TOUCHING = wk.SurfaceContact(SURFACE, STEEL_BODY, LOADS)
 PROFILES = (
     wk.CrossProfile(
@@ -326,6 +329,11 @@ ROUGHNESS = {
         wk.ShearForce(15.0),
         distance=0.5e-3,
     ),
+    **dict.fromkeys(
+        ("surface_adhesion", "exponential_attraction"),
+        wk.SurfaceAdhesion(SOFT_BALL, SOFT, wk.ExponentialAttraction(50e-3, 0.65e-6), TO_AND_FRO),
+    ),
+    "lennard_jones": wk.SurfaceAdhesion(SOFT_BALL, SOFT, wk.LennardJones(50e-3, 0.8e-6), TO_AND_FRO),
     "surface_tangential": wk.SurfaceTangential(
         wk.SampledProfile(np.array([0.6e-3, 0.6e-3]), wk.Sphere(10e-3), (65, 65)),
         wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3)),

@@ -22,6 +22,7 @@ SEVEN = {
     "oscillating_rolling": 7,
     "line_rolling_start": 7,
     "reduction": 12,
+    "surface_adhesion": 7,
     "surface_tangential": 7,
     "surface_rolling": 3,
     "surface_rolling_start": 7,

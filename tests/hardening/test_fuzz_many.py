@@ -98,7 +98,7 @@ SOLVED = {
         *("friction_heating", "transient_heating", "fretting_heat", "surface_contact", "surface_conduction"),
         *("true_area", "seal"),
         *("map_stress", "profile_pair", "profile_pair_rolling", "surface_friction_heating", "surface_rolling_heating"),
-        *("surface_tangential", "reduced_friction", "surface_rolling", "surface_rolling_start"),
+        *("surface_adhesion", "surface_tangential", "reduced_friction", "surface_rolling", "surface_rolling_start"),
         *(
             "reduction",
             "rough_contact",

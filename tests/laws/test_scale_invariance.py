@@ -73,6 +73,14 @@ ROUNDED: dict[tuple[str, str], Rounded] = {
     ("SpotClusterSolution", "uncertainty"): ERROR,
     ("OscillatingRollingSolution", "shift_per_cycle"): ERROR,
     **{("EllipticYieldOnsetSolution", name): PLACE for name in "xyz"},
+    ("SurfaceAdhesionSolution", "residual"): ERROR,
+    ("SurfaceAdhesionSolution", "energy_misfit"): Rounded(
+        1e-3, "a small difference of energies", beside="energy_misfit"
+    ),
+    **{
+        ("SurfaceAdhesionSolution", name): Rounded(1e-4, "tractions are balanced to 1e-6 of the greatest")
+        for name in ("force", "energy", "path_work", "dissipation", "mean_gap", "pull_off_force")
+    },
     ("SurfaceContactSolution", "penetration"): ERROR,
     ("SurfaceContactSolution", "misfit"): ERROR,
     ("SealSolution", "imbalance"): ERROR,

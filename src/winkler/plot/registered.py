@@ -31,6 +31,7 @@ from winkler.plot.rough import (  # noqa: F401
     reduced_friction,
     roughness,
     shear,
+    stuck,
 )  # fmt: skip
 from winkler.plot.rough import surfaces as rough_surfaces  # noqa: F401
 from winkler.plot.rough.film import film

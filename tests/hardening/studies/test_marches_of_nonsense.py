@@ -24,6 +24,7 @@ SLOW = (
     "impact",
     "adhesive_impact",
     "viscoelastic_adhesion",
+    "surface_adhesion",
     "surface_contact",
     "reduction",
     "fretting_wear",

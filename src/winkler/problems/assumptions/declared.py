@@ -12,6 +12,7 @@ from winkler.validity import Assumption
 
 __all__ = [
     "ADHESIVE",
+    "ATTRACTED",
     "BALANCED",
     "CONDUCTING",
     "HEATED",
@@ -45,6 +46,9 @@ MAPPED: Final = frozenset(
     (Assumption.RESPONSE, Assumption.SMALL_SLOPES, Assumption.ELASTIC, Assumption.RESOLUTION, Assumption.EQUILIBRIUM)
 )
 """Normal contact of height maps by boundary elements."""
+
+ATTRACTED: Final = MAPPED | {Assumption.ADHESION}
+"""Height maps that attract each other."""
 
 ADHESIVE: Final = PRESSED | {Assumption.ADHESION}
 """Normal contact of bodies that attract each other."""

@@ -23,6 +23,13 @@ PYRAMID = [
     ["0 um", "2 um", "2 um", "2 um", "2 um", "0 um"],
     ["0 um", "0 um", "0 um", "0 um", "0 um", "0 um"],
 ]
+SOFT_BALL = {
+    "kind": "sampled_profile",
+    "lengths": ["240 um", "240 um"],
+    "shape": [48, 48],
+    "profile": {"kind": "sphere", "curvature_radius": "1 mm"},
+}
+TO_AND_FRO = [{"from": "-3 um", "to": "0.5 um", "count": 8}, {"from": "0 um", "to": "-3 um", "count": 7}]
 LOADS = {"kind": "force", "force": {"from": "1 N", "to": "100 N", "count": 5, "spacing": "log"}}
 
 ELEMENTS = Equation(
@@ -30,6 +37,15 @@ ELEMENTS = Equation(
     r"w = h(x,y)-d+\frac{1}{\pi E^*}\int\frac{p\,\mathrm{d}A}{\sqrt{(x-x_i)^2+(y-y_i)^2}}, "
     r"\quad p \ge 0, \; w \ge 0, \; p\,w = 0",
 )
+ATTRACTED = Equation(
+    "At every displacement the surface rests in a minimum of the energy of bodies and surfaces, next to that before",
+    r"E = \frac{1}{2}\int p\,u\,\mathrm{d}A + \int\phi(g)\,\mathrm{d}A, \quad g = h(x,y)-d+u \ge 0",
+)
+LOST = Equation(
+    "Between jumps the machine's work is stored; in a jump all that the energy falls by is lost",
+    r"\mathrm{d}W = F_N\,\mathrm{d}d = \mathrm{d}E",
+)
+SPAN = Equation("The zone of attraction beside an edge must span some pixels", r"\ell = \frac{E^* w}{\sigma^2}")
 SAME_AREA = Equation(
     "The stiffness is that of a flat punch of the shape of the contact (after Barber)",
     r"k = \frac{\mathrm{d}F_N}{\mathrm{d}d}",
@@ -88,6 +104,22 @@ ROUGH = Chapter(
                 shape=[65, 65],
             ),
         },
+        "law": {
+            "exponential_attraction": kind(
+                "winkler.laws.attraction:ExponentialAttraction",
+                "rey_2017",
+                problem="surface_adhesion",
+                work="50 mJ/m^2",
+                range="0.65 um",
+            ),
+            "lennard_jones": kind(
+                "winkler.laws.attraction:LennardJones",
+                "greenwood_1997",
+                problem="surface_adhesion",
+                work="50 mJ/m^2",
+                spacing="0.8 um",
+            ),
+        },
         "spectrum": {
             "self_affine": kind(
                 "winkler.profiles.rough.spectrum:SelfAffine",
@@ -125,6 +157,23 @@ ROUGH = Chapter(
             curves=(("depth", "force"), ("force", "stiffness"), ("force", "area"), ("force", "mean_gap")),
             pictured=PicturedContact.NONE,
             formulas=(ELEMENTS, SAME_AREA),
+        ),
+        "surface_adhesion": answer(
+            "winkler.problems.surface_adhesion.adhesion:SurfaceAdhesion",
+            headline=("pull_off_force", "dissipation", "force", "area", "attracted_area"),
+            topography=SOFT_BALL,
+            medium={"kind": "half_space", "first": {"kind": "elastic", "young": "1 MPa", "poisson": 0.5}},
+            law={"kind": "exponential_attraction"},
+            path={"kind": "depth", "depth": TO_AND_FRO},
+            picture=Caption(
+                "stuck",
+                "Approach and retraction of the attracted surface",
+                "Tension, pressure and distance at the displacement where the surfaces pull most; force, areas, work "
+                "and energy along the path.",
+            ),
+            curves=(("depth", "force"), ("depth", "area"), ("depth", "energy")),
+            pictured=PicturedContact.NONE,
+            formulas=(ATTRACTED, LOST, SPAN),
         ),
         "surface_conduction": answer(
             "winkler.problems.rough.surface_conduction:SurfaceConduction",

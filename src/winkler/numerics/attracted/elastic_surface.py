@@ -1,0 +1,112 @@
+r"""The surface of a half-space on a grid, by its displacements: the tractions that hold them, and back.
+
+Minimising an energy over displacements takes the inverse of `SurfaceGrid`.  A periodic surface has it wave by wave,
+:math:`p = \tfrac12 E^* |q| u`, its mean at rest.  A free one is laid on a torus of twice its lengths on which the
+distance of two pixels of the map is that in the plane: where nothing bears beyond the map, displacements inside of it
+are those of Love.  Here E* and the first pixel length are one.
+"""
+
+from __future__ import annotations
+
+import functools
+import os
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.numerics.types import Array
+
+__all__ = ["ElasticSurface"]
+
+SINGLE_THREAD_PIXELS = 2**14
+"""Pixels below which a second thread costs more than it brings."""
+
+
+class ElasticSurface(NamedTuple):
+    """A surface and its stiffness, wave by wave.
+
+    Parameters
+    ----------
+    shape
+        (nx, ny) of the map.
+    torus
+        Pixels of the torus, those of the map if it is periodic.
+    periodic
+        Whether the map is repeated for ever; its mean displacement is then zero.
+    stiffness, compliance
+        Of each wave; compliance of the mean of a periodic map is zero.
+    single_stiffness, single_compliance
+        The same in single digits, for steps.
+    workers
+        Threads.
+    """
+
+    shape: tuple[int, int]
+    torus: tuple[int, int]
+    periodic: bool
+    stiffness: Array
+    compliance: Array
+    single_stiffness: Array
+    single_compliance: Array
+    workers: int
+
+    @classmethod
+    def of(cls, shape: tuple[int, int], aspect: float, *, periodic: bool) -> ElasticSurface:
+        """Return the surface of a map whose pixels are 1 by `aspect`."""
+        return _made(shape, aspect, periodic)
+
+    @property
+    def area(self) -> tuple[slice, slice]:
+        """The part of the torus that is the map."""
+        return slice(0, self.shape[0]), slice(0, self.shape[1])
+
+    def bedded(self, springs: float) -> Array:
+        """Return the compliance of each wave, in single digits, of a surface that stands on springs."""
+        return np.asarray(1.0 / (self.single_stiffness + np.float32(springs)))
+
+    def applied(self, factor: Array, numbers: Array) -> Array:
+        """Return numbers on the torus with every wave times a factor."""
+        import scipy.fft
+
+        waves = scipy.fft.rfft2(numbers, workers=self.workers)
+        waves *= factor
+        return np.asarray(scipy.fft.irfft2(waves, s=self.torus, workers=self.workers, overwrite_x=True))
+
+    def tractions(self, displacement: Array) -> Array:
+        """Return p over E* on the torus that holds displacements, in their digits."""
+        single = displacement.dtype == np.float32
+        return self.applied(self.single_stiffness if single else self.stiffness, displacement)
+
+    def displaced(self, traction: Array) -> Array:
+        """Return displacements on the torus under tractions over E*."""
+        single = traction.dtype == np.float32
+        return self.applied(self.single_compliance if single else self.compliance, traction)
+
+
+def _love(shape: tuple[int, int], aspect: float) -> Array:
+    """Return displacements at (i, j aspect) under a unit pressure on the pixel around (0, 0)."""
+    x = (np.arange(shape[0] + 1) - 0.5)[:, None]
+    y = ((np.arange(shape[1] + 1) - 0.5) * aspect)[None, :]
+    corner = x * np.arcsinh(y / np.abs(x)) + y * np.arcsinh(x / np.abs(y))
+    return np.asarray((corner[1:, 1:] - corner[:-1, 1:] - corner[1:, :-1] + corner[:-1, :-1]) / np.pi)
+
+
+@functools.lru_cache(maxsize=4)
+def _made(shape: tuple[int, int], aspect: float, periodic: bool) -> ElasticSurface:
+    import scipy.fft
+
+    if periodic:
+        torus = shape
+        qx = 2.0 * np.pi * scipy.fft.fftfreq(shape[0])[:, None]
+        qy = 2.0 * np.pi * scipy.fft.rfftfreq(shape[1], aspect)[None, :]
+        stiffness = 0.5 * np.hypot(qx, qy)
+        compliance = np.divide(1.0, stiffness, out=np.zeros_like(stiffness), where=stiffness > 0.0)
+    else:
+        torus = 2 * scipy.fft.next_fast_len(shape[0], True), 2 * scipy.fft.next_fast_len(shape[1], True)
+        quarter = _love((torus[0] // 2 + 1, torus[1] // 2 + 1), aspect)
+        i, j = (np.minimum(np.arange(n), n - np.arange(n)) for n in torus)
+        compliance = scipy.fft.rfft2(quarter[np.ix_(i, j)]).real
+        stiffness = 1.0 / compliance
+    workers = (os.cpu_count() or 1) if torus[0] * torus[1] > SINGLE_THREAD_PIXELS else 1
+    single = stiffness.astype(np.float32), compliance.astype(np.float32)
+    return ElasticSurface(shape, torus, periodic, stiffness, compliance, *single, workers)

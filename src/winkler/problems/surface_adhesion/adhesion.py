@@ -1,0 +1,276 @@
+r"""A height map that an elastic half-space attracts: approach and retraction, snap-in, pull-off and what they cost.
+
+At every displacement d the surface rests in a minimum of the energy of bodies and surfaces,
+
+.. math:: E = \tfrac12\int p\,u\,\mathrm dA + \int\phi(g)\,\mathrm dA , \qquad g = h - d + u \ge 0 ,
+
+the one that it reaches from the displacement before without ever raising the energy.  Where this minimum ceases to
+exist the surfaces jump to the next one, and what the energy falls by is lost.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Annotated, ClassVar
+
+import numpy as np
+
+from winkler.checks.number_checks import Advice, affordable, between
+from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.limits import MOST_NUMBERS
+from winkler.loading import Depth
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.numerics.attracted.attracted_surface import AttractedSurface
+from winkler.numerics.attracted.elastic_surface import ElasticSurface
+from winkler.numerics.types import Array
+from winkler.path import numbers_of
+from winkler.problems.answer import gather
+from winkler.problems.assumptions.declared import ATTRACTED
+from winkler.problems.normal.unknown_yield import unknown_yield
+from winkler.problems.rough.contact_area import contact_area
+from winkler.problems.surface_adhesion.law_on_grid import AttractionOnGrid, RangedLaw, attraction_on_grid, tabor_of_map
+from winkler.problems.surface_adhesion.march import AdhesionMarch, Leapt
+from winkler.problems.surface_adhesion.notes import surface_adhesion_notes
+from winkler.problems.surface_adhesion.states import SurfaceAdhesionState, SurfaceJump
+from winkler.profiles.rough.topography import Topography
+from winkler.validity import Assumption, Note
+from winkler.values import value, words
+
+__all__ = ["SurfaceAdhesion", "SurfaceAdhesionSolution"]
+
+FAINT = 0.01
+"""Part of the strength below which pixels count as not attracted."""
+TOUCHING = 1e-6
+"""Gap over the wall, in ranges, up to which pixels touch."""
+
+
+@value
+class SurfaceAdhesion:
+    """A height map attracted by an elastic half-space, moved through displacements, without friction.
+
+    Parameters
+    ----------
+    topography : Topography
+        Heights of both bodies together, up towards the other one.  A map that stands alone ends at its border, a
+        periodic one goes on for ever.
+    medium : HalfSpace or TransverselyIsotropicHalfSpace
+        Both bodies, homogeneous.
+    law : ShortRange, Dugdale, ExponentialAttraction or LennardJones
+        What attracts them.  In place of ShortRange (JKR) stands an exponential law whose range is the shortest that the
+        pixels resolve; Dugdale's stress ends over 0.8 of its range instead of at once.
+    path : Depth
+        Displacements d [m], one after the other; zero where the highest point would touch (under `LennardJones`: be at
+        its spacing) without deformation, negative apart.  The bodies are brought to the first one from apart.
+    tolerance : float, optional
+        Greatest traction out of balance over the greatest traction at which a state counts as solved.
+
+    Raises
+    ------
+    InvalidInput
+        If heights are missing, the path is no row, the law takes more in opening than in closing, or the map is too
+        large.
+    OutsideValidity
+        If the zone of attraction, E* w / strength^2, spans fewer pixels than the law needs, or a periodic map closes.
+
+    References
+    ----------
+    V. Rey, G. Anciaux, J.-F. Molinari, Comput. Mech. 60 (2017) 69-81, doi:10.1007/s00466-017-1392-5;
+    T. Steihaug, SIAM J. Numer. Anal. 20 (1983) 626-637, doi:10.1137/0720042
+
+    Examples
+    --------
+    A ball of 1 m radius, E* = 1 Pa and w = 10 uJ/m^2, is torn off by nearly 3/2 pi R w = 47 uN.
+
+    >>> import numpy as np
+    >>> from winkler.laws.adhesion import ShortRange
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> x = np.linspace(-0.08, 0.08, 65)[:-1] + 0.00125
+    >>> ball = Topography(-0.5 * (x[:, None] ** 2 + x**2), [0.16, 0.16])
+    >>> path = Depth(np.linspace(0.0, -0.0012, 13))
+    >>> sticky = SurfaceAdhesion(ball, HalfSpace(Elastic(1.0, 0.0)), ShortRange(1e-5), path).solve()
+    >>> round(1e6 * sticky.pull_off_force)
+    -49
+    """
+
+    topography: Topography
+    medium: Annotated[HomogeneousMedium, Advice("the boundary elements apply to no other")]
+    law: RangedLaw
+    path: Depth
+    tolerance: Annotated[float, between(1e-10, 0.01)] = 1e-6
+
+    references: ClassVar[tuple[str, ...]] = ("rey_2017", "steihaug_1983", "tabor_1977", "stanley_kato_1997")
+    assumptions: ClassVar[frozenset[Assumption]] = ATTRACTED
+
+    def __post_init__(self) -> None:
+        rough = self.topography
+        around = 1 if rough.periodic else 4
+        affordable("SurfaceAdhesion", "pixels with their surroundings", around * rough.heights.size, MOST_NUMBERS)
+        if rough.missing:
+            raise InvalidInput(
+                f"SurfaceAdhesion: {rough.missing} of {rough.heights.size} heights are missing; fill them with "
+                "topography.filled(), or cut a complete part out with topography.cropped(...)."
+            )
+        given = numbers_of(self.path)
+        if given.ndim != 1 or not given.size:
+            raise InvalidInput(
+                f"SurfaceAdhesion: the path has the shape {given.shape}; give its displacements one after the other in "
+                "one row."
+            )
+        whole = float(np.mean(rough.gaps))
+        if rough.periodic and np.any(given >= whole):
+            raise OutsideValidity(
+                f"SurfaceAdhesion: the displacement {np.max(given):.6g} m closes the periodic map, whose mean planes "
+                f"can approach by less than {whole:.6g} m; stay below it."
+            )
+        self.on_grid()
+
+    def on_grid(self) -> AttractionOnGrid:
+        """Return the law as it is solved on this grid.
+
+        Raises
+        ------
+        OutsideValidity
+            If the grid does not resolve it.
+        """
+        return attraction_on_grid(self.law, self.medium.modulus, self.topography.pixel)
+
+    @property
+    def tabor(self) -> float:
+        """Tabor's parameter of a ball as curved as the map, root mean square, under the law as it is solved [-]."""
+        return tabor_of_map(self.topography, self.medium.modulus, self.on_grid())
+
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one for every displacement."""
+        return int(numbers_of(self.path).size)
+
+    def steps(self) -> Iterator[SurfaceAdhesionState]:
+        """Yield the contact at every displacement.
+
+        Raises
+        ------
+        NotConverged
+            If no state of rest is found to the tolerance.
+        """
+        rough, modulus, on_grid = self.topography, self.medium.modulus, self.on_grid()
+        (dx, dy), law, unit = rough.pixel, on_grid.law, on_grid.range
+        shape = rough.heights.shape
+        surface = ElasticSurface.of((shape[0], shape[1]), dy / dx, periodic=rough.periodic)
+        share = on_grid.work * dx / (modulus * unit * unit)
+        attracted = AttractedSurface(surface, rough.gaps / unit + law.touch, law, share)
+        force, energy = modulus * unit * dy, modulus * unit * unit * dy
+        march: AdhesionMarch | None = None
+
+        def touched(gap: Array) -> tuple[float, float]:
+            return contact_area(gap <= law.touch + TOUCHING, rough.pixel, rough.periodic)
+
+        def jump(leapt: Leapt) -> SurfaceJump:
+            old, new = leapt.before, leapt.after
+            return SurfaceJump(
+                unit * new.depth, force * old.force, force * new.force, touched(old.rest.gap)[0],
+                touched(new.rest.gap)[0], energy * leapt.loss,
+                new.force < old.force,
+            )  # fmt: skip
+
+        for index, depth in enumerate(numbers_of(self.path).tolist()):
+            leaps: tuple[Leapt, ...] = ()
+            try:
+                if march is None:
+                    march = AdhesionMarch(attracted, self.tolerance, depth / unit)
+                else:
+                    leaps = march.go(depth / unit)
+            except NotConverged as error:
+                raise NotConverged(f"SurfaceAdhesion: at index {index} of the path ({depth:.6g} m) {error}") from None
+            stage = march.stage
+            gap, rest = stage.rest.gap, stage.rest
+            pulled = (law.terms(gap)[1] > FAINT * law.peak) & (gap > law.touch + TOUCHING)
+            yield SurfaceAdhesionState(
+                depth, force * stage.force, *touched(gap), float(np.count_nonzero(pulled)) * dx * dy,
+                energy * rest.energy, energy * march.work, energy * march.lost, unit * float(np.mean(gap)),
+                rest.residual, abs(march.lacking) / march.most if march.most else 0.0,
+                modulus * unit / dx * rest.traction, unit * gap, tuple(jump(leapt) for leapt in leaps),
+            )  # fmt: skip
+
+    def gathered(self, states: Iterable[SurfaceAdhesionState]) -> SurfaceAdhesionSolution:
+        """Return the solution made of these states, of the whole path or of its beginning."""
+        reached = tuple(states)
+        tightest = min(reached, key=lambda state: state.force)
+        jumps = tuple(jump for state in reached for jump in state.jumps)
+        return gather(SurfaceAdhesionSolution, self, reached, jumps=jumps, tightest=tightest)
+
+    def solve(self) -> SurfaceAdhesionSolution:
+        """Return the whole path.
+
+        Raises
+        ------
+        NotConverged
+            As `steps`.
+        """
+        return self.gathered(self.steps())
+
+
+@value
+class SurfaceAdhesionSolution:
+    """The solution of a `SurfaceAdhesion`, displacement by displacement.
+
+    Parameters
+    ----------
+    problem : SurfaceAdhesion
+        The problem that was solved.
+    depth, force, area, area_error, attracted_area, energy, path_work, dissipation : ndarray, (steps,)
+        As in `SurfaceAdhesionState`.
+    mean_gap, residual, energy_misfit : ndarray, (steps,)
+        As in `SurfaceAdhesionState`.
+    last : SurfaceAdhesionState
+        The contact at the last displacement, with its maps of pressure and separation.
+    tightest : SurfaceAdhesionState
+        The contact at the displacement with the lowest force.
+    jumps : tuple of SurfaceJump
+        In the order of the path.
+    """
+
+    __words__ = words(
+        **SurfaceAdhesionState.__words__,
+        tightest=("", None, "the contact that pulls most"),
+        pull_off_force=("F_c", "N", "lowest force of the path, tension negative"),
+        pull_off_depth=("d_c", "m", "displacement at the lowest force"),
+    )
+
+    problem: SurfaceAdhesion
+    depth: Array
+    force: Array
+    area: Array
+    area_error: Array
+    attracted_area: Array
+    energy: Array
+    path_work: Array
+    dissipation: Array
+    mean_gap: Array
+    residual: Array
+    energy_misfit: Array
+    last: SurfaceAdhesionState
+    tightest: SurfaceAdhesionState
+    jumps: tuple[SurfaceJump, ...]
+
+    @property
+    def pull_off_force(self) -> float:
+        """The lowest force [N]: below it a dead load tears the bodies apart."""
+        return float(np.min(self.force))
+
+    @property
+    def pull_off_depth(self) -> float:
+        """The displacement at the lowest force [m]."""
+        return float(self.depth[int(np.argmin(self.force))])
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted: law, grid, balance of tractions and energies, border, slopes."""
+        stated = self.problem
+        return (
+            *surface_adhesion_notes(
+                stated.topography, stated.law, stated.on_grid(), stated.tabor, float(np.max(self.residual)),
+                float(self.energy_misfit[-1]), len(self.jumps),
+            ),
+            *unknown_yield(stated.medium, "the stresses below attracted surfaces are not searched"),
+        )  # fmt: skip
