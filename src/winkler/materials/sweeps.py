@@ -9,7 +9,7 @@ import numpy as np
 from winkler.checks.number_checks import POSITIVE, Numbers, PoissonRatio
 from winkler.errors import InvalidInput
 from winkler.limits import MEASURED_TIMES
-from winkler.numerics.springs.relaxation_spectrum import Measurements, Response
+from winkler.numerics.springs.spectrum_response import Measurements, Response
 from winkler.numerics.types import Array
 from winkler.values import value, words
 

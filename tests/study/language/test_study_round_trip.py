@@ -65,6 +65,7 @@ ELSEWHERE = {
     wk.LayerStress,
     wk.LineFields,
     wk.LineScan,
+    wk.MapStatistics,
     wk.ProfilePatch,
     wk.RolledPatch,
     wk.RoughLine,
@@ -72,8 +73,8 @@ ELSEWHERE = {
     wk.SpringMarch,
     wk.TwistedFields,
 }
-"""Thousands of contacts or springs at once, arrays that no study file holds; restored fields, which are answers; and
-references, which a method takes."""
+"""Thousands of contacts or springs at once, arrays that no study file holds; restored fields and statistics of a map,
+which are answers; and references, which a method takes."""
 
 
 def test_the_catalogue_knows_every_public_value_that_a_study_could_name():

@@ -16,7 +16,8 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.fitting.holds.held_force import HeldForce, checked_holds
 from winkler.numerics.springs.pairwise_shifts import pairwise_shifts
-from winkler.numerics.springs.relaxation_spectrum import Measurements, Response, estimate_spectrum
+from winkler.numerics.springs.relaxation_spectrum import estimate_spectrum
+from winkler.numerics.springs.spectrum_response import Measurements, Response
 from winkler.numerics.types import Array
 from winkler.problems.master_curves.temperature_groups import spread_times
 from winkler.values import value, words

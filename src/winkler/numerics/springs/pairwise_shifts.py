@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from winkler.numerics.springs.relaxation_spectrum import Measurements, Response
+from winkler.numerics.springs.spectrum_response import Measurements, Response
 from winkler.numerics.types import Array
 
 __all__ = ["pairwise_shifts"]

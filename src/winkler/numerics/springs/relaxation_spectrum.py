@@ -16,20 +16,21 @@ D. J. C. MacKay, Neural Comput. 4 (1992) 415-447, doi:10.1162/neco.1992.4.3.415;
 
 from __future__ import annotations
 
-import enum
 import math
 from typing import NamedTuple
 
 import numpy as np
+import scipy.linalg
 
 from winkler.errors import NotConverged
+from winkler.numerics.springs.spectrum_response import Measurements, Response, SpectrumLayout, bending, linearised
 from winkler.numerics.types import Array
 
-__all__ = ["Measurements", "Response", "SpectrumEstimate", "estimate_spectrum"]
+__all__ = ["SpectrumEstimate", "estimate_spectrum"]
 
-SETTLED = 1e-12
-"""Longest step of a logarithm with which the search ends; Gauss and Newton's steps shorten by a factor only."""
-ROUNDING = 1e-14
+SETTLED = 1e-10
+"""Longest step of a logarithm with which the search ends."""
+ROUNDING = 1e-12
 """Part of the cost that is rounding."""
 MOST_STEPS = 400
 MOST_ROUNDS = 200
@@ -43,23 +44,6 @@ LEVEL_FREEDOM = 3.0
 LONGEST_STEP = 3.0
 """Longest step of a logarithm."""
 GREATEST_DAMPING = 1e12
-
-
-class Response(enum.Enum):
-    """Kinds of measured moduli."""
-
-    STORAGE = "storage"
-    LOSS = "loss"
-    RELAXATION = "relaxation"
-
-
-class Measurements(NamedTuple):
-    """Moduli of one kind: abscissa (omega or t), index of their temperature, and modulus, each ``(n,)``."""
-
-    response: Response
-    abscissa: Array
-    group: Array
-    modulus: Array
 
 
 class SpectrumEstimate(NamedTuple):
@@ -94,18 +78,6 @@ class SpectrumEstimate(NamedTuple):
     scatter: Array
     residuals: tuple[Array, ...]
     freedom: float
-
-
-class _Layout(NamedTuple):
-    """Where strengths, level, shifts and factors stand, and which of them are free."""
-
-    terms: int
-    groups: int
-    free: Array
-
-    def parts(self, numbers: Array) -> tuple[Array, float, Array, Array]:
-        k, m = self.terms, self.groups
-        return numbers[:k], float(numbers[k]), numbers[k + 1 : k + 1 + m], numbers[k + 1 + m :]
 
 
 def estimate_spectrum(
@@ -145,7 +117,7 @@ def estimate_spectrum(
     k, m = times.size, shifts.size
     others = np.arange(m) != reference
     free = np.concatenate([np.ones(k, bool), [relaxes], others & free_shifts, others & free_factors])
-    layout = _Layout(k, m, free)
+    layout = SpectrumLayout(k, m, free)
     least = min(float(one.modulus.min()) for one in measured)
     factors = np.zeros(m) if fixed_factors is None else fixed_factors
     level = math.log(least) if relaxes else -math.inf
@@ -206,7 +178,7 @@ def _start(measured: tuple[Measurements, ...], times: Array, shifts: Array) -> A
 def _settle(
     measured: tuple[Measurements, ...],
     times: Array,
-    layout: _Layout,
+    layout: SpectrumLayout,
     numbers: Array,
     prior: Array,
     pull: Array,
@@ -214,28 +186,33 @@ def _settle(
 ) -> tuple[Array, list[Array], tuple[Array, ...], Array]:
     """Return the numbers of the greatest posterior, slopes and residuals there, and its curvature."""
     free, damping = layout.free, 1e-3
-    slopes, residuals = _linearised(measured, times, layout, numbers)
+    slopes, residuals = linearised(measured, times, layout, numbers)
 
     def cost(at: Array, misfit: tuple[Array, ...]) -> float:
         misfits = sum(float(r @ r) / s**2 for r, s in zip(misfit, scatter, strict=True))
         return float(misfits + (prior @ at[free] - 2.0 * pull) @ at[free])
 
+    def weighted(misfit: tuple[Array, ...]) -> tuple[Array, ...]:
+        return tuple(r / s**2 for r, s in zip(misfit, scatter, strict=True))
+
     here = cost(numbers, residuals)
+    bends = bending(measured, times, layout, numbers, weighted(residuals))
     for _ in range(MOST_STEPS):
         inner = sum((j.T @ j / s**2 for j, s in zip(slopes, scatter, strict=True)), start=prior)
         right = sum(
             (j.T @ r / s**2 for j, r, s in zip(slopes, residuals, scatter, strict=True)),
             start=pull - prior @ numbers[free],
         )
-        step = np.linalg.solve(inner + damping * np.diag(np.diag(inner)), right)
+        step = _step(inner - bends, inner, right, damping)
         step *= min(1.0, LONGEST_STEP / max(float(np.max(np.abs(step))), LONGEST_STEP))
         ahead = numbers.copy()
         ahead[free] += step
-        next_slopes, next_residuals = _linearised(measured, times, layout, ahead)
+        next_slopes, next_residuals = linearised(measured, times, layout, ahead)
         there = cost(ahead, next_residuals)
         if math.isfinite(there) and there <= here + ROUNDING * (1.0 + abs(here)):
             settled = float(np.max(np.abs(step))) <= SETTLED
             numbers, slopes, residuals, here = ahead, next_slopes, next_residuals, there
+            bends = bending(measured, times, layout, numbers, weighted(residuals))
             damping = max(0.2 * damping, 1e-12)
             if settled:
                 break
@@ -251,38 +228,12 @@ def _settle(
     return numbers, slopes, residuals, inner
 
 
-def _linearised(
-    measured: tuple[Measurements, ...], times: Array, layout: _Layout, numbers: Array
-) -> tuple[list[Array], tuple[Array, ...]]:
-    """Return derivatives of the logarithms with respect to the free numbers, and residuals, of each kind."""
-    strengths, level, shifts, factors = layout.parts(numbers)
-    slopes, residuals = [], []
-    k, m = layout.terms, layout.groups
-    for one in measured:
-        turn = 1.0 if one.response is not Response.RELAXATION else -1.0
-        x = np.exp(turn * np.log(one.abscissa) + shifts[one.group])[:, None] * times
-        kernel, growth = _kernels(one.response, x)
-        parts = kernel * np.exp(strengths)
-        constant = 0.0 if one.response is Response.LOSS else math.exp(level)
-        model = parts.sum(axis=1) + constant
-        rows = np.arange(model.size)
-        slope = np.zeros((model.size, layout.free.size))
-        slope[:, :k] = parts / model[:, None]
-        slope[:, k] = constant / model
-        slope[rows, k + 1 + one.group] = growth @ np.exp(strengths) / model
-        slope[rows, k + 1 + m + one.group] = 1.0
-        slopes.append(slope[:, layout.free])
-        residuals.append(np.log(one.modulus) - np.log(model) - factors[one.group])
-    return slopes, tuple(residuals)
-
-
-def _kernels(response: Response, x: Array) -> tuple[Array, Array]:
-    """Return the response of one exponential, and its derivative with respect to the logarithm of x."""
-    if response is Response.RELAXATION:
-        kernel = np.exp(-1.0 / x)
-        return kernel, kernel / x
-    square = x * x
-    below = 1.0 / (1.0 + square)
-    if response is Response.STORAGE:
-        return square * below, 2.0 * square * below**2
-    return x * below, x * (1.0 - square) * below**2
+def _step(curvature: Array, convex: Array, right: Array, damping: float) -> Array:
+    """Return Newton's step where the cost is curved upwards, or that of Gauss and Newton."""
+    for matrix in (curvature, convex):
+        damped = matrix + damping * np.diag(np.diag(convex))
+        try:
+            return np.asarray(scipy.linalg.cho_solve(scipy.linalg.cho_factor(damped), right))
+        except scipy.linalg.LinAlgError:
+            continue
+    return np.linalg.solve(convex + damping * np.diag(np.diag(convex)), right)

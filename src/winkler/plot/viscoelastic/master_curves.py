@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from winkler.numerics.springs.relaxation_spectrum import Measurements, Response
+from winkler.numerics.springs.spectrum_response import Measurements, Response
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent

@@ -18,7 +18,8 @@ from winkler.checks.number_checks import Positive, Whole
 from winkler.errors import InvalidInput
 from winkler.materials.sweeps import DynamicSweeps, RelaxationSweeps
 from winkler.numerics.springs.pairwise_shifts import pairwise_shifts
-from winkler.numerics.springs.relaxation_spectrum import Measurements, SpectrumEstimate, estimate_spectrum
+from winkler.numerics.springs.relaxation_spectrum import SpectrumEstimate, estimate_spectrum
+from winkler.numerics.springs.spectrum_response import Measurements
 from winkler.numerics.types import Array
 from winkler.problems.master_curves.master_curve_notes import master_curve_notes
 from winkler.problems.master_curves.shifted_solid import ShiftedSolid

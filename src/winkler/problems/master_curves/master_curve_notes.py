@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from winkler.numerics.springs.relaxation_spectrum import Measurements
+from winkler.numerics.springs.spectrum_response import Measurements
 from winkler.numerics.types import Array
 from winkler.problems.master_curves.temperature_groups import reached_times
 from winkler.validity import Assumption, Note, Standing, standing_of

@@ -14,7 +14,8 @@ import numpy as np
 
 from winkler.checks.number_checks import Whole
 from winkler.materials.relaxation_data import DynamicData, RelaxationData
-from winkler.numerics.springs.relaxation_spectrum import Measurements, Response, estimate_spectrum
+from winkler.numerics.springs.relaxation_spectrum import estimate_spectrum
+from winkler.numerics.springs.spectrum_response import Measurements, Response
 from winkler.numerics.types import Array
 from winkler.problems.master_curves.master_curve_notes import determined_note
 from winkler.problems.master_curves.spectrum_solid import Covariances, SpectrumSolid
