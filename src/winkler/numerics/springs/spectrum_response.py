@@ -99,7 +99,7 @@ def bending(
             whole[row, : k + 1] += across
             whole[: k + 1, row] += across
             whole[row, row] += float(weight[here] @ (turn[here] @ amounts / model[here] - rise[here] ** 2))
-    return whole[np.ix_(layout.free, layout.free)]
+    return np.asarray(whole[np.ix_(layout.free, layout.free)])
 
 
 def _places(one: Measurements, times: Array, shifts: Array) -> Array:
