@@ -107,6 +107,15 @@ class CappedCylinder(_Pinned):
         """f'(r) [-]."""
         return self.cap.slope(r)
 
+    def curvature(self, r: Array) -> Array:
+        """f''(r) [1/m]."""
+        if not isinstance(self.cap, Shape):
+            raise OutsideValidity(
+                f"CappedCylinder: the cap, {type(self.cap).__name__}, has no curvature, which its contact needs here; "
+                "give a cap that is a formula."
+            )
+        return self.cap.curvature(r)
+
     def gap(self, x: Array) -> Array:
         """g(x) [m]."""
         return self.cap.gap(x)
