@@ -1,5 +1,7 @@
 """A cylinder whose end has the shape of another profile presses as that profile, below its rim."""
 
+import math
+
 import numpy as np
 import pytest
 
@@ -30,10 +32,24 @@ def test_below_the_rim_it_is_its_cap_in_a_row():
 class Curveless:
     """A profile of one's own, which need not have a curvature where its transform is given."""
 
-    def __getattr__(self, name):
-        if name == "curvature":
-            raise AttributeError(name)
-        return getattr(wk.Paraboloid(0.1), name)
+    reach = rim = size = math.inf
+    kinks = notes = ()
+    rising = True
+
+    def height(self, r):
+        return r**2 / 0.2
+
+    def slope(self, r):
+        return r / 0.1
+
+    def gap(self, x):
+        return x**2 / 0.1
+
+    def gap_slope(self, x):
+        return x / 0.05
+
+    def gap_integral(self, x):
+        return x**3 / 0.3
 
 
 def test_a_cap_without_a_curvature_is_refused_by_name():
