@@ -196,9 +196,6 @@ def drop(table: dict[str, Any], path: str) -> None:
 
 def choose_kind(table: dict[str, Any], path: str, kind: str) -> None:
     """Set a kind at a path, with the numbers of an example; keys shared with the previous kind keep their content."""
-    if path == "problem":
-        table |= initial_table(kind)
-        return
     before = at(table, path)
     new = completed({"kind": kind})
     if isinstance(before, dict) and before.get("kind") in kinds():

@@ -11,17 +11,15 @@ import tomli_w
 from nicegui import context, ui
 
 from winkler.errors import InvalidInput, WinklerError, mistake_in
-from winkler.study.language.catalogue import CATALOGUE, kinds
-from winkler.study.language.explain import summary
-from winkler.study.language.fit_reading import FITTED
 from winkler.web.form import fit_form, form
 from winkler.web.form.sample_curve import SAMPLE, sample_curve
-from winkler.web.form.study_form import TASKS, StudyForm
+from winkler.web.form.study_form import StudyForm
 from winkler.web.form.taken import taken
 from winkler.web.page.astext import AsText
 from winkler.web.page.fields import FormFields
 from winkler.web.page.fit_fields import draw_curve, draw_free, draw_measurement, show_curve
 from winkler.web.page.kept_studies import KeptStudies
+from winkler.web.page.question import Question
 from winkler.web.page.result import Result
 from winkler.web.page.sweep_fields import draw_sweep
 from winkler.web.pictures.answer import AnswerText, DrawnSheet, InteractivePicture, MomentComplete
@@ -65,8 +63,8 @@ class Page:
     def __init__(self, limit: float, folder: Path) -> None:
         self.limit = limit
         self.client = context.client
-        self.entered = StudyForm(self.changed, self.solve)
         self.uploads = UploadFolder(folder)
+        self.entered = StudyForm(self.changed, self.solve, self.uploads.folder)
         try:
             self.solver = Solver(self.receive, self.worker_ended)
         except OSError:
@@ -95,7 +93,7 @@ class Page:
             self.files = Files(self.uploads, self.opened, self.uploaded, self.upload_refused, self.export)
         with ui.element("main").classes("desk"):
             with ui.element("section").classes("study-side").props('aria-label="The study"'):
-                self._problem()
+                self.question = Question(self.entered)
                 self.parts = ui.element("div").classes("form")
                 self.text = AsText(lambda: self.entered.table, self.take_text)
             with ui.element("section").classes("answer-side").props('aria-label="The answer"') as right:
@@ -103,25 +101,12 @@ class Page:
         self.rebuild()
         ui.timer(0.25, self.tick)
 
-    def _problem(self) -> None:
-        self.task = ui.toggle(TASKS, value=self.entered.task).props("no-caps unelevated spread").classes("task")
-        self.task.props["aria-label"] = "what to do"
-        self.task.on_value_change(lambda event: self.entered.switch_task(event.value))
-        self.choice = ui.select({}, label="problem").props("outlined options-dense").classes("problem")
-        self.choice.props["data-choice"] = "problem"
-        self.meaning = ui.label().classes("meaning")
-        self.choice.on_value_change(lambda event: self.entered.choose("problem", event.value) if event.value else None)
-
     def rebuild(self) -> None:
         """Rebuild the form."""
         entered = self.entered
         fits = entered.task == "fit"
         problem = fit_form.model(entered.table) if fits else form.part_of(entered.table)
-        self.task.set_value(entered.task)
-        names = {name: name.replace("_", " ") for name in (FITTED if fits else CATALOGUE["problem"])}
-        self.choice.set_options(names, value=problem.kind)
-        self.choice.props["label"] = "model of the curve" if fits else "problem"
-        self.meaning.text = summary(kinds()[problem.kind].cls)
+        self.question.show(problem.kind)
         self.parts.clear()
         self.fields = FormFields(entered, self.uploads.names, self.files.picker)
         with self.parts:

@@ -62,7 +62,7 @@ def _sentence(outcome: Outcome, numbers: tuple[SoughtNumber, ...]) -> str:
     sought = numbers[0]
     given = [one for one in numbers[1:] if one.prescribed and not one.many]
     how = "under" if given and "force" in given[0].label else "with"
-    under = f", {how} a {' and a '.join(f'{one.label} of {one.text}' for one in given)}" if given else ""
+    under = f" {how} a {' and a '.join(f'{one.label} of {one.text}' for one in given)}" if given else ""
     where = ""
     if sought.is_range:
         where = f"over {len(outcome.points)} points " if outcome.study.sweep else "along the curve "
