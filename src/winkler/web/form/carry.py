@@ -22,7 +22,7 @@ from winkler.study.language.reading import parse_study
 from winkler.web.form import form
 from winkler.web.form.form import FormEntry, FormPart, Many, Slot
 
-__all__ = ["Carried", "carried", "is_sound"]
+__all__ = ["CarriedStudy", "carried", "is_sound"]
 
 LOADS = ("load", "normal")
 """Names of the part that presses."""
@@ -34,7 +34,7 @@ NAMES = {
 }
 
 
-class Carried(NamedTuple):
+class CarriedStudy(NamedTuple):
     """What became of a study when its question changed.
 
     Parameters
@@ -62,7 +62,7 @@ class Carried(NamedTuple):
 
 def carried(
     old: dict[str, Any], new: dict[str, Any], aside: dict[str, Any], is_sound: Callable[[dict[str, Any]], bool]
-) -> Carried:
+) -> CarriedStudy:
     """Return a study with what fits of another one.
 
     Parameters
@@ -82,7 +82,8 @@ def carried(
     dropped = list(transfer.dropped(form.part_of(old)))
     left = {key: content for key, content in aside.items() if key not in transfer.taken_aside}
     left |= {path.rpartition(".")[2]: form.at(old, path) for path, _ in dropped}
-    return Carried(table, tuple(dict.fromkeys(transfer.kept)), tuple(dict.fromkeys(name for _, name in dropped)), left)
+    names = tuple(dict.fromkeys(name for _, name in dropped))
+    return CarriedStudy(table, tuple(dict.fromkeys(transfer.kept)), names, left)
 
 
 def is_sound(table: dict[str, Any], folder: Path) -> bool:

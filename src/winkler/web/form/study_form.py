@@ -12,11 +12,11 @@ from winkler.study.language.explain import completed
 from winkler.study.language.fit_reading import FITTED
 from winkler.web.form import fit_form, form, measurement_form, sweep_form
 from winkler.web.form.carry import carried, is_sound
+from winkler.web.form.front_examples import first_table
 from winkler.web.form.typed import typed
 
-__all__ = ["FIRST", "TASKS", "StudyForm"]
+__all__ = ["TASKS", "StudyForm"]
 
-FIRST = "indentation"
 UNITS = "fit.units."
 """Beginning of the keys of units of columns."""
 TASKS = {"solve": "Solve a problem", "fit": "Fit a curve"}
@@ -41,7 +41,7 @@ class StudyForm:
         self.carried_remark = ""
         """What stayed when the question changed, and what did not."""
         self._aside: dict[str, Any] = {}
-        self.table: dict[str, Any] = form.initial_table(FIRST)
+        self.table: dict[str, Any] = first_table()
         self.other_table: dict[str, Any] = fit_form.initial_table(FITTED[0])
         self.target = ""
         """Path for which the next upload is meant."""
@@ -79,7 +79,8 @@ class StudyForm:
         """Ask another question: an example that nobody has changed is replaced, of other studies stays what fits."""
         before, after = self.table, self._example(kind)
         self.carried_remark = ""
-        if before["problem"] == self._example(str(before["problem"]["kind"]))["problem"] and "sweep" not in before:
+        examples = (self._example(str(before["problem"]["kind"])), first_table())
+        if any(before["problem"] == one["problem"] for one in examples) and "sweep" not in before:
             self.table = after
             return
         checked = is_sound(after, self.folder)  # not without a curve

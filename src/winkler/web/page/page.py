@@ -18,6 +18,7 @@ from winkler.web.form.taken import taken
 from winkler.web.page.astext import AsText
 from winkler.web.page.fields import FormFields
 from winkler.web.page.fit_fields import draw_curve, draw_free, draw_measurement, show_curve
+from winkler.web.page.front import Front
 from winkler.web.page.kept_studies import KeptStudies
 from winkler.web.page.question import Question
 from winkler.web.page.result import Result
@@ -89,7 +90,9 @@ class Page:
         with ui.element("header").classes("top"):
             ui.html("<h1>winkler</h1>", sanitize=False)
             ui.label("Contact mechanics: measured shapes in; forces, pressures and stresses out.").classes("motto")
-            self.kept = KeptStudies(self.restore, self.solve, self.uploads)
+            self.kept = KeptStudies(self.restore, self.begin, self.uploads)
+            examples = ui.button("Examples", icon="grid_view", on_click=lambda: self.front.toggle())
+            examples.props("flat dense no-caps").props["data-kept"] = "examples"
             self.files = Files(self.uploads, self.opened, self.uploaded, self.upload_refused, self.export)
         with ui.element("main").classes("desk"):
             with ui.element("section").classes("study-side").props('aria-label="The study"'):
@@ -97,9 +100,15 @@ class Page:
                 self.parts = ui.element("div").classes("form")
                 self.text = AsText(lambda: self.entered.table, self.take_text)
             with ui.element("section").classes("answer-side").props('aria-label="The answer"') as right:
+                self.front = Front(self.entered.load)
                 self.result = Result(self.show_moment, self.stop, right)
         self.rebuild()
         ui.timer(0.25, self.tick)
+
+    def begin(self) -> None:
+        """Begin with the first study, as there is no earlier work."""
+        self.front.show(visible=True)
+        self.solve()
 
     def rebuild(self) -> None:
         """Rebuild the form."""

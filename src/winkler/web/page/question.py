@@ -2,14 +2,39 @@
 
 from __future__ import annotations
 
+import functools
+import json
+
 from nicegui import ui
 
-from winkler.study.language.catalogue import CATALOGUE, kinds
+from winkler.study.chapters.contents import CHAPTERS
+from winkler.study.language.catalogue import kinds
 from winkler.study.language.explain import summary
 from winkler.study.language.fit_reading import FITTED
+from winkler.study.report.markup import safe
 from winkler.web.form.study_form import TASKS, StudyForm
 
 __all__ = ["Question"]
+
+OPTION = """
+<q-item v-bind="props.itemProps" :aria-label="props.opt.label">
+  <q-item-section><q-item-label v-text="props.opt.label"></q-item-label></q-item-section>
+  <q-item-section side class="chapter" v-text="({})[props.opt.label]"></q-item-section>
+</q-item>
+"""
+"""A kind in the list, with its chapter."""
+
+
+@functools.cache
+def _chapters() -> dict[str, str]:
+    """Return kind -> name of its chapter, chapter by chapter."""
+    pairs = [(kind, chapter.physics) for chapter in CHAPTERS for kind in chapter.answers]
+    order = list(dict.fromkeys(physics for _, physics in pairs))
+    return dict(sorted(pairs, key=lambda pair: order.index(pair[1])))
+
+
+def _in_words(kind: str) -> str:
+    return kind.replace("_", " ")
 
 
 class Question:
@@ -26,7 +51,10 @@ class Question:
         self.task = ui.toggle(TASKS, value=entered.task).props("no-caps unelevated spread").classes("task")
         self.task.props["aria-label"] = "what to do"
         self.task.on_value_change(lambda event: entered.switch_task(event.value))
-        self.choice = ui.select({}, label="problem").props("outlined options-dense").classes("problem")
+        self.choice = ui.select({}, label="problem", with_input=True).classes("problem")
+        self.choice.props("outlined options-dense clearable=false").props(remove="hide-selected fill-input")
+        labels = json.dumps({_in_words(kind): chapter for kind, chapter in _chapters().items()})
+        self.choice.add_slot("option", OPTION.format(safe(labels)))
         self.choice.props["data-choice"] = "problem"
         self.meaning = ui.label().classes("meaning")
         self.choice.on_value_change(lambda event: entered.choose("problem", event.value) if event.value else None)
@@ -38,9 +66,8 @@ class Question:
         """Show the task and the kind of the study."""
         fits = self.entered.task == "fit"
         self.task.set_value(self.entered.task)
-        names = {name: name.replace("_", " ") for name in (FITTED if fits else CATALOGUE["problem"])}
-        self.choice.set_options(names, value=kind)
-        self.choice.props["label"] = "model of the curve" if fits else "problem"
+        self.choice.set_options({name: _in_words(name) for name in (FITTED if fits else _chapters())}, value=kind)
+        self.choice.props["label"] = "model of the curve" if fits else "problem: choose, or type a part of its name"
         self.meaning.text = summary(kinds()[kind].cls)
         self.said.text = self.entered.carried_remark
         self.carried.set_visibility(bool(self.entered.carried_remark))

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from winkler.foundation.bed import PressedSprings
 from winkler.problems.normal.validity import shape_notes
 from winkler.readable import with_unit
 from winkler.validity import Assumption, Note, Standing
@@ -104,7 +105,7 @@ def load_within(contact: Any, standing: Standing) -> float:
     """
     pressed = getattr(contact, "pressed", None)
     bed, order = getattr(pressed, "bed", None), list(Standing)
-    if bed is None or not hasattr(bed, "gap_load") or not pressed.radius > 0.0:
+    if bed is None or type(pressed) is not PressedSprings or not pressed.radius > 0.0:  # adhesion takes another load
         return math.nan
 
     def keeps(radius: float) -> bool:
