@@ -188,6 +188,7 @@ class Page:
     def changed(self) -> None:
         """Rebuild the form, and solve its study."""
         self.anew = True
+        self.front.show(visible=False)
         if self.entered.task != self.shown_task:
             self.shown_task = self.entered.task
             self.result.clear()

@@ -51,8 +51,7 @@ class Question:
         self.task = ui.toggle(TASKS, value=entered.task).props("no-caps unelevated spread").classes("task")
         self.task.props["aria-label"] = "what to do"
         self.task.on_value_change(lambda event: entered.switch_task(event.value))
-        self.choice = ui.select({}, label="problem", with_input=True).classes("problem")
-        self.choice.props("outlined options-dense clearable=false").props(remove="hide-selected fill-input")
+        self.choice = ui.select({}, label="problem").props("outlined options-dense").classes("problem")
         labels = json.dumps({_in_words(kind): chapter for kind, chapter in _chapters().items()})
         self.choice.add_slot("option", OPTION.format(safe(labels)))
         self.choice.props["data-choice"] = "problem"
@@ -67,7 +66,7 @@ class Question:
         fits = self.entered.task == "fit"
         self.task.set_value(self.entered.task)
         self.choice.set_options({name: _in_words(name) for name in (FITTED if fits else _chapters())}, value=kind)
-        self.choice.props["label"] = "model of the curve" if fits else "problem: choose, or type a part of its name"
+        self.choice.props["label"] = "model of the curve" if fits else "problem"
         self.meaning.text = summary(kinds()[kind].cls)
         self.said.text = self.entered.carried_remark
         self.carried.set_visibility(bool(self.entered.carried_remark))
