@@ -38,3 +38,22 @@ def test_the_worst_doubt_says_what_to_do(fresh):
     card = app_page.page.locator(".head .beside .card", has_text="load at which it yields")
     card.get_by_text("of the first body, by von Mises' criterion").wait_for(timeout=30_000)
     app_page.shot("doubt")
+
+
+def test_the_page_begins_with_examples(fresh):
+    app_page = fresh()
+    page = app_page.page
+    assert page.locator(".front-card").count() == 10
+    page.get_by_role("button", name="Ball bearing").click()
+    page.locator(".head .sought-line", has_text="The peak pressure is 1.791 GPa under a force of 500 N").wait_for()
+    assert not page.locator(".front").is_visible()
+    page.locator('[data-kept="examples"]').click()
+    page.get_by_role("button", name="AFM bead on a gel").click()
+    page.locator(".head .sought-line", has_text="under a force of 1 nN").wait_for(timeout=60_000)
+    second = page.locator('[data-choice="problem.bed.medium.second"]')
+    assert second.inner_text() == "— rigid"
+    app_page.settled()
+    page.go_back()
+    page.locator(".head .sought-line", has_text="under a force of 500 N").wait_for(timeout=30_000)
+    app_page.choose("problem", "line_indentation")
+    page.get_by_text("Kept: medium (half space).").wait_for(timeout=30_000)

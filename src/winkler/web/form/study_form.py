@@ -80,16 +80,19 @@ class StudyForm:
         before, after = self.table, self._example(kind)
         self.carried_remark = ""
         examples = (self._example(str(before["problem"]["kind"])), first_table())
-        if any(before["problem"] == one["problem"] for one in examples) and "sweep" not in before:
+        sentence = ""
+        if any(before["problem"] == one["problem"] for one in examples):
             self.table = after
-            return
-        checked = is_sound(after, self.folder)  # not without a curve
-        carry = carried(before, after, self._aside, lambda table: not checked or is_sound(table, self.folder))
-        self.table, self._aside = carry.table, carry.aside
-        lost = [
-            name for name in before if name not in ("title", "problem", "fit") and not self._keep_section(name, before)
-        ]
-        self.carried_remark = carry.sentence + (f" Left out: [{'], ['.join(lost)}]." if lost else "")
+        else:
+            checked = is_sound(after, self.folder)  # not without a curve
+            carry = carried(before, after, self._aside, lambda table: not checked or is_sound(table, self.folder))
+            self.table, self._aside, sentence = carry.table, carry.aside, carry.sentence
+        usual = examples[0]["title"]
+        if before.get("title", usual) != usual:  # one's own
+            self.table["title"] = before["title"]
+        sections = [name for name in before if name not in ("title", "problem", "fit")]
+        lost = [name for name in sections if not self._keep_section(name, before)]
+        self.carried_remark = f"{sentence} Left out: [{'], ['.join(lost)}].".strip() if lost else sentence
 
     def _keep_section(self, name: str, before: dict[str, Any]) -> bool:
         """Keep a section of the study before, if the new one is sound with it; return whether it is."""

@@ -100,7 +100,7 @@ class Page:
                 self.parts = ui.element("div").classes("form")
                 self.text = AsText(lambda: self.entered.table, self.take_text)
             with ui.element("section").classes("answer-side").props('aria-label="The answer"') as right:
-                self.front = Front(self.entered.load)
+                self.front: Front = Front(self.entered.load)
                 self.result = Result(self.show_moment, self.stop, right)
         self.rebuild()
         ui.timer(0.25, self.tick)
