@@ -21,12 +21,17 @@ SHOTS = os.environ.get("WINKLER_SCREENSHOTS", "")
 """Folder for screenshots, to be looked at; none are taken without it."""
 
 
-@contextlib.contextmanager
-def served(*options):
-    """Start the app, and give where it is."""
+def free_port():
+    """Return a port that nobody uses."""
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
-        port = probe.getsockname()[1]
+        return probe.getsockname()[1]
+
+
+@contextlib.contextmanager
+def served(*options, port=None, crashes=False):
+    """Start the app, and give where it is; one that crashes is killed in the end."""
+    port = port or free_port()
     words = [sys.executable, "-m", "winkler", "app", "--port", str(port), "--no-browser", *options]
     plain = {name: content for name, content in os.environ.items() if not name.startswith("PYTEST")}
     uploads = tempfile.TemporaryDirectory()
@@ -41,6 +46,11 @@ def served(*options):
             assert process.poll() is None, process.stderr.read()
             time.sleep(0.2)
     yield address
+    if crashes:
+        process.kill()
+        process.communicate(timeout=30.0)
+        uploads.cleanup()
+        return
     process.send_signal(signal.SIGINT)
     out, err = process.communicate(timeout=30.0)
     assert process.returncode in (0, 130), err

@@ -36,9 +36,11 @@ def test_every_kind_has_a_headline_of_its_answers():
     ],
 )
 def test_the_sought_number_stands_first(kind, sought, value):
-    """What was prescribed stands last; of a path the numbers are those at its end, and it is said so."""
+    """What was prescribed stands last; of a path the numbers are those at its end, and the sentence says so."""
     page = answer_section(run(parse_study(template(kind))))
+    lead, _, page = page.partition("</p>")
+    assert value in lead.replace("\xa0", " ")
     first, second = page.index('class="card sought"'), page.index('class="card"')
     assert first < page.index(value) < second
     assert first < page.index(sought, first) < second
-    assert ("At the end:" in page) == (kind == "tangential")
+    assert ("At the end the" in lead) == (kind == "tangential")

@@ -204,7 +204,8 @@ def test_one_load_is_stated_in_large_letters(page):
     assert "1.191 µm" in parsed.text
     assert "20 N" in parsed.text
     cards = [attributes["class"] for _, attributes in parsed.tags if attributes.get("class", "").startswith("card")]
-    assert cards == ["cards", "card sought", "card", "card", "card"]  # depth, radius, mean pressure; the given force
+    sought = ["cards", "card sought", "card", "card", "card"]  # depth, radius, mean pressure; the given force
+    assert cards == [*sought, "cards beside", "card", "card"]  # the greatest stress, the load of yield
     assert "indentation depth: how far the bodies have approached since first touch" in parsed.text
 
 

@@ -10,7 +10,7 @@ from winkler.materials.elastic import Elastic
 from winkler.media.families import CoatedBody
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 
-__all__ = ["StrongPart", "strong_parts"]
+__all__ = ["StrongPart", "solid_parts", "strong_parts"]
 
 
 class StrongPart(NamedTuple):
@@ -42,7 +42,18 @@ def strong_parts(medium: object) -> tuple[StrongPart, ...]:
     medium
         Any; one that names no solids has no such part.
     """
-    return tuple(part for part in _parts(medium) if part.solid.strength < math.inf)
+    return tuple(part for part in solid_parts(medium) if part.solid.strength < math.inf)
+
+
+def solid_parts(medium: object) -> tuple[StrongPart, ...]:
+    """Return the isotropic elastic parts of a medium, with a strength or without, from the first surface down.
+
+    Parameters
+    ----------
+    medium
+        Any; one that names no solids has no such part.
+    """
+    return tuple(_parts(medium))
 
 
 def _parts(medium: object) -> Iterator[StrongPart]:

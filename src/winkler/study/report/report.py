@@ -15,6 +15,7 @@ from winkler.study.report.archive import CSV, NETCDF
 from winkler.study.report.describe import settings_text
 from winkler.study.report.figure import ReportFigure
 from winkler.study.report.figures import figures_of, shown_contact, shown_point
+from winkler.study.report.headline.section import doubt_line, doubt_of
 from winkler.study.report.markup import safe, section
 from winkler.study.report.tables import answer_section, expected, failures, input_section, question_section
 from winkler.validity import Standing, worst
@@ -51,7 +52,7 @@ def page(outcome: Outcome, shown: tuple[ReportFigure, ...] | None = None) -> str
     pictures = figures_of(outcome) if shown is None else shown
     notes = outcome.validity
     body = [
-        f"<header><h1>{title}</h1>{_standing_line(outcome, worst(notes))}</header>",
+        f"<header><h1>{title}</h1>{_standing_line(outcome, worst(notes))}{doubt_line(doubt_of(outcome))}</header>",
         question_section(outcome),
         answer_section(outcome),
         failures(outcome),

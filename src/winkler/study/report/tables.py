@@ -11,10 +11,10 @@ from winkler.plot.series import middle_scale, name_in_words
 from winkler.readable import with_unit
 from winkler.study.batch.events import EVENTS
 from winkler.study.batch.outcome import ComparedNumber, Outcome, ResultColumn
-from winkler.study.chapters.contents import answer_of
 from winkler.study.language import keys
 from winkler.study.report.archive import CSV, rows_of
 from winkler.study.report.describe import Input, content_label, in_words, inputs, settings_text
+from winkler.study.report.headline.section import headline_section
 from winkler.study.report.markup import number, safe, section, table, with_fixed_units
 from winkler.study.report.mathml import symbol
 
@@ -63,12 +63,13 @@ def answer_section(outcome: Outcome) -> str:
     columns = outcome.table()
     rows = len(columns[0].content)
     if rows == 1:
-        return section("Results", _headline(outcome), _single(columns), _events(outcome))
+        return section("Results", headline_section(outcome), _single(columns), _events(outcome))
     cut = ""
     if rows > MOST_ROWS:
         half = MOST_ROWS // 2
         cut = f"<p class='small'>{rows} rows, of which the first and last {half} are shown; {CSV} holds all.</p>"
-    return section("Results", _headline(outcome), _many(columns, outcome), cut, _events(outcome), _indices(outcome))
+    parts = (headline_section(outcome), _many(columns, outcome), cut, _events(outcome), _indices(outcome))
+    return section("Results", *parts)
 
 
 def _indices(outcome: Outcome) -> str:
@@ -123,30 +124,6 @@ def _events(outcome: Outcome) -> str:
         )
         parts.append(f"<h3>{safe(title)}</h3>{table([*swept, *heads], lines)}{more}")
     return "".join(parts)
-
-
-def _headline(outcome: Outcome) -> str:
-    """Return the sought numbers in large letters, those that were prescribed last; nothing for a sweep."""
-    study = outcome.study
-    if study.axes:
-        return ""
-    given = {one.name for one in inputs(study)}
-    names = [name for name in answer_of(study.problem).headline if name in outcome.answers]
-    cards: list[str] = []
-    for name in sorted(names, key=lambda name: name_in_words(name) in given):
-        entry, number = outcome.word(name), float(outcome.answer(name).ravel()[-1])
-        if np.isnan(number):
-            continue
-        meaning = "" if cards else f'<div class="name">{safe(entry.meaning)}</div>'
-        kind = "card" if cards else "card sought"
-        cards.append(
-            f'<div class="{kind}"><div class="value">{safe(with_unit(number, entry.unit))}</div>'
-            f'<div class="name">{safe(name_in_words(name))} {symbol(entry.symbol)}</div>{meaning}</div>'
-        )
-    if not cards:
-        return ""
-    last = '<p class="small">At the end:</p>' if outcome.answer(names[0]).size > 1 else ""
-    return f'{last}<div class="cards">{"".join(cards)}</div>'
 
 
 def _single(columns: tuple[ResultColumn, ...]) -> str:

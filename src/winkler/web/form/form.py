@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import dataclasses
 import re
 from typing import Any, NamedTuple
 
 from winkler.plot.series import name_in_words
-from winkler.study.language.catalogue import kinds
+from winkler.study.language.catalogue import kind_of, kinds
 from winkler.study.language.explain import completed, example_study, keys_of, summary
 from winkler.study.language.schema import allowed_in_list, allowed_kinds, hints
 from winkler.vocabulary import Word
@@ -74,7 +75,7 @@ class FormEntry(NamedTuple):
 
 
 class Slot(NamedTuple):
-    """A key that takes one of several kinds; without `part` it is left out."""
+    """A key that takes one of several kinds; without `part` it is left out, and the kind is `otherwise`, if any."""
 
     path: str
     label: str
@@ -82,6 +83,7 @@ class Slot(NamedTuple):
     allowed: tuple[str, ...]
     required: bool
     part: FormPart | None
+    otherwise: str = ""
 
 
 class Many(NamedTuple):
@@ -135,6 +137,7 @@ def part_of(table: dict[str, Any], path: str = "problem") -> FormPart:
     file = str(inside.get(FILE, ""))
     keys = {key.name: key for key in keys_of(name)}
     declared = hints(line.cls)
+    defaults = {field.name: field.default for field in dataclasses.fields(line.cls)}
     children: list[FormEntry | Slot | Many] = []
     for key in keys.values():
         if key.name == FILE or (file and key.name in declared and key.required):
@@ -146,7 +149,11 @@ def part_of(table: dict[str, Any], path: str = "problem") -> FormPart:
         name_ = name_in_words(key.name) if hint is None or len(key.name) > 1 else key.name
         if hint is not None and allowed_kinds(hint):
             part = part_of(table, where) if isinstance(content, dict) else None
-            children.append(Slot(where, name_, key.word.meaning, allowed_kinds(hint), key.required, part))
+            default = defaults.get(key.name)
+            otherwise = (
+                kind_of(type(default)) if dataclasses.is_dataclass(default) and not dataclasses.fields(default) else ""
+            )
+            children.append(Slot(where, name_, key.word.meaning, allowed_kinds(hint), key.required, part, otherwise))
         elif hint is not None and allowed_in_list(hint):
             count = len(content) if isinstance(content, list) else 0
             parts = tuple(part_of(table, f"{where}.{place}") for place in range(count))
@@ -196,9 +203,6 @@ def drop(table: dict[str, Any], path: str) -> None:
 
 def choose_kind(table: dict[str, Any], path: str, kind: str) -> None:
     """Set a kind at a path, with the numbers of an example; keys shared with the previous kind keep their content."""
-    if path == "problem":
-        table |= initial_table(kind)
-        return
     before = at(table, path)
     new = completed({"kind": kind})
     if isinstance(before, dict) and before.get("kind") in kinds():

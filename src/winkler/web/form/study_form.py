@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+import copy
 import re
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 from winkler.study.language.explain import completed
 from winkler.study.language.fit_reading import FITTED
 from winkler.web.form import fit_form, form, measurement_form, sweep_form
+from winkler.web.form.carry import carried, is_sound
+from winkler.web.form.front_examples import first_table
 from winkler.web.form.typed import typed
 
-__all__ = ["FIRST", "TASKS", "StudyForm"]
+__all__ = ["TASKS", "StudyForm"]
 
-FIRST = "indentation"
 UNITS = "fit.units."
 """Beginning of the keys of units of columns."""
 TASKS = {"solve": "Solve a problem", "fit": "Fit a curve"}
@@ -29,11 +32,16 @@ class StudyForm:
         Called when the form must be rebuilt.
     solve
         Called when only a value has changed.
+    folder
+        Where the files of the study are.
     """
 
-    def __init__(self, changed: Callable[[], None], solve: Callable[[], None]) -> None:
-        self.changed, self.solve = changed, solve
-        self.table: dict[str, Any] = form.initial_table(FIRST)
+    def __init__(self, changed: Callable[[], None], solve: Callable[[], None], folder: Path | None = None) -> None:
+        self.changed, self.solve, self.folder = changed, solve, folder or Path()
+        self.carried_remark = ""
+        """What stayed when the question changed, and what did not."""
+        self._aside: dict[str, Any] = {}
+        self.table: dict[str, Any] = first_table()
         self.other_table: dict[str, Any] = fit_form.initial_table(FITTED[0])
         self.target = ""
         """Path for which the next upload is meant."""
@@ -46,30 +54,65 @@ class StudyForm:
     def switch_task(self, task: str) -> None:
         """Switch to the other task, and keep the study of this one."""
         if task in TASKS and task != self.task:
-            self.table, self.other_table = self.other_table, self.table
+            self.table, self.other_table, self.carried_remark = self.other_table, self.table, ""
             self.changed()
 
     def load(self, table: dict[str, Any]) -> None:
         """Replace the whole study."""
         if ("fit" in table) != ("fit" in self.table):
             self.other_table = self.table
-        self.table = table
+        self.table, self.carried_remark = table, ""
         self.changed()
+
+    def take_example(self) -> None:
+        """Replace the study by the example of its problem."""
+        self.load(self._example(str(self.table["problem"]["kind"])))
+
+    def _example(self, kind: str) -> dict[str, Any]:
+        if self.task == "solve":
+            return form.initial_table(kind)
+        table = fit_form.initial_table(kind)
+        table["fit"] |= measurement_form.kept(self.table)
+        return table
+
+    def _ask(self, kind: str) -> None:
+        """Ask another question: an example that nobody has changed is replaced, of other studies stays what fits."""
+        before, after = self.table, self._example(kind)
+        self.carried_remark = ""
+        examples = (self._example(str(before["problem"]["kind"])), first_table())
+        sentence = ""
+        if any(before["problem"] == one["problem"] for one in examples):
+            self.table = after
+        else:
+            checked = is_sound(after, self.folder)  # not without a curve
+            carry = carried(before, after, self._aside, lambda table: not checked or is_sound(table, self.folder))
+            self.table, self._aside, sentence = carry.table, carry.aside, carry.sentence
+        usual = examples[0]["title"]
+        if before.get("title", usual) != usual:  # one's own
+            self.table["title"] = before["title"]
+        sections = [name for name in before if name not in ("title", "problem", "fit")]
+        lost = [name for name in sections if not self._keep_section(name, before)]
+        self.carried_remark = f"{sentence} Left out: [{'], ['.join(lost)}].".strip() if lost else sentence
+
+    def _keep_section(self, name: str, before: dict[str, Any]) -> bool:
+        """Keep a section of the study before, if the new one is sound with it; return whether it is."""
+        self.table[name] = copy.deepcopy(before[name])
+        self._drop_missing_keys()
+        if name in self.table and not is_sound(self.table, self.folder):
+            del self.table[name]
+        return name in self.table
 
     def choose(self, path: str, kind: str) -> None:
         """Set a kind at a path; an empty one removes it."""
         if kind == str((form.at(self.table, path) or {}).get("kind", "")):
             return
-        if path == "problem" and self.task == "fit":
-            measured = measurement_form.kept(self.table)
-            self.table = fit_form.initial_table(kind)
-            self.table["fit"] |= measured
+        self.carried_remark = ""
+        if path == "problem":
+            self._ask(kind)
         elif kind:
             form.choose_kind(self.table, path, kind)
         else:
             form.drop(self.table, path)
-        if path == "problem":
-            self.table = {name: self.table[name] for name in ("title", "problem", "fit") if name in self.table}
         self._drop_missing_keys()
         self.changed()
 

@@ -20,6 +20,14 @@ from winkler.web.pictures.words import symbol_html
 __all__ = ["FieldActions", "FormFields"]
 
 NONE = "—"
+PLAIN = {
+    "bed.profile": "what presses",
+    "medium.first": "into what",
+    "medium.second": "of what the pressing body is made",
+    "problem.load": "how hard",
+    "problem.normal": "how hard",
+}
+"""End of a path -> plain words beside the name of the place."""
 NUMBERS = "numbers below"
 
 
@@ -204,11 +212,13 @@ class FormFields:
     def _slot(self, slot: Slot) -> None:
         names = {kind: kind.replace("_", " ") for kind in slot.allowed}
         if not slot.required:
-            names = {"": NONE, **names}
+            left_out = f"{NONE} {slot.otherwise.replace('_', ' ')}".rstrip()
+            names = {"": left_out, **names}
         kind = slot.part.kind if slot.part else ""
         single = len(names) == 1
         with ui.element("section").classes("part" if slot.part else "part empty"):
-            choice = ui.select(names, value=kind if kind in names else None, label=slot.label)
+            plain = next((f": {words}" for end, words in PLAIN.items() if slot.path.endswith(end)), "")
+            choice = ui.select(names, value=kind if kind in names else None, label=f"{slot.label}{plain}")
             choice.props("outlined dense options-dense").props["hint"] = slot.part.meaning if slot.part else slot.hint
             choice.props("hide-hint hide-bottom-space").classes("choice")
             choice.props["data-choice"] = slot.path

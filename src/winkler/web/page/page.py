@@ -11,16 +11,16 @@ import tomli_w
 from nicegui import context, ui
 
 from winkler.errors import InvalidInput, WinklerError, mistake_in
-from winkler.study.language.catalogue import CATALOGUE, kinds
-from winkler.study.language.explain import summary
-from winkler.study.language.fit_reading import FITTED
-from winkler.study.language.reading import parsed
 from winkler.web.form import fit_form, form
 from winkler.web.form.sample_curve import SAMPLE, sample_curve
-from winkler.web.form.study_form import TASKS, StudyForm
+from winkler.web.form.study_form import StudyForm
+from winkler.web.form.taken import taken
 from winkler.web.page.astext import AsText
 from winkler.web.page.fields import FormFields
 from winkler.web.page.fit_fields import draw_curve, draw_free, draw_measurement, show_curve
+from winkler.web.page.front import Front
+from winkler.web.page.kept_studies import KeptStudies
+from winkler.web.page.question import Question
 from winkler.web.page.result import Result
 from winkler.web.page.sweep_fields import draw_sweep
 from winkler.web.pictures.answer import AnswerText, DrawnSheet, InteractivePicture, MomentComplete
@@ -64,8 +64,8 @@ class Page:
     def __init__(self, limit: float, folder: Path) -> None:
         self.limit = limit
         self.client = context.client
-        self.entered = StudyForm(self.changed, self.solve)
         self.uploads = UploadFolder(folder)
+        self.entered = StudyForm(self.changed, self.solve, self.uploads.folder)
         try:
             self.solver = Solver(self.receive, self.worker_ended)
         except OSError:
@@ -90,37 +90,32 @@ class Page:
         with ui.element("header").classes("top"):
             ui.html("<h1>winkler</h1>", sanitize=False)
             ui.label("Contact mechanics: measured shapes in; forces, pressures and stresses out.").classes("motto")
+            self.kept = KeptStudies(self.restore, self.begin, self.uploads)
+            examples = ui.button("Examples", icon="grid_view", on_click=lambda: self.front.toggle())
+            examples.props("flat dense no-caps").props["data-kept"] = "examples"
             self.files = Files(self.uploads, self.opened, self.uploaded, self.upload_refused, self.export)
         with ui.element("main").classes("desk"):
             with ui.element("section").classes("study-side").props('aria-label="The study"'):
-                self._problem()
+                self.question = Question(self.entered)
                 self.parts = ui.element("div").classes("form")
                 self.text = AsText(lambda: self.entered.table, self.take_text)
             with ui.element("section").classes("answer-side").props('aria-label="The answer"') as right:
+                self.front: Front = Front(self.entered.load)
                 self.result = Result(self.show_moment, self.stop, right)
         self.rebuild()
         ui.timer(0.25, self.tick)
-        self.solve()
 
-    def _problem(self) -> None:
-        self.task = ui.toggle(TASKS, value=self.entered.task).props("no-caps unelevated spread").classes("task")
-        self.task.props["aria-label"] = "what to do"
-        self.task.on_value_change(lambda event: self.entered.switch_task(event.value))
-        self.choice = ui.select({}, label="problem").props("outlined options-dense").classes("problem")
-        self.choice.props["data-choice"] = "problem"
-        self.meaning = ui.label().classes("meaning")
-        self.choice.on_value_change(lambda event: self.entered.choose("problem", event.value) if event.value else None)
+    def begin(self) -> None:
+        """Begin with the first study, as there is no earlier work."""
+        self.front.show(visible=True)
+        self.solve()
 
     def rebuild(self) -> None:
         """Rebuild the form."""
         entered = self.entered
         fits = entered.task == "fit"
         problem = fit_form.model(entered.table) if fits else form.part_of(entered.table)
-        self.task.set_value(entered.task)
-        names = {name: name.replace("_", " ") for name in (FITTED if fits else CATALOGUE["problem"])}
-        self.choice.set_options(names, value=problem.kind)
-        self.choice.props["label"] = "model of the curve" if fits else "problem"
-        self.meaning.text = summary(kinds()[problem.kind].cls)
+        self.question.show(problem.kind)
         self.parts.clear()
         self.fields = FormFields(entered, self.uploads.names, self.files.picker)
         with self.parts:
@@ -146,12 +141,7 @@ class Page:
     def take_text(self, text: str) -> str:
         """Take a study from its text; return its mistakes."""
         try:
-            table = parsed(text, "")
-            known = FITTED if "fit" in table else CATALOGUE["problem"]
-            if str((form.at(table, "problem") or {}).get("kind")) not in known:
-                self._raise_mistakes(text, fits="fit" in table)
-            if not isinstance(table.get("fit", {}), dict) or not isinstance(form.at(table, "fit.free") or {}, dict):
-                self._raise_mistakes(text, fits=True)
+            table = taken(text, self.uploads.folder)
             if "fit" not in table:  # a missing curve is reported beside its field
                 self.uploads.check(table)
         except WinklerError as error:
@@ -159,12 +149,13 @@ class Page:
         self.entered.load(table)
         return ""
 
-    def _raise_mistakes(self, text: str, *, fits: bool) -> None:
-        """Raise the mistakes that the checks of the study find."""
-        from winkler.study.language.fit_reading import parse_fit_study
-        from winkler.study.language.reading import parse_study
-
-        (parse_fit_study if fits else parse_study)(text, folder=self.uploads.folder)
+    def restore(self, text: str) -> str:
+        """Take up an earlier study; what is missing of it is reported beside its fields."""
+        try:
+            self.entered.load(taken(text, self.uploads.folder))
+        except WinklerError as error:
+            return str(error)
+        return ""
 
     def uploaded(self, name: str) -> None:
         """Use an uploaded file at the path for which it was meant."""
@@ -197,6 +188,7 @@ class Page:
     def changed(self) -> None:
         """Rebuild the form, and solve its study."""
         self.anew = True
+        self.front.show(visible=False)
         if self.entered.task != self.shown_task:
             self.shown_task = self.entered.task
             self.result.clear()
@@ -208,6 +200,7 @@ class Page:
         table = self.entered.table
         text = tomli_w.dumps(table)
         self.text.show()
+        self.kept.keep(table, text, value=not self.anew)
         try:
             self.uploads.check(table)
         except WinklerError as error:

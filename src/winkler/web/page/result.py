@@ -95,7 +95,7 @@ class Result:
         for part in (self.head, self.grid, self.drawn, *self.tail):
             part.classes(remove="stale")
         badge = f'<p class="standing-line"><span class="standing {answer.standing}">{answer.standing}</span></p>'
-        self.head.set_content(badge + answer.answers)
+        self.head.set_content(badge + answer.doubt + answer.answers)
         self.drawn.clear()
         self.sheets = 0
         self.place.classes(**{"add" if answer.points > 1 else "remove": "swept"})

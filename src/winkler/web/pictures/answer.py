@@ -21,6 +21,7 @@ from winkler.study.chapters.method_captions import captions_of
 from winkler.study.report.describe import settings_text
 from winkler.study.report.figure import ReportFigure, svg_element
 from winkler.study.report.figures import answers_over, shown_point
+from winkler.study.report.headline.section import doubt_line, doubt_of
 from winkler.study.report.markup import safe
 from winkler.study.report.page_parts import papers, trust
 from winkler.study.report.tables import answer_section, expected, failures
@@ -63,6 +64,8 @@ class AnswerText(NamedTuple):
         Number of moments of the results, zero without a history; and the first one shown.
     points
         Of a sweep.
+    doubt
+        The worst statement on the results, and what to do about it; empty where nothing is doubtful.
     """
 
     standing: str
@@ -73,6 +76,7 @@ class AnswerText(NamedTuple):
     moments: int
     moment: int
     points: int = 1
+    doubt: str = ""
 
 
 class InteractivePicture(NamedTuple):
@@ -159,6 +163,7 @@ def answer_text(outcome: Outcome, text: str, moments: int, moment: int) -> Answe
         moments,
         moment,
         len(outcome.points),
+        doubt_line(doubt_of(outcome)),
     )
 
 

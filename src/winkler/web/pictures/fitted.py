@@ -17,6 +17,8 @@ from winkler.study.batch.fit_outcome import FitOutcome, Fitted, interval_of
 from winkler.study.report import fit_tables
 from winkler.study.report.examined.sections import further_figures, further_section
 from winkler.study.report.fit_report import figures_of_curves, figures_of_many, steps
+from winkler.study.report.headline.advice import worst_doubt
+from winkler.study.report.headline.section import doubt_line
 from winkler.study.report.markup import safe, with_fixed_units
 from winkler.study.report.mathml import symbol
 from winkler.study.report.page_parts import papers, trust
@@ -54,6 +56,7 @@ def fit_text(outcome: FitOutcome, text: str) -> AnswerText:
         text,
         count if count > 1 else 0,
         0,
+        doubt=doubt_line(worst_doubt(outcome.validity)),
     )
 
 

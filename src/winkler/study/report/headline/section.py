@@ -1,0 +1,113 @@
+"""The headline of an outcome as HTML: one sentence, the sought numbers as cards, the elastic contact beside them."""
+
+from __future__ import annotations
+
+import math
+
+from winkler.readable import with_unit
+from winkler.study.batch.outcome import Outcome
+from winkler.study.report.figure import capital
+from winkler.study.report.figures import shown_contact, shown_point
+from winkler.study.report.headline.advice import Doubt, worst_doubt
+from winkler.study.report.headline.elastic_state import ElasticState, elastic_state
+from winkler.study.report.headline.numbers import SoughtNumber, sought_numbers
+from winkler.study.report.markup import safe, with_fixed_units
+from winkler.study.report.mathml import symbol
+
+__all__ = ["doubt_line", "doubt_of", "headline_section"]
+
+VON_MISES = r"\sigma_{vM}"
+
+
+def headline_section(outcome: Outcome) -> str:
+    """Return the headline of an outcome; nothing where no number was found.
+
+    Parameters
+    ----------
+    outcome
+        Outcome of a study.
+    """
+    numbers = sought_numbers(outcome)
+    if not numbers:
+        return ""
+    lead = f'<p class="lead sought-line">{with_fixed_units(_sentence(outcome, numbers))}</p>'
+    cards = "".join(_card(one, first=place == 0) for place, one in enumerate(numbers))
+    shown = {one.name for one in numbers if not one.is_range}
+    if "z" in outcome.answers:  # the answer itself is a place of the greatest stress
+        shown |= {"von_mises"}
+    state = None if outcome.study.sweep else elastic_state(shown_point(outcome))
+    return f'{lead}<div class="cards">{cards}</div>{_beside(state, shown)}'
+
+
+def doubt_of(outcome: Outcome) -> Doubt:
+    """Return the worst statement on an outcome, with what to do about it.
+
+    Parameters
+    ----------
+    outcome
+        Outcome of a study.
+    """
+    return worst_doubt(outcome.validity, None if outcome.study.sweep else shown_contact(shown_point(outcome)))
+
+
+def doubt_line(doubt: Doubt) -> str:
+    """Return the worst statement and what to do about it as a line of a page; nothing where nothing is doubtful."""
+    if not doubt.statement:
+        return ""
+    return f'<p class="doubt">{with_fixed_units(doubt.statement)} <strong>{safe(doubt.advice)}</strong></p>'
+
+
+def _sentence(outcome: Outcome, numbers: tuple[SoughtNumber, ...]) -> str:
+    """Return the sought number with its unit in one sentence."""
+    sought = numbers[0]
+    given = [one for one in numbers[1:] if one.prescribed and not one.many]
+    how = "under" if given and "force" in given[0].label else "with"
+    under = f" {how} a {' and a '.join(f'{one.label} of {one.text}' for one in given)}" if given else ""
+    where = ""
+    if sought.is_range:
+        where = f"over {len(outcome.points)} points " if outcome.study.sweep else "along the curve "
+    return capital(f"{where}{sought.sentence}{under}.")
+
+
+def _card(one: SoughtNumber, *, first: bool) -> str:
+    meaning = f'<div class="name">{safe(one.word.meaning)}</div>' if first else ""
+    remark = f'<div class="name">{safe(one.remark)}</div>' if one.remark else ""
+    return (
+        f'<div class="{"card sought" if first else "card"}"><div class="value">{safe(one.text)}</div>'
+        f'<div class="name">{safe(one.label)} {symbol(one.word.symbol)}</div>{remark}{meaning}</div>'
+    )
+
+
+def _beside(state: ElasticState | None, shown: set[str]) -> str:
+    """Return greatest pressure, greatest von Mises stress and load of yield as cards."""
+    if state is None:
+        return ""
+    cards = []
+    if "peak_pressure" not in shown:
+        pressure = with_unit(state.peak_pressure, "Pa")
+        cards.append(_small(pressure, f"greatest pressure {symbol('p_0')}", ""))
+    if "von_mises" in shown:
+        return f'<div class="cards beside">{"".join(cards)}</div>' if cards else ""
+    where = f"{with_unit(state.depth, 'm', 3)} below the surface, {state.body}"
+    around = f"; {state.sharp}, and this one is a tenth of the contact radius away" if state.sharp else ""
+    stress = f"greatest von Mises stress {symbol(VON_MISES)}"
+    cards.append(_small(with_unit(state.von_mises, "Pa"), stress, f"{where}, without friction{around}"))
+    cards.append(_yield_card(state))
+    return f'<div class="cards beside">{"".join(cards)}</div>'
+
+
+def _yield_card(state: ElasticState) -> str:
+    name = "load at which it yields"
+    if math.isinf(state.strength):
+        return _small("not known", name, f"set a strength of the {state.body} to see it")
+    if math.isnan(state.yield_load):
+        share = state.von_mises / state.strength
+        return _small("not known", name, f"the greatest stress is {share:.3g} of the strength of the {state.body}")
+    if state.sharp:
+        return _small(with_unit(0.0, state.unit), name, "a sharp place yields at the first touch")
+    return _small(with_unit(state.yield_load, state.unit), name, f"of the {state.body}, by von Mises' criterion")
+
+
+def _small(text: str, name: str, remark: str) -> str:
+    said = f'<div class="name">{safe(remark)}</div>' if remark else ""
+    return f'<div class="card"><div class="value">{safe(text)}</div><div class="name">{name}</div>{said}</div>'

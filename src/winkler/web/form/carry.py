@@ -1,0 +1,246 @@
+"""Another question for the same bodies: what fits into the study of another kind of problem stays.
+
+A part (a profile, a medium, a load) goes to the place of the same name that may hold its kind; of a part that does not
+fit, the parts and numbers inside it that do.  Each stays only if the study is still sound with it.
+"""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import tomli_w
+
+from winkler.errors import WinklerError
+from winkler.plot.series import name_in_words
+from winkler.study.language.catalogue import kinds
+from winkler.study.language.explain import keys_of
+from winkler.study.language.fit_reading import parse_fit_study
+from winkler.study.language.reading import parse_study
+from winkler.web.form import form
+from winkler.web.form.form import FormEntry, FormPart, Many, Slot
+
+__all__ = ["CarriedStudy", "carried", "is_sound"]
+
+LOADS = ("load", "normal")
+"""Names of the part that presses."""
+NAMES = {
+    "first": "the body below",
+    "second": "the body above",
+    "bed": "shape and bodies",
+    "on": "what carries the layers",
+}
+
+
+class CarriedStudy(NamedTuple):
+    """What became of a study when its question changed.
+
+    Parameters
+    ----------
+    table
+        The problem of the new study.
+    kept, dropped
+        Names of what stayed, and of what the new problem has no place for.
+    aside
+        Key -> what was dropped, which may fit again later.
+    """
+
+    table: dict[str, Any]
+    kept: tuple[str, ...]
+    dropped: tuple[str, ...]
+    aside: dict[str, Any]
+
+    @property
+    def sentence(self) -> str:
+        """One sentence on both."""
+        kept = f"Kept: {', '.join(self.kept)}." if self.kept else "Nothing of the former study fits here."
+        kind = str(self.table["problem"]["kind"]).replace("_", " ")
+        return kept + (f" Dropped, as {kind} has no place for it: {', '.join(self.dropped)}." if self.dropped else "")
+
+
+def carried(
+    old: dict[str, Any], new: dict[str, Any], aside: dict[str, Any], is_sound: Callable[[dict[str, Any]], bool]
+) -> CarriedStudy:
+    """Return a study with what fits of another one.
+
+    Parameters
+    ----------
+    old
+        The study before.
+    new
+        An example of the new problem.
+    aside
+        Key -> content that was dropped earlier.
+    is_sound
+        Whether a study passes its checks.
+    """
+    table = copy.deepcopy(new)
+    transfer = _Transfer(old, table, aside, is_sound)
+    transfer.part(form.part_of(table))
+    dropped = list(transfer.dropped(form.part_of(old)))
+    left = {key: content for key, content in aside.items() if key not in transfer.taken_aside}
+    left |= {path.rpartition(".")[2]: form.at(old, path) for path, _ in dropped}
+    names = tuple(dict.fromkeys(name for _, name in dropped))
+    return CarriedStudy(table, tuple(dict.fromkeys(transfer.kept)), names, left)
+
+
+def is_sound(table: dict[str, Any], folder: Path) -> bool:
+    """Return whether a study passes its checks.
+
+    Parameters
+    ----------
+    table
+        The study.
+    folder
+        Where its files are.
+    """
+    text = tomli_w.dumps(table)
+    try:
+        (parse_fit_study if "fit" in table else parse_study)(text, folder=folder)
+    except WinklerError:
+        return False
+    return True
+
+
+class _Transfer:
+    """The parts of one study on their way into another."""
+
+    def __init__(
+        self,
+        old: dict[str, Any],
+        new: dict[str, Any],
+        aside: dict[str, Any],
+        is_sound: Callable[[dict[str, Any]], bool],
+    ) -> None:
+        self.old, self.new, self.aside, self.is_sound = old, new, aside, is_sound
+        self.places = list(_places(old["problem"], "problem"))
+        self.used: set[str] = set()
+        self.kept: list[str] = []
+        self.taken_aside: set[str] = set()
+
+    def part(self, part: FormPart) -> None:
+        """Fill a part of the new study, and those inside it."""
+        for child in part.children:
+            match child:
+                case Slot():
+                    if not self._slot(child) and child.part:
+                        self.part(child.part)
+                case Many():
+                    self._many(child)
+                case FormEntry():
+                    self._number(child, part)
+
+    def dropped(self, part: FormPart) -> Iterator[tuple[str, str]]:
+        """Yield path and name of what found no place."""
+        for child in part.children:
+            content = form.at(self.old, child.path)
+            if content is None or content == [] or child.path in self.used:
+                continue
+            inside = any(used.startswith(f"{child.path}.") for used in self.used)
+            if inside and isinstance(child, Slot) and child.part:
+                yield from self.dropped(child.part)
+            else:
+                yield child.path, _said(child.path, content)
+
+    def _slot(self, slot: Slot) -> bool:
+        """Put a part into a place of the same name; return whether one fits."""
+        key = slot.path.rpartition(".")[2]
+        for path, content in self._candidates(slot.path, key):
+            if isinstance(content, dict) and str(content.get("kind")) in slot.allowed and self._put(slot.path, content):
+                self._taken(path, key, content)
+                return True
+        return False
+
+    def _many(self, many: Many) -> None:
+        key = many.path.rpartition(".")[2]
+        for path, content in self._candidates(many.path, key):
+            fits = isinstance(content, list) and all(
+                isinstance(one, dict) and str(one.get("kind")) in many.allowed for one in content
+            )
+            if fits and content and self._put(many.path, content):
+                self._taken(path, key, content)
+                return
+        for step in many.parts:  # the first step of a path that prescribes a load of the same kind
+            for child in step.children:
+                if isinstance(child, Slot) and child.path.endswith(LOADS) and child.part:
+                    self._slot(child._replace(allowed=(child.part.kind,)))
+
+    def _number(self, entry: FormEntry, owner: FormPart) -> None:
+        """Keep a number of the same name in a part of the same name, if it is of the same dimension."""
+        key, role = entry.path.rpartition(".")[2], owner.path.rpartition(".")[2]
+        for path, content in self._candidates(entry.path, key):
+            parent = path.rpartition(".")[0]
+            if not parent or isinstance(content, dict) or not _belong(parent.rpartition(".")[2], role):
+                continue
+            if _takes(form.at(self.old, parent), key) == entry.takes and self._put(entry.path, content):
+                self._taken(path, key, content)
+                return
+
+    def _candidates(self, path: str, key: str) -> list[tuple[str, Any]]:
+        """Return path and content of what may go to a place: of the same path, of the same name, of earlier studies."""
+        names = LOADS if key in LOADS else (key,)
+        named = [(one, content) for one, content in self.places if one.rpartition(".")[2] in names]
+        named.sort(key=lambda pair: pair[0] != path)
+        free = [(one, content) for one, content in named if not self._is_used(one)]
+        return [*free, *([("", self.aside[key])] if key in self.aside and not named else [])]
+
+    def _is_used(self, path: str) -> bool:
+        return any(path == used or path.startswith(f"{used}.") for used in self.used)
+
+    def _put(self, path: str, content: Any) -> bool:
+        """Put a content to a place of the new study, if the study is still sound with it."""
+        before = form.at(self.new, path)
+        if content == before:
+            return True
+        form.put(self.new, path, copy.deepcopy(content))
+        if self.is_sound(self.new):
+            return True
+        if before is None:
+            form.drop(self.new, path)
+        else:
+            form.put(self.new, path, before)
+        return False
+
+    def _taken(self, path: str, key: str, content: Any) -> None:
+        if path:
+            self.used.add(path)
+        else:
+            self.taken_aside.add(key)
+        self.kept.append(_said(path or key, content))
+
+
+def _places(content: Any, path: str) -> Iterator[tuple[str, Any]]:
+    """Yield path and content of all keys of a problem, the outer ones first."""
+    if not isinstance(content, dict):
+        return
+    for key, inside in content.items():
+        if key != "kind":
+            yield f"{path}.{key}", inside
+    for key, inside in content.items():
+        yield from _places(inside, f"{path}.{key}")
+
+
+def _belong(before: str, now: str) -> bool:
+    """Return whether numbers of one name are one thing in two parts; a load may be a part or a number of its own."""
+    return before == now or {before, now} == {"problem", "load"}
+
+
+def _takes(part: Any, key: str) -> str:
+    kind = str(part.get("kind")) if isinstance(part, dict) else ""
+    found = [one.takes for one in keys_of(kind) if one.name == key] if kind in kinds() else []
+    return found[0] if found else ""
+
+
+def _said(path: str, content: Any) -> str:
+    """Return a part or a number in words: ``profile (sphere)``, ``load (force)``, ``the body below (elastic)``."""
+    key = path.rpartition(".")[2]
+    name = NAMES.get(key, name_in_words(key))
+    if not isinstance(content, dict) or "kind" not in content or key == "bed":
+        return name
+    kind = str(content["kind"]).replace("_", " ")
+    numbers = [
+        str(inside) for key, inside in content.items() if key != "kind" and isinstance(inside, str | float | int)
+    ]
+    return f"{name} ({' '.join([kind, *numbers]) if len(numbers) == 1 else kind})"

@@ -1,0 +1,136 @@
+"""The examples with which the app invites, and the study with which it begins."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from winkler.study.language.fit_reading import FITTED
+from winkler.web.form import fit_form, form
+from winkler.web.form.sample_curve import SAMPLE
+
+__all__ = ["FRONT_EXAMPLES", "FrontExample", "first_table"]
+
+STEEL = {"kind": "elastic", "young": "210 GPa", "poisson": 0.3}
+SECOND = "problem.bed.medium.second"
+
+
+class FrontExample(NamedTuple):
+    """One example of the front page.
+
+    Parameters
+    ----------
+    title
+        What it is.
+    question
+        What is asked of it.
+    kind
+        The problem whose example it changes; ``fit`` for a curve to fit.
+    changes
+        Path -> content.
+    """
+
+    title: str
+    question: str
+    kind: str
+    changes: dict[str, Any]
+
+    @property
+    def table(self) -> dict[str, Any]:
+        """Its study."""
+        if self.kind == "fit":
+            table = fit_form.initial_table(FITTED[0])
+            form.put(table, fit_form.CURVE, SAMPLE)
+            return table
+        table = form.initial_table(self.kind)
+        for path, content in self.changes.items():
+            form.put(table, path, content)
+        return {**table, "title": self.title}
+
+
+def first_table() -> dict[str, Any]:
+    """Return the study with which the app begins: a ball of steel on steel."""
+    table = form.initial_table("indentation")
+    form.put(table, SECOND, dict(STEEL))
+    return table
+
+
+FRONT_EXAMPLES = (
+    FrontExample(
+        "AFM bead on a gel",
+        "How deep does it go, and does it stick?",
+        "adhesive_indentation",
+        {
+            "problem.bed.profile": {"kind": "paraboloid", "curvature_radius": "2.5 um"},
+            "problem.bed.medium.first": {"kind": "elastic", "young": "5 kPa", "poisson": 0.5},
+            "problem.law": {"kind": "short_range", "work": "20 uJ/m^2"},
+            "problem.load": {"kind": "force", "force": "1 nN"},
+        },
+    ),
+    FrontExample(
+        "Ball bearing",
+        "What is the greatest pressure in the groove?",
+        "elliptic_indentation",
+        {
+            "problem.bodies": {
+                "kind": "curved_bodies",
+                "longitudinal_curvature_radius": "4 mm",
+                "lateral_curvature_radius": "120 mm",
+            },
+            "problem.medium": {"kind": "half_space", "first": dict(STEEL), "second": dict(STEEL)},
+            "problem.load": {"kind": "force", "force": "500 N"},
+        },
+    ),
+    FrontExample(
+        "Fretting ball", "How much is worn off in ten thousand cycles?", "fretting_wear", {SECOND: dict(STEEL)}
+    ),
+    FrontExample(
+        "Coated tool",
+        "Does the hard layer carry the load?",
+        "indentation",
+        {
+            "problem.bed.profile": {"kind": "sphere", "curvature_radius": "1 mm"},
+            "problem.bed.medium": {
+                "kind": "coated_half_space",
+                "layers": [
+                    {
+                        "kind": "layer",
+                        "thickness": "5 um",
+                        "solid": {"kind": "elastic", "young": "450 GPa", "poisson": 0.25},
+                    }
+                ],
+                "on": dict(STEEL),
+            },
+            "problem.load": {"kind": "force", "force": "5 N"},
+        },
+    ),
+    FrontExample(
+        "Wheel on rail",
+        "Where do the profiles touch, and how hard?",
+        "profile_pair",
+        {"problem.medium.second": dict(STEEL)},
+    ),
+    FrontExample(
+        "Relay contact",
+        "What is its resistance?",
+        "constriction",
+        {
+            "problem.bed.medium.first": {"kind": "elastic", "young": "82 GPa", "poisson": 0.37},
+            SECOND: {"kind": "elastic", "young": "82 GPa", "poisson": 0.37},
+        },
+    ),
+    FrontExample(
+        "Rubber ball, held",
+        "How fast does its force relax?",
+        "relaxation_test",
+        {"problem.bed.profile.curvature_radius": "50 mm"},
+    ),
+    FrontExample(
+        "Rough joint",
+        "How much of it really touches?",
+        "surface_contact",
+        {"problem.topography.shape": [128, 128], "problem.medium.second": dict(STEEL)},
+    ),
+    FrontExample("Worn flat", "How much is worn off after a metre?", "sliding_wear", {SECOND: dict(STEEL)}),
+    FrontExample("A force curve to fit", "What are modulus and contact point?", "fit", {}),
+)
+"""In the order of the page."""

@@ -1,0 +1,46 @@
+"""The table of a study that was opened, typed as text, or found in an address."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from winkler.study.language.catalogue import CATALOGUE
+from winkler.study.language.fit_reading import FITTED
+from winkler.study.language.reading import parsed
+from winkler.web.form import form
+
+__all__ = ["taken"]
+
+
+def taken(text: str, folder: Path) -> dict[str, Any]:
+    """Return the table of a study whose problem the form can show; other mistakes are shown beside their fields.
+
+    Parameters
+    ----------
+    text
+        A study file.
+    folder
+        Where its files are.
+
+    Raises
+    ------
+    InvalidInput
+        If it is no study, or its problem is unknown.
+    """
+    table = parsed(text, "")
+    known = FITTED if "fit" in table else CATALOGUE["problem"]
+    problem = table.get("problem")
+    if not isinstance(problem, dict) or str(problem.get("kind")) not in known:
+        _raise_mistakes(text, folder, fits="fit" in table)
+    if not isinstance(table.get("fit", {}), dict) or not isinstance(form.at(table, "fit.free") or {}, dict):
+        _raise_mistakes(text, folder, fits=True)
+    return table
+
+
+def _raise_mistakes(text: str, folder: Path, *, fits: bool) -> None:
+    """Raise the mistakes that the checks of the study find."""
+    from winkler.study.language.fit_reading import parse_fit_study
+    from winkler.study.language.reading import parse_study
+
+    (parse_fit_study if fits else parse_study)(text, folder=folder)

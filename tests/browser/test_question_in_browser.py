@@ -1,0 +1,59 @@
+"""The question changes and the bodies stay; what stands first is what was asked."""
+
+from __future__ import annotations
+
+import pytest
+
+pytestmark = pytest.mark.browser
+
+FORCE = "problem.load.force"
+
+
+def test_another_question_for_the_same_bodies(fresh):
+    app_page = fresh()
+    page = app_page.page
+    app_page.type("problem.bed.profile.curvature_radius", "5 mm")
+    app_page.type(FORCE, "40 N")
+    page.locator(".head .sought-line", has_text="under a force of 40 N").wait_for(timeout=30_000)
+    app_page.settled()
+    app_page.choose("problem", "elliptic_indentation")
+    page.get_by_text("Dropped, as elliptic indentation has no place for it: profile (sphere 5 mm).").wait_for()
+    app_page.settled()
+    assert page.locator(f'input[data-path="{FORCE}"]').input_value() == "40 N"
+    assert page.locator(".head .card.sought .name").first.inner_text().startswith("peak pressure")
+    app_page.shot("another_question")
+    page.get_by_role("button", name="Take the example instead").click()
+    page.locator(".head .sought-line", has_text="under a force of 100 N").wait_for(timeout=30_000)
+    page.locator('[data-kept="undo"]').click()
+    page.locator(".head .sought-line", has_text="under a force of 40 N").wait_for(timeout=30_000)
+
+
+def test_the_worst_doubt_says_what_to_do(fresh):
+    app_page = fresh()
+    app_page.type(FORCE, "100 kN")
+    doubt = app_page.page.locator(".head .doubt", has_text="What to do: press less")
+    doubt.wait_for(timeout=30_000)
+    assert "use at most" in doubt.inner_text()
+    app_page.type("problem.bed.medium.first.strength", "700 MPa")
+    card = app_page.page.locator(".head .beside .card", has_text="load at which it yields")
+    card.get_by_text("of the first body, by von Mises' criterion").wait_for(timeout=30_000)
+    app_page.shot("doubt")
+
+
+def test_the_page_begins_with_examples(fresh):
+    app_page = fresh()
+    page = app_page.page
+    assert page.locator(".front-card").count() == 10
+    page.get_by_role("button", name="Ball bearing").click()
+    page.locator(".head .sought-line", has_text="The peak pressure is 1.791 GPa under a force of 500 N").wait_for()
+    assert not page.locator(".front").is_visible()
+    page.locator('[data-kept="examples"]').click()
+    page.get_by_role("button", name="AFM bead on a gel").click()
+    page.locator(".head .sought-line", has_text="under a force of 1 nN").wait_for(timeout=60_000)
+    second = page.locator('[data-choice="problem.bed.medium.second"]')
+    assert second.inner_text() == "— rigid"
+    app_page.settled()
+    page.go_back()
+    page.locator(".head .sought-line", has_text="under a force of 500 N").wait_for(timeout=30_000)
+    app_page.choose("problem", "line_indentation")
+    page.get_by_text("Kept: medium (half space).").wait_for(timeout=30_000)

@@ -1,0 +1,117 @@
+"""The elastic contact beside an answer, and the advice beside the worst statement, against closed forms."""
+
+from __future__ import annotations
+
+import math
+import re
+
+import numpy as np
+import pytest
+import tomli_w
+
+from winkler.study.batch.run import run
+from winkler.study.language.explain import example_study
+from winkler.study.language.reading import parse_study
+from winkler.study.report.figures import shown_point
+from winkler.study.report.headline.advice import ADVICE
+from winkler.study.report.headline.elastic_state import elastic_state
+from winkler.study.report.headline.section import doubt_of, headline_section
+from winkler.validity import Assumption, Standing
+
+MODULUS = 210e9 / (1.0 - 0.3**2)
+"""Effective modulus of steel against a rigid body [Pa]."""
+RADIUS = 10e-3
+
+
+def solved(kind, **changes):
+    """Return the outcome of the example of a kind, with other contents at some paths."""
+    table = example_study(kind)
+    for path, content in changes.items():
+        holder = table
+        *parents, last = path.split("__")
+        for name in parents:
+            holder = holder[name]
+        holder[last] = content
+    return run(parse_study(tomli_w.dumps({"title": "x", **table})))
+
+
+def ball(**changes):
+    steel = {"kind": "elastic", "young": "210 GPa", "poisson": 0.3, **changes.pop("steel", {})}
+    profile = {"kind": "paraboloid", "curvature_radius": "10 mm"}
+    bed = {"kind": "foundation", "profile": profile, "medium": {"kind": "half_space", "first": steel}}
+    return solved("indentation", problem__bed=bed, **changes)
+
+
+def test_a_ball_has_the_stresses_of_hertz():
+    """Johnson, Contact Mechanics (1985), sec. 4.2: 0.62 p0 at 0.48 a for nu = 0.3; p0 = (6 F E*^2 / pi^3 R^2)^(1/3)."""
+    state = elastic_state(shown_point(ball()))
+    pressure = (6.0 * 100.0 * MODULUS**2 / (math.pi**3 * RADIUS**2)) ** (1.0 / 3.0)
+    width = (0.75 * 100.0 * RADIUS / MODULUS) ** (1.0 / 3.0)
+    assert state.peak_pressure == pytest.approx(pressure, rel=1e-12)
+    z = np.linspace(0.3, 0.7, 400_001)  # stresses on the axis of Hertz's contact, over p0
+    hoop = -1.3 * (1.0 - z * np.arctan(1.0 / z)) + 0.5 / (1.0 + z**2)
+    level = np.abs(hoop + 1.0 / (1.0 + z**2))
+    assert state.von_mises == pytest.approx(float(np.max(level)) * pressure, rel=1e-9)
+    assert state.depth == pytest.approx(float(z[np.argmax(level)]) * width, rel=1e-4)
+    assert math.isnan(state.yield_load)
+
+
+def test_the_load_of_yield_follows_from_the_strength():
+    """A ball yields at p0 = Y / 0.62, by the cube of the pressure; with half the strength at an eighth of the load."""
+    state = elastic_state(shown_point(ball(steel={"strength": "700 MPa"})))
+    assert state.yield_load == pytest.approx(100.0 * (700e6 / state.von_mises) ** 3, rel=1e-8)
+    half = elastic_state(shown_point(ball(steel={"strength": "350 MPa"})))
+    assert half.yield_load == pytest.approx(state.yield_load / 8.0, rel=1e-8)
+    page = headline_section(ball(steel={"strength": "700 MPa"}))
+    assert f"{state.yield_load:.4g} N" in page
+
+
+def test_a_cylinder_has_the_stresses_of_hertz():
+    """Below the axis of a strip of Hertz, with s = sqrt(1 + z^2): s_x, s_z and nu (s_x + s_z) over p0."""
+    outcome = solved("line_indentation")
+    state, answers = elastic_state(shown_point(outcome)), outcome.points[0].answers
+    z = np.linspace(0.5, 1.0, 400_001)
+    s = np.sqrt(1.0 + z**2)
+    along, down = -((1.0 + 2.0 * z**2) / s - 2.0 * z), -1.0 / s
+    across = 0.3 * (along + down)
+    level = np.sqrt(0.5 * ((along - across) ** 2 + (across - down) ** 2 + (down - along) ** 2))
+    peak = float(answers["peak_pressure"][0])
+    assert state.von_mises == pytest.approx(float(np.max(level)) * peak, rel=1e-9)
+    assert state.depth == pytest.approx(float(z[np.argmax(level)]) * float(answers["half_width"][0]), rel=1e-4)
+    assert state.unit == "N/m"
+
+
+@pytest.mark.parametrize("kind", ["line_fretting_wear", "line_adhesion", "adhesive_indentation", "rough_contact"])
+def test_what_is_not_an_elastic_contact_has_none_beside(kind):
+    assert elastic_state(shown_point(solved(kind))) is None
+
+
+def test_without_a_strength_the_page_says_so():
+    page = headline_section(ball())
+    assert "set a strength of the first body to see it" in page
+    assert "71.2 µm below the surface" in page
+
+
+def test_each_assumption_has_an_advice():
+    assert set(ADVICE) == set(Assumption)
+
+
+def test_the_advice_names_the_load_that_the_size_allows():
+    """A slope and a share of the radius of 0.1 are reached at F = 4/3 E* (0.1 R)^3 / R."""
+    doubt = doubt_of(ball(problem__load={"kind": "force", "force": "100 kN"}))
+    limit = 4.0 / 3.0 * MODULUS * (0.1 * RADIUS) ** 3 / RADIUS
+    named = re.search(r"use at most ([\d.]+) (k?)N", doubt.advice)
+    load = float(named[1]) * (1e3 if named[2] else 1.0)
+    assert doubt.standing is Standing.APPROXIMATE
+    assert load == pytest.approx(limit, rel=0.01)
+    assert load <= limit
+    assert doubt_of(ball()).statement == ""
+
+
+def test_a_sweep_is_headed_by_a_range():
+    outcome = solved("indentation", sweep={"problem.load.force": ["10 N", "80 N"]})
+    depth = [float(point.answers["depth"][0]) for point in outcome.points]
+    assert depth[1] / depth[0] == pytest.approx(4.0, rel=0.01)
+    low, high = (f"{1e9 * depth[0]:.4g} nm", f"{1e6 * depth[1]:.4g} µm")
+    lead = headline_section(outcome).partition("</p>")[0].replace("\xa0", " ")
+    assert lead.endswith(f"Over 2 points the depth is between {low} and {high}.")

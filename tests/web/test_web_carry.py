@@ -1,0 +1,116 @@
+"""Another question for the same bodies: what fits stays, and the sentence says what does not."""
+
+from __future__ import annotations
+
+import pytest
+import tomli_w
+
+from winkler.study.language.catalogue import CATALOGUE
+from winkler.study.language.reading import parse_study
+from winkler.web.form import form
+from winkler.web.form.study_form import StudyForm
+
+PROFILE, FIRST, LOAD = "problem.bed.profile", "problem.bed.medium.first", "problem.load"
+RUBBER = {"kind": "elastic", "young": "3 MPa", "poisson": 0.49}
+TIP = {"kind": "sphere", "curvature_radius": "7 mm"}
+
+
+@pytest.fixture
+def entered():
+    """A ball of 7 mm on rubber under 2 N."""
+    study = StudyForm(lambda: None, lambda: None)
+    form.put(study.table, PROFILE, dict(TIP))
+    form.put(study.table, FIRST, dict(RUBBER))
+    form.put(study.table, LOAD, {"kind": "force", "force": "2 N"})
+    return study
+
+
+def test_an_example_that_nobody_changed_is_replaced():
+    study = StudyForm(lambda: None, lambda: None)
+    study.choose("problem", "tangential")
+    assert study.table == form.initial_table("tangential")
+    assert study.carried_remark == ""
+
+
+def test_bodies_and_load_stay(entered):
+    entered.choose("problem", "friction_heating")
+    assert form.at(entered.table, PROFILE) == TIP
+    assert form.at(entered.table, FIRST) == RUBBER
+    assert form.at(entered.table, LOAD) == {"kind": "force", "force": "2 N"}
+    assert entered.carried_remark == "Kept: shape and bodies, load (force 2 N)."
+    entered.take_example()
+    assert entered.table == form.initial_table("friction_heating")
+    assert entered.carried_remark == ""
+
+
+def test_a_load_goes_to_the_beginning_of_a_path(entered):
+    entered.choose("problem", "tangential")
+    assert form.at(entered.table, "problem.path.steps.0.normal") == {"kind": "force", "force": "2 N"}
+    assert form.at(entered.table, FIRST) == RUBBER
+    assert "Dropped" not in entered.carried_remark
+
+
+def test_what_has_no_place_is_said_and_comes_back(entered):
+    entered.choose("problem", "elliptic_indentation")
+    assert form.at(entered.table, "problem.medium.first") == RUBBER
+    assert entered.carried_remark == (
+        "Kept: medium (half space), load (force 2 N). "
+        "Dropped, as elliptic indentation has no place for it: profile (sphere 7 mm)."
+    )
+    entered.choose("problem", "constriction")
+    assert form.at(entered.table, FIRST) == RUBBER
+    assert form.at(entered.table, PROFILE) == TIP
+    assert form.at(entered.table, LOAD) == {"kind": "force", "force": "2 N"}
+
+
+def test_numbers_stay_where_a_part_does_not_fit(entered):
+    """A body that yields needs a strength: modulus and Poisson's ratio stay, the strength is that of the example."""
+    entered.choose("problem", "yield_onset")
+    first, example = form.at(entered.table, FIRST), form.at(form.initial_table("yield_onset"), FIRST)
+    assert first == {**example, "young": "3 MPa", "poisson": 0.49}
+
+
+def test_a_sweep_stays_where_its_keys_do(entered):
+    entered.vary(f"{LOAD}.force")
+    ranges = dict(entered.table["sweep"])
+    entered.choose("problem", "constriction")
+    assert entered.table["sweep"] == ranges
+    assert "Left out" not in entered.carried_remark
+    entered.choose("problem", "line_indentation")
+    assert "sweep" not in entered.table
+    assert entered.carried_remark.endswith("Left out: [sweep].")
+
+
+def test_another_shape_ends_the_remark(entered):
+    entered.choose("problem", "constriction")
+    entered.choose(PROFILE, "cone")
+    assert entered.carried_remark == ""
+
+
+def test_every_kind_takes_what_fits_and_stays_sound(entered):
+    """Its checks pass, and a part of the same path whose kind is allowed is there unless the checks forbid it."""
+    before = dict(entered.table)
+    wrong = {}
+    for kind in CATALOGUE["problem"]:
+        entered.load(dict(before))
+        entered._aside = {}
+        entered.choose("problem", kind)
+        parse_study(tomli_w.dumps(entered.table))
+        assert entered.table["problem"]["kind"] == kind
+        if kind != before["problem"]["kind"]:
+            assert entered.carried_remark.startswith(("Kept: ", "Nothing of the former study fits here."))
+        profile = form.at(entered.table, PROFILE)
+        if profile is not None and profile["kind"] == "sphere" and profile != TIP:
+            wrong[kind] = profile
+    assert wrong == {}
+
+
+def test_the_model_of_a_fit_keeps_tip_and_sample():
+    study = StudyForm(lambda: None, lambda: None)
+    study.switch_task("fit")
+    form.put(study.table, "problem.bed.profile", {"kind": "cone", "half_angle": "70.3 deg"})
+    form.put(study.table, "fit.spring", "0.1 N/m")
+    study.choose("problem", "adhesive_indentation")
+    assert form.at(study.table, "problem.bed.profile") == {"kind": "cone", "half_angle": "70.3 deg"}
+    assert form.at(study.table, "fit.spring") == "0.1 N/m"
+    assert "shape and bodies" in study.carried_remark
