@@ -6,6 +6,7 @@ them the same names.  scipy transforms numpy's arrays on all cores, other librar
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from types import ModuleType
 from typing import Any
@@ -15,7 +16,7 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
 
-__all__ = ["cast", "dot", "library_of", "namespace_of", "real_waves", "to_numpy", "waves_back"]
+__all__ = ["cast", "dot", "given", "library_of", "namespace_of", "real_waves", "to_numpy", "waves_back"]
 
 
 def namespace_of(numbers: Any) -> Any:
@@ -54,15 +55,21 @@ def to_numpy(numbers: Any) -> Array:
     """Return an array of any library as one of numpy, without a copy where none is needed."""
     if isinstance(numbers, np.ndarray):
         return numbers
-    here = numbers if str(numbers.device).lower().startswith("cpu") else _compat().to_device(numbers, "cpu")
+    here = numbers if "cpu" in str(numbers.device).lower() else _compat().to_device(numbers, "cpu")
     return here if isinstance(here, np.ndarray) else np.from_dlpack(here)
+
+
+def given(numbers: Any) -> bool:
+    """Return whether there is anything in an array; in the place of one that is optional stands an empty tuple."""
+    return not isinstance(numbers, tuple) and math.prod(numbers.shape) > 0
 
 
 def cast(numbers: Any, digits: Any) -> Any:
     """Return numbers in other digits, themselves if they have them."""
     if isinstance(numbers, np.ndarray):
         return numbers.astype(digits, copy=False)
-    return namespace_of(numbers).astype(numbers, digits, copy=False)
+    xp = namespace_of(numbers)
+    return xp.astype(numbers, getattr(xp, digits.name) if isinstance(digits, np.dtype) else digits, copy=False)
 
 
 def dot(one: Any, other: Any) -> float:

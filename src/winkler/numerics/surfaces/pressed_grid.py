@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
-from winkler.numerics.arrays import cast, namespace_of
+from winkler.numerics.arrays import cast, given, namespace_of
 from winkler.numerics.surfaces.layered_pixels import LayeredSurface
 from winkler.numerics.surfaces.pressed_box import BoxContact, ByDepth, ByLoad, box_around, overlap_and_work, shared
 from winkler.numerics.surfaces.surface_grid import DOUBLE, SINGLE, SurfaceGrid
@@ -119,17 +119,17 @@ def _stretched(xp: Any, numbers: Any, length: int, axis: int, share: float) -> A
     along = (slice(None),) * axis
 
     def part(*ends: int | None) -> Any:
-        return numbers[(*along, slice(*ends))]
+        return numbers[(*along, slice(*ends), ...)]
 
     near, first, last = (1.0 - share) * numbers, part(None, 1), part(-1, None)
     behind, ahead = (share * xp.concat(both, axis=axis) for both in ((first, part(None, -1)), (part(1, None), last)))
     size = tuple(length if i == axis else n for i, n in enumerate(numbers.shape))
-    fine = xp.zeros(size, dtype=numbers.dtype)
+    fine = xp.zeros(size, dtype=numbers.dtype, device=numbers.device)
     pairs = 2 * numbers.shape[axis]
-    fine[(*along, slice(0, pairs, 2))] = near + behind
-    fine[(*along, slice(1, pairs, 2))] = near + ahead
+    fine[(*along, slice(0, pairs, 2), ...)] = near + behind
+    fine[(*along, slice(1, pairs, 2), ...)] = near + ahead
     if length > pairs:
-        fine[(*along, slice(pairs, None))] = fine[(*along, slice(pairs - 1, pairs))]
+        fine[(*along, slice(pairs, None), ...)] = fine[(*along, slice(pairs - 1, pairs), ...)]
     return fine
 
 
@@ -184,7 +184,7 @@ def press(
             unit = min(unit, float(namespace_of(heights).mean(heights))) if periodic else unit  # which is never deeper than closed
             scaled = ByLoad(load * pixel[0] / unit)
     strain = unit / pixel[0]
-    begin = start / strain if len(start) else ()
+    begin = start / strain if given(start) else ()
     surface = _Surface((1.0, pixel[1] / pixel[0]), periodic, layers.in_units_of(pixel[0]) if layers else None)
     pressed = _pressed(heights / unit, surface, scaled, ceiling / strain, tolerance, begin)
     p, gap = pressed.pressure, pressed.gap
@@ -203,7 +203,7 @@ def _pressed(
 ) -> PressedSurface:
     """Return the contact: solved where it may be, then checked everywhere, until nothing changes."""
     xp, shape, everywhere = namespace_of(heights), heights.shape, (slice(None), slice(None))
-    begun = start if len(start) else _from_coarser(heights, surface, drive, ceiling)
+    begun = start if given(start) else _from_coarser(heights, surface, drive, ceiling)
     p = _first(heights, drive, surface.pixel, ceiling, begun)
     del begun, start
     whole, elastic = surface.grid(shape).beside(heights), math.isinf(ceiling)
@@ -240,7 +240,7 @@ def _pressed(
 def _first(heights: Any, drive: ByDepth | ByLoad, pixel: tuple[float, float], ceiling: float, start: Any) -> Any:
     """Return pressures to begin with, that bear the load."""
     xp = namespace_of(heights)
-    begun = len(start) and bool(xp.any(start > 0.0))
+    begun = given(start) and bool(xp.any(start > 0.0))
     if isinstance(drive, ByDepth):
         sunk = start if begun else xp.clip(drive.depth - heights, 0.0, math.inf) / (max(heights.shape) * max(pixel))
         return xp.clip(sunk, 0.0, ceiling)

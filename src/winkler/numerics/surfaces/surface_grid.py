@@ -122,7 +122,8 @@ class SurfaceGrid(NamedTuple):
         if isinstance(numbers, np.ndarray):
             return self
         xp = namespace_of(numbers)
-        return self._replace(response=xp.asarray(self.response), wave_numbers=xp.asarray(self.wave_numbers))
+        moved = (xp.asarray(each, device=numbers.device) for each in (self.response, self.wave_numbers))
+        return self._replace(**dict(zip(("response", "wave_numbers"), moved, strict=True)))
 
     def waves(self, numbers: Any) -> Any:
         """Return the transform of numbers on the grid, (..., nx, ny), padded with zeros if it is not periodic."""
@@ -161,9 +162,9 @@ def _made(
     qy = 2.0 * np.pi * scipy.fft.rfftfreq(ny, pixel[1])[None, :]
     wave = np.hypot(qx, qy)
     wave[0, 0] = MEAN_WAVE_RATIO * 2.0 * np.pi / max(nx * pixel[0], ny * pixel[1])
-    whole = layers.whole(wave) if layers else np.ones_like(wave)
+    whole = layers.whole(wave) if layers else np.ones((1, 1))
     if periodic:
-        response = 2.0 * whole / wave
+        response = 2.0 * (whole / wave)
         response[0, 0] = layers.mean if layers else 0.0
         padded = shape
     else:
