@@ -1,7 +1,7 @@
 """Arrays of other libraries than numpy, by the Python array API: the same code computes on a graphics card.
 
-The functions of `numpy` that the height maps need are those of the standard; of other libraries `array-api-compat` gives
-them the same names.  scipy transforms numpy's arrays on all cores, other libraries transform their own.
+The functions of `numpy` that the height maps need are those of the standard; `array-api-compat` gives those of other
+libraries the same names.  scipy transforms numpy's arrays on all cores, other libraries transform their own.
 """
 
 from __future__ import annotations

@@ -181,7 +181,8 @@ def press(
             scaled: ByDepth | ByLoad = ByDepth(1.0)
         case ByLoad(load):
             unit = load * math.sqrt(patch / math.prod(heights.shape))
-            unit = min(unit, float(namespace_of(heights).mean(heights))) if periodic else unit  # which is never deeper than closed
+            if periodic:  # which is never deeper than closed
+                unit = min(unit, float(namespace_of(heights).mean(heights)))
             scaled = ByLoad(load * pixel[0] / unit)
     strain = unit / pixel[0]
     begin = start / strain if given(start) else ()

@@ -23,8 +23,9 @@ from winkler.numerics.types import Array
 
 __all__ = ["DOUBLE", "SINGLE", "SurfaceGrid", "bytes_needed"]
 
-ARRAY_COPIES = 5
-"""How many arrays of the size of the transform are alive at once."""
+PERIODIC_COPIES, FREE_COPIES = 18, 26
+"""Arrays of double digits of the size of the map that are alive at once, transforms included: of a map and its result
+16 and 25 at most, layered or not."""
 MEAN_WAVE_RATIO = 0.5
 """What the preconditioner uses as the wave number of the mean, over the smallest other one."""
 STIFF_FILM_POWER = 0.7
@@ -38,9 +39,8 @@ SINGLE = np.dtype(np.float32)
 
 
 def bytes_needed(shape: tuple[int, int], periodic: bool) -> int:
-    """Return the memory [byte] that a grid of this shape takes while it works."""
-    points = shape[0] * shape[1]
-    return 8 * points * (12 + (2 if periodic else 4) * ARRAY_COPIES)
+    """Return the memory [byte] that a contact on a grid of this shape takes at most while it is solved."""
+    return 8 * shape[0] * shape[1] * (PERIODIC_COPIES if periodic else FREE_COPIES)
 
 
 def _rectangle(shape: tuple[int, int], pixel: tuple[float, float]) -> Array:
