@@ -6,6 +6,7 @@ when their pressure would be negative or more than they bear, and enter when the
 
 from __future__ import annotations
 
+import logging
 import math
 from typing import Any, NamedTuple
 
@@ -15,6 +16,9 @@ from winkler.numerics.surfaces.surface_grid import SurfaceGrid
 
 __all__ = ["BoxContact", "ByDepth", "ByLoad", "box_around", "overlap_and_work", "shared"]
 
+LOG = logging.getLogger(__name__)
+REPORTED_PIXELS = 2**18
+"""Pixels from which on every step is reported, to who listens to the log."""
 MOST_ITERATIONS = 2000
 """Iterations after which a grid has not converged; ten to forty are usual."""
 MARGIN_RATIO, LEAST_MARGIN = 16, 4
@@ -143,6 +147,10 @@ class BoxContact:
             wrong = xp.where(inside, self.gap, 0.0)
             # outside of what may change nothing overlaps and nothing presses
             left = overlap_and_work(self.p, wrong if math.isinf(self.ceiling) else self.gap, self.depth, self.ceiling)
+            if math.prod(self.p.shape) >= REPORTED_PIXELS:
+                LOG.info(
+                    "%d x %d pixels, step %d: misfit %.1e, %.0e allowed", *self.p.shape, count, max(left), tolerance
+                )
             if max(left) <= tolerance:
                 return count
             if max(left) < best:
