@@ -201,7 +201,8 @@ class BoxContact:
         if math.isnan(self.load) or not pixels:
             return step
         mean = float(xp.sum(step)) / pixels
-        even = step - mean * kept
+        even = kept * -mean
+        even += step
         if dot(even, even) > SUSPECT_RATIO * pixels * mean * mean:
             return even
         return even if float(xp.max(xp.abs(even))) > SINGLE_DIGITS_RATIO * float(xp.max(xp.abs(step))) else step
@@ -211,7 +212,8 @@ class BoxContact:
         xp, lost, scale = self.xp, 0, 1.0
         sunk = self.grid.displaced(along)
         length = share * downhill / dot(along, sunk)
-        moved = self.p - length * along
+        moved = cast(along, self.p.dtype) * -length
+        moved += self.p
         beyond = (moved < 0.0) | (moved > self.ceiling) if math.isfinite(self.ceiling) else moved < 0.0
         if bool(xp.any(beyond)):
             lost = int(xp.count_nonzero(beyond & (along != 0.0)))
