@@ -35,7 +35,7 @@ import pytest
 pytestmark = pytest.mark.bench
 
 GRIDS = {True: (256, 512, 1024, 2048, 4096), False: (256, 512, 1024, 2048)}
-MOST_SECONDS, GROWTH = 60.0, 5.0
+MOST_SECONDS, GROWTH = 40.0, 5.0
 """Processor time up to which peers are run, and how much more of it their next grid should take."""
 SIDE, FORCE = 1e-3, 2e-9
 GIB = 2.0**30

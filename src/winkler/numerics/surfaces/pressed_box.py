@@ -12,9 +12,11 @@ from typing import Any, NamedTuple
 
 from winkler.errors import NotConverged
 from winkler.numerics.arrays import cast, dot, namespace_of
+from winkler.numerics.row_blocks import RowBlocks
+from winkler.numerics.surfaces.pressed_sums import left_over, shared
 from winkler.numerics.surfaces.surface_grid import SurfaceGrid
 
-__all__ = ["BoxContact", "ByDepth", "ByLoad", "box_around", "overlap_and_work", "shared"]
+__all__ = ["BoxContact", "ByDepth", "ByLoad", "box_around"]
 
 LOG = logging.getLogger(__name__)
 REPORTED_PIXELS = 2**18
@@ -31,8 +33,6 @@ SUSPECT_RATIO = 1e-4
 """mean squares are compared first."""
 LOAD_RATIO = 0.5
 """Part of the tolerance by which the load may be off during the steps."""
-MOST_SHARING_STEPS = 200
-"""Steps to share a load out among pixels that bear no more than the ceiling; five are usual."""
 RESTART_RATIO = 0.02
 """When a larger part than this of the contact has been lost in one step, the directions of before are forgotten."""
 
@@ -65,38 +65,6 @@ def box_around(there: Any) -> tuple[slice, slice]:
     return sides[0], sides[1]
 
 
-def overlap_and_work(p: Any, gap: Any, depth: float, ceiling: float) -> tuple[float, float]:
-    """Return the overlap over the depth, and the work of pressures on gaps over that on the depth.
-
-    Pixels that bear the ceiling may overlap, but not part.
-    """
-    xp = namespace_of(p)
-    if math.isinf(ceiling):
-        overlap, spent = max(0.0, -float(xp.min(gap))), dot(p, xp.abs(gap))
-    else:
-        soft = p < ceiling
-        overlap = max(0.0, -float(xp.min(xp.where(soft, gap, 0.0))))
-        spent = dot(p, xp.where(soft, xp.abs(gap), xp.maximum(gap, xp.zeros_like(gap))))
-    return overlap / abs(depth), spent / abs(float(xp.sum(p)) * depth)
-
-
-def shared(target: Any, ceiling: float, load: float) -> Any:
-    """Return pressures between zero and the ceiling that bear the load: those wanted, raised evenly."""
-    xp = namespace_of(target)
-    low, high = -float(xp.max(target)), ceiling - float(xp.min(target))
-    raised, p = 0.0, xp.clip(target, 0.0, ceiling)
-    for _ in range(MOST_SHARING_STEPS):
-        lacking = load - float(xp.sum(p))
-        if abs(lacking) <= 1e-14 * load:
-            break
-        low, high = (raised, high) if lacking > 0.0 else (low, raised)
-        between = int(xp.count_nonzero((p > 0.0) & (p < ceiling)))
-        raised += lacking / between if between else math.inf
-        raised = raised if low < raised < high else 0.5 * (low + high)
-        p = xp.clip(target + raised, 0.0, ceiling)
-    return p
-
-
 class BoxContact:
     """A contact while it is being solved: pressures p, gaps under them, and the depth.
 
@@ -122,6 +90,9 @@ class BoxContact:
         self.load = drive.load if isinstance(drive, ByLoad) else math.nan
         self.p, self.gap, self.depth = start, gap, depth
         self.xp, self.digits = namespace_of(start), grid.response.dtype
+        self.rows, self.elastic = RowBlocks(start, grid.workers), math.isinf(ceiling)
+        # wrong gaps of the pixels that may change, one in those pixels, the direction, and changes of pressures
+        self.wrong, self.kept, self.along, self.more = (self._empty() for _ in range(4))
 
     def solve(self, tolerance: float) -> int:
         """Solve it, and count the steps; in single digits end where nothing is gained any more.
@@ -131,22 +102,13 @@ class BoxContact:
         NotConverged
             If it is not solved in double digits.
         """
-        xp, loaded = self.xp, not math.isnan(self.load)
+        xp, rows = self.xp, self.rows
         single = self.p.dtype == xp.float32
         patience = STEPS_WITHOUT_GAIN if self.digits == xp.float32 else STEPS_OF_STIFF_FILMS
-        along: Any = 0.0
-        before: Any = None
+        before = self._empty()
         product, left, best, last, share = 0.0, (math.inf, math.inf), math.inf, 0, 1.0
         for count in range(MOST_ITERATIONS):
-            inside = self._unsettled()
-            if loaded and bool(xp.any(inside)):  # as deep as the mean of what may still change
-                deeper = self._mean(xp.where(inside, self.gap, 0.0), inside)
-                self.depth += deeper
-                self.gap -= deeper
-                inside = self._unsettled()
-            wrong = xp.where(inside, self.gap, 0.0)
-            # outside of what may change nothing overlaps and nothing presses
-            left = overlap_and_work(self.p, wrong if math.isinf(self.ceiling) else self.gap, self.depth, self.ceiling)
+            pixels, left = self._gaps()
             if math.prod(self.p.shape) >= REPORTED_PIXELS:
                 LOG.info(
                     "%d x %d pixels, step %d: misfit %.1e, %.0e allowed", *self.p.shape, count, max(left), tolerance
@@ -159,25 +121,19 @@ class BoxContact:
                 if single:
                     return count
                 last, share = count, 0.5 * share
-            wrong, kept = cast(wrong, self.digits), cast(inside, self.digits)
-            uphill = self.grid.roughly_pressing(wrong)
-            uphill *= kept
-            uphill = self._evened(uphill, kept)
-            new = dot(wrong, uphill)
-            held = max((new - dot(before, uphill)) / product, 0.0) if product > 0.0 else 0.0
+            uphill = self.grid.roughly_pressing(self.wrong)
+            self._even(uphill, pixels)
+            new = rows.dot(self.wrong, uphill)
+            held = max((new - rows.dot(before, uphill)) / product, 0.0) if product > 0.0 else 0.0
+            self._turn(uphill, held)
             if held > 0.0:
-                along *= kept
-                along *= held
-                along += uphill
-                along = self._evened(along, kept)
-            else:
-                along = xp.asarray(uphill, copy=True)
-            downhill = dot(wrong, along)
+                self._even(self.along, pixels)
+            downhill = rows.dot(self.wrong, self.along)
             if not downhill > 0.0:
-                along, downhill = uphill, new
-            before, product = wrong, new
-            if not self._step(along, downhill, share, tolerance, RESTART_RATIO * float(xp.sum(kept))):
-                product = 0.0
+                self._turn(uphill, 0.0)
+                downhill = new
+            product = new if self._step(downhill, share, tolerance, RESTART_RATIO * pixels) else 0.0
+            before, self.wrong = self.wrong, before
         shape = f"{self.p.shape[0]} x {self.p.shape[1]}"
         raise NotConverged(
             f"the contact of {shape} pixels still overlaps by {left[0]:.3g} of its depth, and pressures do "
@@ -185,61 +141,134 @@ class BoxContact:
             "Allow a larger tolerance, or smooth the heights."
         )
 
-    def _unsettled(self) -> Any:
+    def _empty(self) -> Any:
+        return cast(self.xp.zeros_like(self.p), self.digits)
+
+    def _unsettled(self, part: Any) -> Any:
         """Where pressures may change: not where they are zero and surfaces apart, nor hard and overlapping."""
-        inside = (self.p > 0.0) | (self.gap < 0.0)
-        return inside if math.isinf(self.ceiling) else inside & ((self.p < self.ceiling) | (self.gap > 0.0))
+        p, gap = self.p[part], self.gap[part]
+        inside = (p > 0.0) | (gap < 0.0)
+        return inside if self.elastic else inside & ((p < self.ceiling) | (gap > 0.0))
 
-    def _mean(self, numbers: Any, where: Any) -> float:
-        """Return the mean over these pixels of numbers that are zero in the others."""
-        return float(self.xp.sum(numbers)) / int(self.xp.count_nonzero(where))
+    def _gaps(self) -> tuple[int, tuple[float, float]]:
+        """Find what is wrong: return how many pixels may change, and what overlaps and works on gaps."""
+        xp, deeper = self.xp, 0.0
 
-    def _evened(self, step: Any, kept: Any) -> Any:
-        """Return a step of the pressures that leaves the load as it is; where all would go alike, with the load."""
-        xp = self.xp
-        pixels = int(xp.count_nonzero(kept))
+        def mean(part: Any) -> tuple[float, float]:
+            inside = self._unsettled(part)
+            return float(xp.sum(xp.where(inside, self.gap[part], 0.0))), int(xp.count_nonzero(inside))
+
+        def wrong(part: Any) -> tuple[float, float, float, float]:
+            self.gap[part] -= deeper
+            inside = self._unsettled(part)
+            wrong = xp.where(inside, self.gap[part], 0.0)
+            self.wrong[part], self.kept[part] = cast(wrong, self.digits), cast(inside, self.digits)
+            # outside of what may change nothing overlaps and nothing presses
+            return int(xp.count_nonzero(inside)), *left_over(
+                self.p[part], wrong if self.elastic else self.gap[part], self.ceiling
+            )
+
+        if not math.isnan(self.load):
+            gaps, count = self.rows.total(mean)
+            if count:  # as deep as the mean of what may still change
+                deeper = gaps / count
+                self.depth += deeper
+        counts, overlaps, works, loads = zip(*self.rows.each(wrong), strict=True)
+        return sum(counts), (max(overlaps) / abs(self.depth), sum(works) / abs(sum(loads) * self.depth))
+
+    def _even(self, step: Any, pixels: int) -> None:
+        """Keep a step to where pressures may change, and the load as it is; where all would go alike, with the load."""
+        xp, mean = self.xp, 0.0
+
+        def kept(part: Any) -> tuple[float]:
+            step[part] *= self.kept[part]
+            return (float(xp.sum(step[part])),)
+
+        def moved(part: Any) -> tuple[float]:
+            step[part] -= mean * self.kept[part]
+            return (dot(step[part], step[part]),)
+
+        def greatest(part: Any) -> float:
+            return float(xp.max(xp.abs(step[part])))
+
+        (total,) = self.rows.total(kept)
         if math.isnan(self.load) or not pixels:
-            return step
-        mean = float(xp.sum(step)) / pixels
-        even = kept * -mean
-        even += step
-        if dot(even, even) > SUSPECT_RATIO * pixels * mean * mean:
-            return even
-        return even if float(xp.max(xp.abs(even))) > SINGLE_DIGITS_RATIO * float(xp.max(xp.abs(step))) else step
+            return
+        mean = total / pixels
+        (squares,) = self.rows.total(moved)
+        if squares > SUSPECT_RATIO * pixels * mean * mean:
+            return
+        if max(self.rows.each(greatest)) <= SINGLE_DIGITS_RATIO * abs(mean):
+            mean = -mean
+            self.rows.total(moved)
 
-    def _step(self, along: Any, downhill: float, share: float, tolerance: float, most_lost: float) -> bool:
-        """Go down along a direction by a share of what it is worth; return whether most of the contact was kept."""
-        xp, lost, scale = self.xp, 0, 1.0
-        sunk = self.grid.displaced(along)
-        length = share * downhill / dot(along, sunk)
-        moved = cast(along, self.p.dtype) * -length
-        moved += self.p
-        beyond = (moved < 0.0) | (moved > self.ceiling) if math.isfinite(self.ceiling) else moved < 0.0
-        if bool(xp.any(beyond)):
-            lost = int(xp.count_nonzero(beyond & (along != 0.0)))
-            moved = xp.clip(moved, 0.0, self.ceiling)
-        if math.isinf(self.ceiling) and not math.isnan(self.load):
-            scale = self.load / float(xp.sum(moved, dtype=xp.float64))
+    def _turn(self, uphill: Any, held: float) -> None:
+        """Go uphill, and by a part of the direction of before."""
+
+        def turned(part: Any) -> None:
+            if held > 0.0:
+                self.along[part] *= held
+                self.along[part] += uphill[part]
+            else:
+                self.along[part] = uphill[part]
+
+        self.rows.each(turned)
+
+    def _step(self, downhill: float, share: float, tolerance: float, most_lost: float) -> bool:
+        """Go down along the direction by a share of what it is worth; return whether most of the contact was kept."""
+        xp, scale = self.xp, 1.0
+        sunk = self.grid.displaced(self.along)
+        length = share * downhill / self.rows.dot(self.along, sunk)
+
+        def moved(part: Any) -> Any:
+            pressed = cast(self.along[part], self.p.dtype) * -length
+            pressed += self.p[part]
+            return pressed
+
+        def tried(part: Any) -> tuple[float, float]:
+            pressed = moved(part)
+            beyond = pressed < 0.0 if self.elastic else (pressed < 0.0) | (pressed > self.ceiling)
+            lost = int(xp.count_nonzero(beyond & (self.along[part] != 0.0)))
+            return lost, float(xp.sum(xp.clip(pressed, 0.0, self.ceiling), dtype=xp.float64))
+
+        def changed(part: Any) -> None:
+            pressed = xp.clip(moved(part), 0.0, self.ceiling) * scale
+            self.more[part] = cast(pressed - self.p[part], self.digits)
+            self.p[part] = pressed
+
+        def gone(part: Any) -> None:
+            self.p[part] = moved(part)
+            self.gap[part] -= length * sunk[part]
+
+        lost, load = self.rows.total(tried)
+        if self.elastic and not math.isnan(self.load):
+            scale = self.load / load
             scale = scale if abs(scale - 1.0) > LOAD_RATIO * tolerance else 1.0
         if lost or scale != 1.0:
-            moved *= scale
-            self._change(moved)
+            self.rows.each(changed)
+            del sunk
+            self._sink()
         else:
-            sunk *= length
-            self.p = moved
-            self.gap -= sunk
-        if math.isfinite(self.ceiling) and not math.isnan(self.load):
+            self.rows.each(gone)
+        if not self.elastic and not math.isnan(self.load):
             self._carry()
         return lost <= most_lost
 
-    def _change(self, pressure: Any) -> None:
-        """Take other pressures."""
-        self.gap += self.grid.displaced(cast(pressure - self.p, self.digits))
-        self.p = pressure
+    def _sink(self) -> None:
+        """Change the gaps by the displacements under the changes of the pressures."""
+        sunk = self.grid.displaced(self.more)
+
+        def sink(part: Any) -> None:
+            self.gap[part] += sunk[part]
+
+        self.rows.each(sink)
 
     def _carry(self) -> None:
         """Bring pressures below a ceiling to where all together bear the load."""
         if abs(self.load / float(self.xp.sum(self.p)) - 1.0) > 1e-13:
             # what is settled changes when the others have to be raised, or lowered, by more than its own gap requires
-            target = self.xp.where(self._unsettled(), self.p, self.p - self.gap)
-            self._change(shared(target, self.ceiling, self.load))
+            target = self.xp.where(self._unsettled(...), self.p, self.p - self.gap)
+            pressed = shared(target, self.ceiling, self.load)
+            self.more[...] = cast(pressed - self.p, self.digits)
+            self.p[...] = pressed
+            self._sink()
