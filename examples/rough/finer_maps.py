@@ -44,5 +44,5 @@ for times in blocks.tolist():
 
 figure, axes = plt.subplots(figsize=(5, 3.5), layout="constrained")
 axes.errorbar(side / pixels * blocks * 1e6, np.array(areas) * 100, np.array(errors) * 100, marker="o", capsize=3)
-axes.set(xlabel="pixel / µm", ylabel="true area / % of the map", xscale="log")
+axes.set(xlabel="pixel / µm", ylabel="true area / % of the map", xlim=(0, None), ylim=(0, None))
 plt.show()

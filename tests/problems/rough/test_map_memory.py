@@ -80,3 +80,36 @@ def test_a_system_that_does_not_report_its_memory_is_trusted(monkeypatch, tmp_pa
     monkeypatch.setattr(free_memory, "GROUP_LIMITS", ())
     monkeypatch.delattr(free_memory.os, "sysconf", raising=False)
     assert math.isinf(free_memory.free_memory())
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("periodic", [True, False])
+def test_a_million_pixels_are_solved_to_what_is_stated(periodic):
+    """Checked in double digits by transforms of the test's own; the solver's steps are in single ones."""
+    n, side, tolerance = 1024, 1e-3, 1e-6
+    waves = np.random.default_rng(3).normal(size=(n, n // 2 + 1)) + 0.0j
+    q = 2.0 * np.pi * np.hypot(np.fft.fftfreq(n, side / n)[:, None], np.fft.rfftfreq(n, side / n))
+    q[0, 0] = math.inf
+    heights = np.fft.irfft2(waves * np.where((q > 2e4) & (q < 8e5), q**-1.8, 0.0))
+    rough = Topography(heights * 1e-6 / heights.std(), [side, side], periodic)
+    medium = HalfSpace(Elastic(1e9, 0.3))
+    contact = SurfaceContact(rough, medium, Force(2.0), tolerance=tolerance).solve()
+    p = contact.last.pressure
+    if periodic:
+        moved = np.fft.irfft2(np.fft.rfft2(p) * 2.0 / q, s=p.shape)
+    else:
+        apart = np.concatenate((np.arange(n), np.arange(-n, 0))) * side / n
+
+        def corner(a, b):
+            x, y = apart[:, None] + a * side / n, apart[None, :] + b * side / n
+            return x * np.arcsinh(y / np.abs(x)) + y * np.arcsinh(x / np.abs(y))
+
+        love = (corner(0.5, 0.5) - corner(-0.5, 0.5) - corner(0.5, -0.5) + corner(-0.5, -0.5)) / np.pi
+        moved = np.fft.irfft2(np.fft.rfft2(love) * np.fft.rfft2(p, s=(2 * n, 2 * n)))[:n, :n]
+    gap = moved / medium.modulus + rough.gaps - contact.depth
+    assert p.min() == 0.0
+    assert np.sum(p) * (side / n) ** 2 == pytest.approx(2.0, rel=1e-12)
+    assert -gap.min() == pytest.approx(contact.penetration * contact.depth, rel=1e-3)
+    assert -gap.min() <= tolerance * contact.depth
+    assert np.sum(p * np.abs(gap)) <= tolerance * np.sum(p) * contact.depth
+    np.testing.assert_allclose(contact.last.separation, np.maximum(gap, 0.0), atol=1e-9 * contact.depth)
