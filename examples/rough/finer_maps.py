@@ -3,7 +3,8 @@ How fine must a map be?
 =======================
 
 The same rough surface with more and more of its waves, on finer and finer pixels, under one force: the depth hardly
-changes, the true area falls. A contact on 768 x 768 pixels takes a second or two; the log tells what a large map takes, and how far it is.
+changes, the true area falls. A contact on 768 x 768 pixels takes a second or two; the log tells what a large map takes,
+and how far it is.
 """
 
 import logging
