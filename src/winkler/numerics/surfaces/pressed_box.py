@@ -134,6 +134,8 @@ class BoxContact:
                 downhill = new
             product = new if self._step(downhill, share, tolerance, RESTART_RATIO * pixels) else 0.0
             before, self.wrong = self.wrong, before
+        if single:
+            return MOST_ITERATIONS
         shape = f"{self.p.shape[0]} x {self.p.shape[1]}"
         raise NotConverged(
             f"the contact of {shape} pixels still overlaps by {left[0]:.3g} of its depth, and pressures do "
