@@ -14,7 +14,7 @@ pytestmark = pytest.mark.bench
 
 UNIT = wk.HalfSpace(wk.Elastic(1.0, 0.0))
 WORK, TABOR = 1e-9, 5.0
-LIMITS = {128: 5.0, 256: 20.0}
+LIMITS = {128: 5.0, 256: 10.0}
 
 
 @pytest.mark.parametrize("count", LIMITS)

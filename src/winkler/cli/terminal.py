@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import functools
 import math
 import sys
 from collections.abc import Callable, Iterable, Iterator
@@ -18,6 +17,7 @@ if TYPE_CHECKING:
     from winkler.study.batch.fit_outcome import FitOutcome
     from winkler.study.batch.outcome import Outcome, ResultColumn
 
+from winkler.cli.messages import heard, one_line
 from winkler.cli.streams import safe
 from winkler.readable import scale_of
 
@@ -165,8 +165,16 @@ def notes(outcome: Outcome | FitOutcome, out: Console) -> None:
 
 
 def marching(*, hidden: bool) -> Callable[[Iterable[T], int | None], Iterator[T]]:
-    """Return a function that shows a bar over the points of a path."""
-    return functools.partial(tracked, hidden=hidden, doing="marching")
+    """Return a function that shows a bar over the points of a path; of a single one, what its solver says."""
+
+    def watch(points: Iterable[T], total: int | None) -> Iterator[T]:
+        if hidden or total != 1 or not sys.stderr.isatty():
+            yield from tracked(points, total, hidden=hidden, doing="marching")
+            return
+        with one_line(console(stderr=True)) as show, heard(show):
+            yield from points
+
+    return watch
 
 
 class _LiveText:

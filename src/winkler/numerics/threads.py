@@ -7,10 +7,17 @@ import sys
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 
-__all__ = ["run_in_threads"]
+__all__ = ["cores", "run_in_threads"]
 
 LEAST_ITEMS_PER_THREAD = 256
 """Pieces that are not worth a thread of their own."""
+
+
+def cores() -> int:
+    """Return how many cores this process may use."""
+    if sys.platform == "emscripten":
+        return 1
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def run_in_threads(work: Callable[[slice], None], count: int) -> None:
@@ -34,10 +41,10 @@ def run_in_threads(work: Callable[[slice], None], count: int) -> None:
     array([ 0.,  1.,  4.,  9., 16.])
     """
     work(slice(0, 0))
-    cores = 1 if sys.platform == "emscripten" else min(os.cpu_count() or 1, max(count // LEAST_ITEMS_PER_THREAD, 1))
-    if cores == 1:
+    threads = min(cores(), max(count // LEAST_ITEMS_PER_THREAD, 1))
+    if threads == 1:
         work(slice(0, count))
         return
-    edges = [count * core // cores for core in range(cores + 1)]
-    with ThreadPoolExecutor(cores) as pool:
+    edges = [count * thread // threads for thread in range(threads + 1)]
+    with ThreadPoolExecutor(threads) as pool:
         list(pool.map(work, [slice(*pair) for pair in zip(edges[:-1], edges[1:], strict=True)]))

@@ -160,20 +160,20 @@ def any_task(seed):
     return h, pixel, drive, bool(rng.integers(2)), ceiling
 
 
-@pytest.mark.parametrize("first", range(0, 60, 20))
-def test_whatever_is_pressed_is_solved(first):
-    """Random sizes, shapes, units, loads and hardnesses: every result is checked again."""
+@pytest.mark.parametrize(("first", "tolerance"), [(0, 1e-7), (20, 1e-7), (40, 1e-7), (60, 1e-6), (80, 1e-6)])
+def test_whatever_is_pressed_is_solved(first, tolerance):
+    """Random sizes, shapes, units, loads and hardnesses: every result is checked again; 1e-6 begins in single ones."""
     for seed in range(first, first + 20):
         h, pixel, drive, periodic, ceiling = any_task(seed)
-        found = press(h, pixel, drive, periodic=periodic, ceiling=ceiling, tolerance=1e-7)
+        found = press(h, pixel, drive, periodic=periodic, ceiling=ceiling, tolerance=tolerance)
         p, most = found.pressure, ceiling * (1.0 + 1e-12)
         gap = SurfaceGrid.of(h.shape, pixel, periodic=periodic).displaced(p) + h - found.depth
         soft = p < ceiling * (1.0 - 1e-12)
         assert p.min() >= 0.0, seed
         assert p.max() <= most, seed
-        assert np.min(gap, where=soft, initial=0.0) >= -1.1e-7 * found.depth, seed
+        assert np.min(gap, where=soft, initial=0.0) >= -1.1 * tolerance * found.depth, seed
         work = np.sum(p * np.where(soft, np.abs(gap), np.maximum(gap, 0.0)))
-        assert work <= 1.1e-7 * np.sum(p) * found.depth, seed
+        assert work <= 1.1 * tolerance * np.sum(p) * found.depth, seed
         if isinstance(drive, ByLoad):
             assert np.sum(p) == pytest.approx(drive.load, rel=1e-10), seed
         else:

@@ -9,11 +9,11 @@ are those of Love.  Here E* and the first pixel length are one.
 from __future__ import annotations
 
 import functools
-import os
 from typing import NamedTuple
 
 import numpy as np
 
+from winkler.numerics.threads import cores
 from winkler.numerics.types import Array
 
 __all__ = ["ElasticSurface"]
@@ -107,6 +107,6 @@ def _made(shape: tuple[int, int], aspect: float, periodic: bool) -> ElasticSurfa
         i, j = (np.minimum(np.arange(n), n - np.arange(n)) for n in torus)
         compliance = scipy.fft.rfft2(quarter[np.ix_(i, j)]).real
         stiffness = 1.0 / compliance
-    workers = (os.cpu_count() or 1) if torus[0] * torus[1] > SINGLE_THREAD_PIXELS else 1
+    workers = cores() if torus[0] * torus[1] > SINGLE_THREAD_PIXELS else 1
     single = stiffness.astype(np.float32), compliance.astype(np.float32)
     return ElasticSurface(shape, torus, periodic, stiffness, compliance, *single, workers)

@@ -9,15 +9,16 @@ a grid of half as many pixels it takes about ten.
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
+from winkler.numerics.arrays import cast, given, namespace_of
 from winkler.numerics.surfaces.layered_pixels import LayeredSurface
-from winkler.numerics.surfaces.pressed_box import BoxContact, ByDepth, ByLoad, box_around, overlap_and_work, shared
+from winkler.numerics.surfaces.pressed_box import BoxContact, ByDepth, ByLoad, box_around
+from winkler.numerics.surfaces.pressed_sums import overlap_and_work, shared
 from winkler.numerics.surfaces.surface_grid import DOUBLE, SINGLE, SurfaceGrid
-from winkler.numerics.types import Array
 
 __all__ = ["ByDepth", "ByLoad", "PressedSurface", "press"]
 
@@ -33,6 +34,8 @@ MOST_ROUNDS = 20
 """How often the whole surface is checked before it has not converged; two are usual."""
 SINGLE_DIGITS_CONTRAST, CONTRAST_WAVES = 1e2, 40
 """Ratio of 1 + M among these many waves up to which single digits are enough."""
+SINGLE_DIGITS_TOLERANCE = 4e-7
+"""To what pressures and gaps may be solved in single digits; what they leave is then found anew in double ones."""
 INNER_RATIO = 0.6
 """Part of the tolerance to which the box around the contact is solved, and then to less."""
 
@@ -56,8 +59,8 @@ class PressedSurface(NamedTuple):
         On the finest grid.
     """
 
-    pressure: Array
-    gap: Array
+    pressure: Any
+    gap: Any
     depth: float
     penetration: float
     work: float
@@ -76,14 +79,18 @@ class _Surface(NamedTuple):
         size = shape[0], shape[1]
         return SurfaceGrid.of(size, self.pixel, periodic=self.periodic, digits=digits, layers=self.layers)
 
-    def rough_grid(self, shape: tuple[int, ...]) -> SurfaceGrid:
+    def rough_grid(self, whole: SurfaceGrid, shape: tuple[int, ...]) -> SurfaceGrid:
         """Return the grid for changes of pressures, whose digits suffice for the contrast of the layers."""
+        digits = self._rough_digits(shape)
+        return whole.in_digits(digits) if whole.shape == shape else self.grid(shape, digits)
+
+    def _rough_digits(self, shape: tuple[int, ...]) -> np.dtype[np.floating]:
         if not self.layers:
-            return self.grid(shape, SINGLE)
+            return SINGLE
         longest = max(n * side for n, side in zip(shape, self.pixel, strict=True))
         waves = 2.0 * np.pi * np.geomspace(1.0 / longest, 0.5 / min(self.pixel), CONTRAST_WAVES)
         whole = self.layers.whole(waves)
-        return self.grid(shape, SINGLE if float(np.max(whole) / np.min(whole)) < SINGLE_DIGITS_CONTRAST else DOUBLE)
+        return SINGLE if float(np.max(whole) / np.min(whole)) < SINGLE_DIGITS_CONTRAST else DOUBLE
 
     @property
     def coarser(self) -> _Surface:
@@ -91,35 +98,51 @@ class _Surface(NamedTuple):
         return self._replace(pixel=(2.0 * self.pixel[0], 2.0 * self.pixel[1]))
 
 
-def _halved(heights: Array) -> Array:
+def _halved(heights: Any) -> Any:
     """Return means over two by two pixels."""
-    nx, ny = heights.shape[0] // 2, heights.shape[1] // 2
-    return np.asarray(heights[: 2 * nx, : 2 * ny].reshape(nx, 2, ny, 2).mean(axis=(1, 3)))
+    nx, ny = 2 * (heights.shape[0] // 2), 2 * (heights.shape[1] // 2)
+    rows = heights[:nx:2, :ny] + heights[1:nx:2, :ny]
+    return 0.25 * (rows[:, ::2] + rows[:, 1::2])
 
 
-def _doubled(pressure: Array, shape: tuple[int, int]) -> Array:
+def _doubled(pressure: Any, shape: tuple[int, ...]) -> Any:
     """Return the pressure on a grid of half the pixel size, straight between the centres, under what bears."""
-    fine, bearing = pressure, pressure > 0.0
+    xp = namespace_of(pressure)
+    fine, kept = pressure, cast(pressure > 0.0, pressure.dtype)
     for axis in (0, 1):
-        ahead = np.concatenate((np.delete(fine, 0, axis), np.take(fine, [-1], axis)), axis)
-        behind = np.concatenate((np.take(fine, [0], axis), np.delete(fine, -1, axis)), axis)
-        pair = np.stack((0.75 * fine + 0.25 * behind, 0.75 * fine + 0.25 * ahead), axis + 1)
-        fine = pair.reshape((*pair.shape[:axis], -1, *pair.shape[axis + 2 :]))
-        short = shape[axis] - fine.shape[axis]
-        fine = np.concatenate((fine, np.take(fine, [-1] * short, axis)), axis) if short > 0 else fine
-        bearing = np.take(bearing, np.minimum(np.arange(shape[axis]) // 2, bearing.shape[axis] - 1), axis)
-    return np.where(bearing, fine, 0.0)
+        fine, kept = (_stretched(xp, each, shape[axis], axis, share) for each, share in ((fine, 0.25), (kept, 0.0)))
+    fine *= kept
+    return fine
+
+
+def _stretched(xp: Any, numbers: Any, length: int, axis: int, share: float) -> Any:
+    """Return twice as many numbers along an axis, each with a share of the next one; the last for one that lacks."""
+    along = (slice(None),) * axis
+
+    def part(*ends: int | None) -> Any:
+        return numbers[(*along, slice(*ends), ...)]
+
+    near, first, last = (1.0 - share) * numbers, part(None, 1), part(-1, None)
+    behind, ahead = (share * xp.concat(both, axis=axis) for both in ((first, part(None, -1)), (part(1, None), last)))
+    size = tuple(length if i == axis else n for i, n in enumerate(numbers.shape))
+    fine = xp.zeros(size, dtype=numbers.dtype, device=numbers.device)
+    pairs = 2 * numbers.shape[axis]
+    fine[(*along, slice(0, pairs, 2), ...)] = near + behind
+    fine[(*along, slice(1, pairs, 2), ...)] = near + ahead
+    if length > pairs:
+        fine[(*along, slice(pairs, None), ...)] = fine[(*along, slice(pairs - 1, pairs), ...)]
+    return fine
 
 
 def press(
-    heights: Array,
+    heights: Any,
     pixel: tuple[float, float],
     drive: ByDepth | ByLoad,
     *,
     periodic: bool,
     ceiling: float = math.inf,
     tolerance: float = 1e-6,
-    start: Array | tuple[()] = (),
+    start: Any = (),
     layers: LayeredSurface | None = None,
 ) -> PressedSurface:
     """Solve the contact.
@@ -127,7 +150,8 @@ def press(
     Parameters
     ----------
     heights
-        h [m] of the undeformed gap over the highest point, (nx, ny), not negative, zero somewhere.
+        h [m] of the undeformed gap over the highest point, (nx, ny), not negative, zero somewhere; an array of numpy,
+        or of another library of the array API, where everything then is computed.
     pixel
         (dx, dy) [m].
     drive
@@ -157,43 +181,57 @@ def press(
             unit = depth
             scaled: ByDepth | ByLoad = ByDepth(1.0)
         case ByLoad(load):
-            unit = load * math.sqrt(patch / heights.size)
-            unit = min(unit, float(np.mean(heights))) if periodic else unit  # which is never deeper than closed
+            unit = load * math.sqrt(patch / math.prod(heights.shape))
+            if periodic:  # which is never deeper than closed
+                unit = min(unit, float(namespace_of(heights).mean(heights)))
             scaled = ByLoad(load * pixel[0] / unit)
     strain = unit / pixel[0]
-    begin = np.asarray(start) / strain
+    begin = start / strain if given(start) else ()
     surface = _Surface((1.0, pixel[1] / pixel[0]), periodic, layers.in_units_of(pixel[0]) if layers else None)
     pressed = _pressed(heights / unit, surface, scaled, ceiling / strain, tolerance, begin)
-    return pressed._replace(pressure=strain * pressed.pressure, gap=unit * pressed.gap, depth=unit * pressed.depth)
+    p, gap = pressed.pressure, pressed.gap
+    p *= strain
+    gap *= unit
+    return pressed._replace(pressure=p, gap=gap, depth=unit * pressed.depth)
 
 
 def _pressed(
-    heights: Array,
+    heights: Any,
     surface: _Surface,
     drive: ByDepth | ByLoad,
     ceiling: float,
     tolerance: float,
-    start: Array,
+    start: Any,
 ) -> PressedSurface:
     """Return the contact: solved where it may be, then checked everywhere, until nothing changes."""
-    shape = heights.shape
-    whole, everywhere = surface.grid(shape), (slice(None), slice(None))
-    begun = start if len(start) else _from_coarser(heights, surface, drive, ceiling)
+    xp, shape, everywhere = namespace_of(heights), heights.shape, (slice(None), slice(None))
+    begun = start if given(start) else _from_coarser(heights, surface, drive, ceiling)
     p = _first(heights, drive, surface.pixel, ceiling, begun)
+    del begun, start
+    whole, elastic = surface.grid(shape).beside(heights), math.isinf(ceiling)
     depth, count, inner = drive.depth if isinstance(drive, ByDepth) else math.nan, 0, INNER_RATIO * tolerance
-    for _ in range(MOST_ROUNDS):
-        u = whole.displaced(p)
+    for round_ in range(MOST_ROUNDS):
+        gap = whole.displaced(p)
+        gap += heights
         if math.isnan(depth):
-            depth = float(np.mean((u + heights)[p > 0.0]))
-        gap = u + heights - depth
+            pressing = p > 0.0
+            depth = float(xp.sum(xp.where(pressing, gap, 0.0))) / int(xp.count_nonzero(pressing))
+        gap -= depth
         left = overlap_and_work(p, gap, depth, ceiling)
         if max(left) <= tolerance:
             return PressedSurface(p, gap, depth, *left, count)
-        box = box_around((p > 0.0) | (gap < 0.0)) if math.isinf(ceiling) and not surface.periodic else everywhere
-        grid = surface.rough_grid(heights[box].shape)
-        contact = BoxContact(grid, heights[box], drive, ceiling, p[box], u[box], depth)
+        box = box_around((p > 0.0) | (gap < 0.0)) if elastic and not surface.periodic else everywhere
+        grid = surface.rough_grid(whole, p[box].shape).beside(heights)
+        digits = p.dtype
+        if round_ == 0 and elastic and inner >= SINGLE_DIGITS_TOLERANCE and grid.response.dtype == xp.float32:
+            digits = xp.float32
+        contact = BoxContact(grid, drive, ceiling, cast(p[box], digits), cast(gap[box], digits), depth)
+        del gap
         count += contact.solve(inner)
-        p[box], depth, inner = contact.p, contact.depth, max(inner * INNER_RATIO, 1e-15)
+        p[box], depth = cast(contact.p, p.dtype), contact.depth
+        inner = inner if digits != p.dtype else max(inner * INNER_RATIO, 1e-15)
+        if elastic and isinstance(drive, ByLoad):
+            p *= drive.load / float(xp.sum(p))
     raise NotConverged(
         f"the contact of {shape[0]} x {shape[1]} pixels still overlaps by {left[0]:.3g} of its depth, and pressures do "
         f"{left[1]:.3g} of the work on gaps, after {MOST_ROUNDS} rounds; allowed are {tolerance:.3g} of both. "
@@ -201,31 +239,38 @@ def _pressed(
     )
 
 
-def _first(heights: Array, drive: ByDepth | ByLoad, pixel: tuple[float, float], ceiling: float, start: Array) -> Array:
+def _first(heights: Any, drive: ByDepth | ByLoad, pixel: tuple[float, float], ceiling: float, start: Any) -> Any:
     """Return pressures to begin with, that bear the load."""
+    xp = namespace_of(heights)
+    begun = given(start) and bool(xp.any(start > 0.0))
     if isinstance(drive, ByDepth):
-        sunk = np.maximum(drive.depth - heights, 0.0) / (max(heights.shape) * max(pixel))
-        return np.minimum(start if np.any(start) else sunk, ceiling)
-    p = start if np.any(start) else np.where(heights <= np.quantile(heights, FIRST_CONTACT_RATIO), 1.0, 0.0)
-    p = p * (drive.load / float(np.sum(p)))
-    return p if float(np.max(p)) <= ceiling else shared(np.minimum(p, ceiling) - heights, ceiling, drive.load)
+        sunk = start if begun else xp.clip(drive.depth - heights, 0.0, math.inf) / (max(heights.shape) * max(pixel))
+        return xp.clip(sunk, 0.0, ceiling)
+    p = start if begun else cast(heights <= _highest(xp, heights), heights.dtype)
+    p = p * (drive.load / float(xp.sum(p)))
+    return p if float(xp.max(p)) <= ceiling else shared(xp.clip(p, 0.0, ceiling) - heights, ceiling, drive.load)
 
 
-def _from_coarser(heights: Array, surface: _Surface, drive: ByDepth | ByLoad, ceiling: float) -> Array:
-    """Return the pressures of a grid of half as many pixels along a side, or zeros where there is none."""
-    nothing = np.zeros(heights.shape)
+def _highest(xp: Any, heights: Any) -> float:
+    """Return the gap up to which the highest pixels lie, under which a load begins."""
+    return float(xp.sort(xp.reshape(heights, (-1,)))[math.floor(FIRST_CONTACT_RATIO * (math.prod(heights.shape) - 1))])
+
+
+def _from_coarser(heights: Any, surface: _Surface, drive: ByDepth | ByLoad, ceiling: float) -> Any:
+    """Return the pressures of a grid of half as many pixels along a side, or nothing where there is none."""
+    xp, nothing = namespace_of(heights), ()
     if min(heights.shape) < 2 * COARSEST_PIXELS:
         return nothing
     coarse = _halved(heights)
-    lowest = float(np.min(coarse))
+    lowest = float(xp.min(coarse))
     easier = ByDepth(drive.depth - lowest) if isinstance(drive, ByDepth) else ByLoad(drive.load / 4.0)
-    if float(np.ptp(coarse)) == 0.0:  # a fine grating: its means do not resolve it
+    if float(xp.max(coarse)) == lowest:  # a fine grating: its means do not resolve it
         return nothing
-    most = float(np.mean(coarse)) - lowest if surface.periodic else math.inf
+    most = float(xp.mean(coarse)) - lowest if surface.periodic else math.inf
     if isinstance(easier, ByDepth) and not 0.0 < easier.depth < LARGEST_DEPTH_RATIO * most:
         return nothing
     try:
-        pressed = _pressed(coarse - lowest, surface.coarser, easier, ceiling, COARSE_TOLERANCE, np.empty(0))
+        pressed = _pressed(coarse - lowest, surface.coarser, easier, ceiling, COARSE_TOLERANCE, ())
     except (NotConverged, OutsideValidity):  # the coarse grid is only a first guess, or too coarse for the layers
         return nothing
     return _doubled(pressed.pressure, heights.shape)

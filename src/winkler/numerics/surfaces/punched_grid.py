@@ -6,12 +6,14 @@ punch that nearly fills a periodic surface hardly bends it; there all of it take
 
 from __future__ import annotations
 
-import functools
+import math
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
 from winkler.errors import NotConverged
+from winkler.numerics.arrays import cast, dot, given, namespace_of
 from winkler.numerics.surfaces.layered_pixels import LayeredSurface
 from winkler.numerics.surfaces.pressed_box import box_around
 from winkler.numerics.surfaces.surface_grid import DOUBLE, SINGLE, SurfaceGrid
@@ -34,14 +36,14 @@ INNER_RATIO = 0.5
 
 
 def punch(
-    touching: Array,
+    touching: Any,
     pixel: tuple[float, float],
     *,
     periodic: bool,
     tolerance: float = 1e-6,
-    start: Array | tuple[()] = (),
+    start: Any = (),
     layers: LayeredSurface | None = None,
-) -> Array:
+) -> Any:
     """Return the pressures over E* [1/m] under a flat punch of any shape at unit depth.
 
     Their sum is better than they are: its error is of the order of the square of the tolerance.
@@ -49,7 +51,8 @@ def punch(
     Parameters
     ----------
     touching
-        Where it presses, (nx, ny), somewhere but, on a periodic surface whose mean stays at rest, not everywhere.
+        Where it presses, (nx, ny), somewhere but, on a periodic surface whose mean stays at rest, not everywhere; of
+        numpy or another library of the array API, which then computes.
     pixel, periodic, layers
         As for `winkler.numerics.surfaces.pressed_grid.press`.
     tolerance
@@ -62,40 +65,49 @@ def punch(
     NotConverged
         If the tolerance is not met.
     """
+    xp = namespace_of(touching)
     box = (slice(None), slice(None)) if periodic else box_around(touching)
     there = touching[box]
     shape, aspect = (there.shape[0], there.shape[1]), (1.0, pixel[1] / pixel[0])
     below = layers.in_units_of(pixel[0]) if layers else None
-    single = SurfaceGrid.of(shape, aspect, periodic=periodic, digits=SINGLE, layers=below)
-    double = functools.partial(SurfaceGrid.of, shape, aspect, periodic=periodic, layers=below)
-    exact = single if tolerance > SINGLE_DIGITS_TOLERANCE else double()
-    even = 1.0 / np.sqrt(np.count_nonzero(there) * aspect[1])
-    p = np.where(there, np.asarray(start)[box] * pixel[0] if len(start) else even, 0.0)
-    inner, before = single, np.inf
+
+    def grid(digits: np.dtype[np.floating]) -> SurfaceGrid:
+        return SurfaceGrid.of(shape, aspect, periodic=periodic, digits=digits, layers=below).beside(touching)
+
+    single = grid(SINGLE)
+    exact = single if tolerance > SINGLE_DIGITS_TOLERANCE else grid(DOUBLE)
+    even = 1.0 / math.sqrt(int(xp.count_nonzero(there)) * aspect[1])
+    kept = cast(there, xp.float32)
+    p = cast(there, xp.float64) * even
+    if given(start):
+        p = xp.where(there, start[box] * pixel[0], 0.0)
+    inner, before = single, math.inf
     for _ in range(MOST_ROUNDS):
-        wrong = np.where(there, exact.displaced(p.astype(exact.response.dtype)) - 1.0, 0.0)
-        left = float(np.max(np.abs(wrong)))
+        wrong = xp.where(there, exact.displaced(cast(p, exact.response.dtype)) - 1.0, 0.0)
+        left = float(xp.max(xp.abs(wrong)))
         if left <= tolerance:
-            whole = np.zeros(touching.shape)
+            whole = xp.zeros(touching.shape, dtype=p.dtype, device=touching.device)
             # p G p is stationary where G p = 1: the sum of p (2 - G p) errs by the square of what is wrong
             whole[box] = p * (1.0 - wrong) / pixel[0]
             return whole
         if left > LEAST_GAIN_RATIO * before:  # digits are too few
-            inner = exact = double()
+            inner = exact = grid(DOUBLE)
+            kept = cast(there, xp.float64)
         before = left
         try:
-            wanted = wrong.astype(inner.response.dtype)
-            p -= _correction(inner.displaced, inner.roughly_pressing, there, wanted, INNER_RATIO * tolerance)
+            wanted = cast(wrong, inner.response.dtype)
+            p -= _correction(inner.displaced, inner.roughly_pressing, kept, wanted, INNER_RATIO * tolerance)
         except NotConverged:
-            if inner.response.dtype == DOUBLE:
+            if inner.response.dtype == xp.float64:
                 raise
             before = 0.0
     raise _not_converged(touching)
 
 
-def _not_converged(touching: Array) -> NotConverged:
+def _not_converged(touching: Any) -> NotConverged:
+    pixels = int(namespace_of(touching).count_nonzero(touching))
     return NotConverged(
-        f"the pressure under a flat punch of {int(np.sum(touching))} pixels was not found; smooth the heights, or give "
+        f"the pressure under a flat punch of {pixels} pixels was not found; smooth the heights, or give "
         "the map other pixels."
     )
 
@@ -129,35 +141,44 @@ def stuck_stiffness(
     for axis in range(2):
         shift = np.zeros((2, *shape))
         shift[axis] = there
-        traction = _correction(grid.sheared, grid.roughly_shearing, there, shift, tolerance)
+        traction = _correction(grid.sheared, grid.roughly_shearing, there.astype(np.float64), shift, tolerance)
         wrong = np.where(there, grid.sheared(traction) - shift, 0.0)
         found.append(pixel[1] * float(np.sum(traction * (shift - wrong))))
     return found[0], found[1]
 
 
 def _correction(
-    displaced: Callable[[Array], Array], undone: Callable[[Array], Array], there: Array, wrong: Array, tolerance: float
-) -> Array:
-    """Return the pressures or tractions that displace the pixels under the punch by `wrong`, up to the tolerance."""
-    number = wrong.dtype.type
-    none = number(0.0)
-    p = along = np.zeros_like(wrong)
-    product, best, last = 0.0, np.inf, 0
+    displaced: Callable[[Any], Any], undone: Callable[[Any], Any], kept: Any, wrong: Any, tolerance: float
+) -> Any:
+    """Return the pressures or tractions that displace the pixels under the punch by `wrong`, up to the tolerance.
+
+    Those pixels are one in `kept`, and the others zero.
+    """
+    xp = namespace_of(wrong)
+    wrong = xp.asarray(wrong, copy=True)
+    p, along = xp.zeros_like(wrong), xp.zeros_like(wrong)
+    product, best, last = 0.0, math.inf, 0
     for count in range(MOST_ITERATIONS):
-        left = float(np.max(np.abs(wrong)))
+        left = float(xp.max(xp.abs(wrong)))
         if left <= tolerance:
             return p
         if left < best:
             best, last = left, count
         elif count - last > ITERATIONS_WITHOUT_GAIN:
             break
-        uphill = np.where(there, undone(wrong), none)
-        new = float(np.sum(wrong * uphill))
-        along = uphill + number(new / product if product > 0.0 else 0.0) * along
-        sunk = np.where(there, displaced(along), none)
-        bent = float(np.sum(along * sunk))
+        uphill = undone(wrong)
+        uphill *= kept
+        new = dot(wrong, uphill)
+        along *= new / product if product > 0.0 else 0.0
+        along += uphill
+        sunk = displaced(along)
+        sunk *= kept
+        bent = dot(along, sunk)
         if not bent > 0.0:
             break
-        length = number(new / bent)
-        p, wrong, product = p + length * along, wrong - length * sunk, new
-    raise _not_converged(there)
+        length = new / bent
+        p += length * along
+        sunk *= length
+        wrong -= sunk
+        product = new
+    raise _not_converged(kept)

@@ -12,18 +12,20 @@ the integral of their kernel over the pixel (`winkler.numerics.surfaces.layered_
 from __future__ import annotations
 
 import functools
-import os
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from winkler.numerics.arrays import cast, namespace_of, real_waves, waves_back
 from winkler.numerics.surfaces.layered_pixels import LayeredSurface
+from winkler.numerics.threads import cores
 from winkler.numerics.types import Array
 
 __all__ = ["DOUBLE", "SINGLE", "SurfaceGrid", "bytes_needed"]
 
-ARRAY_COPIES = 5
-"""How many arrays of the size of the transform are alive at once."""
+PERIODIC_COPIES, FREE_COPIES = 18, 26
+"""Arrays of double digits of the size of the map that are alive at once, transforms included: of a map and its result
+16 and 25 at most, layered or not."""
 MEAN_WAVE_RATIO = 0.5
 """What the preconditioner uses as the wave number of the mean, over the smallest other one."""
 STIFF_FILM_POWER = 0.7
@@ -37,9 +39,8 @@ SINGLE = np.dtype(np.float32)
 
 
 def bytes_needed(shape: tuple[int, int], periodic: bool) -> int:
-    """Return the memory [byte] that a grid of this shape takes while it works."""
-    points = shape[0] * shape[1]
-    return 8 * points * (12 + (2 if periodic else 4) * ARRAY_COPIES)
+    """Return the memory [byte] that a contact on a grid of this shape takes at most while it is solved."""
+    return 8 * shape[0] * shape[1] * (PERIODIC_COPIES if periodic else FREE_COPIES)
 
 
 def _rectangle(shape: tuple[int, int], pixel: tuple[float, float]) -> Array:
@@ -111,33 +112,38 @@ class SurfaceGrid(NamedTuple):
         made = _cached_grid if shape[0] * shape[1] <= LARGEST_CACHED_PIXELS else _made
         return made(shape, pixel, periodic, digits, layers)
 
-    def waves(self, numbers: Array) -> Array:
+    def in_digits(self, digits: np.dtype[np.floating]) -> SurfaceGrid:
+        """Return the grid with its transforms in these digits."""
+        response, wave_numbers = (cast(each, digits) for each in (self.response, self.wave_numbers))
+        return self._replace(response=response, wave_numbers=wave_numbers)
+
+    def beside(self, numbers: Any) -> SurfaceGrid:
+        """Return the grid with its transforms where these numbers are: in numpy, or on a card."""
+        if isinstance(numbers, np.ndarray):
+            return self
+        xp = namespace_of(numbers)
+        moved = (xp.asarray(each, device=numbers.device) for each in (self.response, self.wave_numbers))
+        return self._replace(**dict(zip(("response", "wave_numbers"), moved, strict=True)))
+
+    def waves(self, numbers: Any) -> Any:
         """Return the transform of numbers on the grid, (..., nx, ny), padded with zeros if it is not periodic."""
-        import scipy.fft
+        return real_waves(numbers, self.padded, self.workers)
 
-        rows = scipy.fft.rfft(numbers, self.padded[1], axis=-1, workers=self.workers)
-        return np.asarray(scipy.fft.fft(rows, self.padded[0], axis=-2, workers=self.workers, overwrite_x=True))
-
-    def numbers(self, waves: Array) -> Array:
+    def numbers(self, waves: Any) -> Any:
         """Return the numbers on the grid that have this transform, which is overwritten."""
-        import scipy.fft
+        return waves_back(waves, self.padded, self.shape, self.workers)
 
-        back = scipy.fft.ifft(waves, axis=-2, overwrite_x=True, workers=self.workers)[..., : self.shape[0], :]
-        return np.asarray(scipy.fft.irfft(back, self.padded[1], axis=-1, workers=self.workers)[..., : self.shape[1]])
-
-    def displaced(self, pressure: Array) -> Array:
+    def displaced(self, pressure: Any) -> Any:
         """Return u [m] under p, over E*."""
         both = self.waves(pressure)
         both *= self.response
         return self.numbers(both)
 
-    def roughly_pressing(self, displacement: Array) -> Array:
+    def roughly_pressing(self, displacement: Any) -> Any:
         """Return pressures, over E*, that would displace a periodic surface so: the preconditioner."""
-        import scipy.fft
-
-        waves = scipy.fft.rfft2(displacement, workers=self.workers)
+        waves = real_waves(displacement, self.shape, self.workers)
         waves *= self.wave_numbers
-        return np.asarray(scipy.fft.irfft2(waves, s=self.shape, workers=self.workers))
+        return waves_back(waves, self.shape, self.shape, self.workers)
 
 
 def _made(
@@ -151,14 +157,14 @@ def _made(
     import scipy.fft
 
     nx, ny = shape
-    workers = (os.cpu_count() or 1) if nx * ny > SINGLE_THREAD_PIXELS else 1
+    workers = cores() if nx * ny > SINGLE_THREAD_PIXELS else 1
     qx = 2.0 * np.pi * scipy.fft.fftfreq(nx, pixel[0])[:, None]
     qy = 2.0 * np.pi * scipy.fft.rfftfreq(ny, pixel[1])[None, :]
     wave = np.hypot(qx, qy)
     wave[0, 0] = MEAN_WAVE_RATIO * 2.0 * np.pi / max(nx * pixel[0], ny * pixel[1])
-    whole = layers.whole(wave) if layers else np.ones_like(wave)
+    whole = layers.whole(wave) if layers else np.ones((1, 1))
     if periodic:
-        response = 2.0 * whole / wave
+        response = 2.0 * (whole / wave)
         response[0, 0] = layers.mean if layers else 0.0
         padded = shape
     else:

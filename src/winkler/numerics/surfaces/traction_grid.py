@@ -93,20 +93,20 @@ class TractionGrid(NamedTuple):
 
     def sheared(self, traction: Array) -> Array:
         """Return the displacements along the surface [m], (2, nx, ny), under tractions along it over E*."""
-        return self.grid.numbers(_turned(self.along, self.grid.waves(traction)))
+        return np.asarray(self.grid.numbers(_turned(self.along, self.grid.waves(traction))))
 
     def drawn(self, pressure: Array) -> Array:
         """Return the displacements along the surface [m], (2, nx, ny), under pressures over E*."""
         if not self.across.size:
             return np.zeros((2, *self.grid.shape))
-        return self.grid.numbers(-1j * self.across * self.grid.waves(pressure))
+        return np.asarray(self.grid.numbers(-1j * self.across * self.grid.waves(pressure)))
 
     def sunk(self, traction: Array) -> Array:
         """Return the displacements across the surface [m], (nx, ny), under tractions along it over E*."""
         if not self.across.size:
             return np.zeros(self.grid.shape)
         both = self.grid.waves(traction)
-        return self.grid.numbers(1j * (self.across[0] * both[0] + self.across[1] * both[1]))
+        return np.asarray(self.grid.numbers(1j * (self.across[0] * both[0] + self.across[1] * both[1])))
 
     def roughly_shearing(self, displacement: Array) -> Array:
         """Return tractions that would displace a periodic surface so: the preconditioner."""

@@ -1,30 +1,53 @@
-"""Whether a machine has the memory that a height map takes."""
+"""Whether a machine has the memory that a height map takes, said before it is taken."""
 
 from __future__ import annotations
 
-import os
+import logging
 
+from winkler.checks.free_memory import free_memory, whole_memory
 from winkler.errors import InvalidInput
 from winkler.numerics.surfaces.surface_grid import bytes_needed
 
-__all__ = ["refuse_too_large"]
+__all__ = ["refuse_too_large", "state_memory"]
+
+LOG = logging.getLogger(__name__)
+STATED_BYTES = 2**28
+"""Memory from which on it is said how much a map takes; less is free on any machine."""
+GIB = 2.0**30
 
 
 def refuse_too_large(shape: tuple[int, ...], periodic: bool) -> None:
-    """Refuse a map of a `SurfaceContact` that takes more memory than there is.
+    """Refuse a map of a `SurfaceContact` that takes more memory than the machine has.
 
     Raises
     ------
     InvalidInput
         If it does; systems that do not report their memory are trusted.
     """
-    needed = bytes_needed((shape[0], shape[1]), periodic)
-    try:
-        there = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
-    except (AttributeError, ValueError, OSError):
-        return
+    needed, there = bytes_needed((shape[0], shape[1]), periodic), whole_memory()
     if needed > there:
         raise InvalidInput(
-            f"SurfaceContact: a map of {shape[0]} x {shape[1]} pixels takes {needed / 2**30:.3g} GiB of memory, "
-            f"this machine has {there / 2**30:.3g} GiB; take topography.coarsened(2), or a part of it."
+            f"SurfaceContact: a map of {shape[0]} x {shape[1]} pixels takes {needed / GIB:.3g} GiB of memory, "
+            f"this machine has {there / GIB:.3g} GiB; take topography.coarsened(2), or a part of it."
         )
+
+
+def state_memory(shape: tuple[int, ...], periodic: bool) -> None:
+    """State how much memory a map of a `SurfaceContact` takes, before it is taken; small ones are not mentioned.
+
+    Raises
+    ------
+    InvalidInput
+        If it is more than is free now.
+    """
+    needed = bytes_needed((shape[0], shape[1]), periodic)
+    if needed < STATED_BYTES:
+        return
+    free = free_memory()
+    sentence = (
+        f"SurfaceContact: a map of {shape[0]} x {shape[1]} pixels takes about {needed / GIB:.2g} GiB of memory, of "
+        f"{max(free, 0.0) / GIB:.2g} GiB that are free"
+    )
+    if needed > free:
+        raise InvalidInput(f"{sentence}; end other programs, take topography.coarsened(2), or a part of the map.")
+    LOG.info("%s.", sentence)

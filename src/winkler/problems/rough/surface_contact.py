@@ -14,7 +14,8 @@ from __future__ import annotations
 import dataclasses
 import math
 from collections.abc import Iterable, Iterator
-from typing import Annotated, ClassVar
+from types import ModuleType
+from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
@@ -23,6 +24,7 @@ from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.limits import MOST_NUMBERS
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.numerics.arrays import given, library_of, to_numpy
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, press
 from winkler.numerics.surfaces.punched_grid import punch
 from winkler.numerics.types import Array, Quantity, shaped
@@ -30,7 +32,8 @@ from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.rough.contact_area import contact_area
-from winkler.problems.rough.map_memory import refuse_too_large
+from winkler.problems.rough.map_loads import refuse_too_deep
+from winkler.problems.rough.map_memory import refuse_too_large, state_memory
 from winkler.problems.rough.mapped_medium import MappedMedium, homogeneous, layers_of, medium_notes, yield_notes
 from winkler.problems.rough.surface_states import SurfaceState
 from winkler.problems.rough.surface_yield import force_at_yield
@@ -127,26 +130,11 @@ class SurfaceContact:
                 "give positive loads."
             )
         refuse_too_large(self.topography.heights.shape, self.topography.periodic)
-        self._refuse_too_deep(flat)
+        refuse_too_deep(self.topography, self.load, self.hardness, self._compressible)
 
     @property
     def _loads(self) -> Array:
         return numbers_of(self.load).ravel()
-
-    def _refuse_too_deep(self, flat: Array) -> None:
-        whole = float(np.mean(self.topography.gaps))
-        area = self.topography.area
-        repeated = self.topography.periodic and not self._compressible
-        if repeated and isinstance(self.load, Depth) and np.any(flat >= whole):
-            raise OutsideValidity(
-                f"SurfaceContact: the depth {np.max(flat):.6g} m closes the periodic map, whose mean planes can "
-                f"approach by less than {whole:.6g} m; prescribe a Force."
-            )
-        if isinstance(self.load, Force) and np.any(flat >= self.hardness * area):
-            raise OutsideValidity(
-                f"SurfaceContact: the force {np.max(flat):.6g} N is more than hardness times the area of the map, "
-                f"{self.hardness * area:.6g} N; press less."
-            )
 
     @property
     def _compressible(self) -> bool:
@@ -159,48 +147,59 @@ class SurfaceContact:
         """How many states `steps` yields: one for every load."""
         return int(self._loads.size)
 
-    def steps(self) -> Iterator[SurfaceState]:
+    def steps(self, arrays: ModuleType = np) -> Iterator[SurfaceState]:
         """Yield the contact under every load.
+
+        Parameters
+        ----------
+        arrays : module, optional
+            Library of arrays that computes: numpy, or another one of the array API such as cupy, on a graphics card.
+            The states hold arrays of numpy.
 
         Raises
         ------
+        InvalidInput
+            If the map takes more memory than is free, or `arrays` needs array-api-compat, which is not installed.
         NotConverged
             If a contact is not solved to the tolerance, or the contrasts of the layers are too large.
         OutsideValidity
             If the pixels are too coarse for the layers.
         """
         rough, modulus, layers = self.topography, self.medium.modulus, layers_of(self.medium)
-        pixel = rough.pixel
+        xp, pixel = library_of(arrays), rough.pixel
         patch = pixel[0] * pixel[1]
-        gaps, start, under, before, stiffness = rough.gaps, np.empty(0), np.empty(0), math.inf, math.inf
+        state_memory(rough.heights.shape, rough.periodic)
+        gaps, before, stiffness = xp.asarray(rough.gaps), math.inf, math.inf
+        start: Any = ()
+        under: Any = ()
         for load in self._loads.tolist():
             drive = ByDepth(load) if isinstance(self.load, Depth) else ByLoad(load / (modulus * patch))
             near = abs(load / before - 1.0) <= NEARBY_LOAD
-            if near and under.size and math.isinf(self.hardness):  # nearly a flat punch of the shape of the contact
+            if near and given(under) and math.isinf(self.hardness):  # nearly a flat punch of the shape of the contact
                 more = load - before if isinstance(self.load, Depth) else (load - before) / stiffness
-                start = np.maximum(start + more * under, 0.0)
+                start = xp.clip(start + more * under, 0.0, math.inf)
             try:
                 solved = press(
                     gaps, pixel, drive, periodic=rough.periodic, ceiling=self.hardness / modulus,
-                    tolerance=self.tolerance, start=start if near else np.empty(0), layers=layers,
+                    tolerance=self.tolerance, start=start if near else (), layers=layers,
                 )  # fmt: skip
                 start, before = solved.pressure, load
                 touching = start > 0.0
-                if touching.all() and rough.periodic and not self._compressible:
-                    stiffness, under = math.inf, np.empty(0)
+                if bool(xp.all(touching)) and rough.periodic and not self._compressible:
+                    stiffness, under = math.inf, ()
                 else:
                     under = punch(
                         touching, pixel, periodic=rough.periodic, tolerance=PUNCH_TOLERANCE, start=under, layers=layers
                     )
-                    stiffness = modulus * patch * float(np.sum(under))
+                    stiffness = modulus * patch * float(xp.sum(under))
             except NotConverged as error:
                 raise NotConverged(f"SurfaceContact: under the load {load:.6g}, {error}") from None
             except OutsideValidity as error:
                 raise OutsideValidity(f"SurfaceContact: {error}") from None
             yield SurfaceState(
-                solved.depth, modulus * patch * float(np.sum(start)), stiffness, *contact_area(touching, pixel,
-                rough.periodic), max(float(np.mean(solved.gap)), 0.0), solved.penetration, solved.work, modulus * start,
-                np.maximum(solved.gap, 0.0),
+                solved.depth, modulus * patch * float(xp.sum(start)), stiffness, *contact_area(to_numpy(touching),
+                pixel, rough.periodic), max(float(xp.mean(solved.gap)), 0.0), solved.penetration, solved.work,
+                to_numpy(modulus * start), to_numpy(xp.clip(solved.gap, 0.0, math.inf)),
             )  # fmt: skip
 
     def gathered(self, states: Iterable[SurfaceState]) -> SurfaceContactSolution:
@@ -215,15 +214,20 @@ class SurfaceContact:
         columns = {field.name: column(field.name) for field in dataclasses.fields(SurfaceContactSolution)[1:-1]}
         return SurfaceContactSolution(problem=self, **columns, last=reached[-1])
 
-    def solve(self) -> SurfaceContactSolution:
+    def solve(self, arrays: ModuleType = np) -> SurfaceContactSolution:
         """Return the solution of all loads.
+
+        Parameters
+        ----------
+        arrays : module, optional
+            As of `steps`.
 
         Raises
         ------
         NotConverged
             If a contact is not solved to the tolerance.
         """
-        return self.gathered(self.steps())
+        return self.gathered(self.steps(arrays))
 
 
 @value

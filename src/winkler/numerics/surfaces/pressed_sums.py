@@ -1,0 +1,51 @@
+"""Sums over a contact on a grid: what it leaves unsolved, and the load that its pressures share."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from winkler.numerics.arrays import dot, namespace_of
+
+__all__ = ["left_over", "overlap_and_work", "shared"]
+
+MOST_SHARING_STEPS = 200
+"""Steps to share a load out among pixels that bear no more than the ceiling; five are usual."""
+
+
+def overlap_and_work(p: Any, gap: Any, depth: float, ceiling: float) -> tuple[float, float]:
+    """Return the overlap over the depth, and the work of pressures on gaps over that on the depth.
+
+    Pixels that bear the ceiling may overlap, but not part.
+    """
+    overlap, spent, load = left_over(p, gap, ceiling)
+    return overlap / abs(depth), spent / abs(load * depth)
+
+
+def left_over(p: Any, gap: Any, ceiling: float) -> tuple[float, float, float]:
+    """Return the overlap, the work of pressures on gaps, and the sum of pressures."""
+    xp = namespace_of(p)
+    if math.isinf(ceiling):
+        lowest, spent = float(xp.min(gap)), dot(p, xp.abs(gap))
+    else:
+        soft = p < ceiling
+        lowest = float(xp.min(xp.where(soft, gap, 0.0)))
+        spent = dot(p, xp.where(soft, xp.abs(gap), xp.clip(gap, 0.0, math.inf)))
+    return max(0.0, -lowest), spent, float(xp.sum(p, dtype=xp.float64))
+
+
+def shared(target: Any, ceiling: float, load: float) -> Any:
+    """Return pressures between zero and the ceiling that bear the load: those wanted, raised evenly."""
+    xp = namespace_of(target)
+    low, high = -float(xp.max(target)), ceiling - float(xp.min(target))
+    raised, p = 0.0, xp.clip(target, 0.0, ceiling)
+    for _ in range(MOST_SHARING_STEPS):
+        lacking = load - float(xp.sum(p))
+        if abs(lacking) <= 1e-14 * load:
+            break
+        low, high = (raised, high) if lacking > 0.0 else (low, raised)
+        between = int(xp.count_nonzero((p > 0.0) & (p < ceiling)))
+        raised += lacking / between if between else math.inf
+        raised = raised if low < raised < high else 0.5 * (low + high)
+        p = xp.clip(target + raised, 0.0, ceiling)
+    return p
