@@ -66,11 +66,10 @@ def channel_contents(
             return contents(surface)
         refuse_other_files(path)
         opened = open_topography(str(path)).channels
+        along = [signal for signal in opened if signal.dim == directions]
         # other signals than heights have a pair of units, or none
         fitting = [
-            signal
-            for signal in opened
-            if signal.dim == directions and signal.is_height_channel is not False and isinstance(signal.unit, str | None)
+            signal for signal in along if signal.is_height_channel is not False and isinstance(signal.unit, str | None)
         ]
         names = [str(signal.name) for signal in fitting]
         if not fitting:

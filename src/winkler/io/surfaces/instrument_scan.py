@@ -55,8 +55,9 @@ def _refuse_many(count: int, path: Path) -> None:
 
 
 def _contents(surface: Any) -> ScanContents:
-    place, height = (
+    found: list[Array] = [
         np.ma.filled(np.ma.asarray(part, dtype=float), np.nan) for part in surface.positions_and_heights()
-    )
+    ]
+    place, height = np.asarray(found[0]), np.asarray(found[1])
     there = np.isfinite(place) & np.isfinite(height)
     return ScanContents(place[there], height[there], str(surface.unit or ""))

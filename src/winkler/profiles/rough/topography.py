@@ -133,8 +133,8 @@ class Topography:
 
     def _with(self, heights: Array, lengths: Array | None = None, periodic: bool | None = None) -> Topography:
         """Return other heights measured by the same tip."""
-        lengths, periodic = self.lengths if lengths is None else lengths, self.periodic if periodic is None else periodic
-        return Topography(heights, lengths, periodic, tip_radius=self.tip_radius, removed=self.removed)
+        sides, repeated = self.lengths if lengths is None else lengths, self.periodic if periodic is None else periodic
+        return Topography(heights, sides, repeated, tip_radius=self.tip_radius, removed=self.removed)
 
     def detrended(self, order: int = 1) -> Topography:
         """Return the map without its mean (0), a plane (1) or a paraboloid (2), fitted by least squares.

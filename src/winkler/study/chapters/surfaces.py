@@ -61,7 +61,11 @@ def read_surface(
         If the file cannot be read, or an option is not allowed.
     """
     rough = read_topography(
-        path, lengths=(float(lengths[0]), float(lengths[1])), unit=unit, periodic=periodic, channel=channel,
+        path,
+        lengths=(float(lengths[0]), float(lengths[1])),
+        unit=unit,
+        periodic=periodic,
+        channel=channel,
         tip_radius=tip_radius,
     )
     if detrend not in ("none", *TREND_DEGREES):
