@@ -25,6 +25,7 @@ from winkler.plot.rough import (  # noqa: F401
     below_map,
     ellipse,
     lines,
+    map_curves,
     pair_rolling,
     pressed_maps,
     profile_pair,

@@ -66,14 +66,15 @@ def read_scan(path: str | os.PathLike[str], *, unit: str = "", channel: str = ""
         If the file cannot be read, or what it holds is no scan.
     """
     file = existing(path, "a scan")
-    if not (channel or unit):
-        try:
-            table = read_table(file, (PLACE_COLUMN, HEIGHT_COLUMN))
-        except InvalidInput as reason:
-            return _no_table(file, reason)
-        with in_file(table.path):
-            return LineScan(*table.values.T)
-    return _measured(file, unit, channel)
+    try:
+        table = read_table(file, (PLACE_COLUMN, HEIGHT_COLUMN))
+    except InvalidInput as reason:
+        return _measured(file, unit, channel) if unit or channel else _no_table(file, reason)
+    if unit or channel:
+        wrong = f"unit {unit!r}" if unit else f"channel {channel!r}"
+        raise InvalidInput(f"{file}: a table states its columns and their units; leave {wrong} out.")
+    with in_file(table.path):
+        return LineScan(*table.values.T)
 
 
 def _no_table(path: Path, reason: InvalidInput) -> LineScan:
@@ -84,6 +85,8 @@ def _no_table(path: Path, reason: InvalidInput) -> LineScan:
     try:
         return _measured(path, "", "")
     except InvalidInput as error:
+        if suffix in TEXT_ENDINGS and "does not state the unit" in str(error):
+            raise InvalidInput(f"{str(reason).rstrip('.')}, or give its unit, such as unit = 'um'.") from None
         raise (reason if suffix in TEXT_ENDINGS else error) from None
 
 

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["autocorrelation", "fall_distances"]
+__all__ = ["autocorrelation", "fall_distances", "rays"]
 
 STEPS_PER_PIXEL = 4.0
 """Samples of a ray in a pixel."""
@@ -52,8 +54,8 @@ def autocorrelation(heights: Array, *, periodic: bool) -> Array:
     return np.asarray(mean / mean[middle])
 
 
-def fall_distances(correlation: Array, pixel: tuple[float, float], level: float, angles: Array) -> Array:
-    """Return how far from the middle the autocorrelation first falls to a level; infinite where it does not.
+def rays(correlation: Array, pixel: tuple[float, float], angles: Array) -> Iterator[tuple[Array, Array]]:
+    """Yield distances from the middle [m], and the autocorrelation there, in every direction.
 
     Parameters
     ----------
@@ -61,28 +63,39 @@ def fall_distances(correlation: Array, pixel: tuple[float, float], level: float,
         As `autocorrelation` returns it.
     pixel
         Sides of a pixel [m].
-    level
-        From 0 to 1.
     angles
         Directions [rad] from x towards y.
+    """
+    from scipy.ndimage import map_coordinates, spline_filter
+
+    middle = np.array([(n - 1) / 2.0 for n in correlation.shape])
+    smooth = spline_filter(correlation, order=3, mode="mirror")
+    for angle in angles:
+        along = np.array([np.cos(angle) / pixel[0], np.sin(angle) / pixel[1]])  # pixels in a metre
+        with np.errstate(divide="ignore"):
+            reach = float(np.min(middle / np.abs(along)))
+        distance = np.linspace(0.0, reach, max(2, int(STEPS_PER_PIXEL * reach * np.max(np.abs(along))) + 1))
+        places = middle[:, None] + along[:, None] * distance
+        yield distance, map_coordinates(smooth, places, order=3, mode="mirror", prefilter=False)
+
+
+def fall_distances(correlation: Array, pixel: tuple[float, float], level: float, angles: Array) -> Array:
+    """Return how far from the middle the autocorrelation first falls to a level; infinite where it does not.
+
+    Parameters
+    ----------
+    correlation, pixel, angles
+        As for `rays`.
+    level
+        From 0 to 1.
 
     Returns
     -------
     ndarray, as `angles`
         [m]
     """
-    from scipy.ndimage import map_coordinates, spline_filter
-
-    middle = np.array([(n - 1) / 2.0 for n in correlation.shape])
-    smooth = spline_filter(correlation, order=3, mode="mirror")
     found = np.full(angles.shape, np.inf)
-    for place, angle in enumerate(angles):
-        along = np.array([np.cos(angle) / pixel[0], np.sin(angle) / pixel[1]])  # pixels in a metre
-        with np.errstate(divide="ignore"):
-            reach = float(np.min(middle / np.abs(along)))
-        distance = np.linspace(0.0, reach, max(2, int(STEPS_PER_PIXEL * reach * np.max(np.abs(along))) + 1))
-        places = middle[:, None] + along[:, None] * distance
-        ray = map_coordinates(smooth, places, order=3, mode="mirror", prefilter=False)
+    for place, (distance, ray) in enumerate(rays(correlation, pixel, angles)):
         below = np.flatnonzero(ray <= level)
         if below.size:
             i = int(below[0])

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
 from winkler.profiles.rough.tip_limit import SANNER, share_below, tip_limit
 from winkler.profiles.rough.topography import Topography
@@ -65,13 +64,7 @@ def map_notes(surface: Topography) -> tuple[Note, ...]:
 
 def _tip_note(surface: Topography) -> Note:
     radius = f"a tip of {surface.tip_radius:.3g} m"
-    try:
-        limit = tip_limit(surface)
-    except InvalidInput as error:
-        reason = str(error).partition(": ")[2].rstrip(".")
-        return Note(
-            Assumption.RESOLUTION, Standing.APPROXIMATE, f"What {radius} has rounded is not known: {reason}.", SANNER
-        )
+    limit = tip_limit(surface)
     if limit == 0.0:
         return Note(
             Assumption.RESOLUTION, Standing.ASYMPTOTIC, f"The map is nowhere half as sharp as {radius}.", SANNER
