@@ -76,9 +76,7 @@ def test_a_dektak_stylus(stylus):
         read_scan(stylus, channel="Form")
     with pytest.raises(InvalidInput, match=r"the file states its unit, µm, and nm was given; leave it out\.$"):
         read_scan(stylus, unit="nm")
-    with pytest.raises(
-        InvalidInput, match="holds no height map, but line scans; read them with read_scan, or give ano"
-    ):
+    with pytest.raises(InvalidInput, match="no height map, but line scans; read them with read_scan, or"):
         read_topography(stylus)
 
 
@@ -92,9 +90,7 @@ def test_two_columns_without_a_header(tmp_path):
     file = tmp_path / "scan.txt"
     file.write_text("".join(f"{x * 1e6:.6f} {z * 1e6:.9f}\n" for x, z in zip(PLACES, HEIGHTS, strict=True)))
     np.testing.assert_allclose(read_scan(file, unit="um").heights, HEIGHTS, atol=1e-15)
-    with pytest.raises(
-        InvalidInput, match=r"without a header above them; .*, or give its unit, such as unit = 'um'\.$"
-    ):
+    with pytest.raises(InvalidInput, match=r"without a header above them; .*, or give its unit, such as u"):
         read_scan(file)
 
 
@@ -125,7 +121,7 @@ MAP = np.arange(32.0 * 16.0).reshape(32, 16) ** 1.5
 
 @pytest.fixture
 def published(tmp_path):
-    """As contact.engineering packs what its users have uploaded: heights in nm, with a factor to the unit of lengths."""
+    """As contact.engineering packs uploaded files: heights in nm, with a factor to the unit of lengths."""
     array = io.BytesIO()
     np.save(array, MAP)
     line = "".join(f"{x * 1e6:.6f} {z * 1e6:.9f}\n" for x, z in zip(PLACES, HEIGHTS, strict=True))

@@ -114,9 +114,9 @@ def _map(path: Path, options: MapOptions) -> Topography:
     sides = [quantity(side.strip(), "m", what="--lengths") for side in options.lengths.split(",") if side.strip()]
     if len(sides) > 2:
         raise InvalidInput(f"--lengths are {options.lengths!r}; give one or two, such as '10 um, 5 um'.")
-    given = {"lengths": np.array(sides if len(sides) == 2 else 2 * sides)} if sides else {}
+    both = np.array(sides if len(sides) == 2 else 2 * sides) if sides else np.full(2, np.nan)
     return read_surface(
-        path, **given, unit=options.unit, periodic=options.periodic, channel=options.channel,
+        path, lengths=both, unit=options.unit, periodic=options.periodic, channel=options.channel,
         tip_radius=quantity(options.tip_radius, "m", what="--tip-radius") if options.tip_radius else 0.0,
         without_spikes=options.without_spikes, detrend=options.detrend, filled=options.without_spikes,
     )  # fmt: skip

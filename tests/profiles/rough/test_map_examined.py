@@ -33,7 +33,7 @@ def hills(along, across, angle, seed=3):
 
 @pytest.mark.parametrize(("angle", "across"), [(0.0, 0.015), (math.radians(30.0), 0.015), (math.radians(135.0), 0.02)])
 def test_texture_of_elongated_hills(angle, across):
-    """Less its mean, m = 2 pi l_1 l_2 of the whole power, the autocorrelation (exp(-r^2 / 2 l^2) - m) / (1 - m) is 0.2."""
+    """Less the share m = 2 pi l_1 l_2 of the mean, the autocorrelation is (exp(-r^2 / 2 l^2) - m) / (1 - m)."""
     found = correlation_lengths(hills(0.04, across, angle))
     mean = 2.0 * math.pi * 0.04 * across
     reach = math.sqrt(-2.0 * math.log(0.2 + 0.8 * mean))
@@ -44,7 +44,7 @@ def test_texture_of_elongated_hills(angle, across):
 
 
 def test_texture_of_a_part_with_holes():
-    """A part of the map that stands alone, a tenth of its heights missing, says nearly the same; units do not matter."""
+    """A part of the map that stands alone, a tenth of its heights missing, says nearly the same, in all units."""
     whole = hills(0.02, 0.02, 0.0)
     lost = np.random.default_rng(0).random((COUNT, COUNT)) < 0.1
     part = Topography(np.where(lost, np.nan, whole.heights), [1.0, 1.0])

@@ -57,7 +57,7 @@ def _curvature_panel(item: Topography) -> Panel:
     """Return root mean square and sharpest curvature over the distance of second differences."""
     found = curvature_over_distance(item)
     sharp = np.where(found.sharpest > 0.0, found.sharpest, np.nan)
-    marks = [
+    marks: list[Line | Rule] = [
         among(0, found.distance, found.rms, "root mean square", most=0),
         among(1, found.distance, sharp, "sharpest summit", most=0),
     ]

@@ -127,7 +127,7 @@ def map_statistics(surface: Topography) -> MapStatistics:
 
 def _rms_curvature(surface: Topography) -> float:
     """Return the root mean square of half the Laplacian, from five neighbouring points."""
-    heights, total = surface.heights, 0.0
+    heights, total = surface.heights, np.zeros(1)
     for axis, step in enumerate(surface.pixel):
         if surface.periodic:
             total = total + (np.roll(heights, 1, axis) - 2.0 * heights + np.roll(heights, -1, axis)) / step**2

@@ -106,7 +106,7 @@ def tip_limit(surface: Topography) -> float:
             last, sharper = before  # curvatures are a power of the distance between two
             if sharpest <= 0.0:
                 return distance
-            return last * (distance / last) ** (math.log(sharper / allowed) / math.log(sharper / sharpest))
+            return last * math.pow(distance / last, math.log(sharper / allowed) / math.log(sharper / sharpest))
         before = distance, sharpest
     return float(np.min(surface.lengths)) if before else 0.0
 
