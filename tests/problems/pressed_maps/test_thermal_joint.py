@@ -97,6 +97,9 @@ def test_what_is_refused():
     plated = wk.Plated(METAL, 1e-6, wk.ThermalConductor(300.0, 1e-4))
     with pytest.raises(wk.OutsideValidity, match="ThermalJoint: heat is followed in thick bodies without platings"):
         ThermalJoint(contact, wk.HeatConductors(plated, METAL))
+    coated = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(1e9, 0.3), 1e-6)], on=wk.Elastic(210e9, 0.3))
+    with pytest.raises(wk.OutsideValidity, match="ThermalJoint: the heat of a height map on a CoatedHalfSpace"):
+        ThermalJoint(wk.SurfaceContact(ROUGH, coated, wk.Force(3.0)), PAIR)
     with pytest.raises(wk.InvalidInput, match="gap_conductivity is -1"):
         ThermalJoint(contact, PAIR, gap_conductivity=-1.0)
     metal = wk.ElectricalConductor(16e-9)

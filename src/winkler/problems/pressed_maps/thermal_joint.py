@@ -23,6 +23,7 @@ from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.pressed_maps.seal_states import gap_of
+from winkler.problems.rough.mapped_medium import homogeneous
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.rough.surface_states import SurfaceState
 from winkler.validity import Assumption, Note, Standing
@@ -53,7 +54,7 @@ class ThermalJoint:
     InvalidInput
         If an argument has the wrong type, or a number is negative.
     OutsideValidity
-        If a body is plated or a rod.
+        If a body is plated or a rod, or has layers, of which the conductors say nothing.
 
     References
     ----------
@@ -91,6 +92,7 @@ class ThermalJoint:
     assumptions: ClassVar[frozenset[Assumption]] = MAPPED | {Assumption.CONDUCTION, Assumption.STEADY}
 
     def __post_init__(self) -> None:
+        homogeneous("ThermalJoint", "the heat", self.contact.medium)
         bodies = (self.conductors.first, self.conductors.second)
         if any(isinstance(body, Plated | Rod) for body in bodies):
             raise OutsideValidity(
