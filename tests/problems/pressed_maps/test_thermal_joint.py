@@ -36,7 +36,7 @@ def test_a_round_spot_is_holms():
 
 @pytest.mark.parametrize("periodic", [True, False])
 def test_bare_spots_conduct_as_they_are_stiff(periodic):
-    """Barber: 2 dF/dd over E* and the sum of the resistivities, with the stiffness of two contacts close to each other."""
+    """Barber: 2 dF/dd over E* and the sum of the resistivities, with stiffnesses of contacts close together."""
     rough = ROUGH if periodic else wk.Topography(ROUGH.heights, ROUGH.lengths)
     load = wk.Force([3.0, 20.0])
     found = ThermalJoint(wk.SurfaceContact(rough, STEEL, load), PAIR).solve()
@@ -59,14 +59,15 @@ def test_a_resistive_film_on_a_disc():
 
 @pytest.mark.parametrize("spreading", [1e-6, 1.0, 30.0])
 def test_a_wavy_gap(spreading):
-    """Of a gap that varies along x, by the dense matrix of its flux; the mean flux meets no resistance in the bodies."""
+    """A gap that varies along x, by the dense matrix of its flux; bodies do not resist the mean flux."""
     n = 48
     resistance = 0.3 * (1.0 + 0.8 * np.cos(2.0 * np.pi * np.arange(n) / n)) + 0.01
     waves = 2.0 * np.pi * n * np.abs(np.fft.fftfreq(n))
     spread = np.where(waves > 0.0, spreading / np.where(waves > 0.0, waves, 1.0), 0.0)
     matrix = np.diag(resistance) + np.real(np.fft.ifft(spread[:, None] * np.fft.fft(np.eye(n), axis=0), axis=0))
     expected = np.linalg.solve(matrix, np.ones(n))
-    found = joint_flux(np.repeat(resistance[:, None], n, 1), (1.0 / n, 1.0 / n), spreading, periodic=True, tolerance=1e-9)
+    side = (1.0 / n, 1.0 / n)
+    found = joint_flux(np.repeat(resistance[:, None], n, 1), side, spreading, periodic=True, tolerance=1e-9)
     np.testing.assert_allclose(found.flux, np.repeat(expected[:, None], n, 1), rtol=1e-6)
     assert found.whole == pytest.approx(float(np.mean(expected)), rel=1e-10)
 

@@ -101,16 +101,17 @@ def flow_factors(surface: Topography, separations: ArrayLike) -> FlowFactors:
     rows = []
     for distance in distances.tolist():
         gap = np.maximum(distance - z, 0.0)
-        along, across = passage(gap, surface), passage(gap, surface, lateral=True)
+        ahead, aside = passage(gap, surface), passage(gap, surface, lateral=True)
         rows.append(
             (
-                along.flow.rate / (ly / lx * distance**3),
-                across.flow.rate / (lx / ly * distance**3),
+                ahead.flow.rate / (ly / lx * distance**3),
+                aside.flow.rate / (lx / ly * distance**3),
                 float(np.mean(gap)),
                 float(np.mean(gap == 0.0)),
             )
         )
     top = float(np.max(z))
     deep = top - z
-    closing = [top - widest_way(width, wraps=surface.periodic).gap for width in (deep, deep.T)]
-    return FlowFactors(distances, *(np.asarray(column) for column in np.array(rows).T), *closing)
+    along, across, mean, share = (np.asarray(column) for column in np.array(rows).reshape(-1, 4).T)
+    closed, closed_across = (top - widest_way(width, wraps=surface.periodic).gap for width in (deep, deep.T))
+    return FlowFactors(distances, along, across, mean, share, closed, closed_across)

@@ -199,9 +199,8 @@ class SealSolution:
     lateral_critical_gap: Quantity
     imbalance: Quantity
 
-    @property
     def closing_share(self) -> tuple[float, float]:
-        """Between which shares of the map in contact the last way along x closes: the percolation threshold.
+        """Return between which shares of the map in contact the last way along x closes: the percolation threshold.
 
         The greatest share under which some fluid leaks, zero if none does, and the least under which none does, one if
         it always does.
