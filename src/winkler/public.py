@@ -143,6 +143,7 @@ from winkler.profiles.profile import Shape, Sum
 from winkler.profiles.pyramids.pyramid import Pyramid, PyramidByEdges
 from winkler.profiles.pyramids.rounded_pyramid import RoundedPyramid
 from winkler.profiles.roller_ends import CrownedEnds, LogarithmicEnds, RoundedEnds, SharpEnds
+from winkler.profiles.rough.correlation import CorrelationLengths, correlation_lengths
 from winkler.profiles.rough.line_scan import LineScan
 from winkler.profiles.rough.map_spectrum import spectrum_of
 from winkler.profiles.rough.map_statistics import MapStatistics, bearing_heights, correlation_length, map_statistics
@@ -151,6 +152,7 @@ from winkler.profiles.rough.random_surface import RandomTopography
 from winkler.profiles.rough.sampled_profile import SampledProfile
 from winkler.profiles.rough.spectrum import PowerSpectrum, SelfAffine
 from winkler.profiles.rough.spikes import Spikes
+from winkler.profiles.rough.tip_limit import tip_limit
 from winkler.profiles.rough.topography import Topography
 from winkler.profiles.rounded import CappedParaboloid, RoundedPunch, TruncatedParaboloid
 from winkler.profiles.sections.cross_profile import CrossProfile
@@ -169,39 +171,40 @@ __all__ = [
     "Angle", "Archard", "AreaFunction", "Arrhenius", "Assumption", "AtTemperature", "BallInSocket", "Berkovich",
     "BodyFields", "CalibratedArea", "CalibratedIndenter", "CalibratedTip", "CalibrationShares", "CappedCylinder",
     "CappedParaboloid", "Circle", "CoatedHalfSpace", "Comparison", "Cone", "ContactEllipse", "ContactReading",
-    "ContinuousIndentation", "ContinuousIndentationSolution", "ContinuousStiffness", "Coulomb", "CreepData", "CreepFit",
-    "CrossProfile", "CrownedEnds", "CubeCorner", "Current", "CurveEvent", "CurveEvents", "CurvedBodies", "CurvedPair",
-    "Cylinder", "CylinderRow", "Depth", "DepthGradedHalfSpace", "DepthScaling", "DepthSeries", "DerjaguinMullerToporov",
-    "Designed", "Dugdale", "DynamicData", "DynamicSweeps", "Elastic", "ElectricalConductor", "ElectricalConductors",
-    "Ellipsoid", "EllipticFoundation", "EqualMaximum", "EqualMean", "EventKind", "ExponentialAttraction",
-    "ExponentialGrading", "ExponentialSlipWeakening", "FallingFriction", "Fit", "FitState", "FixedShare", "FlatPunch",
-    "Follow", "Force", "ForceCurve", "Formula", "FormulaSection", "Foundation", "FractionalZener", "GeneralisedKelvin",
-    "GradedHalfSpace", "GroupRatio", "HalfSpace", "HalfWidth", "HeatConductors", "HeldForce", "Hold", "Hyperboloid",
-    "IndentationQuantities", "IndenterCalibration", "InvalidInput", "JointFit", "KelvinVoigt", "Layer",
-    "LayeredLineFoundation", "LennardJones", "LineForce", "LineFoundation", "LineOfAction", "LineScan",
-    "LineShearForce", "LinearSlipWeakening", "LogarithmicEnds", "MapStatistics", "Maxwell", "MeanPressure", "Measured",
-    "MeasuredBed", "MeasuredSection", "MirroredSection", "Moment", "NamedElastic", "NamedElectricalConductor",
-    "NamedMaterial", "NamedThermalConductor", "Nanoindentation", "NanoindentationSolution", "NominalPressure",
-    "NotConverged", "Note", "OliverPharr", "OliverPharrSolution", "Oscillate", "OutsideValidity", "PairWear",
-    "Paraboloid", "Path", "PeakStress", "PlacedCurve", "PlacedStress", "PlaneFoundation", "Plated", "PopInStatistics",
-    "Population", "PoroelasticFit", "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "Program", "Prony",
-    "PunchRow", "Pyramid", "PyramidByEdges", "Radius", "Ramp", "RandomTopography", "RateDependentWork",
-    "ReferenceSample", "RelaxationData", "RelaxationSweeps", "RelaxingInProportion", "RepeatedMean", "Rigid", "Rod",
-    "RoundedCone", "RoundedEnds", "RoundedPunch", "RoundedPyramid", "SampledProfile", "SaturatingWork", "Segment",
-    "SegmentKind", "SelfAffine", "Shape", "SharpEnds", "ShearForce", "ShearedFields", "Shift", "ShortRange",
-    "SigmoidalGrading", "Sphere", "SpheroConical", "Spikes", "Springs", "Staircase", "StandardSolid", "Standing",
-    "Start", "StaticKinetic", "SubsurfaceFields", "Sum", "SurfaceFields", "SurfaceFilm", "TabulatedGrading",
-    "TabulatedTip", "ThermalConductor", "ThermalDrift", "ThermalInterface", "Tilt", "Topography", "Torque",
-    "TransverselyIsotropic", "TransverselyIsotropicHalfSpace", "TruncatedCone", "TruncatedParaboloid", "Vickers",
-    "ViscoelasticFit", "ViscoelasticHalfSpace", "Voltage", "Wavy", "WiedemannFranz", "WilliamsLandelFerry",
+    "ContinuousIndentation", "ContinuousIndentationSolution", "ContinuousStiffness", "CorrelationLengths", "Coulomb",
+    "CreepData", "CreepFit", "CrossProfile", "CrownedEnds", "CubeCorner", "Current", "CurveEvent", "CurveEvents",
+    "CurvedBodies", "CurvedPair", "Cylinder", "CylinderRow", "Depth", "DepthGradedHalfSpace", "DepthScaling",
+    "DepthSeries", "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData", "DynamicSweeps", "Elastic",
+    "ElectricalConductor", "ElectricalConductors", "Ellipsoid", "EllipticFoundation", "EqualMaximum", "EqualMean",
+    "EventKind", "ExponentialAttraction", "ExponentialGrading", "ExponentialSlipWeakening", "FallingFriction", "Fit",
+    "FitState", "FixedShare", "FlatPunch", "Follow", "Force", "ForceCurve", "Formula", "FormulaSection", "Foundation",
+    "FractionalZener", "GeneralisedKelvin", "GradedHalfSpace", "GroupRatio", "HalfSpace", "HalfWidth", "HeatConductors",
+    "HeldForce", "Hold", "Hyperboloid", "IndentationQuantities", "IndenterCalibration", "InvalidInput", "JointFit",
+    "KelvinVoigt", "Layer", "LayeredLineFoundation", "LennardJones", "LineForce", "LineFoundation", "LineOfAction",
+    "LineScan", "LineShearForce", "LinearSlipWeakening", "LogarithmicEnds", "MapStatistics", "Maxwell", "MeanPressure",
+    "Measured", "MeasuredBed", "MeasuredSection", "MirroredSection", "Moment", "NamedElastic",
+    "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor", "Nanoindentation", "NanoindentationSolution",
+    "NominalPressure", "NotConverged", "Note", "OliverPharr", "OliverPharrSolution", "Oscillate", "OutsideValidity",
+    "PairWear", "Paraboloid", "Path", "PeakStress", "PlacedCurve", "PlacedStress", "PlaneFoundation", "Plated",
+    "PopInStatistics", "Population", "PoroelasticFit", "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum",
+    "Program", "Prony", "PunchRow", "Pyramid", "PyramidByEdges", "Radius", "Ramp", "RandomTopography",
+    "RateDependentWork", "ReferenceSample", "RelaxationData", "RelaxationSweeps", "RelaxingInProportion",
+    "RepeatedMean", "Rigid", "Rod", "RoundedCone", "RoundedEnds", "RoundedPunch", "RoundedPyramid", "SampledProfile",
+    "SaturatingWork", "Segment", "SegmentKind", "SelfAffine", "Shape", "SharpEnds", "ShearForce", "ShearedFields",
+    "Shift", "ShortRange", "SigmoidalGrading", "Sphere", "SpheroConical", "Spikes", "Springs", "Staircase",
+    "StandardSolid", "Standing", "Start", "StaticKinetic", "SubsurfaceFields", "Sum", "SurfaceFields", "SurfaceFilm",
+    "TabulatedGrading", "TabulatedTip", "ThermalConductor", "ThermalDrift", "ThermalInterface", "Tilt", "Topography",
+    "Torque", "TransverselyIsotropic", "TransverselyIsotropicHalfSpace", "TruncatedCone", "TruncatedParaboloid",
+    "Vickers", "ViscoelasticFit", "ViscoelasticHalfSpace", "Voltage", "Wavy", "WiedemannFranz", "WilliamsLandelFerry",
     "WinklerError", "ZeroPoint", "bearing_heights", "calibrate_indenter", "calibration_shares", "compare",
-    "compare_terms", "contact_reading", "correlation_length", "depth_scaling", "first_yield_stress", "fit",
-    "fit_poroelastic", "fit_steps", "fit_together", "found_drift", "found_zero_point", "indentation_quantities",
-    "intercept_factor", "map_statistics", "material", "material_names", "over_depth", "peak_stress",
-    "pop_in_statistics", "population", "random_topography", "ratio_of", "read_bed", "read_contacts", "read_creep",
-    "read_cross_profile", "read_curve", "read_curves", "read_dynamic", "read_dynamic_sweeps", "read_grading",
-    "read_indenter", "read_path", "read_profile", "read_profile_pair", "read_relaxation", "read_relaxation_sweeps",
-    "read_scan", "read_section", "read_spectrum", "read_surface_load", "read_topography", "relaxation_band",
-    "repeated_mean", "restore", "restore_body", "restore_shift", "sample_young", "spectrum_of", "staircase",
-    "to_pandas", "to_xarray", "write_contacts", "write_indenter", "write_law", "write_trace", "write_vtk",
+    "compare_terms", "contact_reading", "correlation_length", "correlation_lengths", "depth_scaling",
+    "first_yield_stress", "fit", "fit_poroelastic", "fit_steps", "fit_together", "found_drift", "found_zero_point",
+    "indentation_quantities", "intercept_factor", "map_statistics", "material", "material_names", "over_depth",
+    "peak_stress", "pop_in_statistics", "population", "random_topography", "ratio_of", "read_bed", "read_contacts",
+    "read_creep", "read_cross_profile", "read_curve", "read_curves", "read_dynamic", "read_dynamic_sweeps",
+    "read_grading", "read_indenter", "read_path", "read_profile", "read_profile_pair", "read_relaxation",
+    "read_relaxation_sweeps", "read_scan", "read_section", "read_spectrum", "read_surface_load", "read_topography",
+    "relaxation_band", "repeated_mean", "restore", "restore_body", "restore_shift", "sample_young", "spectrum_of",
+    "staircase", "tip_limit", "to_pandas", "to_xarray", "write_contacts", "write_indenter", "write_law", "write_trace",
+    "write_vtk",
 ]  # fmt: skip

@@ -369,6 +369,7 @@ ROUGHNESS = {
     ),
     "true_area": wk.TrueArea(wk.SurfaceContact(STAMP, STEEL_BODY, LOADS)),
     "seal": wk.Seal(wk.SurfaceContact(STAMP, STEEL_BODY, LOADS), viscosity=1e-3, pressure_drop=1e5),
+    "thermal_joint": wk.ThermalJoint(wk.SurfaceContact(STAMP, STEEL_BODY, LOADS), WARM_PAIR, gap_conductivity=0.026),
     "surface_conduction": wk.SurfaceConduction(wk.SurfaceContact(STAMP, STEEL_BODY, LOADS), PAIR),
     "reduced_friction": wk.ReducedFriction(
         wk.SampledProfile(np.array([0.52e-3, 0.26e-3]), wk.CurvedBodies(20e-3, 5e-3), (65, 65)),

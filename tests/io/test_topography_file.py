@@ -280,7 +280,7 @@ def test_a_map_with_missing_heights(instruments):
 
 @pytest.mark.parametrize("name", ["dektak-1.csv", "xy-1.txt"])
 def test_line_scans_are_no_maps(instruments, name):
-    with pytest.raises(InvalidInput, match=f"{name}: it holds no height map, but line scans; give another file"):
+    with pytest.raises(InvalidInput, match=f"{name}: it holds no height map, but line scans; read them with read_s"):
         read_topography(instruments / name, channel="default")
     with pytest.raises(InvalidInput, match=f"{name}(, line 1: 'Scan' is no height|: a matrix of 132 x 2 numbers)"):
         read_topography(instruments / name, unit="um", lengths=SIZES)

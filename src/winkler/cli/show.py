@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -11,6 +12,8 @@ from winkler.cli.options import completion
 from winkler.cli.streams import until_closed, write_json
 
 __all__ = ["show"]
+
+OF_A_FILE = "Of a height map or a line scan"
 
 
 def _names() -> Iterable[str]:
@@ -23,27 +26,57 @@ def show(
     name: Annotated[
         str,
         typer.Argument(
-            help="A kind, a group, a material, 'study', 'fit', 'nanoindentation' or 'materials'.",
+            help="A kind, a group, a material, 'study', 'fit', 'nanoindentation' or 'materials'; or a file with a "
+            "height map or a line scan.",
             autocompletion=completion(_names),
             show_default=False,
         ),
     ] = "",
     as_json: Annotated[bool, typer.Option("--json", help="Show it as JSON.")] = False,
+    unit: Annotated[str, typer.Option(help="Unit of its heights, such as nm.", rich_help_panel=OF_A_FILE)] = "",
+    lengths: Annotated[str, typer.Option(help="Its lengths, such as '10 um, 5 um'.", rich_help_panel=OF_A_FILE)] = "",
+    channel: Annotated[
+        str, typer.Option(help="Which of its channels or measurements.", rich_help_panel=OF_A_FILE)
+    ] = "",
+    periodic: Annotated[
+        bool, typer.Option("--periodic", help="The map is repeated for ever.", rich_help_panel=OF_A_FILE)
+    ] = False,
+    tip_radius: Annotated[
+        str, typer.Option(help="Radius of the tip that has scanned it, such as '10 nm'.", rich_help_panel=OF_A_FILE)
+    ] = "",
+    without_spikes: Annotated[
+        bool,
+        typer.Option("--without-spikes", help="Take grains and scars out, and bridge them.", rich_help_panel=OF_A_FILE),
+    ] = False,
+    detrend: Annotated[
+        str, typer.Option(help="What is taken off: none, mean, plane or paraboloid.", rich_help_panel=OF_A_FILE)
+    ] = "none",
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", help="Its picture: .png, .svg or .pdf.", rich_help_panel=OF_A_FILE)
+    ] = None,
+    overwrite: Annotated[
+        bool, typer.Option("--overwrite", "--yes", "-y", help="Replace an existing picture.", rich_help_panel=OF_A_FILE)
+    ] = False,
 ) -> None:
     r"""Show what a kind takes: keys, units, ranges, and an example.
 
     Without a name, all kinds are listed; 'study' shows the sections of a study file, 'fit' those of `winkler fit` with
     its models, corrections and flags, 'nanoindentation' the sections \[indentation], \[calibration] and \[indenter],
     'materials' the table of common materials, and the name of a material its numbers
-    and their sources.
+    and their sources.  Of a height map or a line scan it shows the statistics, what to know of it (spikes, the limit of
+    its tip), and, with --output, curves.
 
     Example: winkler show sphero_conical
     """
-    from winkler.cli import materials, show_fit, show_nanoindentation
+    from winkler.cli import materials, show_fit, show_map, show_nanoindentation
     from winkler.errors import InvalidInput, suggest
     from winkler.materials.named import material, material_names
     from winkler.study.language.catalogue import CATALOGUE, REFUSED, kinds
 
+    if show_map.is_file(name):
+        options = show_map.MapOptions(unit, lengths, channel, periodic, tip_radius, without_spikes, detrend)
+        show_map.show_map(Path(name), options, output, as_json=as_json, overwrite=overwrite)
+        return
     # a word may name a group and a kind (force is one, load the other): the kind is meant, groups have no kind's name
     if as_json and name == "fit":
         write_json(show_fit.fit_json())

@@ -40,12 +40,16 @@ class MapContents(NamedTuple):
         Of lengths; empty where the file does not state it.
     periodic
         Whether the file states that the map is periodic.
+    tip_radius, tip_unit
+        Radius of the tip that has measured it, and its unit; zero where the file does not state it.
     """
 
     heights: Array
     lengths: Array
     unit: str
     periodic: bool = False
+    tip_radius: float = 0.0
+    tip_unit: str = ""
 
 
 def text_map(path: Path) -> MapContents:

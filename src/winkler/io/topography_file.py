@@ -35,6 +35,7 @@ def read_topography(
     unit: str = "",
     periodic: bool = False,
     channel: str = "",
+    tip_radius: float = 0.0,
 ) -> Topography:
     """Read a height map.
 
@@ -45,7 +46,8 @@ def read_topography(
         direction; nan or nothing where heights are missing; header lines of Gwyddion above a matrix are read); an NPY
         file; an NPZ file with ``heights`` and, if they are known, ``lengths``, ``unit`` and ``periodic``; or a file
         that SurfaceTopography reads (extra ``topography``): Bruker, Digital Surf, Zygo, Gwyddion, X3P and some forty
-        others.
+        others; or a container (zip) that contact.engineering has published, whose maps come as its authors prepared
+        them.
     lengths : tuple of float, optional
         Lengths [m] of the map; needed where the file does not state them; they replace those of the file.
     unit : str, optional
@@ -54,7 +56,10 @@ def read_topography(
     periodic : bool, optional
         Whether the map is periodic, where the file does not state it.
     channel : str, optional
-        Which one of several height channels of an instrument's file; the first by default.
+        Which one of several height channels of an instrument's file, or which measurement of a container; the first by
+        default.
+    tip_radius : float, optional
+        Radius of the tip that has scanned the map [m], where the file does not state it; it replaces that of the file.
 
     Returns
     -------
@@ -95,7 +100,8 @@ def read_topography(
     if np.any(np.isnan(map_lengths)):
         raise InvalidInput(f"{file}: the file does not state the lengths of the map; give lengths=(x, y) in m.")
     with in_file(file):
-        rough = Topography(contents.heights / per_metre, map_lengths, periodic or contents.periodic)
+        tip = tip_radius or contents.tip_radius * (scale(contents.tip_unit, "m") if contents.tip_unit else 1.0)
+        rough = Topography(contents.heights / per_metre, map_lengths, periodic or contents.periodic, tip_radius=tip)
     steep = rough.rms_height / min(rough.pixel)
     if steep > STEEPEST_RATIO:
         raise InvalidInput(

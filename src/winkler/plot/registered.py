@@ -24,7 +24,9 @@ from winkler.plot.rolling import rolling  # noqa: F401
 from winkler.plot.rough import (  # noqa: F401
     below_map,
     ellipse,
+    joints,
     lines,
+    map_curves,
     pair_rolling,
     pressed_maps,
     profile_pair,

@@ -24,6 +24,8 @@ SURFACES: dict[str, Word] = {
     "surface_load": Word("", None, "map of pressures and tractions that act on the first body"),
     "lengths": Word("L_i", "m", "lengths of a map along its two directions"),
     "periodic": Word("", None, "whether a surface is repeated for ever, or stands alone"),
+    "tip_radius": Word("R_t", "m", "radius of the tip that has scanned a surface; zero if none has rounded it"),
+    "removed": Word("", None, "what was taken out of measured heights"),
     "hurst": Word("H", "", "Hurst exponent: how steeply the roughness falls towards short waves"),
     "rms_height": Word(r"h_\mathrm{rms}", "m", "root mean square of the heights about their mean"),
     "roll_off": Word(r"\lambda_r", "m", "wavelength above which a spectrum is level"),

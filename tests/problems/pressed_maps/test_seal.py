@@ -146,3 +146,15 @@ def test_seals_close_at_some_forty_per_cent_of_contact():
             assert tight[0] > 0
             shares.append(0.5 * (found.area[tight[0] - 1] + found.area[tight[0]]) / surface.area)
     assert np.mean(shares) == pytest.approx(0.415, abs=0.03)
+
+
+def test_between_which_shares_a_seal_closes():
+    """Isotropic maps close near 0.42 of contact: between two loads, whose shares of contact are stated."""
+    found = Seal(SurfaceContact(rough(), STEEL, Force([300.0, 1000.0, 3000.0])), 1e-3, 1e5).solve()
+    open_share, closed_share = found.closing_share()
+    shares = np.asarray(found.area) / 1e-6
+    assert open_share == max(shares[np.asarray(found.leak_rate) > 0.0])
+    assert closed_share == min(shares[np.asarray(found.leak_rate) == 0.0])
+    assert 0.2 < open_share < closed_share < 0.6
+    always = Seal(SurfaceContact(rough(), STEEL, Force(30.0)), 1e-3, 1e5).solve()
+    assert always.closing_share()[1] == 1.0

@@ -85,6 +85,12 @@ def true_area_of_a_ball(problem: dict) -> dict:
     return {"area": mp.pi * depth, "peak_pressure": 2 * mp.sqrt(depth) / mp.pi, "patch_count": mp.mpf(1)}
 
 
+def thermal_joint_of_a_ball(problem: dict) -> dict:
+    """Hertz with the radius 1 m of the map, and an isothermal disc."""
+    a, pair = mp.sqrt(number(problem["contact"]["load"]["depth"])), problem["conductors"]
+    return {"conductance": 4 * a / sum(1 / number(pair[which]["conductivity"]) for which in ("first", "second"))}
+
+
 def seal_of_grooves(problem: dict) -> dict:
     """Westergaard's wave of the height 0.01 m: the integral of the slope of its gap, and the cubic law."""
     height = mp.mpf("0.01")
@@ -106,7 +112,7 @@ def seal_of_grooves(problem: dict) -> dict:
 
 RECOMPUTED = (
     jkr_equilibria, jkr_slow_peeling, fretting_heat_rate, elastomer_one_wave, rough_indentation_smooth,
-    reduction_of_a_ball, conduction_of_a_map, true_area_of_a_ball, seal_of_grooves,
+    reduction_of_a_ball, conduction_of_a_map, true_area_of_a_ball, seal_of_grooves, thermal_joint_of_a_ball,
 )  # fmt: skip
 
 

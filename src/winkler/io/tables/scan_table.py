@@ -3,38 +3,58 @@
 from __future__ import annotations
 
 import os
+from pathlib import Path
 
+from winkler.errors import InvalidInput
 from winkler.io.foreign import in_file, reader
+from winkler.io.surfaces.instrument_scan import instrument_scan
 from winkler.io.tables.header import names_columns
 from winkler.io.tables.table import Column, read_table
+from winkler.io.text_file import existing
 from winkler.profiles.rough.line_scan import LineScan
+from winkler.units import scale
 
 __all__ = ["is_scan", "read_scan"]
 
 PLACE_COLUMN = Column("place", ("place", "position", "x", "lateral", "distance", "scan"), "m", "um")
 HEIGHT_COLUMN = Column("height", ("height", "heights", "z", "h", "raw", "profile", "level"), "m", "nm")
 
+TEXT_ENDINGS = {"", ".csv", ".txt", ".asc", ".dat", ".tsv", ".xy"}
+"""Files that are tables, unless two columns without a header; their errors are those of tables."""
+SPREADSHEETS = {".xls", ".xlsx", ".ods"}
+
 
 def is_scan(path: str | os.PathLike[str]) -> bool:
-    """Return whether the header of a table names places and heights.
+    """Return whether a file is no table, or the header of a table names places and heights.
 
     Raises
     ------
     InvalidInput
         If the file cannot be read.
     """
-    return names_columns(path, (PLACE_COLUMN, HEIGHT_COLUMN))
+    try:
+        return names_columns(path, (PLACE_COLUMN, HEIGHT_COLUMN))
+    except InvalidInput:
+        if existing(path, "a scan").suffix.lower() in (TEXT_ENDINGS | SPREADSHEETS):
+            raise
+        return True  # no text: a file of an instrument
 
 
 @reader("a scan")
-def read_scan(path: str | os.PathLike[str]) -> LineScan:
-    """Read a scan along a line from a table with the columns place (x, lateral, ...) and height (z, raw, ...).
+def read_scan(path: str | os.PathLike[str], *, unit: str = "", channel: str = "") -> LineScan:
+    """Read a scan along a line from a table, a file of an instrument, or a published container.
 
     Parameters
     ----------
     path : str or path
-        The file.  Units stand in its header, as in ``x [um], z [nm]`` or ``Lateral um,Raw Micrometer``; what
-        instruments write above it is skipped, and other columns are ignored.
+        A table with the columns place (x, lateral, ...) and height (z, raw, ...): units stand in its header, as in
+        ``x [um], z [nm]`` or ``Lateral um,Raw Micrometer``; what instruments write above it is skipped, and other
+        columns are ignored.  Or a file with a line scan that SurfaceTopography reads (extra ``topography``): OPDx,
+        Mitutoyo and others, two columns of numbers without a header; or a container (zip) of contact.engineering.
+    unit : str, optional
+        Of places and heights, such as um, where an instrument's file or two plain columns do not state it.
+    channel : str, optional
+        Which one of several scans of a file, or which measurement of a container; the first by default.
 
     Returns
     -------
@@ -45,6 +65,37 @@ def read_scan(path: str | os.PathLike[str]) -> LineScan:
     InvalidInput
         If the file cannot be read, or what it holds is no scan.
     """
-    table = read_table(path, (PLACE_COLUMN, HEIGHT_COLUMN))
+    file = existing(path, "a scan")
+    try:
+        table = read_table(file, (PLACE_COLUMN, HEIGHT_COLUMN))
+    except InvalidInput as reason:
+        return _measured(file, unit, channel) if unit or channel else _no_table(file, reason)
+    if unit or channel:
+        wrong = f"unit {unit!r}" if unit else f"channel {channel!r}"
+        raise InvalidInput(f"{file}: a table states its columns and their units; leave {wrong} out.")
     with in_file(table.path):
         return LineScan(*table.values.T)
+
+
+def _no_table(path: Path, reason: InvalidInput) -> LineScan:
+    """Return the scan of another file than a table; instruments write texts too: raise why such a text is no table."""
+    suffix = path.suffix.lower()
+    if suffix in SPREADSHEETS:
+        raise reason
+    try:
+        return _measured(path, "", "")
+    except InvalidInput as error:
+        if suffix in TEXT_ENDINGS and "does not state the unit" in str(error):
+            raise InvalidInput(f"{str(reason).rstrip('.')}, or give its unit, such as unit = 'um'.") from None
+        raise (reason if suffix in TEXT_ENDINGS else error) from None
+
+
+def _measured(path: Path, unit: str, channel: str) -> LineScan:
+    contents = instrument_scan(path, channel)
+    if contents.unit and unit:
+        raise InvalidInput(f"{path}: the file states its unit, {contents.unit}, and {unit} was given; leave it out.")
+    if not (contents.unit or unit):
+        raise InvalidInput(f"{path}: the file does not state the unit of its scan; give unit, such as 'um'.")
+    metre = scale(contents.unit or unit, "m", what=f"{path}, unit")
+    with in_file(path):
+        return LineScan(contents.position * metre, contents.heights * metre)

@@ -199,6 +199,16 @@ class SealSolution:
     lateral_critical_gap: Quantity
     imbalance: Quantity
 
+    def closing_share(self) -> tuple[float, float]:
+        """Return between which shares of the map in contact the last way along x closes: the percolation threshold.
+
+        The greatest share under which some fluid leaks, zero if none does, and the least under which none does, one if
+        it always does.
+        """
+        shares = np.ravel(np.asarray(self.area)) / self.problem.contact.topography.area
+        leaks = np.ravel(np.asarray(self.leak_rate)) > 0.0
+        return float(np.max(shares[leaks], initial=0.0)), float(np.min(shares[~leaks], initial=1.0))
+
     def last_passage(self, *, lateral: bool = False) -> FilmPassage:
         """Return the film under the last load along x, or y: its flow per pressure over 12 viscosities, its way."""
         state = self.contact.last

@@ -12,13 +12,13 @@ from winkler.numerics.surfaces.layered_pixels import GridResponse, LayeredSurfac
 from winkler.numerics.transforms.cosine_transform import in_own_lengths
 from winkler.numerics.types import Quantity
 from winkler.problems.normal.unknown_yield import unknown_yield
-from winkler.problems.rough.surface_notes import surface_notes
+from winkler.problems.rough.surface_notes import border_notes, surface_notes
 from winkler.problems.subsurface.map_yield import map_yield_notes
 from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["MappedMedium", "homogeneous", "layers_of", "medium_notes", "yield_notes"]
+__all__ = ["MappedMedium", "homogeneous", "last_load_notes", "layers_of", "medium_notes"]
 
 MappedMedium: TypeAlias = HomogeneousMedium | CoatedHalfSpace | DepthGradedHalfSpace
 """A medium under a height map."""
@@ -105,8 +105,9 @@ def medium_notes(
     return (response, border, *graded, *((coarse,) if lost > FOLLOWED_SHARE else ()), *notes[2:])
 
 
-def yield_notes(medium: MappedMedium, load: SurfaceLoad) -> tuple[Note, ...]:
-    """Return whether the bodies stay elastic; of layers with a strength, that it is not known."""
+def last_load_notes(medium: MappedMedium, load: SurfaceLoad) -> tuple[Note, ...]:
+    """Return what the border bears, and whether bodies stay elastic; of layers with a strength, that it is unknown."""
+    border = border_notes(load.pressure, load.periodic)
     if isinstance(medium, HomogeneousMedium):
-        return map_yield_notes(medium, load)
-    return unknown_yield(medium, "the stresses below a height map are not computed in layers")
+        return (*border, *map_yield_notes(medium, load))
+    return (*border, *unknown_yield(medium, "the stresses below a height map are not computed in layers"))

@@ -34,7 +34,7 @@ from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.rough.contact_area import contact_area
 from winkler.problems.rough.map_loads import refuse_too_deep
 from winkler.problems.rough.map_memory import refuse_too_large, state_memory
-from winkler.problems.rough.mapped_medium import MappedMedium, homogeneous, layers_of, medium_notes, yield_notes
+from winkler.problems.rough.mapped_medium import MappedMedium, homogeneous, last_load_notes, layers_of, medium_notes
 from winkler.problems.rough.surface_states import SurfaceState
 from winkler.problems.rough.surface_yield import force_at_yield
 from winkler.problems.subsurface.below_surface import BelowSurface
@@ -297,4 +297,4 @@ class SurfaceContactSolution(BelowSurface):
                 *notes,
                 *unknown_yield(stated.medium, "pressures are stored of the last load, which is not the greatest"),
             )
-        return (*notes, *yield_notes(stated.medium, self.surface_load))
+        return (*notes, *last_load_notes(stated.medium, self.surface_load))

@@ -6,11 +6,12 @@ import math
 
 import numpy as np
 
-from winkler.numerics.types import Quantity
+from winkler.numerics.types import Array, Quantity
+from winkler.profiles.rough.map_notes import map_notes
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["surface_notes"]
+__all__ = ["border_notes", "surface_notes"]
 
 YASTREBOV = "V. A. Yastrebov, G. Anciaux, J.-F. Molinari, Tribol. Int. 114 (2017) 161-171"
 STANLEY = "H. M. Stanley, T. Kato, J. Tribol. 119 (1997) 481-485, doi:10.1115/1.2833523"
@@ -22,6 +23,10 @@ POLONSKY = "I. A. Polonsky, L. M. Keer, Wear 231 (1999) 206-219, doi:10.1016/S00
 FINE_AREA_ERROR, LOST_AREA_ERROR = 0.05, 0.4
 """Error of the area, over the area: of a round spot of 500 pixels, and of nine, below which it is lost."""
 STEEP_SLOPE = 0.1
+MOST_ON_BORDER = 0.05
+"""Part of the force; a flat stamp of 64 pixels bears a tenth there."""
+SMALLEST_WITH_BORDER = 16
+"""Pixels along a side; of fewer ones many are on the border."""
 
 
 def surface_notes(
@@ -98,4 +103,31 @@ def surface_notes(
                 ALMQVIST,
             )
         )
-    return tuple(notes)
+    return (*notes, *map_notes(rough))
+
+
+def border_notes(pressure: Array, periodic: bool) -> tuple[Note, ...]:
+    """Return how much the border of a map that stands alone bears, if that is much.
+
+    Parameters
+    ----------
+    pressure : ndarray, (nx, ny)
+        [Pa]
+    periodic : bool
+        Whether the map is repeated.
+    """
+    whole = float(np.sum(pressure))
+    if periodic or min(pressure.shape) < SMALLEST_WITH_BORDER or whole <= 0.0:
+        return ()
+    share = 1.0 - float(np.sum(pressure[1:-1, 1:-1])) / whole
+    if share <= MOST_ON_BORDER:
+        return ()
+    return (
+        Note(
+            Assumption.RESOLUTION,
+            Standing.APPROXIMATE,
+            f"The outermost pixels bear {share:.0%} of the force: right for a stamp that ends there; of a part of a "
+            "larger surface the map is too small for this load, take a larger one.",
+            "sum of the pressures",
+        ),
+    )

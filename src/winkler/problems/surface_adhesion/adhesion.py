@@ -235,6 +235,7 @@ class SurfaceAdhesionSolution:
         tightest=("", None, "the contact that pulls most"),
         pull_off_force=("F_c", "N", "lowest force of the path, tension negative"),
         pull_off_depth=("d_c", "m", "displacement at the lowest force"),
+        pull_off_area=("A_c", "m^2", "area of what touches at the lowest force"),
     )
 
     problem: SurfaceAdhesion
@@ -262,6 +263,11 @@ class SurfaceAdhesionSolution:
     def pull_off_depth(self) -> float:
         """The displacement at the lowest force [m]."""
         return float(self.depth[int(np.argmin(self.force))])
+
+    @property
+    def pull_off_area(self) -> float:
+        """Area of what touches at the lowest force [m^2]."""
+        return float(self.area[int(np.argmin(self.force))])
 
     @property
     def validity(self) -> tuple[Note, ...]:

@@ -57,7 +57,14 @@ class LineScan:
     70.7
     """
 
-    __words__ = words(position=("x", "m", "places along a line over a surface"))
+    __words__ = words(
+        position=("x", "m", "places along a line over a surface"),
+        arithmetic_height=("Ra", "m", "mean distance of the heights from the straight line through them"),
+        rms_height=("Rq", "m", "root mean square of the heights about the straight line through them"),
+        skewness=("Rsk", "", "mean cube of the heights over that of their root mean square"),
+        kurtosis=("Rku", "", "mean fourth power of the heights over that of their root mean square"),
+        rms_slope=("Rdq", "", "root mean square of the slope"),
+    )
 
     position: Annotated[Array, Numbers(fewest=FEWEST_HEIGHTS, order="rising")]
     heights: Annotated[Array, Numbers(fewest=FEWEST_HEIGHTS)]
@@ -81,6 +88,40 @@ class LineScan:
     def rms_height(self) -> float:
         """Root mean square height [m] about the straight line through the scan, Rq."""
         return float(np.std(self._levelled[1]))
+
+    @property
+    def arithmetic_height(self) -> float:
+        """Mean distance [m] from the straight line through the scan, Ra; no filter is applied."""
+        return float(np.mean(np.abs(self._levelled[1])))
+
+    @property
+    def rms_slope(self) -> float:
+        """Root mean square of the slope against the straight line through the scan [-], Rdq."""
+        step, z = self._levelled
+        return float(np.sqrt(np.mean((np.diff(z) / step) ** 2)))
+
+    @property
+    def skewness(self) -> float:
+        """Mean cube of the heights over that of their root mean square [-], Rsk; negative with deep valleys."""
+        return self._moment(3)
+
+    @property
+    def kurtosis(self) -> float:
+        """Mean fourth power of the heights over that of their root mean square [-], Rku; 3 of Gaussian ones."""
+        return self._moment(4)
+
+    def _moment(self, power: int) -> float:
+        z = self._levelled[1]
+        rms = float(np.sqrt(np.mean(z**2)))
+        if rms <= 1e-12 * float(np.max(np.abs(self.heights))):
+            raise InvalidInput("LineScan: a straight scan has no skewness and no kurtosis; its heights do not differ.")
+        return float(np.mean((z / rms) ** power))
+
+    @property
+    def levelled(self) -> LineScan:
+        """The scan at equal distances, without mean and tilt."""
+        step, z = self._levelled
+        return LineScan(self.position[0] + step * np.arange(z.size), z)
 
     @property
     def spectrum(self) -> PowerSpectrum:

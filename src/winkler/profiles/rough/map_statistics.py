@@ -5,17 +5,18 @@ Heights and slopes follow ISO 25178-2, without its filters: nothing is taken off
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.numerics.types import Array, ArrayLike
+from winkler.profiles.rough.correlation import CORRELATION_LEVEL, correlation_lengths
+from winkler.profiles.rough.tip_limit import tip_limit
 from winkler.profiles.rough.topography import Topography
 from winkler.values import value, words
 
 __all__ = ["MapStatistics", "bearing_heights", "correlation_length", "map_statistics"]
-
-CORRELATION_LEVEL = 0.2
-"""Autocorrelation at which its length is read (ISO 25178-2, Sal)."""
 
 
 @value
@@ -36,6 +37,14 @@ class MapStatistics:
         Root mean square of the gradient [-], Sdq.
     developed_share : float
         By how much the area along the surface is larger than that of the map, over the latter [-], Sdr.
+    rms_curvature : float
+        Root mean square of the mean curvature [1/m], from second differences of neighbours; nan if there are none.
+    correlation_length, texture_aspect, texture_direction : float
+        Sal [m], Str [-] and the direction of the lay [rad] from x towards y, as in `CorrelationLengths`.
+    tip_limit : float
+        Length below which the tip has rounded the map [m]; zero if it has not, or is not known.
+    topography : Topography
+        The map, which `winkler.plot.draw` shows with its curves.
     """
 
     __words__ = words(
@@ -47,6 +56,11 @@ class MapStatistics:
         valley_depth=("Sv", "m", "deepest valley below the mean"),
         rms_slope=("Sdq", "", "root mean square of the gradient"),
         developed_share=("Sdr", "", "area along the surface over that of the map, less one"),
+        rms_curvature=(r"\kappa_\mathrm{rms}", "1/m", "root mean square of the mean curvature"),
+        correlation_length=("Sal", "m", "distance of the fastest fall of the autocorrelation to 0.2"),
+        texture_aspect=("Str", "", "fastest over slowest of these distances: 1 of isotropic, 0 of ground surfaces"),
+        texture_direction=(r"\varphi", "rad", "direction of the slowest fall of the autocorrelation, from x towards y"),
+        tip_limit=(r"\lambda_t", "m", "length below which the tip has rounded a map"),
     )
 
     arithmetic_height: float
@@ -57,6 +71,12 @@ class MapStatistics:
     valley_depth: float
     rms_slope: float
     developed_share: float
+    rms_curvature: float
+    correlation_length: float
+    texture_aspect: float
+    texture_direction: float
+    tip_limit: float
+    topography: Topography
 
 
 def map_statistics(surface: Topography) -> MapStatistics:
@@ -85,6 +105,7 @@ def map_statistics(surface: Topography) -> MapStatistics:
     """
     from_mean = surface.heights - np.nanmean(surface.heights)
     skewness, kurtosis = surface.skewness, surface.kurtosis  # refuse flat maps
+    texture = correlation_lengths(surface)
     squares = _squared_slopes(surface)
     if not squares.size:
         raise InvalidInput("map_statistics: no four neighbouring heights are there; take surface.filled() first.")
@@ -97,7 +118,23 @@ def map_statistics(surface: Topography) -> MapStatistics:
         -float(np.nanmin(from_mean)),
         float(np.sqrt(np.mean(squares))),
         float(np.mean(squares / (1.0 + np.sqrt(1.0 + squares)))),  # sqrt(1 + s) - 1 without cancellation
+        _rms_curvature(surface),
+        *(texture.shortest, texture.aspect, texture.direction),
+        tip_limit(surface),
+        surface,
     )
+
+
+def _rms_curvature(surface: Topography) -> float:
+    """Return the root mean square of half the Laplacian, from five neighbouring points."""
+    heights, total = surface.heights, np.zeros(1)
+    for axis, step in enumerate(surface.pixel):
+        if surface.periodic:
+            total = total + (np.roll(heights, 1, axis) - 2.0 * heights + np.roll(heights, -1, axis)) / step**2
+        elif min(heights.shape) > 2:
+            total = total + np.diff(heights, 2, axis)[(slice(None), slice(1, -1))[:: 1 - 2 * axis]] / step**2
+    known = np.ravel(total)[np.isfinite(np.ravel(total))]
+    return 0.5 * float(np.sqrt(np.mean(known**2))) if known.size and min(heights.shape) > 2 else math.nan
 
 
 def _squared_slopes(surface: Topography) -> Array:

@@ -53,6 +53,8 @@ class RandomTopography(Topography):
 
     heights: Array = dataclasses.field(init=False, repr=False, default_factory=lambda: np.zeros((2, 2)))
     periodic: bool = dataclasses.field(default=True, kw_only=True)
+    tip_radius: float = dataclasses.field(init=False, repr=False, default=0.0)
+    removed: str = dataclasses.field(init=False, repr=False, default="")
     spectrum: Spectrum = dataclasses.field()
     shape: tuple[int, int] = (256, 256)
     seed: Seed = 0

@@ -47,6 +47,8 @@ class SampledProfile(Topography):
 
     heights: Array = dataclasses.field(init=False, repr=False, default_factory=lambda: np.zeros((2, 2)))
     periodic: bool = dataclasses.field(init=False, repr=False, default_factory=bool)
+    tip_radius: float = dataclasses.field(init=False, repr=False, default=0.0)
+    removed: str = dataclasses.field(init=False, repr=False, default="")
     profile: Profile | CurvedBodies = dataclasses.field()
     shape: tuple[int, int] = (129, 129)
 

@@ -2,12 +2,13 @@ r"""A height map: the heights of a surface on a rectangular grid, as an instrume
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from typing import Annotated
 
 import numpy as np
 
-from winkler.checks.number_checks import POSITIVE, Advice, Numbers, affordable
+from winkler.checks.number_checks import NON_NEGATIVE, POSITIVE, Advice, Numbers, affordable
 from winkler.checks.physical_size import refuse_size
 from winkler.errors import InvalidInput
 from winkler.limits import MOST_HOLES
@@ -32,6 +33,10 @@ class Topography:
         Lengths [m] of the map along its two directions: pixels are lengths / (nx, ny), and need not be square.
     periodic : bool, optional
         Whether the map is repeated for ever, or stands alone (the default), with nothing outside.
+    tip_radius : float, optional
+        Radius of the tip that has scanned it [m], which rounds what is sharper; zero if it is not known, or none has.
+    removed : str, optional
+        What was taken out of the measured heights, in words; `without_spikes` writes it.
 
     Raises
     ------
@@ -50,6 +55,8 @@ class Topography:
     heights: Array
     lengths: Annotated[Array, Numbers(POSITIVE), Advice("two positive lengths in m")]
     periodic: bool = False
+    tip_radius: Annotated[float, NON_NEGATIVE] = dataclasses.field(default=0.0, kw_only=True)
+    removed: str = dataclasses.field(default="", kw_only=True)
 
     def __post_init__(self) -> None:
         try:
@@ -124,6 +131,11 @@ class Topography:
                 parts.append(np.diff(self.heights, axis=axis) / step)
         return parts[0], parts[1]
 
+    def _with(self, heights: Array, lengths: Array | None = None, periodic: bool | None = None) -> Topography:
+        """Return other heights measured by the same tip."""
+        sides, repeated = self.lengths if lengths is None else lengths, self.periodic if periodic is None else periodic
+        return Topography(heights, sides, repeated, tip_radius=self.tip_radius, removed=self.removed)
+
     def detrended(self, order: int = 1) -> Topography:
         """Return the map without its mean (0), a plane (1) or a paraboloid (2), fitted by least squares.
 
@@ -150,7 +162,7 @@ class Topography:
         rows = np.stack([term[measured] for term in np.broadcast_arrays(*terms, self.heights)[:-1]], axis=1)
         strengths, *_ = np.linalg.lstsq(rows, self.heights[measured], rcond=None)
         trend = sum(strength * term for strength, term in zip(strengths, terms, strict=True))
-        return Topography(self.heights - trend, self.lengths, self.periodic)
+        return self._with(self.heights - trend)
 
     def masked(self, where: ArrayLike) -> Topography:
         """Return the map with some heights missing: behind a dust grain, or where an instrument has lost the surface.
@@ -171,7 +183,7 @@ class Topography:
                 f"Topography: masked needs True or False for each of {self.heights.shape} pixels; there is an array of "
                 f"{lost.dtype} with the shape {lost.shape}."
             )
-        return Topography(np.where(lost, np.nan, self.heights), self.lengths, self.periodic)
+        return self._with(np.where(lost, np.nan, self.heights))
 
     def spikes(self, times: float = 4.0) -> Spikes:
         """Return where heights are no surface: they would bear the load before anything else touches.
@@ -205,7 +217,7 @@ class Topography:
         return Spikes(grains, scarred & ~grains, np.where(grains | scarred, self.heights - bare, 0.0))
 
     def without_spikes(self, times: float = 4.0) -> Topography:
-        """Return the map with grains, dropouts and scars missing; `spikes` names them.
+        """Return the map with grains, dropouts and scars missing; `removed` says what they were.
 
         Parameters
         ----------
@@ -217,7 +229,11 @@ class Topography:
         InvalidInput
             If `times` is not positive.
         """
-        return self.masked(self.spikes(times).where)
+        found = self.spikes(times)
+        if not np.any(found.where):
+            return self
+        said = f"{self.removed}; {found}" if self.removed else str(found)
+        return dataclasses.replace(self.masked(found.where), removed=said)
 
     def filled(self) -> Topography:
         """Return the map with missing heights bridged, each island by the smoothest surface through its border.
@@ -229,7 +245,7 @@ class Topography:
         from winkler.numerics.surfaces.bridging import bridged
 
         affordable("Topography", "missing heights", self.missing, MOST_HOLES)
-        return Topography(bridged(self.heights, self.periodic), self.lengths, self.periodic)
+        return self._with(bridged(self.heights, self.periodic))
 
     def cropped(self, first: tuple[int, int], count: tuple[int, int]) -> Topography:
         """Return the part of `count` pixels from pixel `first` on; it is not periodic any more.
@@ -248,7 +264,7 @@ class Topography:
                 f"Topography: {count} pixels from {first} on are not inside a map of {shape}; give a part of it."
             )
         part = self.heights[first[0] : first[0] + count[0], first[1] : first[1] + count[1]]
-        return Topography(part, np.array(self.pixel) * count)
+        return self._with(part, np.array(self.pixel) * count, False)
 
     def coarsened(self, times: int) -> Topography:
         """Return the map with means over `times` by `times` pixels.
@@ -272,4 +288,4 @@ class Topography:
         block = self.heights[: nx * times, : ny * times].reshape(nx, times, ny, times)
         whole = nx * times == self.heights.shape[0] and ny * times == self.heights.shape[1]
         lengths = np.array(self.pixel) * times * np.array([nx, ny])
-        return Topography(block.mean(axis=(1, 3)), lengths, self.periodic and whole)
+        return self._with(block.mean(axis=(1, 3)), lengths, self.periodic and whole)

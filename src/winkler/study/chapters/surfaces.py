@@ -24,6 +24,7 @@ def read_surface(
     unit: str = "",
     periodic: bool = False,
     channel: str = "",
+    tip_radius: float = 0.0,
     without_spikes: bool = False,
     detrend: str = "none",
     filled: bool = False,
@@ -42,9 +43,11 @@ def read_surface(
     periodic
         Whether the map is periodic.
     channel
-        Name of one of several height channels of an instrument's file.
+        Name of one of several height channels of an instrument's file, or of one measurement of a container.
+    tip_radius
+        Radius [m] of the tip that has scanned the map; the limit that it sets is among the notes.
     without_spikes
-        Whether outliers, such as dust or the scar of a scan, count as missing.
+        Whether outliers, such as dust or the scar of a scan, count as missing; the notes say what was taken out.
     detrend
         Trend that is subtracted, fitted by least squares: none, mean, plane or paraboloid.
     filled
@@ -58,7 +61,12 @@ def read_surface(
         If the file cannot be read, or an option is not allowed.
     """
     rough = read_topography(
-        path, lengths=(float(lengths[0]), float(lengths[1])), unit=unit, periodic=periodic, channel=channel
+        path,
+        lengths=(float(lengths[0]), float(lengths[1])),
+        unit=unit,
+        periodic=periodic,
+        channel=channel,
+        tip_radius=tip_radius,
     )
     if detrend not in ("none", *TREND_DEGREES):
         choices = ("none", *TREND_DEGREES)

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from winkler.problems.pressed_maps.seal import SealSolution
+from winkler.problems.pressed_maps.thermal_joint import ThermalJointSolution
 from winkler.problems.pressed_maps.true_area import TrueAreaSolution
 from winkler.problems.rough.surface_conduction import SurfaceConductionSolution
 from winkler.problems.rough.surface_contact import SurfaceContactSolution
@@ -20,7 +21,9 @@ __all__ = ["add_maps"]
 
 MOST_MAPS = 256
 """Points of a sweep up to which maps are stored; of longer ones only numbers."""
-SOLUTIONS_WITH_MAPS = (SurfaceContactSolution, SurfaceConductionSolution, SealSolution, TrueAreaSolution)
+SOLUTIONS_WITH_MAPS = (
+    *(SurfaceContactSolution, SurfaceConductionSolution, SealSolution, ThermalJointSolution, TrueAreaSolution),
+)
 MAP_QUANTITIES = ("pressure", "separation")
 
 

@@ -13,6 +13,7 @@ __all__ = ["ExtraPicture", "extra_pictures"]
 HOLD_A_CONTACT = (
     "winkler.problems.rough.surface_conduction:SurfaceConductionSolution",
     "winkler.problems.pressed_maps.seal:SealSolution",
+    "winkler.problems.pressed_maps.thermal_joint:ThermalJointSolution",
     "winkler.problems.pressed_maps.true_area:TrueAreaSolution",
 )
 REDUCED_BED = "winkler.problems.rough.reduced_bed:ReducedBed"

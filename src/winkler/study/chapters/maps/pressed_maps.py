@@ -1,8 +1,9 @@
-"""True areas, patches and leak of pressed height maps: their problems and formulas."""
+"""True areas, patches, leak and heat of pressed height maps: their problems and formulas."""
 
 from __future__ import annotations
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
+from winkler.study.chapters.conduction import STEEL_PAIR
 from winkler.study.chapters.rough import ELEMENTS, STAMP
 
 __all__ = ["PRESSED_MAPS"]
@@ -30,6 +31,12 @@ FACTOR = Equation(
 MEDIUM = Equation(
     "Bruggeman's effective medium of the gaps needs only their distribution",
     r"\left\langle\frac{h^3-s}{h^3+s}\right\rangle = 0, \quad Q_e = \frac{L_y\,s\,\Delta p}{12\eta L_x}",
+)
+
+JOINT = Equation(
+    "On spots the interface, in the gap u what fills it, holds heat back by r, and heat spreads in both bodies",
+    r"r\,q + \frac{1}{2\pi}\left(\frac{1}{\lambda_1}+\frac{1}{\lambda_2}\right)\int\frac{q}{s}\,\mathrm{d}A' = "
+    r"\Delta T, \quad r = \frac{1}{h_i} \text{ or } \frac{u+M}{\lambda_g}",
 )
 
 PRESSED_MAPS = Chapter(
@@ -67,6 +74,22 @@ PRESSED_MAPS = Chapter(
             curves=(("force", "leak_rate"), ("force", "flow_factor"), ("force", "critical_gap")),
             pictured=PicturedContact.NONE,
             formulas=(ELEMENTS, REYNOLDS, FACTOR, MEDIUM),
+        ),
+        "thermal_joint": answer(
+            "winkler.problems.pressed_maps.thermal_joint:ThermalJoint",
+            headline=("conductance", "spot_conductance", "gap_conductance", "joint_conductance"),
+            contact=PRESSED,
+            conductors={"kind": "heat_conductors", **STEEL_PAIR},
+            gap_conductivity="0.026 W/(m K)",
+            picture=Caption(
+                "joint",
+                "Heat through spots and gap",
+                "The heat flux through every pixel per kelvin under the last load, the gap, and of many loads the "
+                "conductance through spots, through the gap, and of both.",
+            ),
+            curves=(("force", "conductance"), ("force", "spot_conductance"), ("force", "gap_conductance")),
+            pictured=PicturedContact.NONE,
+            formulas=(ELEMENTS, JOINT),
         ),
     },
 )

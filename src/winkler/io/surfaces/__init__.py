@@ -1,0 +1,1 @@
+"""Files of instruments and published containers with height maps and line scans, through SurfaceTopography."""

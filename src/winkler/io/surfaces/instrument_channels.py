@@ -1,0 +1,105 @@
+"""Height maps and line scans in files of instruments, opened by SurfaceTopography (extra ``topography``)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, TypeVar
+
+from winkler.errors import InvalidInput, suggest
+from winkler.io.archive_file import is_archive, refuse_large_archive
+from winkler.io.foreign import quiet, sentence_of
+from winkler.io.hdf5_file import refuse_other_files
+from winkler.io.memory import limited_memory
+from winkler.io.surfaces.surface_container import contained_surface, is_container
+from winkler.io.text_file import refuse_large
+from winkler.limits import FILE_BYTES
+
+__all__ = ["channel_contents", "tip_radius_of"]
+
+T = TypeVar("T")
+
+CONTENTS = {1: ("line scan", "height maps"), 2: ("height map", "line scans")}
+"""What is looked for, and what else there may be."""
+
+
+def channel_contents(
+    path: Path, channel: str, directions: int, refuse: Callable[[int, Path], None], contents: Callable[[Any], T]
+) -> T:
+    """Return the contents of one channel of an instrument's file, or of one measurement of a published container.
+
+    Parameters
+    ----------
+    path : path
+        The file.
+    channel : str
+        Name of one of several channels or measurements; the first if empty.
+    directions : int
+        2 for height maps, 1 for line scans.
+    refuse : callable
+        Refuses a number of heights that is too large, before they are read.
+    contents : callable
+        Takes the object of SurfaceTopography, of which nothing is read yet.
+
+    Raises
+    ------
+    InvalidInput
+        If SurfaceTopography is not installed or cannot read the file, or there is no such channel.
+    """
+    try:
+        from SurfaceTopography.IO import open_topography
+    except ImportError:
+        raise InvalidInput(
+            f"{path}: files of instruments are read by SurfaceTopography; install it by "
+            'pip install "winkler[topography]".'
+        ) from None
+    refuse_large(path, FILE_BYTES)
+    what, _ = CONTENTS[directions]
+    wrong, remedy = "SurfaceTopography cannot read this file", "save it as an NPY file or as a text"
+    with quiet(), sentence_of(path, wrong, remedy), limited_memory(path):
+        if is_archive(path):
+            refuse_large_archive(path, "save the map as an NPY file")
+        if is_container(path):
+            surface = contained_surface(path, channel, directions)
+            refuse(math.prod(int(n) for n in surface.nb_grid_pts), path)
+            return contents(surface)
+        refuse_other_files(path)
+        opened = open_topography(str(path)).channels
+        along = [signal for signal in opened if signal.dim == directions]
+        # other signals than heights have a pair of units, or none
+        fitting = [
+            signal for signal in along if signal.is_height_channel is not False and isinstance(signal.unit, str | None)
+        ]
+        names = [str(signal.name) for signal in fitting]
+        if not fitting:
+            raise InvalidInput(f"{path}: it holds no {what}, but {_others(opened, directions)}.")
+        if channel and channel not in names:
+            raise InvalidInput(
+                f"{path}: there is no height channel {channel!r}{suggest(channel, names)}; give one of "
+                f"{', '.join(names)}."
+            )
+        chosen = fitting[names.index(channel) if channel else 0]
+        refuse(math.prod(int(n) for n in chosen.nb_grid_pts or (0,)), path)
+        # without a unit nothing is converted; where it is missing, the caller asks for it
+        return contents(chosen.topography())
+
+
+def tip_radius_of(surface: Any) -> tuple[float, str]:
+    """Return the radius of the tip that a file states, and its unit; zero if it states none."""
+    try:
+        stated = surface.info["instrument"]["parameters"]["tip_radius"]
+        radius, unit = float(stated["value"]), str(stated["unit"])
+    except (KeyError, TypeError, ValueError):
+        return 0.0, ""
+    return (radius, unit) if math.isfinite(radius) and radius > 0.0 else (0.0, "")
+
+
+def _others(channels: list[Any], directions: int) -> str:
+    _, others = CONTENTS[directions]
+    same = sum(getattr(signal, "dim", 0) == 3 - directions for signal in channels)
+    if not channels:
+        return "nothing; give another file"
+    if same < len(channels):
+        return "other signals; give another file"
+    return f"{others}; read them with {'read_scan' if directions == 2 else 'read_topography'}, or give another file"

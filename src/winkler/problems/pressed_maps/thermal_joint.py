@@ -1,0 +1,234 @@
+r"""Heat through a rough joint: through the spots that touch, and through what fills the gap between them.
+
+On a spot the interface holds back :math:`1/h_i`, in the gap u a layer of conductivity :math:`\lambda_g` as thick as
+:math:`u+M`, with M for the jumps of temperature at walls of a rarefied gas.  Heat then spreads in both bodies,
+
+.. math:: r\,q+\frac{1}{2\pi}\left(\frac1{\lambda_1}+\frac1{\lambda_2}\right)\int\frac{q}{|\mathbf r-\mathbf r'|}\,
+          \mathrm dA' = \Delta T .
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.checks.number_checks import NonNegative
+from winkler.errors import NotConverged, OutsideValidity
+from winkler.materials.conducting_body import Plated, Rod, resistivity_of, surface_of
+from winkler.media.conduction.conductors import HeatConductors
+from winkler.numerics.films.joint_flux import JointFlux, joint_flux
+from winkler.numerics.types import Array, Quantity, shaped
+from winkler.path import numbers_of
+from winkler.problems.assumptions.declared import MAPPED
+from winkler.problems.pressed_maps.seal_states import gap_of
+from winkler.problems.rough.mapped_medium import homogeneous
+from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
+from winkler.problems.rough.surface_states import SurfaceState
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value, words
+
+__all__ = ["ThermalJoint", "ThermalJointSolution"]
+
+YOVANOVICH = "M. M. Yovanovich, IEEE Trans. Compon. Packag. Technol. 28 (2005) 182-206, doi:10.1109/TCAPT.2005.848483"
+
+
+@value
+class ThermalJoint:
+    """A height map pressed against a flat, and the heat through its spots and its gap.
+
+    Parameters
+    ----------
+    contact : SurfaceContact
+        How they are pressed together.
+    conductors : HeatConductors
+        What the bodies conduct, thick ones without platings, and how well heat passes where they touch.
+    gap_conductivity : float, optional
+        Of what fills the gap [W/(m K)]: 0.026 of air, 0.6 of water; 0 (the default) of a vacuum.
+    jump_distance : float, optional
+        By how much rarefied gas widens the gap [m], both walls together: some 0.4 um of air at 1 bar on metals.
+
+    Raises
+    ------
+    InvalidInput
+        If an argument has the wrong type, or a number is negative.
+    OutsideValidity
+        If a body is plated or a rod, or has layers, of which the conductors say nothing.
+
+    References
+    ----------
+    M. M. Yovanovich, IEEE Trans. Compon. Packag. Technol. 28 (2005) 182-206, doi:10.1109/TCAPT.2005.848483;
+    J. R. Barber, Proc. R. Soc. A 459 (2003) 53-66, doi:10.1098/rspa.2002.1038
+
+    Examples
+    --------
+    >>> from winkler.loading import Force
+    >>> from winkler.materials.conductor import ThermalConductor
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.rough.random_rough import random_topography
+    >>> from winkler.profiles.rough.spectrum import SelfAffine
+    >>> rough = random_topography(SelfAffine(0.8, 1e-6, 1e-3, 6e-5), (64, 64), [1e-3, 1e-3], seed=1)
+    >>> contact = SurfaceContact(rough, HalfSpace.between(Elastic(70e9, 0.3), Elastic(70e9, 0.3)), Force(3.0))
+    >>> aluminium = HeatConductors(ThermalConductor(200.0, 8e-5), ThermalConductor(200.0, 8e-5))
+    >>> joint = ThermalJoint(contact, aluminium, gap_conductivity=0.026).solve()
+    >>> bool(joint.gap_conductance > 0.0), bool(joint.conductance > joint.spot_conductance)
+    (True, True)
+    """
+
+    __words__ = words(
+        contact=("", None, "how the surface is pressed"),
+        gap_conductivity=(r"\lambda_g", "W/(m K)", "conductivity of what fills the gap; 0 of a vacuum"),
+        jump_distance=("M", "m", "by how much rarefied gas widens the gap"),
+    )
+
+    contact: SurfaceContact
+    conductors: HeatConductors
+    gap_conductivity: NonNegative = 0.0
+    jump_distance: NonNegative = 0.0
+
+    references: ClassVar[tuple[str, ...]] = ("yovanovich_2005", "barber_2003", "polonsky_keer_1999")
+    assumptions: ClassVar[frozenset[Assumption]] = MAPPED | {Assumption.CONDUCTION, Assumption.STEADY}
+
+    def __post_init__(self) -> None:
+        homogeneous("ThermalJoint", "the heat", self.contact.medium)
+        bodies = (self.conductors.first, self.conductors.second)
+        if any(isinstance(body, Plated | Rod) for body in bodies):
+            raise OutsideValidity(
+                "ThermalJoint: heat is followed in thick bodies without platings; leave platings and rods out, or give "
+                "a ThermalConstriction."
+            )
+
+    @property
+    def _spreading(self) -> float:
+        return sum(resistivity_of(surface_of(body)) for body in (self.conductors.first, self.conductors.second))
+
+    def passing(self, state: SurfaceState) -> JointFlux:
+        """Return the heat flux of every pixel per kelvin [W/(m^2 K)].
+
+        Raises
+        ------
+        NotConverged
+            If it is not found.
+        """
+        rough, between = self.contact.topography, self.conductors.interface.area_resistance
+        gap = gap_of(state.pressure, state.separation)
+        thick = gap + self.jump_distance
+        open_gap = thick / self.gap_conductivity if self.gap_conductivity > 0.0 else np.full(gap.shape, np.inf)
+        resistance = np.where(state.pressure > 0.0, between, open_gap)
+        if rough.periodic and not np.any(resistance > 0.0):
+            return JointFlux(np.full(gap.shape, np.inf), np.inf, 0.0)
+        return joint_flux(resistance, rough.pixel, self._spreading, periodic=rough.periodic)
+
+    def solve(self) -> ThermalJointSolution:
+        """Return the conductance under every load.
+
+        Raises
+        ------
+        NotConverged
+            If a contact, or the heat through it, is not solved to its tolerance.
+        """
+        rows: list[tuple[float, float, float]] = []
+
+        def watched() -> Iterator[SurfaceState]:
+            for state in self.contact.steps():
+                try:
+                    found = self.passing(state)
+                except NotConverged as error:
+                    raise NotConverged(f"ThermalJoint: under the force {state.force:.6g} N, {error}") from None
+                touching = state.pressure > 0.0
+                parts = float(np.sum(found.flux[touching])), float(np.sum(found.flux[~touching]))
+                share = parts[1] / sum(parts) if np.isfinite(found.whole) else 0.0
+                rows.append((found.whole, (1.0 - share) * found.whole, share * found.whole))
+                yield state
+
+        contact = self.contact.gathered(watched())
+        shape = numbers_of(self.contact.load).shape
+        columns = [shaped(np.array(column).reshape(shape)) for column in zip(*rows, strict=True)]
+        return ThermalJointSolution(
+            self, contact, contact.depth, contact.force, contact.area, contact.mean_gap, *columns
+        )  # fmt: skip
+
+
+@value
+class ThermalJointSolution:
+    """The solution of a `ThermalJoint`; quantities have the shape of the load.
+
+    Parameters
+    ----------
+    problem : ThermalJoint
+        The problem that was solved.
+    contact : SurfaceContactSolution
+        The contact, with its maps under the last load.
+    depth, force, area, mean_gap : float or ndarray
+        As in `SurfaceContactSolution` [m], [N], [m^2], [m].
+    conductance : float or ndarray
+        Heat rate per drop of temperature [W/K].  Of a periodic map on one period, and without the drop that the bodies
+        have where nothing lies between them.
+    spot_conductance, gap_conductance : float or ndarray
+        What passes through the spots that touch, and through the gap, per drop of temperature [W/K].
+    """
+
+    __words__ = words(
+        contact=("", None, "the contact by boundary elements"),
+        conductance=(r"\Lambda", "W/K", "heat rate over temperature drop"),
+        spot_conductance=(r"\Lambda_c", "W/K", "heat rate through the spots that touch, over temperature drop"),
+        gap_conductance=(r"\Lambda_g", "W/K", "heat rate through the gap, over temperature drop"),
+        joint_conductance=("h_j", "W/(m^2 K)", "conductance per area of the map"),
+        resistance=("R", "K/W", "temperature drop over heat rate"),
+    )
+
+    problem: ThermalJoint
+    contact: SurfaceContactSolution
+    depth: Quantity
+    force: Quantity
+    area: Quantity
+    mean_gap: Quantity
+    conductance: Quantity
+    spot_conductance: Quantity
+    gap_conductance: Quantity
+
+    @property
+    def resistance(self) -> Quantity:
+        """Drop of temperature over heat rate [K/W]."""
+        return shaped(1.0 / np.asarray(self.conductance))
+
+    @property
+    def joint_conductance(self) -> Quantity:
+        """Conductance per area of the map [W/(m^2 K)]."""
+        return shaped(np.asarray(self.conductance) / self.problem.contact.topography.area)
+
+    def flux(self) -> Array:
+        """Return the heat flux per kelvin under the last load [W/(m^2 K)], (nx, ny)."""
+        return self.problem.passing(self.contact.last).flux
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted: the contact, the spots on its grid, the gap, steady heat."""
+        stated = self.problem
+        blurred = float(np.max(np.asarray(self.contact.area_error) / np.asarray(self.area)))
+        through = float(np.max(np.asarray(self.gap_conductance) / np.asarray(self.conductance)))
+        filled = (
+            f"What fills the gap conducts across it, {stated.gap_conductivity:.3g} W/(m K) over its width"
+            + (f" and {stated.jump_distance:.3g} m for the walls" if stated.jump_distance > 0.0 else "")
+            + f", and carries up to {through:.0%}; the surface between spots radiates nothing."
+            if stated.gap_conductivity > 0.0
+            else "Nothing passes through the gap, and no radiation across it."
+        )
+        return (
+            *self.contact.validity,
+            Note(
+                Assumption.CONDUCTION,
+                Standing.APPROXIMATE if blurred > 0.05 else Standing.ASYMPTOTIC,
+                f"{filled} Spots count whole pixels: a single round spot is off by about {blurred:.1g} of its width.",
+                YOVANOVICH,
+            ),
+            Note(
+                Assumption.STEADY,
+                Standing.ASYMPTOTIC,
+                "Steady heat between half-spaces, whose properties do not change with the temperature; nothing is lost "
+                "aside.",
+                "H. S. Carslaw, J. C. Jaeger, Conduction of Heat in Solids, 2nd edition, Oxford 1959",
+            ),
+        )

@@ -1,0 +1,81 @@
+"""What to know of a measured map before its contact is believed: tip, what was taken out, a border that leaps."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.numerics.types import Array
+from winkler.profiles.rough.tip_limit import SANNER, share_below, tip_limit
+from winkler.profiles.rough.topography import Topography
+from winkler.validity import Assumption, Note, Standing, standing_of
+
+__all__ = ["border_leap", "map_notes"]
+
+SMALL_SHARE, LARGE_SHARE = 0.05, 0.5
+"""Of the mean square slope below the limit of the tip."""
+LARGEST_LEAP = 3.0
+"""Step at the border over the greatest one inside, root mean squares of lines of pixels; that of one line scatters."""
+
+
+def border_leap(surface: Topography) -> float:
+    """Return the step between opposite borders over the greatest step of neighbouring lines inside.
+
+    Both are root mean squares over a line of pixels; the worse direction counts.  It is about one or
+    less of a map that is repeated.
+    """
+    ratios = []
+    for axis in (0, 1):
+        heights: Array = np.moveaxis(surface.heights, axis, 0)
+        squares = (np.roll(heights, -1, 0) - heights) ** 2
+        known = np.isfinite(squares).any(axis=1)
+        lines = np.sqrt(np.nanmean(squares[known], axis=1))
+        if known[-1] and lines.size > 1 and np.max(lines[:-1]) > 0.0:
+            ratios.append(float(lines[-1] / np.max(lines[:-1])))
+    return max(ratios, default=0.0)
+
+
+def map_notes(surface: Topography) -> tuple[Note, ...]:
+    """Return the limit of the tip of a map, what was taken out of it, and whether it can be periodic."""
+    notes: list[Note] = []
+    if surface.tip_radius > 0.0:
+        notes.append(_tip_note(surface))
+    if surface.removed:
+        notes.append(
+            Note(
+                Assumption.RESOLUTION,
+                Standing.APPROXIMATE,
+                f"Taken out of the measured heights, and bridged: {surface.removed}.",
+                "J. W. Tukey, Exploratory Data Analysis, Addison-Wesley 1977",
+            )
+        )
+    leap = border_leap(surface) if surface.periodic else 0.0
+    if leap > LARGEST_LEAP:
+        notes.append(
+            Note(
+                Assumption.RESOLUTION,
+                Standing.OUTSIDE,
+                f"The map is said to be periodic, but heights leap at its border by {leap:.2g} times the greatest step "
+                "between two of its lines: what is repeated has a cliff there; leave periodic out.",
+                "comparison of steps inside and at the border",
+            )
+        )
+    return tuple(notes)
+
+
+def _tip_note(surface: Topography) -> Note:
+    radius = f"a tip of {surface.tip_radius:.3g} m"
+    limit = tip_limit(surface)
+    if limit == 0.0:
+        return Note(
+            Assumption.RESOLUTION, Standing.ASYMPTOTIC, f"The map is nowhere half as sharp as {radius}.", SANNER
+        )
+    share = share_below(surface, limit)
+    whole = limit >= 0.5 * float(np.min(surface.lengths))
+    return Note(
+        Assumption.RESOLUTION,
+        Standing.OUTSIDE if whole else standing_of(share, SMALL_SHARE, LARGE_SHARE),
+        f"Below {limit:.3g} m, {limit / max(surface.pixel):.2g} pixels, {radius} has rounded the map: "
+        f"{max(share, 0.0):.0%} of the mean square slope is of such waves, and contacts, pressures and adhesion of "
+        "spots that small are not those of the surface.",
+        SANNER,
+    )

@@ -1,0 +1,81 @@
+"""``winkler show MAP``: statistics, what to know of a map, and its picture."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+from winkler.cli import main
+
+
+@pytest.fixture
+def here(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    x = np.arange(64) / 64
+    z = 100.0 * np.cos(6.0 * np.pi * x)[:, None] + 100.0 * np.cos(8.0 * np.pi * x)
+    np.save("waves.npy", z)
+    tilted = z + 4000.0 * x[:, None]
+    tilted[20, 30] += 3000.0
+    tilted[3, 3] = np.nan
+    np.savetxt("tilted.txt", tilted)
+    np.savetxt("scan.csv", np.column_stack((x * 100.0, z[:, 0])), delimiter=",", header="x [um], z [nm]", comments="")
+    return tmp_path
+
+
+def test_a_map_as_json(here, capsys):
+    """Two crossed waves of amplitude A: Sq = A, Sku = 9/4."""
+    command = ["show", "waves.npy", "--unit", "nm", "--lengths", "10 um", "--periodic", "--json", "-o", "waves.png"]
+    assert main(command) == 0
+    found = json.loads(capsys.readouterr().out)
+    numbers = {name: row["value"] for name, row in found["statistics"].items()}
+    assert numbers["rms_height"] == pytest.approx(100e-9, rel=1e-12)
+    assert numbers["kurtosis"] == pytest.approx(2.25, rel=1e-9)
+    assert "tip_limit" not in numbers
+    assert found["remarks"] == []
+    assert (here / "waves.png").read_bytes().startswith(b"\x89PNG")
+    assert main(command) == 2
+    assert "'waves.png' exists; add --overwrite" in capsys.readouterr().err
+
+
+def test_a_bad_map_says_so(here, capsys):
+    assert main(["show", "tilted.txt", "--unit", "nm", "--lengths", "10 um, 10 um", "--tip-radius", "1 mm"]) == 0
+    text = capsys.readouterr().out
+    assert "Missing: 1 of 4096 heights." in text
+    assert "--detrend plane takes it off." in text
+    assert "--without-spikes takes them out." in text
+    assert "a tip of 0.001 m has rounded the map" in text
+    options = ["--unit", "nm", "--lengths", "10 um", "--detrend", "plane", "--without-spikes"]
+    assert main(["show", "tilted.txt", *options]) == 0
+    clean = capsys.readouterr().out
+    assert "- Taken out of the measured heights, and bridged: 1 of 4096 pixels" in clean
+    assert "Missing" not in clean
+    assert "takes" not in clean
+
+
+def test_a_scan(here, capsys):
+    assert main(["show", "scan.csv", "-o", "scan.svg"]) == 0
+    text = capsys.readouterr().out
+    assert "Rq" in text
+    assert "Sal" not in text
+    assert (here / "scan.svg").exists()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (["nothing.npy"], "nothing.npy: there is no such file in '.'; give the path of a height map."),
+        (["waves.npy"], "waves.npy: the file does not state the unit of its heights; give unit, such as 'nm' or 'um'."),
+        (["waves.npy", "-o", "waves.toml"], "show: 'waves.toml' does not end like a picture; give .svg, .png, .pdf."),
+        (["waves.npy", "--lengths", "1 um, 2 um, 3 um"], "--lengths are '1 um, 2 um, 3 um'; give one or two"),
+        (["waves.npy", "--unit", "nm", "--lengths", "1 s"], "--lengths: '1 s' is a time, not a length"),
+        (["scan.csv", "--unit", "um"], "scan.csv: a table states its columns and their units; leave unit 'um' out."),
+        (["waves.npy", "--unit", "nm", "--lengths", "1 um", "--detrend", "cone"], "detrend is 'cone'"),
+    ],
+)
+def test_what_cannot_be_shown(arguments, sentence, here, capsys):
+    assert main(["show", *arguments]) == 2
+    error = capsys.readouterr().err
+    assert sentence in error
+    assert error.count("\n") == 1

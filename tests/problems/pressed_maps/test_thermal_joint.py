@@ -1,0 +1,108 @@
+"""Heat through spots and gap: Holm's spot, a film on a disc, uniform and wavy gaps, and every part that is refused."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import winkler as wk
+from winkler.numerics.films.joint_flux import joint_flux
+from winkler.problems.pressed_maps.thermal_joint import ThermalJoint
+
+STEEL = wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3))
+METAL = wk.ThermalConductor(50.0, 1e-5)
+PAIR = wk.HeatConductors(METAL, METAL)
+BLASTED = wk.SelfAffine(hurst=0.8, rms_height=1e-6, longest=1e-3, shortest=60e-6)
+ROUGH = wk.RandomTopography([1e-3, 1e-3], BLASTED, (64, 64), seed=1)
+
+
+def disc(pixels, radius):
+    place = (np.arange(pixels) + 0.5) / pixels - 0.5
+    return np.hypot(place[:, None], place[None, :]) <= radius
+
+
+def test_a_round_spot_is_holms():
+    """Two half-spaces of conductivity 50: 4 a / (1/50 + 1/50), from Hertz's radius."""
+    place = (np.arange(96) + 0.5) / 96 * 0.3e-3 - 0.15e-3
+    ball = wk.Topography(-(place[:, None] ** 2 + place**2) / 20e-3, [0.3e-3, 0.3e-3])
+    found = ThermalJoint(wk.SurfaceContact(ball, STEEL, wk.Depth([0.5e-6, 1e-6])), PAIR).solve()
+    radius = np.sqrt(10e-3 * np.array([0.5e-6, 1e-6]))
+    np.testing.assert_allclose(found.conductance, 4.0 * radius / 0.04, rtol=5e-3)
+    np.testing.assert_allclose(found.resistance, 1.0 / np.asarray(found.conductance), rtol=1e-14)
+    assert np.all(np.asarray(found.gap_conductance) == 0.0)
+
+
+@pytest.mark.parametrize("periodic", [True, False])
+def test_bare_spots_conduct_as_they_are_stiff(periodic):
+    """Barber: 2 dF/dd over E* and the sum of the resistivities, with stiffnesses of contacts close together."""
+    rough = ROUGH if periodic else wk.Topography(ROUGH.heights, ROUGH.lengths)
+    load = wk.Force([3.0, 20.0])
+    found = ThermalJoint(wk.SurfaceContact(rough, STEEL, load), PAIR).solve()
+    near = wk.SurfaceContact(rough, STEEL, wk.Force([2.99, 3.01, 19.9, 20.1])).solve()
+    stiff = np.array([(0.02) / (near.depth[1] - near.depth[0]), 0.2 / (near.depth[3] - near.depth[2])])
+    np.testing.assert_allclose(found.conductance, 2.0 * stiff / (STEEL.modulus * 0.04), rtol=0.01)
+    np.testing.assert_allclose(found.conductance, 2.0 * found.contact.stiffness / (STEEL.modulus * 0.04), rtol=1e-4)
+
+
+def test_a_resistive_film_on_a_disc():
+    """To the first order in the spreading of a uniform flux, R = r / A + 8 rho / (3 pi^2 a)."""
+    there = disc(128, 0.4)
+    area = float(np.count_nonzero(there)) / 128**2
+    radius = math.sqrt(area / math.pi)
+    film = 40.0
+    found = joint_flux(np.where(there, film, np.inf), (1.0 / 128, 1.0 / 128), 1.0, periodic=False)
+    assert 1.0 / found.whole == pytest.approx(film / area + 8.0 / (3.0 * math.pi**2 * radius), rel=2e-5)
+    assert np.all(found.flux[~there] == 0.0)
+
+
+@pytest.mark.parametrize("spreading", [1e-6, 1.0, 30.0])
+def test_a_wavy_gap(spreading):
+    """A gap that varies along x, by the dense matrix of its flux; bodies do not resist the mean flux."""
+    n = 48
+    resistance = 0.3 * (1.0 + 0.8 * np.cos(2.0 * np.pi * np.arange(n) / n)) + 0.01
+    waves = 2.0 * np.pi * n * np.abs(np.fft.fftfreq(n))
+    spread = np.where(waves > 0.0, spreading / np.where(waves > 0.0, waves, 1.0), 0.0)
+    matrix = np.diag(resistance) + np.real(np.fft.ifft(spread[:, None] * np.fft.fft(np.eye(n), axis=0), axis=0))
+    expected = np.linalg.solve(matrix, np.ones(n))
+    side = (1.0 / n, 1.0 / n)
+    found = joint_flux(np.repeat(resistance[:, None], n, 1), side, spreading, periodic=True, tolerance=1e-9)
+    np.testing.assert_allclose(found.flux, np.repeat(expected[:, None], n, 1), rtol=1e-6)
+    assert found.whole == pytest.approx(float(np.mean(expected)), rel=1e-10)
+
+
+def test_gap_and_spots_stand_side_by_side():
+    contact = wk.SurfaceContact(ROUGH, STEEL, wk.Force(3.0))
+    bare = ThermalJoint(contact, PAIR).solve()
+    filled = ThermalJoint(contact, PAIR, gap_conductivity=0.026, jump_distance=0.4e-6).solve()
+    separation, touching = filled.contact.last.separation, filled.contact.last.pressure > 0.0
+    patch = 1e-6 / 64**2
+    alone = patch * float(np.sum(0.026 / (separation[~touching] + 0.4e-6)))
+    assert filled.gap_conductance <= alone
+    assert filled.gap_conductance == pytest.approx(alone, rel=0.05)
+    assert filled.spot_conductance == pytest.approx(bare.conductance, rel=0.05)
+    assert filled.spot_conductance < bare.conductance
+    assert filled.conductance == pytest.approx(filled.spot_conductance + filled.gap_conductance, rel=1e-12)
+    assert filled.joint_conductance == pytest.approx(filled.conductance / 1e-6, rel=1e-14)
+    assert patch * float(np.sum(filled.flux())) == pytest.approx(filled.conductance, rel=1e-5)
+    held = ThermalJoint(contact, wk.HeatConductors(METAL, METAL, wk.ThermalInterface(1e6))).solve()
+    touching_area = patch * np.count_nonzero(touching)
+    assert held.resistance > bare.resistance + 1.0 / (1e6 * touching_area)  # Rayleigh: equal potentials on both sides
+    statements = [note.statement for note in filled.validity]
+    assert any(s.startswith("What fills the gap conducts across it, 0.026 W/(m K)") for s in statements)
+
+
+def test_what_is_refused():
+    contact = wk.SurfaceContact(ROUGH, STEEL, wk.Force(3.0))
+    plated = wk.Plated(METAL, 1e-6, wk.ThermalConductor(300.0, 1e-4))
+    with pytest.raises(wk.OutsideValidity, match="ThermalJoint: heat is followed in thick bodies without platings"):
+        ThermalJoint(contact, wk.HeatConductors(plated, METAL))
+    coated = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(1e9, 0.3), 1e-6)], on=wk.Elastic(210e9, 0.3))
+    with pytest.raises(wk.OutsideValidity, match="ThermalJoint: the heat of a height map on a CoatedHalfSpace"):
+        ThermalJoint(wk.SurfaceContact(ROUGH, coated, wk.Force(3.0)), PAIR)
+    with pytest.raises(wk.InvalidInput, match="gap_conductivity is -1"):
+        ThermalJoint(contact, PAIR, gap_conductivity=-1.0)
+    metal = wk.ElectricalConductor(16e-9)
+    with pytest.raises(wk.InvalidInput, match="conductors"):
+        ThermalJoint(contact, wk.ElectricalConductors(metal, metal))
