@@ -66,7 +66,8 @@ def overlap_and_work(p: Array, gap: Array, depth: float, ceiling: float) -> tupl
     soft = p < ceiling
     overlap = max(0.0, -float(np.min(gap, where=soft, initial=0.0)))
     spent = float(np.sum(p * np.where(soft, np.abs(gap), np.maximum(gap, 0.0))))
-    return overlap / abs(depth), spent / abs(float(np.sum(p)) * depth)
+    borne = abs(float(np.sum(p)) * depth)
+    return overlap / abs(depth), spent / borne if borne > 0.0 else 0.0
 
 
 def shared(target: Array, ceiling: float, load: float) -> Array:

@@ -41,6 +41,7 @@ def punch(
     tolerance: float = 1e-6,
     start: Array | tuple[()] = (),
     layers: LayeredSurface | None = None,
+    film: float = 0.0,
 ) -> Array:
     """Return the pressures over E* [1/m] under a flat punch of any shape at unit depth.
 
@@ -50,7 +51,7 @@ def punch(
     ----------
     touching
         Where it presses, (nx, ny), somewhere but, on a periodic surface whose mean stays at rest, not everywhere.
-    pixel, periodic, layers
+    pixel, periodic, layers, film
         As for `winkler.numerics.surfaces.pressed_grid.press`.
     tolerance
         Greatest error of the depth under the punch.
@@ -66,8 +67,12 @@ def punch(
     there = touching[box]
     shape, aspect = (there.shape[0], there.shape[1]), (1.0, pixel[1] / pixel[0])
     below = layers.in_units_of(pixel[0]) if layers else None
-    single = SurfaceGrid.of(shape, aspect, periodic=periodic, digits=SINGLE, layers=below)
-    double = functools.partial(SurfaceGrid.of, shape, aspect, periodic=periodic, layers=below)
+
+    def of(digits: np.dtype[np.floating]) -> SurfaceGrid:
+        grid = SurfaceGrid.of(shape, aspect, periodic=periodic, digits=digits, layers=below)
+        return grid.filmed(film / pixel[0])
+
+    single, double = of(SINGLE), functools.partial(of, DOUBLE)
     exact = single if tolerance > SINGLE_DIGITS_TOLERANCE else double()
     even = 1.0 / np.sqrt(np.count_nonzero(there) * aspect[1])
     p = np.where(there, np.asarray(start)[box] * pixel[0] if len(start) else even, 0.0)

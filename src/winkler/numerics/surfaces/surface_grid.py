@@ -111,6 +111,22 @@ class SurfaceGrid(NamedTuple):
         made = _cached_grid if shape[0] * shape[1] <= LARGEST_CACHED_PIXELS else _made
         return made(shape, pixel, periodic, digits, layers)
 
+    def filmed(self, compliance: float) -> SurfaceGrid:
+        """Return the grid under a film that yields where it is pressed, and nowhere else.
+
+        Parameters
+        ----------
+        compliance
+            Displacement under a pressure of E*, in the unit of length of the pixels; none if zero.
+        """
+        if compliance == 0.0:
+            return self
+        digits = self.response.dtype.type
+        return self._replace(
+            response=self.response + digits(compliance),
+            wave_numbers=self.wave_numbers / (digits(1.0) + digits(compliance) * self.wave_numbers),
+        )
+
     def waves(self, numbers: Array) -> Array:
         """Return the transform of numbers on the grid, (..., nx, ny), padded with zeros if it is not periodic."""
         import scipy.fft
