@@ -30,6 +30,7 @@ from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.rough.contact_area import contact_area
+from winkler.problems.rough.hardness_limit import hardened_share, hardness_notes
 from winkler.problems.rough.map_memory import refuse_too_large
 from winkler.problems.rough.mapped_medium import MappedMedium, homogeneous, layers_of, medium_notes, yield_notes
 from winkler.problems.rough.surface_states import SurfaceState
@@ -197,10 +198,11 @@ class SurfaceContact:
                 raise NotConverged(f"SurfaceContact: under the load {load:.6g}, {error}") from None
             except OutsideValidity as error:
                 raise OutsideValidity(f"SurfaceContact: {error}") from None
+            force = modulus * patch * float(np.sum(start))
             yield SurfaceState(
-                solved.depth, modulus * patch * float(np.sum(start)), stiffness, *contact_area(touching, pixel,
-                rough.periodic), max(float(np.mean(solved.gap)), 0.0), solved.penetration, solved.work, modulus * start,
-                np.maximum(solved.gap, 0.0),
+                solved.depth, force, stiffness, *contact_area(touching, pixel, rough.periodic, force / self.hardness),
+                hardened_share(modulus * start, self.hardness), max(float(np.mean(solved.gap)), 0.0),
+                solved.penetration, solved.work, modulus * start, np.maximum(solved.gap, 0.0),
             )  # fmt: skip
 
     def gathered(self, states: Iterable[SurfaceState]) -> SurfaceContactSolution:
@@ -234,7 +236,7 @@ class SurfaceContactSolution(BelowSurface):
     ----------
     problem : SurfaceContact
         The problem that was solved.
-    depth, force, stiffness, area, area_error, mean_gap, penetration, misfit : float or ndarray
+    depth, force, stiffness, area, area_error, hardened_share, mean_gap, penetration, misfit : float or ndarray
         As in `SurfaceState`.
     last : SurfaceState
         The contact under the last load, with its maps of pressure and separation.
@@ -248,10 +250,16 @@ class SurfaceContactSolution(BelowSurface):
     stiffness: Quantity
     area: Quantity
     area_error: Quantity
+    hardened_share: Quantity
     mean_gap: Quantity
     penetration: Quantity
     misfit: Quantity
     last: SurfaceState
+
+    @property
+    def mean_pressure(self) -> Quantity:
+        """F / A [Pa] over the pixels that touch; the hardness where it limits nearly all of them."""
+        return shaped(np.asarray(self.force) / np.asarray(self.area))
 
     @property
     def surface_load(self) -> SurfaceLoad:
@@ -287,7 +295,10 @@ class SurfaceContactSolution(BelowSurface):
         """How far the result can be trusted: border, residual, slopes, pixels."""
         stated = self.problem
         blurred = float(np.max(np.asarray(self.area_error) / self.area))
-        notes = medium_notes(stated.medium, stated.topography, stated.hardness, blurred, self.penetration, self.misfit)
+        notes = (
+            *medium_notes(stated.medium, stated.topography, stated.hardness, blurred, self.penetration, self.misfit),
+            *hardness_notes(stated.topography.area, stated.hardness, self.force, self.area, self.hardened_share),
+        )
         if float(np.max(self.depth)) > self.last.depth:
             return (
                 *notes,

@@ -62,8 +62,8 @@ class SurfaceWear:
 
     References
     ----------
-    J. F. Archard, J. Appl. Phys. 24 (1953) 981-988, doi:10.1063/1.1721448;
-    J. Andersson, A. Almqvist, R. Larsson, Wear 271 (2011) 2947-2957, doi:10.1016/j.wear.2011.06.018
+    J. F. Archard, J. Appl. Phys. 24 (1953) 981-988, doi:10.1063/1.1721448
+    R. Alexander, SIAM J. Numer. Anal. 14 (1977) 1006-1021, doi:10.1137/0714068
 
     Examples
     --------
@@ -95,7 +95,7 @@ class SurfaceWear:
     distance: FiniteQuantity
     tolerance: Annotated[float, between(1e-7, 1e-2)] = 1e-3
 
-    references: ClassVar[tuple[str, ...]] = ("archard_1953", "andersson_2011", "polonsky_keer_1999")
+    references: ClassVar[tuple[str, ...]] = ("archard_1953", "polonsky_keer_1999")
     assumptions: ClassVar[frozenset[Assumption]] = MAPPED | {Assumption.WEAR}
 
     def __post_init__(self) -> None:
