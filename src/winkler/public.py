@@ -148,6 +148,7 @@ from winkler.profiles.rough.map_spectrum import spectrum_of
 from winkler.profiles.rough.map_statistics import MapStatistics, bearing_heights, correlation_length, map_statistics
 from winkler.profiles.rough.random_rough import random_topography
 from winkler.profiles.rough.random_surface import RandomTopography
+from winkler.profiles.rough.rough_profile import RoughProfile
 from winkler.profiles.rough.sampled_profile import SampledProfile
 from winkler.profiles.rough.spectrum import PowerSpectrum, SelfAffine
 from winkler.profiles.rough.spikes import Spikes
@@ -187,8 +188,8 @@ __all__ = [
     "Population", "PoroelasticFit", "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "Program", "Prony",
     "PunchRow", "Pyramid", "PyramidByEdges", "Radius", "Ramp", "RandomTopography", "RateDependentWork",
     "ReferenceSample", "RelaxationData", "RelaxationSweeps", "RelaxingInProportion", "RepeatedMean", "Rigid", "Rod",
-    "RoundedCone", "RoundedEnds", "RoundedPunch", "RoundedPyramid", "SampledProfile", "SaturatingWork", "Segment",
-    "SegmentKind", "SelfAffine", "Shape", "SharpEnds", "ShearForce", "ShearedFields", "Shift", "ShortRange",
+    "RoughProfile", "RoundedCone", "RoundedEnds", "RoundedPunch", "RoundedPyramid", "SampledProfile", "SaturatingWork",
+    "Segment", "SegmentKind", "SelfAffine", "Shape", "SharpEnds", "ShearForce", "ShearedFields", "Shift", "ShortRange",
     "SigmoidalGrading", "Sphere", "SpheroConical", "Spikes", "Springs", "Staircase", "StandardSolid", "Standing",
     "Start", "StaticKinetic", "SubsurfaceFields", "Sum", "SurfaceFields", "SurfaceFilm", "TabulatedGrading",
     "TabulatedTip", "ThermalConductor", "ThermalDrift", "ThermalInterface", "Tilt", "Topography", "Torque",
