@@ -21,8 +21,8 @@ def contact_area(
 ) -> tuple[float, float]:
     """Return the area of a contact [m^2] and its error: pixels less what its edge counts too much (Yastrebov).
 
-    Where a map that stands alone ends, its last pixels are whole.  Under a hardness the area is not less than `least`,
-    force over hardness: pressures that do not fall to zero at the edge leave nothing there to take off.
+    Where a map that stands alone ends, its last pixels are whole.  The area is not less than `least`, force over
+    greatest pressure: where pressures do not fall to zero at the edge, nothing there is to be taken off.
     """
     counted = float(np.count_nonzero(touching)) * pixel[0] * pixel[1]
     if touching.all():

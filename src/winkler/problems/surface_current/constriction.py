@@ -279,6 +279,11 @@ class SurfaceConstrictionSolution:
         return shaped(np.where(some, np.asarray(self.constriction) / np.where(some, bare, 1.0), np.nan))
 
     @property
+    def rise(self) -> Quantity:
+        """By how much the hottest place is hotter than the bodies [K]."""
+        return self.max_temperature - self.problem.temperature
+
+    @property
     def heat_rate(self) -> Quantity:
         """Joule heat I V [W]."""
         return self.current * self.voltage

@@ -138,12 +138,19 @@ class SurfaceWear:
 
         Raises
         ------
+        InvalidInput
+            If the state is of another map.
         NotConverged
             If a contact is not solved to its tolerance, or steps become too short.
         OutsideValidity
             If the pixels are too coarse for the layers.
         """
         surface = self._surface()
+        if start is not None and start.worn.shape != surface.gaps.shape:
+            raise InvalidInput(
+                f"SurfaceWear: the state has a map of {start.worn.shape} pixels, the contact one of "
+                f"{surface.gaps.shape}; give the last state of this problem."
+            )
         try:
             if start is None:
                 state = self._state(begin(surface))
@@ -175,10 +182,11 @@ class SurfaceWear:
         bumpy = worn.rms_height > 0.0
         carried = modulus * patch * moment.load_distance
         lost, expected = patch * float(np.sum(moment.worn)), self.wear.rate * carried
+        force, peak = modulus * patch * float(np.sum(contact.pressure)), modulus * float(np.max(contact.pressure))
+        least = force / peak if peak > 0.0 else 0.0  # worn spots bear up to their edge
         return SurfaceWearState(
-            moment.elapsed, moment.jump, contact.depth, modulus * patch * float(np.sum(contact.pressure)),
-            *contact_area(contact.pressure > 0.0, rough.pixel, rough.periodic),
-            modulus * float(np.max(contact.pressure)), max(float(np.mean(contact.gap)), 0.0),
+            moment.elapsed, moment.jump, contact.depth, force,
+            *contact_area(contact.pressure > 0.0, rough.pixel, rough.periodic, least), peak, max(float(np.mean(contact.gap)), 0.0),
             worn.rms_height, worn.skewness if bumpy else math.nan, worn.kurtosis if bumpy else math.nan,
             float(np.max(moment.worn)), lost, carried, abs(lost / expected - 1.0) if expected > 0.0 else 0.0,
             contact.penetration, contact.work, moment.worn, modulus * contact.pressure, np.maximum(contact.gap, 0.0),

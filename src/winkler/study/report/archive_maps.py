@@ -11,6 +11,7 @@ from winkler.problems.pressed_maps.true_area import TrueAreaSolution
 from winkler.problems.rough.surface_conduction import SurfaceConductionSolution
 from winkler.problems.rough.surface_contact import SurfaceContactSolution
 from winkler.problems.rough.surface_states import SurfaceState
+from winkler.problems.surface_current.constriction import SurfaceConstrictionSolution
 from winkler.profiles.rough.topography import Topography
 from winkler.study.batch.outcome import Outcome
 from winkler.study.report.netcdf import netcdf_attributes
@@ -20,7 +21,9 @@ __all__ = ["add_maps"]
 
 MOST_MAPS = 256
 """Points of a sweep up to which maps are stored; of longer ones only numbers."""
-SOLUTIONS_WITH_MAPS = (SurfaceContactSolution, SurfaceConductionSolution, SealSolution, TrueAreaSolution)
+SOLUTIONS_WITH_MAPS = (
+    SurfaceContactSolution, SurfaceConductionSolution, SealSolution, TrueAreaSolution, SurfaceConstrictionSolution,
+)  # fmt: skip
 MAP_QUANTITIES = ("pressure", "separation")
 
 

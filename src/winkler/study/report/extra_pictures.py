@@ -14,6 +14,7 @@ HOLD_A_CONTACT = (
     "winkler.problems.rough.surface_conduction:SurfaceConductionSolution",
     "winkler.problems.pressed_maps.seal:SealSolution",
     "winkler.problems.pressed_maps.true_area:TrueAreaSolution",
+    "winkler.problems.surface_current.constriction:SurfaceConstrictionSolution",
 )
 REDUCED_BED = "winkler.problems.rough.reduced_bed:ReducedBed"
 HEIGHT_MAP = "winkler.profiles.rough.topography:Topography"

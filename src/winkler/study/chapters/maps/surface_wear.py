@@ -35,7 +35,7 @@ SURFACE_WEAR = Chapter(
             "winkler.problems.surface_wear.wear:SurfaceWear",
             headline=("worn_volume", "worn_depth", "rms_height", "area", "peak_pressure"),
             contact=SLID,
-            distance=["0 m", "0.1 m", "1 m", "5 m"],
+            distance=["0 m", "0.01 m", "0.05 m", "0.2 m"],
             picture=Caption(
                 "running_in",
                 "The surface runs in",
