@@ -40,10 +40,7 @@ class SurfaceState:
         Distance of the surfaces [m].
     """
 
-    __words__ = words(
-        misfit=("", "", "pressure times gap that is left, over force times depth"),
-        hardened_share=("n_H/n", "", "part of the pixels in contact that bear the hardness"),
-    )
+    __words__ = words(misfit=("", "", "pressure times gap that is left, over force times depth"))
 
     depth: float
     force: float

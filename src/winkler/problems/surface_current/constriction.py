@@ -98,8 +98,6 @@ class SurfaceConstriction:
         contact=("", None, "how the surface is pressed"),
         temperature=("T_0", "K", "temperature of both bodies far from the contact"),
         law=("", None, "how heat and current conduction go together"),
-        softening_temperature=("T_s", "K", "temperature at which the metal softens"),
-        melting_temperature=("T_m", "K", "temperature at which the metal melts"),
     )
 
     contact: SurfaceContact
@@ -229,12 +227,6 @@ class SurfaceConstrictionSolution:
     __words__ = words(
         contact=("", None, "the contact by boundary elements"),
         patch_count=("n", "", "number of spots of contact"),
-        bare_constriction=("R_b", "ohm", "constriction of the same spots without platings and film"),
-        plating_factor=(r"\psi", "", "constriction over that of the same spots without platings and film"),
-        softening_voltage=("V_s", "V", "voltage at which the hottest place softens"),
-        softening_current=("I_s", "A", "current at which the hottest place softens"),
-        melting_voltage=("V_m", "V", "voltage at which the hottest place melts"),
-        melting_current=("I_m", "A", "current at which the hottest place melts"),
         heat_rate=("Q", "W", "Joule heat"),
     )
 

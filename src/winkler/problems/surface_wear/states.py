@@ -8,17 +8,13 @@ from winkler.values import value, words
 __all__ = ["STATE_WORDS", "SurfaceWearState"]
 
 STATE_WORDS = words(
-    elapsed=("s", "m", "distance slid"),
-    jump=(r"\Delta s", "m", "how far the next step would go"),
     depth=("d", "m", "approach since the highest point touched, wear included"),
     peak_pressure=(r"p_\mathrm{max}", "Pa", "greatest pressure of a pixel"),
     rms_height=("Sq", "m", "root mean square of the heights about their mean"),
     skewness=("Ssk", "", "mean cube of the heights over that of their root mean square"),
     kurtosis=("Sku", "", "mean fourth power of the heights over that of their root mean square"),
-    worn=("h", "m", "what the map has lost"),
     worn_depth=(r"h_\mathrm{max}", "m", "greatest worn depth"),
     worn_volume=("V", "m^3", "what the map has lost"),
-    load_distance=(r"\int F\,\mathrm{d}s", "N m", "force integrated over the distance slid"),
     imbalance=(r"\epsilon_V", "", "difference of the worn volume and rate times force times distance, over the latter"),
     misfit=("", "", "pressure times gap that is left, over force times depth"),
 )
@@ -64,7 +60,12 @@ class SurfaceWearState:
         Distance of the surfaces [m].
     """
 
-    __words__ = STATE_WORDS
+    __words__ = words(
+        **STATE_WORDS,
+        elapsed=("s", "m", "distance slid"),
+        jump=(r"\Delta s", "m", "how far the next step would go"),
+        worn=("h", "m", "what the map has lost"),
+    )
 
     elapsed: float
     jump: float
