@@ -24,8 +24,6 @@ __all__ = ["read_surface_wear", "write_surface_wear"]
 FORMAT = "winkler surface wear 1"
 MAPS = ("worn", "pressure", "separation")
 NUMBERS = tuple(field.name for field in dataclasses.fields(SurfaceWearState) if field.name not in MAPS)
-UNDEFINED = ("skewness", "kurtosis")
-"""Numbers that a flat map does not have."""
 
 
 def write_surface_wear(states: Sequence[SurfaceWearState], path: str | os.PathLike[str]) -> Path:
@@ -77,11 +75,10 @@ def read_surface_wear(path: str | os.PathLike[str]) -> tuple[SurfaceWearState, .
     rows: dict[str, Any] = read_state(path, FORMAT, words, needed=words, what="surface_wear")
     numbers, size = rows["numbers"], rows["worn"].shape
     sound = numbers.dtype.kind == "f" and numbers.ndim == 2 and numbers.shape[1] == len(NUMBERS) and numbers.size > 0
-    known = [place for place, name in enumerate(NUMBERS) if name not in UNDEFINED]
     maps = all(
         rows[name].dtype.kind == "f" and rows[name].shape == size and np.isfinite(rows[name]).all() for name in MAPS
     )
-    if not (sound and len(size) == 3 and size[0] == 2 and maps and np.isfinite(numbers[:, known]).all()):
+    if not (sound and len(size) == 3 and size[0] == 2 and maps and np.isfinite(numbers).all()):
         raise InvalidInput(
             f"{path}: no wear of a height map can be read from it (its numbers and maps do not fit together); give a "
             "file of write_surface_wear."

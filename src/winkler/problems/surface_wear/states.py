@@ -41,7 +41,7 @@ class SurfaceWearState:
     mean_gap : float
         Mean distance of the surfaces over the map [m].
     rms_height, skewness, kurtosis : float
-        Sq [m], Ssk and Sku [-] of the worn map, with only its mean taken off; the last two are nan of a flat one.
+        Sq [m], Ssk and Sku [-] of the worn map, with only its mean taken off; zero of a flat one.
     worn_depth : float
         Greatest worn depth [m].
     worn_volume : float

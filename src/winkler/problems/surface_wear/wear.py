@@ -10,7 +10,6 @@ force to :math:`F/A`.  Where a periodic map touches all over, each of its waves 
 from __future__ import annotations
 
 import dataclasses
-import math
 from collections.abc import Iterable, Iterator
 from typing import Annotated, ClassVar
 
@@ -187,7 +186,7 @@ class SurfaceWear:
         return SurfaceWearState(
             moment.elapsed, moment.jump, contact.depth, force,
             *contact_area(contact.pressure > 0.0, rough.pixel, rough.periodic, least), peak, max(float(np.mean(contact.gap)), 0.0),
-            worn.rms_height, worn.skewness if bumpy else math.nan, worn.kurtosis if bumpy else math.nan,
+            worn.rms_height, worn.skewness if bumpy else 0.0, worn.kurtosis if bumpy else 0.0,
             float(np.max(moment.worn)), lost, carried, abs(lost / expected - 1.0) if expected > 0.0 else 0.0,
             contact.penetration, contact.work, moment.worn, modulus * contact.pressure, np.maximum(contact.gap, 0.0),
         )  # fmt: skip
