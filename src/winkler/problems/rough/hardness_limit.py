@@ -12,6 +12,7 @@ import math
 import numpy as np
 
 from winkler.numerics.types import Array, Quantity
+from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note, Standing, standing_of
 
 __all__ = ["hardened_share", "hardness_notes"]
@@ -21,6 +22,8 @@ TABOR = "F. P. Bowden, D. Tabor, Proc. R. Soc. A 169 (1939) 391-413"
 AT_HARDNESS = 1.0 - 1e-9
 """Part of the hardness from which a pixel bears it."""
 NEARLY_ALL, HARDLY_ANY = 0.9, 0.1
+FLAT_SHARE = 0.9
+"""Of the root mean square height that is left without a paraboloid: less, and the map is a curved body."""
 LIGHT_LOAD, HEAVY_LOAD = 0.01, 0.3
 """Force over hardness times the area of the map."""
 
@@ -32,14 +35,14 @@ def hardened_share(pressure: Array, hardness: float) -> float:
 
 
 def hardness_notes(
-    whole: float, hardness: float, force: Quantity, area: Quantity, hardened: Quantity
+    rough: Topography, hardness: float, force: Quantity, area: Quantity, hardened: Quantity
 ) -> tuple[Note, ...]:
     """Return what the hardness means for the contact; nothing of elastic bodies.
 
     Parameters
     ----------
-    whole
-        Area of the map [m^2].
+    rough
+        The map; of one that is curved nothing is said about where the metal goes, which is beside it.
     hardness
         [Pa].
     force, area, hardened
@@ -57,15 +60,18 @@ def hardness_notes(
         regime = "elastic for the most part"
     else:
         regime = "between the elastic contact and the plastic limit A = F / H"
-    heavy = greatest / (hardness * whole)
+    limit = Note(
+        Assumption.ELASTIC,
+        Standing.APPROXIMATE,
+        f"Under the greatest force {share:.0%} of the pixels in contact bear the hardness, and the mean pressure is "
+        f"{mean:.0%} of it: {regime}.",
+        TABOR,
+    )
+    if not rough.periodic and rough.detrended(2).rms_height < FLAT_SHARE * rough.rms_height:
+        return (limit,)
+    heavy = greatest / (hardness * rough.area)
     return (
-        Note(
-            Assumption.ELASTIC,
-            Standing.APPROXIMATE,
-            f"Under the greatest force {share:.0%} of the pixels in contact bear the hardness, and the mean pressure is "
-            f"{mean:.0%} of it: {regime}.",
-            TABOR,
-        ),
+        limit,
         Note(
             Assumption.ELASTIC,
             standing_of(heavy, LIGHT_LOAD, HEAVY_LOAD),

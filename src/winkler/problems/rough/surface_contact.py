@@ -297,7 +297,7 @@ class SurfaceContactSolution(BelowSurface):
         blurred = float(np.max(np.asarray(self.area_error) / self.area))
         notes = (
             *medium_notes(stated.medium, stated.topography, stated.hardness, blurred, self.penetration, self.misfit),
-            *hardness_notes(stated.topography.area, stated.hardness, self.force, self.area, self.hardened_share),
+            *hardness_notes(stated.topography, stated.hardness, self.force, self.area, self.hardened_share),
         )
         if float(np.max(self.depth)) > self.last.depth:
             return (

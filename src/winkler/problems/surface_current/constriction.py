@@ -237,20 +237,20 @@ class SurfaceConstrictionSolution:
     area: Quantity
     patch_count: Quantity
     resistance: Quantity
-    cold_resistance: Quantity
-    first_constriction: Quantity
-    second_constriction: Quantity
-    film_resistance: Quantity
-    bare_constriction: Quantity
-    current: Quantity
     voltage: Quantity
-    film_voltage: Quantity
-    contact_temperature: Quantity
     max_temperature: Quantity
     softening_voltage: Quantity
     softening_current: Quantity
     melting_voltage: Quantity
     melting_current: Quantity
+    current: Quantity
+    film_voltage: Quantity
+    contact_temperature: Quantity
+    cold_resistance: Quantity
+    first_constriction: Quantity
+    second_constriction: Quantity
+    film_resistance: Quantity
+    bare_constriction: Quantity
 
     @property
     def conductance(self) -> Quantity:
