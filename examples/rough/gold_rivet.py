@@ -33,8 +33,8 @@ for force, area, share in zip(pressed.force, pressed.area, pressed.hardened_shar
     )
 
 # %%
-# The resistance of the spots, through the plating and a film of tarnish. The currents are those at which the hottest place
-# softens and melts: without a film that takes 0.07 V and 0.41 V, whatever the spots look like.
+# The resistance of the spots, through the plating and a film of tarnish. The currents are those at which the hottest
+# place softens and melts: without a film that takes 0.07 V and 0.41 V, whatever the spots look like.
 
 gold, body = wk.ElectricalConductor(22e-9), wk.ElectricalConductor(130e-9)
 plated = wk.Plated(gold, 1e-6, body)

@@ -2,9 +2,9 @@
 A rough surface runs in
 =======================
 
-A blasted surface slides on a flat. Its peaks bear nearly all, and lose nearly all: Archard's law in every pixel, with the
-pressures of the worn surface by boundary elements. What happens to its area of contact, its pressures and its roughness
-numbers?
+A blasted surface slides on a flat. Its peaks bear nearly all, and lose nearly all: Archard's law in every pixel, with
+the pressures of the worn surface by boundary elements. What happens to its area of contact, its pressures and its
+roughness numbers?
 """
 
 import matplotlib.pyplot as plt
@@ -27,8 +27,8 @@ running = wk.SurfaceWear(contact, wear, np.array([0.0, 1e-3, 1e-2, 3e-2, 0.1, 0.
 worn = running.solve()
 for i, distance in enumerate(worn.distance):
     print(
-        f"{distance * 1e3:4.0f} mm: {worn.area[i] / surface.area:5.1%} touches, up to {worn.peak_pressure[i] / 1e6:4.0f} "
-        f"MPa; Sq {worn.rms_height[i] * 1e6:.2f} um, Ssk {worn.skewness[i]:+.2f}, "
+        f"{distance * 1e3:4.0f} mm: {worn.area[i] / surface.area:5.1%} touches, "
+        f"up to {worn.peak_pressure[i] / 1e6:4.0f} MPa; Sq {worn.rms_height[i] * 1e6:.2f} um, Ssk {worn.skewness[i]:+.2f}, "
         f"{worn.worn_volume[i] * 1e18:7.0f} um^3 lost (balance {worn.imbalance[i]:.0e})"
     )
 draw(worn)

@@ -88,7 +88,8 @@ def read_surface_wear(path: str | os.PathLike[str]) -> tuple[SurfaceWearState, .
 
     def state(place: int) -> SurfaceWearState:
         kept = {0: 0, last: 1}.get(place)
-        content = dict(zip(NUMBERS, numbers[place].tolist(), strict=True))
-        return SurfaceWearState(**content, **{name: none if kept is None else rows[name][kept] for name in MAPS})
+        content: dict[str, Any] = dict(zip(NUMBERS, numbers[place].tolist(), strict=True))
+        content |= {name: none if kept is None else rows[name][kept] for name in MAPS}
+        return SurfaceWearState(**content)
 
     return tuple(state(place) for place in range(len(numbers)))

@@ -52,8 +52,8 @@ PROBLEMS = sorted(name for name in kinds() if slot_of(name) == "problem" and nam
 
 
 ON_MAPS = {
-    "reduced_friction", "surface_conduction", "surface_constriction", "surface_contact", "surface_rolling", "surface_rolling_heating",
-    "surface_rolling_start", "surface_tangential",
+    "reduced_friction", "surface_conduction", "surface_constriction", "surface_contact", "surface_rolling",
+    "surface_rolling_heating", "surface_rolling_start", "surface_tangential",
 }  # fmt: skip
 """Whose stresses take a second."""
 TINY, HUGE = 1e-3, 1e60

@@ -105,14 +105,15 @@ class PlatedResponse:
     def whole(self, xi: Array) -> Array:
         """1 + M(xi) [-] at wave numbers (m,) [1/m]."""
         parts = [(resistivity_of(surface_of(body)), body) for body in (self.first, self.second)]
+        both = sum(rho for rho, _ in parts)
         whole_sum = np.zeros(np.shape(xi))
         for rho, body in parts:
-            share = rho / sum(r for r, _ in parts)
+            answer = np.ones(np.shape(xi))
             if isinstance(body, Plated):
                 under = resistivity_of(body.on)
                 echo = (under - rho) / (under + rho) * np.exp(-2.0 * xi * body.thickness)
-                share = share * (1.0 + echo) / (1.0 - echo)
-            whole_sum = whole_sum + share
+                answer = (1.0 + echo) / (1.0 - echo)
+            whole_sum = whole_sum + rho / both * answer
         return np.asarray(whole_sum)
 
     def excess(self, xi: ComplexArray) -> ComplexArray:

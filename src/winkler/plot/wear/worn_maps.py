@@ -95,7 +95,14 @@ def surface_wear_sheet(item: SurfaceWearSolution) -> Sheet:
             _area_panel(item, share),
             _over_distance(item, [(series_of(item, "worn_volume"), "")], "worn volume $V$", log=True),
         ]
-        names += [f"pressure after {far[1]}", "pressures", "root mean square height", "skewness", "contact", "worn volume"]
+        names += [
+            f"pressure after {far[1]}",
+            "pressures",
+            "root mean square height",
+            "skewness",
+            "contact",
+            "worn volume",
+        ]
     title = f"{with_unit(item.last.worn_volume, 'm^3')} worn off after {far[1]} under {with_unit(item.last.force, 'N')}"
     return Sheet(titled(tuple(panels), *names), 3, width=4.0, height=3.2, title=title)
 

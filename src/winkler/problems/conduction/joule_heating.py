@@ -21,7 +21,13 @@ from winkler.media.conduction.conductors import ElectricalConductors
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.declared import CONDUCTING
 from winkler.problems.conduction.disc import conducting_disc, resistances_of
-from winkler.problems.conduction.heated_contact import ColdContact, HotContact, hot_at_current, hot_at_voltage, temperatures
+from winkler.problems.conduction.heated_contact import (
+    ColdContact,
+    HotContact,
+    hot_at_current,
+    hot_at_voltage,
+    temperatures,
+)
 from winkler.problems.conduction.solution import ConductingSolution
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words

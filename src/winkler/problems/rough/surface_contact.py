@@ -106,20 +106,15 @@ class SurfaceContact:
     assumptions: ClassVar[frozenset[Assumption]] = MAPPED
 
     def __post_init__(self) -> None:
-        around = 1 if self.topography.periodic else 4  # what is not repeated is padded to twice its lengths
-        affordable(
-            "SurfaceContact", "pixels with their surroundings", around * self.topography.heights.size, MOST_NUMBERS
-        )
-        missing = self.topography.missing
-        if missing:
+        around = (1 if self.topography.periodic else 4) * self.topography.heights.size  # padded to twice its lengths
+        affordable("SurfaceContact", "pixels with their surroundings", around, MOST_NUMBERS)
+        if missing := self.topography.missing:
             raise InvalidInput(
                 f"SurfaceContact: {missing} of {self.topography.heights.size} heights are missing; fill them with "
                 "topography.filled(), or cut a complete part out with topography.cropped(...)."
             )
         if float(np.ptp(self.topography.heights)) == 0.0 and self.topography.periodic:
-            raise InvalidInput(
-                "SurfaceContact: the periodic map is flat and touches everywhere at once; nothing to solve."
-            )
+            raise InvalidInput("SurfaceContact: the periodic map is flat and touches everywhere; give a rough one.")
         flat = self._loads
         bad = np.flatnonzero(~(flat > 0.0))
         if bad.size:
@@ -171,8 +166,7 @@ class SurfaceContact:
             If the pixels are too coarse for the layers.
         """
         rough, modulus, layers = self.topography, self.medium.modulus, layers_of(self.medium)
-        pixel = rough.pixel
-        patch = pixel[0] * pixel[1]
+        pixel, patch = rough.pixel, rough.pixel[0] * rough.pixel[1]
         gaps, start, under, before, stiffness = rough.gaps, np.empty(0), np.empty(0), math.inf, math.inf
         for load in self._loads.tolist():
             drive = ByDepth(load) if isinstance(self.load, Depth) else ByLoad(load / (modulus * patch))
@@ -300,8 +294,6 @@ class SurfaceContactSolution(BelowSurface):
             *hardness_notes(stated.topography, stated.hardness, self.force, self.area, self.hardened_share),
         )
         if float(np.max(self.depth)) > self.last.depth:
-            return (
-                *notes,
-                *unknown_yield(stated.medium, "pressures are stored of the last load, which is not the greatest"),
-            )
+            why = "pressures are stored of the last load, which is not the greatest"
+            return (*notes, *unknown_yield(stated.medium, why))
         return (*notes, *yield_notes(stated.medium, self.surface_load))

@@ -15,7 +15,7 @@ from winkler.numerics.surfaces.pressed_grid import PressedSurface
 from winkler.numerics.types import Array
 from winkler.problems.surface_wear.worn_map import WornMap
 
-__all__ = ["WearMoment", "begin", "go"]
+__all__ = ["MapMoment", "begin", "go"]
 
 FIRST_SHARE = 1e-2
 """Part of the depth that the first step takes off where the pressure is greatest."""
@@ -26,7 +26,7 @@ SHORTEST_STEP = 1e-13
 """Part of the way at which steps are given up."""
 
 
-class WearMoment(NamedTuple):
+class MapMoment(NamedTuple):
     """How far wear has come.
 
     Parameters
@@ -50,7 +50,7 @@ class WearMoment(NamedTuple):
     contact: PressedSurface
 
 
-def begin(surface: WornMap) -> WearMoment:
+def begin(surface: WornMap) -> MapMoment:
     """Return the moment before wear.
 
     Raises
@@ -61,10 +61,10 @@ def begin(surface: WornMap) -> WearMoment:
     worn = np.zeros(surface.gaps.shape)
     contact = surface.pressed(worn, 0.0, ())
     jump = FIRST_SHARE * contact.depth / (surface.softness * float(np.max(contact.pressure)))
-    return WearMoment(0.0, jump, 0.0, worn, contact)
+    return MapMoment(0.0, jump, 0.0, worn, contact)
 
 
-def go(surface: WornMap, goal: float, moment: WearMoment, tolerance: float) -> WearMoment:
+def go(surface: WornMap, goal: float, moment: MapMoment, tolerance: float) -> MapMoment:
     """Return how far wear has come at a goal.
 
     Parameters
@@ -88,7 +88,7 @@ def go(surface: WornMap, goal: float, moment: WearMoment, tolerance: float) -> W
     return moment
 
 
-def _stepped(surface: WornMap, moment: WearMoment, goal: float, tolerance: float) -> WearMoment:
+def _stepped(surface: WornMap, moment: MapMoment, goal: float, tolerance: float) -> MapMoment:
     """Return the moment after one step, the longest of those tried whose error is small enough."""
     left, jump = goal - moment.elapsed, moment.jump
     while True:
@@ -116,5 +116,5 @@ def _stepped(surface: WornMap, moment: WearMoment, goal: float, tolerance: float
             following = max(factor * length, jump if last else 0.0)  # a goal that was near does not limit what follows
             elapsed = goal if last else moment.elapsed + length
             carried = moment.load_distance + half.load_distance + end.load_distance
-            return WearMoment(elapsed, following, carried, end.worn, end.contact)
+            return MapMoment(elapsed, following, carried, end.worn, end.contact)
         jump = min(factor, 1.0) * length

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Iterable, Iterator
-from typing import Annotated, ClassVar
+from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
@@ -26,7 +26,7 @@ from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.rough.contact_area import contact_area
 from winkler.problems.rough.mapped_medium import layers_of, medium_notes
 from winkler.problems.rough.surface_contact import SurfaceContact
-from winkler.problems.surface_wear.march import WearMoment, begin, go
+from winkler.problems.surface_wear.march import MapMoment, begin, go
 from winkler.problems.surface_wear.notes import wear_notes
 from winkler.problems.surface_wear.states import STATE_WORDS, SurfaceWearState
 from winkler.problems.surface_wear.worn_map import WornMap
@@ -166,15 +166,15 @@ class SurfaceWear:
         except OutsideValidity as error:
             raise OutsideValidity(f"SurfaceWear: {error}") from None
 
-    def _moment(self, state: SurfaceWearState) -> WearMoment:
+    def _moment(self, state: SurfaceWearState) -> MapMoment:
         rough, modulus = self.contact.topography, self.contact.medium.modulus
         contact = PressedSurface(
             state.pressure / modulus, state.separation, state.depth, state.penetration, state.misfit, 0
         )
         carried = state.load_distance / (modulus * rough.pixel[0] * rough.pixel[1])
-        return WearMoment(state.elapsed, state.jump, carried, state.worn, contact)
+        return MapMoment(state.elapsed, state.jump, carried, state.worn, contact)
 
-    def _state(self, moment: WearMoment) -> SurfaceWearState:
+    def _state(self, moment: MapMoment) -> SurfaceWearState:
         rough, modulus = self.contact.topography, self.contact.medium.modulus
         contact, patch = moment.contact, rough.pixel[0] * rough.pixel[1]
         worn = Topography(rough.heights - moment.worn, rough.lengths, rough.periodic)
@@ -187,7 +187,8 @@ class SurfaceWear:
             moment.elapsed, moment.jump, contact.depth, force,
             *contact_area(contact.pressure > 0.0, rough.pixel, rough.periodic, least), peak, max(float(np.mean(contact.gap)), 0.0),
             worn.rms_height, worn.skewness if bumpy else 0.0, worn.kurtosis if bumpy else 0.0,
-            float(np.max(moment.worn)), lost, carried, abs(lost / expected - 1.0) if expected > 0.0 else 0.0,
+            float(np.max(moment.worn)), lost, carried,
+            abs(lost / expected - 1.0) if expected > 0.0 else 0.0,
             contact.penetration, contact.work, moment.worn, modulus * contact.pressure, np.maximum(contact.gap, 0.0),
         )  # fmt: skip
 
@@ -201,7 +202,8 @@ class SurfaceWear:
             rows.append([state.elapsed, *(getattr(state, name) for name in names)])
         if first is None or last is None:
             raise InvalidInput("SurfaceWear: there is no state to gather; give at least one.")
-        return SurfaceWearSolution(self, *np.array(rows).T, first, last)
+        columns: dict[str, Any] = dict(zip(("distance", *names), np.array(rows).T, strict=True))
+        return SurfaceWearSolution(self, **columns, first=first, last=last)
 
     def solve(self) -> SurfaceWearSolution:
         """Return the contact over the whole distance.

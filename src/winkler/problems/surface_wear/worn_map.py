@@ -1,9 +1,9 @@
 r"""Steps of the wear of a height map: implicit, each stage a contact with a film that is as soft as the step is long.
 
-In a stage of the length :math:`\gamma\Delta s` every pixel loses :math:`\gamma\Delta s\,\kappa\,p`, in proportion to its
-own pressure at the end of the stage: to the contact this is a film that yields by so much where it is pressed.  Two
-stages with :math:`\gamma=1-\sqrt{1/2}` make a step of second order that is L-stable, never gives back what has been worn
-off, and takes off :math:`\kappa F\Delta s` to rounding.
+In a stage of the length :math:`\gamma\Delta s` every pixel loses :math:`\gamma\Delta s\,\kappa\,p`, in proportion to
+its own pressure at the end of the stage: to the contact this is a film that yields by so much where it is pressed.
+Two stages with :math:`\gamma=1-\sqrt{1/2}` make a step of second order that is L-stable, never gives back what has been
+worn off, and takes off :math:`\kappa F\Delta s` to rounding.
 
 R. Alexander, SIAM J. Numer. Anal. 14 (1977) 1006-1021, doi:10.1137/0714068
 """
