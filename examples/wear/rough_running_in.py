@@ -28,8 +28,8 @@ worn = running.solve()
 for i, distance in enumerate(worn.distance):
     print(
         f"{distance * 1e3:4.0f} mm: {worn.area[i] / surface.area:5.1%} touches, "
-        f"up to {worn.peak_pressure[i] / 1e6:4.0f} MPa; Sq {worn.rms_height[i] * 1e6:.2f} um, Ssk {worn.skewness[i]:+.2f}, "
-        f"{worn.worn_volume[i] * 1e18:7.0f} um^3 lost (balance {worn.imbalance[i]:.0e})"
+        f"up to {worn.peak_pressure[i] / 1e6:4.0f} MPa; Sq {worn.rms_height[i] * 1e6:.2f} um, "
+        f"Ssk {worn.skewness[i]:+.2f}, {worn.worn_volume[i] * 1e18:7.0f} um^3 lost (balance {worn.imbalance[i]:.0e})"
     )
 draw(worn)
 

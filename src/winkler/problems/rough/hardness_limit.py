@@ -76,7 +76,8 @@ def hardness_notes(
             Assumption.ELASTIC,
             standing_of(heavy, LIGHT_LOAD, HEAVY_LOAD),
             f"The force is {heavy:.2g} of hardness times the area of the map: the metal that flows has to go "
-            f"somewhere, which makes measured areas smaller than cut pressures do, of plastic contacts by about {heavy:.2g}.",
+            "somewhere, which makes measured areas smaller than cut pressures do, of plastic contacts by about "
+            f"{heavy:.2g}.",
             PULLEN,
         ),
     )

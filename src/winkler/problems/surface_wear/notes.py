@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.rough.surface_contact import SurfaceContact
 from winkler.problems.surface_wear.states import SurfaceWearState
@@ -14,7 +15,7 @@ from winkler.validity import Assumption, Note, Standing, standing_of
 __all__ = ["wear_notes"]
 
 ALEXANDER = "R. Alexander, SIAM J. Numer. Anal. 14 (1977) 1006-1021, doi:10.1137/0714068"
-OWN_CHECK = "comparison of the worn depth with the layer"
+OWN_CHECK = "comparison of the worn depth with layer or grading"
 THIN_WEAR, DEEP_WEAR = 0.01, 0.3
 """Part of the uppermost layer that may be worn off without and with a warning."""
 
@@ -50,6 +51,16 @@ def wear_notes(contact: SurfaceContact, tolerance: float, last: SurfaceWearState
                 standing_of(share, THIN_WEAR, DEEP_WEAR),
                 f"The layers keep their thickness for the elastic response; {share:.2g} of the uppermost one was worn "
                 "off where most was.",
+                OWN_CHECK,
+            )
+        )
+    if isinstance(contact.medium, DepthGradedHalfSpace):
+        notes.append(
+            Note(
+                Assumption.WEAR,
+                Standing.APPROXIMATE,
+                "The grading counts from the surface before wear for the elastic response: what was worn off must be "
+                f"shallow against it; the greatest worn depth is {last.worn_depth:.3g} m.",
                 OWN_CHECK,
             )
         )

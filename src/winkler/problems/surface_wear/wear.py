@@ -185,9 +185,9 @@ class SurfaceWear:
         least = force / peak if peak > 0.0 else 0.0  # worn spots bear up to their edge
         return SurfaceWearState(
             moment.elapsed, moment.jump, contact.depth, force,
-            *contact_area(contact.pressure > 0.0, rough.pixel, rough.periodic, least), peak, max(float(np.mean(contact.gap)), 0.0),
-            worn.rms_height, worn.skewness if bumpy else 0.0, worn.kurtosis if bumpy else 0.0,
-            float(np.max(moment.worn)), lost, carried,
+            *contact_area(contact.pressure > 0.0, rough.pixel, rough.periodic, least), peak,
+            max(float(np.mean(contact.gap)), 0.0), worn.rms_height, worn.skewness if bumpy else 0.0,
+            worn.kurtosis if bumpy else 0.0, float(np.max(moment.worn)), lost, carried,
             abs(lost / expected - 1.0) if expected > 0.0 else 0.0,
             contact.penetration, contact.work, moment.worn, modulus * contact.pressure, np.maximum(contact.gap, 0.0),
         )  # fmt: skip
