@@ -149,6 +149,7 @@ from winkler.profiles.rough.map_spectrum import spectrum_of
 from winkler.profiles.rough.map_statistics import MapStatistics, bearing_heights, correlation_length, map_statistics
 from winkler.profiles.rough.random_rough import random_topography
 from winkler.profiles.rough.random_surface import RandomTopography
+from winkler.profiles.rough.rough_profile import RoughProfile
 from winkler.profiles.rough.sampled_profile import SampledProfile
 from winkler.profiles.rough.spectrum import PowerSpectrum, SelfAffine
 from winkler.profiles.rough.spikes import Spikes
@@ -189,15 +190,15 @@ __all__ = [
     "PopInStatistics", "Population", "PoroelasticFit", "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum",
     "Program", "Prony", "PunchRow", "Pyramid", "PyramidByEdges", "Radius", "Ramp", "RandomTopography",
     "RateDependentWork", "ReferenceSample", "RelaxationData", "RelaxationSweeps", "RelaxingInProportion",
-    "RepeatedMean", "Rigid", "Rod", "RoundedCone", "RoundedEnds", "RoundedPunch", "RoundedPyramid", "SampledProfile",
-    "SaturatingWork", "Segment", "SegmentKind", "SelfAffine", "Shape", "SharpEnds", "ShearForce", "ShearedFields",
-    "Shift", "ShortRange", "SigmoidalGrading", "Sphere", "SpheroConical", "Spikes", "Springs", "Staircase",
-    "StandardSolid", "Standing", "Start", "StaticKinetic", "SubsurfaceFields", "Sum", "SurfaceFields", "SurfaceFilm",
-    "TabulatedGrading", "TabulatedTip", "ThermalConductor", "ThermalDrift", "ThermalInterface", "Tilt", "Topography",
-    "Torque", "TransverselyIsotropic", "TransverselyIsotropicHalfSpace", "TruncatedCone", "TruncatedParaboloid",
-    "Vickers", "ViscoelasticFit", "ViscoelasticHalfSpace", "Voltage", "Wavy", "WiedemannFranz", "WilliamsLandelFerry",
-    "WinklerError", "ZeroPoint", "bearing_heights", "calibrate_indenter", "calibration_shares", "compare",
-    "compare_terms", "contact_reading", "correlation_length", "correlation_lengths", "depth_scaling",
+    "RepeatedMean", "Rigid", "Rod", "RoughProfile", "RoundedCone", "RoundedEnds", "RoundedPunch", "RoundedPyramid",
+    "SampledProfile", "SaturatingWork", "Segment", "SegmentKind", "SelfAffine", "Shape", "SharpEnds", "ShearForce",
+    "ShearedFields", "Shift", "ShortRange", "SigmoidalGrading", "Sphere", "SpheroConical", "Spikes", "Springs",
+    "Staircase", "StandardSolid", "Standing", "Start", "StaticKinetic", "SubsurfaceFields", "Sum", "SurfaceFields",
+    "SurfaceFilm", "TabulatedGrading", "TabulatedTip", "ThermalConductor", "ThermalDrift", "ThermalInterface", "Tilt",
+    "Topography", "Torque", "TransverselyIsotropic", "TransverselyIsotropicHalfSpace", "TruncatedCone",
+    "TruncatedParaboloid", "Vickers", "ViscoelasticFit", "ViscoelasticHalfSpace", "Voltage", "Wavy", "WiedemannFranz",
+    "WilliamsLandelFerry", "WinklerError", "ZeroPoint", "bearing_heights", "calibrate_indenter", "calibration_shares",
+    "compare", "compare_terms", "contact_reading", "correlation_length", "correlation_lengths", "depth_scaling",
     "first_yield_stress", "fit", "fit_poroelastic", "fit_steps", "fit_together", "found_drift", "found_zero_point",
     "indentation_quantities", "intercept_factor", "map_statistics", "material", "material_names", "over_depth",
     "peak_stress", "pop_in_statistics", "population", "random_topography", "ratio_of", "read_bed", "read_contacts",

@@ -89,6 +89,7 @@ from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContac
 from winkler.problems.subsurface.map_stress import MapStress, MapStressSolution
 from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.problems.surface_adhesion.adhesion import SurfaceAdhesion, SurfaceAdhesionSolution
+from winkler.problems.surface_current.constriction import SurfaceConstriction, SurfaceConstrictionSolution
 from winkler.problems.surface_friction.reduced import ReducedFriction, ReducedFrictionSolution
 from winkler.problems.surface_friction.tangential import SurfaceTangential, SurfaceTangentialSolution
 from winkler.problems.surface_heating.rolling import SurfaceRollingHeating, SurfaceRollingHeatingSolution
@@ -96,6 +97,7 @@ from winkler.problems.surface_heating.sliding import SurfaceFrictionHeating, Sur
 from winkler.problems.surface_rolling.creep_force import CreepForce, Spin
 from winkler.problems.surface_rolling.start import SurfaceRollingStart, SurfaceRollingStartSolution
 from winkler.problems.surface_rolling.steady import SurfaceRolling, SurfaceRollingSolution
+from winkler.problems.surface_wear.wear import SurfaceWear, SurfaceWearSolution
 from winkler.problems.viscoelastic.adhesion import ViscoelasticAdhesion, ViscoelasticAdhesionSolution
 from winkler.problems.viscoelastic.impact import ViscoelasticImpact, ViscoelasticImpactSolution
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation, ViscoelasticSolution
@@ -141,15 +143,16 @@ __all__ = [
     "RoughIndentationSolution", "RoughLine", "Seal", "SealSolution", "SimplifiedRolling", "SimplifiedRollingSolution",
     "SlidingResistance", "SlidingResistanceSolution", "SlidingSolution", "SlidingWear", "SpectrumSolution", "Spin",
     "SpotCluster", "SpotClusterSolution", "SpringMarch", "SpringTrace", "SurfaceAdhesion", "SurfaceAdhesionSolution",
-    "SurfaceConduction", "SurfaceConductionSolution", "SurfaceContact", "SurfaceContactSolution",
-    "SurfaceFrictionHeating", "SurfaceFrictionHeatingSolution", "SurfaceLoad", "SurfaceRolling",
-    "SurfaceRollingHeating", "SurfaceRollingHeatingSolution", "SurfaceRollingSolution", "SurfaceRollingStart",
-    "SurfaceRollingStartSolution", "SurfaceTangential", "SurfaceTangentialSolution", "Tangential", "TangentialSolution",
-    "ThermalConstriction", "ThermalConstrictionSolution", "ThermalJoint", "ThermalJointSolution", "Torsion",
-    "TorsionSolution", "TransientHeating", "TransientHeatingSolution", "TrueArea", "TrueAreaSolution", "TwistedFields",
-    "Uncalibrated", "ViscoelasticAdhesion", "ViscoelasticAdhesionSolution", "ViscoelasticImpact",
-    "ViscoelasticImpactSolution", "ViscoelasticIndentation", "ViscoelasticSolution", "ViscoelasticTangential",
-    "ViscoelasticTangentialSolution", "YieldOnset", "YieldOnsetSolution", "area_fraction", "creep_coefficients",
-    "design_for_pressure", "design_profile", "flow_factors", "linear_creep_coefficients", "maugis_parameter",
-    "mean_separation", "pyramid_layer_error", "reduce", "restore_conduction", "tabor_parameter", "which_model",
+    "SurfaceConduction", "SurfaceConductionSolution", "SurfaceConstriction", "SurfaceConstrictionSolution",
+    "SurfaceContact", "SurfaceContactSolution", "SurfaceFrictionHeating", "SurfaceFrictionHeatingSolution",
+    "SurfaceLoad", "SurfaceRolling", "SurfaceRollingHeating", "SurfaceRollingHeatingSolution", "SurfaceRollingSolution",
+    "SurfaceRollingStart", "SurfaceRollingStartSolution", "SurfaceTangential", "SurfaceTangentialSolution",
+    "SurfaceWear", "SurfaceWearSolution", "Tangential", "TangentialSolution", "ThermalConstriction",
+    "ThermalConstrictionSolution", "ThermalJoint", "ThermalJointSolution", "Torsion", "TorsionSolution",
+    "TransientHeating", "TransientHeatingSolution", "TrueArea", "TrueAreaSolution", "TwistedFields", "Uncalibrated",
+    "ViscoelasticAdhesion", "ViscoelasticAdhesionSolution", "ViscoelasticImpact", "ViscoelasticImpactSolution",
+    "ViscoelasticIndentation", "ViscoelasticSolution", "ViscoelasticTangential", "ViscoelasticTangentialSolution",
+    "YieldOnset", "YieldOnsetSolution", "area_fraction", "creep_coefficients", "design_for_pressure", "design_profile",
+    "flow_factors", "linear_creep_coefficients", "maugis_parameter", "mean_separation", "pyramid_layer_error", "reduce",
+    "restore_conduction", "tabor_parameter", "which_model",
 ]  # fmt: skip

@@ -251,6 +251,16 @@ MEASURED_SPECTRUM = wk.PowerSpectrum(np.array([1e4, 1e5, 1e6]), np.array([1e-21,
 SOFT_BALL = wk.SampledProfile([240e-6, 240e-6], wk.Sphere(1e-3), (48, 48))
 SOFT = wk.HalfSpace(wk.Elastic(1e6, 0.5))
 TO_AND_FRO = wk.Depth(np.concatenate((np.linspace(-3e-6, 0.5e-6, 8), np.linspace(0.0, -3e-6, 7))))
+RIVET = wk.RoughProfile(
+    wk.RandomTopography(
+        np.array([1e-4, 1e-4]),
+        wk.SelfAffine(hurst=0.8, rms_height=50e-9, longest=50e-6, shortest=8e-6),
+        (64, 64),
+        seed=1,
+    ),
+    wk.Paraboloid(2e-3),
+)
+GOLD_ON_BRONZE = wk.Plated(wk.ElectricalConductor(22e-9, 3.8e-3), 2e-6, wk.ElectricalConductor(110e-9, 3.8e-3))
 TOUCHING = wk.SurfaceContact(SURFACE, STEEL_BODY, LOADS)
 PROFILES = (
     wk.CrossProfile(
@@ -366,6 +376,25 @@ ROUGHNESS = {
                 wk.Oscillate(lateral=wk.Shift(1e-6), cycles=1.25, count=12),
             ]
         ),
+    ),
+    "rough_profile": wk.SurfaceContact(
+        wk.RoughProfile(STAMP, wk.Sphere(10e-3)),
+        STEEL_BODY,
+        LOADS,
+    ),
+    "surface_constriction": wk.SurfaceConstriction(
+        wk.SurfaceContact(RIVET, STEEL_BODY, wk.Force([0.1, 1.0]), hardness=1e9),
+        wk.ElectricalConductors(GOLD_ON_BRONZE, GOLD_ON_BRONZE),
+        wk.Current(2.0),
+        softening_temperature=373.0,
+        melting_temperature=1336.0,
+    ),
+    "surface_wear": wk.SurfaceWear(
+        wk.SurfaceContact(
+            wk.RandomTopography(MILLIMETRES, BLASTED, (32, 32), seed=1, periodic=False), STEEL_BODY, wk.Force(10.0)
+        ),
+        wk.Archard(1e-14),
+        np.array([0.0, 0.01, 0.05, 0.2]),
     ),
     "true_area": wk.TrueArea(wk.SurfaceContact(STAMP, STEEL_BODY, LOADS)),
     "seal": wk.Seal(wk.SurfaceContact(STAMP, STEEL_BODY, LOADS), viscosity=1e-3, pressure_drop=1e5),

@@ -214,7 +214,10 @@ class Drawn:
 
 LASTING = ("coated_half_space", "depth_graded_half_space", "sum", "measured_bed")
 """Parts whose answers take long where numbers are far from each other; they are moved a little only."""
-MARCHING = ("viscoelastic_adhesion", "fretting_wear", "sliding_wear", "line_fretting_wear", "line_sliding_wear")
+MARCHING = (
+    *("viscoelastic_adhesion", "fretting_wear", "sliding_wear", "line_fretting_wear", "line_sliding_wear"),
+    "surface_wear",
+)
 """Problems that take long on such parts, or with numbers far from each other, while they tell how far they are."""
 
 

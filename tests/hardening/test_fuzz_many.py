@@ -96,7 +96,7 @@ SOLVED = {
     "warm and rough": (
         *("constriction", "thermal_constriction", "joule_heating", "spot_cluster", "conductance_bounds"),
         *("friction_heating", "transient_heating", "fretting_heat", "surface_contact", "surface_conduction"),
-        *("true_area", "seal", "thermal_joint"),
+        *("true_area", "seal", "thermal_joint", "surface_constriction", "surface_wear"),
         *("map_stress", "profile_pair", "profile_pair_rolling", "surface_friction_heating", "surface_rolling_heating"),
         *("surface_adhesion", "surface_tangential", "reduced_friction", "surface_rolling", "surface_rolling_start"),
         *(
@@ -114,6 +114,7 @@ FEW = {
     "viscoelastic_adhesion": 3,
     "impact": 15,
     "sliding_wear": 15,
+    "surface_wear": 15,
     "line_sliding_wear": 15,
     "adhesive_impact": 20,
     "viscoelastic_impact": 20,

@@ -84,6 +84,8 @@ ROUNDED: dict[tuple[str, str], Rounded] = {
     ("SurfaceContactSolution", "penetration"): ERROR,
     ("SurfaceContactSolution", "misfit"): ERROR,
     ("SealSolution", "imbalance"): ERROR,
+    **{("SurfaceWearSolution", name): ERROR for name in ("imbalance", "penetration", "misfit")},
+    **{("SurfaceWearSolution", name): PRESSED for name in ("area", "peak_pressure", "mean_pressure", "worn_depth")},
     ("LineProfileSolution", "strip_error"): ERROR,
     ("LineProfileSolution", "line_of_action"): Rounded(1e-13, "zero of an even section", beside="contact_length"),
     **{

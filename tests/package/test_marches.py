@@ -25,6 +25,7 @@ FEW = {
     "fretting_wear": 3,
     "sliding_wear": 3,
     "surface_contact": 3,
+    "surface_wear": 3,
     "reduction": 12,
     **dict.fromkeys(("line_fretting_wear", "line_sliding_wear"), 3),
 }

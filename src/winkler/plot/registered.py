@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from winkler.plot import beds, restored, sheets  # noqa: F401
-from winkler.plot.conduction import constriction, fields, spots  # noqa: F401
+from winkler.plot.conduction import constriction, fields, spot_maps, spots  # noqa: F401
 from winkler.plot.conduction import line as line_conduction  # noqa: F401
 from winkler.plot.dispatch import sheet_of
 from winkler.plot.drawing import draw
@@ -39,6 +39,6 @@ from winkler.plot.rough import surfaces as rough_surfaces  # noqa: F401
 from winkler.plot.rough.film import film
 from winkler.plot.viscoelastic import contacts, fits, master_curves, material_tests, poroelastic, solids  # noqa: F401
 from winkler.plot.viscoelastic import surfaces as viscoelastic_surfaces  # noqa: F401
-from winkler.plot.wear import elliptic_wear, line_wear, wear  # noqa: F401
+from winkler.plot.wear import elliptic_wear, line_wear, wear, worn_maps  # noqa: F401
 
 __all__ = ["draw", "film", "sheet_of"]

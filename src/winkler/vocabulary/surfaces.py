@@ -52,6 +52,7 @@ SURFACES: dict[str, Word] = {
     "bodies": Word("", None, "curvatures of both bodies"),
     "equivalent_radius": Word(r"R_\mathrm{eq}", "m", "radius of the ball whose force grows as that of these bodies"),
     "area_error": Word(r"\Delta A", "m^2", "estimated error of the area of contact"),
+    "hardened_share": Word("n_H/n", "", "part of the pixels in contact that bear the hardness"),
     "mean_gap": Word(r"\bar u", "m", "mean distance of the surfaces"),
     "peak_pressure_error": Word(r"\Delta p_\mathrm{max}", "Pa", "estimated error of the greatest pressure"),
     "patch_count": Word("n", "", "number of patches of contact"),

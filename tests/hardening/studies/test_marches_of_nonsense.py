@@ -29,6 +29,7 @@ SLOW = (
     "reduction",
     "fretting_wear",
     "sliding_wear",
+    "surface_wear",
     "impacts",
 )
 """They may take minutes to find that numbers do not fit together."""

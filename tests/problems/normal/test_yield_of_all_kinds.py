@@ -44,7 +44,7 @@ WITHOUT = {
 UNKNOWN = {
     "conductance_bounds", "creep_test", "harmonic_indentation", "line_rolling_resistance",
     "line_viscoelastic_indentation", "nearly_round_indentation", "reduction", "relaxation_test", "sliding_resistance",
-    "surface_adhesion", "viscoelastic_adhesion", "viscoelastic_impact", "viscoelastic_indentation",
+    "surface_adhesion", "surface_wear", "viscoelastic_adhesion", "viscoelastic_impact", "viscoelastic_indentation",
     "viscoelastic_tangential",
 }  # fmt: skip
 """Whose stresses are not computed: they state it, whatever the strength is."""
@@ -52,8 +52,8 @@ PROBLEMS = sorted(name for name in kinds() if slot_of(name) == "problem" and nam
 
 
 ON_MAPS = {
-    "reduced_friction", "surface_conduction", "surface_contact", "surface_rolling", "surface_rolling_heating",
-    "surface_rolling_start", "surface_tangential",
+    "reduced_friction", "surface_conduction", "surface_constriction", "surface_contact", "surface_rolling",
+    "surface_rolling_heating", "surface_rolling_start", "surface_tangential",
 }  # fmt: skip
 """Whose stresses take a second."""
 TINY, HUGE = 1e-3, 1e60

@@ -110,9 +110,39 @@ def seal_of_grooves(problem: dict) -> dict:
     return {"leak_rate": cube * drop / (12 * viscosity), "mean_gap": mean, "flow_factor": cube / mean**3}
 
 
+def surface_wear_wave(problem: dict) -> dict:
+    """A wave of the height 0.01 m and the length 1 m in full contact, with E* and the rate one."""
+    far, wave = number(problem["distance"][0]), 2 * mp.pi
+    force, height = number(problem["contact"]["load"]["force"]), mp.mpf("0.01")
+    fade = mp.exp(-wave * far / 2)
+    even = force / number(problem["contact"]["topography"]["lengths"][1])
+    return {
+        "rms_height.-1": height / mp.sqrt(2) * fade,
+        "peak_pressure.-1": even + wave * height * fade / 2,
+        "worn_volume.-1": force * far,
+    }
+
+
+def plastic_spot(problem: dict) -> dict:
+    """The area F / H, Holm's disc of that area, and Kohlrausch's voltage."""
+    contact, pair = problem["contact"], problem["conductors"]
+    area = number(contact["load"]["force"]) / number(contact["hardness"])
+    both = sum(number(pair[which]["resistivity"]) for which in ("first", "second"))
+    resistance = both / (4 * mp.sqrt(area / mp.pi))
+    hot, cold = number(problem["softening_temperature"]), mp.mpf("293.15")
+    voltage = 2 * mp.sqrt(mp.mpf("2.44e-8") * (hot**2 - cold**2))
+    return {
+        "area": area,
+        "resistance": resistance,
+        "softening_voltage": voltage,
+        "softening_current": voltage / resistance,
+    }
+
+
 RECOMPUTED = (
     jkr_equilibria, jkr_slow_peeling, fretting_heat_rate, elastomer_one_wave, rough_indentation_smooth,
     reduction_of_a_ball, conduction_of_a_map, true_area_of_a_ball, seal_of_grooves, thermal_joint_of_a_ball,
+    surface_wear_wave, plastic_spot,
 )  # fmt: skip
 
 

@@ -14,6 +14,7 @@ a rod constricts less (`winkler.numerics.fields.flux_tube`), and a film spreads 
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -98,6 +99,22 @@ class PlatedResponse:
 
     precision = 3e-15
     """Rounding of M."""
+    compressed = math.inf
+    """Limit of (1 + M) / xi for long waves: the bodies have no end."""
+
+    def whole(self, xi: Array) -> Array:
+        """1 + M(xi) [-] at wave numbers (m,) [1/m]."""
+        parts = [(resistivity_of(surface_of(body)), body) for body in (self.first, self.second)]
+        both = sum(rho for rho, _ in parts)
+        whole_sum = np.zeros(np.shape(xi))
+        for rho, body in parts:
+            answer = np.ones(np.shape(xi))
+            if isinstance(body, Plated):
+                under = resistivity_of(body.on)
+                echo = (under - rho) / (under + rho) * np.exp(-2.0 * xi * body.thickness)
+                answer = (1.0 + echo) / (1.0 - echo)
+            whole_sum = whole_sum + rho / both * answer
+        return np.asarray(whole_sum)
 
     def excess(self, xi: ComplexArray) -> ComplexArray:
         """M(xi) [-] at real or complex wave numbers (m,) [1/m]."""

@@ -68,16 +68,18 @@ class PressedSurface(NamedTuple):
 
 
 class _Surface(NamedTuple):
-    """What a grid is made on: the size of its pixels, whether it is periodic, and what lies below."""
+    """What a grid is made on: the size of its pixels, whether it is periodic, what lies below, and what above."""
 
     pixel: tuple[float, float]
     periodic: bool
     layers: LayeredSurface | None
+    film: float
 
     def grid(self, shape: tuple[int, ...], digits: np.dtype[np.floating] = DOUBLE) -> SurfaceGrid:
         """Return the grid of this shape."""
         size = shape[0], shape[1]
-        return SurfaceGrid.of(size, self.pixel, periodic=self.periodic, digits=digits, layers=self.layers)
+        bare = SurfaceGrid.of(size, self.pixel, periodic=self.periodic, digits=digits, layers=self.layers)
+        return bare.filmed(self.film)
 
     def rough_grid(self, whole: SurfaceGrid, shape: tuple[int, ...]) -> SurfaceGrid:
         """Return the grid for changes of pressures, whose digits suffice for the contrast of the layers."""
@@ -144,13 +146,14 @@ def press(
     tolerance: float = 1e-6,
     start: Any = (),
     layers: LayeredSurface | None = None,
+    film: float = 0.0,
 ) -> PressedSurface:
     """Solve the contact.
 
     Parameters
     ----------
     heights
-        h [m] of the undeformed gap over the highest point, (nx, ny), not negative, zero somewhere; an array of numpy,
+        h [m] of the undeformed gap over the point from which depths count, (nx, ny), not negative; an array of numpy,
         or of another library of the array API, where everything then is computed.
     pixel
         (dx, dy) [m].
@@ -166,6 +169,8 @@ def press(
         Pressures of a contact nearby, over E*; nothing to begin on coarser grids.
     layers
         In m, what differs from a homogeneous half-space of this E*; nothing unless given.
+    film
+        Compliance of a film that yields only where it is pressed: displacement under a pressure of E* [m].
 
     Raises
     ------
@@ -182,12 +187,13 @@ def press(
             scaled: ByDepth | ByLoad = ByDepth(1.0)
         case ByLoad(load):
             unit = load * math.sqrt(patch / math.prod(heights.shape))
-            if periodic:  # which is never deeper than closed
-                unit = min(unit, float(namespace_of(heights).mean(heights)))
+            closed = float(namespace_of(heights).mean(heights)) if periodic else 0.0
+            unit = min(unit, closed) if closed > 0.0 else unit  # which is never deeper than closed
             scaled = ByLoad(load * pixel[0] / unit)
     strain = unit / pixel[0]
     begin = start / strain if given(start) else ()
-    surface = _Surface((1.0, pixel[1] / pixel[0]), periodic, layers.in_units_of(pixel[0]) if layers else None)
+    below = layers.in_units_of(pixel[0]) if layers else None
+    surface = _Surface((1.0, pixel[1] / pixel[0]), periodic, below, film / pixel[0])
     pressed = _pressed(heights / unit, surface, scaled, ceiling / strain, tolerance, begin)
     p, gap = pressed.pressure, pressed.gap
     p *= strain

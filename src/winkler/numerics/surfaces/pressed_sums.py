@@ -19,7 +19,8 @@ def overlap_and_work(p: Any, gap: Any, depth: float, ceiling: float) -> tuple[fl
     Pixels that bear the ceiling may overlap, but not part.
     """
     overlap, spent, load = left_over(p, gap, ceiling)
-    return overlap / abs(depth), spent / abs(load * depth)
+    borne = abs(load * depth)
+    return overlap / abs(depth), spent / borne if borne > 0.0 else 0.0
 
 
 def left_over(p: Any, gap: Any, ceiling: float) -> tuple[float, float, float]:

@@ -43,6 +43,7 @@ def punch(
     tolerance: float = 1e-6,
     start: Any = (),
     layers: LayeredSurface | None = None,
+    film: float = 0.0,
 ) -> Any:
     """Return the pressures over E* [1/m] under a flat punch of any shape at unit depth.
 
@@ -53,7 +54,7 @@ def punch(
     touching
         Where it presses, (nx, ny), somewhere but, on a periodic surface whose mean stays at rest, not everywhere; of
         numpy or another library of the array API, which then computes.
-    pixel, periodic, layers
+    pixel, periodic, layers, film
         As for `winkler.numerics.surfaces.pressed_grid.press`.
     tolerance
         Greatest error of the depth under the punch.
@@ -72,7 +73,8 @@ def punch(
     below = layers.in_units_of(pixel[0]) if layers else None
 
     def grid(digits: np.dtype[np.floating]) -> SurfaceGrid:
-        return SurfaceGrid.of(shape, aspect, periodic=periodic, digits=digits, layers=below).beside(touching)
+        bare = SurfaceGrid.of(shape, aspect, periodic=periodic, digits=digits, layers=below)
+        return bare.filmed(film / pixel[0]).beside(touching)
 
     single = grid(SINGLE)
     exact = single if tolerance > SINGLE_DIGITS_TOLERANCE else grid(DOUBLE)

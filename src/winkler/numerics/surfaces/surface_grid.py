@@ -125,6 +125,22 @@ class SurfaceGrid(NamedTuple):
         moved = (xp.asarray(each, device=numbers.device) for each in (self.response, self.wave_numbers))
         return self._replace(**dict(zip(("response", "wave_numbers"), moved, strict=True)))
 
+    def filmed(self, compliance: float) -> SurfaceGrid:
+        """Return the grid under a film that yields where it is pressed, and nowhere else.
+
+        Parameters
+        ----------
+        compliance
+            Displacement under a pressure of E*, in the unit of length of the pixels; none if zero.
+        """
+        if compliance == 0.0:
+            return self
+        digits = self.response.dtype.type
+        return self._replace(
+            response=self.response + digits(compliance),
+            wave_numbers=self.wave_numbers / (digits(1.0) + digits(compliance) * self.wave_numbers),
+        )
+
     def waves(self, numbers: Any) -> Any:
         """Return the transform of numbers on the grid, (..., nx, ny), padded with zeros if it is not periodic."""
         return real_waves(numbers, self.padded, self.workers)

@@ -23,7 +23,7 @@ from winkler.laws.current import WiedemannFranz
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 
-__all__ = ["ColdContact", "HotContact", "hot_at_current", "hot_at_voltage", "profile"]
+__all__ = ["ColdContact", "HotContact", "hot_at_current", "hot_at_voltage", "profile", "temperatures"]
 
 NODES = 40
 MOST_STEPS = 300
@@ -72,6 +72,19 @@ class HotContact(NamedTuple):
 def profile(cold: ColdContact, inflow: Array, fall: Array, phi: Array) -> Array:
     """Return T [K] at the voltage phi from the end of a body over which `fall` falls."""
     return cold.law.temperature(cold.ambient, (inflow + fall) * phi - 0.5 * phi**2)
+
+
+def temperatures(law: WiedemannFranz, ambient: float, hot: HotContact) -> tuple[Array, Array]:
+    """Return the temperature of the contact and the greatest one [K], of bodies of the temperature `ambient` [K]."""
+    both = hot.first + hot.second
+    share = hot.film / np.where(both > 0.0, both, 1.0)
+    touch = law.temperature(ambient, hot.first * hot.second * (0.5 + share))
+    greatest = touch
+    for fall, inflow in zip((hot.first, hot.second), hot.inflow(), strict=True):
+        # heat flows out of the contact into both bodies, or the hottest place lies within one of them
+        inside = law.temperature(ambient, 0.5 * (fall + inflow) ** 2)
+        greatest = np.where((inflow < 0.0) & (both > 0.0), inside, greatest)
+    return touch, greatest
 
 
 def _growth(cold: ColdContact, hot: HotContact) -> tuple[Array, Array]:

@@ -21,7 +21,13 @@ from winkler.media.conduction.conductors import ElectricalConductors
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.declared import CONDUCTING
 from winkler.problems.conduction.disc import conducting_disc, resistances_of
-from winkler.problems.conduction.heated_contact import ColdContact, HotContact, hot_at_current, hot_at_voltage
+from winkler.problems.conduction.heated_contact import (
+    ColdContact,
+    HotContact,
+    hot_at_current,
+    hot_at_voltage,
+    temperatures,
+)
 from winkler.problems.conduction.solution import ConductingSolution
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
@@ -110,7 +116,7 @@ class JouleHeating:
         hot = self._driven(np.ravel(contact.radius))
         flowing = hot.current > 0.0
         resistance = np.where(flowing, hot.voltage / np.where(flowing, hot.current, 1.0), parts.whole)
-        touch, most = _temperatures(self, hot)
+        touch, most = temperatures(self.law, self.temperature, hot)
 
         shape = np.shape(contact.radius)
         return JouleHeatingSolution(
@@ -182,19 +188,6 @@ def _coefficient(body: ConductingBody) -> float:
             "deviate from their plane as they are heated; give both the same one, or zero."
         )
     return coefficients.pop()
-
-
-def _temperatures(problem: JouleHeating, hot: HotContact) -> tuple[Array, Array]:
-    """Return the temperature of the contact and the greatest one [K]."""
-    both = hot.first + hot.second
-    share = hot.film / np.where(both > 0.0, both, 1.0)
-    touch = problem.law.temperature(problem.temperature, hot.first * hot.second * (0.5 + share))
-    greatest = touch
-    for fall, inflow in zip((hot.first, hot.second), hot.inflow(), strict=True):
-        # heat flows out of the contact into both bodies, or the hottest place lies within one of them
-        inside = problem.law.temperature(problem.temperature, 0.5 * (fall + inflow) ** 2)
-        greatest = np.where((inflow < 0.0) & (both > 0.0), inside, greatest)
-    return touch, greatest
 
 
 @value

@@ -16,10 +16,13 @@ AREA_ERROR = 0.25
 """Error of the corrected area, likewise."""
 
 
-def contact_area(touching: Array, pixel: tuple[float, float], periodic: bool) -> tuple[float, float]:
+def contact_area(
+    touching: Array, pixel: tuple[float, float], periodic: bool, least: float = 0.0
+) -> tuple[float, float]:
     """Return the area of a contact [m^2] and its error: pixels less what its edge counts too much (Yastrebov).
 
-    Where a map that stands alone ends, its last pixels are whole.
+    Where a map that stands alone ends, its last pixels are whole.  The area is not less than `least`, force over
+    greatest pressure: where pressures do not fall to zero at the edge, nothing there is to be taken off.
     """
     counted = float(np.count_nonzero(touching)) * pixel[0] * pixel[1]
     if touching.all():
@@ -29,4 +32,4 @@ def contact_area(touching: Array, pixel: tuple[float, float], periodic: bool) ->
     else:
         across, along = np.diff(touching, axis=0), np.diff(touching, axis=1)
     edge = pixel[1] * np.count_nonzero(across) * pixel[0] + pixel[0] * np.count_nonzero(along) * pixel[1]
-    return counted - EDGE_EXCESS * float(edge), AREA_ERROR * float(edge)
+    return max(counted - EDGE_EXCESS * float(edge), least), AREA_ERROR * float(edge)

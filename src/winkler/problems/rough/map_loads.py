@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
+from winkler.errors import InvalidInput, OutsideValidity
 from winkler.loading import Depth, Force
 from winkler.path import numbers_of
 from winkler.profiles.rough.topography import Topography
 
-__all__ = ["refuse_too_deep"]
+__all__ = ["check_loads"]
 
 
-def refuse_too_deep(rough: Topography, load: Force | Depth, hardness: float, compressible: bool) -> None:
-    """Refuse depths that close a periodic map, and forces that its hardness does not bear.
+def check_loads(rough: Topography, load: Force | Depth, hardness: float, compressible: bool) -> None:
+    """Refuse loads that do not press, depths that close a periodic map, and forces that its hardness does not bear.
 
     Parameters
     ----------
@@ -27,9 +27,19 @@ def refuse_too_deep(rough: Topography, load: Force | Depth, hardness: float, com
 
     Raises
     ------
+    InvalidInput
+        Of a load that is not positive.
     OutsideValidity
+        Of one that is too great.
     """
-    most = float(np.max(numbers_of(load)))
+    flat = numbers_of(load).ravel()
+    bad = np.flatnonzero(~(flat > 0.0))
+    if bad.size:
+        raise InvalidInput(
+            f"SurfaceContact: load {bad[0]} is {flat[bad[0]]:.6g}; without adhesion bodies are pressed together, "
+            "give positive loads."
+        )
+    most = float(np.max(flat))
     whole = float(np.mean(rough.gaps))
     if rough.periodic and not compressible and isinstance(load, Depth) and most >= whole:
         raise OutsideValidity(

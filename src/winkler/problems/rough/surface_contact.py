@@ -32,7 +32,8 @@ from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.rough.contact_area import contact_area
-from winkler.problems.rough.map_loads import refuse_too_deep
+from winkler.problems.rough.hardness_limit import hardened_share, hardness_notes
+from winkler.problems.rough.map_loads import check_loads
 from winkler.problems.rough.map_memory import refuse_too_large, state_memory
 from winkler.problems.rough.mapped_medium import MappedMedium, homogeneous, last_load_notes, layers_of, medium_notes
 from winkler.problems.rough.surface_states import SurfaceState
@@ -108,29 +109,17 @@ class SurfaceContact:
     assumptions: ClassVar[frozenset[Assumption]] = MAPPED
 
     def __post_init__(self) -> None:
-        around = 1 if self.topography.periodic else 4  # what is not repeated is padded to twice its lengths
-        affordable(
-            "SurfaceContact", "pixels with their surroundings", around * self.topography.heights.size, MOST_NUMBERS
-        )
-        missing = self.topography.missing
-        if missing:
+        around = (1 if self.topography.periodic else 4) * self.topography.heights.size  # padded to twice its lengths
+        affordable("SurfaceContact", "pixels with their surroundings", around, MOST_NUMBERS)
+        if missing := self.topography.missing:
             raise InvalidInput(
                 f"SurfaceContact: {missing} of {self.topography.heights.size} heights are missing; fill them with "
                 "topography.filled(), or cut a complete part out with topography.cropped(...)."
             )
         if float(np.ptp(self.topography.heights)) == 0.0 and self.topography.periodic:
-            raise InvalidInput(
-                "SurfaceContact: the periodic map is flat and touches everywhere at once; nothing to solve."
-            )
-        flat = self._loads
-        bad = np.flatnonzero(~(flat > 0.0))
-        if bad.size:
-            raise InvalidInput(
-                f"SurfaceContact: load {bad[0]} is {flat[bad[0]]:.6g}; without adhesion bodies are pressed together, "
-                "give positive loads."
-            )
+            raise InvalidInput("SurfaceContact: the periodic map is flat and touches everywhere; give a rough one.")
         refuse_too_large(self.topography.heights.shape, self.topography.periodic)
-        refuse_too_deep(self.topography, self.load, self.hardness, self._compressible)
+        check_loads(self.topography, self.load, self.hardness, self._compressible)
 
     @property
     def _loads(self) -> Array:
@@ -166,8 +155,7 @@ class SurfaceContact:
             If the pixels are too coarse for the layers.
         """
         rough, modulus, layers = self.topography, self.medium.modulus, layers_of(self.medium)
-        xp, pixel = library_of(arrays), rough.pixel
-        patch = pixel[0] * pixel[1]
+        xp, pixel, patch = library_of(arrays), rough.pixel, rough.pixel[0] * rough.pixel[1]
         state_memory(rough.heights.shape, rough.periodic)
         gaps, before, stiffness = xp.asarray(rough.gaps), math.inf, math.inf
         start: Any = ()
@@ -196,10 +184,12 @@ class SurfaceContact:
                 raise NotConverged(f"SurfaceContact: under the load {load:.6g}, {error}") from None
             except OutsideValidity as error:
                 raise OutsideValidity(f"SurfaceContact: {error}") from None
+            force = modulus * patch * float(xp.sum(start))
             yield SurfaceState(
-                solved.depth, modulus * patch * float(xp.sum(start)), stiffness, *contact_area(to_numpy(touching),
-                pixel, rough.periodic), max(float(xp.mean(solved.gap)), 0.0), solved.penetration, solved.work,
-                to_numpy(modulus * start), to_numpy(xp.clip(solved.gap, 0.0, math.inf)),
+                solved.depth, force, stiffness, *contact_area(to_numpy(touching), pixel, rough.periodic,
+                force / self.hardness), hardened_share(to_numpy(modulus * start), self.hardness),
+                max(float(xp.mean(solved.gap)), 0.0), solved.penetration, solved.work, to_numpy(modulus * start),
+                to_numpy(xp.clip(solved.gap, 0.0, math.inf)),
             )  # fmt: skip
 
     def gathered(self, states: Iterable[SurfaceState]) -> SurfaceContactSolution:
@@ -238,7 +228,7 @@ class SurfaceContactSolution(BelowSurface):
     ----------
     problem : SurfaceContact
         The problem that was solved.
-    depth, force, stiffness, area, area_error, mean_gap, penetration, misfit : float or ndarray
+    depth, force, stiffness, area, area_error, hardened_share, mean_gap, penetration, misfit : float or ndarray
         As in `SurfaceState`.
     last : SurfaceState
         The contact under the last load, with its maps of pressure and separation.
@@ -252,10 +242,16 @@ class SurfaceContactSolution(BelowSurface):
     stiffness: Quantity
     area: Quantity
     area_error: Quantity
+    hardened_share: Quantity
     mean_gap: Quantity
     penetration: Quantity
     misfit: Quantity
     last: SurfaceState
+
+    @property
+    def mean_pressure(self) -> Quantity:
+        """F / A [Pa] over the pixels that touch; the hardness where it limits nearly all of them."""
+        return shaped(np.asarray(self.force) / np.asarray(self.area))
 
     @property
     def surface_load(self) -> SurfaceLoad:
@@ -291,10 +287,11 @@ class SurfaceContactSolution(BelowSurface):
         """How far the result can be trusted: border, residual, slopes, pixels."""
         stated = self.problem
         blurred = float(np.max(np.asarray(self.area_error) / self.area))
-        notes = medium_notes(stated.medium, stated.topography, stated.hardness, blurred, self.penetration, self.misfit)
+        notes = (
+            *medium_notes(stated.medium, stated.topography, stated.hardness, blurred, self.penetration, self.misfit),
+            *hardness_notes(stated.topography, stated.hardness, self.force, self.area, self.hardened_share),
+        )
         if float(np.max(self.depth)) > self.last.depth:
-            return (
-                *notes,
-                *unknown_yield(stated.medium, "pressures are stored of the last load, which is not the greatest"),
-            )
+            why = "pressures are stored of the last load, which is not the greatest"
+            return (*notes, *unknown_yield(stated.medium, why))
         return (*notes, *last_load_notes(stated.medium, self.surface_load))

@@ -26,6 +26,8 @@ class SurfaceState:
     area_error : float
         Estimated error of the area that the grid leaves [m^2]: a quarter of a pixel all along the edge, within which
         circles of three pixels and more lie; a straight edge along the grid may be half a pixel off.
+    hardened_share : float
+        Part of the pixels in contact that bear the hardness; zero of elastic bodies.
     mean_gap : float
         Mean distance of the surfaces over the map [m].
     penetration : float
@@ -45,6 +47,7 @@ class SurfaceState:
     stiffness: float
     area: float
     area_error: float
+    hardened_share: float
     mean_gap: float
     penetration: float
     misfit: float

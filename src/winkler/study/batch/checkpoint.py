@@ -25,7 +25,9 @@ RESUMABLE_PROBLEMS = (
     "winkler.problems.wear.line_sliding:LineSlidingWear",
     "winkler.problems.wear.sliding:SlidingWear",
 )
-"""Classes of problems whose march can be continued from a state."""
+"""Classes of problems of wear whose march can be continued from a state of springs,"""
+RESUMABLE_MAPS = ("winkler.problems.surface_wear.wear:SurfaceWear",)
+"""and from a worn height map."""
 ENDING = ".states.npz"
 
 
@@ -79,7 +81,7 @@ class CheckpointStore:
     @staticmethod
     def resumes(problem: Any) -> bool:
         """Return whether the march of a problem can be continued from a state."""
-        return path_of(type(problem)) in RESUMABLE_PROBLEMS
+        return path_of(type(problem)) in (*RESUMABLE_PROBLEMS, *RESUMABLE_MAPS)
 
     def stored_states(self, problem: Any) -> list[Any]:
         """Return the states that an earlier run has stored; none if there was none, or its file is damaged.
@@ -93,10 +95,12 @@ class CheckpointStore:
         if not self.resumes(problem) or not path.exists():
             return []
         from winkler.io.array_file import version_of
+        from winkler.io.surface_wear_states import read_surface_wear
         from winkler.io.wear_states import read_wear
 
         try:
-            states = list(read_wear(problem.bed, path))
+            states: list[Any] = []
+            states += read_surface_wear(path) if self._maps(problem) else read_wear(problem.bed, path)
         except InvalidInput:  # the march begins anew
             return []
         refuse_other_version(f"states: '{path}'", version_of(path))
@@ -105,9 +109,14 @@ class CheckpointStore:
     def write(self, problem: Any, states: list[Any]) -> None:
         """Store the states of a march so far, where it can be continued from them."""
         if self.resumes(problem) and Path(self.folder).is_dir():
+            from winkler.io.surface_wear_states import write_surface_wear
             from winkler.io.wear_states import write_wear
 
-            write_wear(states, self.path(problem))
+            (write_surface_wear if self._maps(problem) else write_wear)(states, self.path(problem))
+
+    @staticmethod
+    def _maps(problem: Any) -> bool:
+        return path_of(type(problem)) in RESUMABLE_MAPS
 
     def remove(self) -> None:
         """Remove the files of all problems with this stem: their results are written, or the states are not wanted."""

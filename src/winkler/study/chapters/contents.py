@@ -19,6 +19,8 @@ from winkler.study.chapters.lines.line_rolling import LINE_ROLLING
 from winkler.study.chapters.lines.line_viscoelastic import LINE_VISCOELASTIC
 from winkler.study.chapters.lines.line_wear import LINE_WEAR
 from winkler.study.chapters.maps.pressed_maps import PRESSED_MAPS
+from winkler.study.chapters.maps.surface_current import SURFACE_CURRENT
+from winkler.study.chapters.maps.surface_wear import SURFACE_WEAR
 from winkler.study.chapters.materials.master_curves import MASTER_CURVES
 from winkler.study.chapters.materials.poroelastic import POROELASTIC
 from winkler.study.chapters.normal import NORMAL, normal_formulas
@@ -58,6 +60,8 @@ CHAPTERS: tuple[Chapter, ...] = (
     LINE_WEAR,
     ROUGH,
     PRESSED_MAPS,
+    SURFACE_CURRENT,
+    SURFACE_WEAR,
     SUBSURFACE,
     PROFILE_PAIR,
     SURFACE_FRICTION,

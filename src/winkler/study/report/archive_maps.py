@@ -12,6 +12,9 @@ from winkler.problems.pressed_maps.true_area import TrueAreaSolution
 from winkler.problems.rough.surface_conduction import SurfaceConductionSolution
 from winkler.problems.rough.surface_contact import SurfaceContactSolution
 from winkler.problems.rough.surface_states import SurfaceState
+from winkler.problems.surface_current.constriction import SurfaceConstrictionSolution
+from winkler.problems.surface_wear.states import SurfaceWearState
+from winkler.problems.surface_wear.wear import SurfaceWearSolution
 from winkler.profiles.rough.topography import Topography
 from winkler.study.batch.outcome import Outcome
 from winkler.study.report.netcdf import netcdf_attributes
@@ -23,6 +26,7 @@ MOST_MAPS = 256
 """Points of a sweep up to which maps are stored; of longer ones only numbers."""
 SOLUTIONS_WITH_MAPS = (
     *(SurfaceContactSolution, SurfaceConductionSolution, SealSolution, ThermalJointSolution, TrueAreaSolution),
+    *(SurfaceConstrictionSolution, SurfaceWearSolution),
 )
 MAP_QUANTITIES = ("pressure", "separation")
 
@@ -33,17 +37,19 @@ def add_maps(outcome: Outcome, dims: tuple[str, ...], variables: dict[str, Any],
     Places are added where all points have the same pixels; of sweeps over more than 256 points no maps are stored.
     """
     contacts = [
-        (point.index, _contact(point.solution)) for point in outcome.solved if point.answer_type in SOLUTIONS_WITH_MAPS
+        (point.index, *_contact(point.solution)) for point in outcome.solved if point.answer_type in SOLUTIONS_WITH_MAPS
     ]
     if not contacts or len(contacts) > MOST_MAPS:
         return
-    maps = [contact.problem.topography for _, contact in contacts]
+    maps = [item for _, item, _ in contacts]
     size = tuple(int(count) for count in np.max([item.heights.shape for item in maps], axis=0))
     owners = {"heights": Topography, **dict.fromkeys(MAP_QUANTITIES, SurfaceState)}
+    if all(isinstance(state, SurfaceWearState) for _, _, state in contacts):
+        owners["worn"] = SurfaceWearState
     for name, owner in owners.items():
         content = np.full((*outcome.shape, *size), np.nan)
-        for (index, contact), item in zip(contacts, maps, strict=True):
-            part = item.heights if name == "heights" else getattr(contact.last, name)
+        for index, item, state in contacts:
+            part = item.heights if name == "heights" else getattr(state, name)
             content[index][: part.shape[0], : part.shape[1]] = part
         variables[name] = ((*dims, "x", "y"), content, netcdf_attributes(word(owner, name)))
     if all(item.heights.shape == size and np.array_equal(item.lengths, maps[0].lengths) for item in maps):
@@ -53,7 +59,9 @@ def add_maps(outcome: Outcome, dims: tuple[str, ...], variables: dict[str, Any],
             coords[name] = ((name,), places, netcdf_attributes(entry))
 
 
-def _contact(solution: Any) -> SurfaceContactSolution:
-    """Return the contact of a height map in a solution."""
+def _contact(solution: Any) -> tuple[Topography, Any]:
+    """Return the height map of a solution, before wear, and its last state."""
+    if isinstance(solution, SurfaceWearSolution):
+        return solution.problem.contact.topography, solution.last
     contact: SurfaceContactSolution = getattr(solution, "contact", solution)
-    return contact
+    return contact.problem.topography, contact.last

@@ -15,6 +15,7 @@ HOLD_A_CONTACT = (
     "winkler.problems.pressed_maps.seal:SealSolution",
     "winkler.problems.pressed_maps.thermal_joint:ThermalJointSolution",
     "winkler.problems.pressed_maps.true_area:TrueAreaSolution",
+    "winkler.problems.surface_current.constriction:SurfaceConstrictionSolution",
 )
 REDUCED_BED = "winkler.problems.rough.reduced_bed:ReducedBed"
 HEIGHT_MAP = "winkler.profiles.rough.topography:Topography"

@@ -1,1 +1,1 @@
-"""Height maps looked at more closely: true areas and seals."""
+"""Height maps looked at more closely: true areas and seals, electric contacts, wear."""

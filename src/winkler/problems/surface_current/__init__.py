@@ -1,0 +1,1 @@
+"""Electric current through pressed height maps."""

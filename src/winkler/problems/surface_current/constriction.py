@@ -1,0 +1,295 @@
+r"""The electric contact of a height map: resistance of its spots through platings and films, heating by the current.
+
+The current that goes through each pixel of the contact follows from its voltage, which is the same for all
+(`winkler.media.conduction.spot_resistances`); temperature follows from voltage, whatever the spots look like
+(Kohlrausch), :math:`T_{max}^2=T_0^2+V^2/(4L)` without a film.  So a metal softens and melts at a voltage of its own.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Annotated, ClassVar
+
+import numpy as np
+
+from winkler.checks.number_checks import Advice, NonNegative, Positive, PositiveOrInfinite
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.laws.current import Current, Drive, WiedemannFranz
+from winkler.materials.conducting_body import Rod
+from winkler.media.conduction.conductors import ElectricalConductors
+from winkler.media.conduction.spot_resistances import SpotResistances, spot_resistances
+from winkler.numerics.films.joined import islands
+from winkler.numerics.types import Array, Quantity, shaped
+from winkler.path import numbers_of
+from winkler.problems.assumptions.declared import MAPPED
+from winkler.problems.conduction.heated_contact import ColdContact, hot_at_current, hot_at_voltage, temperatures
+from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
+from winkler.problems.rough.surface_states import SurfaceState
+from winkler.problems.surface_current.notes import current_notes
+from winkler.problems.surface_current.softening import coefficient_of, voltage_to_reach
+from winkler.validity import Assumption, Note
+from winkler.values import value, words
+
+__all__ = ["SurfaceConstriction", "SurfaceConstrictionSolution"]
+
+DEFAULT_LAW = WiedemannFranz()
+ROOM_TEMPERATURE = 293.15
+
+
+@value
+class SurfaceConstriction:
+    """A height map pressed onto another conductor, plated or not, and a current through its spots.
+
+    Parameters
+    ----------
+    contact : SurfaceContact
+        How they are pressed together; with a hardness, partly plastic.
+    conductors : ElectricalConductors
+        What the bodies conduct, and the film between them; thick bodies, plated or not.
+    drive : Current or Voltage
+        What is sent through; of several voltages at which a current flows, the lowest is taken.
+    law : WiedemannFranz, optional
+        How heat and current conduction go together; with Sommerfeld's Lorenz number unless given.
+    temperature : float, optional
+        T_0 of both bodies far from the contact [K], positive; 293.15 K unless given.
+    softening_temperature, melting_temperature : float, optional
+        Of the softer, or first melting, metal [K], above `temperature`; infinite (the default) if they are not asked
+        for.  Holm states about 373 K and 1336 K for gold, 453 K and 1233 K for silver, 463 K and 1356 K for copper.
+    mean_free_path : float, optional
+        Of the electrons [m]; with it a note states how far the resistance may be off by free flight.
+
+    Raises
+    ------
+    InvalidInput
+        If a number is out of range, or a temperature is not above that of the bodies.
+    OutsideValidity
+        If a body is a rod, or a rod would be needed: a map spreads the current into thick bodies.
+
+    References
+    ----------
+    R. Holm, Electric Contacts, 4th edition, Springer 1967, doi:10.1007/978-3-662-06688-1
+    F. Kohlrausch, Annalen der Physik 306 (1900) 132-158
+
+    Examples
+    --------
+    A gold-plated ball, partly plastic: its resistance, and the voltage at which gold softens.
+
+    >>> import numpy as np
+    >>> from winkler.laws.current import Voltage
+    >>> from winkler.loading import Force
+    >>> from winkler.materials.conducting_body import Plated
+    >>> from winkler.materials.conductor import ElectricalConductor
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> from winkler.profiles.rough.sampled_profile import SampledProfile
+    >>> ball = SampledProfile([60e-6, 60e-6], Paraboloid(2e-3), (49, 49))
+    >>> metal = HalfSpace.between(Elastic(80e9, 0.42), Elastic(120e9, 0.34))
+    >>> gold, bronze = ElectricalConductor(22e-9), ElectricalConductor(110e-9)
+    >>> pair = ElectricalConductors(Plated(gold, 1e-6, bronze), Plated(gold, 1e-6, bronze))
+    >>> contact = SurfaceContact(ball, metal, Force(0.5), hardness=0.4e9)
+    >>> plated = SurfaceConstriction(contact, pair, Voltage(0.02), softening_temperature=373.0).solve()
+    >>> round(plated.resistance * 1e3, 1), round(plated.plating_factor, 2), round(plated.softening_voltage, 3)
+    (1.9, 0.81, 0.072)
+    """
+
+    __words__ = words(
+        contact=("", None, "how the surface is pressed"),
+        temperature=("T_0", "K", "temperature of both bodies far from the contact"),
+        law=("", None, "how heat and current conduction go together"),
+    )
+
+    contact: SurfaceContact
+    conductors: ElectricalConductors
+    drive: Drive
+    law: WiedemannFranz = DEFAULT_LAW
+    temperature: Annotated[Positive, Advice("an absolute temperature")] = ROOM_TEMPERATURE
+    softening_temperature: PositiveOrInfinite = math.inf
+    melting_temperature: PositiveOrInfinite = math.inf
+    mean_free_path: NonNegative = 0.0
+
+    references: ClassVar[tuple[str, ...]] = ("holm_1967", "kohlrausch_1900", "barber_2003", "polonsky_keer_1999")
+    assumptions: ClassVar[frozenset[Assumption]] = MAPPED | {
+        Assumption.CONDUCTION,
+        Assumption.CONTINUUM,
+        Assumption.TEMPERATURE,
+    }
+
+    def __post_init__(self) -> None:
+        if any(isinstance(body, Rod) for body in (self.conductors.first, self.conductors.second)):
+            raise OutsideValidity(
+                "SurfaceConstriction: a rod constricts the current of one round contact, not that of a height map; "
+                "give its conductor alone, and add the resistance of its length, resistivity * length / section."
+            )
+        for word, number in (("softening", self.softening_temperature), ("melting", self.melting_temperature)):
+            if not number > self.temperature:
+                raise InvalidInput(
+                    f"SurfaceConstriction: {word}_temperature is {number:g} K, not above that of the bodies, "
+                    f"{self.temperature:g} K; current only heats: give a higher one, in kelvin."
+                )
+
+    def solve(self) -> SurfaceConstrictionSolution:
+        """Return resistance, voltage, current and temperatures under every load.
+
+        Returns
+        -------
+        SurfaceConstrictionSolution
+
+        Raises
+        ------
+        NotConverged
+            If a contact is not solved to its tolerance.
+        OutsideValidity
+            If no voltage drives the current through the ever hotter contact, or the pixels are too coarse for the
+            platings.
+        """
+        rough = self.contact.topography
+        bodies, film = (self.conductors.first, self.conductors.second), self.conductors.film.area_resistance
+        rows: list[SpotResistances] = []
+        counts: list[float] = []
+
+        def watched() -> Iterator[SurfaceState]:
+            for state in self.contact.steps():
+                touching = state.pressure > 0.0
+                counts.append(float(islands(touching, (rough.periodic, rough.periodic), corners=True)[1]))
+                try:
+                    rows.append(spot_resistances(touching, rough.pixel, bodies, film, periodic=rough.periodic))
+                except OutsideValidity as error:
+                    raise OutsideValidity(f"SurfaceConstriction: of the platings, {error}") from None
+                yield state
+
+        contact = self.contact.gathered(watched())
+        first, second, lost, bare = (np.array(column) for column in zip(*rows, strict=True))
+        cold = ColdContact(
+            first, second, lost, (coefficient_of(bodies[0]), coefficient_of(bodies[1])), self.temperature, self.law
+        )
+        ones = np.ones(len(rows))
+        if isinstance(self.drive, Current):
+            hot = hot_at_current(cold, self.drive.current * ones)
+        else:
+            hot = hot_at_voltage(cold, self.drive.voltage * ones)
+        touch, most = temperatures(self.law, self.temperature, hot)
+        whole = first + second + lost
+        flowing = hot.current > 0.0
+        softening, melting = (
+            voltage_to_reach(cold, number) for number in (self.softening_temperature, self.melting_temperature)
+        )
+        shape = numbers_of(self.contact.load).shape
+
+        def column(numbers: Array | list[float]) -> Quantity:
+            return shaped(np.asarray(numbers).reshape(shape))
+
+        return SurfaceConstrictionSolution(
+            self, contact, contact.depth, contact.force, contact.area, column(counts),
+            resistance=column(np.where(flowing, hot.voltage / np.where(flowing, hot.current, 1.0), whole)),
+            cold_resistance=column(whole),
+            first_constriction=column(first), second_constriction=column(second), film_resistance=column(lost),
+            bare_constriction=column(bare),
+            current=column(hot.current), voltage=column(hot.voltage), film_voltage=column(hot.film),
+            contact_temperature=column(touch), max_temperature=column(most),
+            softening_voltage=column(softening.voltage), softening_current=column(softening.current),
+            melting_voltage=column(melting.voltage), melting_current=column(melting.current),
+        )  # fmt: skip
+
+
+@value
+class SurfaceConstrictionSolution:
+    """The solution of a `SurfaceConstriction`; quantities have the shape of the load.
+
+    Parameters
+    ----------
+    problem : SurfaceConstriction
+        The problem that was solved.
+    contact : SurfaceContactSolution
+        The contact, with its maps under the last load.
+    depth, force, area : float or ndarray
+        As in `SurfaceContactSolution` [m], [N], [m^2].
+    patch_count : float or ndarray
+        Number of spots of contact; pixels that touch at a corner belong to one spot.
+    resistance, cold_resistance : float or ndarray
+        Voltage over current [ohm], and what it would be without heating; of a periodic map that of one period beyond
+        the same bodies in full contact without film.
+    first_constriction, second_constriction : float or ndarray
+        What the constriction costs in either body, cold, platings included [ohm].
+    film_resistance : float or ndarray
+        Area resistance of the film over the area of the pixels in contact [ohm].
+    bare_constriction : float or ndarray
+        What the same spots would cost in both bodies without platings and film [ohm].
+    current, voltage, film_voltage : float or ndarray
+        I [A]; V [V] between the ends, and over the film.
+    contact_temperature, max_temperature : float or ndarray
+        T_c [K] where the bodies touch, and T_max [K].
+    softening_voltage, softening_current, melting_voltage, melting_current : float or ndarray
+        At which the hottest place has the temperature stated [V], [A]; infinite if none was stated.
+    """
+
+    __words__ = words(
+        contact=("", None, "the contact by boundary elements"),
+        patch_count=("n", "", "number of spots of contact"),
+        heat_rate=("Q", "W", "Joule heat"),
+    )
+
+    problem: SurfaceConstriction
+    contact: SurfaceContactSolution
+    depth: Quantity
+    force: Quantity
+    area: Quantity
+    patch_count: Quantity
+    resistance: Quantity
+    voltage: Quantity
+    max_temperature: Quantity
+    softening_voltage: Quantity
+    softening_current: Quantity
+    melting_voltage: Quantity
+    melting_current: Quantity
+    current: Quantity
+    film_voltage: Quantity
+    contact_temperature: Quantity
+    cold_resistance: Quantity
+    first_constriction: Quantity
+    second_constriction: Quantity
+    film_resistance: Quantity
+    bare_constriction: Quantity
+
+    @property
+    def conductance(self) -> Quantity:
+        """1 / R [S]; infinite where a periodic map touches all over without a film."""
+        with np.errstate(divide="ignore"):
+            return shaped(1.0 / np.asarray(self.resistance, dtype=float))
+
+    @property
+    def constriction(self) -> Quantity:
+        """What the constriction costs in both bodies, cold [ohm]."""
+        return self.first_constriction + self.second_constriction
+
+    @property
+    def plating_factor(self) -> Quantity:
+        """Constriction over that of the same spots without platings and film [-]; nan where nothing constricts."""
+        bare = np.asarray(self.bare_constriction, dtype=float)
+        some = bare > 0.0
+        return shaped(np.where(some, np.asarray(self.constriction) / np.where(some, bare, 1.0), np.nan))
+
+    @property
+    def rise(self) -> Quantity:
+        """By how much the hottest place is hotter than the bodies [K]."""
+        return self.max_temperature - self.problem.temperature
+
+    @property
+    def heat_rate(self) -> Quantity:
+        """Joule heat I V [W]."""
+        return self.current * self.voltage
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted: the contact, the bodies, the film, the temperature."""
+        stated = self.problem
+        return (
+            *self.contact.validity,
+            *current_notes(
+                stated.conductors,
+                rise=float(np.max(self.max_temperature)) - stated.temperature,
+                narrowest=float(np.min(np.sqrt(np.asarray(self.area) / (np.pi * np.asarray(self.patch_count))))),
+                mean_free_path=stated.mean_free_path,
+            ),
+        )

@@ -1,0 +1,85 @@
+"""How far resistance and temperature of the spots of a height map can be trusted."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.materials.conducting_body import Plated
+from winkler.media.conduction.conductors import ElectricalConductors
+from winkler.problems.conduction.disc import mean_free_path_note
+from winkler.problems.conduction.joule_heating import KOHLRAUSCH
+from winkler.problems.surface_current.softening import coefficients_of
+from winkler.validity import Assumption, Note, Standing
+
+__all__ = ["current_notes"]
+
+HOLM = "R. Holm, Electric Contacts, 4th edition, Springer 1967, doi:10.1007/978-3-662-06688-1"
+PIXELS = "pixels of constant flux against discs, whose error falls like the size of the pixels"
+GROWTH_SHARE = 2.0 / 3.0
+"""Of a contact's resistance, by which it grows for each alpha times the greatest rise of temperature (Holm)."""
+
+
+def current_notes(
+    conductors: ElectricalConductors, *, rise: float, narrowest: float, mean_free_path: float
+) -> tuple[Note, ...]:
+    """Return what was assumed of the bodies, the film and the temperature.
+
+    Parameters
+    ----------
+    conductors
+        The bodies and the film.
+    rise
+        Greatest temperature above that of the bodies [K].
+    narrowest
+        Least radius of spots of mean area [m].
+    mean_free_path
+        Of the electrons [m].
+    """
+    bodies = (conductors.first, conductors.second)
+    plated = any(isinstance(body, Plated) for body in bodies)
+    film = conductors.film.area_resistance > 0.0
+    spread = [max(coefficients_of(body)) - min(coefficients_of(body)) for body in bodies]
+    notes = [
+        Note(
+            Assumption.CONDUCTION,
+            Standing.EXACT,
+            "Steady conduction between thick bodies through all pixels in contact at one voltage"
+            + (", their platings bonded without resistance" if plated else "")
+            + (", through a film that also spreads the current" if film else "")
+            + ".",
+            HOLM,
+        ),
+        Note(
+            Assumption.RESOLUTION,
+            Standing.APPROXIMATE,
+            "The resistance is that of the pixels in contact: a round spot of n pixels across resists by about 0.5 / n "
+            "more than the disc of its area.",
+            PIXELS,
+        ),
+        Note(
+            Assumption.CONDUCTION,
+            Standing.APPROXIMATE if film or plated else Standing.EXACT,
+            "Steady state; temperature follows from voltage for spots of any shape, if all metals obey Wiedemann's and "
+            "Franz' law with one Lorenz number, the ends are kept at the temperature of the bodies and nothing is lost "
+            "around them; thermoelectric effects are left out."
+            + (
+                " The contact is taken as of one temperature, and the heat of a film as spread like the current: so it "
+                "is where both bodies are alike and clean."
+                if film or plated
+                else ""
+            ),
+            KOHLRAUSCH,
+        ),
+    ]
+    if max(spread) > 0.0:
+        off = 0.5 * GROWTH_SHARE * max(spread) * rise
+        notes.append(
+            Note(
+                Assumption.CONDUCTION,
+                Standing.APPROXIMATE,
+                "A plating and what carries it resist differently as they are heated; the mean of their temperature "
+                f"coefficients is taken, by which the hot resistance may be off by {100.0 * off:.2g} per cent.",
+                HOLM,
+            )
+        )
+    return (*notes, *mean_free_path_note(np.array([narrowest]), mean_free_path))

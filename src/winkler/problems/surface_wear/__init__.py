@@ -1,0 +1,1 @@
+"""Height maps that wear while they slide."""

@@ -1,0 +1,290 @@
+r"""A height map that slides and wears: Archard's law in every pixel, and how a rough surface runs in.
+
+.. math:: \frac{\mathrm dh}{\mathrm ds} = \kappa\,p(x,y)
+
+with the pressures of the worn map by boundary elements.  Peaks that bear most lose most: pressures even out, under a
+force to :math:`F/A`.  Where a periodic map touches all over, each of its waves q decays like
+:math:`e^{-\kappa E^* q s/2}`.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Iterable, Iterator
+from typing import Annotated, Any, ClassVar
+
+import numpy as np
+
+from winkler.checks.number_checks import FiniteQuantity, between
+from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.laws.wear import Archard
+from winkler.loading import Depth
+from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, PressedSurface
+from winkler.numerics.types import Array
+from winkler.path import numbers_of
+from winkler.problems.assumptions.declared import MAPPED
+from winkler.problems.rough.contact_area import contact_area
+from winkler.problems.rough.mapped_medium import layers_of, medium_notes
+from winkler.problems.rough.surface_contact import SurfaceContact
+from winkler.problems.surface_wear.march import MapMoment, begin, go
+from winkler.problems.surface_wear.notes import wear_notes
+from winkler.problems.surface_wear.states import STATE_WORDS, SurfaceWearState
+from winkler.problems.surface_wear.worn_map import WornMap
+from winkler.problems.wear.states import goals_of
+from winkler.profiles.rough.topography import Topography
+from winkler.validity import Assumption, Note
+from winkler.values import value, words
+
+__all__ = ["SurfaceWear", "SurfaceWearSolution"]
+
+
+@value
+class SurfaceWear:
+    """A height map that slides on the other body under a steady load, and wears.
+
+    Parameters
+    ----------
+    contact : SurfaceContact
+        The map before wear and how it is pressed: one force, or one depth at which it is held.
+    wear : Archard
+        How fast the map wears.
+    distance : float or ndarray, (steps,)
+        After which distances slid [m] the contact is returned, to and fro counted together; one number stands for the
+        whole distance, and 41 states up to there.
+    tolerance : float, optional
+        Greatest error of the worn depth in one step, over the greatest worn depth.
+
+    Raises
+    ------
+    InvalidInput
+        If the contact has several loads, the distances do not rise, or a number is out of range.
+
+    References
+    ----------
+    J. F. Archard, J. Appl. Phys. 24 (1953) 981-988, doi:10.1063/1.1721448
+    R. Alexander, SIAM J. Numer. Anal. 14 (1977) 1006-1021, doi:10.1137/0714068
+
+    Examples
+    --------
+    A wave that is pressed flat wears down: its amplitude and that of the pressure decay like exp(-k E* q s / 2).
+
+    >>> import numpy as np
+    >>> from winkler.laws.wear import Archard
+    >>> from winkler.loading import Force
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.rough.topography import Topography
+    >>> x = np.arange(32) / 32
+    >>> wave = Topography(0.01 * np.cos(2.0 * np.pi * x[:, None]) + 0.0 * x, [1.0, 1.0], periodic=True)
+    >>> contact = SurfaceContact(wave, HalfSpace(Elastic(1.0, 0.0)), Force(0.1))
+    >>> worn = SurfaceWear(contact, Archard(1.0), [0.0, 0.5 / np.pi], tolerance=1e-4).solve()
+    >>> round(float(worn.rms_height[1] / worn.rms_height[0]), 4), round(float(np.exp(-0.5)), 4)
+    (0.6065, 0.6065)
+    """
+
+    __words__ = words(
+        contact=("", None, "how the map is pressed before wear"),
+        distance=("s", "m", "distance slid"),
+        goals=("s", "m", "after which distances the contact is returned"),
+        tolerance=(r"\epsilon", "", "error of the worn depth in one step, over the greatest worn depth"),
+    )
+
+    contact: SurfaceContact
+    wear: Archard
+    distance: FiniteQuantity
+    tolerance: Annotated[float, between(1e-7, 1e-2)] = 1e-3
+
+    references: ClassVar[tuple[str, ...]] = ("archard_1953", "polonsky_keer_1999")
+    assumptions: ClassVar[frozenset[Assumption]] = MAPPED | {Assumption.WEAR}
+
+    def __post_init__(self) -> None:
+        loads = numbers_of(self.contact.load)
+        if loads.size != 1:
+            raise InvalidInput(
+                f"SurfaceWear: the contact has {loads.size} loads; give Force(F) or Depth(d) with one number, and "
+                "sweep over several."
+            )
+        _ = self.goals  # refused if they do not rise
+
+    @property
+    def goals(self) -> Array:
+        """After which distances the contact is returned [m], ``(steps,)``."""
+        return goals_of("SurfaceWear", "distance", " in m", self.distance)
+
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one for each of `goals`."""
+        return int(self.goals.size)
+
+    def _surface(self) -> WornMap:
+        stated, rough = self.contact, self.contact.topography
+        modulus, patch = stated.medium.modulus, rough.pixel[0] * rough.pixel[1]
+        load = float(np.ravel(numbers_of(stated.load))[0])
+        drive = ByDepth(load) if isinstance(stated.load, Depth) else ByLoad(load / (modulus * patch))
+        return WornMap(
+            rough.gaps, rough.pixel, rough.periodic, layers_of(stated.medium), stated.hardness / modulus, drive,
+            modulus * self.wear.rate, stated.tolerance,
+        )  # fmt: skip
+
+    def steps(self, start: SurfaceWearState | None = None) -> Iterator[SurfaceWearState]:
+        """Yield the contact at every requested distance.
+
+        Parameters
+        ----------
+        start : SurfaceWearState, optional
+            A state of this problem, or of the same one with other distances, that was yielded before: the march goes on
+            after it, and yields the same numbers as if it had never stopped.
+
+        Raises
+        ------
+        InvalidInput
+            If the state is of another map.
+        NotConverged
+            If a contact is not solved to its tolerance, or steps become too short.
+        OutsideValidity
+            If the pixels are too coarse for the layers.
+        """
+        surface = self._surface()
+        if start is not None and start.worn.shape != surface.gaps.shape:
+            raise InvalidInput(
+                f"SurfaceWear: the state has a map of {start.worn.shape} pixels, the contact one of "
+                f"{surface.gaps.shape}; give the last state of this problem."
+            )
+        try:
+            if start is None:
+                state = self._state(begin(surface))
+                if self.goals[0] == 0.0:
+                    yield state
+            else:
+                state = start
+            for goal in self.goals[self.goals > state.elapsed].tolist():
+                # from what the state holds, so that a march that goes on from it rounds alike
+                state = self._state(go(surface, goal, self._moment(state), self.tolerance))
+                yield state
+        except NotConverged as error:
+            raise NotConverged(f"SurfaceWear: {error}") from None
+        except OutsideValidity as error:
+            raise OutsideValidity(f"SurfaceWear: {error}") from None
+
+    def _moment(self, state: SurfaceWearState) -> MapMoment:
+        rough, modulus = self.contact.topography, self.contact.medium.modulus
+        contact = PressedSurface(
+            state.pressure / modulus, state.separation, state.depth, state.penetration, state.misfit, 0
+        )
+        carried = state.load_distance / (modulus * rough.pixel[0] * rough.pixel[1])
+        return MapMoment(state.elapsed, state.jump, carried, state.worn, contact)
+
+    def _state(self, moment: MapMoment) -> SurfaceWearState:
+        rough, modulus = self.contact.topography, self.contact.medium.modulus
+        contact, patch = moment.contact, rough.pixel[0] * rough.pixel[1]
+        worn = Topography(rough.heights - moment.worn, rough.lengths, rough.periodic)
+        bumpy = worn.rms_height > 0.0
+        carried = modulus * patch * moment.load_distance
+        lost, expected = patch * float(np.sum(moment.worn)), self.wear.rate * carried
+        force, peak = modulus * patch * float(np.sum(contact.pressure)), modulus * float(np.max(contact.pressure))
+        least = force / peak if peak > 0.0 else 0.0  # worn spots bear up to their edge
+        return SurfaceWearState(
+            moment.elapsed, moment.jump, contact.depth, force,
+            *contact_area(contact.pressure > 0.0, rough.pixel, rough.periodic, least), peak,
+            max(float(np.mean(contact.gap)), 0.0), worn.rms_height, worn.skewness if bumpy else 0.0,
+            worn.kurtosis if bumpy else 0.0, float(np.max(moment.worn)), lost, carried,
+            abs(lost / expected - 1.0) if expected > 0.0 else 0.0,
+            contact.penetration, contact.work, moment.worn, modulus * contact.pressure, np.maximum(contact.gap, 0.0),
+        )  # fmt: skip
+
+    def gathered(self, states: Iterable[SurfaceWearState]) -> SurfaceWearSolution:
+        """Return the solution made of these states, of the whole path or of its beginning."""
+        names = [field.name for field in dataclasses.fields(SurfaceWearSolution)][2:-2]
+        rows: list[list[float]] = []
+        first = last = None
+        for state in states:  # the maps of the first and the last alone are kept
+            first, last = first or state, state
+            rows.append([state.elapsed, *(getattr(state, name) for name in names)])
+        if first is None or last is None:
+            raise InvalidInput("SurfaceWear: there is no state to gather; give at least one.")
+        columns: dict[str, Any] = dict(zip(("distance", *names), np.array(rows).T, strict=True))
+        return SurfaceWearSolution(self, **columns, first=first, last=last)
+
+    def solve(self) -> SurfaceWearSolution:
+        """Return the contact over the whole distance.
+
+        Returns
+        -------
+        SurfaceWearSolution
+
+        Raises
+        ------
+        NotConverged, OutsideValidity
+            As `steps`.
+        """
+        return self.gathered(self.steps())
+
+
+@value
+class SurfaceWearSolution:
+    """The solution of a `SurfaceWear`, distance by distance.
+
+    Parameters
+    ----------
+    problem : SurfaceWear
+        The problem that was solved.
+    distance : ndarray, (steps,)
+        s [m].
+    depth, force, area, area_error, peak_pressure, mean_gap : ndarray, (steps,)
+        As in `SurfaceWearState`.
+    rms_height, skewness, kurtosis : ndarray, (steps,)
+        Sq [m], Ssk and Sku [-] of the worn map.
+    worn_depth, worn_volume, load_distance, imbalance, penetration, misfit : ndarray, (steps,)
+        As in `SurfaceWearState`.
+    first, last : SurfaceWearState
+        The states at the first and the last distance, with their maps; ``problem.steps(start=last)`` goes on.
+    """
+
+    __words__ = words(
+        **STATE_WORDS,
+        distance=("s", "m", "distance slid"),
+        first=("", None, "the state at the first distance"),
+        last=("", None, "the state at the last distance"),
+        mean_pressure=("p_m", "Pa", "force over the area of contact"),
+    )
+
+    problem: SurfaceWear
+    distance: Array
+    depth: Array
+    force: Array
+    area: Array
+    area_error: Array
+    peak_pressure: Array
+    mean_gap: Array
+    rms_height: Array
+    skewness: Array
+    kurtosis: Array
+    worn_depth: Array
+    worn_volume: Array
+    load_distance: Array
+    imbalance: Array
+    penetration: Array
+    misfit: Array
+    first: SurfaceWearState
+    last: SurfaceWearState
+
+    @property
+    def mean_pressure(self) -> Array:
+        """F / A [Pa], ``(steps,)``; zero where a map that is held has lost its contact."""
+        return np.divide(self.force, self.area, out=np.zeros_like(self.force), where=self.area > 0.0)
+
+    def worn_topography(self) -> Topography:
+        """Return the map as the last state leaves it, its heights counted as those before wear."""
+        rough = self.problem.contact.topography
+        return Topography(rough.heights - self.last.worn, rough.lengths, rough.periodic)
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted: the contact, the law, the steps."""
+        stated = self.problem.contact
+        touching = self.area > 0.0
+        blurred = float(np.max(self.area_error[touching] / self.area[touching], initial=0.0))
+        return (
+            *medium_notes(stated.medium, stated.topography, stated.hardness, blurred, self.penetration, self.misfit),
+            *wear_notes(stated, self.problem.tolerance, self.last),
+        )

@@ -1,0 +1,108 @@
+"""Electric contacts of height maps: the problem, rough bodies, and formulas."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
+from winkler.study.chapters.conduction import KOHLRAUSCH, PLATING
+from winkler.study.chapters.kind import is_a, kind
+from winkler.study.chapters.rough import ELEMENTS, STAMP
+
+__all__ = ["SURFACE_CURRENT"]
+
+GOLD: dict[str, Any] = {"kind": "electrical_conductor", "resistivity": "22 nohm m"}
+BRONZE: dict[str, Any] = {"kind": "electrical_conductor", "resistivity": "110 nohm m"}
+PLATED: dict[str, Any] = {"kind": "plated", "plating": GOLD, "thickness": "2 um", "on": BRONZE}
+RIVET: dict[str, Any] = {
+    "kind": "rough_profile",
+    "topography": {
+        "kind": "random_topography",
+        "lengths": ["0.1 mm", "0.1 mm"],
+        "shape": [64, 64],
+        "spectrum": {
+            "kind": "self_affine",
+            "hurst": 0.8,
+            "rms_height": "50 nm",
+            "longest": "50 um",
+            "shortest": "8 um",
+        },
+        "seed": 1,
+    },
+    "profile": {"kind": "paraboloid", "curvature_radius": "2 mm"},
+}
+PRESSED: dict[str, Any] = {
+    "kind": "surface_contact",
+    "topography": RIVET,
+    "hardness": "1 GPa",
+    "load": {"kind": "force", "force": ["0.1 N", "1 N"]},
+}
+
+SPOTS = Equation(
+    "All pixels in contact have one voltage between the bodies, in the constrictions and in the film",
+    r"V = \frac{\rho_1+\rho_2}{2}\,G\,J+\sigma_f\,J, \quad I = \int J\,\mathrm{d}A",
+)
+PARTS = Equation(
+    "The resistance is that of both constrictions, and of the film over the area in contact",
+    r"R = R_1+R_2+\frac{\sigma_f}{A}",
+)
+SOFT = Equation(
+    "A metal softens, or melts, at a voltage of its own",
+    r"V_s = 2\sqrt{L\,(T_s^2-T_0^2)} \quad (V_f = 0)",
+)
+FLOW = Equation("Pressures do not exceed the hardness; where all have reached it", r"A = \frac{F_N}{H}")
+
+
+def spot_formulas(problem: Any) -> tuple[Equation, ...]:
+    """Return the formulas of the electric contact of a map."""
+    bodies = (problem.conductors.first, problem.conductors.second)
+    plated = any(is_a(body, "winkler.materials.conducting_body:Plated") for body in bodies)
+    flows = problem.contact.hardness < float("inf")
+    return (
+        ELEMENTS,
+        *((FLOW,) if flows else ()),
+        SPOTS,
+        *((PLATING,) if plated else ()),
+        PARTS,
+        KOHLRAUSCH,
+        SOFT,
+    )
+
+
+SURFACE_CURRENT = Chapter(
+    "current through surfaces",
+    kinds={
+        "topography": {
+            "rough_profile": kind(
+                "winkler.profiles.rough.rough_profile:RoughProfile",
+                problem="surface_contact",
+                topography={**STAMP, "lengths": ["1 mm", "1 mm"], "seed": 1},
+            ),
+        },
+    },
+    answers={
+        "surface_constriction": answer(
+            "winkler.problems.surface_current.constriction:SurfaceConstriction",
+            headline=("resistance", "voltage", "max_temperature", "softening_current"),
+            contact=PRESSED,
+            conductors={"kind": "electrical_conductors", "first": PLATED, "second": PLATED},
+            drive={"kind": "current", "current": "2 A"},
+            softening_temperature="373 K",
+            melting_temperature="1336 K",
+            picture=Caption(
+                "spots",
+                "Spots of contact and their resistance",
+                "Pressures of the spots under the last load; of many loads the parts of the resistance, the greatest "
+                "temperature, and the currents that soften and melt, over the force.",
+            ),
+            curves=(
+                ("force", "resistance"),
+                ("force", "max_temperature"),
+                ("force", "softening_current"),
+                ("force", "patch_count"),
+            ),
+            pictured=PicturedContact.NONE,
+            formulas=spot_formulas,
+        ),
+    },
+)

@@ -1,0 +1,55 @@
+"""Wear of height maps: its problem and formulas."""
+
+from __future__ import annotations
+
+from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
+from winkler.study.chapters.maps.pressed_maps import PRESSED
+from winkler.study.chapters.rough import ELEMENTS, STAMP
+
+__all__ = ["SURFACE_WEAR"]
+
+SLID = {
+    **PRESSED,
+    "topography": {**STAMP, "shape": [32, 32], "seed": 1},
+    "load": {"kind": "force", "force": "10 N"},
+}
+
+WORN = Equation(
+    "Every pixel that slides under pressure loses height (Archard)",
+    r"\frac{\mathrm{d}h}{\mathrm{d}s} = \kappa\,p(x,y)",
+)
+STAGE = Equation(
+    "In a stage of a step what a pixel loses goes with its own pressure at the end: to the contact it is a film",
+    r"w_1 = w + \gamma\,\kappa\,p_1\,\Delta s, \quad \gamma = 1-\frac{1}{\sqrt{2}}",
+)
+BALANCE = Equation(
+    "All that is lost is the rate times the force along the way",
+    r"V = \kappa\int F_N\,\mathrm{d}s",
+)
+
+SURFACE_WEAR = Chapter(
+    "wear of surfaces",
+    kinds={},
+    answers={
+        "surface_wear": answer(
+            "winkler.problems.surface_wear.wear:SurfaceWear",
+            headline=("worn_volume", "worn_depth", "rms_height", "area", "peak_pressure"),
+            contact=SLID,
+            distance=["0 m", "0.01 m", "0.05 m", "0.2 m"],
+            picture=Caption(
+                "running_in",
+                "The surface runs in",
+                "Heights before and after, what was worn off, pressures at the first and the last distance; contact "
+                "area, pressures, heights and volume over the distance slid.",
+            ),
+            curves=(
+                ("distance", "worn_volume"),
+                ("distance", "rms_height"),
+                ("distance", "area"),
+                ("distance", "peak_pressure"),
+            ),
+            pictured=PicturedContact.NONE,
+            formulas=(ELEMENTS, WORN, STAGE, BALANCE),
+        ),
+    },
+)
