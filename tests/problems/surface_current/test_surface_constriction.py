@@ -197,6 +197,8 @@ def test_a_rough_rivet_in_spots():
 def test_what_is_no_contact_of_a_map_is_refused():
     with pytest.raises(wk.OutsideValidity, match="a rod constricts"):
         rivet(conductors=wk.ElectricalConductors(GOLD, wk.Rod(GOLD, 1e-3, 1e-2)))
+    with pytest.raises(wk.OutsideValidity, match="leave the plating out"):
+        rivet(conductors=wk.ElectricalConductors(wk.Plated(GOLD, 1e-20, STEEL), GOLD))
     with pytest.raises(wk.InvalidInput, match="softening_temperature is 100 K"):
         rivet(softening_temperature=100.0)
     with pytest.raises(wk.InvalidInput, match="melting_temperature"):

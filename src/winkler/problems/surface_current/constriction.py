@@ -14,9 +14,8 @@ from typing import Annotated, ClassVar
 import numpy as np
 
 from winkler.checks.number_checks import Advice, NonNegative, Positive, PositiveOrInfinite
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.laws.current import Current, Drive, WiedemannFranz
-from winkler.materials.conducting_body import Rod
 from winkler.media.conduction.conductors import ElectricalConductors
 from winkler.media.conduction.spot_resistances import SpotResistances, spot_resistances
 from winkler.numerics.films.joined import islands
@@ -26,6 +25,7 @@ from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.conduction.heated_contact import ColdContact, hot_at_current, hot_at_voltage, temperatures
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.rough.surface_states import SurfaceState
+from winkler.problems.surface_current.input_checks import refuse_bodies
 from winkler.problems.surface_current.notes import current_notes
 from winkler.problems.surface_current.softening import coefficient_of, voltage_to_reach
 from winkler.validity import Assumption, Note
@@ -64,7 +64,7 @@ class SurfaceConstriction:
     InvalidInput
         If a number is out of range, or a temperature is not above that of the bodies.
     OutsideValidity
-        If a body is a rod, or a rod would be needed: a map spreads the current into thick bodies.
+        If a body is a rod, since a map spreads the current into thick bodies, or a plating is far thinner than a pixel.
 
     References
     ----------
@@ -117,11 +117,7 @@ class SurfaceConstriction:
     }
 
     def __post_init__(self) -> None:
-        if any(isinstance(body, Rod) for body in (self.conductors.first, self.conductors.second)):
-            raise OutsideValidity(
-                "SurfaceConstriction: a rod constricts the current of one round contact, not that of a height map; "
-                "give its conductor alone, and add the resistance of its length, resistivity * length / section."
-            )
+        refuse_bodies(self.conductors, float(np.max(self.contact.topography.lengths)))
         for word, number in (("softening", self.softening_temperature), ("melting", self.melting_temperature)):
             if not number > self.temperature:
                 raise InvalidInput(
@@ -139,7 +135,7 @@ class SurfaceConstriction:
         Raises
         ------
         NotConverged
-            If a contact is not solved to its tolerance.
+            If a contact is not solved to its tolerance, or its current not found.
         OutsideValidity
             If no voltage drives the current through the ever hotter contact, or the pixels are too coarse for the
             platings.
@@ -157,6 +153,11 @@ class SurfaceConstriction:
                     rows.append(spot_resistances(touching, rough.pixel, bodies, film, periodic=rough.periodic))
                 except OutsideValidity as error:
                     raise OutsideValidity(f"SurfaceConstriction: of the platings, {error}") from None
+                except NotConverged:
+                    raise NotConverged(
+                        "SurfaceConstriction: the current through the spots was not found; give platings whose "
+                        "resistivities differ by a factor of less than 1e8, or smooth the heights."
+                    ) from None
                 yield state
 
         contact = self.contact.gathered(watched())
