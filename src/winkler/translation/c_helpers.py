@@ -74,8 +74,15 @@ def type_name(kind: TranslatedType) -> str:
     if kind.kind == "array":
         return f"{kind.item.kind}{kind.axes}"
     if kind.kind == "tuple":
-        return "of_" + "_".join(type_name(part) for part in kind.parts) + "_end"
+        return "tuple_" + "".join(_letters(part) for part in kind.parts)
     return kind.kind
+
+
+def _letters(kind: TranslatedType) -> str:
+    """Return what stands for the entry of a tuple in its name."""
+    if kind.kind == "tuple":
+        return "t" + "".join(_letters(part) for part in kind.parts) + "e"
+    return f"{kind.item.kind[0]}{kind.axes}" if kind.kind == "array" else kind.kind[0]
 
 
 def c_type(kind: TranslatedType, prefix: str) -> str:
