@@ -52,7 +52,15 @@ def turns(rng):
     n, steps = 3, 12
     stiffness, moment = rng.uniform(0.0, 1.0, (n, steps + 1)), rng.uniform(0.0, 1.0, (n, steps + 1))
     turn = rng.normal(size=(n, steps, 2))
-    return np.zeros((n, 2)), stiffness, moment, turn, np.zeros((n, steps, 2)), np.zeros((n, steps)), np.zeros((n, steps))
+    return (
+        np.zeros((n, 2)),
+        stiffness,
+        moment,
+        turn,
+        np.zeros((n, steps, 2)),
+        np.zeros((n, steps)),
+        np.zeros((n, steps)),
+    )
 
 
 def impacts(rng):

@@ -85,7 +85,9 @@ def all_kernels():
         if "@compiled\n" not in spec.loader.get_source(module.name):
             continue
         page = importlib.import_module(module.name)
-        found |= {part: part for part in vars(page).values() if isinstance(part, Kernel) and page.__name__ == part.__module__}
+        found |= {
+            part: part for part in vars(page).values() if isinstance(part, Kernel) and page.__name__ == part.__module__
+        }
     return list(found)
 
 

@@ -1,4 +1,4 @@
-"""A contact law as every target writes it: a kernel that does one step, its tables, its state, what comes in and out."""
+"""A contact law as every target writes it: a kernel that does one step, its tables, its state, what goes in and out."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.numerics.jit import Kernel
 from winkler.numerics.types import Array
+from winkler.translation.subset import Translatable
 
 __all__ = ["Quantity1", "StatePart", "StepLaw", "Table"]
 
@@ -61,7 +61,7 @@ class StepLaw(NamedTuple):
     Parameters
     ----------
     title : str
-    kernel : Kernel
+    kernel : Kernel or function
         Takes the tables, the parts of the state, motion and answer, in this order; writes state and answer.
     tables : tuple of Table
     state : tuple of StatePart
@@ -76,7 +76,7 @@ class StepLaw(NamedTuple):
     """
 
     title: str
-    kernel: Kernel[Any, Any]
+    kernel: Translatable
     tables: tuple[Table, ...]
     state: tuple[StatePart, ...]
     motion: tuple[Quantity1, ...]

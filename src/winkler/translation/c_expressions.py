@@ -27,6 +27,7 @@ class CExpressions:
         self.types: dict[TranslatedType, None] = {}
         self.functions: dict[str, None] = {}
         self.views: dict[tuple[TranslatedType, str], None] = {}
+        self.rooms: dict[int, str] = {}
 
     def type(self, kind: TranslatedType) -> str:
         """Return a type in C."""
@@ -164,6 +165,15 @@ class CExpressions:
     def of_part(self, part: Expression) -> str:
         """Return an entry of a tuple."""
         return f"{self.of(part.parts[0])}.v{part.detail}"
+
+    def of_room(self, part: Expression) -> str:
+        """Return an array of known size, which stands on the stack."""
+        self.note(part.type)
+        index, count = part.detail
+        item = c_type(part.type.item, self.prefix)
+        self.rooms[index] = f"{item} room_{index}[{count}]{' = {0}' if part.text else ''};"
+        sizes = ", ".join(map(self.of, part.parts))
+        return f"{self.prefix}make_{type_name(part.type)}(room_{index}, {sizes})"
 
     def of_new(self, part: Expression) -> str:
         """Return an array that is made, and freed at the end of the routine."""

@@ -7,14 +7,15 @@ from winkler.translation.tree import TranslatedType
 __all__ = ["FUNCTIONS", "RESERVED", "c_type", "helper", "type_name"]
 
 SCALARS = {"real": "double", "int": "int64_t", "bool": "bool", "void": "void"}
-RESERVED = frozenset(
+WORDS = (
     "auto break case char const continue default do double else enum extern float for goto if inline int long register "
     "restrict return short signed sizeof static struct switch typedef union unsigned void volatile while bool true "
     "false asm catch class delete friend mutable namespace new operator private protected public template this throw "
     "try typename using virtual and or not xor NAN INFINITY free calloc abort fabs llabs isnan isfinite isinf pow sqrt "
     "exp expm1 log log1p sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh hypot copysign floor ceil "
-    "erf erfc fmod main near far".split()
+    "erf erfc fmod main near far"
 )
+RESERVED = frozenset(WORDS.split())
 """Names that no variable may have in C or C++, or that functions have which kernels call."""
 
 FUNCTIONS = {

@@ -54,6 +54,7 @@ class CRoutines(CExpressions):
     def routine(self, routine: Routine) -> str:
         """Return a routine."""
         self.loops, self.made, self.result = 0, routine.arrays_made, routine.result
+        self.rooms = {}
         takes = ", ".join(f"{self.type(kind)} {self.variable(name)}" for name, kind in routine.arguments)
         lines = [f"static inline {self.type(routine.result)} {self.prefix}{routine.name}({takes or 'void'}) {{"]
         for name, kind in sorted(routine.variables.items()):
@@ -61,7 +62,8 @@ class CRoutines(CExpressions):
             lines.append(f"    {self.type(kind)} {self.variable(name)}{zero};")
         if self.made:
             lines.append(f"    void *made[{self.made}] = {{0}};")
-        lines += self._block(routine.body, 1)
+        body = self._block(routine.body, 1)
+        lines += [f"    {self.rooms[index]}" for index in sorted(self.rooms)] + body
         if self.made and (not routine.body or routine.body[-1].form != "return"):
             lines += [f"    {line}" for line in self._released()]
         if routine.result != VOID and routine.body[-1].form not in ("return",):

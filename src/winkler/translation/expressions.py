@@ -9,10 +9,9 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from winkler.numerics.jit import Kernel
 from winkler.translation.functions import SPECIAL, cast
 from winkler.translation.places import Places
-from winkler.translation.subset import KernelSource, of_type, unified
+from winkler.translation.subset import KernelSource, Translatable, is_translatable, of_type, unified
 from winkler.translation.tree import (
     BOOL,
     INT,
@@ -36,13 +35,15 @@ COMPARISONS: dict[type[ast.cmpop], str] = {
     ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "==", ast.NotEq: "!=",
 }  # fmt: skip
 MODULES = (math, np)
+LARGEST_ROOM = 4096
+"""Numbers of an array of known size that stands on the stack."""
 ITEM_TYPES = {"float64": REAL, "int64": INT, "bool_": BOOL}
 
 
 class Library(Protocol):
     """What a routine needs of others."""
 
-    def routine(self, kernel: Kernel[Any, Any], types: tuple[TranslatedType, ...], source: KernelSource) -> Routine:
+    def routine(self, kernel: Translatable, types: tuple[TranslatedType, ...], source: KernelSource) -> Routine:
         """Return the routine of another kernel."""
 
     def constant(self, name: str, module: str, type_: TranslatedType, numbers: tuple[float | int, ...]) -> Constant:
@@ -64,14 +65,14 @@ class Expressions(Places):
         super().__init__(source)
         self.library, self.types = library, types
         self.loops = 0
-        self.arrays_made = 0
+        self.arrays_made = self.rooms = 0
         self.writes = False
 
     def of(self, node: ast.expr) -> Expression:
         """Return the expression of a node."""
         build = getattr(self, f"of_{type(node).__name__.lower()}", None)
         if build is None:
-            self.source.refuse(node, f"{type(node).__name__} is not translated")
+            raise self.source.refused(node, f"{type(node).__name__} is not translated")
         built: Expression = build(node)
         return built
 
@@ -79,7 +80,7 @@ class Expressions(Places):
         """Return a literal."""
         kind = of_type(node.value)
         if kind is None:
-            self.source.refuse(node, f"{node.value!r} is no number")
+            raise self.source.refused(node, f"{node.value!r} is no number")
         return Expression(kind, "number", repr(node.value))
 
     def of_name(self, node: ast.Name) -> Expression:
@@ -87,16 +88,16 @@ class Expressions(Places):
         if node.id in self.types:
             return Expression(self.types[node.id], "name", node.id)
         if node.id not in self.source.names:
-            self.source.refuse(node, f"{node.id} is not known here")
+            raise self.source.refused(node, f"{node.id} is not known here")
         return self._global(node, node.id, self.source.names[node.id])
 
     def _global(self, node: ast.expr, name: str, found: Any) -> Expression:
         kind = of_type(found)
-        module = self.source.kernel.function.__module__
+        module = self.source.kernel.__module__
         if kind is not None:
             if not math.isfinite(found) or name in dir(math):
                 return Expression(REAL, "number", repr(float(found)))
-            return Expression(kind, "constant", self.library.constant(name, module, kind, (found,)).name)
+            return Expression(kind, "constant", self.library.constant(name, module, kind, (found,)).name, (), found)
         if isinstance(found, np.ndarray | tuple) and np.ndim(found) == 1:  # type: ignore[arg-type]
             numbers = np.asarray(found).tolist()
             kinds = {of_type(number) for number in numbers}
@@ -104,7 +105,7 @@ class Expressions(Places):
                 item = REAL if REAL in kinds else INT
                 constant = self.library.constant(name, module, array_of(1, item), tuple(numbers))
                 return Expression(constant.type, "constant", constant.name, detail=len(numbers))
-        self.source.refuse(node, f"{name} is a {type(found).__name__}")
+        raise self.source.refused(node, f"{name} is a {type(found).__name__}")
 
     def function_of(self, node: ast.expr) -> Any:
         """Return the Python function that a node names, or None."""
@@ -132,7 +133,7 @@ class Expressions(Places):
                 for other in sizes[1:]:
                     product = Expression(INT, "binary", "*", (product, other))
                 return product
-        self.source.refuse(node, f".{node.attr} of {held.type} is not translated")
+        raise self.source.refused(node, f".{node.attr} of {held.type} is not translated")
 
     def of_tuple(self, node: ast.Tuple) -> Expression:
         """Return a tuple."""
@@ -143,22 +144,24 @@ class Expressions(Places):
         """Return - x or not x."""
         held = self.of(node.operand)
         if not held.type.is_number:
-            self.source.refuse(node, f"an operation on {held.type}")
+            raise self.source.refused(node, f"an operation on {held.type}")
         if isinstance(node.op, ast.Not):
             return Expression(BOOL, "unary", "!", (held,))
         if isinstance(node.op, ast.USub):
             return Expression(REAL if held.type == REAL else INT, "unary", "-", (held,))
-        self.source.refuse(node, f"{type(node.op).__name__} is not translated")
+        raise self.source.refused(node, f"{type(node.op).__name__} is not translated")
 
     def of_binop(self, node: ast.BinOp) -> Expression:
         """Return arithmetic of two numbers."""
         one, other = self.of(node.left), self.of(node.right)
         sign = ARITHMETIC.get(type(node.op))
         if sign is None or not (one.type.is_number and other.type.is_number):
-            self.source.refuse(node, f"{type(node.op).__name__} of {one.type} and {other.type} is not translated")
+            raise self.source.refused(
+                node, f"{type(node.op).__name__} of {one.type} and {other.type} is not translated"
+            )
         if sign in ("&", "|"):
             if not (one.type == other.type == BOOL):
-                self.source.refuse(node, f"{sign} of {one.type} and {other.type} is not translated")
+                raise self.source.refused(node, f"{sign} of {one.type} and {other.type} is not translated")
             return Expression(BOOL, "binary", sign, (one, other))
         real = REAL in (one.type, other.type) or sign == "/"
         if sign == "**":
@@ -177,7 +180,7 @@ class Expressions(Places):
         if held.type == BOOL:
             return held
         if not held.type.is_number:
-            self.source.refuse(node, f"a condition on {held.type}")
+            raise self.source.refused(node, f"a condition on {held.type}")
         nothing = Expression(held.type, "number", "0" if held.type == INT else "0.0")
         return Expression(BOOL, "compare", "!=", (held, nothing))
 
@@ -201,7 +204,7 @@ class Expressions(Places):
             elif type(operator) in COMPARISONS:
                 link = self._compared(node, COMPARISONS[type(operator)], left, right)
             else:
-                self.source.refuse(node, f"{type(operator).__name__} is not translated")
+                raise self.source.refused(node, f"{type(operator).__name__} is not translated")
             found = link if found is None else Expression(BOOL, "binary", "&&", (found, link))
             left = right
         assert found is not None
@@ -211,7 +214,7 @@ class Expressions(Places):
         one, other = self.of(left), self.of(right)
         wanted = unified(one.type, other.type)
         if wanted is None or not wanted.is_number:
-            self.source.refuse(node, f"a comparison of {one.type} and {other.type}")
+            raise self.source.refused(node, f"a comparison of {one.type} and {other.type}")
         return Expression(BOOL, "compare", sign, (cast(one, wanted), cast(other, wanted)))
 
     def of_ifexp(self, node: ast.IfExp) -> Expression:
@@ -219,21 +222,21 @@ class Expressions(Places):
         one, other = self.of(node.body), self.of(node.orelse)
         wanted = unified(one.type, other.type)
         if wanted is None:
-            self.source.refuse(node, f"either {one.type} or {other.type}")
+            raise self.source.refused(node, f"either {one.type} or {other.type}")
         return Expression(wanted, "choose", parts=(self.truth(node.test), cast(one, wanted), cast(other, wanted)))
 
     def of_call(self, node: ast.Call) -> Expression:
         """Return a call of a function or of another kernel."""
         called = self.function_of(node.func)
         if node.keywords or any(isinstance(part, ast.Starred) for part in node.args):
-            self.source.refuse(node, "arguments by name are not translated")
+            raise self.source.refused(node, "arguments by name are not translated")
         if called is None and isinstance(node.func, ast.Attribute) and node.func.attr in ("min", "max", "sum"):
             called, arguments = getattr(np, node.func.attr), [self.of(node.func.value)]
         elif called in (np.empty, np.zeros):
             return self._new(node)
         else:
             arguments = [self.of(part) for part in node.args]
-        if isinstance(called, Kernel):
+        if is_translatable(called):
             routine = self.library.routine(called, tuple(part.type for part in arguments), self.source)
             self.writes = self.writes or routine.writes
             wanted = (kind for _, kind in routine.arguments)
@@ -245,12 +248,12 @@ class Expressions(Places):
         found = build(arguments) if build is not None else None
         if found is None:
             types = ", ".join(str(part.type) for part in arguments)
-            self.source.refuse(node, f"{ast.unparse(node.func)} of ({types}) is not translated")
+            raise self.source.refused(node, f"{ast.unparse(node.func)} of ({types}) is not translated")
         return found
 
     def _new(self, node: ast.Call) -> Expression:
         if self.loops:
-            self.source.refuse(node, "an array is made within a loop")
+            raise self.source.refused(node, "an array is made within a loop")
         shape = self.of(node.args[0])
         sizes = shape.parts if shape.form == "tuple" else (shape,)
         item = REAL
@@ -258,8 +261,20 @@ class Expressions(Places):
             kind = node.args[1]
             item = ITEM_TYPES.get(kind.attr if isinstance(kind, ast.Attribute) else "", SLICE)
             if item == SLICE:
-                self.source.refuse(node, "an array of this type is not translated")
+                raise self.source.refused(node, "an array of this type is not translated")
         if any(size.type != INT for size in sizes):
-            self.source.refuse(node, "the size of an array is no whole number")
+            raise self.source.refused(node, "the size of an array is no whole number")
+        zeros = "zeros" if self.function_of(node.func) is np.zeros else ""
+        known = [_known(size) for size in sizes]
+        if 0 < math.prod(known) <= LARGEST_ROOM:
+            self.rooms += 1
+            return Expression(array_of(len(sizes), item), "room", zeros, tuple(sizes), (self.rooms, math.prod(known)))
         self.arrays_made += 1
-        return Expression(array_of(len(sizes), item), "new", parts=tuple(sizes), detail=self.arrays_made - 1)
+        return Expression(array_of(len(sizes), item), "new", zeros, tuple(sizes), self.arrays_made - 1)
+
+
+def _known(size: Expression) -> int:
+    """Return a size that is known beforehand, else zero."""
+    if size.form == "number":
+        return int(size.text)
+    return int(size.detail) if size.form == "constant" else 0

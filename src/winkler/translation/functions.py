@@ -13,10 +13,11 @@ from winkler.translation.tree import BOOL, INT, REAL, Expression, TranslatedType
 
 __all__ = ["REAL_FUNCTIONS", "REDUCTIONS", "SPECIAL", "cast", "extreme"]
 
-NAMES = (
+WORDS = (
     "sqrt exp expm1 log log1p sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh hypot copysign floor "
     "ceil erf erfc"
-).split()
+)
+NAMES = WORDS.split()
 NUMPY_NAMES = {"arcsin": "asin", "arccos": "acos", "arctan": "atan", "arctan2": "atan2"}
 
 

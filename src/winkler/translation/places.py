@@ -32,10 +32,10 @@ class Places:
         if held.type.kind == "tuple":
             return self._part(node, held)
         if held.type.kind != "array":
-            self.source.refuse(node, f"an entry of {held.type}")
+            raise self.source.refused(node, f"an entry of {held.type}")
         indices = node.slice.elts if isinstance(node.slice, ast.Tuple) else [node.slice]
         if len(indices) > held.type.axes:
-            self.source.refuse(node, f"{len(indices)} indices of {held.type}")
+            raise self.source.refused(node, f"{len(indices)} indices of {held.type}")
         parts: list[Expression] = []
         pattern = ""
         for axis, index in enumerate(indices):
@@ -52,13 +52,13 @@ class Places:
                 parts.append(self._from_end(index, place, size))
                 pattern += "i"
             else:
-                self.source.refuse(node, f"an index that is {place.type}")
+                raise self.source.refused(node, f"an index that is {place.type}")
         missing = held.type.axes - len(indices)
         pattern += "a" * missing
         if pattern.count("i") == held.type.axes:
             return Expression(held.type.item, "item", parts=(held, *parts))
         if pattern[-1] == "i":
-            self.source.refuse(node, "a part of an array whose entries do not lie side by side")
+            raise self.source.refused(node, "a part of an array whose entries do not lie side by side")
         left = held.type.axes - pattern.count("i")
         return Expression(array_of(left, held.type.item), "view", pattern, (held, *parts))
 
@@ -73,7 +73,7 @@ class Places:
         alike = all(part == held.type.parts[0] for part in held.type.parts) and held.type.parts[0].is_number
         place = self.of(index) if alike and not isinstance(index, ast.Slice) else None
         if place is None or place.type != INT:
-            self.source.refuse(node, f"an entry of {held.type} by something else than a literal")
+            raise self.source.refused(node, f"an entry of {held.type} by something else than a literal")
         chosen = Expression(held.type.parts[0], "part", parts=(held,), detail=count - 1)
         for k in range(count - 2, -1, -1):
             here = Expression(INT, "compare", "==", (place, Expression(INT, "number", str(k))))
@@ -83,7 +83,7 @@ class Places:
 
     def _slice(self, node: ast.Slice, size: Expression) -> Expression:
         if node.step is not None:
-            self.source.refuse(node, "a slice with a step is not translated")
+            raise self.source.refused(node, "a slice with a step is not translated")
         ends = []
         for end, default in ((node.lower, Expression(INT, "number", "0")), (node.upper, size)):
             if end is None:
@@ -91,7 +91,7 @@ class Places:
                 continue
             place = self.of(end)
             if not place.type.is_number:
-                self.source.refuse(node, f"a slice that ends at {place.type}")
+                raise self.source.refused(node, f"a slice that ends at {place.type}")
             ends.append(self._from_end(end, cast(place, INT), size))
         return Expression(SLICE, "slice", parts=tuple(ends))
 

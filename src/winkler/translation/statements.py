@@ -35,17 +35,17 @@ class Statements(Expressions):
         for node in nodes:
             build = getattr(self, f"do_{type(node).__name__.lower()}", None)
             if build is None:
-                self.source.refuse(node, f"{type(node).__name__} is not translated")
+                raise self.source.refused(node, f"{type(node).__name__} is not translated")
             done += build(node)
         return tuple(done)
 
     def assigned(self, node: ast.AST, name: str, kind: TranslatedType) -> TranslatedType:
         """Note that a variable holds a type; return what it holds altogether."""
         if kind == VOID:
-            self.source.refuse(node, f"{name} is what returns nothing")
+            raise self.source.refused(node, f"{name} is what returns nothing")
         found = unified(self.types.get(name, kind), kind)
         if found is None:
-            self.source.refuse(node, f"{name} is {self.types[name]} here and {kind} there")
+            raise self.source.refused(node, f"{name} is {self.types[name]} here and {kind} there")
         self.types[name] = found
         return found
 
@@ -67,7 +67,7 @@ class Statements(Expressions):
             return []
         called = self.of(node.value)
         if called.form != "call":
-            self.source.refuse(node, "this does nothing")
+            raise self.source.refused(node, "this does nothing")
         return [Statement("do", parts=(called,))]
 
     def do_return(self, node: ast.Return) -> list[Statement]:
@@ -75,10 +75,10 @@ class Statements(Expressions):
         held = None if node.value is None else self.of(node.value)
         kind = VOID if held is None else held.type
         if any(part.kind in ("array", "slice") for part in (kind, *(kind.parts if kind.kind == "tuple" else ()))):
-            self.source.refuse(node, "an array is returned")
+            raise self.source.refused(node, "an array is returned")
         found = unified(self.result or kind, kind)
         if found is None:
-            self.source.refuse(node, f"{self.result} is returned there and {kind} here")
+            raise self.source.refused(node, f"{self.result} is returned there and {kind} here")
         self.result = found
         return [Statement("return", parts=() if held is None else (cast(held, found),))]
 
@@ -120,22 +120,22 @@ class Statements(Expressions):
             return self._store(target, held)
         if isinstance(target, ast.Tuple):
             return self._unpack(target, held)
-        self.source.refuse(target, f"an assignment to {type(target).__name__}")
+        raise self.source.refused(target, f"an assignment to {type(target).__name__}")
 
     def _store(self, target: ast.Subscript, held: Expression) -> list[Statement]:
         place = self.of(target)
         self.writes = True
         if place.form == "item":
             if not held.type.is_number:
-                self.source.refuse(target, f"an entry that becomes {held.type}")
+                raise self.source.refused(target, f"an entry that becomes {held.type}")
             return [Statement("store", parts=(place, cast(held, place.type)))]
         if place.form != "view" or not (held.type.is_number or (held.type == place.type and place.type.axes == 1)):
-            self.source.refuse(target, f"{place.type} that becomes {held.type}")
+            raise self.source.refused(target, f"{place.type} that becomes {held.type}")
         return [Statement("fill", parts=(place, cast(held, place.type.item) if held.type.is_number else held))]
 
     def _unpack(self, target: ast.Tuple, held: Expression) -> list[Statement]:
         if held.type.kind != "tuple" or len(held.type.parts) != len(target.elts):
-            self.source.refuse(target, f"{len(target.elts)} targets of {held.type}")
+            raise self.source.refused(target, f"{len(target.elts)} targets of {held.type}")
         done: list[Statement] = []
         if held.form == "tuple":
             parts = list(held.parts)
@@ -169,7 +169,7 @@ class Statements(Expressions):
         """Count, or go through a row."""
         self._refuse_else(node)
         if not isinstance(node.target, ast.Name):
-            self.source.refuse(node, "a loop over more than one variable at once")
+            raise self.source.refused(node, "a loop over more than one variable at once")
         name, over = node.target.id, node.iter
         if isinstance(over, ast.Call) and self.function_of(over.func) is range:
             return [self._range(node, name, over)]
@@ -181,17 +181,17 @@ class Statements(Expressions):
             parts = tuple(cast(part, self.types[name]) for part in row.parts)
             return [Statement("items", name, parts, (self._looped(node.body),), "numbers")]
         if row.type.kind != "array" or row.type.axes != 1:
-            self.source.refuse(node, f"a loop over {row.type}")
+            raise self.source.refused(node, f"a loop over {row.type}")
         self.assigned(node, name, row.type.item)
         return [Statement("items", name, (row,), (self._looped(node.body),), "row")]
 
     def _range(self, node: ast.For, name: str, over: ast.Call) -> Statement:
         ends = [self.of(part) for part in over.args]
         if any(end.type != INT for end in ends):
-            self.source.refuse(node, "a range of other than whole numbers")
+            raise self.source.refused(node, "a range of other than whole numbers")
         step = self._whole(over.args[2]) if len(ends) == 3 else 1
         if step == 0:
-            self.source.refuse(node, "a range with a step that is not known beforehand")
+            raise self.source.refused(node, "a range with a step that is not known beforehand")
         start = ends[0] if len(ends) > 1 else Expression(INT, "number", "0")
         stop = ends[1] if len(ends) > 1 else ends[0]
         if name == NOWHERE:
@@ -219,7 +219,7 @@ class Statements(Expressions):
 
     def _refuse_else(self, node: ast.For | ast.While) -> None:
         if node.orelse:
-            self.source.refuse(node, "else of a loop is not translated")
+            raise self.source.refused(node, "else of a loop is not translated")
 
 
 def _loaded(target: ast.expr) -> ast.expr:

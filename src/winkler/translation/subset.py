@@ -6,7 +6,7 @@ import ast
 import inspect
 import textwrap
 import types
-from typing import Any, NamedTuple, NoReturn
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -14,7 +14,11 @@ from winkler.errors import InvalidInput
 from winkler.numerics.jit import Kernel
 from winkler.translation.tree import BOOL, INT, REAL, TranslatedType, tuple_of
 
-__all__ = ["KernelSource", "of_type", "source_of", "unified"]
+__all__ = ["KernelSource", "Translatable", "is_translatable", "of_type", "source_of", "unified"]
+
+
+Translatable = Kernel[Any, Any] | types.FunctionType
+"""What can be translated."""
 
 
 class KernelSource(NamedTuple):
@@ -22,7 +26,7 @@ class KernelSource(NamedTuple):
 
     Parameters
     ----------
-    kernel : Kernel
+    kernel : Kernel or function
     definition : FunctionDef
         Its lines are those of the file.
     file : str
@@ -30,15 +34,15 @@ class KernelSource(NamedTuple):
         What its module defines.
     """
 
-    kernel: Kernel[Any, Any]
+    kernel: Translatable
     definition: ast.FunctionDef
     file: str
     names: dict[str, Any]
 
-    def refuse(self, node: ast.AST, what: str) -> NoReturn:
-        """Raise `InvalidInput` for a place in the source."""
+    def refused(self, node: ast.AST, what: str) -> InvalidInput:
+        """Return what is to be raised for a place in the source."""
         line = getattr(node, "lineno", self.definition.lineno)
-        raise InvalidInput(
+        return InvalidInput(
             f"{self.file}:{line}: {what}; a kernel that is translated consists of loops, conditions and arithmetic "
             "with numbers, arrays and tuples of them."
         )
@@ -46,20 +50,27 @@ class KernelSource(NamedTuple):
     @property
     def doc(self) -> str:
         """Its docstring."""
-        return inspect.getdoc(self.kernel.function) or ""
+        return inspect.getdoc(self.kernel) or ""
 
 
-def source_of(kernel: Kernel[Any, Any]) -> KernelSource:
-    """Return the source of a kernel.
+def is_translatable(function: Any) -> bool:
+    """Return whether a function is a kernel, or one of the package that is nothing but arithmetic."""
+    if isinstance(function, types.FunctionType):
+        return (function.__module__ or "").startswith(f"{__name__.partition('.')[0]}.")
+    return isinstance(function, Kernel)
+
+
+def source_of(kernel: Translatable) -> KernelSource:
+    """Return the source of a kernel, or of a plain function.
 
     Raises
     ------
     InvalidInput
         If it has none, or it is no kernel.
     """
-    if not isinstance(kernel, Kernel):
+    if not isinstance(kernel, Kernel | types.FunctionType):
         raise InvalidInput(f"translate: a {type(kernel).__name__} is no kernel; give a function decorated by compiled.")
-    function = kernel.function
+    function = kernel.function if isinstance(kernel, Kernel) else kernel
     assert isinstance(function, types.FunctionType)
     try:
         lines, first = inspect.getsourcelines(function)

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Mapping, Sequence
-from typing import Any
 
 from winkler.errors import InvalidInput
-from winkler.numerics.jit import Kernel
 from winkler.translation.functions import cast
 from winkler.translation.statements import Statements
-from winkler.translation.subset import KernelSource, source_of, unified
+from winkler.translation.subset import KernelSource, Translatable, source_of, unified
 from winkler.translation.tree import (
     BOOL,
     INT,
@@ -35,7 +33,7 @@ class Translation:
     """Collects routines and what they need."""
 
     def __init__(self) -> None:
-        self.routines: dict[tuple[Kernel[Any, Any], tuple[TranslatedType, ...]], Routine] = {}
+        self.routines: dict[tuple[Translatable, tuple[TranslatedType, ...]], Routine] = {}
         self.constants: dict[tuple[str, str], Constant] = {}
 
     def constant(self, name: str, module: str, type_: TranslatedType, numbers: tuple[float | int, ...]) -> Constant:
@@ -47,14 +45,16 @@ class Translation:
         return self.constants[key]
 
     def routine(
-        self, kernel: Kernel[Any, Any], types: tuple[TranslatedType, ...], source: KernelSource | None = None
+        self, kernel: Translatable, types: tuple[TranslatedType, ...], source: KernelSource | None = None
     ) -> Routine:
         """Return the routine of a kernel for given types."""
         own = source_of(kernel)
         names = [argument.arg for argument in own.definition.args.args]
         plain = own.definition.args
         if plain.kwonlyargs or plain.vararg or plain.kwarg or plain.defaults or len(names) != len(types):
-            (source or own).refuse(own.definition, f"{kernel.__name__} takes {len(names)} arguments, given {len(types)}")
+            raise (source or own).refused(
+                own.definition, f"{kernel.__name__} takes {len(names)} arguments, given {len(types)}"
+            )
         wanted = []
         for argument, kind in zip(plain.args, types, strict=True):
             stated = ANNOTATED.get(ast.unparse(argument.annotation)) if argument.annotation is not None else None
@@ -75,7 +75,7 @@ class Translation:
             if (types, result) == before:
                 break
         else:
-            source.refuse(source.definition, "the types of its variables do not settle")
+            raise source.refused(source.definition, "the types of its variables do not settle")
         final = result or VOID
         body = _returning(body, final)
         taken = {known.name for known in self.routines.values()}
@@ -89,7 +89,7 @@ class Translation:
         return Unit(tuple(self.constants.values()), tuple(self.routines.values()), entries)
 
 
-def translate(kernel: Kernel[Any, Any], axes: Mapping[str, int] | Sequence[TranslatedType] = ()) -> Unit:
+def translate(kernel: Translatable, axes: Mapping[str, int] | Sequence[TranslatedType] = ()) -> Unit:
     """Translate a kernel and all that it calls.
 
     Parameters

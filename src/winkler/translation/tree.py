@@ -70,7 +70,7 @@ class Expression(NamedTuple):
     type : TranslatedType
     form : str
         "number", "name", "constant", "unary", "binary", "compare", "choose", "cast", "call", "function", "item",
-        "view", "size", "tuple", "part", "new" or "slice".
+        "view", "size", "tuple", "part", "new", "room" or "slice".
     text : str
         A literal, a name, an operator, or which function.
     parts : tuple of Expression

@@ -40,7 +40,7 @@ def c_law(law: StepLaw, name: str) -> str:
     unit, routine = translated_step(law)
     guard = f"{name.upper()}_H"
     use = [
-        f"Use: #include \"{name}.h\"; {name}_begin(&state) before the first touch, {name}_step(&state, &motion, &answer)",
+        f'Use: #include "{name}.h"; {name}_begin(&state) before the first touch, {name}_step(&state, &motion, &answer)',
         "in every step. Each contact has its own state; nothing is shared, so that contacts may run in parallel.",
         "",
         f"Test: cc -x c -D{name.upper()}_MAIN {name}.h -o {name} -lm && ./{name}",
@@ -85,6 +85,7 @@ def _structures(law: StepLaw, name: str) -> str:
         f"    {ITEMS[part.begin.dtype.kind][1]} {part.name}[{part.begin.size}]; {_comment(part.meaning)}"
         for part in law.state
     )
+    state = state or "    unsigned char nothing; /* it has no memory */"
     return "\n\n".join(
         [
             f"/* What one contact remembers; copy it to save it. */\ntypedef struct {{\n{state}\n}} {name}_state;",
@@ -102,8 +103,8 @@ def _begin(law: StepLaw, name: str) -> str:
             text = numbers_of_c(np.array([float(number)])).strip()
             kind = "" if part.begin.dtype.kind == "f" else f"({ITEMS[part.begin.dtype.kind][1]})"
             lines.append(f"    state->{part.name}[{place}] = {kind}{text};")
-    body = "\n".join(lines)
-    return f"/* Set a contact apart, as before the first touch. */\nstatic inline void {name}_begin({name}_state *state) {{\n{body}\n}}"
+    head = f"static inline void {name}_begin({name}_state *state) {{"
+    return "\n".join(["/* Set a contact apart, as before the first touch. */", head, *lines, "}"])
 
 
 def _step(law: StepLaw, name: str, routine: Routine) -> str:
@@ -122,5 +123,5 @@ def _step(law: StepLaw, name: str, routine: Routine) -> str:
     return (
         f"/* Move a contact by one step. */\nstatic inline void {name}_step(\n"
         f"    {name}_state *state, const {name}_motion *motion, {name}_answer *answer) {{\n"
-        f"    {inner}{routine.name}(\n        {arguments});\n}}"
+        f"{'' if law.state else '    (void)state;' + chr(10)}    {inner}{routine.name}(\n        {arguments});\n}}"
     )

@@ -12,8 +12,16 @@ import numpy as np
 from winkler.numerics.jit import compiled
 
 __all__ = [
-    "ball_force", "ball_radius", "force_of_ball", "radius_of_ball", "tilting_of_ball", "tilting_stiffness",
-    "twisting_of_ball", "twisting_stiffness", "twisting_bound", "bound_of_twist",
+    "ball_force",
+    "ball_radius",
+    "bound_of_twist",
+    "force_of_ball",
+    "radius_of_ball",
+    "tilting_of_ball",
+    "tilting_stiffness",
+    "twisting_bound",
+    "twisting_of_ball",
+    "twisting_stiffness",
 ]  # fmt: skip
 
 TWIST_SHARE = 3.0 * math.pi / 16.0
