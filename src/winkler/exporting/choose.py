@@ -10,13 +10,18 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.exporting.laws.balls import ball_law
 from winkler.exporting.laws.normal import normal_law
+from winkler.exporting.laws.particle import adhesive_law, particle_law
+from winkler.exporting.laws.relaxing import relaxing_law
 from winkler.exporting.laws.sheared import sheared_law
 from winkler.exporting.step_law import StepLaw
 from winkler.io.traces import inputs_of
+from winkler.problems.adhesion.cycle import AdhesiveCycle
 from winkler.problems.friction.tangential import Tangential
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.particles.contact_law import ContactLaw, ContactLawSolution
 from winkler.problems.particles.contacts import Contacts
+from winkler.problems.particles.elastic_plastic import ElasticPlasticParticle
+from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 
 __all__ = ["LAWS", "law_of"]
 
@@ -24,7 +29,10 @@ LAWS = {
     "Indentation": "normal force of any shape, up to the deepest load",
     "ContactLaw": "the same, up to its depth and to its tolerance",
     "Tangential": "the same with friction in the plane, up to the deepest point of the path",
-    "Contacts": "two balls with friction, twist and rolling",
+    "ElasticPlasticParticle": "a particle that yields and sticks, with all its hysteresis",
+    "AdhesiveCycle": "a ball with short-ranged adhesion and hysteresis, along a path of depths",
+    "ViscoelasticIndentation": "any shape on a body that relaxes, up to the deepest point of the path",
+    "Contacts": "two balls with friction, twist and rolling; in Python",
 }
 """Problem -> what it is as a law."""
 
@@ -56,6 +64,12 @@ def law_of(problem: Any, *, tolerance: float, count: int) -> StepLaw:
             return law_of(problem.problem, tolerance=tolerance, count=count)
         case Tangential():
             return sheared_law(problem, tolerance, count, inputs)
+        case ElasticPlasticParticle():
+            return particle_law(problem, inputs)
+        case AdhesiveCycle():
+            return adhesive_law(problem, inputs)
+        case ViscoelasticIndentation():
+            return relaxing_law(problem, count, inputs)
         case Contacts():
             return ball_law(problem, inputs)
     known = "; ".join(f"{name} ({what})" for name, what in LAWS.items())

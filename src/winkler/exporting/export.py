@@ -14,6 +14,7 @@ from winkler.errors import InvalidInput, suggest
 from winkler.exporting.choose import law_of
 from winkler.exporting.step_law import StepLaw
 from winkler.exporting.targets.c_law import c_law
+from winkler.exporting.targets.python_law import python_law
 from winkler.io.whole_file import write_whole_text
 from winkler.values import value, words
 
@@ -22,6 +23,7 @@ __all__ = ["TARGETS", "ExportedLaw", "export", "write_export"]
 Files = dict[str, str]
 TARGETS: dict[str, tuple[str, Callable[[StepLaw, str], Files]]] = {
     "c": ("one header in C99, without dependencies", lambda law, name: {f"{name}.h": c_law(law, name)}),
+    "python": ("one file that needs numpy alone", lambda law, name: {f"{name}.py": python_law(law, name)}),
 }
 """Target -> what it is, and what writes its files."""
 
@@ -73,7 +75,7 @@ def export(law: Any, to: str, *, name: str = "contact", tolerance: float = 1e-6,
     law : Indentation, ContactLaw, Tangential or Contacts
         Without friction up to the deepest load; with friction; balls with twist and rolling.
     to : str
-        "c".
+        One of "c", "python".
     name : str, optional
         With which functions and types begin; a word in small letters.
     tolerance : float, optional

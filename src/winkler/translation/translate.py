@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 
 from winkler.errors import InvalidInput
 from winkler.translation.functions import cast
@@ -30,9 +30,16 @@ ANNOTATED = {"float": REAL, "int": INT, "bool": BOOL}
 
 
 class Translation:
-    """Collects routines and what they need."""
+    """Collects routines and what they need.
 
-    def __init__(self) -> None:
+    Parameters
+    ----------
+    reserved : set of str, optional
+        Names that no routine may have.
+    """
+
+    def __init__(self, reserved: Set[str] = frozenset()) -> None:
+        self.reserved = reserved
         self.routines: dict[tuple[Translatable, tuple[TranslatedType, ...]], Routine] = {}
         self.constants: dict[tuple[str, str], Constant] = {}
 
@@ -41,7 +48,7 @@ class Translation:
         key = module, name
         if key not in self.constants:
             taken = {known.name for known in self.constants.values()}
-            self.constants[key] = Constant(_free(name.lstrip("_"), taken), type_, numbers)
+            self.constants[key] = Constant(_free(name.lstrip("_"), taken), type_, numbers, key)
         return self.constants[key]
 
     def routine(
@@ -78,7 +85,7 @@ class Translation:
             raise source.refused(source.definition, "the types of its variables do not settle")
         final = result or VOID
         body = _returning(body, final)
-        taken = {known.name for known in self.routines.values()}
+        taken = {known.name for known in self.routines.values()} | self.reserved
         name = _free(source.kernel.__name__.lstrip("_"), taken)
         kept = {name: kind for name, kind in types.items() if name not in arguments}
         passed = tuple((name, types[name]) for name in arguments)

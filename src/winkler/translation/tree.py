@@ -107,11 +107,12 @@ class Statement(NamedTuple):
 
 
 class Constant(NamedTuple):
-    """A number, or a row of numbers, of the module of a kernel."""
+    """A number, or a row of numbers, of the module of a kernel; `place` is module and name there."""
 
     name: str
     type: TranslatedType
     numbers: tuple[float | int, ...]
+    place: tuple[str, str] = ("", "")
 
 
 class Routine(NamedTuple):

@@ -16,13 +16,15 @@ from winkler.translation.tree import BOOL, INT, REAL, Routine, TranslatedType, U
 
 __all__ = ["c_law", "translated_step"]
 
+OWN_NAMES = frozenset({"begin", "step", "main"})
+"""Functions that every file has."""
 ITEMS = {"f": (REAL, "double"), "i": (INT, "int64_t"), "b": (BOOL, "bool")}
 
 
 def translated_step(law: StepLaw) -> tuple[Unit, Routine]:
     """Return the kernel of a law, translated."""
-    translation = Translation()
-    tables = [array_of(1) for _ in law.tables]
+    translation = Translation(OWN_NAMES)
+    tables = [array_of(table.numbers.ndim) for table in law.tables]
     state = [array_of(part.begin.ndim, ITEMS[part.begin.dtype.kind][0]) for part in law.state]
     routine = translation.routine(law.kernel, (*tables, *state, array_of(1), array_of(1)))
     return translation.unit(routine), routine
@@ -116,7 +118,7 @@ def _step(law: StepLaw, name: str, routine: Routine) -> str:
         return f"{inner}make_{kind.item.kind}{kind.axes}(({item} *){pointer}, {sizes})"
 
     kinds = [kind for _, kind in routine.arguments]
-    pointers = [(f"{name}_{table.name}", (table.numbers.size,)) for table in law.tables]
+    pointers = [(f"{name}_{table.name}", table.numbers.shape) for table in law.tables]
     pointers += [(f"state->{part.name}", part.begin.shape) for part in law.state]
     pointers += [("motion", (len(law.motion),)), ("answer", (len(law.answer),))]
     arguments = ",\n        ".join(view(kind, *pair) for kind, pair in zip(kinds, pointers, strict=True))
