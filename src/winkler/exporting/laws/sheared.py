@@ -66,8 +66,11 @@ def sheared_law(problem: Tangential, tolerance: float, count: int, inputs: tuple
     deepest = float(np.max(pressed.depth))
     tables, error = force_table(bed, deepest, tolerance)
     springs = Springs.of(bed, float(np.max(pressed.radius)), count)
-    hold = friction.static / friction.kinetic if isinstance(friction, StaticKinetic) else 1.0
-    kinetic = friction.kinetic if isinstance(friction, StaticKinetic) else friction.coefficient
+    match friction:
+        case StaticKinetic(static, kinetic):
+            hold = static / kinetic
+        case _:
+            hold, kinetic = 1.0, friction.coefficient
     slopes = np.cumsum(springs.stiffness)
     own = (
         Table("gap", "g of the springs [m]", springs.gap),
