@@ -5,7 +5,7 @@ from __future__ import annotations
 import keyword
 import os
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -14,16 +14,21 @@ from winkler.errors import InvalidInput, suggest
 from winkler.exporting.choose import law_of
 from winkler.exporting.step_law import StepLaw
 from winkler.exporting.targets.c_law import c_law
+from winkler.exporting.targets.fmu_law import fmu_law
+from winkler.exporting.targets.fortran_law import fortran_law
 from winkler.exporting.targets.python_law import python_law
-from winkler.io.whole_file import write_whole_text
+from winkler.exporting.targets.wasm_law import wasm_law
+from winkler.io.whole_file import write_whole_text, written_whole
 from winkler.values import value, words
 
 __all__ = ["TARGETS", "ExportedLaw", "export", "write_export"]
 
-Files = dict[str, str]
-TARGETS: dict[str, tuple[str, Callable[[StepLaw, str], Files]]] = {
+TARGETS: dict[str, tuple[str, Callable[[StepLaw, str], Mapping[str, str | bytes]]]] = {
     "c": ("one header in C99, without dependencies", lambda law, name: {f"{name}.h": c_law(law, name)}),
     "python": ("one file that needs numpy alone", lambda law, name: {f"{name}.py": python_law(law, name)}),
+    "fortran": ("a module in Fortran 2008 over the header", fortran_law),
+    "fmu": ("a unit for co-simulation by FMI 2.0: source, and a binary where there is a C compiler", fmu_law),
+    "wasm": ("a module of WebAssembly with an example in JavaScript; needs winkler[export]", wasm_law),
 }
 """Target -> what it is, and what writes its files."""
 
@@ -40,7 +45,7 @@ class ExportedLaw:
         The language.
     title : str
         What it is.
-    files : tuple of (str, str)
+    files : tuple of (str, str or bytes)
         Name and content of every file.
     state_size : int
         How many bytes a contact remembers.
@@ -55,13 +60,14 @@ class ExportedLaw:
     name: str
     to: str
     title: str
-    files: tuple[tuple[str, str], ...]
+    files: tuple[tuple[str, str | bytes], ...]
     state_size: int
 
     @property
     def text(self) -> str:
-        """The first file."""
-        return self.files[0][1]
+        """The first file; empty if it is no text."""
+        first = self.files[0][1]
+        return first if isinstance(first, str) else ""
 
 
 def export(law: Any, to: str, *, name: str = "contact", tolerance: float = 1e-6, count: int = 32) -> ExportedLaw:
@@ -75,7 +81,7 @@ def export(law: Any, to: str, *, name: str = "contact", tolerance: float = 1e-6,
     law : Indentation, ContactLaw, Tangential or Contacts
         Without friction up to the deepest load; with friction; balls with twist and rolling.
     to : str
-        One of "c", "python".
+        One of "c", "python", "fortran", "fmu", "wasm".
     name : str, optional
         With which functions and types begin; a word in small letters.
     tolerance : float, optional
@@ -148,6 +154,10 @@ def write_export(exported: ExportedLaw, folder: str | os.PathLike[str]) -> tuple
         raise InvalidInput(f"write_export: {target} cannot be made ({error.strerror}); give another folder.") from None
     paths = []
     for name, content in exported.files:
-        write_whole_text(target / name, content)
+        if isinstance(content, str):
+            write_whole_text(target / name, content)
+        else:
+            with written_whole(target / name) as file:
+                file.write(content)
         paths.append(target / name)
     return tuple(paths)

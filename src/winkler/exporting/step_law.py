@@ -10,20 +10,23 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.translation.subset import Translatable
 
-__all__ = ["Quantity1", "StatePart", "StepLaw", "Table"]
+__all__ = ["StepNumber", "StatePart", "StepLaw", "Table"]
 
 
-class Quantity1(NamedTuple):
+class StepNumber(NamedTuple):
     """One number that goes into a step or comes out of it.
 
     Parameters
     ----------
     name, unit, meaning : str
+    changes : bool
+        Whether it is by how much something changes in the step, not what it is at its end.
     """
 
     name: str
     unit: str
     meaning: str
+    changes: bool = False
 
 
 class Table(NamedTuple):
@@ -65,7 +68,7 @@ class StepLaw(NamedTuple):
         Takes the tables, the parts of the state, motion and answer, in this order; writes state and answer.
     tables : tuple of Table
     state : tuple of StatePart
-    motion, answer : tuple of Quantity1
+    motion, answer : tuple of StepNumber
         What goes in and comes out.
     notes : tuple of str
         What is assumed, and how far it holds.
@@ -79,8 +82,8 @@ class StepLaw(NamedTuple):
     kernel: Translatable
     tables: tuple[Table, ...]
     state: tuple[StatePart, ...]
-    motion: tuple[Quantity1, ...]
-    answer: tuple[Quantity1, ...]
+    motion: tuple[StepNumber, ...]
+    answer: tuple[StepNumber, ...]
     notes: tuple[str, ...]
     inputs: tuple[str, ...]
     trial: Array

@@ -7,7 +7,7 @@ import dataclasses
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.exporting.step_law import Quantity1, StatePart, StepLaw, Table
+from winkler.exporting.step_law import StepNumber, StatePart, StepLaw, Table
 from winkler.numerics.types import Array
 from winkler.problems.particles.ball_step import step_ball
 from winkler.problems.particles.contacts import Contacts
@@ -15,23 +15,23 @@ from winkler.problems.particles.contacts import Contacts
 __all__ = ["BALL_ANSWER", "BALL_MOTION", "ball_law"]
 
 BALL_MOTION = (
-    Quantity1("depth", "m", "d at the end of the step, not positive without contact"),
-    Quantity1("motion_x", "m", "by which the bodies move along the surface in the step"),
-    Quantity1("motion_y", "m", "the same across"),
-    Quantity1("twist", "rad", "by which they turn about the normal in the step"),
-    Quantity1("roll_x", "rad", "by which they roll over each other in the step"),
-    Quantity1("roll_y", "rad", "the same across"),
+    StepNumber("depth", "m", "d at the end of the step, not positive without contact"),
+    StepNumber("motion_x", "m", "by which the bodies move along the surface in the step", True),
+    StepNumber("motion_y", "m", "the same across", True),
+    StepNumber("twist", "rad", "by which they turn about the normal in the step", True),
+    StepNumber("roll_x", "rad", "by which they roll over each other in the step", True),
+    StepNumber("roll_y", "rad", "the same across", True),
 )
 BALL_ANSWER = (
-    Quantity1("force", "N", "normal force, compression positive"),
-    Quantity1("shear_x", "N", "shear force that moves the bodies along the motion"),
-    Quantity1("shear_y", "N", "the same across"),
-    Quantity1("torque", "N m", "moment that holds up the twist"),
-    Quantity1("rolling_x", "N m", "moment that holds up the rolling"),
-    Quantity1("rolling_y", "N m", "the same across"),
-    Quantity1("radius", "m", "contact radius"),
-    Quantity1("stored_energy", "J", "of shear, twist and rolling"),
-    Quantity1("dissipation", "J", "heat since the beginning; never falls"),
+    StepNumber("force", "N", "normal force, compression positive"),
+    StepNumber("shear_x", "N", "shear force that moves the bodies along the motion"),
+    StepNumber("shear_y", "N", "the same across"),
+    StepNumber("torque", "N m", "moment that holds up the twist"),
+    StepNumber("rolling_x", "N m", "moment that holds up the rolling"),
+    StepNumber("rolling_y", "N m", "the same across"),
+    StepNumber("radius", "m", "contact radius"),
+    StepNumber("stored_energy", "J", "of shear, twist and rolling"),
+    StepNumber("dissipation", "J", "heat since the beginning; never falls"),
 )
 STEPS, SEED = 60, 20260724
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
-from winkler.exporting.step_law import Quantity1, StepLaw, Table
+from winkler.exporting.step_law import StepNumber, StepLaw, Table
 from winkler.foundation.bed import Bed
 from winkler.loading import Depth
 from winkler.numerics.types import Array
@@ -16,13 +16,13 @@ from winkler.problems.particles.table_step import cubic_energy, follow_table, mo
 
 __all__ = ["BEYOND", "force_table", "normal_law", "normal_notes"]
 
-MOTION = (Quantity1("depth", "m", "d at the end of the step, not positive without contact"),)
+MOTION = (StepNumber("depth", "m", "d at the end of the step, not positive without contact"),)
 ANSWER = (
-    Quantity1("force", "N", "normal force, compression positive"),
-    Quantity1("stiffness", "N/m", "dF/dd"),
-    Quantity1("energy", "J", "elastic energy, the integral of the force"),
+    StepNumber("force", "N", "normal force, compression positive"),
+    StepNumber("stiffness", "N/m", "dF/dd"),
+    StepNumber("energy", "J", "elastic energy, the integral of the force"),
 )
-SHEAR = Quantity1("shear_stiffness", "N/m", "of the contact along the surface while nothing slips")
+SHEAR = StepNumber("shear_stiffness", "N/m", "of the contact along the surface while nothing slips")
 BEYOND = "Beyond the greatest depth nothing is known: the answer is not-a-number."
 FIRST_INTERVALS, MOST_REFINEMENTS, MOST_ROWS = 8, 30, 20_000
 CHECKED = np.array([0.1, 0.3, 0.5, 0.7, 0.9])

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.exporting.step_law import Quantity1, StatePart, StepLaw, Table
+from winkler.exporting.step_law import StepNumber, StatePart, StepLaw, Table
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import ShortRange
 from winkler.loading import Depth
@@ -20,13 +20,13 @@ from winkler.problems.particles.particle_step import step_particle
 
 __all__ = ["adhesive_law", "particle_law"]
 
-MOTION = (Quantity1("depth", "m", "d at the end of the step"),)
+MOTION = (StepNumber("depth", "m", "d at the end of the step"),)
 ANSWER = (
-    Quantity1("force", "N", "normal force, compression positive"),
-    Quantity1("radius", "m", "contact radius, zero without contact"),
-    Quantity1("residual_depth", "m", "depth at which the unloaded particle would just touch"),
-    Quantity1("energy", "J", "stored, less what closing the surfaces has gained"),
-    Quantity1("dissipation", "J", "lost since the beginning, in yielding and in jumps of the edge"),
+    StepNumber("force", "N", "normal force, compression positive"),
+    StepNumber("radius", "m", "contact radius, zero without contact"),
+    StepNumber("residual_depth", "m", "depth at which the unloaded particle would just touch"),
+    StepNumber("energy", "J", "stored, less what closing the surfaces has gained"),
+    StepNumber("dissipation", "J", "lost since the beginning, in yielding and in jumps of the edge"),
 )
 STEPS, SEED = 60, 20260727
 PARABOLOID_SCALE = 1e6

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.exporting.step_law import Quantity1, StatePart, StepLaw, Table
+from winkler.exporting.step_law import StepNumber, StatePart, StepLaw, Table
 from winkler.foundation.bed import Bed
 from winkler.foundation.springs import Springs
 from winkler.loading import Depth
@@ -20,16 +20,16 @@ from winkler.problems.viscoelastic.relaxing_step import step_relaxing
 __all__ = ["relaxing_law"]
 
 MOTION = (
-    Quantity1("depth", "m", "d at the end of the step, not positive without contact"),
-    Quantity1("duration", "s", "of the step, at a steady rate; zero for a sudden one"),
+    StepNumber("depth", "m", "d at the end of the step, not positive without contact"),
+    StepNumber("duration", "s", "of the step, at a steady rate; zero for a sudden one"),
 )
 ANSWER = (
-    Quantity1("force", "N", "normal force, compression positive"),
-    Quantity1("radius", "m", "contact radius, zero without contact"),
-    Quantity1("work", "J", "spent since the beginning"),
-    Quantity1("stored_energy", "J", "of all springs, also of those that recover freely"),
-    Quantity1("dissipation", "J", "lost in the dashpots since the beginning; never falls"),
-    Quantity1(
+    StepNumber("force", "N", "normal force, compression positive"),
+    StepNumber("radius", "m", "contact radius, zero without contact"),
+    StepNumber("work", "J", "spent since the beginning"),
+    StepNumber("stored_energy", "J", "of all springs, also of those that recover freely"),
+    StepNumber("dissipation", "J", "lost in the dashpots since the beginning; never falls"),
+    StepNumber(
         "ring", "-", "1 where the body touches around a dent: the contact is no disc, and the force is not known"
     ),
 )

@@ -6,7 +6,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.exporting.laws.normal import force_table, normal_notes
-from winkler.exporting.step_law import Quantity1, StatePart, StepLaw, Table
+from winkler.exporting.step_law import StepNumber, StatePart, StepLaw, Table
 from winkler.footprint import EllipticOutline
 from winkler.foundation.directional import DirectionalBed
 from winkler.foundation.springs import Springs
@@ -22,18 +22,18 @@ from winkler.problems.normal.indentation import Indentation
 __all__ = ["sheared_law"]
 
 MOTION = (
-    Quantity1("depth", "m", "d at the end of the step, not positive without contact"),
-    Quantity1("motion_x", "m", "by which the bodies move along the surface in the step"),
-    Quantity1("motion_y", "m", "the same across"),
+    StepNumber("depth", "m", "d at the end of the step, not positive without contact"),
+    StepNumber("motion_x", "m", "by which the bodies move along the surface in the step", True),
+    StepNumber("motion_y", "m", "the same across", True),
 )
 ANSWER = (
-    Quantity1("force", "N", "normal force, compression positive"),
-    Quantity1("stiffness", "N/m", "dF/dd"),
-    Quantity1("shear_x", "N", "shear force that moves the bodies along the motion"),
-    Quantity1("shear_y", "N", "the same across"),
-    Quantity1("energy", "J", "elastic energy of pressing"),
-    Quantity1("stored_energy", "J", "elastic energy of the springs along the surface"),
-    Quantity1("dissipation", "J", "heat since the beginning; never falls"),
+    StepNumber("force", "N", "normal force, compression positive"),
+    StepNumber("stiffness", "N/m", "dF/dd"),
+    StepNumber("shear_x", "N", "shear force that moves the bodies along the motion"),
+    StepNumber("shear_y", "N", "the same across"),
+    StepNumber("energy", "J", "elastic energy of pressing"),
+    StepNumber("stored_energy", "J", "elastic energy of the springs along the surface"),
+    StepNumber("dissipation", "J", "heat since the beginning; never falls"),
 )
 STEPS, SEED = 60, 20260726
 

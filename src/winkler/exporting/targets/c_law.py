@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from winkler.exporting.step_law import Quantity1, StepLaw
+from winkler.exporting.step_law import StepNumber, StepLaw
 from winkler.exporting.targets.c_example import c_main
 from winkler.exporting.targets.heading import heading_lines
 from winkler.translation.c_writer import INCLUDES, c_source
@@ -78,7 +78,7 @@ def _comment(text: str) -> str:
     return f"/* {text.replace('*/', '* /')} */"
 
 
-def _members(quantities: tuple[Quantity1, ...]) -> str:
+def _members(quantities: tuple[StepNumber, ...]) -> str:
     return "\n".join(f"    double {one.name}; {_comment(f'[{one.unit}] {one.meaning}')}" for one in quantities)
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from winkler.exporting.step_law import Quantity1, StepLaw
+from winkler.exporting.step_law import StepNumber, StepLaw
 from winkler.exporting.targets.c_law import translated_step
 from winkler.exporting.targets.heading import heading_lines
 from winkler.translation.python_writer import python_source
@@ -80,7 +80,7 @@ if __name__ == "__main__":
 '''
 
 
-def _names(quantities: tuple[Quantity1, ...]) -> str:
+def _names(quantities: tuple[StepNumber, ...]) -> str:
     return repr(tuple(one.name for one in quantities))
 
 
