@@ -134,9 +134,9 @@ def test_adhesion_with_hysteresis_is_that_of_the_cycle():
 
 def test_pull_off_is_that_of_johnson_kendall_and_roberts():
     problem = AdhesiveCycle(RUBBER, ShortRange(0.05), Depth([10e-6, -1e-5]))
-    depth = np.linspace(10e-6, -30e-6, 20001)
+    depth = np.linspace(10e-6, -8e-6, 2001)
     force = law(problem).trace(depth[:, np.newaxis])[:, 0]
-    assert np.min(force) == pytest.approx(-1.5 * np.pi * 0.05 * 1e-3, rel=1e-6)
+    assert np.min(force) == pytest.approx(-1.5 * np.pi * 0.05 * 1e-3, rel=1e-5)
 
 
 def test_a_particle_is_the_one_of_the_solver():
@@ -213,7 +213,9 @@ def test_mistakes_are_refused_in_one_sentence():
     far = AdhesiveCycle(RUBBER, DerjaguinMullerToporov(0.05), Depth([1e-6, 0.0]))
     with pytest.raises(InvalidInput, match=r"give ShortRange"):
         export(far, "c")
-    sharp = AdhesiveCycle(Foundation(PowerLaw(exponent=4.0, coefficient=1e9), GLASS), ShortRange(0.05), Depth([1e-6, 0.0]))
+    sharp = AdhesiveCycle(
+        Foundation(PowerLaw(exponent=4.0, coefficient=1e9), GLASS), ShortRange(0.05), Depth([1e-6, 0.0])
+    )
     with pytest.raises(InvalidInput, match=r"a ball on a homogeneous half-space"):
         export(sharp, "c")
     with pytest.raises(InvalidInput, match=r"a str is no exported law"):

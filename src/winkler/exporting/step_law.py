@@ -8,9 +8,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from winkler.numerics.types import Array
+from winkler.translation.plain import plain
 from winkler.translation.subset import Translatable
 
-__all__ = ["StepNumber", "StatePart", "StepLaw", "Table"]
+__all__ = ["StatePart", "StepLaw", "StepNumber", "Table"]
 
 
 class StepNumber(NamedTuple):
@@ -95,8 +96,9 @@ class StepLaw(NamedTuple):
         state = [np.array(part.begin) for part in self.state]
         answers = np.empty((len(rows), len(self.answer)))
         answer = np.zeros(len(self.answer))
+        step = plain(self.kernel)
         for row, into in zip(rows, answers, strict=True):
-            self.kernel(*tables, *state, row.copy(), answer)
+            step(*tables, *state, row.copy(), answer)
             into[:] = answer
         return answers
 

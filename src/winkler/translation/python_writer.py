@@ -54,7 +54,9 @@ def _function(kernel: Any, names: dict[int, str], constants: dict[tuple[str, str
     definition = copy.deepcopy(source.definition)
     definition.decorator_list, definition.returns = [], None
     local = {node.arg for node in ast.walk(definition) if isinstance(node, ast.arg)}
-    local |= {node.id for node in ast.walk(definition) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)}
+    local |= {
+        node.id for node in ast.walk(definition) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
+    }
     renamed: dict[str, str] = {}
     for node in ast.walk(definition):
         if not isinstance(node, ast.Name) or node.id in local:

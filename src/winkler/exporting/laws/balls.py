@@ -7,7 +7,7 @@ import dataclasses
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.exporting.step_law import StepNumber, StatePart, StepLaw, Table
+from winkler.exporting.step_law import StatePart, StepLaw, StepNumber, Table
 from winkler.numerics.types import Array
 from winkler.problems.particles.ball_step import step_ball
 from winkler.problems.particles.contacts import Contacts

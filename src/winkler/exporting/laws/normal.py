@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
-from winkler.exporting.step_law import StepNumber, StepLaw, Table
+from winkler.exporting.step_law import StepLaw, StepNumber, Table
 from winkler.foundation.bed import Bed
 from winkler.loading import Depth
 from winkler.numerics.types import Array
@@ -13,6 +13,7 @@ from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
 from winkler.problems.particles.contact_law import first_radius
 from winkler.problems.particles.table_step import cubic_energy, follow_table, monotone_intervals, step_table
+from winkler.translation.plain import plain
 
 __all__ = ["BEYOND", "force_table", "normal_law", "normal_notes"]
 
@@ -126,7 +127,8 @@ def _errors(bed: Bed, depth: Array, force: Array, stiffness: Array) -> Array:
     energy = _energies(depth, force, stiffness)
     places = depth[:-1, None] + np.diff(depth)[:, None] * CHECKED
     true = np.asarray(Indentation(bed, Depth(places.ravel())).solve().force).reshape(places.shape)
-    found = [follow_table(depth, force, stiffness, energy, float(d))[0] for d in places.ravel()]
+    follow = plain(follow_table)
+    found = [follow(depth, force, stiffness, energy, float(d))[0] for d in places.ravel()]
     return np.asarray(np.max(np.abs(np.reshape(found, places.shape) - true), axis=1) / force[-1])
 
 
@@ -134,7 +136,7 @@ def _energies(depth: Array, force: Array, stiffness: Array) -> Array:
     """Return the integral of the interpolated force up to every row."""
     width, mean = np.diff(depth), np.diff(force) / np.diff(depth)
     pieces = [
-        cubic_energy.function(*row, 1.0)
+        plain(cubic_energy)(*row, 1.0)
         for row in zip(force[:-1], stiffness[:-1], mean, stiffness[1:], width, strict=True)
     ]
     if stiffness[0] == 0.0:

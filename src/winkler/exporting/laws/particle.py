@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.exporting.step_law import StepNumber, StatePart, StepLaw, Table
+from winkler.exporting.step_law import StatePart, StepLaw, StepNumber, Table
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import ShortRange
 from winkler.loading import Depth

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.exporting.step_law import StepNumber, StatePart, StepLaw, Table
+from winkler.exporting.step_law import StatePart, StepLaw, StepNumber, Table
 from winkler.foundation.bed import Bed
 from winkler.foundation.springs import Springs
 from winkler.loading import Depth

@@ -6,7 +6,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.exporting.laws.normal import force_table, normal_notes
-from winkler.exporting.step_law import StepNumber, StatePart, StepLaw, Table
+from winkler.exporting.step_law import StatePart, StepLaw, StepNumber, Table
 from winkler.footprint import EllipticOutline
 from winkler.foundation.directional import DirectionalBed
 from winkler.foundation.springs import Springs

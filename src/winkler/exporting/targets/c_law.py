@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from winkler.exporting.step_law import StepNumber, StepLaw
+from winkler.exporting.step_law import StepLaw, StepNumber
 from winkler.exporting.targets.c_example import c_main
 from winkler.exporting.targets.heading import heading_lines
 from winkler.translation.c_writer import INCLUDES, c_source

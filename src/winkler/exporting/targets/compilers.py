@@ -43,7 +43,9 @@ def compiled_here(sources: Mapping[str, str], made: str) -> bytes:
     InvalidInput
         If there is no compiler, or it fails.
     """
-    return _compiled([*_own(), "-std=c99", *OPTIMISED, "-shared", "-fPIC", "-fvisibility=hidden"], sources, made, ("-lm",))
+    return _compiled(
+        [*_own(), "-std=c99", *OPTIMISED, "-shared", "-fPIC", "-fvisibility=hidden"], sources, made, ("-lm",)
+    )
 
 
 def compiled_by_zig(sources: Mapping[str, str], target: str, options: tuple[str, ...], made: str) -> bytes:

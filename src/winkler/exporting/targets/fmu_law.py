@@ -9,9 +9,9 @@ import zipfile
 
 from winkler.exporting.step_law import StepLaw
 from winkler.exporting.targets.c_law import c_law
+from winkler.exporting.targets.compilers import compiled_here, has_compiler
 from winkler.exporting.targets.fmu_description import description, unit_guid
 from winkler.exporting.targets.fmu_source import fmu_source
-from winkler.exporting.targets.compilers import compiled_here, has_compiler
 
 __all__ = ["fmu_law"]
 

@@ -6,7 +6,7 @@ import textwrap
 
 import numpy as np
 
-from winkler.exporting.step_law import StepNumber, StepLaw
+from winkler.exporting.step_law import StepLaw, StepNumber
 from winkler.exporting.targets.c_example import TRACE_TOLERANCE
 from winkler.exporting.targets.c_law import c_law
 from winkler.exporting.targets.heading import heading_lines

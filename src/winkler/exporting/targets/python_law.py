@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from winkler.exporting.step_law import StepNumber, StepLaw
+from winkler.exporting.step_law import StepLaw, StepNumber
 from winkler.exporting.targets.c_law import translated_step
 from winkler.exporting.targets.heading import heading_lines
 from winkler.translation.python_writer import python_source
@@ -22,7 +22,9 @@ def python_law(law: StepLaw, name: str) -> str:
     """Return the file."""
     unit, routine = translated_step(law)
     heading = "\n".join(heading_lines(law)).replace("\\", "\\\\").replace('"""', "'''")
-    tables = "\n".join(f"{table.name.upper()}_TABLE = {_array(table.numbers)}  # {table.meaning}" for table in law.tables)
+    tables = "\n".join(
+        f"{table.name.upper()}_TABLE = {_array(table.numbers)}  # {table.meaning}" for table in law.tables
+    )
     begin = "\n".join(f"        {_array(part.begin)},  # {part.meaning}" for part in law.state)
     answers = law.trace()
     arguments = "".join(f"{table.name.upper()}_TABLE, " for table in law.tables)
