@@ -98,7 +98,7 @@ class Expressions(Places):
             if not math.isfinite(found) or name in dir(math):
                 return Expression(REAL, "number", repr(float(found)))
             return Expression(kind, "constant", self.library.constant(name, module, kind, (found,)).name, (), found)
-        if isinstance(found, np.ndarray | tuple) and np.ndim(found) == 1:  # type: ignore[arg-type]
+        if isinstance(found, np.ndarray | tuple) and np.ndim(found) == 1:
             numbers = np.asarray(found).tolist()
             kinds = {of_type(number) for number in numbers}
             if None not in kinds:

@@ -6,6 +6,7 @@ import ast
 import inspect
 import textwrap
 import types
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -17,7 +18,7 @@ from winkler.translation.tree import BOOL, INT, REAL, TranslatedType, tuple_of
 __all__ = ["KernelSource", "Translatable", "is_translatable", "of_type", "source_of", "unified"]
 
 
-Translatable = Kernel[Any, Any] | types.FunctionType
+Translatable = Kernel[Any, Any] | Callable[..., Any]
 """What can be translated."""
 
 

@@ -60,7 +60,7 @@ class Translation:
         plain = own.definition.args
         if plain.kwonlyargs or plain.vararg or plain.kwarg or plain.defaults or len(names) != len(types):
             raise (source or own).refused(
-                own.definition, f"{kernel.__name__} takes {len(names)} arguments, given {len(types)}"
+                own.definition, f"{own.definition.name} takes {len(names)} arguments, given {len(types)}"
             )
         wanted = []
         for argument, kind in zip(plain.args, types, strict=True):
@@ -86,7 +86,7 @@ class Translation:
         final = result or VOID
         body = _returning(body, final)
         taken = {known.name for known in self.routines.values()} | self.reserved
-        name = _free(source.kernel.__name__.lstrip("_"), taken)
+        name = _free(source.definition.name.lstrip("_"), taken)
         kept = {name: kind for name, kind in types.items() if name not in arguments}
         passed = tuple((name, types[name]) for name in arguments)
         return Routine(name, source.kernel, passed, final, kept, body, builder.writes, builder.arrays_made)
@@ -121,8 +121,8 @@ def translate(kernel: Translatable, axes: Mapping[str, int] | Sequence[Translate
                 types.append(ANNOTATED[stated])
             else:
                 raise InvalidInput(
-                    f"translate: {kernel.__name__} does not state whether {argument.arg} is a number or an array; give "
-                    "the types of all arguments."
+                    f"translate: {source.definition.name} does not state whether {argument.arg} is a number or an "
+                    "array; give the types of all arguments."
                 )
     else:
         types = list(axes)

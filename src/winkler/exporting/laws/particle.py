@@ -40,7 +40,10 @@ def particle_law(problem: ElasticPlasticParticle, inputs: tuple[str, ...]) -> St
     material = material_of(problem.curvature_radius, problem.solid)
     deepest = DEPTH_LIMIT * problem.curvature_radius
     numbers = (*material.particle(problem.work_closing, problem.work_opening), deepest)
-    notes = (f"Up to a depth of {DEPTH_LIMIT:g} of the radius; beyond, the answer is not-a-number.", SLOWLY)
+    notes: tuple[str, ...] = (
+        f"Up to a depth of {DEPTH_LIMIT:g} of the radius; beyond, the answer is not-a-number.",
+        SLOWLY,
+    )
     notes += (str(ELASTIC), *([str(ENGINEERING)] if math.isfinite(material.yield_depth) else []))
     reached = float(np.max(numbers_of(problem.path))) if isinstance(problem.path, Depth) else 0.1 * deepest
     most = min(max(reached, 2.0 * material.yield_depth if math.isfinite(material.yield_depth) else 0.0), deepest)

@@ -70,9 +70,12 @@ static Status begin(Contact *unit) {{
 
 Text FMI(fmi2GetTypesPlatform)(void) {{ return "default"; }}
 Text FMI(fmi2GetVersion)(void) {{ return "2.0"; }}
-Status FMI(fmi2SetDebugLogging)(Unit u, Truth on, size_t n, const Text c[]) {{ (void)u; (void)on; (void)n; (void)c; return OK; }}
+Status FMI(fmi2SetDebugLogging)(Unit u, Truth on, size_t n, const Text c[]) {{
+    (void)u; (void)on; (void)n; (void)c; return OK;
+}}
 
-Unit FMI(fmi2Instantiate)(Text name, int kind, Text guid, Text resources, const void *calls, Truth visible, Truth log) {{
+Unit FMI(fmi2Instantiate)(
+    Text name, int kind, Text guid, Text resources, const void *calls, Truth visible, Truth log) {{
     (void)name; (void)resources; (void)calls; (void)visible; (void)log;
     if (kind != 1 || !guid || strcmp(guid, "{guid}") != 0) return NULL;
     Contact *unit = (Contact *)malloc(sizeof(Contact));
@@ -108,8 +111,12 @@ Status FMI(fmi2SetReal)(Unit u, const Reference r[], size_t n, const double valu
     return OK;
 }}
 #define NONE(get, set, type) \\
-    Status FMI(get)(Unit u, const Reference r[], size_t n, type v[]) {{ (void)u; (void)r; (void)v; return n ? ERROR : OK; }} \\
-    Status FMI(set)(Unit u, const Reference r[], size_t n, const type v[]) {{ (void)u; (void)r; (void)v; return n ? ERROR : OK; }}
+    Status FMI(get)(Unit u, const Reference r[], size_t n, type v[]) {{ \\
+        (void)u; (void)r; (void)v; return n ? ERROR : OK; \\
+    }} \\
+    Status FMI(set)(Unit u, const Reference r[], size_t n, const type v[]) {{ \\
+        (void)u; (void)r; (void)v; return n ? ERROR : OK; \\
+    }}
 NONE(fmi2GetInteger, fmi2SetInteger, Whole)
 NONE(fmi2GetBoolean, fmi2SetBoolean, Truth)
 NONE(fmi2GetString, fmi2SetString, Text)

@@ -30,8 +30,8 @@ def python_law(law: StepLaw, name: str) -> str:
     arguments = "".join(f"{table.name.upper()}_TABLE, " for table in law.tables)
     return f'''"""{heading}
 
-Use: state = begin() before the first touch, then answer = step(state, motion) in every step; `python {name}.py` compares
-a trace of winkler with what this file computes, and returns 0 if they agree.
+Use: state = begin() before the first touch, then answer = step(state, motion) in every step.
+Test: `python {name}.py` compares a trace of winkler with what this file computes, and returns 0 if they agree.
 """
 
 import math

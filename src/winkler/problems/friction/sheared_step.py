@@ -23,7 +23,8 @@ def own_depth(gap: Array, corners: Array, slopes: Array, force: float, depth: fl
     if force <= 0.0:
         return depth
     j = int(np.searchsorted(corners, force)) - 1
-    return gap[j] + (force - corners[j]) / slopes[j]
+    own: float = gap[j] + (force - corners[j]) / slopes[j]
+    return own
 
 
 @compiled

@@ -6,6 +6,7 @@ r"""Forces of one contact of two balls: the formulas, for numbers and arrays ali
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -28,27 +29,27 @@ TWIST_SHARE = 3.0 * math.pi / 16.0
 """Moment of a sliding twist over mu F a."""
 
 
-def ball_radius(curvature_radius, pressed):  # type: ignore[no-untyped-def]
+def ball_radius(curvature_radius: Any, pressed: Any) -> Any:
     """Return a [m] at depths [m], not negative."""
     return np.sqrt(curvature_radius * pressed)
 
 
-def ball_force(modulus, curvature_radius, pressed):  # type: ignore[no-untyped-def]
+def ball_force(modulus: Any, curvature_radius: Any, pressed: Any) -> Any:
     """Return F_N [N] at depths [m], not negative."""
     return 4.0 / 3.0 * modulus * np.sqrt(curvature_radius) * (pressed * np.sqrt(pressed))
 
 
-def twisting_stiffness(torsional_modulus, radius):  # type: ignore[no-untyped-def]
+def twisting_stiffness(torsional_modulus: Any, radius: Any) -> Any:
     """Return the stiffness against a twist [N m]."""
     return 16.0 / 3.0 * torsional_modulus * (radius * radius * radius)
 
 
-def tilting_stiffness(modulus, radius):  # type: ignore[no-untyped-def]
+def tilting_stiffness(modulus: Any, radius: Any) -> Any:
     """Return the stiffness against rolling [N m]."""
     return 4.0 / 3.0 * modulus * (radius * radius * radius)
 
 
-def twisting_bound(coefficient, force, radius):  # type: ignore[no-untyped-def]
+def twisting_bound(coefficient: Any, force: Any, radius: Any) -> Any:
     """Return the moment of a sliding twist [N m]."""
     return TWIST_SHARE * coefficient * force * radius
 
