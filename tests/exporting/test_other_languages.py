@@ -59,14 +59,14 @@ def test_the_module_of_webassembly_agrees_with_the_trace(tmp_path, name):
 
 
 def test_without_its_compiler_webassembly_is_refused(monkeypatch):
-    monkeypatch.setattr(compilers, "find_spec", lambda name: None)
+    monkeypatch.setattr(compilers, "_zig", list)
     with pytest.raises(InvalidInput, match=r"pip install winkler\[export\]"):
         export(PROBLEMS["ball"], "wasm")
 
 
 @pytest.fixture
 def nothing_compiles(monkeypatch):
-    monkeypatch.setattr(compilers, "find_spec", lambda name: None)
+    monkeypatch.setattr(compilers, "_zig", list)
     monkeypatch.setattr(compilers.shutil, "which", lambda name: None)
 
 

@@ -11,7 +11,7 @@ from winkler.numerics.types import Array
 from winkler.translation.plain import plain
 from winkler.translation.subset import Translatable
 
-__all__ = ["StatePart", "StepLaw", "StepNumber", "Table"]
+__all__ = ["LawTable", "StatePart", "StepLaw", "StepNumber"]
 
 
 class StepNumber(NamedTuple):
@@ -30,7 +30,7 @@ class StepNumber(NamedTuple):
     changes: bool = False
 
 
-class Table(NamedTuple):
+class LawTable(NamedTuple):
     """Numbers of a law that never change.
 
     Parameters
@@ -67,7 +67,7 @@ class StepLaw(NamedTuple):
     title : str
     kernel : Kernel or function
         Takes the tables, the parts of the state, motion and answer, in this order; writes state and answer.
-    tables : tuple of Table
+    tables : tuple of LawTable
     state : tuple of StatePart
     motion, answer : tuple of StepNumber
         What goes in and comes out.
@@ -81,7 +81,7 @@ class StepLaw(NamedTuple):
 
     title: str
     kernel: Translatable
-    tables: tuple[Table, ...]
+    tables: tuple[LawTable, ...]
     state: tuple[StatePart, ...]
     motion: tuple[StepNumber, ...]
     answer: tuple[StepNumber, ...]

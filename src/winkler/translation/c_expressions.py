@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from winkler.translation.c_helpers import FUNCTIONS, RESERVED, c_type, type_name
-from winkler.translation.tree import INT, REAL, SLICE, Expression, TranslatedType, array_of
+from winkler.translation.tree import INT, REAL, SLICE, TranslatedType, Typed, array_of
 
 __all__ = ["CExpressions"]
 
@@ -46,20 +46,20 @@ class CExpressions:
         """Return the name of a variable."""
         return f"{name}_" if name in RESERVED else name
 
-    def of(self, part: Expression) -> str:
+    def of(self, part: Typed) -> str:
         """Return an expression in C."""
         text: str = getattr(self, f"of_{part.form}")(part)
         return text
 
-    def of_number(self, part: Expression) -> str:
+    def of_number(self, part: Typed) -> str:
         """Return a literal."""
         return LITERALS.get(part.text, part.text)
 
-    def of_name(self, part: Expression) -> str:
+    def of_name(self, part: Typed) -> str:
         """Return a variable."""
         return self.variable(part.text)
 
-    def of_constant(self, part: Expression) -> str:
+    def of_constant(self, part: Typed) -> str:
         """Return a constant, or a row of them."""
         name = f"{self.prefix}{part.text}"
         if part.type.kind != "array":
@@ -68,11 +68,11 @@ class CExpressions:
         item = c_type(part.type.item, self.prefix)
         return f"{self.prefix}make_{type_name(part.type)}(({item} *){name}, {part.detail})"
 
-    def of_unary(self, part: Expression) -> str:
+    def of_unary(self, part: Typed) -> str:
         """Return - x or not x."""
         return part.text + self._inner_text(part.parts[0], UNARY_LEVEL)
 
-    def of_binary(self, part: Expression) -> str:
+    def of_binary(self, part: Typed) -> str:
         """Return x o y; with brackets where C, or a reader, would take it for something else."""
         level = LEVELS.get(part.text)
         first, second = (level, level + 1) if level else (1, 1) if part.text in ("&&", "||") else (5, 5)
@@ -80,12 +80,12 @@ class CExpressions:
 
     of_compare = of_binary
 
-    def of_choose(self, part: Expression) -> str:
+    def of_choose(self, part: Typed) -> str:
         """Return one of two."""
         test, one, other = (self._inner_text(inner, 1) for inner in part.parts)
         return f"{test} ? {one} : {other}"
 
-    def _inner_text(self, part: Expression, level: int) -> str:
+    def _inner_text(self, part: Typed, level: int) -> str:
         """Return an expression, in brackets unless it binds as closely as a level."""
         text = self.of(part)
         if part.form in ("binary", "compare"):
@@ -96,24 +96,24 @@ class CExpressions:
             own = UNARY_LEVEL
         return text if own >= level and own > 0 else f"({text})"
 
-    def of_cast(self, part: Expression) -> str:
+    def of_cast(self, part: Typed) -> str:
         """Return another type of number."""
         if part.type.kind == "tuple":
             held = part.parts[0]
             entries = [
-                Expression(kind, "cast", parts=(Expression(held.type.parts[k], "part", parts=(held,), detail=k),))
+                Typed(kind, "cast", parts=(Typed(held.type.parts[k], "part", parts=(held,), detail=k),))
                 for k, kind in enumerate(part.type.parts)
             ]
-            return self.of(Expression(part.type, "tuple", parts=tuple(entries)))
+            return self.of(Typed(part.type, "tuple", parts=tuple(entries)))
         if part.parts[0].type == part.type:
             return self.of(part.parts[0])
         return f"({self.type(part.type)})({self.of(part.parts[0])})"
 
-    def of_call(self, part: Expression) -> str:
+    def of_call(self, part: Typed) -> str:
         """Return a call of a routine."""
         return f"{self.prefix}{part.text}({', '.join(map(self.of, part.parts))})"
 
-    def of_function(self, part: Expression) -> str:
+    def of_function(self, part: Typed) -> str:
         """Return a call of a function of C or of a helper."""
         name = part.text
         if name in FUNCTIONS:
@@ -123,7 +123,7 @@ class CExpressions:
             name = self.prefix + name
         return f"{name}({', '.join(map(self.of, part.parts))})"
 
-    def of_item(self, part: Expression) -> str:
+    def of_item(self, part: Typed) -> str:
         """Return an entry of an array."""
         held, *indices = part.parts
         if held.form == "constant":
@@ -134,7 +134,7 @@ class CExpressions:
         assert len(indices) == axes
         return f"{array}.data[{' + '.join([*places, self._inner_text(indices[-1], 3)])}]"
 
-    def of_view(self, part: Expression) -> str:
+    def of_view(self, part: Typed) -> str:
         """Return a part of an array."""
         held, *indices = part.parts
         self.note(part.type)
@@ -145,28 +145,28 @@ class CExpressions:
         name = f"{self.prefix}view_{part.text}_{held.type.item.kind}"
         return f"{name}({', '.join([self.of(held), *map(self.of, indices)])})"
 
-    def of_size(self, part: Expression) -> str:
+    def of_size(self, part: Typed) -> str:
         """Return how long an axis is."""
         held = part.parts[0]
         if held.form == "constant":
             return str(held.detail)
         return f"{self.of(held)}.size[{part.detail}]"
 
-    def of_slice(self, part: Expression) -> str:
+    def of_slice(self, part: Typed) -> str:
         """Return from where to where."""
         self.note(SLICE)
         return f"{self.prefix}make_slice({', '.join(map(self.of, part.parts))})"
 
-    def of_tuple(self, part: Expression) -> str:
+    def of_tuple(self, part: Typed) -> str:
         """Return a tuple."""
         self.note(part.type)
         return f"{self.prefix}make_{type_name(part.type)}({', '.join(map(self.of, part.parts))})"
 
-    def of_part(self, part: Expression) -> str:
+    def of_part(self, part: Typed) -> str:
         """Return an entry of a tuple."""
         return f"{self.of(part.parts[0])}.v{part.detail}"
 
-    def of_room(self, part: Expression) -> str:
+    def of_room(self, part: Typed) -> str:
         """Return an array of known size, which stands on the stack."""
         self.note(part.type)
         index, count = part.detail
@@ -175,7 +175,7 @@ class CExpressions:
         sizes = ", ".join(map(self.of, part.parts))
         return f"{self.prefix}make_{type_name(part.type)}(room_{index}, {sizes})"
 
-    def of_new(self, part: Expression) -> str:
+    def of_new(self, part: Typed) -> str:
         """Return an array that is made, and freed at the end of the routine."""
         self.note(part.type)
         self.functions.setdefault("new")

@@ -7,19 +7,19 @@ import textwrap
 from winkler.translation.c_expressions import CExpressions, numbers_text
 from winkler.translation.c_helpers import FUNCTIONS, c_type, helper, view_helper
 from winkler.translation.subset import source_of
-from winkler.translation.tree import VOID, Constant, Routine, Statement, Unit
+from winkler.translation.tree import VOID, Constant, Routine, Statement, TranslationUnit
 
 __all__ = ["INCLUDES", "c_source"]
 
 INCLUDES = "#include <math.h>\n#include <stdbool.h>\n#include <stdint.h>\n#include <stdlib.h>\n"
 
 
-def c_source(unit: Unit, prefix: str = "") -> str:
+def c_source(unit: TranslationUnit, prefix: str = "") -> str:
     """Return the definitions of a unit, without includes.
 
     Parameters
     ----------
-    unit : Unit
+    unit : TranslationUnit
     prefix : str, optional
         With which every name of the file begins.
     """

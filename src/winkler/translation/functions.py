@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from winkler.translation.tree import BOOL, INT, REAL, Expression, TranslatedType
+from winkler.translation.tree import BOOL, INT, REAL, TranslatedType, Typed
 
 __all__ = ["REAL_FUNCTIONS", "REDUCTIONS", "SPECIAL", "cast", "extreme"]
 
@@ -42,89 +42,89 @@ REDUCTIONS: dict[Any, str] = {np.sum: "sum", np.min: "min", np.max: "max"}
 """Function of one row -> the helper that does it."""
 
 
-def cast(expression: Expression, wanted: TranslatedType) -> Expression:
+def cast(expression: Typed, wanted: TranslatedType) -> Typed:
     """Return an expression as another type of number; a tuple entry by entry."""
     if expression.type == wanted:
         return expression
     if expression.form == "tuple":
         parts = tuple(cast(*pair) for pair in zip(expression.parts, wanted.parts, strict=True))
-        return Expression(wanted, "tuple", parts=parts)
+        return Typed(wanted, "tuple", parts=parts)
     if expression.form == "number" and expression.type == INT and wanted == REAL:
-        return Expression(REAL, "number", repr(float(expression.text)))
-    return Expression(wanted, "cast", parts=(expression,))
+        return Typed(REAL, "number", repr(float(expression.text)))
+    return Typed(wanted, "cast", parts=(expression,))
 
 
-def extreme(name: str, arguments: list[Expression]) -> Expression:
+def extreme(name: str, arguments: list[Typed]) -> Typed:
     """Return the least or greatest of numbers, chosen as Python chooses."""
     wanted = REAL if any(argument.type == REAL for argument in arguments) else INT
     found = cast(arguments[0], wanted)
     for other in arguments[1:]:
-        found = Expression(wanted, "function", f"{name}_{wanted.kind}", (found, cast(other, wanted)))
+        found = Typed(wanted, "function", f"{name}_{wanted.kind}", (found, cast(other, wanted)))
     return found
 
 
-def _real(name: str) -> Callable[[list[Expression]], Expression | None]:
-    def build(arguments: list[Expression]) -> Expression | None:
+def _real(name: str) -> Callable[[list[Typed]], Typed | None]:
+    def build(arguments: list[Typed]) -> Typed | None:
         if not all(argument.type.is_number for argument in arguments):
             return None
-        return Expression(REAL, "function", name, tuple(cast(argument, REAL) for argument in arguments))
+        return Typed(REAL, "function", name, tuple(cast(argument, REAL) for argument in arguments))
 
     return build
 
 
-def _class(name: str) -> Callable[[list[Expression]], Expression | None]:
-    def build(arguments: list[Expression]) -> Expression | None:
+def _class(name: str) -> Callable[[list[Typed]], Typed | None]:
+    def build(arguments: list[Typed]) -> Typed | None:
         if len(arguments) != 1 or not arguments[0].type.is_number:
             return None
-        return Expression(BOOL, "function", name, (cast(arguments[0], REAL),))
+        return Typed(BOOL, "function", name, (cast(arguments[0], REAL),))
 
     return build
 
 
-def _row(name: str) -> Callable[[list[Expression]], Expression | None]:
-    def build(arguments: list[Expression]) -> Expression | None:
+def _row(name: str) -> Callable[[list[Typed]], Typed | None]:
+    def build(arguments: list[Typed]) -> Typed | None:
         if len(arguments) == 2 and name in ("min", "max") and all(part.type.is_number for part in arguments):
             return extreme(name, arguments)
         if len(arguments) != 1 or arguments[0].type.axes != 1 or arguments[0].type.item != REAL:
             return None
-        return Expression(REAL, "function", f"row_{name}", tuple(arguments))
+        return Typed(REAL, "function", f"row_{name}", tuple(arguments))
 
     return build
 
 
-def _minmax(name: str) -> Callable[[list[Expression]], Expression | None]:
-    def build(arguments: list[Expression]) -> Expression | None:
+def _minmax(name: str) -> Callable[[list[Typed]], Typed | None]:
+    def build(arguments: list[Typed]) -> Typed | None:
         return extreme(name, arguments) if arguments and all(part.type.is_number for part in arguments) else None
 
     return build
 
 
-def _absolute(arguments: list[Expression]) -> Expression | None:
+def _absolute(arguments: list[Typed]) -> Typed | None:
     (number,) = arguments
     if not number.type.is_number:
         return None
-    return Expression(number.type, "function", "fabs" if number.type == REAL else "llabs", (number,))
+    return Typed(number.type, "function", "fabs" if number.type == REAL else "llabs", (number,))
 
 
-def _integer(arguments: list[Expression]) -> Expression | None:
+def _integer(arguments: list[Typed]) -> Typed | None:
     return cast(arguments[0], INT) if len(arguments) == 1 and arguments[0].type.is_number else None
 
 
-def _float(arguments: list[Expression]) -> Expression | None:
+def _float(arguments: list[Typed]) -> Typed | None:
     return cast(arguments[0], REAL) if len(arguments) == 1 and arguments[0].type.is_number else None
 
 
-def _length(arguments: list[Expression]) -> Expression | None:
-    return Expression(INT, "size", parts=(arguments[0],), detail=0) if arguments[0].type.kind == "array" else None
+def _length(arguments: list[Typed]) -> Typed | None:
+    return Typed(INT, "size", parts=(arguments[0],), detail=0) if arguments[0].type.kind == "array" else None
 
 
-def _search(arguments: list[Expression]) -> Expression | None:
+def _search(arguments: list[Typed]) -> Typed | None:
     if len(arguments) != 2 or arguments[0].type.axes != 1 or not arguments[1].type.is_number:
         return None
-    return Expression(INT, "function", "row_search", (arguments[0], cast(arguments[1], REAL)))
+    return Typed(INT, "function", "row_search", (arguments[0], cast(arguments[1], REAL)))
 
 
-SPECIAL: dict[Any, Callable[[list[Expression]], Expression | None]] = {
+SPECIAL: dict[Any, Callable[[list[Typed]], Typed | None]] = {
     **{function: _real(name) for function, name in REAL_FUNCTIONS.items()},
     **{function: _class(name) for function, name in CLASSES.items()},
     **{function: _row(name) for function, name in REDUCTIONS.items()},

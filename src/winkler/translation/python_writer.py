@@ -7,12 +7,12 @@ import copy
 from typing import Any
 
 from winkler.translation.subset import is_translatable, source_of
-from winkler.translation.tree import Routine, Unit
+from winkler.translation.tree import Routine, TranslationUnit
 
 __all__ = ["python_source"]
 
 
-def python_source(unit: Unit) -> str:
+def python_source(unit: TranslationUnit) -> str:
     """Return the functions of a unit; they need `math` and numpy as `np`."""
     names: dict[int, str] = {}
     kept: list[Routine] = []

@@ -7,7 +7,7 @@ import ast
 from winkler.translation.expressions import Expressions, Library
 from winkler.translation.functions import cast
 from winkler.translation.subset import KernelSource, unified
-from winkler.translation.tree import BOOL, INT, VOID, Expression, Statement, TranslatedType
+from winkler.translation.tree import BOOL, INT, VOID, Statement, TranslatedType, Typed
 
 __all__ = ["Statements"]
 
@@ -103,14 +103,14 @@ class Statements(Expressions):
         changed = ast.copy_location(ast.BinOp(before, node.op, node.value), node)
         return self._assign(node.target, self.of(ast.fix_missing_locations(changed)))
 
-    def _kept(self, node: ast.AST, held: Expression) -> tuple[Expression, list[Statement]]:
+    def _kept(self, node: ast.AST, held: Typed) -> tuple[Typed, list[Statement]]:
         """Return a variable that keeps an expression."""
         self.temporary += 1
         name = f"kept_{self.temporary}"
         kind = self.assigned(node, name, held.type)
-        return Expression(kind, "name", name), [Statement("assign", name, (cast(held, kind),))]
+        return Typed(kind, "name", name), [Statement("assign", name, (cast(held, kind),))]
 
-    def _assign(self, target: ast.expr, held: Expression) -> list[Statement]:
+    def _assign(self, target: ast.expr, held: Typed) -> list[Statement]:
         if isinstance(target, ast.Name):
             if target.id == NOWHERE:
                 return [Statement("do", parts=(held,))] if held.form == "call" else []
@@ -122,7 +122,7 @@ class Statements(Expressions):
             return self._unpack(target, held)
         raise self.source.refused(target, f"an assignment to {type(target).__name__}")
 
-    def _store(self, target: ast.Subscript, held: Expression) -> list[Statement]:
+    def _store(self, target: ast.Subscript, held: Typed) -> list[Statement]:
         place = self.of(target)
         self.writes = True
         if place.form == "item":
@@ -133,7 +133,7 @@ class Statements(Expressions):
             raise self.source.refused(target, f"{place.type} that becomes {held.type}")
         return [Statement("fill", parts=(place, cast(held, place.type.item) if held.type.is_number else held))]
 
-    def _unpack(self, target: ast.Tuple, held: Expression) -> list[Statement]:
+    def _unpack(self, target: ast.Tuple, held: Typed) -> list[Statement]:
         if held.type.kind != "tuple" or len(held.type.parts) != len(target.elts):
             raise self.source.refused(target, f"{len(target.elts)} targets of {held.type}")
         done: list[Statement] = []
@@ -148,7 +148,7 @@ class Statements(Expressions):
             if held.form != "name":
                 held, keep = self._kept(target, held)
                 done += keep
-            parts = [Expression(kind, "part", parts=(held,), detail=k) for k, kind in enumerate(held.type.parts)]
+            parts = [Typed(kind, "part", parts=(held,), detail=k) for k, kind in enumerate(held.type.parts)]
         for element, part in zip(target.elts, parts, strict=True):
             done += self._assign(element, part)
         return done
@@ -162,7 +162,7 @@ class Statements(Expressions):
         """Repeat while a condition holds."""
         self._refuse_else(node)
         always = isinstance(node.test, ast.Constant) and node.test.value is True
-        test = Expression(BOOL, "number", "True") if always else self.truth(node.test)
+        test = Typed(BOOL, "number", "True") if always else self.truth(node.test)
         return [Statement("while", parts=(test,), bodies=(self._looped(node.body),))]
 
     def do_for(self, node: ast.For) -> list[Statement]:
@@ -192,13 +192,13 @@ class Statements(Expressions):
         step = self._whole(over.args[2]) if len(ends) == 3 else 1
         if step == 0:
             raise self.source.refused(node, "a range with a step that is not known beforehand")
-        start = ends[0] if len(ends) > 1 else Expression(INT, "number", "0")
+        start = ends[0] if len(ends) > 1 else Typed(INT, "number", "0")
         stop = ends[1] if len(ends) > 1 else ends[0]
         if name == NOWHERE:
             name = ""
         else:
             self.assigned(node, name, INT)
-        parts = start, stop, Expression(INT, "number", str(step))
+        parts = start, stop, Typed(INT, "number", str(step))
         return Statement("range", name, parts, (self._looped(node.body),))
 
     def _whole(self, node: ast.expr) -> int:
@@ -232,12 +232,12 @@ def _loaded(target: ast.expr) -> ast.expr:
     return copy
 
 
-def _depends(target: ast.Tuple, parts: list[Expression]) -> bool:
+def _depends(target: ast.Tuple, parts: list[Typed]) -> bool:
     """Return whether what is assigned first may change what is assigned later."""
     names = {node.id for node in ast.walk(target) if isinstance(node, ast.Name)}
     stores = any(isinstance(node, ast.Subscript) for node in ast.walk(target))
 
-    def read(part: Expression) -> bool:
+    def read(part: Typed) -> bool:
         if part.form == "name" and part.text in names and part.type.is_number:
             return True
         if part.form in ("call",) or (stores and part.form in ("item", "function")):

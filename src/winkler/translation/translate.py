@@ -18,7 +18,7 @@ from winkler.translation.tree import (
     Routine,
     Statement,
     TranslatedType,
-    Unit,
+    TranslationUnit,
     array_of,
 )
 
@@ -91,12 +91,12 @@ class Translation:
         passed = tuple((name, types[name]) for name in arguments)
         return Routine(name, source.kernel, passed, final, kept, body, builder.writes, builder.arrays_made)
 
-    def unit(self, *entries: Routine) -> Unit:
+    def unit(self, *entries: Routine) -> TranslationUnit:
         """Return everything in the order in which it is written: what is called stands before."""
-        return Unit(tuple(self.constants.values()), tuple(self.routines.values()), entries)
+        return TranslationUnit(tuple(self.constants.values()), tuple(self.routines.values()), entries)
 
 
-def translate(kernel: Translatable, axes: Mapping[str, int] | Sequence[TranslatedType] = ()) -> Unit:
+def translate(kernel: Translatable, axes: Mapping[str, int] | Sequence[TranslatedType] = ()) -> TranslationUnit:
     """Translate a kernel and all that it calls.
 
     Parameters

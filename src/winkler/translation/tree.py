@@ -9,8 +9,19 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 __all__ = [
-    "BOOL", "INT", "REAL", "SLICE", "VOID", "Constant", "Expression", "Routine", "Statement", "TranslatedType", "Unit",
-    "array_of", "tuple_of",
+    "BOOL",
+    "INT",
+    "REAL",
+    "SLICE",
+    "VOID",
+    "Constant",
+    "Routine",
+    "Statement",
+    "TranslatedType",
+    "TranslationUnit",
+    "Typed",
+    "array_of",
+    "tuple_of",
 ]  # fmt: skip
 
 
@@ -62,7 +73,7 @@ def tuple_of(*parts: TranslatedType) -> TranslatedType:
     return TranslatedType("tuple", parts)
 
 
-class Expression(NamedTuple):
+class Typed(NamedTuple):
     """Something that has a value.
 
     Parameters
@@ -73,7 +84,7 @@ class Expression(NamedTuple):
         "view", "size", "tuple", "part", "new", "room" or "slice".
     text : str
         A literal, a name, an operator, or which function.
-    parts : tuple of Expression
+    parts : tuple of Typed
     detail : Any
         Of a view which of its indices are slices, of a part its place, of a call the routine.
     """
@@ -94,14 +105,14 @@ class Statement(NamedTuple):
         "assign", "store", "fill", "do", "if", "while", "range", "items", "break", "continue" or "return".
     name : str
         The variable that is assigned or counts.
-    parts : tuple of Expression
+    parts : tuple of Typed
     bodies : tuple of tuples of Statement
     comment : str
     """
 
     form: str
     name: str = ""
-    parts: tuple[Expression, ...] = ()
+    parts: tuple[Typed, ...] = ()
     bodies: tuple[tuple[Any, ...], ...] = ()
     comment: str = ""
 
@@ -144,7 +155,7 @@ class Routine(NamedTuple):
     arrays_made: int
 
 
-class Unit(NamedTuple):
+class TranslationUnit(NamedTuple):
     """Everything that one or more kernels need, in the order in which it must be written."""
 
     constants: tuple[Constant, ...]

@@ -7,7 +7,7 @@ import dataclasses
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.exporting.step_law import StatePart, StepLaw, StepNumber, Table
+from winkler.exporting.step_law import LawTable, StatePart, StepLaw, StepNumber
 from winkler.numerics.types import Array
 from winkler.problems.particles.ball_step import step_ball
 from winkler.problems.particles.contacts import Contacts
@@ -57,11 +57,11 @@ def ball_law(contacts: Contacts, inputs: tuple[str, ...]) -> StepLaw:
     count = contacts.displaced.shape[1]
     slope = contacts.coefficient[:1] * contacts.modulus[:1] / contacts.shear_modulus[:1]
     tables = (
-        Table("law", "E* [Pa], G_t [Pa], R [m], mu, rolling arm [m], greatest depth [m]", law),
-        Table("curvature", "R [m]", contacts.curvature_radius[:1]),
-        Table("spacing", "distance of the springs [m]", contacts.spacing(count)[:1]),
-        Table("single", "tangential stiffness of one spring [N/m]", contacts.single(count)[:1]),
-        Table("slope", "mu E*/G*: how far a slipping spring is displaced, over its compression", slope),
+        LawTable("law", "E* [Pa], G_t [Pa], R [m], mu, rolling arm [m], greatest depth [m]", law),
+        LawTable("curvature", "R [m]", contacts.curvature_radius[:1]),
+        LawTable("spacing", "distance of the springs [m]", contacts.spacing(count)[:1]),
+        LawTable("single", "tangential stiffness of one spring [N/m]", contacts.single(count)[:1]),
+        LawTable("slope", "mu E*/G*: how far a slipping spring is displaced, over its compression", slope),
     )
     state = (
         StatePart("displaced", "springs along the surface [m], from the axis to the edge", np.zeros((1, count, 2))),

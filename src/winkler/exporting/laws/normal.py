@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
-from winkler.exporting.step_law import StepLaw, StepNumber, Table
+from winkler.exporting.step_law import LawTable, StepLaw, StepNumber
 from winkler.foundation.bed import Bed
 from winkler.loading import Depth
 from winkler.numerics.types import Array
@@ -56,7 +56,7 @@ def normal_law(bed: Bed, deepest: float, tolerance: float, inputs: tuple[str, ..
     rng = np.random.default_rng(SEED)
     trial = deepest * np.append(rng.uniform(-0.1, 1.0, 40), [0.0, 1.0, 1e-6])
     ratios = _shear_ratio(bed, deepest)
-    shear = Table("shear", "stiffness against shear over that against pressing", ratios)
+    shear = LawTable("shear", "stiffness against shear over that against pressing", ratios)
     notes = (*normal_notes(error), *map(str, Indentation(bed, Depth(deepest)).solve().validity))
     title = "A contact without friction and adhesion: one curve for loading and unloading"
     answer = (*ANSWER, SHEAR) if ratios.size else ANSWER
@@ -83,7 +83,7 @@ def _shear_ratio(bed: Bed, deepest: float) -> Array:
     return np.array(ratios[1:]) if alike(ratios) else np.zeros(0)
 
 
-def force_table(bed: Bed, deepest: float, tolerance: float) -> tuple[tuple[Table, ...], float]:
+def force_table(bed: Bed, deepest: float, tolerance: float) -> tuple[tuple[LawTable, ...], float]:
     """Return depths, forces, stiffnesses and energies, and the greatest error of the force over the greatest force.
 
     Raises
@@ -144,10 +144,10 @@ def _energies(depth: Array, force: Array, stiffness: Array) -> Array:
     return np.concatenate([[0.0], np.cumsum(pieces)])
 
 
-def _tables(depth: Array, force: Array, stiffness: Array) -> tuple[Table, ...]:
+def _tables(depth: Array, force: Array, stiffness: Array) -> tuple[LawTable, ...]:
     return (
-        Table("depth", "d [m] of the rows", depth),
-        Table("force", "F [N]", force),
-        Table("stiffness", "dF/dd [N/m]", stiffness),
-        Table("energy", "J up to each row", _energies(depth, force, stiffness)),
+        LawTable("depth", "d [m] of the rows", depth),
+        LawTable("force", "F [N]", force),
+        LawTable("stiffness", "dF/dd [N/m]", stiffness),
+        LawTable("energy", "J up to each row", _energies(depth, force, stiffness)),
     )

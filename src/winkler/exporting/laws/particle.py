@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.exporting.step_law import StatePart, StepLaw, StepNumber, Table
+from winkler.exporting.step_law import LawTable, StatePart, StepLaw, StepNumber
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import ShortRange
 from winkler.loading import Depth
@@ -104,8 +104,9 @@ def _law(
         "of opening [J/m^2], greatest depth [m]"
     )
     memory = "greatest depth, compression of the springs [m], angle of the edge, whether it touches, work so far [J]"
+    tables, state = (LawTable("law", meaning, np.array(numbers)),), (StatePart("memory", memory, np.zeros(5)),)
     return StepLaw(
-        title, step_particle, (Table("law", meaning, np.array(numbers)),), (StatePart("memory", memory, np.zeros(5)),),
+        title, step_particle, tables, state,
         MOTION, ANSWER, notes, inputs, _trial(deepest),
     )  # fmt: skip
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.exporting.step_law import StatePart, StepLaw, StepNumber, Table
+from winkler.exporting.step_law import LawTable, StatePart, StepLaw, StepNumber
 from winkler.foundation.bed import Bed
 from winkler.foundation.springs import Springs
 from winkler.loading import Depth
@@ -64,12 +64,12 @@ def relaxing_law(problem: ViscoelasticIndentation, count: int, inputs: tuple[str
     elastic = elastic_like(problem.bed)
     _, reach = at_depth(elastic, np.array([deepest]))
     row = SpringRow(elastic, Springs.of(elastic, float(reach[0]), count), series)
-    solid = Table("solid", "E* after all relaxation [Pa], 0, greatest depth [m]", np.array([*row.law[:2], deepest]))
-    law = (Table(name, meaning, np.asarray(part)) for (name, meaning), part in zip(TABLES, row.law[2:], strict=True))
+    solid = LawTable("solid", "E* after all relaxation [Pa], 0, greatest depth [m]", np.array([*row.law[:2], deepest]))
+    law = (LawTable(name, meaning, np.asarray(part)) for (name, meaning), part in zip(TABLES, row.law[2:], strict=True))
     springs = (
-        Table("gap", "g of the springs [m]", row.row[0]),
-        Table("weight", "their stiffness where E* is 1 Pa [m]", row.row[1]),
-        Table("position", "their places [m]", row.row[2]),
+        LawTable("gap", "g of the springs [m]", row.row[0]),
+        LawTable("weight", "their stiffness where E* is 1 Pa [m]", row.row[1]),
+        LawTable("position", "their places [m]", row.row[2]),
     )
     state = (
         StatePart("place", "displacement of the springs [m]", row.place),

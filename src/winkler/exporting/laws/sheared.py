@@ -6,7 +6,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.exporting.laws.normal import force_table, normal_notes
-from winkler.exporting.step_law import StatePart, StepLaw, StepNumber, Table
+from winkler.exporting.step_law import LawTable, StatePart, StepLaw, StepNumber
 from winkler.footprint import EllipticOutline
 from winkler.foundation.directional import DirectionalBed
 from winkler.foundation.springs import Springs
@@ -14,10 +14,10 @@ from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.loading import Depth
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.coupling import coefficient_of, sticking_note
-from winkler.problems.friction.sheared_step import step_sheared
 from winkler.problems.friction.spring_states import spring_notes
 from winkler.problems.friction.tangential import Tangential
 from winkler.problems.normal.indentation import Indentation
+from winkler.problems.particles.sheared_step import step_sheared
 
 __all__ = ["sheared_law"]
 
@@ -73,12 +73,14 @@ def sheared_law(problem: Tangential, tolerance: float, count: int, inputs: tuple
             hold, kinetic = 1.0, friction.coefficient
     slopes = np.cumsum(springs.stiffness)
     own = (
-        Table("gap", "g of the springs [m]", springs.gap),
-        Table("shear", "tangential stiffness of the springs [N/m]", springs.tangential_stiffness),
-        Table("slope", "how far a slipping spring is displaced over its compression", kinetic / springs.mindlin_ratio),
-        Table("hold", "static over kinetic friction", np.array([hold])),
-        Table("corners", "force when each spring just touches [N]", _corners(springs, slopes)),
-        Table("slopes", "stiffness from there on [N/m]", slopes),
+        LawTable("gap", "g of the springs [m]", springs.gap),
+        LawTable("shear", "tangential stiffness of the springs [N/m]", springs.tangential_stiffness),
+        LawTable(
+            "slope", "how far a slipping spring is displaced over its compression", kinetic / springs.mindlin_ratio
+        ),
+        LawTable("hold", "static over kinetic friction", np.array([hold])),
+        LawTable("corners", "force when each spring just touches [N]", _corners(springs, slopes)),
+        LawTable("slopes", "stiffness from there on [N/m]", slopes),
     )
     n = springs.gap.size
     state = (

@@ -12,7 +12,7 @@ from winkler.exporting.targets.c_example import c_main
 from winkler.exporting.targets.heading import heading_lines
 from winkler.translation.c_writer import INCLUDES, c_source
 from winkler.translation.translate import Translation
-from winkler.translation.tree import BOOL, INT, REAL, Routine, TranslatedType, Unit, array_of
+from winkler.translation.tree import BOOL, INT, REAL, Routine, TranslatedType, TranslationUnit, array_of
 
 __all__ = ["c_law", "translated_step"]
 
@@ -21,7 +21,7 @@ OWN_NAMES = frozenset({"begin", "step", "main"})
 ITEMS = {"f": (REAL, "double"), "i": (INT, "int64_t"), "b": (BOOL, "bool")}
 
 
-def translated_step(law: StepLaw) -> tuple[Unit, Routine]:
+def translated_step(law: StepLaw) -> tuple[TranslationUnit, Routine]:
     """Return the kernel of a law, translated."""
     translation = Translation(OWN_NAMES)
     tables = [array_of(table.numbers.ndim) for table in law.tables]

@@ -7,7 +7,7 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Mapping
-from importlib.util import find_spec
+from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 from winkler.errors import InvalidInput
@@ -21,7 +21,12 @@ NAMES = ("cc", "gcc", "clang")
 
 
 def _zig() -> list[str]:
-    return [sys.executable, "-m", "ziglang", "cc"] if find_spec("ziglang") is not None else []
+    """Return the command of the compiler of the wheel ziglang; empty if it is not installed."""
+    try:
+        version("ziglang")
+    except PackageNotFoundError:
+        return []
+    return [sys.executable, "-m", "ziglang", "cc"]
 
 
 def _own() -> list[str]:
