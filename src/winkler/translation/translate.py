@@ -96,7 +96,7 @@ class Translation:
         return TranslationUnit(tuple(self.constants.values()), tuple(self.routines.values()), entries)
 
 
-def translate(kernel: Translatable, axes: Mapping[str, int] | Sequence[TranslatedType] = ()) -> TranslationUnit:
+def translate(kernel: Translatable, axes: Mapping[str, int] | Sequence[TranslatedType] | None = None) -> TranslationUnit:
     """Translate a kernel and all that it calls.
 
     Parameters
@@ -110,13 +110,13 @@ def translate(kernel: Translatable, axes: Mapping[str, int] | Sequence[Translate
     InvalidInput
         If a line leaves the subset that is translated; the message names file and line.
     """
-    if isinstance(axes, Mapping):
+    if axes is None or isinstance(axes, Mapping):
         source = source_of(kernel)
         types: list[TranslatedType] = []
         for argument in source.definition.args.args:
             stated = ast.unparse(argument.annotation) if argument.annotation is not None else ""
             if stated == "Array":
-                types.append(array_of(axes.get(argument.arg, 1)))
+                types.append(array_of((axes or {}).get(argument.arg, 1)))
             elif stated in ANNOTATED:
                 types.append(ANNOTATED[stated])
             else:
