@@ -67,7 +67,7 @@ def worded(x: float) -> float:
 )
 def test_a_line_that_leaves_the_subset_is_named(kernel, line, what):
     first = kernel.function.__code__.co_firstlineno + line
-    with pytest.raises(InvalidInput, match=rf"^test_subset\.py:{first}: {re.escape(what)}; a kernel that is translated"):
+    with pytest.raises(InvalidInput, match=rf"^test_subset\.py:{first}: {re.escape(what)}; a kernel that"):
         translate(kernel)
 
 
@@ -112,7 +112,7 @@ def meanings(a: float, b: float, n: int, row: np.ndarray, out: np.ndarray) -> No
     room[0] = b if n > 3 else a
     out[12] = room[1, 0] + room[1, 2] + room[0, 1]
     out[13] = np.searchsorted(row, row[2]) + abs(-n) + int(-2.7)
-    out[14] = -a**2 - (b - (a - b)) / (a / b)
+    out[14] = -(a**2) - (b - (a - b)) / (a / b)
 
 
 def test_what_python_means_otherwise_than_c(tmp_path):

@@ -96,7 +96,9 @@ class Translation:
         return TranslationUnit(tuple(self.constants.values()), tuple(self.routines.values()), entries)
 
 
-def translate(kernel: Translatable, axes: Mapping[str, int] | Sequence[TranslatedType] | None = None) -> TranslationUnit:
+def translate(
+    kernel: Translatable, axes: Mapping[str, int] | Sequence[TranslatedType] | None = None
+) -> TranslationUnit:
     """Translate a kernel and all that it calls.
 
     Parameters
