@@ -5,6 +5,7 @@ module when it is first used.
 """
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity, WinklerError
+from winkler.exporting.export import ExportedLaw, export, write_export
 from winkler.fields import SubsurfaceFields, SurfaceFields, restore, restore_body, restore_shift
 from winkler.fitting.compare import Comparison, compare
 from winkler.fitting.curves.curve import ForceCurve
@@ -35,13 +36,7 @@ from winkler.fitting.several.groups import GroupRatio, ratio_of
 from winkler.fitting.several.joint import JointFit
 from winkler.fitting.several.population import Population, population
 from winkler.fitting.several.together import fit_together
-from winkler.fitting.unloading.contact_reading import (
-    CalibratedArea,
-    ContactReading,
-    contact_reading,
-    intercept_factor,
-    sample_young,
-)
+from winkler.fitting.unloading.contact_reading import CalibratedArea, ContactReading, contact_reading, intercept_factor, sample_young
 from winkler.fitting.unloading.continuous_stiffness import ContinuousStiffness
 from winkler.fitting.unloading.oliver_pharr import OliverPharr, OliverPharrSolution
 from winkler.fitting.viscoelastic.band import relaxation_band
@@ -80,23 +75,7 @@ from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.laws.heat import EqualMaximum, EqualMean, FixedShare
 from winkler.laws.varying_friction import ExponentialSlipWeakening, FallingFriction, LinearSlipWeakening
 from winkler.laws.wear import Archard, PairWear
-from winkler.loading import (
-    Angle,
-    Depth,
-    Force,
-    HalfWidth,
-    LineForce,
-    LineOfAction,
-    LineShearForce,
-    MeanPressure,
-    Moment,
-    NominalPressure,
-    Radius,
-    ShearForce,
-    Shift,
-    Tilt,
-    Torque,
-)
+from winkler.loading import Angle, Depth, Force, HalfWidth, LineForce, LineOfAction, LineShearForce, MeanPressure, Moment, NominalPressure, Radius, ShearForce, Shift, Tilt, Torque
 from winkler.materials.at_temperature import AtTemperature
 from winkler.materials.conducting_body import Plated, Rod
 from winkler.materials.conductor import ElectricalConductor, ThermalConductor
@@ -105,14 +84,7 @@ from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.materials.fractional import FractionalZener, PowerLawSolid
 from winkler.materials.graded import PowerLawGraded
 from winkler.materials.layered import Layer
-from winkler.materials.named import (
-    NamedElastic,
-    NamedElectricalConductor,
-    NamedMaterial,
-    NamedThermalConductor,
-    material,
-    material_names,
-)
+from winkler.materials.named import NamedElastic, NamedElectricalConductor, NamedMaterial, NamedThermalConductor, material, material_names
 from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
 from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
 from winkler.materials.sweeps import DynamicSweeps, RelaxationSweeps
@@ -177,35 +149,36 @@ __all__ = [
     "CurvedBodies", "CurvedPair", "Cylinder", "CylinderRow", "Depth", "DepthGradedHalfSpace", "DepthScaling",
     "DepthSeries", "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData", "DynamicSweeps", "Elastic",
     "ElectricalConductor", "ElectricalConductors", "Ellipsoid", "EllipticFoundation", "EqualMaximum", "EqualMean",
-    "EventKind", "ExponentialAttraction", "ExponentialGrading", "ExponentialSlipWeakening", "FallingFriction", "Fit",
-    "FitState", "FixedShare", "FlatPunch", "Follow", "Force", "ForceCurve", "Formula", "FormulaSection", "Foundation",
-    "FractionalZener", "GeneralisedKelvin", "GradedHalfSpace", "GroupRatio", "HalfSpace", "HalfWidth", "HeatConductors",
-    "HeldForce", "Hold", "Hyperboloid", "IndentationQuantities", "IndenterCalibration", "InvalidInput", "JointFit",
-    "KelvinVoigt", "Layer", "LayeredLineFoundation", "LennardJones", "LineForce", "LineFoundation", "LineOfAction",
-    "LineScan", "LineShearForce", "LinearSlipWeakening", "LogarithmicEnds", "MapStatistics", "Maxwell", "MeanPressure",
-    "Measured", "MeasuredBed", "MeasuredSection", "MirroredSection", "Moment", "NamedElastic",
-    "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor", "Nanoindentation", "NanoindentationSolution",
-    "NominalPressure", "NotConverged", "Note", "OliverPharr", "OliverPharrSolution", "Oscillate", "OutsideValidity",
-    "PairWear", "Paraboloid", "Path", "PeakStress", "PlacedCurve", "PlacedStress", "PlaneFoundation", "Plated",
-    "PopInStatistics", "Population", "PoroelasticFit", "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum",
-    "Program", "Prony", "PunchRow", "Pyramid", "PyramidByEdges", "Radius", "Ramp", "RandomTopography",
-    "RateDependentWork", "ReferenceSample", "RelaxationData", "RelaxationSweeps", "RelaxingInProportion",
-    "RepeatedMean", "Rigid", "Rod", "RoughProfile", "RoundedCone", "RoundedEnds", "RoundedPunch", "RoundedPyramid",
-    "SampledProfile", "SaturatingWork", "Segment", "SegmentKind", "SelfAffine", "Shape", "SharpEnds", "ShearForce",
-    "ShearedFields", "Shift", "ShortRange", "SigmoidalGrading", "Sphere", "SpheroConical", "Spikes", "Springs",
-    "Staircase", "StandardSolid", "Standing", "Start", "StaticKinetic", "SubsurfaceFields", "Sum", "SurfaceFields",
-    "SurfaceFilm", "TabulatedGrading", "TabulatedTip", "ThermalConductor", "ThermalDrift", "ThermalInterface", "Tilt",
-    "Topography", "Torque", "TransverselyIsotropic", "TransverselyIsotropicHalfSpace", "TruncatedCone",
-    "TruncatedParaboloid", "Vickers", "ViscoelasticFit", "ViscoelasticHalfSpace", "Voltage", "Wavy", "WiedemannFranz",
-    "WilliamsLandelFerry", "WinklerError", "ZeroPoint", "bearing_heights", "calibrate_indenter", "calibration_shares",
-    "compare", "compare_terms", "contact_reading", "correlation_length", "correlation_lengths", "depth_scaling",
-    "first_yield_stress", "fit", "fit_poroelastic", "fit_steps", "fit_together", "found_drift", "found_zero_point",
-    "indentation_quantities", "intercept_factor", "map_statistics", "material", "material_names", "over_depth",
-    "peak_stress", "pop_in_statistics", "population", "random_topography", "ratio_of", "read_bed", "read_contacts",
-    "read_creep", "read_cross_profile", "read_curve", "read_curves", "read_dynamic", "read_dynamic_sweeps",
-    "read_grading", "read_indenter", "read_path", "read_profile", "read_profile_pair", "read_relaxation",
-    "read_relaxation_sweeps", "read_scan", "read_section", "read_spectrum", "read_surface_load", "read_topography",
-    "relaxation_band", "repeated_mean", "restore", "restore_body", "restore_shift", "sample_young", "spectrum_of",
-    "staircase", "tip_limit", "to_pandas", "to_xarray", "write_contacts", "write_indenter", "write_law", "write_trace",
-    "write_vtk",
+    "EventKind", "ExponentialAttraction", "ExponentialGrading", "ExponentialSlipWeakening", "ExportedLaw",
+    "FallingFriction", "Fit", "FitState", "FixedShare", "FlatPunch", "Follow", "Force", "ForceCurve", "Formula",
+    "FormulaSection", "Foundation", "FractionalZener", "GeneralisedKelvin", "GradedHalfSpace", "GroupRatio",
+    "HalfSpace", "HalfWidth", "HeatConductors", "HeldForce", "Hold", "Hyperboloid", "IndentationQuantities",
+    "IndenterCalibration", "InvalidInput", "JointFit", "KelvinVoigt", "Layer", "LayeredLineFoundation", "LennardJones",
+    "LineForce", "LineFoundation", "LineOfAction", "LineScan", "LineShearForce", "LinearSlipWeakening",
+    "LogarithmicEnds", "MapStatistics", "Maxwell", "MeanPressure", "Measured", "MeasuredBed", "MeasuredSection",
+    "MirroredSection", "Moment", "NamedElastic", "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor",
+    "Nanoindentation", "NanoindentationSolution", "NominalPressure", "NotConverged", "Note", "OliverPharr",
+    "OliverPharrSolution", "Oscillate", "OutsideValidity", "PairWear", "Paraboloid", "Path", "PeakStress",
+    "PlacedCurve", "PlacedStress", "PlaneFoundation", "Plated", "PopInStatistics", "Population", "PoroelasticFit",
+    "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "Program", "Prony", "PunchRow", "Pyramid",
+    "PyramidByEdges", "Radius", "Ramp", "RandomTopography", "RateDependentWork", "ReferenceSample", "RelaxationData",
+    "RelaxationSweeps", "RelaxingInProportion", "RepeatedMean", "Rigid", "Rod", "RoughProfile", "RoundedCone",
+    "RoundedEnds", "RoundedPunch", "RoundedPyramid", "SampledProfile", "SaturatingWork", "Segment", "SegmentKind",
+    "SelfAffine", "Shape", "SharpEnds", "ShearForce", "ShearedFields", "Shift", "ShortRange", "SigmoidalGrading",
+    "Sphere", "SpheroConical", "Spikes", "Springs", "Staircase", "StandardSolid", "Standing", "Start", "StaticKinetic",
+    "SubsurfaceFields", "Sum", "SurfaceFields", "SurfaceFilm", "TabulatedGrading", "TabulatedTip", "ThermalConductor",
+    "ThermalDrift", "ThermalInterface", "Tilt", "Topography", "Torque", "TransverselyIsotropic",
+    "TransverselyIsotropicHalfSpace", "TruncatedCone", "TruncatedParaboloid", "Vickers", "ViscoelasticFit",
+    "ViscoelasticHalfSpace", "Voltage", "Wavy", "WiedemannFranz", "WilliamsLandelFerry", "WinklerError", "ZeroPoint",
+    "bearing_heights", "calibrate_indenter", "calibration_shares", "compare", "compare_terms", "contact_reading",
+    "correlation_length", "correlation_lengths", "depth_scaling", "export", "first_yield_stress", "fit",
+    "fit_poroelastic", "fit_steps", "fit_together", "found_drift", "found_zero_point", "indentation_quantities",
+    "intercept_factor", "map_statistics", "material", "material_names", "over_depth", "peak_stress",
+    "pop_in_statistics", "population", "random_topography", "ratio_of", "read_bed", "read_contacts", "read_creep",
+    "read_cross_profile", "read_curve", "read_curves", "read_dynamic", "read_dynamic_sweeps", "read_grading",
+    "read_indenter", "read_path", "read_profile", "read_profile_pair", "read_relaxation", "read_relaxation_sweeps",
+    "read_scan", "read_section", "read_spectrum", "read_surface_load", "read_topography", "relaxation_band",
+    "repeated_mean", "restore", "restore_body", "restore_shift", "sample_young", "spectrum_of", "staircase",
+    "tip_limit", "to_pandas", "to_xarray", "write_contacts", "write_export", "write_indenter", "write_law",
+    "write_trace", "write_vtk",
 ]  # fmt: skip

@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
-from winkler.cli import browser, cite, draw, fit, new, run, show, table, validate
+from winkler.cli import browser, cite, draw, export, fit, new, run, show, table, validate
 from winkler.cli.streams import write_line
 
 __all__ = ["app", "command"]
@@ -60,6 +60,7 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
     "show": show.show,
     "draw": draw.draw,
     "table": table.table,
+    "export": export.export,
     "new": new.new,
     "cite": cite.cite,
     "validate": validate.validate,

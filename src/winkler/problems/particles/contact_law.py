@@ -27,7 +27,7 @@ from winkler.problems.normal.stiffness_ratio import common_ratio
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
-__all__ = ["ContactLaw", "ContactLawSolution"]
+__all__ = ["ContactLaw", "ContactLawSolution", "first_radius"]
 
 FIRST_INTERVALS = 8
 """Intervals at the beginning, closer towards the touch."""
@@ -92,7 +92,7 @@ class ContactLaw:
         NotConverged
             If the tolerance would need more than 100 000 rows.
         """
-        flat = _first_radius(self.bed)
+        flat = first_radius(self.bed)
         depth = self.deepest * np.linspace(0.0, 1.0, FIRST_INTERVALS + 1) ** 2
         for _ in range(MOST_HALVINGS):
             pressed_ = Indentation(self.bed, Depth(depth)).solve()
@@ -131,7 +131,7 @@ class ContactLaw:
         return np.asarray(np.abs(_cubic(depth, force, stiffness) - true))
 
 
-def _first_radius(bed: Bed) -> float:
+def first_radius(bed: Bed) -> float:
     """Return the radius of the contact at first touch: that of a flat end, or zero."""
     if math.isfinite(bed.rim) and bed.rim <= bed.reach and float(bed.gap(np.array([bed.rim]))[0]) == 0.0:
         return float(bed.rim)

@@ -16,6 +16,13 @@ from winkler.errors import InvalidInput
 from winkler.numerics.springs.contact_kernels import move_balls, turn_balls
 from winkler.numerics.threads import run_in_threads
 from winkler.numerics.types import Array, ArrayLike
+from winkler.problems.particles.ball_forces import (
+    ball_force,
+    ball_radius,
+    tilting_stiffness,
+    twisting_bound,
+    twisting_stiffness,
+)
 from winkler.problems.particles.trace import ContactTrace
 from winkler.values import value, words
 
@@ -46,20 +53,19 @@ class BallContacts:
 
     def radius_at(self, pressed: Array) -> Array:
         """Return a [m] at depths [m], ``(contacts, steps)``."""
-        return np.asarray(np.sqrt(self.curvature_radius[:, np.newaxis] * pressed))
+        return np.asarray(ball_radius(self.curvature_radius[:, np.newaxis], pressed))
 
     def force_at(self, pressed: Array) -> Array:
         """Return F_N [N] at depths [m], ``(contacts, steps)``."""
-        stiffness = 4.0 / 3.0 * self.modulus * np.sqrt(self.curvature_radius)
-        return np.asarray(stiffness[:, np.newaxis] * pressed**1.5)
+        return np.asarray(ball_force(self.modulus[:, np.newaxis], self.curvature_radius[:, np.newaxis], pressed))
 
     def twisting(self, radius: Array) -> Array:
         """Return the stiffness against a twist [N m], ``(contacts, steps)``."""
-        return np.asarray(16.0 / 3.0 * self.torsional_modulus[:, np.newaxis] * radius**3)
+        return np.asarray(twisting_stiffness(self.torsional_modulus[:, np.newaxis], radius))
 
     def tilting(self, radius: Array) -> Array:
         """Return the stiffness against rolling [N m], ``(contacts, steps)``."""
-        return np.asarray(4.0 / 3.0 * self.modulus[:, np.newaxis] * radius**3)
+        return np.asarray(tilting_stiffness(self.modulus[:, np.newaxis], radius))
 
     def spacing(self, count: int) -> Array:
         """Return the distance of so many springs [m]."""
@@ -102,7 +108,7 @@ def follow_contacts(pairs: Balls, after: Array, motion: Array, twist: Array, rol
     spacing, single = pairs.spacing(u.shape[1]), pairs.single(u.shape[1])
     slope = pairs.coefficient * pairs.modulus / pairs.shear_modulus
     twisting, tilting = pairs.twisting(radius), pairs.tilting(radius)
-    most_twist = 3.0 * np.pi / 16.0 * pairs.coefficient[:, np.newaxis] * normal * radius
+    most_twist = twisting_bound(pairs.coefficient[:, np.newaxis], normal, radius)
     most_roll = pairs.rolling_arm[:, np.newaxis] * normal
 
     sheared = (u, pairs.curvature_radius, spacing, single, slope, depth, motion, shear, stored[0], lost[0])

@@ -15,10 +15,11 @@ from winkler.errors import OutsideValidity
 from winkler.numerics.equations.roots import between
 from winkler.problems.particles.elastic_plastic_springs import (
     DEPTH_LIMIT,
-    FULL_CONTACT_ANGLE,
     Material,
     ParticleSprings,
 )
+from winkler.problems.particles.particle_edge import potential
+from winkler.problems.particles.particle_rules import particle_depth
 
 __all__ = ["ParticleHistory", "ParticleMarch"]
 
@@ -68,8 +69,7 @@ class ParticleMarch(NamedTuple):
 
     def potential(self, springs: ParticleSprings, angle: float, compression: float, work: float) -> float:
         """Return elastic and surface energy, at a prescribed depth [J]."""
-        energy = springs.sums(angle, compression)[1]
-        return springs.stretch * (energy - work * np.pi * springs.radius(angle) ** 2)
+        return potential(springs, angle, compression, work)
 
     def energy(self, state: ParticleHistory) -> float:
         """Return what is stored, less what closing has gained [J]."""
@@ -84,54 +84,8 @@ class ParticleMarch(NamedTuple):
                 f"ElasticPlasticParticle: a depth of {depth:g} m is beyond {DEPTH_LIMIT:g} of the radius; there the "
                 "particle is compressed as a whole, which this law of one contact leaves out; stay below it."
             )
-        springs = self.material.springs(state.largest)
-        roof = max(state.largest, self.material.yield_depth)
-        state = self._within(springs, state, springs.compression(min(depth, roof)))
-        largest = max(state.largest, depth)
-        if depth <= roof:
-            return state._replace(largest=largest)
-        work = state.work + self.material.work(depth) - self.material.work(roof)
-        return ParticleHistory(
-            largest, self.material.springs(largest).compression(depth), FULL_CONTACT_ANGLE, True, work
-        )
-
-    def _within(self, springs: ParticleSprings, state: ParticleHistory, compression: float) -> ParticleHistory:
-        """Move while the particle does not yield."""
-        if not state.touching:
-            if compression < 0.0:
-                return state._replace(compression=compression)
-            state = state._replace(compression=0.0, angle=springs.edge(0.0, self.closing), touching=True)
-        angle = state.angle
-        low, high = springs.balanced(angle, self.closing), springs.balanced(angle, self.opening)
-        if compression > low:
-            return self._moved(springs, state, compression, springs.edge(compression, self.closing), self.closing)
-        if compression >= high:
-            return self._moved(springs, state, compression, angle, self.opening)
-        least = springs.critical(self.opening, 0.5)
-        if angle < least or compression < springs.balanced(least, self.opening):
-            end = min(angle, least)
-            last = self._moved(springs, state, springs.balanced(end, self.opening), end, self.opening)
-            return last._replace(compression=compression, angle=0.0, touching=False)
-        return self._moved(springs, state, compression, springs.edge(compression, self.opening), self.opening)
-
-    def _moved(
-        self, springs: ParticleSprings, state: ParticleHistory, compression: float, angle: float, work: float
-    ) -> ParticleHistory:
-        """Let the edge rest, go to an angle while it is just held, and rest again; what that takes."""
-
-        def rest(at: float, start: float, stop: float) -> float:
-            if start == stop:
-                return 0.0
-            return springs.stretch * (springs.sums(at, stop)[1] - springs.sums(at, start)[1])
-
-        if angle == state.angle:
-            spent = rest(angle, state.compression, compression)
-        else:
-            first = springs.balanced(state.angle, work)
-            last = springs.balanced(angle, work) if angle == FULL_CONTACT_ANGLE else compression
-            spent = rest(state.angle, state.compression, first) + rest(angle, last, compression)
-            spent += self.potential(springs, angle, last, work) - self.potential(springs, state.angle, first, work)
-        return state._replace(compression=compression, angle=angle, work=state.work + spent)
+        particle = self.material.particle(self.closing, self.opening)
+        return ParticleHistory(*particle_depth(particle, state, depth))
 
     def to_force(self, state: ParticleHistory, force: float) -> ParticleHistory:
         """Return the particle under a dead load."""

@@ -19,20 +19,27 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-import numpy as np
-
 from winkler.materials.elastic import Elastic
 from winkler.numerics.equations.roots import between
+from winkler.problems.particles.particle_edge import (
+    FULL_CONTACT_ANGLE,
+    balanced,
+    critical_angle,
+    held_edge,
+    spring_sums,
+)
+from winkler.problems.particles.particle_rules import (
+    Particle,
+    particle_springs,
+    yield_force,
+    yield_pressure,
+    yield_work,
+)
 
 __all__ = ["DEPTH_LIMIT", "FULL_CONTACT_ANGLE", "Material", "ParticleSprings", "material_of"]
 
-NODES, WEIGHTS = np.polynomial.legendre.leggauss(16)
-FULL_CONTACT_ANGLE = 0.5 * math.pi
-"""The angle at which all springs are in contact."""
 DEPTH_LIMIT = 0.5
 """Depth over radius up to which the law is followed."""
-YIELD_PRESSURE_RISE, YIELD_PRESSURE_FALL = 1.75, 4.4
-"""Of the yield pressure, fitted by Zunker and Kamrin to finite elements."""
 
 
 class ParticleSprings(NamedTuple):
@@ -68,16 +75,9 @@ class ParticleSprings(NamedTuple):
         """Return the radius of the contact [m]."""
         return self.half_width * math.sin(angle)
 
-    def gap(self, angle: float) -> float:
-        """Return g at the edge of the contact [m]."""
-        return self.height * math.sin(0.5 * angle) ** 2
-
     def sums(self, angle: float, compression: float) -> tuple[float, float]:
         """Return force [N] and elastic energy of the springs [J], from quadrature that is exact to rounding."""
-        theta = 0.5 * angle * (NODES + 1.0)
-        pressed = compression - self.height * np.sin(0.5 * theta) ** 2
-        weight = self.modulus * self.half_width * angle * WEIGHTS * np.cos(theta)
-        return float(weight @ pressed), 0.5 * float(weight @ pressed**2)
+        return spring_sums(self, angle, compression)
 
     def force(self, angle: float, compression: float) -> float:
         """Return the force [N]."""
@@ -85,28 +85,18 @@ class ParticleSprings(NamedTuple):
 
     def balanced(self, angle: float, work: float) -> float:
         """Return the compression of the springs when an edge at the angle is just held by a work of adhesion [m]."""
-        return self.gap(angle) - math.sqrt(2.0 * math.pi * self.radius(angle) * work / self.modulus)
+        return balanced(self, angle, work)
 
     def critical(self, work: float, factor: float) -> float:
         """Return the angle where a g' is `factor` times the stretch of the last spring: the end of stability.
 
         1/2 under a prescribed depth, 3/2 under a dead load.
         """
-        if work == 0.0:
-            return 0.0
-        number = 2.0 * factor * math.sqrt(2.0 * math.pi * self.half_width * work / self.modulus) / self.height
-        return between(lambda angle: math.sin(angle) ** 1.5 - number * math.cos(angle), 0.0, FULL_CONTACT_ANGLE)
+        return critical_angle(self, work, factor)
 
     def edge(self, compression: float, work: float) -> float:
         """Return the angle of the stable edge; zero if there is none."""
-        if work == 0.0:
-            return 2.0 * math.asin(math.sqrt(min(max(compression, 0.0) / self.height, 0.5)))
-        least = self.critical(work, 0.5)
-        if compression < self.balanced(least, work):
-            return 0.0
-        if compression >= self.balanced(FULL_CONTACT_ANGLE, work):
-            return FULL_CONTACT_ANGLE
-        return between(lambda angle: self.balanced(angle, work) - compression, least, FULL_CONTACT_ANGLE)
+        return held_edge(self, compression, work)
 
     def edge_force(self, angle: float, work: float) -> float:
         """Return the force while the edge is just held [N]."""
@@ -144,41 +134,27 @@ class Material(NamedTuple):
 
     def yield_pressure(self, depth: float) -> float:
         """Return p_Y [Pa] at a depth."""
-        return self.solid.strength * (YIELD_PRESSURE_RISE * math.exp(-YIELD_PRESSURE_FALL * depth / self.radius) + 1.0)
+        return yield_pressure(self.radius, self.solid.strength, depth)
 
-    def _square(self, depth: float) -> float:
-        """Return b^2 [m^2]: that of Hertz where yield begins, then that of a ball cut off at the depth."""
-        onset = self.yield_depth
-        return depth * (2.0 * self.radius - depth) - onset * (self.radius - onset)
+    def particle(self, closing: float = 0.0, opening: float = 0.0) -> Particle:
+        """Return the numbers of the particle, with works of adhesion [J/m^2]."""
+        solid = self.solid
+        return (
+            self.radius, solid.strength, solid.shear, solid.poisson, self.modulus, self.yield_depth, 4.0 * self.radius,
+            self.radius, closing, opening,
+        )  # fmt: skip
 
     def force(self, depth: float) -> float:
         """Return the force that presses the particle deeper than ever before, beyond yield [N]."""
-        return math.pi * self._square(depth) * self.yield_pressure(depth)
+        return yield_force(self.particle(), depth)
 
     def work(self, depth: float) -> float:
         """Return the integral of that force over the depth, up to a constant [J]."""
-        radius, onset = self.radius, self.yield_depth
-        offset = onset * (onset - radius)
-        rate = YIELD_PRESSURE_FALL / radius
-        plain = depth * (offset + depth * (radius - depth / 3.0))
-        falling = self._square(depth) / rate + 2.0 * (radius - depth) / rate**2 - 2.0 / rate**3
-        return math.pi * self.solid.strength * (plain - YIELD_PRESSURE_RISE * math.exp(-rate * depth) * falling)
+        return yield_work(self.particle(), depth)
 
     def springs(self, largest: float) -> ParticleSprings:
         """Return the springs after the particle was once pressed to a depth."""
-        if largest <= self.yield_depth:
-            return ParticleSprings(self.modulus, 4.0 * self.radius, self.radius, 0.0, 1.0)
-        square = self._square(largest)
-        b = math.sqrt(square)
-        height = 4.0 * self.yield_pressure(largest) * b / self.modulus
-        compression = 0.5 * height
-        centre = self.radius - (largest - compression)
-        far = math.hypot(b, centre)
-        nu = self.solid.poisson
-        # how far the centre of the particle moves under the uniform pressure, against its surface far away
-        bent = 2.0 * square * (nu - 1.0) - (2.0 * nu - 1.0) * centre * (far - centre)
-        bulk = self.force(largest) * bent / (2.0 * math.pi * self.solid.shear * square * far)
-        return ParticleSprings(self.modulus, height, b, largest - compression - bulk, 1.0 + bulk / compression)
+        return ParticleSprings(*particle_springs(self.particle(), largest))
 
 
 def material_of(radius: float, solid: Elastic) -> Material:

@@ -1,0 +1,37 @@
+"""``winkler export``: the contact law of a study as a source file for other programs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from winkler.cli.options import refuse_existing
+from winkler.cli.streams import write_line
+
+__all__ = ["export"]
+
+
+def export(
+    study: Annotated[Path, typer.Argument(help="A study of a contact law (TOML).", show_default=False)],
+    to: Annotated[str, typer.Option("--to", help="The language.", show_default=False)],
+    output: Annotated[Path, typer.Option("--output", "-o", help="Folder of the files.")] = Path(),
+    name: Annotated[str, typer.Option(help="With which functions and types begin.")] = "contact",
+    tolerance: Annotated[float, typer.Option(help="Error of a force given by a table, over the greatest.")] = 1e-6,
+    count: Annotated[int, typer.Option(help="How many springs bear friction.")] = 32,
+    overwrite: Annotated[bool, typer.Option("--overwrite", "--yes", "-y", help="Replace existing files.")] = False,
+) -> None:
+    """Write the contact law of a study as a source file that tests itself against winkler.
+
+    Example: winkler export examples/studies/normal/hertz.toml --to c --name ball
+    """
+    from winkler.exporting.export import export as exported_law
+    from winkler.exporting.export import write_export
+    from winkler.study.language.reading import read_study
+
+    law = exported_law(read_study(study).problem, to, name=name, tolerance=tolerance, count=count)
+    for file, _ in law.files:
+        refuse_existing(output / file, overwrite, "output: ")
+    for path in write_export(law, output):
+        write_line(f"{path} written: {law.title}.")

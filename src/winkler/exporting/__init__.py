@@ -1,0 +1,1 @@
+"""Contact laws as source files for other programs."""

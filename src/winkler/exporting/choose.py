@@ -1,0 +1,85 @@
+"""Which problems are contact laws: those that another program can step through, by their kind."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.exporting.laws.balls import ball_law
+from winkler.exporting.laws.normal import normal_law
+from winkler.exporting.laws.particle import adhesive_law, particle_law
+from winkler.exporting.laws.relaxing import relaxing_law
+from winkler.exporting.laws.sheared import sheared_law
+from winkler.exporting.step_law import StepLaw
+from winkler.io.traces import inputs_of
+from winkler.problems.adhesion.cycle import AdhesiveCycle
+from winkler.problems.friction.tangential import Tangential
+from winkler.problems.normal.indentation import Indentation
+from winkler.problems.particles.contact_law import ContactLaw, ContactLawSolution
+from winkler.problems.particles.contacts import Contacts
+from winkler.problems.particles.elastic_plastic import ElasticPlasticParticle
+from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
+
+__all__ = ["LAWS", "law_of"]
+
+LAWS = {
+    "Indentation": "normal force of any shape, up to the deepest load",
+    "ContactLaw": "the same, up to its depth and to its tolerance",
+    "Tangential": "the same with friction in the plane, up to the deepest point of the path",
+    "ElasticPlasticParticle": "a particle that yields and sticks, with all its hysteresis",
+    "AdhesiveCycle": "a ball with short-ranged adhesion and hysteresis, along a path of depths",
+    "ViscoelasticIndentation": "any shape on a body that relaxes, up to the deepest point of the path",
+    "Contacts": "two balls with friction, twist and rolling; in Python",
+}
+"""Problem -> what it is as a law."""
+
+
+def law_of(problem: Any, *, tolerance: float, count: int) -> StepLaw:
+    """Return the law of a problem.
+
+    Parameters
+    ----------
+    problem
+        One of `LAWS`.
+    tolerance : float
+        Error of a table, over the greatest force.
+    count : int
+        How many springs, where it does not state that itself.
+
+    Raises
+    ------
+    InvalidInput
+        If it is none of these; the message lists them.
+    """
+    inputs = _described(problem)
+    match problem:
+        case Indentation():
+            return normal_law(problem.bed, float(np.max(problem.solve().depth)), tolerance, inputs)
+        case ContactLaw():
+            return normal_law(problem.bed, problem.deepest, problem.tolerance, inputs)
+        case ContactLawSolution():
+            return law_of(problem.problem, tolerance=tolerance, count=count)
+        case Tangential():
+            return sheared_law(problem, tolerance, count, inputs)
+        case ElasticPlasticParticle():
+            return particle_law(problem, inputs)
+        case AdhesiveCycle():
+            return adhesive_law(problem, inputs)
+        case ViscoelasticIndentation():
+            return relaxing_law(problem, count, inputs)
+        case Contacts():
+            return ball_law(problem, inputs)
+    known = "; ".join(f"{name} ({what})" for name, what in LAWS.items())
+    raise InvalidInput(f"export: {type(problem).__name__} is no contact law for other programs; give one of: {known}.")
+
+
+def _described(problem: Any) -> tuple[str, ...]:
+    """Return the inputs of a problem, one a line."""
+    lines = []
+    for name, (content, unit) in inputs_of(problem).items():
+        text = ("infinite" if content == math.inf else repr(content)) if isinstance(content, float) else content
+        lines.append(f"{name} = {text} {unit}".rstrip())
+    return tuple(lines)

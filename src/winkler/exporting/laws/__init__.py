@@ -1,0 +1,1 @@
+"""Which problems are contact laws, and their steps as kernels."""

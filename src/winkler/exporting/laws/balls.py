@@ -1,0 +1,106 @@
+"""A contact of two balls with friction, twist and rolling, as `Contacts` has it, as a law for other programs."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.exporting.step_law import LawTable, StatePart, StepLaw, StepNumber
+from winkler.numerics.types import Array
+from winkler.problems.particles.ball_step import step_ball
+from winkler.problems.particles.contacts import Contacts
+
+__all__ = ["BALL_ANSWER", "BALL_MOTION", "ball_law"]
+
+BALL_MOTION = (
+    StepNumber("depth", "m", "d at the end of the step, not positive without contact"),
+    StepNumber("motion_x", "m", "by which the bodies move along the surface in the step", True),
+    StepNumber("motion_y", "m", "the same across", True),
+    StepNumber("twist", "rad", "by which they turn about the normal in the step", True),
+    StepNumber("roll_x", "rad", "by which they roll over each other in the step", True),
+    StepNumber("roll_y", "rad", "the same across", True),
+)
+BALL_ANSWER = (
+    StepNumber("force", "N", "normal force, compression positive"),
+    StepNumber("shear_x", "N", "shear force that moves the bodies along the motion"),
+    StepNumber("shear_y", "N", "the same across"),
+    StepNumber("torque", "N m", "moment that holds up the twist"),
+    StepNumber("rolling_x", "N m", "moment that holds up the rolling"),
+    StepNumber("rolling_y", "N m", "the same across"),
+    StepNumber("radius", "m", "contact radius"),
+    StepNumber("stored_energy", "J", "of shear, twist and rolling"),
+    StepNumber("dissipation", "J", "heat since the beginning; never falls"),
+)
+STEPS, SEED = 60, 20260724
+
+
+def ball_law(contacts: Contacts, inputs: tuple[str, ...]) -> StepLaw:
+    """Return the law of contacts that are all alike.
+
+    Raises
+    ------
+    InvalidInput
+        If they differ, or one of them has been moved already.
+    """
+    words = ("modulus", "torsional_modulus", "curvature_radius", "coefficient", "rolling_arm", "reach", "shear_modulus")
+    for word in words:
+        if np.unique(getattr(contacts, word)).size != 1:
+            raise InvalidInput(
+                f"export: the contacts differ in {word}; a law is exported for one kind of contact, so export Contacts "
+                "of one pair."
+            )
+    if np.any(contacts.displaced != 0.0) or np.any(contacts.dissipation != 0.0) or np.any(contacts.depth > 0.0):
+        raise InvalidInput("export: the contacts have been moved already; export Contacts.apart(...).")
+    law = np.array([float(getattr(contacts, word)[0]) for word in words[:6]])
+    count = contacts.displaced.shape[1]
+    slope = contacts.coefficient[:1] * contacts.modulus[:1] / contacts.shear_modulus[:1]
+    tables = (
+        LawTable("law", "E* [Pa], G_t [Pa], R [m], mu, rolling arm [m], greatest depth [m]", law),
+        LawTable("curvature", "R [m]", contacts.curvature_radius[:1]),
+        LawTable("spacing", "distance of the springs [m]", contacts.spacing(count)[:1]),
+        LawTable("single", "tangential stiffness of one spring [N/m]", contacts.single(count)[:1]),
+        LawTable("slope", "mu E*/G*: how far a slipping spring is displaced, over its compression", slope),
+    )
+    state = (
+        StatePart("displaced", "springs along the surface [m], from the axis to the edge", np.zeros((1, count, 2))),
+        StatePart("twisted", "elastic part of the twist [rad]", np.zeros((1, 2))),
+        StatePart("rolled", "elastic part of the rolling [rad]", np.zeros((1, 2))),
+        StatePart("past", "depth before the step [m], heat so far [J]", np.zeros(2)),
+        *(StatePart(name, "work space", np.zeros(shape)) for name, shape in WORK),
+    )
+    return StepLaw(
+        "Two balls: Hertz' force, friction by springs that stick and slip, twist and rolling",
+        step_ball,
+        tables,
+        state,
+        BALL_MOTION,
+        BALL_ANSWER,
+        tuple(str(note) for note in dataclasses.replace(contacts, depth=contacts.reach).validity),
+        inputs,
+        _trial(law),
+    )
+
+
+WORK = (
+    ("ends", (1, 2)),
+    ("stiffness", (1, 2)),
+    ("most", (1, 2)),
+    ("lateral", (1, 1, 2)),
+    ("borne", (1, 1, 2)),
+    ("stored", (1, 1)),
+    ("lost", (1, 1)),
+)
+"""What a step writes down for itself."""
+
+
+def _trial(law: Array) -> Array:
+    """Return motions that stick, slip, part and touch again."""
+    rng = np.random.default_rng(SEED)
+    reach, radius = law[5], law[2]
+    depth = reach * np.clip(0.5 + 0.6 * np.cumsum(rng.normal(scale=0.25, size=STEPS)), -0.2, 1.0)
+    sliding = 0.5 * max(law[3], 0.1) * reach
+    turning = sliding / np.sqrt(radius * reach)
+    moves = rng.normal(scale=sliding, size=(STEPS, 2))
+    return np.column_stack([depth, moves, rng.normal(scale=turning, size=(STEPS, 3))])

@@ -1,0 +1,108 @@
+"""A contact law as every target writes it: a kernel that does one step, its tables, its state, what goes in and out."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from winkler.numerics.types import Array
+from winkler.translation.plain import plain
+from winkler.translation.subset import Translatable
+
+__all__ = ["LawTable", "StatePart", "StepLaw", "StepNumber"]
+
+
+class StepNumber(NamedTuple):
+    """One number that goes into a step or comes out of it.
+
+    Parameters
+    ----------
+    name, unit, meaning : str
+    changes : bool
+        Whether it is by how much something changes in the step, not what it is at its end.
+    """
+
+    name: str
+    unit: str
+    meaning: str
+    changes: bool = False
+
+
+class LawTable(NamedTuple):
+    """Numbers of a law that never change.
+
+    Parameters
+    ----------
+    name, meaning : str
+    numbers : ndarray
+    """
+
+    name: str
+    meaning: str
+    numbers: Array
+
+
+class StatePart(NamedTuple):
+    """What a contact remembers from step to step.
+
+    Parameters
+    ----------
+    name, meaning : str
+    begin : ndarray
+        Before the first touch; real numbers, whole numbers or truth values.
+    """
+
+    name: str
+    meaning: str
+    begin: np.ndarray[Any, Any]
+
+
+class StepLaw(NamedTuple):
+    """A contact law, step by step.
+
+    Parameters
+    ----------
+    title : str
+    kernel : Kernel or function
+        Takes the tables, the parts of the state, motion and answer, in this order; writes state and answer.
+    tables : tuple of LawTable
+    state : tuple of StatePart
+    motion, answer : tuple of StepNumber
+        What goes in and comes out.
+    notes : tuple of str
+        What is assumed, and how far it holds.
+    inputs : tuple of str
+        The problem in words, line by line.
+    trial : ndarray, (steps, inputs)
+        Motions of the test trace.
+    """
+
+    title: str
+    kernel: Translatable
+    tables: tuple[LawTable, ...]
+    state: tuple[StatePart, ...]
+    motion: tuple[StepNumber, ...]
+    answer: tuple[StepNumber, ...]
+    notes: tuple[str, ...]
+    inputs: tuple[str, ...]
+    trial: Array
+
+    def trace(self, motions: Array | None = None) -> Array:
+        """Return the answers, (steps, outputs), to motions, (steps, inputs); those of the test trace unless given."""
+        rows = np.ascontiguousarray(self.trial if motions is None else motions, dtype=float)
+        tables = [np.array(table.numbers, dtype=float) for table in self.tables]
+        state = [np.array(part.begin) for part in self.state]
+        answers = np.empty((len(rows), len(self.answer)))
+        answer = np.zeros(len(self.answer))
+        step = plain(self.kernel)
+        for row, into in zip(rows, answers, strict=True):
+            step(*tables, *state, row.copy(), answer)
+            into[:] = answer
+        return answers
+
+    @property
+    def state_size(self) -> int:
+        """How many bytes a contact remembers."""
+        return sum(math.prod(part.begin.shape) * part.begin.itemsize for part in self.state)

@@ -1,0 +1,120 @@
+r"""Springs under half an ellipse with an edge that attraction holds: plain arithmetic, which other languages share.
+
+.. math:: g(x) = A\sin^2\tfrac\varphi2, \qquad x = b\sin\varphi , \qquad
+          F = E_c\int_{-a}^{a}(u-g(x))\,\mathrm dx, \qquad g(a)-u = \sqrt{2\pi a w/E_c}
+
+`springs` are E_c [Pa], A and b [m], and the d_0 [m] and s [-] of u = (d - d_0)/s.  A ball's are A = 4R, b = R; of a
+paraboloid both in the limit A = 4R n^2, b = Rn of a great n.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+__all__ = ["FULL_CONTACT_ANGLE", "Springs5", "balanced", "critical_angle", "held_edge", "potential", "spring_sums"]
+
+Springs5 = tuple[float, float, float, float, float]
+NODES, WEIGHTS = (tuple(map(float, row)) for row in np.polynomial.legendre.leggauss(16))
+FULL_CONTACT_ANGLE = 0.5 * math.pi
+"""The angle at which all springs are in contact."""
+CRITICAL, BALANCED = 0, 1
+"""What vanishes at the root that is looked for."""
+MOST_TRIALS = 400
+ROOT_TOLERANCE = 4e-16
+
+
+def spring_sums(springs: Springs5, angle: float, compression: float) -> tuple[float, float]:
+    """Return force [N] and elastic energy of the springs [J], from quadrature that is exact to rounding."""
+    modulus, height, half_width, _, _ = springs
+    force = 0.0
+    energy = 0.0
+    for k in range(len(NODES)):
+        theta = 0.5 * angle * (NODES[k] + 1.0)
+        sine = math.sin(0.5 * theta)
+        pressed = compression - height * sine * sine
+        weight = modulus * half_width * angle * WEIGHTS[k] * math.cos(theta)
+        force += weight * pressed
+        energy += 0.5 * weight * pressed * pressed
+    return force, energy
+
+
+def balanced(springs: Springs5, angle: float, work: float) -> float:
+    """Return the compression of the springs when an edge at the angle is just held by a work of adhesion [m]."""
+    modulus, height, half_width, _, _ = springs
+    sine = math.sin(0.5 * angle)
+    return height * sine * sine - math.sqrt(2.0 * math.pi * half_width * math.sin(angle) * work / modulus)
+
+
+def potential(springs: Springs5, angle: float, compression: float, work: float) -> float:
+    """Return elastic and surface energy, at a prescribed depth [J]."""
+    _, _, half_width, _, stretch = springs
+    _, energy = spring_sums(springs, angle, compression)
+    radius = half_width * math.sin(angle)
+    return stretch * (energy - work * math.pi * radius * radius)
+
+
+def _excess(springs: Springs5, what: int, angle: float, work: float, target: float) -> float:
+    """Return what vanishes at the angle that is looked for."""
+    if what == CRITICAL:
+        sine = math.sin(angle)
+        return sine * math.sqrt(sine) - target * math.cos(angle)
+    return balanced(springs, angle, work) - target
+
+
+def _angle_of(springs: Springs5, what: int, work: float, target: float, least: float) -> float:
+    """Return the angle from `least` on where an excess that grows vanishes."""
+    low = least
+    high = FULL_CONTACT_ANGLE
+    below = _excess(springs, what, low, work, target)
+    above = _excess(springs, what, high, work, target)
+    if below >= 0.0:
+        return low
+    if above <= 0.0:
+        return high
+    for trial in range(MOST_TRIALS):
+        if high - low <= ROOT_TOLERANCE * high:
+            break
+        middle = low + (high - low) * below / (below - above)
+        if trial % 3 == 2:
+            middle = math.sqrt(low * high) if low > 0.25 * least and low > 0.0 else 0.125 * high
+        if not low < middle < high:
+            middle = 0.5 * (low + high)
+        if not low < middle < high:
+            break
+        value = _excess(springs, what, middle, work, target)
+        if value == 0.0:
+            return middle
+        if value < 0.0:
+            low = middle
+            below = value
+        else:
+            high = middle
+            above = value
+    return low if -below < above else high
+
+
+def critical_angle(springs: Springs5, work: float, factor: float) -> float:
+    """Return the angle where a g' is `factor` times the stretch of the last spring: the end of stability.
+
+    1/2 under a prescribed depth, 3/2 under a dead load.
+    """
+    if work == 0.0:
+        return 0.0
+    modulus, height, half_width, _, _ = springs
+    number = 2.0 * factor * math.sqrt(2.0 * math.pi * half_width * work / modulus) / height
+    return _angle_of(springs, CRITICAL, work, number, 0.0)
+
+
+def held_edge(springs: Springs5, compression: float, work: float) -> float:
+    """Return the angle of the stable edge at a depth; zero if there is none."""
+    _, height, _, _, _ = springs
+    if work == 0.0:
+        return 2.0 * math.asin(math.sqrt(min(max(compression, 0.0) / height, 0.5)))
+    least = critical_angle(springs, work, 0.5)
+    if compression < balanced(springs, least, work):
+        return 0.0
+    if compression >= balanced(springs, FULL_CONTACT_ANGLE, work):
+        return FULL_CONTACT_ANGLE
+    return _angle_of(springs, BALANCED, work, compression, least)

@@ -1,0 +1,1 @@
+"""Kernels of the package, translated from their own Python source into C99."""
