@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
-from winkler.numerics.surfaces.layered_pixels import LayeredSurface
+from winkler.numerics.surfaces.layered_pixels import SurfaceBelow
 from winkler.numerics.surfaces.pressed_box import BoxContact, ByDepth, ByLoad, box_around, overlap_and_work, shared
 from winkler.numerics.surfaces.surface_grid import DOUBLE, SINGLE, SurfaceGrid
 from winkler.numerics.types import Array
@@ -69,7 +69,7 @@ class _Surface(NamedTuple):
 
     pixel: tuple[float, float]
     periodic: bool
-    layers: LayeredSurface | None
+    layers: SurfaceBelow | None
 
     def grid(self, shape: tuple[int, ...], digits: np.dtype[np.floating] = DOUBLE) -> SurfaceGrid:
         """Return the grid of this shape."""
@@ -120,7 +120,7 @@ def press(
     ceiling: float = math.inf,
     tolerance: float = 1e-6,
     start: Array | tuple[()] = (),
-    layers: LayeredSurface | None = None,
+    layers: SurfaceBelow | None = None,
 ) -> PressedSurface:
     """Solve the contact.
 

@@ -12,7 +12,7 @@ from collections.abc import Callable
 import numpy as np
 
 from winkler.errors import NotConverged
-from winkler.numerics.surfaces.layered_pixels import LayeredSurface
+from winkler.numerics.surfaces.layered_pixels import SurfaceBelow
 from winkler.numerics.surfaces.pressed_box import box_around
 from winkler.numerics.surfaces.surface_grid import DOUBLE, SINGLE, SurfaceGrid
 from winkler.numerics.surfaces.traction_grid import Compliance, TractionGrid
@@ -40,7 +40,7 @@ def punch(
     periodic: bool,
     tolerance: float = 1e-6,
     start: Array | tuple[()] = (),
-    layers: LayeredSurface | None = None,
+    layers: SurfaceBelow | None = None,
 ) -> Array:
     """Return the pressures over E* [1/m] under a flat punch of any shape at unit depth.
 

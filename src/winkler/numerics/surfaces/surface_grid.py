@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.numerics.surfaces.layered_pixels import LayeredSurface
+from winkler.numerics.surfaces.layered_pixels import SurfaceBelow
 from winkler.numerics.types import Array
 
 __all__ = ["DOUBLE", "SINGLE", "SurfaceGrid", "bytes_needed"]
@@ -84,7 +84,7 @@ class SurfaceGrid(NamedTuple):
         *,
         periodic: bool,
         digits: np.dtype[np.floating] = DOUBLE,
-        layers: LayeredSurface | None = None,
+        layers: SurfaceBelow | None = None,
     ) -> SurfaceGrid:
         """Return the grid; small ones are made once.
 
@@ -145,7 +145,7 @@ def _made(
     pixel: tuple[float, float],
     periodic: bool,
     digits: np.dtype[np.floating],
-    layers: LayeredSurface | None,
+    layers: SurfaceBelow | None,
 ) -> SurfaceGrid:
     """Return a grid."""
     import scipy.fft

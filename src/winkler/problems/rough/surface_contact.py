@@ -58,7 +58,7 @@ class SurfaceContact:
     topography : Topography
         Heights of both bodies together, up towards the other one; the medium is flat.  A map that stands alone ends at
         its border like a stamp, a periodic one goes on for ever.
-    medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace or DepthGradedHalfSpace
+    medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
         Both bodies.
     load : Force or Depth
         What is prescribed, compression positive; an array is marched through as it comes, each load from the one
