@@ -41,8 +41,8 @@ def layers_of(medium: MappedMedium) -> SurfaceBelow | None:
     if isinstance(medium, GradedHalfSpace):
         if medium.exponent == 1.0:
             raise OutsideValidity(
-                "A height map on Gibson's solid (exponent 1) meets springs of the surface alone, which winkler's boundary "
-                "elements do not hold; give an exponent below 1."
+                "A height map on Gibson's solid (exponent 1) meets springs of the surface alone, which winkler's "
+                "boundary elements do not hold; give an exponent below 1."
             )
         return PowerLawSurface(medium.exponent, medium.depth_scale)
     own, unit = in_own_lengths(medium.response)
