@@ -87,6 +87,8 @@ from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContac
 from winkler.problems.subsurface.map_stress import MapStress, MapStressSolution
 from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.problems.surface_adhesion.adhesion import SurfaceAdhesion, SurfaceAdhesionSolution
+from winkler.problems.surface_friction.joint import JointStiffness
+from winkler.problems.surface_friction.joint_solution import JointStiffnessSolution
 from winkler.problems.surface_friction.reduced import ReducedFriction, ReducedFrictionSolution
 from winkler.problems.surface_friction.tangential import SurfaceTangential, SurfaceTangentialSolution
 from winkler.problems.surface_heating.rolling import SurfaceRollingHeating, SurfaceRollingHeatingSolution
@@ -119,8 +121,9 @@ __all__ = [
     "EllipticSolution", "EllipticWear", "EllipticWearSolution", "EllipticYieldOnset", "EllipticYieldOnsetSolution",
     "Equilibrium", "EquilibriumCurve", "FrettingHeat", "FrettingHeatSolution", "FrettingSolution", "FrettingWear",
     "FrictionDamping", "FrictionDampingSolution", "FrictionHeating", "FrictionHeatingSolution", "HarmonicIndentation",
-    "HeatFields", "Impact", "ImpactSolution", "Indentation", "IndentationSolution", "JouleHeating",
-    "JouleHeatingSolution", "Kalker", "LayerStress", "LayeredLineSolution", "LimitingProfile", "LimitingSolution",
+    "HeatFields", "Impact", "ImpactSolution", "Indentation", "IndentationSolution",
+    "JointStiffness", "JointStiffnessSolution", "JouleHeating", "JouleHeatingSolution", "Kalker", "LayerStress",
+    "LayeredLineSolution", "LimitingProfile", "LimitingSolution",
     "LineAdhesion", "LineAdhesionSolution", "LineConstriction", "LineConstrictionSolution", "LineFields",
     "LineForcePath", "LineFrettingSolution", "LineFrettingWear", "LineFrictionHeating", "LineFrictionHeatingSolution",
     "LineIndentation", "LineLimitingProfile", "LineLimitingSolution", "LinePath", "LineProfileContact",

@@ -198,7 +198,7 @@ class TangentialDepthResponse(_DepthResponse):
 
 @value
 class TurningDepthResponse(TangentialDepthResponse):
-    """By how much compliances across the wave exceed those along it: G* xi / 4 times their difference, less its limit."""
+    """By how much compliances across the wave exceed those along it: G* xi / 4 times that, less its limit."""
 
     def _own(self, xi: ComplexArray) -> ComplexArray:
         top = solid_at(self.grading)

@@ -19,7 +19,7 @@ import numpy as np
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 
-__all__ = ["Kernel", "over_pixels"]
+__all__ = ["RadialPart", "over_pixels"]
 
 CORNER_NODES = 64
 FAR_ZONES = ((8.0, 4), (24.0, 3), (128.0, 2))
@@ -30,7 +30,7 @@ FAR_MARGIN = 0.75
 """How much nearer than the first far zone places in its pixels may lie, as a part."""
 
 
-class Kernel(Protocol):
+class RadialPart(Protocol):
     """What a unit force moves at a distance, and its integral over a disc."""
 
     def at(self, r: Array) -> Array:
@@ -42,7 +42,7 @@ class Kernel(Protocol):
         ...
 
 
-def over_pixels(kernel: Kernel, shape: tuple[int, int], pixel: tuple[float, float]) -> Array:
+def over_pixels(kernel: RadialPart, shape: tuple[int, int], pixel: tuple[float, float]) -> Array:
     """Return the integrals of k over the pixel around (0, 0), seen from (i dx, j dy); (nx, ny).
 
     Parameters
@@ -85,7 +85,7 @@ def _gauss(spline: object, x: Array, y: Array, pixel: tuple[float, float], count
     return np.asarray(pixel[0] * pixel[1] * total)
 
 
-def _far_spline(kernel: Kernel, nearest: float, farthest: float) -> object:
+def _far_spline(kernel: RadialPart, nearest: float, farthest: float) -> object:
     """Return k as a function of log r^2, between these distances and a little farther."""
     from scipy.interpolate import CubicSpline
 
@@ -94,13 +94,13 @@ def _far_spline(kernel: Kernel, nearest: float, farthest: float) -> object:
     return CubicSpline(places, kernel.at(np.exp(0.5 * places)))
 
 
-def _corners(kernel: Kernel, x: Array, y: Array) -> Array:
+def _corners(kernel: RadialPart, x: Array, y: Array) -> Array:
     """Return I(x, y), odd in both, on a grid."""
     wide, high = np.abs(x)[:, None], np.abs(y)[None, :]
     return np.asarray(np.sign(x)[:, None] * np.sign(y) * (_sector(kernel, wide, high) + _sector(kernel, high, wide)))
 
 
-def _sector(kernel: Kernel, x: Array, y: Array) -> Array:
+def _sector(kernel: RadialPart, x: Array, y: Array) -> Array:
     """Return the integral of k over the triangle below the diagonal of a rectangle."""
     node, weight = gauss_legendre(CORNER_NODES)
     reach = np.arcsinh(y / x)

@@ -12,7 +12,7 @@ from winkler.media.layered.depth_response import TurningDepthResponse, solid_at
 from winkler.media.layered.tangential_response import TurningResponse
 from winkler.numerics.pixels.layered_shear import LayeredShear, ShearResponse
 from winkler.numerics.surfaces.traction_grid import Compliance
-from winkler.numerics.transforms.cosine_transform import in_own_lengths
+from winkler.numerics.transforms.cosine_transform import WaveResponse, in_own_lengths
 from winkler.problems.assumptions.coupling import NEGLIGIBLE_COUPLING
 from winkler.problems.rough.mapped_medium import MappedMedium
 
@@ -36,7 +36,8 @@ def compliance_of(medium: MappedMedium) -> Compliance:
         beta = beta if abs(beta) > NEGLIGIBLE_COUPLING else 0.0
         return Compliance(pushed - twisted, 2.0 * twisted - pushed, beta)
     if isinstance(medium, CoatedHalfSpace):
-        top, turning = medium.layers[0].solid, TurningResponse(medium.layers, medium.on, medium.second)
+        top = medium.layers[0].solid
+        turning: WaveResponse = TurningResponse(medium.layers, medium.on, medium.second)
     elif isinstance(medium, DepthGradedHalfSpace):
         top, turning = solid_at(medium.grading), TurningDepthResponse(medium.grading, medium.second, medium.tolerance)
     else:

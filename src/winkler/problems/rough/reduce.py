@@ -248,8 +248,8 @@ class ReductionSolution:
         elastic = medium.elastic if isinstance(medium, RelaxingMedium) else medium
         if not self.bed.homogeneous:
             raise InvalidInput(
-                f"Reduction: these springs are those of the map on a {type(self.problem.medium).__name__}, whose layers "
-                "no other medium has; reduce the map on the medium itself."
+                f"Reduction: these springs are those of the map on a {type(self.problem.medium).__name__}, whose "
+                "layers no other medium has; reduce the map on the medium itself."
             )
         if not isinstance(elastic, HomogeneousMedium):
             raise InvalidInput(

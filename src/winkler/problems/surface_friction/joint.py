@@ -1,9 +1,9 @@
 r"""The stiffness of a joint from the map of its surfaces: across, along, and in loops of friction.
 
-Under every normal force the map is pressed by boundary elements, and its contact then moved as a whole, across and along
-the surface, without slip: the forces per motion are :math:`K_z`, :math:`K_x` and :math:`K_y`.  Pushed to and fro under
-the last normal force it slips in part; what a cycle loses follows from boundary elements with friction, and from the
-stiffnesses alone (`winkler.problems.surface_friction.joint_loops`), and both are given side by side.
+Under every normal force the map is pressed by boundary elements, and its contact then moved as a whole, across and
+along the surface, without slip: the forces per motion are :math:`K_z`, :math:`K_x` and :math:`K_y`.  Pushed to and fro
+under the last normal force it slips in part; what a cycle loses follows from boundary elements with friction, and from
+the stiffnesses alone (`winkler.problems.surface_friction.joint_loops`), and both are given side by side.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from winkler.problems.rough.compliance import compliance_of
 from winkler.problems.rough.mapped_medium import MappedMedium
 from winkler.problems.rough.surface_contact import SurfaceContact
 from winkler.problems.rough.surface_states import SurfaceState
-from winkler.problems.surface_friction.joint_loops import JointLoops, loops_of_elements, loops_of_stiffness
+from winkler.problems.surface_friction.joint_loops import loops_of_elements, loops_of_stiffness
 from winkler.problems.surface_friction.joint_solution import JointStiffnessSolution
 from winkler.problems.surface_friction.joint_states import JointState, disc_ratio, joint_state
 from winkler.problems.surface_friction.tangential import SurfaceTangential
@@ -121,7 +121,7 @@ class JointStiffness:
             )
         _ = self._pressed(self.load)  # refuses what it would refuse later
         last = float(np.ravel(numbers_of(self.load))[-1])
-        SurfaceTangential(self.topography, self.medium, self.law, Path.through(Force(last), ShearForce([0.0, 0.0])))
+        SurfaceTangential(self.topography, self.medium, self.law, Path.through(Force(last), ShearForce(np.zeros(2))))
 
     def _pressed(self, load: Force) -> SurfaceContact:
         return SurfaceContact(self.topography, self.medium, load)
@@ -152,7 +152,8 @@ class JointStiffness:
                 "are one body; press less."
             )
         elements, loop = loops_of_elements(rough, medium, self.law, force, self.share)
-        springs = self._springs(force, rows[-1])
+        forces, stiffnesses = self._below(force, rows[-1])
+        springs = loops_of_stiffness(forces, stiffnesses, self.law.coefficient, self.share)
 
         def column(numbers: list[float]) -> Quantity:
             return shaped(np.array(numbers).reshape(shape))
@@ -163,13 +164,13 @@ class JointStiffness:
             column([row.along_y for row in rows]),
             column([row.normal * disc_ratio(row.normal, medium) for row in rows]),
             self.share, self.law.coefficient * force * self.share, elements.shift, elements.loss,
-            springs.shift, springs.loss, loop,
+            springs.shift, springs.loss, forces, stiffnesses, loop,
         )  # fmt: skip
 
-    def _springs(self, force: float, last: JointState) -> JointLoops:
-        """Return the loops that follow from the stiffnesses under lesser forces."""
+    def _below(self, force: float, last: JointState) -> tuple[Array, Array]:
+        """Return lesser forces and K_x under them, up to those of the last contact."""
         rough, compliance = self.topography, compliance_of(self.medium)
         forces = np.geomspace((1.0 - float(self.share[-1])) * force, force, FORCES_BELOW + 1)
         contacts = self._pressed(Force(forces[:-1])).steps()
         below = [joint_state(state, rough, self.medium, compliance).along_x for state in contacts]
-        return loops_of_stiffness(forces, np.array([*below, last.along_x]), self.law.coefficient, self.share)
+        return forces, np.array([*below, last.along_x])

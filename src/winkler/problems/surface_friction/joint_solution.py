@@ -8,6 +8,7 @@ import numpy as np
 
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.rough.surface_contact import SurfaceContactSolution
+from winkler.problems.surface_friction.joint_loops import loops_of_stiffness
 from winkler.problems.surface_friction.tangential import SurfaceTangentialSolution
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
@@ -33,7 +34,7 @@ class JointStiffnessSolution:
         The contacts under the normal forces, with the maps of the last one.
     force, nominal_pressure, depth, area : float or ndarray
         F_N [N], that over the area of the map [Pa], d [m] and the area of contact [m^2].
-    normal_stiffness, stiffness_x, stiffness_y : float or ndarray
+    stiffness, stiffness_x, stiffness_y : float or ndarray
         K_z, K_x, K_y [N/m]: of the contact moved as a whole, without slip.
     disc_stiffness : float or ndarray
         Along the surface [N/m], of the disc that is as stiff across: Mindlin's ratio times K_z.
@@ -43,27 +44,18 @@ class JointStiffnessSolution:
         Of the loops by boundary elements with friction [m], [J].
     spring_shift, spring_loss : ndarray, (amplitudes,)
         Of the same loops from the stiffnesses alone [m], [J].
+    spring_forces, spring_stiffnesses : ndarray, (contacts,)
+        Normal forces F' [N] up to the last one and K_x [N/m] under them: what the springs know.
     loop : SurfaceTangentialSolution
         The path of all loops by boundary elements.
     """
 
     __words__ = words(
         contact=("", None, "the contacts under the normal forces"),
-        stiffness_x=("K_x", "N/m", "stiffness along x, without slip"),
-        stiffness_y=("K_y", "N/m", "stiffness along y, without slip"),
-        normal_stiffness=("K_z", "N/m", "stiffness across the surface"),
-        disc_stiffness=("K_d", "N/m", "stiffness along the surface of the disc that is as stiff across"),
-        ratio_x=("K_x/K_z", "", "stiffness along x over that across"),
-        ratio_y=("K_y/K_z", "", "stiffness along y over that across"),
-        disc_ratio=("K_d/K_z", "", "the same ratio of a disc"),
-        areal_stiffness=("k_z", "Pa/m", "stiffness across the surface, per area of the map"),
-        areal_stiffness_x=("k_x", "Pa/m", "stiffness along x, per area of the map"),
-        areal_stiffness_y=("k_y", "Pa/m", "stiffness along y, per area of the map"),
+        stiffness=("K_z", "N/m", "stiffness across the surface"),
         share=("F_x/(\\mu F_N)", "", "amplitude of the shear force over what friction bears"),
-        shear_amplitude=("A_F", "N", "amplitude of the shear force"),
-        loss_per_cycle=("W", "J", "energy lost in a closed cycle, by boundary elements"),
-        spring_shift=("A_s", "m", "amplitude of the shift, from the stiffnesses"),
-        spring_loss=("W_s", "J", "energy lost in a closed cycle, from the stiffnesses"),
+        spring_forces=("F'", "N", "normal forces up to the last one"),
+        spring_stiffnesses=("K_x(F')", "N/m", "stiffness along x under lesser normal forces"),
         shift_error=("", "", "greatest difference of a shift from boundary elements, over the greatest shift"),
         loss_error=("", "", "greatest difference of a loss from boundary elements, over the greatest loss"),
         loop=("", None, "the loops by boundary elements"),
@@ -75,7 +67,7 @@ class JointStiffnessSolution:
     nominal_pressure: Quantity
     depth: Quantity
     area: Quantity
-    normal_stiffness: Quantity
+    stiffness: Quantity
     stiffness_x: Quantity
     stiffness_y: Quantity
     disc_stiffness: Quantity
@@ -85,6 +77,8 @@ class JointStiffnessSolution:
     loss_per_cycle: Array
     spring_shift: Array
     spring_loss: Array
+    spring_forces: Array
+    spring_stiffnesses: Array
     loop: SurfaceTangentialSolution
 
     def _over(self, numbers: Quantity, other: Quantity) -> Quantity:
@@ -93,22 +87,22 @@ class JointStiffnessSolution:
     @property
     def ratio_x(self) -> Quantity:
         """K_x / K_z [-]."""
-        return self._over(self.stiffness_x, self.normal_stiffness)
+        return self._over(self.stiffness_x, self.stiffness)
 
     @property
     def ratio_y(self) -> Quantity:
         """K_y / K_z [-]."""
-        return self._over(self.stiffness_y, self.normal_stiffness)
+        return self._over(self.stiffness_y, self.stiffness)
 
     @property
     def disc_ratio(self) -> Quantity:
         """The same ratio of a disc [-]: 2 (1 - nu) / (2 - nu) of bodies alike."""
-        return self._over(self.disc_stiffness, self.normal_stiffness)
+        return self._over(self.disc_stiffness, self.stiffness)
 
     @property
     def areal_stiffness(self) -> Quantity:
         """K_z over the area of the map [Pa/m]."""
-        return self._over(self.normal_stiffness, self.problem.topography.area)
+        return self._over(self.stiffness, self.problem.topography.area)
 
     @property
     def areal_stiffness_x(self) -> Quantity:
@@ -130,6 +124,15 @@ class JointStiffnessSolution:
         """Loss per cycle over pi times the amplitudes of shift and shear force [-], ``(amplitudes,)``."""
         return np.asarray(self.loss_per_cycle / (np.pi * self.shift_amplitude * self.shear_amplitude))
 
+    def slip_loop(self, amplitude: int = -1, count: int = 60) -> tuple[Array, Array]:
+        """Return shift [m] and shear force [N] of the closed loop of one amplitude by springs, ``(2 count,)``."""
+        friction, most = self.problem.law.coefficient, float(self.share[amplitude])
+        half = np.linspace(0.0, most, count)
+        moved = loops_of_stiffness(self.spring_forces, self.spring_stiffnesses, friction, half[1:]).shift
+        u = np.concatenate(([0.0], moved))
+        force, shift = friction * float(self.spring_forces[-1]) * (most - 2.0 * half), u[-1] - 2.0 * u
+        return np.concatenate((shift, -shift)), np.concatenate((force, -force))
+
     @property
     def shift_error(self) -> float:
         """Greatest difference of a shift by springs from boundary elements, over the greatest shift [-]."""
@@ -143,7 +146,7 @@ class JointStiffnessSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """What stiffnesses and loops leave out, and how far springs and discs are off; the notes of the loops."""
-        finite = np.isfinite(np.asarray(self.normal_stiffness))
+        finite = np.isfinite(np.asarray(self.stiffness))
         ratios = np.stack(
             [np.ravel(np.asarray(part)[finite]) for part in (self.ratio_x, self.ratio_y, self.disc_ratio)]
         )
