@@ -16,7 +16,7 @@ from typing import Annotated, ClassVar
 import numpy as np
 
 from winkler.checks.number_checks import Advice, Number, Numbers
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.errors import OutsideValidity
 from winkler.laws.friction import Sliding
 from winkler.loading import Force, ShearForce
 from winkler.numerics.types import Array, Quantity, shaped
@@ -67,8 +67,7 @@ class JointStiffness:
     Raises
     ------
     InvalidInput
-        If the friction coefficient is not positive and finite, or a share is out of range; otherwise as
-        `SurfaceContact` and `SurfaceTangential`.
+        If a share is out of range; otherwise as `SurfaceContact` and `SurfaceTangential`.
     OutsideValidity
         If the tractions in this medium are not known.
 
@@ -115,10 +114,6 @@ class JointStiffness:
     assumptions: ClassVar[frozenset[Assumption]] = MAPPED | {Assumption.UNCOUPLED, Assumption.SLIP}
 
     def __post_init__(self) -> None:
-        if not 0.0 < self.law.coefficient < math.inf:
-            raise InvalidInput(
-                f"JointStiffness: the friction coefficient is {self.law.coefficient:.6g}; give a positive, finite one."
-            )
         _ = self._pressed(self.load)  # refuses what it would refuse later
         last = float(np.ravel(numbers_of(self.load))[-1])
         SurfaceTangential(self.topography, self.medium, self.law, Path.through(Force(last), ShearForce(np.zeros(2))))
