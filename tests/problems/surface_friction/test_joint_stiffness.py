@@ -56,7 +56,7 @@ def test_a_ball_on_a_coating_is_as_stiff_as_rings(force):
 
 def test_thin_and_thick_coatings_are_their_solids():
     top, base, other = wk.Elastic(1.5, 0.3), wk.Elastic(1.0, 0.4), wk.Elastic(3.0, 0.2)
-    rough, load, share = waves(32), wk.Force(0.01), np.array([0.5])
+    rough, load, share = waves(24), wk.Force(0.01), np.array([0.5])
 
     def found(medium):
         return wk.JointStiffness(rough, medium, LAW, load, share=share).solve()

@@ -7,6 +7,7 @@ gap: both are Persson's here.
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Iterator
 from typing import Annotated, ClassVar
 
@@ -14,10 +15,11 @@ import numpy as np
 
 from winkler.checks.number_checks import Advice, Positive, Seed
 from winkler.loading import Depth, Force
-from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Quantity, shaped
+from winkler.problems.rough.layered_lines import line_stiffnesses, moduli_of_waves, slope_modulus
 from winkler.problems.rough.line_solution import LineSprings, Realisations, RoughSolution, check_ensemble
-from winkler.problems.rough.persson import area_fraction, mean_separation
+from winkler.problems.rough.mapped_medium import MappedMedium
+from winkler.problems.rough.persson import area_fraction, separation_under
 from winkler.problems.rough.spring_line import RoughLine, ensemble, line_seeds
 from winkler.profiles.rough.random_rough import random_lines
 from winkler.profiles.rough.spectrum import Spectrum
@@ -40,8 +42,8 @@ class RoughContact:
     ----------
     spectrum : Spectrum
         Of both surfaces together: SelfAffine or PowerSpectrum.
-    medium : HalfSpace
-        Both bodies, homogeneous.
+    medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
+        Both bodies.
     side : float
         Of the square [m]: waves longer than the line of 1.1523 sides are left out.
     load : Force or Depth
@@ -71,7 +73,7 @@ class RoughContact:
     )
 
     spectrum: Spectrum
-    medium: Annotated[HomogeneousMedium, Advice("roughness is known on no other")]
+    medium: Annotated[MappedMedium, Advice("roughness is known on no other")]
     side: Positive
     load: Force | Depth
     realisations: Realisations = 50
@@ -99,8 +101,9 @@ class RoughContact:
         InvalidInput
             If no wave of the spectrum fits them.
         """
+        rising = line_stiffnesses(self.medium, self.count, self.length / self.count)
         for heights in random_lines(self.spectrum, self.count, self.length, line_seeds(self.seed, self.realisations)):
-            yield RoughLine(heights, self.length, self.medium.modulus)
+            yield RoughLine(heights, self.length, self.medium.modulus, rising)
 
     def solve(self) -> RoughContactSolution:
         """Return force, depth and stiffness: the median of all lines, and the band of eight in ten.
@@ -133,8 +136,8 @@ class RoughContactSolution(RoughSolution):
     def area(self) -> Quantity:
         """True area of contact [m^2], after Persson: the length of the line in contact is none."""
         square = self.problem.side**2
-        slope = self.problem.spectrum.rms_slope
-        fraction = area_fraction(np.asarray(self.force) / square, self.problem.medium.modulus, slope)
+        steep = slope_modulus(self.problem.medium, self.problem.spectrum)
+        fraction = area_fraction(np.asarray(self.force) / square, steep, 1.0)
         return shaped(square * fraction)
 
     @property
@@ -142,7 +145,8 @@ class RoughContactSolution(RoughSolution):
         """Mean distance of the surfaces [m], after Persson."""
         square = self.problem.side**2
         pressure = np.asarray(self.force) / square
-        return shaped(mean_separation(pressure, self.problem.medium.modulus, self.problem.spectrum))
+        moduli = functools.partial(moduli_of_waves, self.problem.medium)
+        return shaped(separation_under(pressure, moduli, self.problem.spectrum))
 
     @property
     def validity(self) -> tuple[Note, ...]:

@@ -16,6 +16,7 @@ from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import numbers_of
 from winkler.problems.conduction.stiffness_analogy import conductance_of_stiffness
 from winkler.problems.normal.yield_of_pressure import spots_yield_notes
+from winkler.problems.rough.layered_lines import conducting_medium
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
@@ -66,9 +67,10 @@ class RoughSolution:
         Raises
         ------
         OutsideValidity
-            If there is a film, a plating or a rod.
+            If there is a film, a plating or a rod, or the bodies have layers.
         """
-        share = conductance_of_stiffness(type(self.problem).__name__, self.problem.medium, conductors)
+        owner = type(self.problem).__name__
+        share = conductance_of_stiffness(owner, conducting_medium(owner, self.problem.medium), conductors)
         return shaped(self.stiffness * share)
 
     @property

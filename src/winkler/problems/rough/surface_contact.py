@@ -126,6 +126,7 @@ class SurfaceContact:
                 f"SurfaceContact: load {bad[0]} is {flat[bad[0]]:.6g}; without adhesion bodies are pressed together, "
                 "give positive loads."
             )
+        layers_of(self.medium)  # refuses what has no surface of its own
         refuse_too_large(self.topography.heights.shape, self.topography.periodic)
         self._refuse_too_deep(flat)
 
