@@ -13,6 +13,7 @@ import math
 import numpy as np
 
 from winkler.errors import OutsideValidity
+from winkler.media.families import DepthVaryingMedium
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.problems.rough.mapped_medium import MappedMedium, layers_of
@@ -22,6 +23,8 @@ __all__ = ["conducting_medium", "line_stiffnesses", "moduli_of_waves", "slope_mo
 
 RADII = 129
 """Flat punches between which the logarithm of the stiffness is interpolated."""
+WIDEST_PUNCH = 1000.0
+"""Times the thickness of all layers, beyond which the stiffness goes on as a power of the radius: to 0.5 per cent."""
 WAVE_NUMBERS = 2001
 
 
@@ -41,11 +44,13 @@ def line_stiffnesses(medium: MappedMedium, count: int, spacing: float) -> Array:
     from scipy.interpolate import PchipInterpolator
 
     radii = 0.5 * spacing * np.arange(1.0, count + 1.0)
-    some = np.geomspace(radii[0], radii[-1], min(RADII, count)) if count > 1 else radii
-    if some.size < 2:
-        return np.asarray(medium.punch_stiffness(some))
-    curve = PchipInterpolator(np.log(some), np.log(medium.punch_stiffness(some)))
-    return np.asarray(np.exp(curve(np.clip(np.log(radii), np.log(some[0]), np.log(some[-1])))))
+    most = WIDEST_PUNCH * medium.thickness if isinstance(medium, DepthVaryingMedium) else math.inf
+    widest = max(min(float(radii[-1]), most), 2.0 * float(radii[0]))
+    some = np.log(np.geomspace(radii[0], widest, RADII))
+    stiffness = np.log(medium.punch_stiffness(np.exp(some)))
+    place, slope = np.log(radii), (stiffness[-1] - stiffness[-2]) / (some[-1] - some[-2])
+    inside = PchipInterpolator(some, stiffness)(np.minimum(place, some[-1]))
+    return np.asarray(np.exp(inside + slope * np.maximum(place - some[-1], 0.0)))
 
 
 def moduli_of_waves(medium: MappedMedium, q: Array) -> Array:

@@ -15,6 +15,7 @@ import numpy as np
 
 from winkler.checks.number_checks import Advice, Positive, Seed
 from winkler.loading import Depth, Force
+from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Quantity, shaped
 from winkler.problems.rough.layered_lines import line_stiffnesses, moduli_of_waves, slope_modulus
 from winkler.problems.rough.line_solution import LineSprings, Realisations, RoughSolution, check_ensemble
@@ -32,6 +33,22 @@ LINE_OVER_SIDE = 1.1523
 """Length of the line over the side of a square surface, by which both are as stiff when everything touches."""
 LYASHENKO = "I. A. Lyashenko, L. Pastewka, B. N. J. Persson, Tribol. Lett. 52 (2013) 223-229"
 POHRT = "R. Pohrt, V. L. Popov, Phys. Rev. Lett. 108 (2012) 104301, doi:10.1103/PhysRevLett.108.104301"
+
+HOMOGENEOUS_LINES = Note(
+    Assumption.ROUGHNESS,
+    Standing.APPROXIMATE,
+    "Forces, depths and stiffnesses of a rough surface on a line of springs scale as those of the surface: medians of "
+    "stiffness are 0.8 to 1.3 times those of boundary elements, of depth 0.85 to 1.25 times.",
+    f"{POHRT}; own boundary elements, Hurst exponents from 0.3 to 0.8",
+)
+LAYERED_LINES = Note(
+    Assumption.ROUGHNESS,
+    Standing.APPROXIMATE,
+    "Springs on layers are as stiff as the flat punch that is as wide as what touches: medians of stiffness were 0.7 "
+    "to 1.35 times those of boundary elements, of depth 0.8 to 1.25 times, on layers a quarter to 20 times as stiff as "
+    "their base and 0.02 to 0.3 sides thick.",
+    "own boundary elements, four maps of 64 x 64 pixels each, Hurst exponents of 0.4 and 0.8",
+)
 
 
 @value
@@ -154,13 +171,7 @@ class RoughContactSolution(RoughSolution):
         bodies = self.problem.medium.notes
         return (
             *(note for note in bodies if note.standing is not Standing.EXACT),  # of one round contact
-            Note(
-                Assumption.ROUGHNESS,
-                Standing.APPROXIMATE,
-                "Forces, depths and stiffnesses of a rough surface on a line of springs scale as those of the surface: "
-                "medians of stiffness are 0.8 to 1.3 times those of boundary elements, of depth 0.85 to 1.25 times.",
-                f"{POHRT}; own boundary elements, Hurst exponents from 0.3 to 0.8",
-            ),
+            HOMOGENEOUS_LINES if isinstance(self.problem.medium, HomogeneousMedium) else LAYERED_LINES,
             *self._line_notes,
             Note(
                 Assumption.ROUGHNESS,
