@@ -66,7 +66,7 @@ def _ratios(item: JointStiffnessSolution) -> Panel:
         for content, name, look in zip(contents, rows, looks, strict=True)
     )
     both = np.concatenate(contents)
-    ends = {"low": float(np.nanmin(both)) - RATIO_MARGIN, "high": float(np.nanmax(both)) + RATIO_MARGIN}
+    ends: dict[str, Any] = {"low": float(np.nanmin(both)) - RATIO_MARGIN, "high": float(np.nanmax(both)) + RATIO_MARGIN}
     spread = bool(np.max(pressure.content) > 10.0 * np.min(pressure.content))
     across = PanelAxis.of(pressure, margin=0.04, log=spread, plain=spread)
     return Panel(marks, across, PanelAxis("tangential over normal stiffness", **ends), legend="best")

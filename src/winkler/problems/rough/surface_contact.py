@@ -31,7 +31,14 @@ from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.rough.contact_area import contact_area
 from winkler.problems.rough.map_memory import refuse_too_large
-from winkler.problems.rough.mapped_medium import MappedMedium, homogeneous, layers_of, medium_notes, yield_notes
+from winkler.problems.rough.mapped_medium import (
+    MappedMedium,
+    homogeneous,
+    layers_of,
+    medium_notes,
+    plate_advice,
+    yield_notes,
+)
 from winkler.problems.rough.surface_states import SurfaceState
 from winkler.problems.rough.surface_yield import force_at_yield
 from winkler.problems.subsurface.below_surface import BelowSurface
@@ -195,7 +202,8 @@ class SurfaceContact:
                     )
                     stiffness = modulus * patch * float(np.sum(under))
             except NotConverged as error:
-                raise NotConverged(f"SurfaceContact: under the load {load:.6g}, {error}") from None
+                advice = plate_advice(self.medium)
+                raise NotConverged(f"SurfaceContact: under the load {load:.6g}, {error}{advice}") from None
             except OutsideValidity as error:
                 raise OutsideValidity(f"SurfaceContact: {error}") from None
             yield SurfaceState(
