@@ -9,7 +9,7 @@ import pytest
 
 import winkler as wk
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.problems.rough.mapped_medium import plate_advice
+from winkler.problems.rough.map_advice import plate_advice
 from winkler.problems.rough.reduce import Reduction
 
 STIFF = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(5.0, 0.3), 0.1)], on=wk.Elastic(1.0, 0.4), second=wk.Elastic(3.0, 0.2))

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TypeAlias, cast
 
 from winkler.errors import OutsideValidity
-from winkler.materials.elastic import Elastic
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.layered.coated import CoatedHalfSpace
@@ -14,20 +13,15 @@ from winkler.numerics.pixels.power_law import PowerLawSurface
 from winkler.numerics.surfaces.layered_pixels import GridResponse, LayeredSurface, SurfaceBelow
 from winkler.numerics.transforms.cosine_transform import in_own_lengths
 from winkler.numerics.types import Quantity
-from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.rough.surface_notes import surface_notes
-from winkler.problems.subsurface.map_yield import map_yield_notes
-from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["MappedMedium", "homogeneous", "layers_of", "medium_notes", "plate_advice", "yield_notes"]
+__all__ = ["MappedMedium", "homogeneous", "layers_of", "medium_notes"]
 
 MappedMedium: TypeAlias = HomogeneousMedium | CoatedHalfSpace | DepthGradedHalfSpace | GradedHalfSpace
 """A medium under a height map."""
 SULLIVAN = "T. C. O'Sullivan, R. B. King, J. Tribol. 110 (1988) 235-240, doi:10.1115/1.3261591"
-CONVERGING_CONTRAST = 300.0
-"""Of Young's moduli, up to which all of 96 contacts of rough maps of 96 x 96 pixels were solved."""
 FOLLOWED_SHARE = 0.01
 """Part of the displacement under a wave of sixteen pixels that may be wrong without a word."""
 
@@ -50,22 +44,6 @@ def layers_of(medium: MappedMedium) -> SurfaceBelow | None:
         return PowerLawSurface(medium.exponent, medium.depth_scale)
     own, unit = in_own_lengths(medium.response)
     return LayeredSurface(cast(GridResponse, own), unit)
-
-
-def plate_advice(medium: MappedMedium) -> str:
-    """Return what to do where pressures under a stiff layer are not found; nothing without one."""
-    if not isinstance(medium, CoatedHalfSpace):
-        return ""
-    solids = [layer.solid.young for layer in medium.layers]
-    solids += [medium.on.young] if isinstance(medium.on, Elastic) else []
-    ratio = max((solids[i] / min(solids[i + 1 :]) for i in range(len(solids) - 1)), default=1.0)
-    if ratio <= CONVERGING_CONTRAST:
-        return ""
-    return (
-        f" A layer {ratio:.3g} times as stiff as what lies below bends like a plate between single pixels: of rough maps "
-        f"contrasts up to {CONVERGING_CONTRAST:g} are solved, higher ones where the layer is thicker than the waves of "
-        "the map are long, or the map is smooth."
-    )
 
 
 def homogeneous(owner: str, what: str, medium: MappedMedium) -> HomogeneousMedium:
@@ -133,10 +111,3 @@ def medium_notes(
         "pixels of constant pressure against the compliance of the layers",
     )
     return (response, border, *graded, *((coarse,) if lost > FOLLOWED_SHARE else ()), *notes[2:])
-
-
-def yield_notes(medium: MappedMedium, load: SurfaceLoad) -> tuple[Note, ...]:
-    """Return whether the bodies stay elastic; of layers with a strength, that it is not known."""
-    if isinstance(medium, HomogeneousMedium):
-        return map_yield_notes(medium, load)
-    return unknown_yield(medium, "the stresses below a height map are not computed in layers")

@@ -5,8 +5,7 @@ Pressures p >= 0 and gaps w >= 0 with p w = 0 in every pixel, and
 .. math:: w(x,y) = h(x,y) - d + \frac{1}{\pi E^*}\int\frac{p(x',y')}{\sqrt{(x-x')^2+(y-y')^2}}\,\mathrm dA' ,
 
 are found by preconditioned conjugate gradients (`winkler.numerics.surfaces.pressed_grid`); layers add a kernel
-(`winkler.numerics.surfaces.layered_pixels`).  The stiffness dF/dd is
-that of a flat punch of the shape of the contact (Barber).
+(`winkler.numerics.surfaces.layered_pixels`).  The stiffness dF/dd is that of a flat punch of the shape of the contact.
 """
 
 from __future__ import annotations
@@ -30,15 +29,9 @@ from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.rough.contact_area import contact_area
+from winkler.problems.rough.map_advice import plate_advice, yield_notes
 from winkler.problems.rough.map_memory import refuse_too_large
-from winkler.problems.rough.mapped_medium import (
-    MappedMedium,
-    homogeneous,
-    layers_of,
-    medium_notes,
-    plate_advice,
-    yield_notes,
-)
+from winkler.problems.rough.mapped_medium import MappedMedium, homogeneous, layers_of, medium_notes
 from winkler.problems.rough.surface_states import SurfaceState
 from winkler.problems.rough.surface_yield import force_at_yield
 from winkler.problems.subsurface.below_surface import BelowSurface
@@ -178,8 +171,7 @@ class SurfaceContact:
             If the pixels are too coarse for the layers.
         """
         rough, modulus, layers = self.topography, self.medium.modulus, layers_of(self.medium)
-        pixel = rough.pixel
-        patch = pixel[0] * pixel[1]
+        pixel, patch = rough.pixel, rough.pixel[0] * rough.pixel[1]
         gaps, start, under, before, stiffness = rough.gaps, np.empty(0), np.empty(0), math.inf, math.inf
         for load in self._loads.tolist():
             drive = ByDepth(load) if isinstance(self.load, Depth) else ByLoad(load / (modulus * patch))
@@ -202,8 +194,9 @@ class SurfaceContact:
                     )
                     stiffness = modulus * patch * float(np.sum(under))
             except NotConverged as error:
-                advice = plate_advice(self.medium)
-                raise NotConverged(f"SurfaceContact: under the load {load:.6g}, {error}{advice}") from None
+                raise NotConverged(
+                    f"SurfaceContact: under the load {load:.6g}, {error}{plate_advice(self.medium)}"
+                ) from None
             except OutsideValidity as error:
                 raise OutsideValidity(f"SurfaceContact: {error}") from None
             yield SurfaceState(
