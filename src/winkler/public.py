@@ -36,7 +36,13 @@ from winkler.fitting.several.groups import GroupRatio, ratio_of
 from winkler.fitting.several.joint import JointFit
 from winkler.fitting.several.population import Population, population
 from winkler.fitting.several.together import fit_together
-from winkler.fitting.unloading.contact_reading import CalibratedArea, ContactReading, contact_reading, intercept_factor, sample_young
+from winkler.fitting.unloading.contact_reading import (
+    CalibratedArea,
+    ContactReading,
+    contact_reading,
+    intercept_factor,
+    sample_young,
+)
 from winkler.fitting.unloading.continuous_stiffness import ContinuousStiffness
 from winkler.fitting.unloading.oliver_pharr import OliverPharr, OliverPharrSolution
 from winkler.fitting.viscoelastic.band import relaxation_band
@@ -75,7 +81,23 @@ from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.laws.heat import EqualMaximum, EqualMean, FixedShare
 from winkler.laws.varying_friction import ExponentialSlipWeakening, FallingFriction, LinearSlipWeakening
 from winkler.laws.wear import Archard, PairWear
-from winkler.loading import Angle, Depth, Force, HalfWidth, LineForce, LineOfAction, LineShearForce, MeanPressure, Moment, NominalPressure, Radius, ShearForce, Shift, Tilt, Torque
+from winkler.loading import (
+    Angle,
+    Depth,
+    Force,
+    HalfWidth,
+    LineForce,
+    LineOfAction,
+    LineShearForce,
+    MeanPressure,
+    Moment,
+    NominalPressure,
+    Radius,
+    ShearForce,
+    Shift,
+    Tilt,
+    Torque,
+)
 from winkler.materials.at_temperature import AtTemperature
 from winkler.materials.conducting_body import Plated, Rod
 from winkler.materials.conductor import ElectricalConductor, ThermalConductor
@@ -84,7 +106,14 @@ from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.materials.fractional import FractionalZener, PowerLawSolid
 from winkler.materials.graded import PowerLawGraded
 from winkler.materials.layered import Layer
-from winkler.materials.named import NamedElastic, NamedElectricalConductor, NamedMaterial, NamedThermalConductor, material, material_names
+from winkler.materials.named import (
+    NamedElastic,
+    NamedElectricalConductor,
+    NamedMaterial,
+    NamedThermalConductor,
+    material,
+    material_names,
+)
 from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
 from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
 from winkler.materials.sweeps import DynamicSweeps, RelaxationSweeps

@@ -406,6 +406,9 @@ ROUGHNESS = {
         FRICTION,
         1.5e-6,
     ),
+    "joint_stiffness": wk.JointStiffness(
+        STAMP, wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3)), FRICTION, wk.Force(100.0)
+    ),
     "reduction": wk.Reduction(STAMP, STEEL_BODY, 3e-6),
     "elliptic_foundation": wk.Indentation(
         wk.EllipticFoundation(wk.CurvedBodies(20e-3, 10e-3), STEEL_BODY), wk.Force(100.0)

@@ -99,6 +99,7 @@ SOLVED = {
         *("true_area", "seal", "thermal_joint", "surface_constriction", "surface_wear"),
         *("map_stress", "profile_pair", "profile_pair_rolling", "surface_friction_heating", "surface_rolling_heating"),
         *("surface_adhesion", "surface_tangential", "reduced_friction", "surface_rolling", "surface_rolling_start"),
+        "joint_stiffness",
         *(
             "reduction",
             "rough_contact",

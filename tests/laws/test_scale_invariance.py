@@ -102,6 +102,14 @@ ROUNDED: dict[tuple[str, str], Rounded] = {
         )
         for name in ("shift_error", "loss_error")
     },
+    **{
+        ("JointStiffnessSolution", name): Rounded(1e-3, "stick and slip have a tolerance of 1e-8 of the energy")
+        for name in ("loss_per_cycle", "loss_factor")
+    },
+    **{
+        ("JointStiffnessSolution", name): Rounded(1e-4, "small differences of shifts and losses", beside=name)
+        for name in ("shift_error", "loss_error")
+    },
     **{("SurfaceRollingSolution", name): ERROR for name in ("lateral_force", "moment", "misfit")},
     **{
         ("SurfaceRollingSolution", name): Rounded(1e-3, "stick and slip have a tolerance of 1e-7 of the loss")

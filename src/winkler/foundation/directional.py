@@ -25,13 +25,21 @@ import numpy as np
 from winkler.checks.number_checks import POSITIVE, NonNegative, Numbers
 from winkler.errors import InvalidInput
 from winkler.foundation.force_curve import FEWEST_POINTS
-from winkler.foundation.measured import MeasuredBed
+from winkler.foundation.measured import BARBER, MeasuredBed
 from winkler.limits import MEASURED_PLACES
 from winkler.numerics.types import Array
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
 __all__ = ["DirectionalBed"]
 
+LAYERED_DISCS = Note(
+    Assumption.SHAPE,
+    Standing.ASYMPTOTIC,
+    "Radii are those of discs as stiff on the same layers; the shape of the contact, its pressure and what it conducts "
+    "are not those of a disc.",
+    BARBER,
+)
 PARTS = np.arange(1, 17) / 16.0
 """Of the way from a radius to the next, where the depth of slipping springs is summed."""
 
@@ -47,6 +55,9 @@ class DirectionalBed(MeasuredBed):
     ratios_along, ratios_across : array_like, (n,)
         K_x/k and K_y/k [-] at these radii, of the whole contact without slip.  A shear force or shift is along x;
         `turned` has it along y.
+    homogeneous : bool, optional
+        Whether radii are those of discs on homogeneous half-spaces, which conduct as they are stiff; otherwise on the
+        layers that the springs were computed for.
     shift_error, loss_error : float, optional
         Greatest differences from boundary elements with friction: of shifts over the greatest shift, of losses over the
         greatest loss.  Zero if they were not compared.
@@ -62,6 +73,7 @@ class DirectionalBed(MeasuredBed):
         ratios_across=("K_y/k", "", "tangential over normal stiffness of the contact, along y"),
         directional=("", "", "greatest difference of both ratios, over the lesser of them"),
         shift_error=("", "", "greatest difference of a shift from boundary elements, over the greatest shift"),
+        homogeneous=("", None, "whether radii are those of discs on homogeneous half-spaces"),
         loss_error=("", "", "greatest difference of a loss from boundary elements, over the greatest loss"),
     )
 
@@ -69,6 +81,7 @@ class DirectionalBed(MeasuredBed):
     ratios_across: Annotated[Array, Numbers(POSITIVE, FEWEST_POINTS, MEASURED_PLACES)] = dataclasses.field(kw_only=True)
     shift_error: NonNegative = 0.0
     loss_error: NonNegative = 0.0
+    homogeneous: bool = True
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -83,6 +96,11 @@ class DirectionalBed(MeasuredBed):
                     "DirectionalBed: the stiffness along the surface falls where the contact grows; give ratios that "
                     "fall less than the stiffness rises."
                 )
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """What the points are, and what their radii mean on layers."""
+        return super().notes if self.homogeneous else (super().notes[0], LAYERED_DISCS)
 
     @property
     def turned(self) -> DirectionalBed:

@@ -24,6 +24,7 @@ from winkler.plot.rolling import rolling  # noqa: F401
 from winkler.plot.rough import (  # noqa: F401
     below_map,
     ellipse,
+    joint,
     joints,
     lines,
     map_curves,

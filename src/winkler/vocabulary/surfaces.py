@@ -90,4 +90,16 @@ SURFACES: dict[str, Word] = {
     "edge_factor": Word(r"\kappa", "", "greatest pressure over that in the middle of a roller; infinite at sharp ends"),
     "grid_error": Word(r"\epsilon_h", "", "greatest relative change of the results from half as many elements"),
     "moment": Word("M", "N m", "moment of the pressure about the middle of a roller"),
+    # joints
+    "stiffness_x": Word("K_x", "N/m", "stiffness along x, without slip"),
+    "stiffness_y": Word("K_y", "N/m", "stiffness along y, without slip"),
+    "disc_stiffness": Word("K_d", "N/m", "stiffness along the surface of the disc that is as stiff across"),
+    "ratio_x": Word("K_x/K_z", "", "stiffness along x over that across"),
+    "ratio_y": Word("K_y/K_z", "", "stiffness along y over that across"),
+    "disc_ratio": Word("K_d/K_z", "", "stiffness along the surface over that across, of a disc"),
+    "areal_stiffness": Word("k_z", "Pa/m", "stiffness across the surface, per area of the map"),
+    "areal_stiffness_x": Word("k_x", "Pa/m", "stiffness along x, per area of the map"),
+    "areal_stiffness_y": Word("k_y", "Pa/m", "stiffness along y, per area of the map"),
+    "shear_amplitude": Word("A_F", "N", "amplitude of the shear force"),
+    "spring_loss": Word("W_s", "J", "energy lost in a closed cycle, by springs"),
 }

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.errors import NotConverged, OutsideValidity
 
 BASE = wk.Elastic(1.0, 0.3)
 STIFF = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(5.0, 0.3), 0.1)], on=BASE)
@@ -212,8 +212,6 @@ def test_what_is_not_known_in_layers_is_refused():
     copper = wk.ElectricalConductor(1.7e-8)
     with pytest.raises(OutsideValidity, match="the resistance of a height map on a CoatedHalfSpace is not known"):
         wk.SurfaceConduction(contact.problem, wk.ElectricalConductors(copper, copper))
-    with pytest.raises(InvalidInput, match="medium is a CoatedHalfSpace"):
-        wk.Reduction(rough, STIFF, depth=0.01)
 
 
 def test_films_that_the_pixels_do_not_follow_are_refused():

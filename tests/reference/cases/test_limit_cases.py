@@ -139,10 +139,31 @@ def plastic_spot(problem: dict) -> dict:
     }
 
 
+def joint_stiffness_of_a_ball(problem: dict) -> dict:
+    """Hertz, Mindlin's ratio, and Masing's loop of Mindlin's shift; bodies of E = 2 Pa and nu = 0.3, R = 1 m."""
+    nu, force, friction = mp.mpf("0.3"), number(problem["load"]["force"]), mp.mpf("0.3")
+    modulus, ratio = 1 / (1 - nu**2), 2 * (1 - nu) / (2 - nu)
+    normal = 2 * modulus * mp.cbrt(3 * force / (4 * modulus))
+    share = [mp.mpf(one) for one in ("0.5", "0.9")]
+
+    def moved(s):
+        return 3 * friction * force / (2 * ratio * normal) * (1 - (1 - s) ** (mp.mpf(2) / 3))
+
+    def lost(s):
+        return 4 * friction * force * (s * moved(s) - 2 * mp.quad(moved, [0, s]))
+
+    shift, loss = [moved(s) for s in share], [lost(s) for s in share]
+    return {
+        "stiffness": normal, "stiffness_x": ratio * normal, "ratio_x": ratio, "shift_amplitude": shift,
+        "loss_per_cycle": loss, "spring_shift": shift, "spring_loss": loss,
+    }  # fmt: skip
+
+
 RECOMPUTED = (
     jkr_equilibria, jkr_slow_peeling, fretting_heat_rate, elastomer_one_wave, rough_indentation_smooth,
     reduction_of_a_ball, conduction_of_a_map, true_area_of_a_ball, seal_of_grooves, thermal_joint_of_a_ball,
     surface_wear_wave, plastic_spot,
+    joint_stiffness_of_a_ball,
 )  # fmt: skip
 
 

@@ -32,7 +32,7 @@ from winkler.numerics.transforms.cosine_transform import on_axis
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values import value
 
-__all__ = ["NormalDepthResponse", "TangentialDepthResponse", "solid_at"]
+__all__ = ["NormalDepthResponse", "TangentialDepthResponse", "TurningDepthResponse", "solid_at"]
 
 SERIES_WAVE_NUMBER = 100.0
 """xi_1 times the depth across which the surface changes."""
@@ -186,8 +186,22 @@ class TangentialDepthResponse(_DepthResponse):
         bodies = [solid_at(self.grading), *([self.second] if isinstance(self.second, Elastic) else [])]
         return 1.0 / sum((2.0 - body.poisson) / (4.0 * body.shear) for body in bodies)
 
+    compressed = math.inf
+    """The limit of (1 + M) / xi for long waves: the body is a half-space."""
+
     def _own(self, xi: ComplexArray) -> ComplexArray:
         top = solid_at(self.grading)
         cells = _cells(self.grading, self.tolerance)
         twisted = 0.25 * (surface_compliance_across(cells, xi) - surface_compliance(cells, xi)[0])
         return np.asarray(twisted * 4.0 * top.shear / (2.0 - top.poisson) - 1.0)
+
+
+@value
+class TurningDepthResponse(TangentialDepthResponse):
+    """By how much compliances across the wave exceed those along it: G* xi / 4 times that, less its limit."""
+
+    def _own(self, xi: ComplexArray) -> ComplexArray:
+        top = solid_at(self.grading)
+        cells = _cells(self.grading, self.tolerance)
+        more = 0.25 * (surface_compliance_across(cells, xi) + surface_compliance(cells, xi)[0])
+        return np.asarray((more * 4.0 * top.shear - top.poisson) / (2.0 - top.poisson))

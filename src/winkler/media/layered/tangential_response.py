@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from winkler.materials.elastic import RIGID, Elastic, Solid
@@ -10,7 +12,7 @@ from winkler.media.layered.layers import LayeredResponse, rounded, through_layer
 from winkler.numerics.types import ComplexArray
 from winkler.values import value
 
-__all__ = ["TangentialResponse"]
+__all__ = ["TangentialResponse", "TurningResponse"]
 
 
 @value
@@ -37,12 +39,38 @@ class TangentialResponse(LayeredResponse):
 
     def excess(self, xi: ComplexArray) -> ComplexArray:
         """M(xi) [-] at real or complex wave numbers (m,) [1/m]."""
+        along, across = self._waves(xi)
+        top = self.layers[0].solid
+        own_share = (2.0 - top.poisson) / (4.0 * top.shear)
+        return np.asarray(self.modulus * (0.25 * (along + across) - own_share))
+
+    def _waves(self, xi: ComplexArray) -> tuple[ComplexArray, ComplexArray]:
+        """Return the compliances [1/Pa] to loads along the wave and across it, times xi."""
         along = -through_layers(self.layers, self.on, xi)[0].compliance[:, 0, 0]
         across = np.full(xi.shape, 1.0 / self.on.shear if isinstance(self.on, Elastic) else 0.0, dtype=xi.dtype)
         for layer in reversed(self.layers):
             fall = np.tanh(xi * layer.thickness)
             own = across * layer.solid.shear
             across = (own + fall) / ((1.0 + own * fall) * layer.solid.shear)
+        return along, across
+
+    @property
+    def compressed(self) -> float:
+        """The limit of (1 + M) / xi for long waves [m]; infinite if one of the bodies is a half-space."""
+        if isinstance(self.on, Elastic) or isinstance(self.second, Elastic):
+            return math.inf
+        return 0.5 * self.modulus * sum(layer.thickness / layer.solid.shear for layer in self.layers)
+
+
+@value
+class TurningResponse(TangentialResponse):
+    """By how much compliances across the wave are more than along it: G* xi / 4 (C_across - C_along), less its limit.
+
+    The limit is that of short waves, which feel the uppermost layer alone.
+    """
+
+    def excess(self, xi: ComplexArray) -> ComplexArray:
+        """M(xi) [-] at real or complex wave numbers (m,) [1/m]."""
+        along, across = self._waves(xi)
         top = self.layers[0].solid
-        own_share = (2.0 - top.poisson) / (4.0 * top.shear)
-        return np.asarray(self.modulus * (0.25 * (along + across) - own_share))
+        return np.asarray(0.25 * self.modulus * (across - along - top.poisson / top.shear))

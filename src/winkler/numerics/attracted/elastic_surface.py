@@ -13,6 +13,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.errors import OutsideValidity
+from winkler.numerics.surfaces.layered_pixels import SurfaceBelow
 from winkler.numerics.threads import cores
 from winkler.numerics.types import Array
 
@@ -51,9 +53,17 @@ class ElasticSurface(NamedTuple):
     workers: int
 
     @classmethod
-    def of(cls, shape: tuple[int, int], aspect: float, *, periodic: bool) -> ElasticSurface:
-        """Return the surface of a map whose pixels are 1 by `aspect`."""
-        return _made(shape, aspect, periodic)
+    def of(
+        cls, shape: tuple[int, int], aspect: float, *, periodic: bool, layers: SurfaceBelow | None = None
+    ) -> ElasticSurface:
+        """Return the surface of a map whose pixels are 1 by `aspect`, on layers if there are some.
+
+        Raises
+        ------
+        OutsideValidity
+            If a periodic map lies on layers that an even pressure compresses, or the pixels are too coarse for them.
+        """
+        return _made(shape, aspect, periodic, layers)
 
     @property
     def area(self) -> tuple[slice, slice]:
@@ -92,20 +102,34 @@ def _love(shape: tuple[int, int], aspect: float) -> Array:
 
 
 @functools.lru_cache(maxsize=4)
-def _made(shape: tuple[int, int], aspect: float, periodic: bool) -> ElasticSurface:
+def _made(shape: tuple[int, int], aspect: float, periodic: bool, layers: SurfaceBelow | None) -> ElasticSurface:
     import scipy.fft
+
+    if layers and periodic and layers.mean > 0.0:
+        raise OutsideValidity(
+            "an even pressure compresses layers on a rigid base, which attracted periodic maps do not follow; give a "
+            "map that stands alone, or an elastic base"
+        )
 
     if periodic:
         torus = shape
         qx = 2.0 * np.pi * scipy.fft.fftfreq(shape[0])[:, None]
         qy = 2.0 * np.pi * scipy.fft.rfftfreq(shape[1], aspect)[None, :]
-        stiffness = 0.5 * np.hypot(qx, qy)
+        wave = np.hypot(qx, qy)
+        stiffness = 0.5 * wave
+        if layers:
+            wave[0, 0] = 1.0
+            stiffness = stiffness / layers.whole(wave)
         compliance = np.divide(1.0, stiffness, out=np.zeros_like(stiffness), where=stiffness > 0.0)
     else:
         torus = 2 * scipy.fft.next_fast_len(shape[0], True), 2 * scipy.fft.next_fast_len(shape[1], True)
-        quarter = _love((torus[0] // 2 + 1, torus[1] // 2 + 1), aspect)
+        corner = torus[0] // 2 + 1, torus[1] // 2 + 1
+        quarter = _love(corner, aspect)
+        quarter = quarter + layers.pixels(corner, (1.0, aspect)) if layers else quarter
         i, j = (np.minimum(np.arange(n), n - np.arange(n)) for n in torus)
         compliance = scipy.fft.rfft2(quarter[np.ix_(i, j)]).real
+        if float(np.min(compliance)) <= 0.0:
+            raise OutsideValidity("the pixels are too coarse for the layers below; take finer ones")
         stiffness = 1.0 / compliance
     workers = cores() if torus[0] * torus[1] > SINGLE_THREAD_PIXELS else 1
     single = stiffness.astype(np.float32), compliance.astype(np.float32)

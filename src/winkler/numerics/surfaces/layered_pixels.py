@@ -1,38 +1,26 @@
 r"""Pixels that press on a layered surface: what they move it by beyond a homogeneous one of the same topmost layer.
 
 Under a unit pressure on a rectangle the displacement over that of E* is Love's and the integral of k
-(`winkler.numerics.transforms.radial_kernel`) over the rectangle.  Near the pixel the integral is a sum over its four
-corners,
-
-.. math:: I(x,y) = \int_0^{\mathrm{arsinh}(y/x)}\frac{Q(x\cosh s)}{\cosh s}\,\mathrm ds
-                 + \int_0^{\mathrm{arsinh}(x/y)}\frac{Q(y\cosh s)}{\cosh s}\,\mathrm ds ,
-
-whatever the layers; far away k varies over the distance, and Gauss' rule of a few places in the pixel is as good.
+(`winkler.numerics.transforms.radial_kernel`) over the rectangle (`winkler.numerics.pixels.integrals`).
 """
 
 from __future__ import annotations
 
 import math
-from typing import NamedTuple, Protocol
+from typing import NamedTuple, Protocol, TypeAlias
 
 import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.numerics.caching import cached_by_value
-from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.pixels.integrals import over_pixels
+from winkler.numerics.pixels.power_law import PowerLawSurface
 from winkler.numerics.transforms.cosine_transform import WaveResponse
-from winkler.numerics.transforms.radial_kernel import RadialKernel, radial_kernel
+from winkler.numerics.transforms.radial_kernel import radial_kernel
 from winkler.numerics.types import Array
 
-__all__ = ["GridResponse", "LayeredSurface"]
+__all__ = ["GridResponse", "LayeredSurface", "SurfaceBelow"]
 
-CORNER_NODES = 64
-FAR_ZONES = ((8.0, 4), (24.0, 3), (128.0, 2))
-"""From how many pixels on how many places along a side of the pixel are enough for ten digits."""
-SPLINE_STEP = 2e-3
-"""Of log r: the cubic spline errs by less than a part 1e-11."""
-FAR_MARGIN = 0.75
-"""How much nearer than the first far zone places in its pixels may lie, as a part."""
 TESTED_WAVE = 16.0
 """Wave, in pixels, that the pixels must follow."""
 MOST_LOST = 0.1
@@ -114,23 +102,7 @@ class LayeredSurface(NamedTuple):
                 "the displacements of the layers are not resolved, since their moduli differ by more than winkler can "
                 "carry; give layers whose moduli differ by a factor of less than 1e8."
             ) from None
-        side = max(dx, dy)
-        near = tuple(min(n, math.ceil(FAR_ZONES[0][0] * side / d) + 1) for n, d in zip(shape, (dx, dy), strict=True))
-        x, y = np.arange(shape[0]) * dx, np.arange(shape[1]) * dy
-        result = np.empty(shape)
-        far = np.hypot(x[:, None], y[None, :]) / side
-        starts, stops = FAR_ZONES, (*(start for start, _ in FAR_ZONES[1:]), math.inf)
-        for (start, count), stop in zip(starts, stops, strict=True):
-            rows, columns = np.nonzero((far >= start) & (far < stop))
-            if rows.size:
-                result[rows, columns] = _gauss(_far_spline(kernel, start * side, farthest), x[rows], y[columns],
-                                               (dx, dy), count)  # fmt: skip
-        corner = _corners(kernel, (np.arange(near[0] + 1) - 0.5) * dx, (np.arange(near[1] + 1) - 0.5) * dy)
-        close = corner[1:, 1:] - corner[:-1, 1:] - corner[1:, :-1] + corner[:-1, :-1]
-        result[: near[0], : near[1]] = np.where(
-            far[: near[0], : near[1]] < FAR_ZONES[0][0], close, result[: near[0], : near[1]]
-        )
-        return self.unit * result
+        return self.unit * over_pixels(kernel, shape, (dx, dy))
 
     def lost(self, pixel: tuple[float, float]) -> float:
         """Return by which part displacements under a wave of sixteen pixels of this size are wrong."""
@@ -147,38 +119,8 @@ class LayeredSurface(NamedTuple):
             )
 
 
-def _gauss(spline: object, x: Array, y: Array, pixel: tuple[float, float], count: int) -> Array:
-    """Return integrals over the pixels around these places."""
-    node, weight = gauss_legendre(count)
-    total = np.zeros(x.shape)
-    for a, wa in zip(node - 0.5, weight, strict=True):
-        for b, wb in zip(node - 0.5, weight, strict=True):
-            square = (x + a * pixel[0]) ** 2 + (y + b * pixel[1]) ** 2
-            total += wa * wb * spline(np.log(square))  # type: ignore[operator]
-    return np.asarray(pixel[0] * pixel[1] * total)
-
-
-def _far_spline(kernel: RadialKernel, nearest: float, farthest: float) -> object:
-    """Return k as a function of log r^2, between these distances and a little farther."""
-    from scipy.interpolate import CubicSpline
-
-    low, high = 2.0 * math.log(FAR_MARGIN * nearest), 2.0 * math.log(1.1 * farthest)
-    places = np.linspace(low, high, max(16, math.ceil((high - low) / (2.0 * SPLINE_STEP))))
-    return CubicSpline(places, kernel.at(np.exp(0.5 * places)))
-
-
-def _corners(kernel: RadialKernel, x: Array, y: Array) -> Array:
-    """Return I(x, y), odd in both, on a grid."""
-    wide, high = np.abs(x)[:, None], np.abs(y)[None, :]
-    return np.asarray(np.sign(x)[:, None] * np.sign(y) * (_sector(kernel, wide, high) + _sector(kernel, high, wide)))
-
-
-def _sector(kernel: RadialKernel, x: Array, y: Array) -> Array:
-    """Return the integral of k over the triangle below the diagonal of a rectangle."""
-    node, weight = gauss_legendre(CORNER_NODES)
-    reach = np.arcsinh(y / x)
-    stretch = np.cosh(reach[..., None] * node)
-    return np.asarray(reach * ((kernel.within(x[..., None] * stretch) / stretch) @ weight))
+SurfaceBelow: TypeAlias = LayeredSurface | PowerLawSurface
+"""What lies below a surface that is not a homogeneous half-space."""
 
 
 @cached_by_value(256)

@@ -15,7 +15,7 @@ import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.numerics.arrays import cast, given, namespace_of
-from winkler.numerics.surfaces.layered_pixels import LayeredSurface
+from winkler.numerics.surfaces.layered_pixels import SurfaceBelow
 from winkler.numerics.surfaces.pressed_box import BoxContact, ByDepth, ByLoad, box_around
 from winkler.numerics.surfaces.pressed_sums import overlap_and_work, shared
 from winkler.numerics.surfaces.surface_grid import DOUBLE, SINGLE, SurfaceGrid
@@ -72,7 +72,7 @@ class _Surface(NamedTuple):
 
     pixel: tuple[float, float]
     periodic: bool
-    layers: LayeredSurface | None
+    layers: SurfaceBelow | None
     film: float
 
     def grid(self, shape: tuple[int, ...], digits: np.dtype[np.floating] = DOUBLE) -> SurfaceGrid:
@@ -145,7 +145,7 @@ def press(
     ceiling: float = math.inf,
     tolerance: float = 1e-6,
     start: Any = (),
-    layers: LayeredSurface | None = None,
+    layers: SurfaceBelow | None = None,
     film: float = 0.0,
 ) -> PressedSurface:
     """Solve the contact.

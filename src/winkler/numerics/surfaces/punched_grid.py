@@ -14,7 +14,7 @@ import numpy as np
 
 from winkler.errors import NotConverged
 from winkler.numerics.arrays import cast, dot, given, namespace_of
-from winkler.numerics.surfaces.layered_pixels import LayeredSurface
+from winkler.numerics.surfaces.layered_pixels import SurfaceBelow
 from winkler.numerics.surfaces.pressed_box import box_around
 from winkler.numerics.surfaces.surface_grid import DOUBLE, SINGLE, SurfaceGrid
 from winkler.numerics.surfaces.traction_grid import Compliance, TractionGrid
@@ -42,7 +42,7 @@ def punch(
     periodic: bool,
     tolerance: float = 1e-6,
     start: Any = (),
-    layers: LayeredSurface | None = None,
+    layers: SurfaceBelow | None = None,
     film: float = 0.0,
 ) -> Any:
     """Return the pressures over E* [1/m] under a flat punch of any shape at unit depth.
@@ -115,7 +115,12 @@ def _not_converged(touching: Any) -> NotConverged:
 
 
 def stuck_stiffness(
-    touching: Array, pixel: tuple[float, float], compliance: Compliance, *, tolerance: float = 1e-3
+    touching: Array,
+    pixel: tuple[float, float],
+    compliance: Compliance,
+    *,
+    periodic: bool = False,
+    tolerance: float = 1e-3,
 ) -> tuple[float, float]:
     """Return the force over E* [m] that shifts a contact in which nothing slips by a unit, along x and along y.
 
@@ -123,8 +128,8 @@ def stuck_stiffness(
 
     Parameters
     ----------
-    touching, pixel
-        As for `punch`, of a surface that is not periodic.
+    touching, pixel, periodic
+        As for `punch`.
     compliance
         Of the bodies; the coupling with pressures is left out.
     tolerance
@@ -135,10 +140,11 @@ def stuck_stiffness(
     NotConverged
         If the tolerance is not met.
     """
-    box = box_around(touching)
+    box = (slice(None), slice(None)) if periodic else box_around(touching)
     there = touching[box]
     shape, aspect = (there.shape[0], there.shape[1]), (1.0, pixel[1] / pixel[0])
-    grid = TractionGrid.of(shape, aspect, compliance._replace(coupling=0.0), periodic=False)
+    alone = compliance._replace(coupling=0.0).in_units_of(pixel[0])
+    grid = TractionGrid.of(shape, aspect, alone, periodic=periodic)
     found = []
     for axis in range(2):
         shift = np.zeros((2, *shape))

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from winkler.numerics.arrays import cast, namespace_of, real_waves, waves_back
-from winkler.numerics.surfaces.layered_pixels import LayeredSurface
+from winkler.numerics.surfaces.layered_pixels import SurfaceBelow
 from winkler.numerics.threads import cores
 from winkler.numerics.types import Array
 
@@ -85,7 +85,7 @@ class SurfaceGrid(NamedTuple):
         *,
         periodic: bool,
         digits: np.dtype[np.floating] = DOUBLE,
-        layers: LayeredSurface | None = None,
+        layers: SurfaceBelow | None = None,
     ) -> SurfaceGrid:
         """Return the grid; small ones are made once.
 
@@ -167,7 +167,7 @@ def _made(
     pixel: tuple[float, float],
     periodic: bool,
     digits: np.dtype[np.floating],
-    layers: LayeredSurface | None,
+    layers: SurfaceBelow | None,
 ) -> SurfaceGrid:
     """Return a grid."""
     import scipy.fft

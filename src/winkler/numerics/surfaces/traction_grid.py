@@ -23,6 +23,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.numerics.pixels.layered_shear import LayeredShear
 from winkler.numerics.surfaces.surface_grid import LARGEST_CACHED_PIXELS, MEAN_WAVE_RATIO, SINGLE, SurfaceGrid
 from winkler.numerics.types import Array
 
@@ -40,11 +41,18 @@ class Compliance(NamedTuple):
         b: more in the direction of the traction; nu / (1 - nu) of two alike.
     coupling
         beta, the second constant of Dundurs.
+    layers
+        What differs from homogeneous bodies, in the unit of length of the pixels; nothing unless given.
     """
 
     even: float
     along: float
     coupling: float = 0.0
+    layers: LayeredShear | None = None
+
+    def in_units_of(self, length: float) -> Compliance:
+        """Return the same with lengths measured by this one."""
+        return self._replace(layers=self.layers.in_units_of(length)) if self.layers else self
 
 
 class TractionGrid(NamedTuple):
@@ -131,7 +139,7 @@ def _made(shape: tuple[int, int], pixel: tuple[float, float], compliance: Compli
     import scipy.fft
 
     grid = SurfaceGrid.of(shape, pixel, periodic=periodic)
-    a, b, beta = compliance
+    a, b, beta, layers = compliance
     qx = 2.0 * np.pi * scipy.fft.fftfreq(shape[0], pixel[0])[:, None]
     qy = 2.0 * np.pi * scipy.fft.rfftfreq(shape[1], pixel[1])[None, :]
     q = np.hypot(qx, qy)
@@ -143,10 +151,17 @@ def _made(shape: tuple[int, int], pixel: tuple[float, float], compliance: Compli
     odd[:, -1 if shape[1] % 2 == 0 else slice(0, 0)] = 0.0
     xy = xy * odd
     inverse = grid.wave_numbers / (a + b) * np.stack((1.0 + b / a * xx, b / a * xy, 1.0 + b / a * yy))
+    lengthwise, crosswise = np.full(q.shape, a), np.full(q.shape, a + b)
+    if layers:
+        even, turning = layers.waves(q)
+        lengthwise, crosswise = lengthwise + even - turning, crosswise + even + turning
+        bent = 1.0 / lengthwise - 1.0 / crosswise
+        inverse = grid.wave_numbers * np.stack((1.0 / crosswise + bent * xx, bent * xy, 1.0 / crosswise + bent * yy))
     inverse[:, 0, 0] = MEAN_WAVE_RATIO * np.pi / max(shape[0] * pixel[0], shape[1] * pixel[1]) * np.array([1, 0, 1]) / a
     if periodic:
-        along = grid.response * np.stack((a + b * yy, -b * xy, a + b * xx))
-        along[:, 0, 0] = 0.0
+        more = crosswise - lengthwise
+        along = grid.response * np.stack((lengthwise + more * yy, -more * xy, lengthwise + more * xx))
+        along[:, 0, 0] = layers.mean * np.array([1.0, 0.0, 1.0]) if layers else 0.0
         across = -2.0 * beta * odd * np.stack((qx + 0.0 * q, qy + 0.0 * q)) / q**2
     else:
         padded = grid.padded
@@ -155,6 +170,9 @@ def _made(shape: tuple[int, int], pixel: tuple[float, float], compliance: Compli
         crossed = _kernel(lambda x, y: -np.hypot(x, y), shape, pixel, padded, (-1, -1)) / np.pi
         both = a * (first + second)
         along = np.stack((both + b * second, b * crossed, both + b * first))
+        if layers:
+            beyond = zip(layers.pixels(shape, pixel), ((1, 1), (-1, -1), (1, 1)), strict=True)
+            along = along + np.stack([_transformed(quarter, padded, parity) for quarter, parity in beyond])
         parts = (
             _kernel(lambda x, y: y * np.log(np.hypot(x, y)) + x * np.arctan(y / x), shape, pixel, padded, (-1, 1)),
             _kernel(lambda x, y: x * np.log(np.hypot(x, y)) + y * np.arctan(x / y), shape, pixel, padded, (1, -1)),
@@ -184,13 +202,19 @@ def _kernel(
     parity
         Whether it is even (1) or odd (-1) in either direction.
     """
-    import scipy.fft
-
-    (nx, ny), (mx, my) = shape, padded
+    nx, ny = shape
     x = ((np.arange(nx + 1) - 0.5) * pixel[0])[:, None]
     y = ((np.arange(ny + 1) - 0.5) * pixel[1])[None, :]
     corners = corner(x, y)
     quarter = corners[1:, 1:] - corners[:-1, 1:] - corners[1:, :-1] + corners[:-1, :-1]
+    return _transformed(quarter, padded, parity)
+
+
+def _transformed(quarter: Array, padded: tuple[int, int], parity: tuple[int, int]) -> Array:
+    """Return the transform of a kernel that is known at positive places; over i if it is odd in one direction."""
+    import scipy.fft
+
+    (nx, ny), (mx, my) = quarter.shape, padded
     if parity[0] < 0:
         quarter[0] = 0.0
     if parity[1] < 0:

@@ -12,6 +12,7 @@ both functions, kept as Chebyshev polynomials.  Nothing oscillates, however far.
 
 from __future__ import annotations
 
+import functools
 import math
 from typing import NamedTuple
 
@@ -23,7 +24,7 @@ from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.transforms.cosine_transform import LEAST_RESPONSE, WaveResponse, transform
 from winkler.numerics.types import Array
 
-__all__ = ["RadialKernel", "radial_kernel"]
+__all__ = ["RadialKernel", "radial_kernel", "turning_kernel"]
 
 NODES = 32
 """Of the quadrature, in every octave of sin theta."""
@@ -71,24 +72,54 @@ def radial_kernel(response: WaveResponse, octave: int) -> RadialKernel:
     NotConverged
         If C is not resolved: the contrasts are too large.
     """
-    length = response.length
-    edges = length * np.concatenate(([0.0], 2.0 ** np.arange(octave + 1)))
-    curve = transform(response, float(edges[-1]))
-    # the octaves of sin theta below 1/2 by Gauss' rule in sin theta, the rest by the same in theta
+    sines, shares = _angles(octave)
+    found = _summed(response, octave, sines, (shares, shares * (1.0 - sines) * (1.0 + sines)))
+    return RadialKernel(response.length, *found)
+
+
+@cached_by_value(64)
+def turning_kernel(response: WaveResponse, octave: int) -> RadialKernel:
+    r"""Return the same with J_2 in the place of J_0: what turns with twice the angle of a traction.
+
+    .. math:: k_2(r) = \frac1\pi\int_0^\infty M(\xi)\,J_2(\xi r)\,\mathrm d\xi
+                     = \frac1\pi\int_0^{\pi/2}C(r\sin\theta)\cos2\theta\,\mathrm d\theta .
+
+    Its integral over a disc is zero, and not known here.
+
+    Parameters
+    ----------
+    response, octave
+        As of `radial_kernel`.
+
+    Raises
+    ------
+    NotConverged
+        As `radial_kernel`.
+    """
+    sines, shares = _angles(octave)
+    (point,) = _summed(response, octave, sines, (shares * (1.0 - 2.0 * sines**2),))
+    return RadialKernel(response.length, point, point)
+
+
+def _angles(octave: int) -> tuple[Array, Array]:
+    """Return sines of theta and weights over pi: octaves of the sine below 1/2 by Gauss' rule, the rest in theta."""
     node, weight = gauss_legendre(NODES)
     starts = np.concatenate(([0.0], 0.5 ** np.arange(octave + 1, 0, -1)))
     sines = (starts[:-1, None] + np.diff(starts)[:, None] * node).ravel()
     shares = (np.diff(starts)[:, None] * weight).ravel() / np.sqrt(1.0 - sines**2)
     angle = math.pi / 6.0 + math.pi / 3.0 * node
-    sines, shares = np.concatenate((sines, np.sin(angle))), np.concatenate((shares, math.pi / 3.0 * weight)) / math.pi
-    squares = shares * (1.0 - sines) * (1.0 + sines)
+    return np.concatenate((sines, np.sin(angle))), np.concatenate((shares, math.pi / 3.0 * weight)) / math.pi
 
-    def summed(weights: Array) -> Panels:
-        def along(r: Array) -> Array:
-            return np.asarray(np.hypot(r, length) * (curve(r[..., None] * sines) @ weights))
 
-        return fit_panels(along, edges, tolerance)
-
+def _summed(response: WaveResponse, octave: int, sines: Array, weights: tuple[Array, ...]) -> list[Panels]:
+    """Return the hypotenuse of r and the length, times the sums of C(r sin theta) with these weights."""
+    length = response.length
+    edges = length * np.concatenate(([0.0], 2.0 ** np.arange(octave + 1)))
+    curve = transform(response, float(edges[-1]))
     size = float(np.max(np.abs(response.excess(np.concatenate(([1e-3 / response.span], 1.0 / edges[1:]))))))
     tolerance = TOLERANCE_RATIO * response.precision * (size + LEAST_RESPONSE)
-    return RadialKernel(length, summed(shares), summed(squares))
+
+    def along(r: Array, share: Array) -> Array:
+        return np.asarray(np.hypot(r, length) * (curve(r[..., None] * sines) @ share))
+
+    return [fit_panels(functools.partial(along, share=share), edges, tolerance) for share in weights]

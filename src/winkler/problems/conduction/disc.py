@@ -7,8 +7,10 @@ import math
 import numpy as np
 
 from winkler.checks.outline import refuse_unless_round
+from winkler.errors import OutsideValidity
 from winkler.footprint import RoundOutline
 from winkler.foundation.bed import Bed
+from winkler.foundation.directional import DirectionalBed
 from winkler.loading import Load
 from winkler.materials.conducting_body import Plated
 from winkler.media.conduction.conductors import ElectricalConductors, HeatConductors
@@ -30,8 +32,14 @@ def resistances_of(bed: Bed, conductors: ElectricalConductors | HeatConductors, 
     Raises
     ------
     OutsideValidity
-        If a film or a plating needs an area that the bed does not define; if the contact is nearly as wide as a rod.
+        If a film or a plating needs an area that the bed does not define; if the contact is nearly as wide as a rod;
+        if the springs are those of a height map on layers.
     """
+    if isinstance(bed, DirectionalBed) and not bed.homogeneous:
+        raise OutsideValidity(
+            f"{type(conductors).__name__}: the springs of a height map on layers do not tell what it conducts, since "
+            "its stiffness is not that of a homogeneous half-space; reduce the map on a HalfSpace."
+        )
     if any(isinstance(body, Plated) for body in (conductors.first, conductors.second)):
         refuse_unless_round(bed, type(conductors).__name__, "a plating")
     parts = conductors.resistances(radius)

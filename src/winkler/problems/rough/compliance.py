@@ -2,19 +2,52 @@
 
 from __future__ import annotations
 
+from typing import cast
+
+from winkler.errors import OutsideValidity
 from winkler.media.halfspace import HalfSpace, HomogeneousMedium
+from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.media.layered.depth_graded import DepthGradedHalfSpace
+from winkler.media.layered.depth_response import TurningDepthResponse, solid_at
+from winkler.media.layered.tangential_response import TurningResponse
+from winkler.numerics.pixels.layered_shear import LayeredShear, ShearResponse
 from winkler.numerics.surfaces.traction_grid import Compliance
+from winkler.numerics.transforms.cosine_transform import WaveResponse, in_own_lengths
 from winkler.problems.assumptions.coupling import NEGLIGIBLE_COUPLING
+from winkler.problems.rough.mapped_medium import MappedMedium
 
 __all__ = ["compliance_of"]
 
 
-def compliance_of(medium: HomogeneousMedium) -> Compliance:
-    """Return the compliances of the bodies along their surfaces.
+def compliance_of(medium: MappedMedium) -> Compliance:
+    """Return the compliances of the bodies along their surfaces, lengths of layers in m.
 
-    Those in all directions, and more along the traction, follow from G* and G_t: a disc is pushed, and twisted.
+    Those in all directions, and more along the traction, follow from G* and G_t: a disc is pushed, and twisted.  Of
+    layers the coupling of tractions with pressures is left out.
+
+    Raises
+    ------
+    OutsideValidity
+        If the modulus follows a power of the depth.
     """
-    pushed, twisted = 2.0 * medium.modulus / medium.shear_modulus, 0.5 * medium.modulus / medium.torsional_modulus
-    beta = medium.mismatch if isinstance(medium, HalfSpace) else 0.0
-    beta = beta if abs(beta) > NEGLIGIBLE_COUPLING else 0.0
-    return Compliance(pushed - twisted, 2.0 * twisted - pushed, beta)
+    if isinstance(medium, HomogeneousMedium):
+        pushed, twisted = 2.0 * medium.modulus / medium.shear_modulus, 0.5 * medium.modulus / medium.torsional_modulus
+        beta = medium.mismatch if isinstance(medium, HalfSpace) else 0.0
+        beta = beta if abs(beta) > NEGLIGIBLE_COUPLING else 0.0
+        return Compliance(pushed - twisted, 2.0 * twisted - pushed, beta)
+    if isinstance(medium, CoatedHalfSpace):
+        top = medium.layers[0].solid
+        turning: WaveResponse = TurningResponse(medium.layers, medium.on, medium.second)
+    elif isinstance(medium, DepthGradedHalfSpace):
+        top, turning = solid_at(medium.grading), TurningDepthResponse(medium.grading, medium.second, medium.tolerance)
+    else:
+        raise OutsideValidity(
+            "The tractions of a height map on a GradedHalfSpace, whose modulus follows a power of the depth, are not "
+            "known to winkler; give a DepthGradedHalfSpace, or a Foundation(profile, medium)."
+        )
+    surface = HalfSpace(top, medium.second)
+    even, unit = in_own_lengths(medium.tangential_response)
+    layers = LayeredShear(
+        cast(ShearResponse, even), in_own_lengths(turning)[0], unit, surface.modulus / surface.shear_modulus
+    )
+    return compliance_of(surface)._replace(coupling=0.0, layers=layers)

@@ -14,10 +14,12 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.foundation.measured import MeasuredBed
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.numerics.equations.roots import invert
 from winkler.numerics.types import Array
 from winkler.problems.normal.solve_contact import at_depth
+from winkler.problems.rough.mapped_medium import MappedMedium
 
-__all__ = ["ContactPoints", "MeasuredSprings", "force_uncertainty", "springs_of"]
+__all__ = ["ContactPoints", "MeasuredSprings", "force_uncertainty", "radii_of", "springs_of"]
 
 FEWEST_PIXELS = 16
 """A contact of fewer determines its stiffness too poorly for a smooth curve."""
@@ -60,7 +62,7 @@ class MeasuredSprings(NamedTuple):
     misfit: float
 
 
-def springs_of(points: ContactPoints, medium: HomogeneousMedium, allowed: float) -> MeasuredSprings:
+def springs_of(points: ContactPoints, medium: MappedMedium, allowed: float) -> MeasuredSprings:
     """Return the springs behind contacts: smooth ones, if they miss the forces by no more than `allowed` [N].
 
     Raises
@@ -151,15 +153,27 @@ def _punched(points: ContactPoints, more: Array) -> ContactPoints:
     return ContactPoints(depth, force, stiffness, np.interp(depth, points.depth, points.pixels))
 
 
-def _fitted(given_points: ContactPoints, medium: HomogeneousMedium, points: ContactPoints) -> MeasuredSprings:
+def _fitted(given_points: ContactPoints, medium: MappedMedium, points: ContactPoints) -> MeasuredSprings:
     """Return the springs behind points, with what they need below the first of them."""
     depth, force, stiffness, _ = given_points
     # below the first point a power of the radius, the one that brings the first force
     share = min(force[0] / (stiffness[0] * depth[0]), LARGEST_FORCE_SHARE)
     below, power = FORCE_RATIO ** -np.arange(4.0, 0.0, -1.0), share / (1.0 - share)
     stiffness, depth = np.append(stiffness[0] * below, stiffness), np.append(depth[0] * below**power, depth)
-    radii, ratio = stiffness / (2.0 * medium.modulus), medium.shear_modulus / medium.modulus
+    radii, ratio = radii_of(stiffness, medium), medium.shear_modulus / medium.modulus
     misses = _missed(MeasuredBed(radii, stiffness, depth, mindlin_ratio=ratio), points)
     scatter = float(np.sqrt(np.mean(misses**2)))
     bed = MeasuredBed(radii, stiffness, depth, scatter=scatter, mindlin_ratio=ratio)
     return MeasuredSprings(bed, float(np.max(np.abs(misses))))
+
+
+def radii_of(stiffness: Array, medium: MappedMedium) -> Array:
+    """Return the radii [m] of flat punches as stiff on the same bodies."""
+    guess = stiffness / (2.0 * medium.modulus)
+    if isinstance(medium, HomogeneousMedium):
+        return guess
+
+    def punched(radius: Array) -> tuple[Array, Array]:
+        return medium.punch_stiffness(radius), 2.0 * medium.normal_stiffness(radius)
+
+    return invert(punched, stiffness, lower=0.0, upper=np.inf, guess=guess)

@@ -7,6 +7,7 @@ gap: both are Persson's here.
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Iterator
 from typing import Annotated, ClassVar
 
@@ -16,8 +17,10 @@ from winkler.checks.number_checks import Advice, Positive, Seed
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Quantity, shaped
+from winkler.problems.rough.layered_lines import line_stiffnesses, moduli_of_waves, slope_modulus
 from winkler.problems.rough.line_solution import LineSprings, Realisations, RoughSolution, check_ensemble
-from winkler.problems.rough.persson import area_fraction, mean_separation
+from winkler.problems.rough.mapped_medium import MappedMedium
+from winkler.problems.rough.persson import area_fraction, separation_under
 from winkler.problems.rough.spring_line import RoughLine, ensemble, line_seeds
 from winkler.profiles.rough.random_rough import random_lines
 from winkler.profiles.rough.spectrum import Spectrum
@@ -31,6 +34,22 @@ LINE_OVER_SIDE = 1.1523
 LYASHENKO = "I. A. Lyashenko, L. Pastewka, B. N. J. Persson, Tribol. Lett. 52 (2013) 223-229"
 POHRT = "R. Pohrt, V. L. Popov, Phys. Rev. Lett. 108 (2012) 104301, doi:10.1103/PhysRevLett.108.104301"
 
+HOMOGENEOUS_LINES = Note(
+    Assumption.ROUGHNESS,
+    Standing.APPROXIMATE,
+    "Forces, depths and stiffnesses of a rough surface on a line of springs scale as those of the surface: medians of "
+    "stiffness are 0.8 to 1.3 times those of boundary elements, of depth 0.85 to 1.25 times.",
+    f"{POHRT}; own boundary elements, Hurst exponents from 0.3 to 0.8",
+)
+LAYERED_LINES = Note(
+    Assumption.ROUGHNESS,
+    Standing.APPROXIMATE,
+    "Springs on layers are as stiff as the flat punch that is as wide as what touches: medians of stiffness were 0.7 "
+    "to 1.35 times those of boundary elements, of depth 0.8 to 1.25 times, on layers a quarter to 20 times as stiff as "
+    "their base and 0.02 to 0.3 sides thick.",
+    "own boundary elements, four maps of 64 x 64 pixels each, Hurst exponents of 0.4 and 0.8",
+)
+
 
 @value
 class RoughContact:
@@ -40,8 +59,8 @@ class RoughContact:
     ----------
     spectrum : Spectrum
         Of both surfaces together: SelfAffine or PowerSpectrum.
-    medium : HalfSpace
-        Both bodies, homogeneous.
+    medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
+        Both bodies.
     side : float
         Of the square [m]: waves longer than the line of 1.1523 sides are left out.
     load : Force or Depth
@@ -71,7 +90,7 @@ class RoughContact:
     )
 
     spectrum: Spectrum
-    medium: Annotated[HomogeneousMedium, Advice("roughness is known on no other")]
+    medium: Annotated[MappedMedium, Advice("roughness is known on no other")]
     side: Positive
     load: Force | Depth
     realisations: Realisations = 50
@@ -99,8 +118,9 @@ class RoughContact:
         InvalidInput
             If no wave of the spectrum fits them.
         """
+        rising = line_stiffnesses(self.medium, self.count, self.length / self.count)
         for heights in random_lines(self.spectrum, self.count, self.length, line_seeds(self.seed, self.realisations)):
-            yield RoughLine(heights, self.length, self.medium.modulus)
+            yield RoughLine(heights, self.length, self.medium.modulus, rising)
 
     def solve(self) -> RoughContactSolution:
         """Return force, depth and stiffness: the median of all lines, and the band of eight in ten.
@@ -133,8 +153,8 @@ class RoughContactSolution(RoughSolution):
     def area(self) -> Quantity:
         """True area of contact [m^2], after Persson: the length of the line in contact is none."""
         square = self.problem.side**2
-        slope = self.problem.spectrum.rms_slope
-        fraction = area_fraction(np.asarray(self.force) / square, self.problem.medium.modulus, slope)
+        steep = slope_modulus(self.problem.medium, self.problem.spectrum)
+        fraction = area_fraction(np.asarray(self.force) / square, steep, 1.0)
         return shaped(square * fraction)
 
     @property
@@ -142,7 +162,8 @@ class RoughContactSolution(RoughSolution):
         """Mean distance of the surfaces [m], after Persson."""
         square = self.problem.side**2
         pressure = np.asarray(self.force) / square
-        return shaped(mean_separation(pressure, self.problem.medium.modulus, self.problem.spectrum))
+        moduli = functools.partial(moduli_of_waves, self.problem.medium)
+        return shaped(separation_under(pressure, moduli, self.problem.spectrum))
 
     @property
     def validity(self) -> tuple[Note, ...]:
@@ -150,13 +171,7 @@ class RoughContactSolution(RoughSolution):
         bodies = self.problem.medium.notes
         return (
             *(note for note in bodies if note.standing is not Standing.EXACT),  # of one round contact
-            Note(
-                Assumption.ROUGHNESS,
-                Standing.APPROXIMATE,
-                "Forces, depths and stiffnesses of a rough surface on a line of springs scale as those of the surface: "
-                "medians of stiffness are 0.8 to 1.3 times those of boundary elements, of depth 0.85 to 1.25 times.",
-                f"{POHRT}; own boundary elements, Hurst exponents from 0.3 to 0.8",
-            ),
+            HOMOGENEOUS_LINES if isinstance(self.problem.medium, HomogeneousMedium) else LAYERED_LINES,
             *self._line_notes,
             Note(
                 Assumption.ROUGHNESS,

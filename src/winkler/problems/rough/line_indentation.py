@@ -17,13 +17,14 @@ from winkler.checks.number_checks import Positive, Seed
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed, PressedSprings
 from winkler.loading import Depth, Force
-from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.solve_contact import at_force
+from winkler.problems.rough.layered_lines import line_stiffnesses, slope_modulus
 from winkler.problems.rough.line_solution import LineSprings, Realisations, RoughSolution, check_ensemble
+from winkler.problems.rough.mapped_medium import MappedMedium
 from winkler.problems.rough.persson import area_fraction
 from winkler.problems.rough.spring_line import RoughLine, ensemble, line_seeds
 from winkler.profiles.rough.random_rough import random_lines
@@ -46,7 +47,7 @@ class RoughIndentation:
     spectrum : Spectrum
         Of both surfaces together: SelfAffine or PowerSpectrum.
     bed : Foundation
-        The smooth body, on a homogeneous medium.
+        The smooth body, on an elastic half-space, layered, graded or neither.
     length : float
         Of the line [m]; wider than the contact. Waves longer than it are left out.
     load : Force or Depth
@@ -84,15 +85,15 @@ class RoughIndentation:
     needs_round: ClassVar[str] = "roughness on the springs of a line"
 
     def __post_init__(self) -> None:
-        if not isinstance(getattr(self.bed, "medium", None), HomogeneousMedium):
+        if not isinstance(getattr(self.bed, "medium", None), MappedMedium):
             raise InvalidInput(
-                "RoughIndentation: roughness is known on homogeneous half-spaces alone; give Foundation(profile, "
-                "HalfSpace(...))."
+                "RoughIndentation: roughness is known on elastic half-spaces, layered or not, alone; give "
+                "Foundation(profile, HalfSpace(...))."
             )
         check_ensemble("RoughIndentation", self.load, self.realisations, self.count)
 
     @property
-    def medium(self) -> HomogeneousMedium:
+    def medium(self) -> MappedMedium:
         """Both bodies."""
         return self.bed.medium  # type: ignore[return-value]
 
@@ -116,8 +117,9 @@ class RoughIndentation:
         smooth = self.bed.gap(place[there])
         part = self.length * smooth.size / self.count
         pinned = self.bed.rim <= min(self.bed.reach, 0.5 * self.length)
+        rising = line_stiffnesses(self.medium, smooth.size, self.length / self.count)
         for heights in random_lines(self.spectrum, self.count, self.length, line_seeds(self.seed, self.realisations)):
-            line = RoughLine(heights[there] - smooth, part, self.medium.modulus)
+            line = RoughLine(heights[there] - smooth, part, self.medium.modulus, rising)
             if not pinned:
                 self._refuse_end(line)
             yield line
@@ -174,7 +176,7 @@ class RoughIndentationSolution(RoughSolution):
     @property
     def area(self) -> Quantity:
         """True area of contact [m^2]: Persson's, ring by ring under the pressures of the smooth body."""
-        bed, slope = self.problem.bed, self.problem.spectrum.rms_slope
+        bed, steep = self.problem.bed, slope_modulus(self.problem.medium, self.problem.spectrum)
         depths, radii = at_force(bed, np.ravel(self.force))
         nodes, weights = gauss_legendre(NODES)
         # r = a sin: pressures of flat ends and of smooth edges are both tame in the angle
@@ -182,7 +184,7 @@ class RoughIndentationSolution(RoughSolution):
         areas = []
         for depth, radius in zip(depths.tolist(), radii.tolist(), strict=True):
             pressure = self.problem.medium.pressure(PressedSprings(bed, depth, radius), radius * np.sin(angle))
-            touching = area_fraction(pressure, self.problem.medium.modulus, slope)
+            touching = area_fraction(pressure, steep, 1.0)
             areas.append(math.pi**2 * radius**2 * float(np.sum(weights * touching * np.sin(angle) * np.cos(angle))))
         return shaped(np.array(areas), np.shape(self.force))
 

@@ -12,10 +12,13 @@ from winkler.errors import InvalidInput
 from winkler.limits import MOST_NUMBERS, MOST_SPRINGS
 from winkler.loading import Depth, Force
 from winkler.media.conduction.conductors import ElectricalConductors, HeatConductors
+from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import numbers_of
 from winkler.problems.conduction.stiffness_analogy import conductance_of_stiffness
+from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.normal.yield_of_pressure import spots_yield_notes
+from winkler.problems.rough.layered_lines import conducting_medium
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
@@ -66,9 +69,10 @@ class RoughSolution:
         Raises
         ------
         OutsideValidity
-            If there is a film, a plating or a rod.
+            If there is a film, a plating or a rod, or the bodies have layers.
         """
-        share = conductance_of_stiffness(type(self.problem).__name__, self.problem.medium, conductors)
+        owner = type(self.problem).__name__
+        share = conductance_of_stiffness(owner, conducting_medium(owner, self.problem.medium), conductors)
         return shaped(self.stiffness * share)
 
     @property
@@ -81,7 +85,10 @@ class RoughSolution:
         """Return whether spots in contact yield, and if waves are longer than the line, or shorter than two springs."""
         problem = self.problem
         spectrum, length, count = problem.spectrum, problem.length, problem.count
-        yielding = spots_yield_notes(problem.medium, float(np.max(np.asarray(self.force) / np.asarray(self.area))))
+        if isinstance(problem.medium, HomogeneousMedium):
+            yielding = spots_yield_notes(problem.medium, float(np.max(np.asarray(self.force) / np.asarray(self.area))))
+        else:
+            yielding = unknown_yield(problem.medium, "the stresses below rough spots are not computed in layers")
         left_out = []
         if spectrum.smallest * length < 2.0 * math.pi * (1.0 - CUT_OFF_ROUNDING):
             left_out.append(f"longer than the line ({length:.4g} m)")

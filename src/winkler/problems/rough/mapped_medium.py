@@ -5,37 +5,43 @@ from __future__ import annotations
 from typing import TypeAlias, cast
 
 from winkler.errors import OutsideValidity
+from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
-from winkler.numerics.surfaces.layered_pixels import GridResponse, LayeredSurface
+from winkler.numerics.pixels.power_law import PowerLawSurface
+from winkler.numerics.surfaces.layered_pixels import GridResponse, LayeredSurface, SurfaceBelow
 from winkler.numerics.transforms.cosine_transform import in_own_lengths
 from winkler.numerics.types import Quantity
-from winkler.problems.normal.unknown_yield import unknown_yield
-from winkler.problems.rough.surface_notes import border_notes, surface_notes
-from winkler.problems.subsurface.map_yield import map_yield_notes
-from winkler.problems.subsurface.surface_load import SurfaceLoad
+from winkler.problems.rough.surface_notes import surface_notes
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["MappedMedium", "homogeneous", "last_load_notes", "layers_of", "medium_notes"]
+__all__ = ["MappedMedium", "homogeneous", "layers_of", "medium_notes"]
 
-MappedMedium: TypeAlias = HomogeneousMedium | CoatedHalfSpace | DepthGradedHalfSpace
+MappedMedium: TypeAlias = HomogeneousMedium | CoatedHalfSpace | DepthGradedHalfSpace | GradedHalfSpace
 """A medium under a height map."""
 SULLIVAN = "T. C. O'Sullivan, R. B. King, J. Tribol. 110 (1988) 235-240, doi:10.1115/1.3261591"
 FOLLOWED_SHARE = 0.01
 """Part of the displacement under a wave of sixteen pixels that may be wrong without a word."""
 
 
-def layers_of(medium: MappedMedium) -> LayeredSurface | None:
+def layers_of(medium: MappedMedium) -> SurfaceBelow | None:
     """Return what differs from a homogeneous half-space; nothing of a homogeneous medium.
 
     Parameters
     ----------
-    medium : HomogeneousMedium, CoatedHalfSpace or DepthGradedHalfSpace
+    medium : HomogeneousMedium, CoatedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
     """
     if isinstance(medium, HomogeneousMedium):
         return None
+    if isinstance(medium, GradedHalfSpace):
+        if medium.exponent == 1.0:
+            raise OutsideValidity(
+                "A height map on Gibson's solid (exponent 1) meets springs of the surface alone, which winkler's "
+                "boundary elements do not hold; give an exponent below 1."
+            )
+        return PowerLawSurface(medium.exponent, medium.depth_scale)
     own, unit = in_own_lengths(medium.response)
     return LayeredSurface(cast(GridResponse, own), unit)
 
@@ -47,7 +53,7 @@ def homogeneous(owner: str, what: str, medium: MappedMedium) -> HomogeneousMediu
     ----------
     owner, what : str
         Who refuses, and what is not known in layers.
-    medium : HomogeneousMedium, CoatedHalfSpace or DepthGradedHalfSpace
+    medium : HomogeneousMedium, CoatedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
 
     Raises
     ------
@@ -69,7 +75,7 @@ def medium_notes(
 
     Parameters
     ----------
-    medium : HomogeneousMedium, CoatedHalfSpace or DepthGradedHalfSpace
+    medium : HomogeneousMedium, CoatedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
     rough, hardness, blurred, penetration, misfit
         As of `winkler.problems.rough.surface_notes.surface_notes`.
     """
@@ -94,6 +100,8 @@ def medium_notes(
             SULLIVAN,
         )
     graded = medium.notes if isinstance(medium, DepthGradedHalfSpace) else ()
+    if isinstance(medium, GradedHalfSpace):
+        graded = medium.notes[1:]  # the first one is of one round contact
     lost = 0.0 if rough.periodic else layers.lost(rough.pixel)
     coarse = Note(
         Assumption.RESOLUTION,
@@ -103,11 +111,3 @@ def medium_notes(
         "pixels of constant pressure against the compliance of the layers",
     )
     return (response, border, *graded, *((coarse,) if lost > FOLLOWED_SHARE else ()), *notes[2:])
-
-
-def last_load_notes(medium: MappedMedium, load: SurfaceLoad) -> tuple[Note, ...]:
-    """Return what the border bears, and whether bodies stay elastic; of layers with a strength, that it is unknown."""
-    border = border_notes(load.pressure, load.periodic)
-    if isinstance(medium, HomogeneousMedium):
-        return (*border, *map_yield_notes(medium, load))
-    return (*border, *unknown_yield(medium, "the stresses below a height map are not computed in layers"))

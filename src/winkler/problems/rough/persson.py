@@ -16,6 +16,7 @@ which has no singularity any more.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 
@@ -24,7 +25,7 @@ from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 from winkler.profiles.rough.spectrum import Spectrum, wave_numbers_for
 
-__all__ = ["area_fraction", "mean_separation"]
+__all__ = ["area_fraction", "mean_separation", "separation_under"]
 
 ENERGY_SHARE = 0.45
 """Share of the elastic energy that is stored in the asperities, after Yang and Persson (2008)."""
@@ -93,15 +94,30 @@ def mean_separation(pressure: Array, modulus: float, spectrum: Spectrum) -> Arra
         raise InvalidInput(
             "mean_separation: a pressure is zero; without any the surfaces are as far apart as you like."
         )
+    return separation_under(prescribed, lambda q: np.full(q.shape, modulus), spectrum)
+
+
+def separation_under(prescribed: Array, moduli: Callable[[Array], Array], spectrum: Spectrum) -> Array:
+    """Return the mean distance [m] under positive pressures where waves meet moduli [Pa] of their own, as on layers.
+
+    Parameters
+    ----------
+    prescribed : ndarray
+        Pressures [Pa].
+    moduli : callable
+        Takes wave numbers [rad/m].
+    spectrum : Spectrum
+    """
     q = wave_numbers_for(spectrum, WAVE_NUMBERS, crowded=2.0)
-    power = math.pi * q**4 * spectrum.at(q)
+    own = moduli(q)
+    power = math.pi * q**4 * spectrum.at(q) * own**2  # t is in Pa here
     t = np.sqrt(np.concatenate(([0.0], np.cumsum(0.5 * (power[1:] + power[:-1]) * np.diff(np.log(q))))))
     separation = np.zeros(prescribed.size)
     risen = t > 0.0  # a measured spectrum may begin with waves of no power
     for i, p in enumerate(prescribed.ravel().tolist()):
         inner = np.zeros(t.size)  # exp(-s^2) at t = 0
-        inner[risen] = _work(p / (modulus * t[risen]))
-        separation[i] = 2.0 / math.sqrt(math.pi) * np.trapezoid(inner / q, t)
+        inner[risen] = _work(p / t[risen])
+        separation[i] = 2.0 / math.sqrt(math.pi) * np.trapezoid(inner / (q * own), t)
     return separation.reshape(prescribed.shape)
 
 

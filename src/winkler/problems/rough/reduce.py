@@ -9,11 +9,11 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Iterable, Iterator
-from typing import Annotated, ClassVar
+from typing import Annotated, ClassVar, cast
 
 import numpy as np
 
-from winkler.checks.number_checks import Positive, between
+from winkler.checks.number_checks import Advice, Positive, between
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.directional import DirectionalBed
 from winkler.foundation.measured import MeasuredBed
@@ -26,6 +26,7 @@ from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.rough.contact_springs import ContactPoints, force_uncertainty, springs_of
+from winkler.problems.rough.mapped_medium import MappedMedium
 from winkler.problems.rough.stuck_contacts import StuckContacts
 from winkler.problems.rough.surface_contact import SurfaceContact
 from winkler.problems.rough.surface_states import SurfaceState
@@ -61,8 +62,8 @@ class Reduction:
     ----------
     topography : Topography
         A map that stands alone.
-    medium : HalfSpace
-        Both bodies, homogeneous.
+    medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
+        Both bodies.
     depth : float
         Up to which depth d [m] the springs are to be known.
     tolerance : float, optional
@@ -80,7 +81,7 @@ class Reduction:
     """
 
     topography: Topography
-    medium: HomogeneousMedium
+    medium: Annotated[MappedMedium, Advice("the boundary elements apply to no other")]
     depth: Positive
     tolerance: Annotated[float, between(1e-4, 0.1)] = 1e-3
 
@@ -215,6 +216,7 @@ class ReductionSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How well the springs bear the computed forces, and what they do not determine."""
+        bodies = () if self.bed.homogeneous else cast(Medium, self.problem.medium).notes
         return (
             Note(
                 Assumption.RESOLUTION,
@@ -226,6 +228,7 @@ class ReductionSolution:
                 BARBER,
             ),
             *self.bed.notes[1:],
+            *bodies,
             *unknown_yield(self.problem.medium, "the springs of a height map do not have its pressures"),
         )
 
@@ -243,6 +246,11 @@ class ReductionSolution:
             If the medium is not homogeneous.
         """
         elastic = medium.elastic if isinstance(medium, RelaxingMedium) else medium
+        if not self.bed.homogeneous:
+            raise InvalidInput(
+                f"Reduction: these springs are those of the map on a {type(self.problem.medium).__name__}, whose "
+                "layers no other medium has; reduce the map on the medium itself."
+            )
         if not isinstance(elastic, HomogeneousMedium):
             raise InvalidInput(
                 f"Reduction: the medium is a {type(medium).__name__}; the springs of a map are known on homogeneous "
@@ -251,9 +259,7 @@ class ReductionSolution:
         return PlaneFoundation(MeasuredPlaneProfile(self.bed), medium)
 
 
-def reduce(
-    topography: Topography, medium: HomogeneousMedium, depth: float, *, tolerance: float = 1e-3
-) -> DirectionalBed:
+def reduce(topography: Topography, medium: MappedMedium, depth: float, *, tolerance: float = 1e-3) -> DirectionalBed:
     """Return springs that bear forces like a height map.
 
     Parameters

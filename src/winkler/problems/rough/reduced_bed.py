@@ -10,8 +10,8 @@ import numpy as np
 
 from winkler.footprint import UnknownOutline
 from winkler.foundation.directional import DirectionalBed
-from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
+from winkler.problems.rough.mapped_medium import MappedMedium
 from winkler.problems.rough.reduce import Reduction
 from winkler.profiles.rough.topography import Topography
 from winkler.values import value, words
@@ -40,8 +40,8 @@ class ReducedBed(DirectionalBed):
     ----------
     topography : Topography
         A map that stands alone.
-    pressed_into : HalfSpace or TransverselyIsotropicHalfSpace
-        Both bodies, homogeneous.
+    pressed_into : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
+        Both bodies.
     depth : float
         Up to which depth d [m] the springs are known.
     tolerance : float, optional
@@ -71,8 +71,9 @@ class ReducedBed(DirectionalBed):
     ratios_across: Array = dataclasses.field(init=False, repr=False, default_factory=_none)
     shift_error: float = dataclasses.field(init=False, repr=False, default=0.0)
     loss_error: float = dataclasses.field(init=False, repr=False, default=0.0)
+    homogeneous: bool = dataclasses.field(init=False, repr=False, default=True)
     topography: Topography = dataclasses.field()
-    pressed_into: HomogeneousMedium = dataclasses.field()
+    pressed_into: MappedMedium = dataclasses.field()
     depth: float = dataclasses.field()
     tolerance: float = SMOOTHNESS
 

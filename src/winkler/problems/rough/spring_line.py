@@ -9,6 +9,7 @@ Many random lines give a median, and between which forces eight surfaces of ten 
 
 from __future__ import annotations
 
+import dataclasses
 import functools
 from collections.abc import Iterable
 from typing import Annotated, NamedTuple
@@ -27,6 +28,10 @@ QUANTILES = (0.1, 0.9)
 """Quantiles between which eight of ten surfaces lie."""
 
 
+def _none() -> Array:
+    return np.zeros(0)
+
+
 @value
 class RoughLine:
     """One line of independent springs under given heights, all loads at once.
@@ -39,6 +44,9 @@ class RoughLine:
         Of the line [m].
     modulus : float
         E* [Pa], stiffness of the springs per length.
+    stiffnesses : ndarray, (n,), optional
+        Stiffness [N/m] of the first 1, 2, ..., n springs that touch, rising: of layers, on which wider contacts meet
+        other moduli.  In proportion to E* unless given.
 
     Examples
     --------
@@ -52,14 +60,21 @@ class RoughLine:
     heights: Annotated[Array, Numbers(fewest=2)]
     length: Positive
     modulus: Positive
+    stiffnesses: Array = dataclasses.field(default_factory=_none)
+
+    @functools.cached_property
+    def _stiffness(self) -> Array:
+        """Stiffness [N/m] of no spring, one, two, ..., all of them."""
+        if self.stiffnesses.size:
+            return np.concatenate(([0.0], self.stiffnesses))
+        return np.asarray(self.modulus * self.length / self.heights.size * np.arange(self.heights.size + 1.0))
 
     @functools.cached_property
     def _sorted(self) -> tuple[Array, Array]:
         """Gaps in rising order [m], and the force [N] at which each spring comes in."""
         gaps = np.sort(np.max(self.heights) - self.heights)
-        rate = self.modulus * self.length / gaps.size
         # summed up from one spring to the next nothing cancels, and the forces never fall
-        return gaps, rate * np.concatenate(([0.0], np.cumsum(np.arange(1.0, gaps.size) * np.diff(gaps))))
+        return gaps, np.concatenate(([0.0], np.cumsum(self._stiffness[1:-1] * np.diff(gaps))))
 
     def force(self, depth: Array) -> Array:
         """Return F [N] at depths [m] below the highest point."""
@@ -73,14 +88,13 @@ class RoughLine:
         gaps, forces = self._sorted
         f = np.asarray(force, dtype=float)
         last = np.maximum(np.searchsorted(forces, f, side="right") - 1, 0)
-        rate = self.modulus * self.length / gaps.size
-        return np.asarray(gaps[last] + (f - forces[last]) / (rate * (last + 1)))
+        return np.asarray(gaps[last] + (f - forces[last]) / self._stiffness[last + 1])
 
     def stiffness(self, depth: Array) -> Array:
-        """Return dF/dd [N/m] at depths [m]: E* times the length in contact."""
+        """Return dF/dd [N/m] at depths [m]: on homogeneous bodies E* times the length in contact."""
         gaps, _ = self._sorted
         count = np.searchsorted(gaps, np.asarray(depth, dtype=float), side="right")
-        return np.asarray(self.modulus * self.length / gaps.size * count)
+        return np.asarray(self._stiffness[count])
 
 
 class LineStatistics(NamedTuple):

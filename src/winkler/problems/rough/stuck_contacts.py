@@ -12,10 +12,13 @@ import numpy as np
 
 from winkler.foundation.directional import DirectionalBed
 from winkler.foundation.measured import MeasuredBed
+from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.surfaces.punched_grid import stuck_stiffness
+from winkler.numerics.surfaces.traction_grid import Compliance
 from winkler.numerics.types import Array
 from winkler.problems.rough.compliance import compliance_of
+from winkler.problems.rough.mapped_medium import MappedMedium
 from winkler.problems.rough.surface_states import SurfaceState
 
 __all__ = ["StuckContacts"]
@@ -29,6 +32,7 @@ ALLOWED_MISFIT = 2e-3
 GREATEST_DEGREE = 2
 LEAST_POWER = -0.5
 """Of the ratio over k: K_x must rise with k."""
+NONE = Compliance(1.0, 0.0)
 ISOTROPIC = 1e-12
 """Part of the compliance that depends on the direction, of bodies where it is rounding."""
 
@@ -38,14 +42,15 @@ class StuckContacts:
 
     Parameters
     ----------
-    medium : HomogeneousMedium
-        Both bodies.
+    medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
+        Both bodies; of a power of the depth the ratio is that of a disc in all directions.
     pixel : tuple of float
         Sides of a pixel [m].
     """
 
-    def __init__(self, medium: HomogeneousMedium, pixel: tuple[float, float]) -> None:
-        self.medium, self.pixel, self.compliance = medium, pixel, compliance_of(medium)
+    def __init__(self, medium: MappedMedium, pixel: tuple[float, float]) -> None:
+        self.medium, self.pixel = medium, pixel
+        self.compliance = NONE if isinstance(medium, GradedHalfSpace) else compliance_of(medium)
         self.depths: list[float] = []
         self.rows: list[tuple[float, float, float]] = []
         """Normal stiffness [N/m], K_x/k and K_y/k."""
@@ -54,7 +59,8 @@ class StuckContacts:
         """Take a contact, unless one of nearly its depth has been taken, or its direction does not matter."""
         touching = state.pressure > 0.0
         near = any(1.0 / LEAST_DEPTH_RATIO < state.depth / depth < LEAST_DEPTH_RATIO for depth in self.depths)
-        if near or abs(self.compliance.along) <= ISOTROPIC or np.count_nonzero(touching) < FEWEST_PIXELS:
+        isotropic = abs(self.compliance.along) <= ISOTROPIC and not self.compliance.layers
+        if near or isotropic or np.count_nonzero(touching) < FEWEST_PIXELS:
             return
         along, across = stuck_stiffness(touching, self.pixel, self.compliance)
         self.depths.append(state.depth)
@@ -72,6 +78,7 @@ class StuckContacts:
         return DirectionalBed(
             bed.radii, bed.stiffnesses, bed.depths, bed.scatter, bed.mindlin_ratio, bed.disc,
             ratios_along=ratios[0], ratios_across=ratios[1],
+            homogeneous=isinstance(self.medium, HomogeneousMedium),
         )  # fmt: skip
 
 

@@ -5,8 +5,7 @@ Pressures p >= 0 and gaps w >= 0 with p w = 0 in every pixel, and
 .. math:: w(x,y) = h(x,y) - d + \frac{1}{\pi E^*}\int\frac{p(x',y')}{\sqrt{(x-x')^2+(y-y')^2}}\,\mathrm dA' ,
 
 are found by preconditioned conjugate gradients (`winkler.numerics.surfaces.pressed_grid`); layers add a kernel
-(`winkler.numerics.surfaces.layered_pixels`).  The stiffness dF/dd is
-that of a flat punch of the shape of the contact (Barber).
+(`winkler.numerics.surfaces.layered_pixels`).  The stiffness dF/dd is that of a flat punch of the shape of the contact.
 """
 
 from __future__ import annotations
@@ -33,9 +32,10 @@ from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.rough.contact_area import contact_area
 from winkler.problems.rough.hardness_limit import hardened_share, hardness_notes
+from winkler.problems.rough.map_advice import last_load_notes, plate_advice
 from winkler.problems.rough.map_loads import check_loads
 from winkler.problems.rough.map_memory import refuse_too_large, state_memory
-from winkler.problems.rough.mapped_medium import MappedMedium, homogeneous, last_load_notes, layers_of, medium_notes
+from winkler.problems.rough.mapped_medium import MappedMedium, homogeneous, layers_of, medium_notes
 from winkler.problems.rough.surface_states import SurfaceState
 from winkler.problems.rough.surface_yield import force_at_yield
 from winkler.problems.subsurface.below_surface import BelowSurface
@@ -62,7 +62,7 @@ class SurfaceContact:
     topography : Topography
         Heights of both bodies together, up towards the other one; the medium is flat.  A map that stands alone ends at
         its border like a stamp, a periodic one goes on for ever.
-    medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace or DepthGradedHalfSpace
+    medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
         Both bodies.
     load : Force or Depth
         What is prescribed, compression positive; an array is marched through as it comes, each load from the one
@@ -118,6 +118,7 @@ class SurfaceContact:
             )
         if float(np.ptp(self.topography.heights)) == 0.0 and self.topography.periodic:
             raise InvalidInput("SurfaceContact: the periodic map is flat and touches everywhere; give a rough one.")
+        layers_of(self.medium)  # refuses what has no surface of its own
         refuse_too_large(self.topography.heights.shape, self.topography.periodic)
         check_loads(self.topography, self.load, self.hardness, self._compressible)
 
@@ -181,7 +182,9 @@ class SurfaceContact:
                     )
                     stiffness = modulus * patch * float(xp.sum(under))
             except NotConverged as error:
-                raise NotConverged(f"SurfaceContact: under the load {load:.6g}, {error}") from None
+                raise NotConverged(
+                    f"SurfaceContact: under the load {load:.6g}, {error}{plate_advice(self.medium)}"
+                ) from None
             except OutsideValidity as error:
                 raise OutsideValidity(f"SurfaceContact: {error}") from None
             force = modulus * patch * float(xp.sum(start))

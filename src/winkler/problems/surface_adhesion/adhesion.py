@@ -19,7 +19,6 @@ from winkler.checks.number_checks import Advice, affordable, between
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.limits import MOST_NUMBERS
 from winkler.loading import Depth
-from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.attracted.attracted_surface import AttractedSurface
 from winkler.numerics.attracted.elastic_surface import ElasticSurface
 from winkler.numerics.types import Array
@@ -28,6 +27,7 @@ from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import ATTRACTED
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.rough.contact_area import contact_area
+from winkler.problems.rough.mapped_medium import MappedMedium, layers_of
 from winkler.problems.surface_adhesion.law_on_grid import AttractionOnGrid, RangedLaw, attraction_on_grid, tabor_of_map
 from winkler.problems.surface_adhesion.march import AdhesionMarch, Leapt
 from winkler.problems.surface_adhesion.notes import surface_adhesion_notes
@@ -53,8 +53,9 @@ class SurfaceAdhesion:
     topography : Topography
         Heights of both bodies together, up towards the other one.  A map that stands alone ends at its border, a
         periodic one goes on for ever.
-    medium : HalfSpace or TransverselyIsotropicHalfSpace
-        Both bodies, homogeneous.
+    medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
+        Both bodies.  Of a body whose surface has another modulus than what lies below, the zone of attraction is that
+        on the surface.
     law : ShortRange, Dugdale, ExponentialAttraction or LennardJones
         What attracts them.  In place of ShortRange (JKR) stands an exponential law whose range is the shortest that the
         pixels resolve; Dugdale's stress ends over 0.8 of its range instead of at once.
@@ -94,7 +95,7 @@ class SurfaceAdhesion:
     """
 
     topography: Topography
-    medium: Annotated[HomogeneousMedium, Advice("the boundary elements apply to no other")]
+    medium: Annotated[MappedMedium, Advice("the boundary elements apply to no other")]
     law: RangedLaw
     path: Depth
     tolerance: Annotated[float, between(1e-10, 0.01)] = 1e-6
@@ -156,7 +157,12 @@ class SurfaceAdhesion:
         rough, modulus, on_grid = self.topography, self.medium.modulus, self.on_grid()
         (dx, dy), law, unit = rough.pixel, on_grid.law, on_grid.range
         shape = rough.heights.shape
-        surface = ElasticSurface.of((shape[0], shape[1]), dy / dx, periodic=rough.periodic)
+        layers = layers_of(self.medium)
+        below = layers.in_units_of(dx) if layers else None
+        try:
+            surface = ElasticSurface.of((shape[0], shape[1]), dy / dx, periodic=rough.periodic, layers=below)
+        except (NotConverged, OutsideValidity) as error:
+            raise type(error)(f"SurfaceAdhesion: {error}".rstrip(".") + ".") from None
         share = on_grid.work * dx / (modulus * unit * unit)
         attracted = AttractedSurface(surface, rough.gaps / unit + law.touch, law, share)
         force, energy = modulus * unit * dy, modulus * unit * unit * dy
@@ -275,7 +281,8 @@ class SurfaceAdhesionSolution:
         stated = self.problem
         return (
             *surface_adhesion_notes(
-                stated.topography, stated.law, stated.on_grid(), stated.tabor, float(np.max(self.residual)),
+                stated.topography, stated.medium, stated.law, stated.on_grid(), stated.tabor,
+                float(np.max(self.residual)),
                 float(self.energy_misfit[-1]), len(self.jumps),
             ),
             *unknown_yield(stated.medium, "the stresses below attracted surfaces are not searched"),

@@ -6,6 +6,7 @@ import math
 
 from winkler.laws.adhesion import ShortRange
 from winkler.numerics.attracted.attraction import RoundedStep
+from winkler.problems.rough.mapped_medium import MappedMedium, medium_notes
 from winkler.problems.rough.surface_notes import surface_notes
 from winkler.problems.surface_adhesion.law_on_grid import AttractionOnGrid, RangedLaw
 from winkler.profiles.rough.topography import Topography
@@ -20,6 +21,7 @@ BALANCE = "work of the machine, change of the energy and losses in jumps, added 
 
 def surface_adhesion_notes(
     rough: Topography,
+    medium: MappedMedium,
     law: RangedLaw,
     on_grid: AttractionOnGrid,
     tabor: float,
@@ -33,6 +35,8 @@ def surface_adhesion_notes(
     ----------
     rough : Topography
         The map.
+    medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
+        Both bodies.
     law : RangedLaw
         As it was stated.
     on_grid : AttractionOnGrid
@@ -60,7 +64,7 @@ def surface_adhesion_notes(
     else:
         stated = f"Gaps are taken between flat parts of the surfaces (Derjaguin); the map {number}."
     return (
-        *mapped[:2],
+        *medium_notes(medium, rough, math.inf, 0.0, 0.0, 0.0)[:2],
         Note(
             Assumption.RESOLUTION,
             Standing.ASYMPTOTIC,

@@ -9,6 +9,7 @@ from typing import Protocol, TypeVar
 import numpy as np
 
 from winkler.errors import NotConverged
+from winkler.numerics.surfaces.layered_pixels import SurfaceBelow
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, PressedSurface, press
 from winkler.numerics.surfaces.pressed_sums import overlap_and_work
 from winkler.numerics.surfaces.traction_grid import TractionGrid
@@ -36,20 +37,26 @@ Found = TypeVar("Found", bound=Rubbed)
 
 
 def press_from(
-    gaps: Array, pixel: tuple[float, float], drive: ByDepth | ByLoad, *, periodic: bool, start: Array
+    gaps: Array,
+    pixel: tuple[float, float],
+    drive: ByDepth | ByLoad,
+    *,
+    periodic: bool,
+    start: Array,
+    layers: SurfaceBelow | None = None,
 ) -> PressedSurface:
     """Press a surface whose lowest gap need not be zero; of a depth that does not reach it nothing touches.
 
     Parameters
     ----------
-    gaps, pixel, drive, periodic, start
+    gaps, pixel, drive, periodic, start, layers
         As of `winkler.numerics.surfaces.pressed_grid.press`.
     """
     lowest = float(np.min(gaps))
     deeper = ByDepth(drive.depth - lowest) if isinstance(drive, ByDepth) else drive
     if not max(deeper) > 0.0:
         return PressedSurface(np.zeros(gaps.shape), gaps - max(drive), max(drive), 0.0, 0.0, 0)
-    pressed = press(gaps - lowest, pixel, deeper, periodic=periodic, start=start)
+    pressed = press(gaps - lowest, pixel, deeper, periodic=periodic, start=start, layers=layers)
     return pressed._replace(depth=pressed.depth + lowest)
 
 

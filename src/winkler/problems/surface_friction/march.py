@@ -12,7 +12,6 @@ import numpy as np
 
 from winkler.laws.friction import Coulomb
 from winkler.laws.varying_friction import SlipWeakening
-from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.surfaces.pressed_box import box_around
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, PressedSurface
 from winkler.numerics.surfaces.sheared_surface import RigidStep, ShearedSurface, shear
@@ -20,6 +19,7 @@ from winkler.numerics.surfaces.traction_grid import TractionGrid
 from winkler.numerics.types import Array
 from winkler.problems.rough.compliance import compliance_of
 from winkler.problems.rough.contact_area import contact_area
+from winkler.problems.rough.mapped_medium import MappedMedium, layers_of
 from winkler.problems.surface_friction.borne import refuse_beyond
 from winkler.problems.surface_friction.by_turns import by_turns, press_from
 from winkler.problems.surface_friction.state import SurfaceShearState
@@ -41,7 +41,7 @@ class SurfaceMarch:
     ----------
     rough : Topography
         Heights of both bodies together.
-    medium : HomogeneousMedium
+    medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace or DepthGradedHalfSpace
         Both bodies.
     law : Coulomb, LinearSlipWeakening or ExponentialSlipWeakening
         Friction.
@@ -54,13 +54,14 @@ class SurfaceMarch:
     def __init__(
         self,
         rough: Topography,
-        medium: HomogeneousMedium,
+        medium: MappedMedium,
         law: Coulomb | SlipWeakening,
         by_force: Array,
         tolerance: float,
     ):
         self.gaps, self.pixel, self.periodic, self.modulus = rough.gaps, rough.pixel, rough.periodic, medium.modulus
-        self.compliance, self.law, self.tolerance = compliance_of(medium), law, tolerance
+        self.compliance, self.law, self.tolerance = compliance_of(medium).in_units_of(self.pixel[0]), law, tolerance
+        self.layers = layers_of(medium)
         self.coupled = self.compliance.coupling != 0.0  # pressures draw the surface along
         nx, ny = self.gaps.shape
         self.shape, self.aspect = (nx, ny), (1.0, self.pixel[1] / self.pixel[0])
@@ -188,7 +189,7 @@ class SurfaceMarch:
     def _press(self, drive: ByDepth | ByLoad, gaps: Array) -> PressedSurface:
         near = self.drive > 0.0 and abs(max(drive) / self.drive - 1.0) <= NEARBY_LOAD
         start = self.pressed.pressure if near else np.empty(0)
-        return press_from(gaps, self.pixel, drive, periodic=self.periodic, start=start)
+        return press_from(gaps, self.pixel, drive, periodic=self.periodic, start=start, layers=self.layers)
 
     def _apart(self, depth: float) -> PressedSurface:
         return PressedSurface(np.zeros(self.shape), self.gaps - depth, depth, 0.0, 0.0, 0)

@@ -3,29 +3,40 @@
 from __future__ import annotations
 
 import math
+from typing import cast
 
 import numpy as np
 
 from winkler.laws.friction import Coulomb
 from winkler.laws.varying_friction import SlipWeakening, greatest_coefficient
+from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.medium import Medium
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.coupling import solved_together_note
-from winkler.problems.rough.surface_notes import surface_notes
+from winkler.problems.rough.mapped_medium import MappedMedium, medium_notes
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["surface_shear_notes"]
+__all__ = ["UNCOUPLED_LAYERS", "surface_shear_notes"]
 
 KALKER = "J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990, doi:10.1007/978-94-015-7889-9"
+GOODMAN = "L. E. Goodman, J. Appl. Mech. 29 (1962) 515-522, doi:10.1115/1.3640599"
 IDA = "Y. Ida, J. Geophys. Res. 77 (1972) 3796-3805, doi:10.1029/JB077i020p03796"
+UNCOUPLED_LAYERS = Note(
+    Assumption.UNCOUPLED,
+    Standing.APPROXIMATE,
+    "Tractions along layers also move their surface across, and pressures move it along, even if the other body is "
+    "alike; both are left out (Goodman), which changes shear forces and tractions by terms of the order of mu, and the "
+    "stiffness without slip by less.",
+    GOODMAN,
+)
 STEADY_RATIO = 1e-9
 """Change of the normal force, over the force, that is none."""
 
 
 def surface_shear_notes(
     rough: Topography,
-    medium: Medium,
+    medium: MappedMedium,
     law: Coulomb | SlipWeakening,
     blurred: float,
     force: Array,
@@ -38,7 +49,7 @@ def surface_shear_notes(
     ----------
     rough : Topography
         The map.
-    medium : HalfSpace or TransverselyIsotropicHalfSpace
+    medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace or DepthGradedHalfSpace
         Both bodies.
     law : Coulomb, LinearSlipWeakening or ExponentialSlipWeakening
         Friction.
@@ -49,7 +60,7 @@ def surface_shear_notes(
     """
     overlap = float(np.max(penetration))
     notes = [
-        *surface_notes(rough, math.inf, blurred, overlap, overlap),
+        *medium_notes(medium, rough, math.inf, blurred, overlap, overlap),
         Note(
             Assumption.SLIP,
             Standing.EXACT,
@@ -82,7 +93,10 @@ def surface_shear_notes(
         "Pressing alone makes parts slip, so that results err in proportion to the steps in which the normal load is "
         "applied."
     )
-    notes.append(solved_together_note(medium, greatest_coefficient(law), stepped))
+    if isinstance(medium, HomogeneousMedium):
+        notes.append(solved_together_note(cast(Medium, medium), greatest_coefficient(law), stepped))
+    else:
+        notes.append(UNCOUPLED_LAYERS)
     return tuple(notes)
 
 

@@ -23,13 +23,13 @@ from winkler.errors import InvalidInput
 from winkler.foundation.directional import DirectionalBed
 from winkler.laws.friction import Sliding
 from winkler.loading import Depth, ShearForce
-from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.path import Path
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.friction.tangential import Tangential, TangentialSolution
 from winkler.problems.normal.indentation import Indentation
+from winkler.problems.rough.mapped_medium import MappedMedium
 from winkler.problems.rough.reduce import Reduction, ReductionSolution
 from winkler.problems.surface_friction.tangential import SurfaceTangential, SurfaceTangentialSolution
 from winkler.profiles.rough.topography import Topography
@@ -55,8 +55,8 @@ class ReducedFriction:
     ----------
     topography : Topography
         A map that stands alone.
-    medium : HalfSpace or TransverselyIsotropicHalfSpace
-        Both bodies, homogeneous.
+    medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace or DepthGradedHalfSpace
+        Both bodies.
     law : Coulomb
         Friction.
     depth : float
@@ -92,7 +92,7 @@ class ReducedFriction:
     __words__ = words(reduction=("", None, "the problem of the springs under normal forces"))
 
     topography: Topography
-    medium: Annotated[HomogeneousMedium, Advice("the boundary elements apply to no other")]
+    medium: Annotated[MappedMedium, Advice("the boundary elements apply to no other")]
     law: Sliding
     depth: Positive
     tolerance: Annotated[float, between(1e-4, 0.1)] = 1e-3

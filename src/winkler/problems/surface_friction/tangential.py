@@ -9,7 +9,7 @@ or many; the bodies may be similar or dissimilar.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import Annotated, ClassVar, cast
+from typing import Annotated, ClassVar
 
 import numpy as np
 
@@ -19,11 +19,13 @@ from winkler.laws.varying_friction import Slipped
 from winkler.limits import MOST_NUMBERS
 from winkler.loading import Angle, Depth, ShearForce, Torque
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.media.medium import Medium
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad
 from winkler.numerics.types import Array
 from winkler.path import Path, numbers_of
 from winkler.problems.assumptions.declared import MAPPED
+from winkler.problems.normal.unknown_yield import unknown_yield
+from winkler.problems.rough.compliance import compliance_of
+from winkler.problems.rough.mapped_medium import MappedMedium, homogeneous
 from winkler.problems.subsurface.last_map import LastMap
 from winkler.problems.subsurface.loaded_history import LoadedMap, gathered_maps
 from winkler.problems.subsurface.traction_frames import TractionFrame
@@ -49,8 +51,8 @@ class SurfaceTangential:
     topography : Topography
         Heights of both bodies together, up towards the other one; the medium is flat.  `SampledProfile` makes one of a
         ball, an ellipse or another profile.
-    medium : HalfSpace or TransverselyIsotropicHalfSpace
-        Both bodies, homogeneous.
+    medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace or DepthGradedHalfSpace
+        Both bodies.  Of layers the displacements across the surface under tractions along it are left out.
     law : Coulomb, LinearSlipWeakening or ExponentialSlipWeakening
         Friction; each pixel has the coefficient that belongs to its own path of slip.
     path : Path
@@ -94,7 +96,7 @@ class SurfaceTangential:
     __words__ = words(twist=("", None, "how the bodies turn beside a shift or a shear force"))
 
     topography: Topography
-    medium: Annotated[HomogeneousMedium, Advice("the boundary elements apply to no other")]
+    medium: Annotated[MappedMedium, Advice("the boundary elements apply to no other")]
     law: Slipped
     path: Path
     twist: Angle | Torque = HELD
@@ -119,6 +121,7 @@ class SurfaceTangential:
             raise InvalidInput(
                 "SurfaceTangential: the periodic map is flat and touches everywhere at once; nothing to solve."
             )
+        compliance_of(self.medium)  # refuses bodies whose tractions are not known
         turns = isinstance(self.path.lateral, Angle | Torque)
         if turns and self.twist != HELD:
             raise InvalidInput(
@@ -269,13 +272,20 @@ class SurfaceTangentialSolution(LastMap):
         return self.shear_force[:, 1]
 
     @property
+    def _medium(self) -> HomogeneousMedium:
+        return homogeneous("SurfaceTangentialSolution", "the stress below the surface", self.problem.medium)
+
+    @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: residuals, steps, border, slopes, pixels."""
         stated, touched = self.problem, self.area > 0.0
-        yielded = self._yield_notes(self.time.size)
+        if isinstance(stated.medium, HomogeneousMedium):
+            yielded = self._yield_notes(self.time.size)
+        else:
+            yielded = unknown_yield(stated.medium, "the stresses below a height map are not computed in layers")
         blurred = float(np.max(self.area_error[touched] / self.area[touched], initial=0.0))
         notes = surface_shear_notes(
-            stated.topography, cast(Medium, stated.medium), stated.law, blurred, self.force,
+            stated.topography, stated.medium, stated.law, blurred, self.force,
             self.penetration, self.misfit,
         )  # fmt: skip
         return (*notes, *yielded)

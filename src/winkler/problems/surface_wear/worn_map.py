@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.numerics.surfaces.layered_pixels import LayeredSurface
+from winkler.numerics.surfaces.layered_pixels import SurfaceBelow
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, PressedSurface, press
 from winkler.numerics.types import Array
 
@@ -62,7 +62,7 @@ class WornMap(NamedTuple):
     gaps: Array
     pixel: tuple[float, float]
     periodic: bool
-    layers: LayeredSurface | None
+    layers: SurfaceBelow | None
     ceiling: float
     drive: ByDepth | ByLoad
     softness: float

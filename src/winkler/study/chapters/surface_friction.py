@@ -7,7 +7,7 @@ from typing import Any
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
 from winkler.study.chapters.friction import NORMAL_START
 from winkler.study.chapters.kind import kind
-from winkler.study.chapters.rough import DISC, ELEMENTS, SAME_AREA
+from winkler.study.chapters.rough import DISC, ELEMENTS, SAME_AREA, STAMP
 
 __all__ = ["SURFACE_FRICTION"]
 
@@ -44,6 +44,20 @@ ENERGY = Equation("Friction loses in each step what slips times its traction", r
 STIFFNESSES = Equation(
     "Of each contact the stiffness along x without slip is known; what sticks is an earlier contact, of the depth d*",
     r"F_x = \mu\left(F_N-F_N^*\right), \quad u_x = \mu\int_{d^*}^{d}\frac{k}{K_x}\,\mathrm{d}d'",
+)
+
+WITHOUT_SLIP = Equation(
+    "Moved as a whole without slip, across or along the surface, the contact bears the forces",
+    r"K_z = \frac{\mathrm{d}F_N}{\mathrm{d}d}, \quad K_x = \frac{F_x}{u_x}, \quad K_y = \frac{F_y}{u_y}",
+)
+RATIO = Equation(
+    "A disc of bodies alike is along the surface so much less stiff than across it (Mindlin)",
+    r"\frac{K_x}{K_z} = \frac{G^*}{E^*} = \frac{2\,(1-\nu)}{2-\nu}",
+)
+LOOPS = Equation(
+    "Springs under a steady normal force slip by, and lose in a cycle (Ciavarella, Jaeger, Masing)",
+    r"u = \mu\int_{F_N-F_x/\mu}^{F_N}\frac{\mathrm{d}F'}{K_x(F')}, \quad "
+    r"W = 4F_x\,u-8\int_0^{F_x}u\,\mathrm{d}f",
 )
 
 SURFACE_FRICTION = Chapter(
@@ -96,6 +110,28 @@ SURFACE_FRICTION = Chapter(
             curves=(("shift_x", "shear_force"), ("shift_y", "shear_force")),
             pictured=PicturedContact.NONE,
             formulas=(ELEMENTS, SAME_AREA, DISC, STIFFNESSES, CERRUTI, COULOMB),
+        ),
+        "joint_stiffness": answer(
+            "winkler.problems.surface_friction.joint:JointStiffness",
+            headline=("areal_stiffness", "areal_stiffness_x", "ratio_x", "loss_per_cycle", "shift_error", "loss_error"),
+            topography={**STAMP, "seed": 1},
+            medium={"kind": "half_space", "second": {"kind": "elastic"}},
+            picture=Caption(
+                "joint_stiffness",
+                "The stiffness of the joint, and what it loses in a cycle",
+                "Stiffness per area across and along the surface over the nominal pressure, and their ratio beside "
+                "that of a disc; loops of the shear force, and the loss per cycle over the amplitude of the shift: "
+                "springs as lines, boundary elements as points.",
+            ),
+            curves=(
+                ("nominal_pressure", "areal_stiffness"),
+                ("nominal_pressure", "areal_stiffness_x"),
+                ("force", "ratio_x"),
+                ("shift_amplitude", "loss_per_cycle"),
+                ("shift_amplitude", "loss_factor"),
+            ),
+            pictured=PicturedContact.NONE,
+            formulas=(ELEMENTS, WITHOUT_SLIP, RATIO, LOOPS, CERRUTI, COULOMB),
         ),
     },
 )

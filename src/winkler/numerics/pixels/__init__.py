@@ -1,0 +1,1 @@
+"""What pixels that press or are sheared displace on bodies that are not homogeneous."""

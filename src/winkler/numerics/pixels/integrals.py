@@ -1,0 +1,108 @@
+r"""Integrals of a kernel k(r) over rectangular pixels, at all places of a grid.
+
+Near the pixel the integral is a sum over its four corners,
+
+.. math:: I(x,y) = \int_0^{\mathrm{arsinh}(y/x)}\frac{Q(x\cosh s)}{\cosh s}\,\mathrm ds
+                 + \int_0^{\mathrm{arsinh}(x/y)}\frac{Q(y\cosh s)}{\cosh s}\,\mathrm ds , \qquad
+          Q(r) = \int_0^r k\,r'\,\mathrm dr' ,
+
+whatever the kernel; far away k varies over the distance, and Gauss' rule of a few places in the pixel is as good.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Protocol
+
+import numpy as np
+
+from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.types import Array
+
+__all__ = ["RadialPart", "over_pixels"]
+
+CORNER_NODES = 64
+FAR_ZONES = ((8.0, 4), (24.0, 3), (128.0, 2))
+"""From how many pixels on how many places along a side of the pixel are enough for ten digits."""
+SPLINE_STEP = 2e-3
+"""Of log r: the cubic spline errs by less than a part 1e-11."""
+FAR_MARGIN = 0.75
+"""How much nearer than the first far zone places in its pixels may lie, as a part."""
+
+
+class RadialPart(Protocol):
+    """What a unit force moves at a distance, and its integral over a disc."""
+
+    def at(self, r: Array) -> Array:
+        """Return k(r), r > 0."""
+        ...
+
+    def within(self, r: Array) -> Array:
+        """Return Q(r), the integral of k r from 0 to r."""
+        ...
+
+
+def over_pixels(kernel: RadialPart, shape: tuple[int, int], pixel: tuple[float, float]) -> Array:
+    """Return the integrals of k over the pixel around (0, 0), seen from (i dx, j dy); (nx, ny).
+
+    Parameters
+    ----------
+    kernel
+        k, smooth in log r beyond a few pixels.
+    shape
+        How many places.
+    pixel
+        (dx, dy), in the unit of length of the kernel.
+    """
+    dx, dy = pixel
+    farthest, side = math.hypot(shape[0] * dx, shape[1] * dy), max(dx, dy)
+    near = tuple(min(n, math.ceil(FAR_ZONES[0][0] * side / d) + 1) for n, d in zip(shape, (dx, dy), strict=True))
+    x, y = np.arange(shape[0]) * dx, np.arange(shape[1]) * dy
+    result = np.empty(shape)
+    far = np.hypot(x[:, None], y[None, :]) / side
+    starts, stops = FAR_ZONES, (*(start for start, _ in FAR_ZONES[1:]), math.inf)
+    for (start, count), stop in zip(starts, stops, strict=True):
+        rows, columns = np.nonzero((far >= start) & (far < stop))
+        if rows.size:
+            spline = _far_spline(kernel, start * side, farthest)
+            result[rows, columns] = _gauss(spline, x[rows], y[columns], (dx, dy), count)
+    corner = _corners(kernel, (np.arange(near[0] + 1) - 0.5) * dx, (np.arange(near[1] + 1) - 0.5) * dy)
+    close = corner[1:, 1:] - corner[:-1, 1:] - corner[1:, :-1] + corner[:-1, :-1]
+    result[: near[0], : near[1]] = np.where(
+        far[: near[0], : near[1]] < FAR_ZONES[0][0], close, result[: near[0], : near[1]]
+    )
+    return result
+
+
+def _gauss(spline: object, x: Array, y: Array, pixel: tuple[float, float], count: int) -> Array:
+    """Return integrals over the pixels around these places."""
+    node, weight = gauss_legendre(count)
+    total = np.zeros(x.shape)
+    for a, wa in zip(node - 0.5, weight, strict=True):
+        for b, wb in zip(node - 0.5, weight, strict=True):
+            square = (x + a * pixel[0]) ** 2 + (y + b * pixel[1]) ** 2
+            total += wa * wb * spline(np.log(square))  # type: ignore[operator]
+    return np.asarray(pixel[0] * pixel[1] * total)
+
+
+def _far_spline(kernel: RadialPart, nearest: float, farthest: float) -> object:
+    """Return k as a function of log r^2, between these distances and a little farther."""
+    from scipy.interpolate import CubicSpline
+
+    low, high = 2.0 * math.log(FAR_MARGIN * nearest), 2.0 * math.log(1.1 * farthest)
+    places = np.linspace(low, high, max(16, math.ceil((high - low) / (2.0 * SPLINE_STEP))))
+    return CubicSpline(places, kernel.at(np.exp(0.5 * places)))
+
+
+def _corners(kernel: RadialPart, x: Array, y: Array) -> Array:
+    """Return I(x, y), odd in both, on a grid."""
+    wide, high = np.abs(x)[:, None], np.abs(y)[None, :]
+    return np.asarray(np.sign(x)[:, None] * np.sign(y) * (_sector(kernel, wide, high) + _sector(kernel, high, wide)))
+
+
+def _sector(kernel: RadialPart, x: Array, y: Array) -> Array:
+    """Return the integral of k over the triangle below the diagonal of a rectangle."""
+    node, weight = gauss_legendre(CORNER_NODES)
+    reach = np.arcsinh(y / x)
+    stretch = np.cosh(reach[..., None] * node)
+    return np.asarray(reach * ((kernel.within(x[..., None] * stretch) / stretch) @ weight))

@@ -1,0 +1,98 @@
+r"""Pixels that press on a half-space whose modulus follows a power of the depth.
+
+Where the springs of the medium have the stiffness :math:`E^*(x/c_0)^k`, a unit force displaces the surface at the
+distance r by
+
+.. math:: u(r) = \frac{\cos(\pi k/2)}{\pi E^*}\,\frac{c_0^k}{r^{1+k}} , \qquad
+          \hat u(q) = \frac{2}{E^*q}\,(1+M)\,\hat p , \qquad
+          1+M = \Big(\frac{c_0 q}2\Big)^k\cos\frac{\pi k}2\,
+                \frac{\Gamma(\frac{1-k}2)}{\Gamma(\frac{1+k}2)} ,
+
+which is Boussinesq's solution for k = 0.  Its integral over a pixel is that of
+`winkler.numerics.pixels.integrals`.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.numerics.pixels.integrals import over_pixels
+from winkler.numerics.types import Array
+
+__all__ = ["PowerLawSurface"]
+
+
+class PowerLawKernel(NamedTuple):
+    """strength / r^(1 + k)."""
+
+    strength: float
+    exponent: float
+
+    def at(self, r: Array) -> Array:
+        """Return k(r)."""
+        return np.asarray(self.strength * r ** (-1.0 - self.exponent))
+
+    def within(self, r: Array) -> Array:
+        """Return the integral of k r from 0 to r."""
+        rest = 1.0 - self.exponent
+        return np.asarray(self.strength / rest * r**rest)
+
+
+class PowerLawSurface(NamedTuple):
+    """The surface of such a half-space in some unit of length.
+
+    Parameters
+    ----------
+    exponent : float
+        k, between -1 and 1.
+    depth : float
+        c_0, to which E* refers.
+    """
+
+    exponent: float
+    depth: float
+
+    def in_units_of(self, length: float) -> PowerLawSurface:
+        """Return the same with lengths measured by this one."""
+        return PowerLawSurface(self.exponent, self.depth / length)
+
+    @property
+    def mean(self) -> float:
+        """Zero: the displacement under a uniform pressure is infinite, and the mean is left at rest."""
+        return 0.0
+
+    @property
+    def _cosine(self) -> float:
+        """cos(k pi / 2), to the last digit near one."""
+        return math.sin(0.5 * math.pi * (1.0 - abs(self.exponent)))
+
+    def whole(self, wave: Array) -> Array:
+        """Return 1 + M at positive wave numbers of any shape."""
+        k = self.exponent
+        share = self._cosine * math.gamma(0.5 * (1.0 - k)) / math.gamma(0.5 * (1.0 + k))
+        return np.asarray(share * (0.5 * self.depth * wave) ** k)
+
+    def pixels(self, shape: tuple[int, int], pixel: tuple[float, float]) -> Array:
+        """Return the displacements beyond Love's at (i dx, j dy), of E* under unit pressure on the pixel around (0, 0).
+
+        Parameters
+        ----------
+        shape
+            How many places.
+        pixel
+            (dx, dy).
+
+        Returns
+        -------
+        ndarray, (nx, ny)
+            In the unit of length.
+        """
+        graded = PowerLawKernel(self._cosine * self.depth**self.exponent / math.pi, self.exponent)
+        return over_pixels(graded, shape, pixel) - over_pixels(PowerLawKernel(1.0 / math.pi, 0.0), shape, pixel)
+
+    def lost(self, pixel: tuple[float, float]) -> float:
+        """Return zero: a power law has no length that pixels could be too coarse for."""
+        return 0.0
