@@ -7,7 +7,8 @@ Torsion of a round contact is exact in springs.  A spring at x is displaced by :
 
 its bound depends on the pressure of all rings farther out.  What sticks is the inner part of the contact: towards the
 axis the bound grows without limit against the displacement, so that no finite angle makes all of it slide, and the
-greatest torque is only approached.
+greatest torque is only approached.  On layers and on power laws of the depth other springs are as exact
+(`winkler.problems.friction.twist_kernels`), since a twist and a pressure do not act on each other there either.
 """
 
 from __future__ import annotations
@@ -21,17 +22,17 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Coulomb
 from winkler.loading import Angle, Depth, Torque
-from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.path import Path
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import BALANCED, PRESSED
 from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.friction.torsion_bound import PressedState, TwistBound, twist_bound
-from winkler.problems.friction.torsion_march import TorsionStep, square, step_to_torque, torque_of, torsion_step
+from winkler.problems.friction.torsion_march import TorsionStep, square, step_by_angle, step_to_torque, torque_of, torsion_step
 from winkler.problems.friction.torsion_pieces import TwistMemory, fresh, pieces_of
 from winkler.problems.friction.torsion_states import TorsionState, TwistedSprings
 from winkler.problems.friction.torsion_validity import torsion_notes, torsion_yield_notes
+from winkler.problems.friction.twist_kernels import refuse_without_kernel
 from winkler.problems.normal.solve_contact import at_depth, at_force
 from winkler.problems.normal.validity import contact_notes
 from winkler.problems.one_load import OfPath
@@ -51,7 +52,8 @@ class Torsion:
     Parameters
     ----------
     bed : Bed
-        The springs: Foundation(profile, medium) or PlaneFoundation(plane_profile, medium) on a homogeneous half-space.
+        The springs: Foundation(profile, medium) or PlaneFoundation(plane_profile, medium) on a
+        homogeneous half-space, on layers or on a power law of the depth.
     law : Coulomb
         Friction.
     path : Path
@@ -62,7 +64,8 @@ class Torsion:
     InvalidInput
         If the law is not Coulomb's, or the path prescribes a shift.
     OutsideValidity
-        If the medium is not homogeneous: in graded and layered half-spaces the bound of the springs is not known.
+        If the medium relaxes, is measured, or is graded by a law other than a power: there the bound of the springs is
+        not known.
 
     References
     ----------
@@ -101,11 +104,7 @@ class Torsion:
                 f"Torsion: the path prescribes a {type(self.path.lateral).__name__}; give Path(time, normal, lateral) "
                 "with the lateral load Angle([...]) or Torque([...])."
             )
-        if not isinstance(self.bed.medium, HomogeneousMedium):
-            raise OutsideValidity(
-                f"Torsion: the medium of the bed is a {type(self.bed.medium).__name__}; what twisted springs bear is "
-                "only known on homogeneous half-spaces: give HalfSpace or TransverselyIsotropicHalfSpace."
-            )
+        refuse_without_kernel(self.bed.medium)
 
     @property
     def _forced(self) -> bool:
@@ -169,7 +168,7 @@ class Torsion:
     ) -> TorsionStep:
         if isinstance(self.path.lateral, Angle):
             modulus = self.bed.medium.torsional_modulus  # type: ignore[attr-defined]
-            return torsion_step(bound, memory, press, 8.0 * modulus * (target - angle))
+            return step_by_angle(bound, memory, press, 8.0 * modulus * (target - angle))
         try:
             return step_to_torque(bound, memory, press, target)
         except OutsideValidity as error:

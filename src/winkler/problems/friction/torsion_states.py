@@ -11,12 +11,11 @@ from winkler.media.interior.twist_field import (
     TwistBelow,
     twist_below,
     twist_constants,
-    twist_displacement,
-    twist_traction,
 )
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.friction.torsion_bound import TwistBound, twist_bound
 from winkler.problems.friction.torsion_pieces import TwistMemory, pieces_of
+from winkler.problems.friction.twist_surface import traction_on, turning_on
 from winkler.values import value, words
 
 __all__ = ["TorsionState", "TwistedSprings"]
@@ -159,7 +158,7 @@ class TorsionState:
         r : array_like
             Distance from the axis [m], not negative.
         """
-        return twist_traction(self.springs, np.asarray(r, dtype=float))
+        return traction_on(self.springs.bed.medium, self.springs, np.asarray(r, dtype=float))
 
     def turning(self, r: ArrayLike) -> Array:
         """Return the displacement u_theta(r) of the surface [m], the sum over both bodies.
@@ -169,8 +168,7 @@ class TorsionState:
         r : array_like
             Distance from the axis [m], not negative.
         """
-        modulus = self.springs.bed.medium.torsional_modulus  # type: ignore[attr-defined]
-        return twist_displacement(self.springs, np.asarray(r, dtype=float), modulus)
+        return turning_on(self.springs.bed.medium, self.springs, np.asarray(r, dtype=float))
 
     def below(self, r: ArrayLike, z: ArrayLike) -> TwistBelow:
         """Return displacement and shear stresses inside the bodies.
