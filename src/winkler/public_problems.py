@@ -112,7 +112,8 @@ from winkler.problems.wear.sliding import SlidingSolution, SlidingWear
 __all__ = [
     "AdhesiveCycle", "AdhesiveCycleSolution", "AdhesiveImpact", "AdhesiveImpactSolution", "AdhesiveIndentation",
     "AdhesiveShear", "AdhesiveShearSolution", "AdhesiveSolution", "BallImpacts", "BallImpactsSolution",
-    "BimodalDamping", "BimodalDampingSolution", "ConductanceBounds", "ConductanceBoundsSolution", "Constriction",
+    "BimodalDamping", "BimodalDampingSolution", "CoatedTangential", "CoatedTangentialSolution", "ConductanceBounds",
+    "ConductanceBoundsSolution", "Constriction",
     "ConstrictionSolution", "ContactLaw", "ContactLawSolution", "ContactTrace", "Contacts", "CreepForce", "CreepTest",
     "Creepage", "CurrentFields", "ElasticPlasticParticle", "ElastomerFriction", "ElastomerFrictionSolution",
     "EllipticFields", "EllipticFrictionHeating", "EllipticFrictionHeatingSolution", "EllipticIndentation",

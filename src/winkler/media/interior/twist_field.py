@@ -28,7 +28,15 @@ from winkler.numerics.integrals.bisected_quadrature import refined
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, Curve
 
-__all__ = ["TwistBelow", "Twisted", "clean_slope", "twist_below", "twist_constants", "twist_displacement", "twist_traction"]
+__all__ = [
+    "TwistBelow",
+    "Twisted",
+    "clean_slope",
+    "twist_below",
+    "twist_constants",
+    "twist_displacement",
+    "twist_traction",
+]
 
 SERIES_DISTANCE = 0.02
 """Nearer to the axis than this part of the distance from the disc's edge, series replace differences."""
@@ -99,7 +107,8 @@ def twist_traction(twisted: Twisted, r: Array) -> Array:
     r = np.asarray(r, dtype=float)
     if twisted.radius == 0.0:
         return np.zeros(r.shape)
-    traction = abel.pressure(clean_slope(twisted), twisted.kinks, twisted.edge, twisted.radius, np.where(r > 0.0, r, 1.0))
+    place = np.where(r > 0.0, r, 1.0)
+    traction = abel.pressure(clean_slope(twisted), twisted.kinks, twisted.edge, twisted.radius, place)
     return np.where(r > 0.0, 0.5 * r * traction, 0.0)
 
 

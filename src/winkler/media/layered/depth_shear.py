@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.materials.depth_grading import DepthGrading
-from winkler.materials.elastic import RIGID, Elastic, Solid
+from winkler.materials.elastic import RIGID, Solid
 from winkler.media.layered.depth_recursion import surface_compliance, surface_compliance_across
 from winkler.media.layered.depth_response import DepthResponse, cells_of, solid_at
 from winkler.media.layered.shear_responses import across_modulus, along_modulus

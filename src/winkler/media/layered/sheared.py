@@ -90,4 +90,3 @@ class ShearedLayers:
 
 def _stiffness(response: SurfaceResponse, radius: Array) -> Array:
     return 2.0 * response.modulus * fredholm.area(response, radius)
-

@@ -18,7 +18,16 @@ from numpy.typing import NDArray
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array, Curve
 
-__all__ = ["DERIVATIVE", "LOCAL_NODES", "NODES_PER_PANEL", "TO_COEFFICIENTS", "WEIGHTS", "Sample", "Stretches", "stretches"]
+__all__ = [
+    "DERIVATIVE",
+    "LOCAL_NODES",
+    "NODES_PER_PANEL",
+    "TO_COEFFICIENTS",
+    "WEIGHTS",
+    "Sample",
+    "Stretches",
+    "stretches",
+]
 
 NODES_PER_PANEL = 16
 """Nodes of each panel."""

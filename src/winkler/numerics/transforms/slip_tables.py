@@ -27,7 +27,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.numerics.panels.kink_panels import DERIVATIVE, LOCAL_NODES, NODES_PER_PANEL, TO_COEFFICIENTS, WEIGHTS, Stretches
+from winkler.numerics.panels.kink_panels import (
+    DERIVATIVE,
+    LOCAL_NODES,
+    NODES_PER_PANEL,
+    TO_COEFFICIENTS,
+    WEIGHTS,
+    Stretches,
+)
 from winkler.numerics.transforms.cosine_transform import WaveResponse, transform
 from winkler.numerics.transforms.odd_response import parity
 from winkler.numerics.types import Array

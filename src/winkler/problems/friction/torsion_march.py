@@ -13,17 +13,27 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
-from winkler.problems.friction.torsion_bound import PressedState, TwistBound
+from winkler.foundation.torsion_bound import PressedState, TwistBound
 from winkler.problems.friction.torsion_memory import TwistMove, moved, slid_along, stuck_work
 from winkler.problems.friction.torsion_pieces import TwistMemory, pieces_of
 
-__all__ = ["ANGLE_TOLERANCE", "CUT_TOLERANCE", "LOSS_TOLERANCE", "TorsionStep", "square", "step_by_angle", "step_to_torque", "torque_of", "torsion_step"]
+__all__ = [
+    "ANGLE_TOLERANCE",
+    "CUT_TOLERANCE",
+    "LOSS_TOLERANCE",
+    "TorsionStep",
+    "square",
+    "step_by_angle",
+    "step_to_torque",
+    "torque_of",
+    "torsion_step",
+]
 
 LOSS_TOLERANCE = 1e-8
 """Tolerance of the energy lost in a step, relative to the energy stored in it and lost in it."""
 ANGLE_TOLERANCE = 1e-4
 """Tolerance of angle and loss in a step under a torque and a changing load, relative to what the contact can bear."""
-CUT_TOLERANCE = 1e-5
+CUT_TOLERANCE = 1e-4
 """Tolerance of the torque in a step that is cut, relative to what the contact can bear."""
 MOST_CUTS = 7
 """How often such a step is halved at most."""
@@ -91,8 +101,8 @@ def torsion_step(bound: TwistBound, memory: TwistMemory, press: PressedState, tw
             return TorsionStep(whole.memory, twist, max(better, 0.0), stuck + settled, whole.nested)
         best = better
     raise NotConverged(
-        f"Torsion: the energy lost between the normal loads {memory.level:.6g} and {press.level:.6g} does not settle; "
-        "give points in between."
+        f"{bound.owner}: the energy lost between the normal loads {memory.level:.6g} and {press.level:.6g} does not "
+        "settle; give points in between."
     )
 
 
@@ -120,12 +130,13 @@ def step_by_angle(bound: TwistBound, memory: TwistMemory, press: PressedState, t
             now, nested = move.memory, nested and move.nested
             loss, work = loss + move.loss, work + move.extra
         new = TorsionStep(now, twist, loss, work, nested)
-        if old is not None and abs(torque_of(bound, new.memory) - torque_of(bound, old.memory)) <= CUT_TOLERANCE * bears:
+        change = abs(torque_of(bound, new.memory) - torque_of(bound, old.memory)) if old else math.inf
+        if old and change <= CUT_TOLERANCE * bears:
             return new._replace(loss=loss + (loss - old.loss) / 3.0, work=work + (work - old.work) / 3.0)
         old = new
     raise NotConverged(
-        f"Torsion: the torque does not settle while the normal load changes from {memory.level:.6g} to "
-        f"{press.level:.6g}; give points in between."
+        f"{bound.owner}: the {bound.load} does not settle while the normal load changes from {memory.level:.6g} to "
+        f"{press.level:.6g}; give points in between, or prescribe the Force."
     )
 
 
@@ -166,8 +177,8 @@ def step_to_torque(bound: TwistBound, memory: TwistMemory, press: PressedState, 
             return new._replace(loss=max(better, 0.0), work=new.work + (new.work - old.work) / 3.0)
         old, best = new, better
     raise NotConverged(
-        f"Torsion: the angle under {torque:.6g} N m does not settle while the normal load changes from "
-        f"{memory.level:.6g} to {press.level:.6g}; give points in between."
+        f"{bound.owner}: the {bound.motion} under {torque:.6g} {bound.unit} does not settle while the "
+        f"normal load changes from {memory.level:.6g} to {press.level:.6g}; give points in between."
     )
 
 
@@ -229,8 +240,9 @@ def _step_to(
     limit = bound.most(press)
     if abs(torque) > limit * (1.0 - TORQUE_MARGIN):
         raise OutsideValidity(
-            f"the torque of {torque:.6g} N m exceeds what friction bears, {limit:.6g} N m under this normal load: the "
-            "bodies would spin against each other; give a smaller torque, a greater load, or prescribe the Angle."
+            f"the {bound.load} of {torque:.6g} {bound.unit} exceeds what friction bears, {limit:.6g} {bound.unit} "
+            f"under this normal load: the bodies would {bound.free_motion} against each other; give a smaller "
+            f"{bound.load}, a greater load, or prescribe the {bound.motion.capitalize()}."
         )
     slack = TORQUE_TOLERANCE * (abs(torque) if bound.endless else limit)
     twist, low, high = guess, -math.inf, math.inf
@@ -257,4 +269,6 @@ def _step_to(
         if ahead == twist:
             return trial_(move)
         twist = ahead
-    raise NotConverged(f"Torsion: the angle under {torque:.6g} N m was not found in {MOST_TRIALS} tries.")
+    raise NotConverged(
+        f"{bound.owner}: the {bound.motion} under {torque:.6g} {bound.unit} was not found in {MOST_TRIALS} tries."
+    )

@@ -20,9 +20,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.foundation.torsion_bound import PressedState, TwistBound
 from winkler.numerics.panels.kink_panels import Sample
 from winkler.numerics.types import Array
-from winkler.problems.friction.torsion_bound import PressedState, TwistBound
 from winkler.problems.friction.torsion_pieces import NO_CONTACT, TwistMemory, TwistPiece, pieces_of
 
 __all__ = ["TwistMove", "TwistRing", "moved", "slid_along", "stuck_work"]
@@ -107,7 +107,11 @@ def moved(bound: TwistBound, memory: TwistMemory, press: PressedState, twist: fl
             states.append((high - low, state))
             if state == 0:
                 done.append(trial._replace(low=low, high=high))
-                free += _free(bound, low, high, press.level, change) if entering else bound.inertia(high) - bound.inertia(low)
+                free += (
+                    _free(bound, low, high, press.level, change)
+                    if entering
+                    else bound.inertia(high) - bound.inertia(low)
+                )
                 continue
             done.append(TwistPiece(low, high, 0.0, 0.0, float(state), press))
             sample = bound.panels.sample(low, high)

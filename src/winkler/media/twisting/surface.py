@@ -19,7 +19,7 @@ from winkler.media.medium import Medium
 from winkler.numerics.transforms import abel, fredholm
 from winkler.numerics.types import Array
 
-__all__ = ["turning_on", "traction_on"]
+__all__ = ["traction_on", "turning_on"]
 
 
 def traction_on(medium: Medium, twisted: Twisted, r: Array) -> Array:

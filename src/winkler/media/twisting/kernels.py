@@ -59,7 +59,7 @@ def refuse_without_kernel(medium: Medium) -> None:
         )
 
 
-def panel_width(medium: Medium, widest: float) -> float:
+def panel_width(owner: str, medium: Medium, widest: float) -> float:
     """Return the width [m] that panels may have.
 
     Raises
@@ -72,7 +72,7 @@ def panel_width(medium: Medium, widest: float) -> float:
     width = PANEL_WIDTH_RATIO * min(medium.response.smooth, medium.across_response.smooth)  # type: ignore[attr-defined]
     if widest > 0.05 * MOST_NODES * width:
         raise OutsideValidity(
-            f"Torsion: the contact of radius {widest:.3g} m is too wide against the length of {width:.3g} m over which "
+            f"{owner}: the contact of radius {widest:.3g} m is too wide against the length of {width:.3g} m over which "
             f"the stack changes; at most {0.05 * MOST_NODES:g} times that can be followed: request less load."
         )
     return float(width)

@@ -9,7 +9,7 @@ rings farther out.  With :math:`q = x\,h(x)` and the pressure as a sum of flat p
 
 K the complete elliptic integral of the first kind (of the parameter m).  b falls with x where g rises, grows without
 limit towards the axis, and is a concave function of the depth, and of the force.  In layered and graded bodies another
-kernel takes the place of K (`winkler.problems.friction.twist_kernels`); there b need be none of these.
+kernel takes the place of K (`winkler.media.twisting.kernels`); there b need be none of these.
 """
 
 from __future__ import annotations
@@ -23,9 +23,9 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.twisting.kernels import TwistKernel, panel_width, twist_kernel
 from winkler.numerics.panels.kink_panels import Sample, Stretches, stretches
 from winkler.numerics.types import Array
-from winkler.problems.friction.twist_kernels import TwistKernel, panel_width, twist_kernel
 
 __all__ = ["PressedState", "TwistBound", "twist_bound"]
 
@@ -58,21 +58,27 @@ class TwistBound:
         Whether the level of a contact is its force, not its depth.
     """
 
+    owner, load, unit, motion, free_motion = "Torsion", "torque", "N m", "angle", "spin"
+    """Words of messages."""
+
     def __init__(self, bed: Bed, coefficient: float, widest: float, forced: bool) -> None:
         self.bed, self.coefficient, self.forced = bed, coefficient, forced
         self.widest = widest
         self.endless = math.isinf(coefficient)
         """Whether nothing ever slides."""
-        width = panel_width(bed.medium, widest)
+        width = panel_width(self.owner, bed.medium, widest)
         self.panels: Stretches = stretches(bed.gap_slope, [b for b, _ in bed.kinks], widest, width)
         self.x: Array = self.panels.nodes
         self._coefficient = 0.0 if self.endless else coefficient
         self.clock: Array = self.level(self.x.ravel()).reshape(self.x.shape)
         """At which level each spring comes into contact, at the nodes."""
-        self._kernel: TwistKernel = twist_kernel(bed.medium, self.panels)
+        self._kernel: TwistKernel = self._springs()
         self.weight: Array = self._kernel.weight.reshape(self.x.shape)
         """e(x)^2 [m^2] at the nodes: what springs count in torque and energy."""
         self._gather()
+
+    def _springs(self) -> TwistKernel:
+        return twist_kernel(self.bed.medium, self.panels)
 
     def level(self, radius: Array) -> Array:
         """Return the level at which the contact has this radius: g, or the force."""
@@ -123,8 +129,8 @@ class TwistBound:
             inside = result[self.x.ravel() < press.radius]
             if inside.size and np.min(inside) < -BOUND_ROUNDING * np.max(inside):
                 raise OutsideValidity(
-                    f"Torsion: at a contact radius of {press.radius:.3g} m the rings that would slide first are not the "
-                    "outer ones, since the coating spreads their traction inwards; request a narrower contact."
+                    f"{self.owner}: at a contact radius of {press.radius:.3g} m the rings that would slide first are "
+                    "not the outer ones, since the coating spreads their traction inwards; request a narrower contact."
                 )
         return self._coefficient * result.reshape(self.x.shape)
 
