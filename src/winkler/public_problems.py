@@ -8,6 +8,7 @@ from winkler.problems.adhesion.pull_off import PullOff, PullOffSolution
 from winkler.problems.adhesion.shear import AdhesiveShear, AdhesiveShearSolution
 from winkler.problems.adhesion.tabor import maugis_parameter, tabor_parameter
 from winkler.problems.assumptions.pyramid_film import pyramid_layer_error
+from winkler.problems.coated_friction.tangential import CoatedTangential, CoatedTangentialSolution
 from winkler.problems.conduction.bounds import ConductanceBounds, ConductanceBoundsSolution
 from winkler.problems.conduction.constriction import Constriction, ConstrictionSolution
 from winkler.problems.conduction.fields import CurrentFields, HeatFields, restore_conduction

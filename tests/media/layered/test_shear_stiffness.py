@@ -108,6 +108,7 @@ def test_the_second_body_adds_its_compliance_to_both_waves():
         np.testing.assert_allclose(own.excess(xi * unit), pair.excess(xi), rtol=1e-12)
 
 
+@pytest.mark.slow
 def test_a_graded_body_lies_between_its_surface_and_its_depth():
     medium = DepthGradedHalfSpace(ExponentialGrading(1e9, 3e9, depth_scale=1e-3, poisson=0.3), tolerance=1e-3)
     a = np.array([1e-4, 1e-3])

@@ -18,12 +18,12 @@ from winkler.foundation.foundation import Foundation
 from winkler.foundation.plane import PlaneFoundation
 from winkler.laws.friction import Coulomb
 from winkler.loading import Angle, Depth, Force, Shift, Torque
-from winkler.materials.elastic import Elastic, TransverselyIsotropic
 from winkler.materials.depth_grading import ExponentialGrading
+from winkler.materials.elastic import Elastic, TransverselyIsotropic
 from winkler.materials.graded import PowerLawGraded
 from winkler.media.graded.power_law import GradedHalfSpace
-from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.media.halfspace import HalfSpace
+from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.path import Path
 from winkler.problems.friction.torsion import Torsion
