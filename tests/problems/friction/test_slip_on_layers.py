@@ -121,8 +121,10 @@ def test_torsion_on_a_power_law(k):
     # where it sticks the angle is constant: phi = mu (1+k) c^k / (2 G_0) int_c^a p (r^2 - c^2)^(-(1+k)/2) dr
     c, top = state.stick_radius, 0.5 * (3.0 + k) * force / (np.pi * a * a)
     n = 0.5 * (1.0 + k)
-    integral = mp.quad(lambda r: abs(1.0 - (r / a) ** 2) ** n * abs(r * r - c * c) ** -n, [c, 0.5 * (a + c), a])
-    assert angle == pytest.approx(MU * (1.0 + k) * 0.5**k / 2.0 * top * float(integral), rel=1e-4)
+    free, root = a * a - c * c, 1.0 / (1.0 - n)  # r^2 = c^2 + free s^root
+    share = mp.quad(lambda s: (1 - s**root) ** n / mp.sqrt(c * c + free * s**root), [0, 0.5, 1])
+    integral = 0.5 * free * a ** (-2.0 * n) * root * share
+    assert angle == pytest.approx(MU * (1.0 + k) * 0.5**k / 2.0 * top * float(integral), rel=1e-8)
 
 
 @pytest.mark.parametrize("k", [-0.9, -0.3, -2e-5, 1e-5, 3e-4, 0.5, 0.99])

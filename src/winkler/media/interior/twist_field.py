@@ -112,14 +112,14 @@ def twist_traction(twisted: Twisted, r: Array) -> Array:
     return np.where(r > 0.0, 0.5 * r * traction, 0.0)
 
 
-def clean_slope(twisted: Twisted) -> Curve:
+def clean_slope(twisted: Twisted, rounding: float = ROUNDING_RATIO) -> Curve:
     """Return h'(x) [Pa/m] without rounding where h is even: no rule of integration resolves that near the axis."""
     x = np.linspace(0.0, twisted.radius, SAMPLES)[1:]
     size = float(np.max(np.abs(twisted.value(x))))
 
     def slope(x: Array) -> Array:
         slopes = twisted.slope(x)
-        return np.asarray(np.where(np.abs(slopes) * x <= ROUNDING_RATIO * size, 0.0, slopes))
+        return np.asarray(np.where(np.abs(slopes) * x <= rounding * size, 0.0, slopes))
 
     return slope
 

@@ -19,7 +19,10 @@ from winkler.media.medium import Medium
 from winkler.numerics.transforms import abel, fredholm
 from winkler.numerics.types import Array
 
-__all__ = ["traction_on", "turning_on"]
+__all__ = ["TABLE_ROUNDING", "traction_on", "turning_on"]
+
+TABLE_ROUNDING = 1e-9
+"""A slope that changes h by no more than this part of it is rounding of the tables of a stack."""
 
 
 def traction_on(medium: Medium, twisted: Twisted, r: Array) -> Array:
@@ -49,7 +52,7 @@ def traction_on(medium: Medium, twisted: Twisted, r: Array) -> Array:
 
     response = OddResponse(medium.across_response)  # type: ignore[attr-defined]
     summed = abel.pressure(
-        clean_slope(twisted),
+        clean_slope(twisted, TABLE_ROUNDING),
         twisted.kinks,
         twisted.edge,
         twisted.radius,

@@ -15,7 +15,9 @@ import numpy as np
 
 from winkler.foundation.bed import Bed
 from winkler.foundation.torsion_bound import TwistBound
+from winkler.media.interior.twist_field import clean_slope
 from winkler.media.twisting.kernels import TwistKernel
+from winkler.media.twisting.surface import TABLE_ROUNDING
 from winkler.numerics.panels.kink_panels import Sample
 from winkler.numerics.transforms import abel, fredholm
 from winkler.numerics.transforms.slip_tables import slip_table
@@ -64,7 +66,7 @@ class PushedSprings(TwistedSprings):
         response = self.bed.medium.tangential_response  # type: ignore[attr-defined]
         return np.asarray(
             abel.pressure(
-                self.slope,
+                clean_slope(self, TABLE_ROUNDING),
                 self.kinks,
                 self.edge,
                 self.radius,
