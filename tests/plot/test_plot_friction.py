@@ -90,7 +90,7 @@ ITEMS = {
     ),
     "pushed on a coating": (
         lambda: wk.CoatedTangential(
-            wk.Foundation(wk.Paraboloid(0.01), wk.CoatedHalfSpace([wk.Layer(wk.Elastic(210e9, 0.3), 1e-4)], on=wk.Elastic(70e9, 0.3))),
+            wk.Foundation(wk.Paraboloid(0.01), wk.CoatedHalfSpace([wk.Layer(STEEL, 1e-4)], on=wk.Elastic(70e9, 0.3))),
             MU,
             Path([0.0, 1.0], wk.Depth([DEPTH, DEPTH]), wk.Shift([0.0, 1e-7])),
         ).solve(),
