@@ -69,6 +69,7 @@ class Torsion:
     --------
     The greatest torque that a ball bears is (3 pi/16) mu F a; under a fifth of it little slides.
 
+    >>> import math
     >>> from winkler.foundation.foundation import Foundation
     >>> from winkler.loading import Force
     >>> from winkler.materials.elastic import Elastic
@@ -77,7 +78,7 @@ class Torsion:
     >>> bed = Foundation(Paraboloid(1.0), HalfSpace(Elastic(young=1.0, poisson=0.3)))
     >>> path = Path([0.0, 1.0], Force(1e-3), Torque([0.0, 5e-6]))
     >>> twist = Torsion(bed, Coulomb(0.5), path).solve()
-    >>> round(float(twist.torque_limit[1] / (0.5 * 1e-3 * twist.radius[1]) / np.pi), 12)  # 3/16
+    >>> round(float(twist.torque_limit[1] / (0.5 * 1e-3 * twist.radius[1]) / math.pi), 12)  # 3/16
     0.1875
     >>> round(float(twist.stick_radius[1] / twist.radius[1]), 6)
     0.938664
