@@ -97,3 +97,11 @@ def bench_stresses_inside_a_coating(benchmark, below):
     field = benchmark.pedantic(wk.restore, args=(contact, r, z), setup=forget, rounds=3)
     assert np.all(np.isfinite(field.von_mises))
     below(3.0, "three-layer coating, stresses at 600 points")
+
+
+def bench_shear_stiffness(benchmark, below):
+    """k_x of 50 radii over a decade on a stack that is new."""
+    radii = np.geomspace(0.4e-6, 4e-6, 50)
+    k = benchmark.pedantic(STACK.punch_shear_stiffness, args=(radii,), setup=forget, rounds=3)
+    assert np.all(np.diff(k) > 0.0)
+    below(0.5, "three-layer coating, k_x table of a decade of radii, from nothing")

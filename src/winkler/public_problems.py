@@ -8,6 +8,7 @@ from winkler.problems.adhesion.pull_off import PullOff, PullOffSolution
 from winkler.problems.adhesion.shear import AdhesiveShear, AdhesiveShearSolution
 from winkler.problems.adhesion.tabor import maugis_parameter, tabor_parameter
 from winkler.problems.assumptions.pyramid_film import pyramid_layer_error
+from winkler.problems.coated_friction.tangential import CoatedTangential, CoatedTangentialSolution
 from winkler.problems.conduction.bounds import ConductanceBounds, ConductanceBoundsSolution
 from winkler.problems.conduction.constriction import Constriction, ConstrictionSolution
 from winkler.problems.conduction.fields import CurrentFields, HeatFields, restore_conduction
@@ -118,7 +119,8 @@ from winkler.problems.wear.sliding import SlidingSolution, SlidingWear
 __all__ = [
     "AdhesiveCycle", "AdhesiveCycleSolution", "AdhesiveImpact", "AdhesiveImpactSolution", "AdhesiveIndentation",
     "AdhesiveShear", "AdhesiveShearSolution", "AdhesiveSolution", "BallImpacts", "BallImpactsSolution",
-    "BimodalDamping", "BimodalDampingSolution", "ConductanceBounds", "ConductanceBoundsSolution", "Constriction",
+    "BimodalDamping", "BimodalDampingSolution", "CoatedTangential", "CoatedTangentialSolution", "ConductanceBounds",
+    "ConductanceBoundsSolution", "Constriction",
     "ConstrictionSolution", "ContactLaw", "ContactLawSolution", "ContactTrace", "Contacts", "CreepForce", "CreepTest",
     "Creepage", "CurrentFields", "ElasticPlasticParticle", "ElastomerFriction", "ElastomerFrictionSolution",
     "EllipticFields", "EllipticFrictionHeating", "EllipticFrictionHeatingSolution", "EllipticIndentation",

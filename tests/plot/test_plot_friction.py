@@ -88,6 +88,14 @@ ITEMS = {
         lambda: Torsion(BALL, MU, Path([0.0, 1.0, 2.0], wk.Force(100.0), Angle([0.0, 2e-3, -1e-3]))).solve(),
         4,
     ),
+    "pushed on a coating": (
+        lambda: wk.CoatedTangential(
+            wk.Foundation(wk.Paraboloid(0.01), wk.CoatedHalfSpace([wk.Layer(STEEL, 1e-4)], on=wk.Elastic(70e9, 0.3))),
+            MU,
+            Path([0.0, 1.0], wk.Depth([DEPTH, DEPTH]), wk.Shift([0.0, 1e-7])),
+        ).solve(),
+        4,
+    ),
     "torsion of a cone": (
         lambda: Torsion(
             wk.Foundation(wk.Cone(1.4), PAIR), MU, Path([0.0, 1.0], wk.Force(100.0), Torque([0.0, 1e-4]))
@@ -125,7 +133,8 @@ ITEMS = {
 
 SLOW = ("path in the plane", "layered: no traction", "graded", "state of a graded body", "forces", "no friction",
         "nothing slides", "state at rest", "state that slides", "bimodal, one phase", "bimodal, amplitudes",
-        "never in contact", "damping at rest", "torsion of a punch", "in the plane, one state")  # fmt: skip
+        "never in contact", "damping at rest", "torsion of a punch",
+        "pushed on a coating", "in the plane, one state")  # fmt: skip
 """Variants of others, or pictures of answers that take long."""
 MARKED = [pytest.param(name, marks=pytest.mark.slow) if name in SLOW else name for name in ITEMS]
 

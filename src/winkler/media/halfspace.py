@@ -73,6 +73,14 @@ class HomogeneousMedium:
         """k(a) = 2 E* a [N/m]."""
         return 2.0 * self.modulus * radius
 
+    def punch_shear_stiffness(self, radius: Array) -> Array:
+        """k_x(a) = 2 G* a [N/m]."""
+        return np.asarray(2.0 * self.shear_modulus * np.asarray(radius, dtype=float))
+
+    def punch_torsional_stiffness(self, radius: Array) -> Array:
+        """k_phi(a) = 16 G_t a^3 / 3 [N m]."""
+        return np.asarray(16.0 / 3.0 * self.torsional_modulus * np.asarray(radius, dtype=float) ** 3)
+
     def punch_pressure(self, r: Array, radius: Array) -> Array:
         """p1(r; a) = E* / (pi sqrt(a^2 - r^2)) [Pa/m]."""
         return np.asarray(self.modulus / (np.pi * abel.root_difference(radius, r)))

@@ -18,10 +18,12 @@ from winkler.foundation.foundation import Foundation
 from winkler.foundation.plane import PlaneFoundation
 from winkler.laws.friction import Coulomb
 from winkler.loading import Angle, Depth, Force, Shift, Torque
+from winkler.materials.depth_grading import ExponentialGrading
 from winkler.materials.elastic import Elastic, TransverselyIsotropic
 from winkler.materials.graded import PowerLawGraded
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HalfSpace
+from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.path import Path
 from winkler.problems.friction.torsion import Torsion
@@ -425,11 +427,12 @@ def test_what_is_refused():
         Torsion(BALL, Coulomb(MU), Path([0.0], Force(F), Shift(0.0)))
     with pytest.raises(InvalidInput, match="give Coulomb"):
         Torsion(BALL, 0.3, Path([0.0], Force(F), Angle(0.0)))
-    graded = Foundation(
-        Paraboloid(R), GradedHalfSpace(PowerLawGraded(young=1.0, depth_scale=1.0, exponent=0.2, poisson=0.3))
-    )
-    with pytest.raises(OutsideValidity, match="homogeneous half-spaces"):
+    graded = Foundation(Paraboloid(R), DepthGradedHalfSpace(ExponentialGrading(1.0, 2.0, depth_scale=1.0, poisson=0.3)))
+    with pytest.raises(OutsideValidity, match="a stack of layers"):
         Torsion(graded, Coulomb(MU), Path([0.0], Force(F), Angle(0.0)))
+    gibson = Foundation(Paraboloid(R), GradedHalfSpace(PowerLawGraded(1.0, 1.0, exponent=1.0, poisson=0.5)))
+    with pytest.raises(OutsideValidity, match="does not resist a twist"):
+        Torsion(gibson, Coulomb(MU), Path([0.0], Force(F), Angle(0.0))).solve()
 
 
 def test_a_punch_that_sticks_all_over_has_reissners_traction():

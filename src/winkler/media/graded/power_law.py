@@ -136,6 +136,19 @@ class GradedHalfSpace(PowerLawMedium):
             for body in self._graded
         )
 
+    @functools.cached_property
+    def torsional_modulus(self) -> float:
+        """G_t [Pa], 1/G_t = sum of 2 (1+nu) (1+k)^2 / (E_0 cos(k pi/2)): springs of a twist bear 8 G_t (x/c_0)^k x."""
+        k = self.exponent
+        if k == 1.0:
+            raise OutsideValidity(
+                "GradedHalfSpace: Gibson's solid (exponent 1) does not resist a twist of its surface, which has no "
+                "modulus; give an exponent below 1 for torsion."
+            )
+        return _cosine(k) / math.fsum(
+            2.0 * (1.0 + body.poisson) * (1.0 + k) ** 2 / self._young(body) for body in self._graded
+        )
+
     @property
     def notes(self) -> tuple[Note, ...]:
         """The assumptions."""
@@ -183,6 +196,18 @@ class GradedHalfSpace(PowerLawMedium):
         """k(a) = 2 E* a^(1+k) / ((1+k) c_0^k) [N/m]."""
         n = 1.0 + self.exponent
         return np.asarray(2.0 * self._surface_modulus * np.asarray(radius, dtype=float) ** n / n)
+
+    def punch_shear_stiffness(self, radius: Array) -> Array:
+        """k_x(a) = 2 G* a^(1+k) / ((1+k) c_0^k) [N/m]."""
+        n = 1.0 + self.exponent
+        scale = self.shear_modulus * self.depth_scale**-self.exponent
+        return np.asarray(2.0 * scale * np.asarray(radius, dtype=float) ** n / n)
+
+    def punch_torsional_stiffness(self, radius: Array) -> Array:
+        """k_phi(a) = 16 G_t a^(3+k) / ((3+k) c_0^k) [N m]."""
+        n = 3.0 + self.exponent
+        scale = self.torsional_modulus * self.depth_scale**-self.exponent
+        return np.asarray(16.0 * scale * np.asarray(radius, dtype=float) ** n / n)
 
     def punch_pressure(self, r: Array, radius: Array) -> Array:
         """p1(r; a) = (E* / c_0^k) (a^2 - r^2)^((k-1)/2) / pi [Pa/m]."""

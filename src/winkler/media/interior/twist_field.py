@@ -26,9 +26,17 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.numerics.integrals.bisected_quadrature import refined
 from winkler.numerics.transforms import abel
-from winkler.numerics.types import Array
+from winkler.numerics.types import Array, Curve
 
-__all__ = ["TwistBelow", "Twisted", "twist_below", "twist_constants", "twist_displacement", "twist_traction"]
+__all__ = [
+    "TwistBelow",
+    "Twisted",
+    "clean_slope",
+    "twist_below",
+    "twist_constants",
+    "twist_displacement",
+    "twist_traction",
+]
 
 SERIES_DISTANCE = 0.02
 """Nearer to the axis than this part of the distance from the disc's edge, series replace differences."""
@@ -99,16 +107,21 @@ def twist_traction(twisted: Twisted, r: Array) -> Array:
     r = np.asarray(r, dtype=float)
     if twisted.radius == 0.0:
         return np.zeros(r.shape)
+    place = np.where(r > 0.0, r, 1.0)
+    traction = abel.pressure(clean_slope(twisted), twisted.kinks, twisted.edge, twisted.radius, place)
+    return np.where(r > 0.0, 0.5 * r * traction, 0.0)
+
+
+def clean_slope(twisted: Twisted, rounding: float = ROUNDING_RATIO) -> Curve:
+    """Return h'(x) [Pa/m] without rounding where h is even: no rule of integration resolves that near the axis."""
     x = np.linspace(0.0, twisted.radius, SAMPLES)[1:]
     size = float(np.max(np.abs(twisted.value(x))))
 
     def slope(x: Array) -> Array:
-        # where all springs stick the slope is rounding, which no rule of integration resolves near the axis
         slopes = twisted.slope(x)
-        return np.asarray(np.where(np.abs(slopes) * x <= ROUNDING_RATIO * size, 0.0, slopes))
+        return np.asarray(np.where(np.abs(slopes) * x <= rounding * size, 0.0, slopes))
 
-    traction = abel.pressure(slope, twisted.kinks, twisted.edge, twisted.radius, np.where(r > 0.0, r, 1.0))
-    return np.where(r > 0.0, 0.5 * r * traction, 0.0)
+    return slope
 
 
 def twist_displacement(twisted: Twisted, r: Array, modulus: float) -> Array:

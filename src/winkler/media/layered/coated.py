@@ -22,12 +22,13 @@ from winkler.media.interior import subsurface
 from winkler.media.layered import coated_interior, coated_load, flat_punch, punch_facts
 from winkler.media.layered.coated_load import CarriedLoad, spread
 from winkler.media.layered.layers import NormalResponse
+from winkler.media.layered.shear_responses import AcrossResponse, AlongResponse
+from winkler.media.layered.sheared import ShearedLayers, SurfaceResponse
 from winkler.media.layered.tangential_response import TangentialResponse
 from winkler.media.medium import Displacement, PunchFacts, rigid_body
 from winkler.media.punch_field import BodyField
 from winkler.numerics.surfaces.layered_pixels import GridResponse
 from winkler.numerics.transforms import abel, fredholm
-from winkler.numerics.transforms.cosine_transform import WaveResponse
 from winkler.numerics.types import Array, Curve
 from winkler.profiles.profile import Profile
 from winkler.validity import Assumption, Note, Standing
@@ -38,20 +39,11 @@ __all__ = ["CoatedHalfSpace", "LayeredMedium"]
 BARBER = "J. R. Barber, Determining the contact area in elastic-indentation problems, J. Strain Anal. 9 (1974) 230-232"
 
 
-class SurfaceResponse(WaveResponse, Protocol):
-    """A response with the modulus of the shortest waves."""
-
-    @property
-    def modulus(self) -> float:
-        """E* or G* [Pa] of the surface and the other body."""
-        ...
-
-
 class PressedResponse(SurfaceResponse, GridResponse, Protocol):
     """A response to pressures."""
 
 
-class LayeredMedium(DepthVaryingMedium):
+class LayeredMedium(ShearedLayers, DepthVaryingMedium):
     """What all media with a known surface compliance have in common: subclasses state it, and what is inside."""
 
     second: Solid
@@ -59,11 +51,6 @@ class LayeredMedium(DepthVaryingMedium):
     @property
     def response(self) -> PressedResponse:
         """The response of the pair to a pressure."""
-        raise NotImplementedError
-
-    @property
-    def tangential_response(self) -> SurfaceResponse:
-        """The response of the pair to a shear load, averaged over its angle with the wave."""
         raise NotImplementedError
 
     def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
@@ -74,11 +61,6 @@ class LayeredMedium(DepthVaryingMedium):
     def modulus(self) -> float:
         """E* [Pa] of the uppermost layer and the other body: what the narrowest contacts feel."""
         return self.response.modulus
-
-    @property
-    def shear_modulus(self) -> float:
-        """G* [Pa] of the uppermost layer and the other body."""
-        return self.tangential_response.modulus
 
     def gap(self, profile: Profile, x: Array) -> Array:
         """g(x) [m]."""
@@ -117,11 +99,6 @@ class LayeredMedium(DepthVaryingMedium):
     def normal_stiffness_slope(self, x: Array) -> Array:
         """c_N'(x) [Pa/m]."""
         return 2.0 * self.modulus * fredholm.edge(self.response, x) * fredholm.edge_slope(self.response, x)
-
-    def tangential_stiffness(self, x: Array) -> Array:
-        """c_T(x) [Pa], approximately: the part of the displacement that turns with the angle is left out."""
-        response = self.tangential_response
-        return response.modulus * fredholm.edge(response, x) ** 2
 
     def pressure(self, displacement: Displacement, r: Array) -> Array:
         """p(r) [Pa]: flat punches superposed."""
@@ -215,6 +192,16 @@ class CoatedHalfSpace(LayeredMedium, CoatedBody):
     def tangential_response(self) -> TangentialResponse:
         """The response of the pair to a shear load, averaged over its angle with the wave."""
         return TangentialResponse(self.layers, self.on, self.second)
+
+    @property
+    def along_response(self) -> AlongResponse:
+        """The response of the pair to shear along its wave."""
+        return AlongResponse(self.layers, self.on, self.second)
+
+    @property
+    def across_response(self) -> AcrossResponse:
+        """The response of the pair to shear across its wave, and to a twist."""
+        return AcrossResponse(self.layers, self.on, self.second)
 
     @property
     def thickness(self) -> float:

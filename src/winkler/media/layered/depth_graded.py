@@ -19,6 +19,7 @@ from winkler.media.layered import depth_interior
 from winkler.media.layered.coated import LayeredMedium
 from winkler.media.layered.coated_load import CarriedLoad
 from winkler.media.layered.depth_response import NormalDepthResponse, TangentialDepthResponse
+from winkler.media.layered.depth_shear import AcrossDepthResponse, AlongDepthResponse
 from winkler.media.punch_field import BodyField
 from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note, Standing
@@ -73,6 +74,16 @@ class DepthGradedHalfSpace(LayeredMedium):
     def tangential_response(self) -> TangentialDepthResponse:
         """The response of the pair to a shear load."""
         return TangentialDepthResponse(self.grading, self.second, self.tolerance)
+
+    @functools.cached_property
+    def along_response(self) -> AlongDepthResponse:
+        """The response of the pair to shear along its wave."""
+        return AlongDepthResponse(self.grading, self.second, self.tolerance)
+
+    @functools.cached_property
+    def across_response(self) -> AcrossDepthResponse:
+        """The response of the pair to shear across its wave, and to a twist."""
+        return AcrossDepthResponse(self.grading, self.second, self.tolerance)
 
     @property
     def thickness(self) -> float:

@@ -32,7 +32,14 @@ from winkler.numerics.transforms.cosine_transform import on_axis
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values import value
 
-__all__ = ["NormalDepthResponse", "TangentialDepthResponse", "TurningDepthResponse", "solid_at"]
+__all__ = [
+    "DepthResponse",
+    "NormalDepthResponse",
+    "TangentialDepthResponse",
+    "TurningDepthResponse",
+    "cells_of",
+    "solid_at",
+]
 
 SERIES_WAVE_NUMBER = 100.0
 """xi_1 times the depth across which the surface changes."""
@@ -49,12 +56,13 @@ def solid_at(grading: DepthGrading, depth: float = 0.0) -> Elastic:
     return Elastic(float(grading.young_at(z)), float(grading.poisson_at(z)))
 
 
-def _cells(grading: DepthGrading, tolerance: float) -> Mesh:
+def cells_of(grading: DepthGrading, tolerance: float) -> Mesh:
+    """Return the cells of a body for all wave numbers at which the recursion runs."""
     return mesh(grading, tolerance, surface_depth(grading) / (SERIES_WAVE_NUMBER * SERIES_SPAN))
 
 
-class _DepthResponse:
-    """What both responses share; M times E* or G* of the pair over that of the graded body alone."""
+class DepthResponse:
+    """What all responses share; M times E* or G* of the pair over that of the graded body alone."""
 
     grading: DepthGrading
     second: Solid
@@ -105,7 +113,7 @@ class _DepthResponse:
 
 
 @cached_by_value(128)
-def _series(response: _DepthResponse) -> Array:
+def _series(response: DepthResponse) -> Array:
     """Return the coefficients of M = sum over j of c_j (xi_1 / xi)^(j+1)."""
     angle = np.pi * (np.arange(4 * SERIES_TERMS) + 0.5) / (4 * SERIES_TERMS)
     shorter = 1.0 / SERIES_SPAN + (1.0 - 1.0 / SERIES_SPAN) * np.cos(0.5 * angle) ** 2
@@ -114,7 +122,7 @@ def _series(response: _DepthResponse) -> Array:
 
 
 @cached_by_value(128)
-def _rounding(response: _DepthResponse) -> float:
+def _rounding(response: DepthResponse) -> float:
     limit = SERIES_WAVE_NUMBER / surface_depth(response.grading)
     fall = abs(float(_series(response)[0])) * limit
     # a grading that starts flat has no logarithm: the next terms of the series are then rounded off
@@ -126,7 +134,7 @@ def _rounding(response: _DepthResponse) -> float:
 
 
 @value
-class NormalDepthResponse(_DepthResponse):
+class NormalDepthResponse(DepthResponse):
     """The response of a graded body and its counterpart to a pressure: 1 + M(xi) = C(xi) E* xi / 2.
 
     Parameters
@@ -163,12 +171,12 @@ class NormalDepthResponse(_DepthResponse):
 
     def _own(self, xi: ComplexArray) -> ComplexArray:
         top = solid_at(self.grading)
-        normal = surface_compliance(_cells(self.grading, self.tolerance), xi)[2]
+        normal = surface_compliance(cells_of(self.grading, self.tolerance), xi)[2]
         return np.asarray(-normal * top.shear / (1.0 - top.poisson) - 1.0)
 
 
 @value
-class TangentialDepthResponse(_DepthResponse):
+class TangentialDepthResponse(DepthResponse):
     """The same for a tangential load, averaged over its angle with the wave: 1 + M(xi) = C_T(xi) G* xi / 2."""
 
     grading: DepthGrading
@@ -191,7 +199,7 @@ class TangentialDepthResponse(_DepthResponse):
 
     def _own(self, xi: ComplexArray) -> ComplexArray:
         top = solid_at(self.grading)
-        cells = _cells(self.grading, self.tolerance)
+        cells = cells_of(self.grading, self.tolerance)
         twisted = 0.25 * (surface_compliance_across(cells, xi) - surface_compliance(cells, xi)[0])
         return np.asarray(twisted * 4.0 * top.shear / (2.0 - top.poisson) - 1.0)
 
@@ -202,6 +210,6 @@ class TurningDepthResponse(TangentialDepthResponse):
 
     def _own(self, xi: ComplexArray) -> ComplexArray:
         top = solid_at(self.grading)
-        cells = _cells(self.grading, self.tolerance)
+        cells = cells_of(self.grading, self.tolerance)
         more = 0.25 * (surface_compliance_across(cells, xi) + surface_compliance(cells, xi)[0])
         return np.asarray((more * 4.0 * top.shear - top.poisson) / (2.0 - top.poisson))

@@ -18,7 +18,16 @@ from numpy.typing import NDArray
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array, Curve
 
-__all__ = ["NODES_PER_PANEL", "Sample", "Stretches", "stretches"]
+__all__ = [
+    "DERIVATIVE",
+    "LOCAL_NODES",
+    "NODES_PER_PANEL",
+    "TO_COEFFICIENTS",
+    "WEIGHTS",
+    "Sample",
+    "Stretches",
+    "stretches",
+]
 
 NODES_PER_PANEL = 16
 """Nodes of each panel."""
@@ -158,7 +167,7 @@ class Sample(NamedTuple):
         return result
 
 
-def stretches(function: Curve, kinks: Sequence[float], end: float) -> Stretches:
+def stretches(function: Curve, kinks: Sequence[float], end: float, widest: float = math.inf) -> Stretches:
     """Return panels from zero to `end` on which function(x) dx/dy is a polynomial as far as rounding lets it be.
 
     Parameters
@@ -169,10 +178,15 @@ def stretches(function: Curve, kinks: Sequence[float], end: float) -> Stretches:
         Where the function is not smooth [m].
     end : float
         [m], positive.
+    widest : float
+        Width [m] beyond which a panel is halved.
     """
     starts = [0.0, *sorted({b for b in kinks if 0.0 < b < end})]
     panels = [
-        (s, low, high) for s, top in zip(starts, [*starts[1:], end], strict=True) for low, high in _graded(s, top)
+        (s, *part)
+        for s, top in zip(starts, [*starts[1:], end], strict=True)
+        for low, high in _graded(s, top)
+        for part in _parted(s, low, high, widest)
     ]
     done: list[tuple[float, float, float]] = []
     for _ in range(MOST_HALVINGS):
@@ -192,6 +206,13 @@ def stretches(function: Curve, kinks: Sequence[float], end: float) -> Stretches:
             for half in ((s, low, float(middle)), (s, float(middle), high))
         ]
     return Stretches(*np.array(sorted(done + panels)).T)
+
+
+def _parted(s: float, low: float, high: float, widest: float) -> list[tuple[float, float]]:
+    """Return a panel, in y, in equal parts that are narrow enough."""
+    count = max(1, math.ceil((math.hypot(s, high) - math.hypot(s, low)) / widest))
+    cuts = [low + (high - low) * part / count for part in range(count)] + [high]
+    return list(zip(cuts[:-1], cuts[1:], strict=True))
 
 
 def _graded(s: float, top: float) -> list[tuple[float, float]]:

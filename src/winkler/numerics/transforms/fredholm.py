@@ -35,7 +35,7 @@ from winkler.numerics.transforms.cosine_transform import WaveResponse
 from winkler.numerics.transforms.punch_tables import Punches, octave_of, tables
 from winkler.numerics.types import Array
 
-__all__ = ["Pairs", "area", "edge", "edge_slope", "on_pieces", "punches", "push", "resolvent", "slopes"]
+__all__ = ["Pairs", "area", "edge", "edge_slope", "mean", "on_pieces", "punches", "push", "resolvent", "slopes"]
 
 POINTS_PER_BLOCK = 4096
 """Places at which a series is summed at once: what fits into a processor's cache."""
@@ -67,7 +67,12 @@ def _series(response: WaveResponse, a: Array, part: str, derivative: bool = Fals
 
 def area(response: WaveResponse, a: Array) -> Array:
     """Return the integral of phi(x; a) over x from 0 to a [m]: the stiffness of a flat punch is 2 E* times that."""
-    return np.asarray(a) * _series(response, a, "area")
+    return np.asarray(a) * mean(response, a)
+
+
+def mean(response: WaveResponse, a: Array) -> Array:
+    """Return the mean of phi(x; a) over x from 0 to a [-]."""
+    return _series(response, a, "area")
 
 
 def edge(response: WaveResponse, a: Array) -> Array:

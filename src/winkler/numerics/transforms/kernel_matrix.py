@@ -57,7 +57,7 @@ def panel_nodes(edges: Array, count: int) -> tuple[Array, Array]:
     return (edges[:-1, None] + width * nodes).ravel(), (width * weights).ravel()
 
 
-def kernel_matrix(response: WaveResponse, a: float, halvings: int, count: int) -> Array:
+def kernel_matrix(response: WaveResponse, a: float, halvings: int, count: int, sign: float = 1.0) -> Array:
     """Return the matrix that integrates K(x, t) times a function known at the nodes.
 
     Parameters
@@ -70,6 +70,8 @@ def kernel_matrix(response: WaveResponse, a: float, halvings: int, count: int) -
         How often they halve.
     count : int
         Gauss-Legendre nodes on each panel.
+    sign : float
+        Of C(x + t): -1 for odd functions.
 
     Returns
     -------
@@ -80,6 +82,7 @@ def kernel_matrix(response: WaveResponse, a: float, halvings: int, count: int) -
     x, w = panel_nodes(a * halving_panels(halvings), count)
     matrix = _sums(kernel, x, a, halvings, count) * w
     _correct(matrix[:, :count], response, kernel, -x, 0.0, a if halvings == 0 else 0.5 * a, count)
+    matrix *= sign
     hook = _first_panel_tables(response, count)
     for step in range(halvings + 1):
         right, below = hook(a * 0.5**step, halvings - step)

@@ -2,7 +2,8 @@
 
 The equation is solved on Gauss-Legendre nodes of panels that halve towards the edge of the punch down to the length
 over which the kernel is smooth; where a panel is wider than that, the kernel is integrated over it piece by piece.
-Results are polynomials of :math:`x/a` and a on fixed octaves of a, cached by value.
+Results are polynomials of :math:`x/a` and a on fixed octaves of a, cached by value.  Tables of an odd response
+(`winkler.numerics.transforms.odd_response`) hold a twist instead.
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ from winkler.numerics.caching import cached_by_value
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.transforms.cosine_transform import WaveResponse, in_own_lengths, transform
 from winkler.numerics.transforms.kernel_matrix import halving_panels, kernel_matrix, legendre_to_chebyshev, panel_nodes
+from winkler.numerics.transforms.odd_response import parity
 from winkler.numerics.types import Array
 
 __all__ = ["Punches", "first_radius", "octave_of", "punch_at", "tables"]
@@ -67,6 +69,7 @@ def first_radius(response: WaveResponse) -> float:
 
 @cached_by_value(256)
 def _first_radius(response: WaveResponse) -> float:
+    response, _ = parity(response)
     strength = abs(float(transform(response, response.length)(np.zeros(1))[0]))
     return 0.5 * response.length / (1.0 + response.length * strength)
 
@@ -230,10 +233,18 @@ def punch_at(response: WaveResponse, a: float, count: int) -> tuple[float, float
 
 
 def _punch(response: WaveResponse, a: float, panels: Array, count: int) -> tuple[float, float, Array, Array]:
-    """Return the integral of phi over a, phi at the edge, and phi and a rho at the nodes ``(panels, count)``."""
+    """Return the mean of phi, phi at the edge, and phi and a rho at the nodes ``(panels, count)``.
+
+    For an `OddResponse` that is what its module states.
+    """
+    response, sign = parity(response)
     kernel = transform(response, 2.0 * a)
     x, w = panel_nodes(a * panels, count)
-    matrix = kernel_matrix(response, a, panels.size - 2, count)
-    right = np.stack([np.ones(x.size), 0.5 * (kernel(a - x) + kernel(a + x))], axis=1)
+    matrix = kernel_matrix(response, a, panels.size - 2, count, sign)
+    shape = np.ones(x.size) if sign > 0.0 else x / a
+    right = np.stack([shape, 0.5 * (kernel(a - x) + sign * kernel(a + x))], axis=1)
     phi, rho = np.linalg.solve(np.eye(x.size) + matrix, right).T
-    return float(w @ phi) / a, float(1.0 - w @ rho), phi.reshape(-1, count), a * rho.reshape(-1, count)
+    mean, edge = float((w * shape) @ phi) / a, float(1.0 - (w * shape) @ rho)
+    if sign < 0.0:
+        mean, phi = 3.0 * mean, phi / shape
+    return mean, edge, phi.reshape(-1, count), a * rho.reshape(-1, count)

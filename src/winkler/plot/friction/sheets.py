@@ -40,7 +40,16 @@ from winkler.problems.friction.tangential_states import TangentialState
 from winkler.problems.friction.torsion import TorsionSolution
 from winkler.problems.friction.torsion_states import TorsionState
 
-__all__ = ["body_sheet", "sheared_sheet", "tangential_sheet", "tangential_state_sheet", "torsion_sheet", "twist_sheet"]
+__all__ = [
+    "ENERGY_NAMES",
+    "body_sheet",
+    "ring_panel",
+    "sheared_sheet",
+    "tangential_sheet",
+    "tangential_state_sheet",
+    "torsion_sheet",
+    "twist_sheet",
+]
 
 RADII_DRAWN = 1.35
 """Extent of the picture of a traction in contact radii."""
@@ -147,7 +156,7 @@ def torsion_sheet(item: TorsionSolution) -> Sheet:
             loop_panel(angle, torque, float(item.dissipation[-1])),
             lines_panel(time, lines, "torque"),
             energies_panel(item, ENERGY_NAMES),
-            _twist_panel(item.states[int(touching[-1])]) if touching.size else NO_CONTACT,
+            ring_panel(item.states[int(touching[-1])], r"$\tau_\theta$") if touching.size else NO_CONTACT,
         ),
         "torque over angle",
         "torque over time",
@@ -160,13 +169,13 @@ def torsion_sheet(item: TorsionSolution) -> Sheet:
 @without_extent(TorsionState)
 def twist_sheet(item: TorsionState) -> Sheet:
     """Return the traction of a twisted contact."""
-    panel = _twist_panel(item) if item.radius > 0.0 else NO_CONTACT
+    panel = ring_panel(item, r"$\tau_\theta$") if item.radius > 0.0 else NO_CONTACT
     title = f"{headline(item)}   $M_z$ = {with_unit(item.torque, 'N m')}"
     return Sheet((panel.plus(title="traction around the axis"),), width=5.0, title=title)
 
 
-def _twist_panel(state: TorsionState) -> Panel:
-    """Return the traction around the axis under the bound of friction."""
+def ring_panel(state: Any, name: str) -> Panel:
+    """Return the traction of a state, twisted or pushed, under the bound of friction."""
     bed, radius, mu = state.springs.bed, state.radius, state.springs.coefficient
     r = places(radius, (*(b for b, _ in bed.kinks if b < radius), state.stick_radius), count=200)
     traction = state.traction(r)
@@ -182,7 +191,7 @@ def _twist_panel(state: TorsionState) -> Panel:
     marks = (
         *stick_band(state.stick_radius, mirrored=False),
         *(Line(r, sign * bound, name=r"$\pm\mu p$" if sign > 0.0 else "", **dashed) for sign in (1.0, -1.0)),
-        Line(r, traction, style.RED, name=r"$\tau_\theta$"),
+        Line(r, traction, style.RED, name=name),
         zero(),
     )
     low = -top if np.nanmin(traction) < -0.02 * top else 0.0

@@ -7,7 +7,8 @@ Torsion of a round contact is exact in springs.  A spring at x is displaced by :
 
 its bound depends on the pressure of all rings farther out.  What sticks is the inner part of the contact: towards the
 axis the bound grows without limit against the displacement, so that no finite angle makes all of it slide, and the
-greatest torque is only approached.
+greatest torque is only approached.  On layers and on power laws of the depth other springs are as exact
+(`winkler.media.twisting.kernels`), since a twist and a pressure do not act on each other there either.
 """
 
 from __future__ import annotations
@@ -15,33 +16,26 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import ClassVar
 
-import numpy as np
-
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
+from winkler.foundation.torsion_bound import twist_bound
 from winkler.laws.friction import Coulomb
 from winkler.loading import Angle, Depth, Torque
-from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.twisting.kernels import refuse_without_kernel
 from winkler.numerics.types import Array
 from winkler.path import Path
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import BALANCED, PRESSED
 from winkler.problems.assumptions.energy import energy_note
-from winkler.problems.friction.torsion_bound import PressedState, TwistBound, twist_bound
-from winkler.problems.friction.torsion_march import TorsionStep, square, step_to_torque, torque_of, torsion_step
-from winkler.problems.friction.torsion_pieces import TwistMemory, fresh, pieces_of
+from winkler.problems.friction.ring_path import ring_points
 from winkler.problems.friction.torsion_states import TorsionState, TwistedSprings
 from winkler.problems.friction.torsion_validity import torsion_notes, torsion_yield_notes
-from winkler.problems.normal.solve_contact import at_depth, at_force
 from winkler.problems.normal.validity import contact_notes
 from winkler.problems.one_load import OfPath
 from winkler.validity import Assumption, Note
 from winkler.values import value
 
 __all__ = ["Torsion", "TorsionSolution"]
-
-LEVEL_TOLERANCE = 1e-12
-"""Part of the level by which two contacts may differ whose bounds are the same."""
 
 
 @value
@@ -51,7 +45,8 @@ class Torsion:
     Parameters
     ----------
     bed : Bed
-        The springs: Foundation(profile, medium) or PlaneFoundation(plane_profile, medium) on a homogeneous half-space.
+        The springs: Foundation(profile, medium) or PlaneFoundation(plane_profile, medium) on a
+        homogeneous half-space, on layers or on a power law of the depth.
     law : Coulomb
         Friction.
     path : Path
@@ -62,7 +57,8 @@ class Torsion:
     InvalidInput
         If the law is not Coulomb's, or the path prescribes a shift.
     OutsideValidity
-        If the medium is not homogeneous: in graded and layered half-spaces the bound of the springs is not known.
+        If the medium relaxes, is measured, or is graded by a law other than a power: there the bound of the springs is
+        not known.
 
     References
     ----------
@@ -73,6 +69,7 @@ class Torsion:
     --------
     The greatest torque that a ball bears is (3 pi/16) mu F a; under a fifth of it little slides.
 
+    >>> import math
     >>> from winkler.foundation.foundation import Foundation
     >>> from winkler.loading import Force
     >>> from winkler.materials.elastic import Elastic
@@ -81,7 +78,7 @@ class Torsion:
     >>> bed = Foundation(Paraboloid(1.0), HalfSpace(Elastic(young=1.0, poisson=0.3)))
     >>> path = Path([0.0, 1.0], Force(1e-3), Torque([0.0, 5e-6]))
     >>> twist = Torsion(bed, Coulomb(0.5), path).solve()
-    >>> round(float(twist.torque_limit[1] / (0.5 * 1e-3 * twist.radius[1]) / np.pi), 12)  # 3/16
+    >>> round(float(twist.torque_limit[1] / (0.5 * 1e-3 * twist.radius[1]) / math.pi), 12)  # 3/16
     0.1875
     >>> round(float(twist.stick_radius[1] / twist.radius[1]), 6)
     0.938664
@@ -101,22 +98,7 @@ class Torsion:
                 f"Torsion: the path prescribes a {type(self.path.lateral).__name__}; give Path(time, normal, lateral) "
                 "with the lateral load Angle([...]) or Torque([...])."
             )
-        if not isinstance(self.bed.medium, HomogeneousMedium):
-            raise OutsideValidity(
-                f"Torsion: the medium of the bed is a {type(self.bed.medium).__name__}; what twisted springs bear is "
-                "only known on homogeneous half-spaces: give HalfSpace or TransverselyIsotropicHalfSpace."
-            )
-
-    @property
-    def _forced(self) -> bool:
-        return not isinstance(self.path.normal, Depth)
-
-    def _pressed(self) -> tuple[Array, Array, Array]:
-        """Return depths, forces and radii along the path."""
-        across = self.path.across
-        depth, radius = at_force(self.bed, across) if self._forced else at_depth(self.bed, across)
-        force = across if self._forced else self.bed.stiffness(radius) * depth - self.bed.gap_load(radius)
-        return depth, np.where(radius > 0.0, force, 0.0), radius
+        refuse_without_kernel(self.bed.medium)
 
     @property
     def total(self) -> int:
@@ -134,46 +116,24 @@ class Torsion:
         NotConverged
             If the profile is too rough, or a step too long for the angle or the loss to settle.
         """
-        modulus = self.bed.medium.torsional_modulus  # type: ignore[attr-defined]
-        depth, force, radius = self._pressed()
-        widest = float(np.max(radius))
-        bound = twist_bound(self.bed, self.law.coefficient, widest if widest > 0.0 else 1.0, self._forced)
-        excess = np.where(radius >= self.bed.rim, depth - self.bed.gap(radius), 0.0)
-        rows = (self.path.across, radius, np.maximum(excess, 0.0))
-        presses = [PressedState(*row) for row in zip(*(each.tolist() for each in rows), strict=True)]
-        memory = torsion_step(bound, fresh(min(presses[0].level, 0.0)), presses[0], 0.0).memory
-        angle = lost = work = 0.0
-        for i, (press, target) in enumerate(zip(presses, self.path.along.tolist(), strict=True)):
-            step = self._step(bound, memory, press, target, angle, i)
-            memory = step.memory
-            lost, work = lost + step.loss / (4.0 * modulus), work + step.work / (4.0 * modulus)
-            angle = target if isinstance(self.path.lateral, Angle) else angle + step.twist / (8.0 * modulus)
+        unit = 8.0 * self.bed.medium.torsional_modulus  # type: ignore[attr-defined]
+        forced = not isinstance(self.path.normal, Depth)
+        for point in ring_points(self.bed, self.law.coefficient, self.path, unit, twist_bound):
             yield TorsionState(
-                time=float(self.path.time[i]),
-                depth=float(depth[i]),
-                force=float(force[i]),
-                radius=press.radius,
-                angle=angle,
-                torque=torque_of(bound, memory),
-                torque_limit=bound.most(press),
-                stick_radius=_stick_radius(memory),
-                work=work,
-                stored_energy=square(bound, memory) / (8.0 * modulus),
-                dissipation=lost,
-                nested=step.nested,
-                springs=TwistedSprings(self.bed, self.law.coefficient, bound.widest, self._forced, memory),
+                time=point.time,
+                depth=point.depth,
+                force=point.force,
+                radius=point.radius,
+                angle=point.motion,
+                torque=point.load,
+                torque_limit=point.limit,
+                stick_radius=point.stick_radius,
+                work=point.work,
+                stored_energy=point.stored,
+                dissipation=point.lost,
+                nested=point.nested,
+                springs=TwistedSprings(self.bed, self.law.coefficient, point.bound.widest, forced, point.memory),
             )
-
-    def _step(
-        self, bound: TwistBound, memory: TwistMemory, press: PressedState, target: float, angle: float, index: int
-    ) -> TorsionStep:
-        if isinstance(self.path.lateral, Angle):
-            modulus = self.bed.medium.torsional_modulus  # type: ignore[attr-defined]
-            return torsion_step(bound, memory, press, 8.0 * modulus * (target - angle))
-        try:
-            return step_to_torque(bound, memory, press, target)
-        except OutsideValidity as error:
-            raise OutsideValidity(f"Torsion: at index {index} of the path {error}") from None
 
     def gathered(self, states: Iterable[TorsionState]) -> TorsionSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""
@@ -249,12 +209,3 @@ class TorsionSolution(OfPath[TorsionState]):
             *torsion_notes(bed, problem.law, self.states, by_torque),
             energy_note(self.work, self.stored_energy, self.dissipation),
         )
-
-
-def _stick_radius(memory: TwistMemory) -> float:
-    """Return the radius up to which no spring is at the bound of the contact as it is."""
-    for piece in pieces_of(memory):
-        same = abs(piece.bound.level - memory.level) <= LEVEL_TOLERANCE * abs(memory.level)
-        if piece.side != 0.0 and piece.held == 0.0 and piece.entered == 0.0 and same:
-            return piece.low
-    return memory.radius

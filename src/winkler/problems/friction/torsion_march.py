@@ -13,16 +13,30 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
-from winkler.problems.friction.torsion_bound import PressedState, TwistBound
+from winkler.foundation.torsion_bound import PressedState, TwistBound
 from winkler.problems.friction.torsion_memory import TwistMove, moved, slid_along, stuck_work
 from winkler.problems.friction.torsion_pieces import TwistMemory, pieces_of
 
-__all__ = ["ANGLE_TOLERANCE", "LOSS_TOLERANCE", "TorsionStep", "square", "step_to_torque", "torque_of", "torsion_step"]
+__all__ = [
+    "ANGLE_TOLERANCE",
+    "CUT_TOLERANCE",
+    "LOSS_TOLERANCE",
+    "TorsionStep",
+    "square",
+    "step_by_angle",
+    "step_to_torque",
+    "torque_of",
+    "torsion_step",
+]
 
 LOSS_TOLERANCE = 1e-8
 """Tolerance of the energy lost in a step, relative to the energy stored in it and lost in it."""
 ANGLE_TOLERANCE = 1e-4
 """Tolerance of angle and loss in a step under a torque and a changing load, relative to what the contact can bear."""
+CUT_TOLERANCE = 1e-4
+"""Tolerance of the torque in a step that is cut, relative to what the contact can bear."""
+MOST_CUTS = 7
+"""How often such a step is halved at most."""
 MOST_HALVINGS = 13
 """How often the moves of a step are halved at most."""
 TORQUE_MARGIN = 1e-12
@@ -48,7 +62,7 @@ def torque_of(bound: TwistBound, memory: TwistMemory) -> float:
     total = 0.0
     for piece in pieces_of(memory):
         ends = np.array([piece.low, piece.high])
-        low, high = bound.panels.integral(piece.values(bound) * bound.x**2, ends).tolist()
+        low, high = bound.panels.integral(piece.values(bound) * bound.weight, ends).tolist()
         total += high - low
     return 2.0 * total
 
@@ -62,7 +76,7 @@ def square(bound: TwistBound, memory: TwistMemory) -> float:
     total = 0.0
     for piece in pieces_of(memory):
         sample = bound.panels.sample(piece.low, piece.high)
-        total += float(np.sum(sample.weights * (sample.x * sample.read(piece.values(bound))) ** 2))
+        total += float(np.sum(sample.weights * bound.weigh(sample) * sample.read(piece.values(bound)) ** 2))
     return total
 
 
@@ -87,8 +101,42 @@ def torsion_step(bound: TwistBound, memory: TwistMemory, press: PressedState, tw
             return TorsionStep(whole.memory, twist, max(better, 0.0), stuck + settled, whole.nested)
         best = better
     raise NotConverged(
-        f"Torsion: the energy lost between the normal loads {memory.level:.6g} and {press.level:.6g} does not settle; "
-        "give points in between."
+        f"{bound.owner}: the energy lost between the normal loads {memory.level:.6g} and {press.level:.6g} does not "
+        "settle; give points in between."
+    )
+
+
+def step_by_angle(bound: TwistBound, memory: TwistMemory, press: PressedState, twist: float) -> TorsionStep:
+    """Return the springs after load and angle have changed in proportion, on bounds of any curvature.
+
+    Where a bound is not a concave function of the load, a spring that slides may stick again while both change: the
+    step is then cut until the torque settles.
+
+    Raises
+    ------
+    NotConverged
+        If the torque, or the loss, does not settle.
+    """
+    press = _settled(memory.press, press)
+    if twist == 0.0 or press == memory.press or bound.concave:
+        return torsion_step(bound, memory, press, twist)
+    old: TorsionStep | None = None
+    bears = max(bound.most(max(memory.press, press, key=lambda each: each.radius)), 1e-300)
+    for halving in range(1, MOST_CUTS + 1):
+        now, loss, work, nested = memory, 0.0, 0.0, True
+        for step, share in _path(bound, memory.press, press, 2**halving):
+            work += stuck_work(bound, now, step, twist * share)
+            move = moved(bound, now, step, twist * share)
+            now, nested = move.memory, nested and move.nested
+            loss, work = loss + move.loss, work + move.extra
+        new = TorsionStep(now, twist, loss, work, nested)
+        change = abs(torque_of(bound, new.memory) - torque_of(bound, old.memory)) if old else math.inf
+        if old and change <= CUT_TOLERANCE * bears:
+            return new._replace(loss=loss + (loss - old.loss) / 3.0, work=work + (work - old.work) / 3.0)
+        old = new
+    raise NotConverged(
+        f"{bound.owner}: the {bound.load} does not settle while the normal load changes from {memory.level:.6g} to "
+        f"{press.level:.6g}; give points in between, or prescribe the Force."
     )
 
 
@@ -129,8 +177,8 @@ def step_to_torque(bound: TwistBound, memory: TwistMemory, press: PressedState, 
             return new._replace(loss=max(better, 0.0), work=new.work + (new.work - old.work) / 3.0)
         old, best = new, better
     raise NotConverged(
-        f"Torsion: the angle under {torque:.6g} N m does not settle while the normal load changes from "
-        f"{memory.level:.6g} to {press.level:.6g}; give points in between."
+        f"{bound.owner}: the {bound.motion} under {torque:.6g} {bound.unit} does not settle while the "
+        f"normal load changes from {memory.level:.6g} to {press.level:.6g}; give points in between."
     )
 
 
@@ -145,7 +193,7 @@ def _scales(bound: TwistBound, memory: TwistMemory, press: PressedState, torque:
     if wider.radius == 0.0:
         return 1.0, 1.0
     stored = square(bound, memory)
-    stiffness = 2.0 / 3.0 * wider.radius**3
+    stiffness = bound.inertia(wider.radius)
     bears = max(abs(torque), (stiffness * stored) ** 0.5) if bound.endless else bound.most(wider)
     return bears / stiffness, 0.25 * bears**2 / stiffness + 0.5 * stored
 
@@ -192,8 +240,9 @@ def _step_to(
     limit = bound.most(press)
     if abs(torque) > limit * (1.0 - TORQUE_MARGIN):
         raise OutsideValidity(
-            f"the torque of {torque:.6g} N m exceeds what friction bears, {limit:.6g} N m under this normal load: the "
-            "bodies would spin against each other; give a smaller torque, a greater load, or prescribe the Angle."
+            f"the {bound.load} of {torque:.6g} {bound.unit} exceeds what friction bears, {limit:.6g} {bound.unit} "
+            f"under this normal load: the bodies would {bound.free_motion} against each other; give a smaller "
+            f"{bound.load}, a greater load, or prescribe the {bound.motion.capitalize()}."
         )
     slack = TORQUE_TOLERANCE * (abs(torque) if bound.endless else limit)
     twist, low, high = guess, -math.inf, math.inf
@@ -212,7 +261,7 @@ def _step_to(
             low, low_miss = twist, miss
         else:
             high, high_miss = twist, miss
-        stiffness = move.free if move.free > 0.0 else 2.0 / 3.0 * press.radius**3
+        stiffness = move.free if move.free > 0.0 else bound.inertia(press.radius)
         ahead = twist - miss / stiffness
         if math.isfinite(low) and math.isfinite(high) and not (low < ahead < high and tried % 4 != 3):
             share = -low_miss / (high_miss - low_miss) if tried % 2 else 0.5
@@ -220,4 +269,6 @@ def _step_to(
         if ahead == twist:
             return trial_(move)
         twist = ahead
-    raise NotConverged(f"Torsion: the angle under {torque:.6g} N m was not found in {MOST_TRIALS} tries.")
+    raise NotConverged(
+        f"{bound.owner}: the {bound.motion} under {torque:.6g} {bound.unit} was not found in {MOST_TRIALS} tries."
+    )

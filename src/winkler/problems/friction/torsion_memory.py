@@ -20,9 +20,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.foundation.torsion_bound import PressedState, TwistBound
 from winkler.numerics.panels.kink_panels import Sample
 from winkler.numerics.types import Array
-from winkler.problems.friction.torsion_bound import PressedState, TwistBound
 from winkler.problems.friction.torsion_pieces import NO_CONTACT, TwistMemory, TwistPiece, pieces_of
 
 __all__ = ["TwistMove", "TwistRing", "moved", "slid_along", "stuck_work"]
@@ -107,7 +107,11 @@ def moved(bound: TwistBound, memory: TwistMemory, press: PressedState, twist: fl
             states.append((high - low, state))
             if state == 0:
                 done.append(trial._replace(low=low, high=high))
-                free += _free(bound, low, high, press.level, change) if entering else 2.0 / 3.0 * (high**3 - low**3)
+                free += (
+                    _free(bound, low, high, press.level, change)
+                    if entering
+                    else bound.inertia(high) - bound.inertia(low)
+                )
                 continue
             done.append(TwistPiece(low, high, 0.0, 0.0, float(state), press))
             sample = bound.panels.sample(low, high)
@@ -126,9 +130,9 @@ def stuck_work(bound: TwistBound, memory: TwistMemory, press: PressedState, twis
         if piece.low < press.radius:
             sample = bound.panels.sample(piece.low, min(piece.high, press.radius))
             load = sample.read(piece.values(bound))
-            total += float(np.sum(sample.weights * sample.x**2 * twist * (load + 0.5 * twist)))
+            total += float(np.sum(sample.weights * bound.weigh(sample) * twist * (load + 0.5 * twist)))
     if press.radius > before and change > 0.0:
-        work = 0.5 * (bound.x * twist * (press.level - bound.clock) / change) ** 2
+        work = 0.5 * bound.weight * (twist * (press.level - bound.clock) / change) ** 2
         low, high = bound.panels.integral(work, np.array([before, press.radius])).tolist()
         total += high - low
     return total
@@ -138,7 +142,7 @@ def _free(bound: TwistBound, low: float, high: float, level: float, change: floa
     """Return 2 int x^2 s dx of springs that have only the share s of a twist, since they came into contact."""
     if change <= 0.0:
         return 0.0
-    moments = bound.panels.integral(bound.x**2 * (level - bound.clock), np.array([low, high]))
+    moments = bound.panels.integral(bound.weight * (level - bound.clock), np.array([low, high]))
     return 2.0 * float(moments[1] - moments[0]) / change
 
 
@@ -153,13 +157,13 @@ def slid_along(
     """
     total, extra, start, end = 0.0, 0.0, memory.level, path[-1].level
     for ring in rings:
-        x = ring.sample.x
+        x, weight = ring.sample.x, bound.weigh(ring.sample)
         side = ring.side
         first = np.clip((ring.clock - start) / (end - start), 0.0, 1.0) if end > start else np.zeros_like(x)
         last = np.clip((start - ring.clock) / (start - end), 0.0, 1.0) if end < start else np.ones_like(x)
         if bound.endless:
-            total += 0.5 * float(np.sum(ring.sample.weights * x**2 * (ring.before + twist * last) ** 2))
-            extra += float(np.sum(ring.sample.weights * x**2 * twist * last * (ring.before + 0.5 * twist * last)))
+            total += 0.5 * float(np.sum(ring.sample.weights * weight * (ring.before + twist * last) ** 2))
+            extra += float(np.sum(ring.sample.weights * weight * twist * last * (ring.before + 0.5 * twist * last)))
             continue
         allowed = np.where(x < memory.radius, np.maximum(ring.sample.read(bound.at(memory.press)), 0.0), 0.0)
         slid = np.maximum(side * ring.before - allowed, 0.0)  # rounding
@@ -181,8 +185,8 @@ def slid_along(
             mean = np.where(excess > 0.0, onset * (load + at_onset) + (1.0 - onset) * (at_onset + limit), load + after)
             work += 0.5 * mean * (here - displaced)
             load, displaced, allowed = after, here, limit
-        total += float(np.sum(ring.sample.weights * x**2 * density))
-        extra += float(np.sum(ring.sample.weights * x**2 * work))
+        total += float(np.sum(ring.sample.weights * weight * density))
+        extra += float(np.sum(ring.sample.weights * weight * work))
     return total, extra
 
 

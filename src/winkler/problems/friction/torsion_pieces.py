@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.foundation.torsion_bound import PressedState, TwistBound
 from winkler.numerics.types import Array
-from winkler.problems.friction.torsion_bound import PressedState, TwistBound
 from winkler.values import value, words
 
 __all__ = ["NO_CONTACT", "TwistMemory", "TwistPiece", "fresh", "pieces_of"]

@@ -6,16 +6,17 @@ from collections.abc import Callable
 
 import numpy as np
 
+from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
+from winkler.foundation.torsion_bound import TwistBound, twist_bound
+from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.interior.twist_field import (
     TwistBelow,
     twist_below,
     twist_constants,
-    twist_displacement,
-    twist_traction,
 )
+from winkler.media.twisting.surface import traction_on, turning_on
 from winkler.numerics.types import Array, ArrayLike
-from winkler.problems.friction.torsion_bound import TwistBound, twist_bound
 from winkler.problems.friction.torsion_pieces import TwistMemory, pieces_of
 from winkler.values import value, words
 
@@ -24,12 +25,12 @@ __all__ = ["TorsionState", "TwistedSprings"]
 
 @value
 class TwistedSprings:
-    """The load q(x) = x h(x) of the springs of a twisted contact.
+    """The load q(x) = e(x) h(x) of the springs of a twisted contact; e = x on homogeneous half-spaces.
 
     Parameters
     ----------
     bed : Bed
-        On a homogeneous half-space.
+        On a medium on which torsion is solved.
     coefficient : float
         mu [-].
     widest : float
@@ -97,7 +98,12 @@ class TwistedSprings:
         places = np.asarray(x, dtype=float)
         inside = (np.abs(places) <= self.radius) & (places != 0.0)
         where = np.where(inside, np.abs(places), 0.5 * self.radius)
-        return np.where(inside, places * self.value(where), 0.0) if self.radius > 0.0 else np.zeros(places.shape)
+        if self.radius == 0.0:
+            return np.zeros(places.shape)
+        lever = where
+        if not isinstance(self.bed.medium, HomogeneousMedium):
+            lever = np.sqrt(self._bound.panels.value(self._bound.weight, where))
+        return np.where(inside, np.sign(places) * lever * self.value(where), 0.0)
 
     def _read(self, x: Array, reading: Callable[[Array, Array], Array]) -> Array:
         x = np.asarray(x, dtype=float)
@@ -159,7 +165,7 @@ class TorsionState:
         r : array_like
             Distance from the axis [m], not negative.
         """
-        return twist_traction(self.springs, np.asarray(r, dtype=float))
+        return traction_on(self.springs.bed.medium, self.springs, np.asarray(r, dtype=float))
 
     def turning(self, r: ArrayLike) -> Array:
         """Return the displacement u_theta(r) of the surface [m], the sum over both bodies.
@@ -169,8 +175,7 @@ class TorsionState:
         r : array_like
             Distance from the axis [m], not negative.
         """
-        modulus = self.springs.bed.medium.torsional_modulus  # type: ignore[attr-defined]
-        return twist_displacement(self.springs, np.asarray(r, dtype=float), modulus)
+        return turning_on(self.springs.bed.medium, self.springs, np.asarray(r, dtype=float))
 
     def below(self, r: ArrayLike, z: ArrayLike) -> TwistBelow:
         """Return displacement and shear stresses inside the bodies.
@@ -191,11 +196,16 @@ class TorsionState:
         InvalidInput
             If a place lies on the surface.
         OutsideValidity
-            If the body there is rigid.
+            If the body there is rigid, or layered or graded.
         """
         places, depths = np.broadcast_arrays(np.asarray(r, dtype=float), np.asarray(z, dtype=float))
         parts = np.zeros((3, *places.shape))
         medium = self.springs.bed.medium
+        if not isinstance(medium, HomogeneousMedium):
+            raise OutsideValidity(
+                f"The stresses of a twist inside a {type(medium).__name__} are not known; request the traction of the "
+                "state, state.traction(r), or give a homogeneous half-space."
+            )
         for sign, body in ((1.0, "first"), (-1.0, "second")):
             here = sign * depths >= 0.0 if sign > 0.0 else depths < 0.0
             if here.any():

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
-from winkler.study.chapters.kind import kind
+from winkler.study.chapters.kind import is_a, kind
 from winkler.study.chapters.normal import normal_formulas
 
 __all__ = ["FRICTION", "TANGENTIAL_FORCE", "TANGENTIAL_SPRINGS", "tangential_formulas"]
@@ -46,8 +48,26 @@ RELAXED = Equation(
     r"F_x = k_x\,u_x + c\,\dot{u}_x, \quad k_x = 2\int_0^{a_{min}} c_T\,\mathrm{d}x",
 )
 
+TWISTED_DEEP = Equation(
+    "A spring at x bears in proportion to the angle, as long as it does not slide; it counts as much as a flat punch "
+    "of that radius gets stiffer",
+    r"h(x) = 8G_t\,\phi, \quad 16\,G_t\,e(x)^2 = \frac{\mathrm{d}k_\varphi}{\mathrm{d}x}",
+)
+TORQUE_DEEP = Equation(
+    "It slides where that reaches the bound of rings that bear their own pressure; the torque is the sum",
+    r"|h(x)| \le b(x), \quad M_z = 2\int_0^a e(x)^2\,h(x)\,\mathrm{d}x",
+)
+
 tangential_formulas = followed_by(normal_formulas, TANGENTIAL_SPRINGS, TANGENTIAL_FORCE)
 """The formulas of a tangential contact."""
+
+
+def torsion_formulas(problem: Any) -> tuple[Equation, ...]:
+    """Return the formulas of a twist: those of homogeneous bodies, or of bodies that change with depth."""
+    medium = getattr(getattr(problem, "bed", None), "medium", None)
+    changing = is_a(medium, *(f"winkler.media.families:{name}" for name in ("PowerLawMedium", "DepthVaryingMedium")))
+    more = (TWISTED_DEEP, TORQUE_DEEP) if changing else (TWISTED, TWIST_BOUND, TORQUE)
+    return followed_by(normal_formulas, *more)(problem)
 
 
 FRICTION = Chapter(
@@ -127,7 +147,7 @@ FRICTION = Chapter(
             curves=(("angle", "torque"), ("time", "dissipation")),
             pictured=PicturedContact.PATH,
             contact_shown="the contact at its greatest depth, its twist left out",
-            formulas=followed_by(normal_formulas, TWISTED, TWIST_BOUND, TORQUE),
+            formulas=torsion_formulas,
         ),
         "friction_damping": answer(
             "winkler.problems.friction.damping:FrictionDamping",

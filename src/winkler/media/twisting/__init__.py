@@ -1,0 +1,1 @@
+"""Media under a twist about the axis of the contact."""

@@ -1,0 +1,79 @@
+r"""The traction around the axis of a twisted contact, in each medium.
+
+A rigidly twisted disc of radius x drags with :math:`\tau_1(r;x)`, and springs that bear h drag with the sum of these,
+:math:`\tau(r) = \frac1{8G_t}\big[h(a)\,\tau_1(r;a) - \int_r^a h'(x)\,\tau_1(r;x)\,\mathrm dx\big]`, where
+
+.. math:: \tau_1 = \frac{4G_t}\pi\,\frac{r\,\sigma(r;x)}{\sqrt{x^2-r^2}} \quad\text{on layers} , \qquad
+          \tau_1 = \frac{4(1+k)G_t}{\pi c_0^k}\,r\,(x^2-r^2)^{(k-1)/2} \quad\text{on a power law} .
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.errors import OutsideValidity
+from winkler.media.families import PowerLawMedium
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.interior.twist_field import Twisted, clean_slope, twist_displacement, twist_traction
+from winkler.media.medium import Medium
+from winkler.numerics.transforms import abel, fredholm
+from winkler.numerics.types import Array
+
+__all__ = ["TABLE_ROUNDING", "traction_on", "turning_on"]
+
+TABLE_ROUNDING = 1e-9
+"""A slope that changes h by no more than this part of it is rounding of the tables of a stack."""
+
+
+def traction_on(medium: Medium, twisted: Twisted, r: Array) -> Array:
+    """Return the traction tau_theta(r) [Pa] of twisted springs on a medium; zero outside the contact.
+
+    Parameters
+    ----------
+    medium : Medium
+        One of those on which torsion is solved.
+    twisted : Twisted
+        The springs.
+    r : ndarray
+        Distance from the axis [m], not negative.
+    """
+    r = np.asarray(r, dtype=float)
+    if isinstance(medium, HomogeneousMedium) or twisted.radius == 0.0:
+        return twist_traction(twisted, r)
+    place = np.where(r > 0.0, r, 0.5 * twisted.radius)
+    if isinstance(medium, PowerLawMedium):
+        from winkler.numerics.transforms.graded_pressure import pressure
+
+        k = medium.exponent
+        summed = pressure(clean_slope(twisted), twisted.kinks, twisted.edge, twisted.radius, k, place)
+        factor = 0.5 * (1.0 + k) / medium.depth_scale**k  # type: ignore[attr-defined]
+        return np.where(r > 0.0, factor * r * summed, 0.0)
+    from winkler.numerics.transforms.odd_response import OddResponse
+
+    response = OddResponse(medium.across_response)  # type: ignore[attr-defined]
+    summed = abel.pressure(
+        clean_slope(twisted, TABLE_ROUNDING),
+        twisted.kinks,
+        twisted.edge,
+        twisted.radius,
+        place,
+        lambda r, x: fredholm.push(response, r, x),
+        response.precision,
+    )
+    return np.where(r > 0.0, 0.5 * r * summed, 0.0)
+
+
+def turning_on(medium: Medium, twisted: Twisted, r: Array) -> Array:
+    """Return the displacement u_theta(r) of the surface [m], the sum over both bodies.
+
+    Raises
+    ------
+    OutsideValidity
+        If the medium is not homogeneous.
+    """
+    if not isinstance(medium, HomogeneousMedium):
+        raise OutsideValidity(
+            f"The displacement of the surface around the axis is not known on a {type(medium).__name__}; request the "
+            "traction of the state, state.traction(r), or give a homogeneous half-space."
+        )
+    return twist_displacement(twisted, r, medium.torsional_modulus)

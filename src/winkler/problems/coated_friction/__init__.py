@@ -1,0 +1,1 @@
+"""Friction on coated bodies, with the kernels of the layers."""

@@ -1,0 +1,185 @@
+"""Torsion and partial slip on layers and power laws: another route, limits, tractions, energies, refusals."""
+
+from __future__ import annotations
+
+import mpmath as mp
+import numpy as np
+import pytest
+from layer_waves import Stack, sliding_disc
+
+import winkler as wk
+from winkler.foundation.bed import PressedSprings
+from winkler.foundation.torsion_bound import PressedState, twist_bound
+from winkler.materials.graded import PowerLawGraded
+from winkler.media.twisting.kernels import bound_shape
+
+MU, D = 0.3, 1e-3
+SOLID = wk.Elastic(2.6, 0.3)  # G = 1
+LAYERS = {"hard": ([(1.0, 0.3, 0.02)], (0.1, 0.3)), "soft": ([(1.0, 0.3, 0.02)], (10.0, 0.3))}
+BALL = wk.Paraboloid(1.0)
+
+
+def coated(name):
+    (shear, poisson, thickness), on = LAYERS[name][0][0], LAYERS[name][1]
+    layer = wk.Layer(wk.Elastic(2.0 * shear * (1.0 + poisson), poisson), thickness)
+    return wk.CoatedHalfSpace([layer], on=wk.Elastic(2.0 * on[0] * (1.0 + on[1]), on[1]))
+
+
+def pressed(bed, depth=D):
+    contact = wk.Indentation(bed, wk.Depth(depth)).solve()
+    return contact, float(contact.radius), float(contact.force)
+
+
+def smooth_pressure(bed, contact):
+    """p(r) through its values at 60 places: over sqrt(a^2 - r^2) it is a polynomial of r^2/a^2."""
+    a = float(contact.radius)
+    place = 0.5 + 0.5 * np.polynomial.chebyshev.chebpts1(60)
+    values = bed.medium.pressure(PressedSprings(bed, float(contact.depth), a), a * np.sqrt(place))
+    fit = np.polynomial.Chebyshev.fit(place, values / np.sqrt(1.0 - place), 59, domain=[0.0, 1.0])
+
+    def pressure(r):
+        inner = np.minimum((r / a) ** 2, 1.0)
+        return np.sqrt(1.0 - inner) * fit(inner)
+
+    return pressure
+
+
+def steady(bed, law, values, lateral):
+    time = np.arange(len(values), dtype=float)
+    return wk.Path(time, wk.Depth(np.full(time.size, D)), lateral(values)), law
+
+
+@pytest.mark.parametrize("name", LAYERS)
+@pytest.mark.parametrize("order", [1, 0])
+def test_partial_slip_by_least_energy_inside_the_stick_zone(name, order):
+    """A twist (order 1) and a push (order 0): the motion and the load that belong to one stick radius."""
+    bed = wk.Foundation(BALL, coated(name))
+    contact, a, force = pressed(bed)
+    stiffness = bed.medium.punch_torsional_stiffness if order else bed.medium.punch_shear_stiffness
+    motion = 0.8 * MU * force * a**order / float(stiffness(np.array([a]))[0])
+    path, law = steady(bed, wk.Coulomb(MU), [0.0, motion], wk.Angle if order else wk.Shift)
+    found = (wk.Torsion if order else wk.CoatedTangential)(bed, law, path).solve().at(1)
+    assert 0.2 < found.stick_radius / a < 0.95
+    stack = Stack(*LAYERS[name], longest_disc=a)
+    want = sliding_disc(stack, smooth_pressure(bed, contact), a, found.stick_radius, order)
+    load = found.torque if order else found.shear_force
+    assert motion == pytest.approx(MU * want[0], rel=2e-6)
+    assert load == pytest.approx(MU * want[1], rel=2e-6)
+
+
+@pytest.mark.parametrize("name", LAYERS)
+@pytest.mark.parametrize("problem", [wk.Torsion, wk.CoatedTangential])
+def test_rings_that_slide_bear_their_own_pressure_and_others_less(name, problem):
+    bed, twist = wk.Foundation(BALL, coated(name)), problem is wk.Torsion
+    contact, a, force = pressed(bed)
+    stiffness = bed.medium.punch_torsional_stiffness if twist else bed.medium.punch_shear_stiffness
+    motion = 0.8 * MU * force * (a if twist else 1.0) / float(stiffness(np.array([a]))[0])
+    path, law = steady(bed, wk.Coulomb(MU), [0.0, motion, -motion, motion], wk.Angle if twist else wk.Shift)
+    solution = problem(bed, law, path).solve()
+    assert solution.nested.all()
+    r = a * np.linspace(0.02, 0.98, 40)
+    state, borne = solution.at(1), MU * wk.restore(contact, r).pressure
+    slides = r > state.stick_radius
+    traction = state.traction(r)
+    np.testing.assert_allclose(traction[slides], borne[slides], rtol=1e-7)
+    assert np.all(traction[~slides] < borne[~slides])
+    np.testing.assert_allclose(solution.at(3).traction(r), traction, rtol=1e-6)  # the loop closes
+    missed = solution.work - solution.stored_energy - solution.dissipation
+    assert np.max(np.abs(missed)) < 1e-10 * solution.work[-1]
+
+
+def test_a_layer_of_the_same_solid_twists_and_slips_as_a_half_space():
+    same = wk.Foundation(BALL, wk.CoatedHalfSpace([wk.Layer(SOLID, 0.02)], on=SOLID))
+    plain = wk.Foundation(BALL, wk.HalfSpace.between(SOLID))
+    _, a, force = pressed(plain)
+    load = wk.Force(force * np.array([0.0, 0.5, 1.0, 0.8]))
+    angle = wk.Angle(MU * force / (16.0 / 3.0 * a**2) * np.array([0.0, 0.4, 1.2, -0.3]))
+    twists = [wk.Torsion(bed, wk.Coulomb(MU), wk.Path(np.arange(4.0), load, angle)).solve() for bed in (same, plain)]
+    for word in ("torque", "stick_radius", "dissipation"):
+        first, other = (getattr(twist, word) for twist in twists)
+        np.testing.assert_allclose(first, other, rtol=1e-7, atol=1e-9 * np.max(other))
+    shift = wk.Shift(MU * force / (2.0 * same.medium.shear_modulus * a) * np.array([0.0, 0.4, 1.2, -0.3]))
+    path = wk.Path(np.arange(4.0), load, shift)
+    first = wk.CoatedTangential(same, wk.Coulomb(MU), path).solve()
+    other = wk.Tangential(plain, wk.Coulomb(MU), path).solve()
+    np.testing.assert_allclose(first.shear_force, other.shear_force, rtol=2e-5)
+
+
+@pytest.mark.parametrize("k", [-0.4, 0.3, 0.7])
+def test_torsion_on_a_power_law(k):
+    bed = wk.Foundation(BALL, wk.GradedHalfSpace.between(PowerLawGraded(2.6, 0.5, exponent=k, poisson=0.3)))
+    contact, a, force = pressed(bed)
+    angle = 0.8 * MU * force * a / float(bed.medium.punch_torsional_stiffness(np.array([a]))[0])
+    path, law = steady(bed, wk.Coulomb(MU), [0.0, angle], wk.Angle)
+    state = wk.Torsion(bed, law, path).solve().at(1)
+    r = a * np.linspace(0.02, 0.98, 40)
+    slides, borne = r > state.stick_radius, MU * wk.restore(contact, r).pressure
+    np.testing.assert_allclose(state.traction(r)[slides], borne[slides], rtol=1e-7)
+    # the greatest torque is that of the pressure: mu int p r 2 pi r dr, p = p_0 (1 - r^2/a^2)^((1+k)/2)
+    mean = mp.beta(1.5, 0.5 * (3.0 + k)) / mp.beta(1.0, 0.5 * (3.0 + k))
+    assert state.torque_limit == pytest.approx(MU * force * a * float(mean), rel=1e-9)
+    # where it sticks the angle is constant: phi = mu (1+k) c^k / (2 G_0) int_c^a p (r^2 - c^2)^(-(1+k)/2) dr
+    c, top = state.stick_radius, 0.5 * (3.0 + k) * force / (np.pi * a * a)
+    n = 0.5 * (1.0 + k)
+    free, root = a * a - c * c, 1.0 / (1.0 - n)  # r^2 = c^2 + free s^root
+    share = mp.quad(lambda s: (1 - s**root) ** n / mp.sqrt(c * c + free * s**root), [0, 0.5, 1])
+    integral = 0.5 * free * a ** (-2.0 * n) * root * share
+    assert angle == pytest.approx(MU * (1.0 + k) * 0.5**k / 2.0 * top * float(integral), rel=1e-8)
+
+
+@pytest.mark.parametrize("k", [-0.9, -0.3, -2e-5, 1e-5, 3e-4, 0.5, 0.99])
+def test_the_function_of_the_bound(k):
+    z = np.array([1e-12, 1e-3, 0.24, 0.26, 1.5, 3.9])
+    with mp.workdps(40):
+        want = [float(mp.hyp2f1(0.5, 0.5 * (1.0 + mp.mpf(k)), 1, 1 - mp.mpf(each))) for each in z]
+    np.testing.assert_allclose(bound_shape(k, z), want, rtol=2e-9)
+
+
+def test_the_greatest_torque_is_that_of_the_pressure_on_a_stack():
+    stack = [wk.Layer(wk.Elastic(8.0, 0.2), 0.01), wk.Layer(wk.Elastic(0.5, 0.45), 0.01)]
+    bed = wk.Foundation(BALL, wk.CoatedHalfSpace(stack, on=SOLID))
+    contact, a, _ = pressed(bed)
+    bound = twist_bound(bed, MU, a, False)
+    nodes, weights = np.polynomial.legendre.leggauss(200)
+    angle = 0.25 * np.pi * (nodes + 1.0)
+    r = a * np.sin(angle)
+    whole = (
+        2.0
+        * np.pi
+        * float(np.sum(0.25 * np.pi * weights * a * np.cos(angle) * r * r * wk.restore(contact, r).pressure))
+    )
+    assert bound.most(PressedState(D, a, 0.0)) == pytest.approx(MU * whole, rel=1e-8)
+
+
+def test_springs_of_similar_kernels_miss_the_slip_on_a_hard_coating():
+    """The scaling of the normal solution (Jaeger, Ciavarella) is off by a sixth of the friction there."""
+    bed = wk.Foundation(BALL, coated("hard"))
+    _, a, force = pressed(bed)
+    shift = 1.2 * MU * force / float(bed.medium.punch_shear_stiffness(np.array([a]))[0])
+    path, law = steady(bed, wk.Coulomb(MU), [0.0, shift], wk.Shift)
+    right = wk.CoatedTangential(bed, law, path).solve()
+    scaled = wk.Tangential(bed, law, path).solve()
+    missed = float(scaled.shear_force[1] - right.shear_force[1]) / (MU * force)
+    assert -0.25 < missed < -0.05
+    note = next(note for note in right.validity if "softer than without" in note.statement)
+    assert note.standing is wk.Standing.APPROXIMATE
+
+
+def test_what_is_refused():
+    bed = wk.Foundation(BALL, coated("hard"))
+    plane = wk.Path([0.0, 1.0], wk.Depth([D, D]), wk.Shift([[0.0, 0.0], [1e-6, 1e-6]]))
+    with pytest.raises(wk.InvalidInput, match="along one line"):
+        wk.CoatedTangential(bed, wk.Coulomb(MU), plane)
+    line = wk.Path([0.0, 1.0], wk.Depth([D, D]), wk.ShearForce([0.0, 1.0]))
+    with pytest.raises(wk.OutsideValidity, match="use Tangential for other media"):
+        wk.CoatedTangential(wk.Foundation(BALL, wk.HalfSpace.between(SOLID)), wk.Coulomb(MU), line)
+    with pytest.raises(wk.OutsideValidity, match="the shear force of 1 N exceeds what friction bears"):
+        wk.CoatedTangential(bed, wk.Coulomb(MU), line).solve()
+    thin = wk.CoatedHalfSpace([wk.Layer(SOLID, 1e-5)], on=wk.Elastic(26.0, 0.3))
+    with pytest.raises(wk.OutsideValidity, match="too wide against the length"):
+        twist_bound(wk.Foundation(BALL, thin), MU, 0.03, False)
+    state = wk.Torsion(bed, wk.Coulomb(MU), wk.Path([0.0], wk.Depth([D]), wk.Angle([1e-9]))).solve().at(0)
+    with pytest.raises(wk.OutsideValidity, match="displacement of the surface around the axis"):
+        state.turning(0.01)
+    with pytest.raises(wk.OutsideValidity, match="stresses of a twist inside"):
+        state.below(0.01, 0.01)
