@@ -33,7 +33,7 @@ def test_the_ball_of_the_manual_bounces_as_hertz_has_it(root, tmp_path, capsys):
     made = subprocess.run(command, capture_output=True, text=True, check=True)
     assert made.stderr == ""
     text = subprocess.run([program], capture_output=True, text=True, check=True).stdout
-    assert text in (root / "docs" / "own-program.md").read_text(encoding="utf-8")
+    assert text in (root / "docs" / "tutorials" / "own-program.md").read_text(encoding="utf-8")
     time, depth, force, restitution, off = map(float, re.findall(r"(\d[\d.e+-]*\d)", text))
     modulus, radius, mass, velocity = 210e9 / (2.0 * (1.0 - 0.3**2)), 10e-3, 0.0327, 0.005
     deepest = (15.0 / 16.0 * mass * velocity**2 / (modulus * np.sqrt(radius))) ** 0.4

@@ -7,7 +7,7 @@ import pytest
 from scipy.special import j0
 
 import winkler as wk
-from winkler.numerics.surfaces.layered_pixels import LayeredSurface
+from winkler.numerics.pixels.layered import LayeredSurface
 from winkler.numerics.surfaces.surface_grid import SurfaceGrid
 from winkler.numerics.transforms.cosine_transform import in_own_lengths
 

@@ -17,7 +17,7 @@ import numpy as np
 
 from winkler.materials.conducting_body import ConductingBody, Plated, resistivity_of, surface_of
 from winkler.media.conduction.disc_resistance import PlatedResponse
-from winkler.numerics.surfaces.layered_pixels import LayeredSurface
+from winkler.numerics.pixels.layered import LayeredSurface
 from winkler.numerics.surfaces.punched_grid import punch
 from winkler.numerics.surfaces.surface_grid import SurfaceGrid
 from winkler.numerics.types import Array

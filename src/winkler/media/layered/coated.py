@@ -27,7 +27,7 @@ from winkler.media.layered.sheared import ShearedLayers, SurfaceResponse
 from winkler.media.layered.tangential_response import TangentialResponse
 from winkler.media.medium import Displacement, PunchFacts, rigid_body
 from winkler.media.punch_field import BodyField
-from winkler.numerics.surfaces.layered_pixels import GridResponse
+from winkler.numerics.pixels.layered import GridResponse
 from winkler.numerics.transforms import abel, fredholm
 from winkler.numerics.types import Array, Curve
 from winkler.profiles.profile import Profile

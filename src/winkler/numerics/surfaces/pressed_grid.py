@@ -15,7 +15,7 @@ import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.numerics.arrays import cast, given, namespace_of
-from winkler.numerics.surfaces.layered_pixels import SurfaceBelow
+from winkler.numerics.pixels.layered import SurfaceBelow
 from winkler.numerics.surfaces.pressed_box import BoxContact, ByDepth, ByLoad, box_around
 from winkler.numerics.surfaces.pressed_sums import overlap_and_work, shared
 from winkler.numerics.surfaces.surface_grid import DOUBLE, SINGLE, SurfaceGrid

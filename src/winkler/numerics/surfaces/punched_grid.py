@@ -14,7 +14,7 @@ import numpy as np
 
 from winkler.errors import NotConverged
 from winkler.numerics.arrays import cast, dot, given, namespace_of
-from winkler.numerics.surfaces.layered_pixels import SurfaceBelow
+from winkler.numerics.pixels.layered import SurfaceBelow
 from winkler.numerics.surfaces.pressed_box import box_around
 from winkler.numerics.surfaces.surface_grid import DOUBLE, SINGLE, SurfaceGrid
 from winkler.numerics.surfaces.traction_grid import Compliance, TractionGrid

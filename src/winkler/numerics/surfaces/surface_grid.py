@@ -6,7 +6,7 @@ Where E* is one, pressures p sink the surface by
 
 a convolution, made by fast Fourier transforms: of a free surface on a grid of twice the size, with Love's exact
 displacement at the centres of the pixels; of a periodic one by 2 / \|q\|, which leaves its mean at rest.  Layers add
-the integral of their kernel over the pixel (`winkler.numerics.surfaces.layered_pixels`), or multiply waves by 1 + M.
+the integral of their kernel over the pixel (`winkler.numerics.pixels.layered`), or multiply waves by 1 + M.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from winkler.numerics.arrays import cast, namespace_of, real_waves, waves_back
-from winkler.numerics.surfaces.layered_pixels import SurfaceBelow
+from winkler.numerics.pixels.layered import SurfaceBelow
 from winkler.numerics.threads import cores
 from winkler.numerics.types import Array
 

@@ -9,8 +9,8 @@ from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
+from winkler.numerics.pixels.layered import GridResponse, LayeredSurface, SurfaceBelow
 from winkler.numerics.pixels.power_law import PowerLawSurface
-from winkler.numerics.surfaces.layered_pixels import GridResponse, LayeredSurface, SurfaceBelow
 from winkler.numerics.transforms.cosine_transform import in_own_lengths
 from winkler.numerics.types import Quantity
 from winkler.problems.rough.surface_notes import surface_notes

@@ -5,7 +5,7 @@ Pressures p >= 0 and gaps w >= 0 with p w = 0 in every pixel, and
 .. math:: w(x,y) = h(x,y) - d + \frac{1}{\pi E^*}\int\frac{p(x',y')}{\sqrt{(x-x')^2+(y-y')^2}}\,\mathrm dA' ,
 
 are found by preconditioned conjugate gradients (`winkler.numerics.surfaces.pressed_grid`); layers add a kernel
-(`winkler.numerics.surfaces.layered_pixels`).  The stiffness dF/dd is that of a flat punch of the shape of the contact.
+(`winkler.numerics.pixels.layered`).  The stiffness dF/dd is that of a flat punch of the shape of the contact.
 """
 
 from __future__ import annotations

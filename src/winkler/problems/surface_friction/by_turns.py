@@ -9,7 +9,7 @@ from typing import Protocol, TypeVar
 import numpy as np
 
 from winkler.errors import NotConverged
-from winkler.numerics.surfaces.layered_pixels import SurfaceBelow
+from winkler.numerics.pixels.layered import SurfaceBelow
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, PressedSurface, press
 from winkler.numerics.surfaces.pressed_sums import overlap_and_work
 from winkler.numerics.surfaces.traction_grid import TractionGrid
