@@ -208,7 +208,7 @@ def _chord(content: Mapping[str, Any], problem: Any) -> bool:
 
 def _rises(problem: Any) -> bool:
     """Return whether a shape is known to touch at its axis first, so that depths count from there."""
-    return bool(getattr(getattr(problem.bed, "profile", None), "rising", False))
+    return bool(getattr(getattr(getattr(problem, "bed", None), "profile", None), "rising", False))
 
 
 @law("what is stored is not negative", "stored_energy")

@@ -88,7 +88,7 @@ def true_area_of_a_ball(problem: dict) -> dict:
 def thermal_joint_of_a_ball(problem: dict) -> dict:
     """Hertz with the radius 1 m of the map, and an isothermal disc."""
     a, pair = mp.sqrt(number(problem["contact"]["load"]["depth"])), problem["conductors"]
-    return {"conductance": 4 * a / sum(1 / number(pair[which]["conductivity"]) for which in ("first", "second"))}
+    return {"spot_conductance": 4 * a / sum(1 / number(pair[which]["conductivity"]) for which in ("first", "second"))}
 
 
 def seal_of_grooves(problem: dict) -> dict:

@@ -55,8 +55,11 @@ ELSEWHERE = {
     wk.ContactLaw,
     wk.ContactTrace,
     wk.Contacts,
+    wk.CoatedTangential,
+    wk.CorrelationLengths,
     wk.CurrentFields,
     wk.EllipticFields,
+    wk.FlowFactors,
     wk.HeatFields,
     wk.NamedMaterial,
     wk.PlateBase,
@@ -74,7 +77,7 @@ ELSEWHERE = {
     wk.TwistedFields,
 }
 """Thousands of contacts or springs at once, arrays that no study file holds; restored fields and statistics of a map,
-which are answers; and references, which a method takes."""
+which are answers; references, which a method takes; and a problem of Python alone."""
 
 
 def test_the_catalogue_knows_every_public_value_that_a_study_could_name():

@@ -20,7 +20,6 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-import scipy.linalg
 
 from winkler.errors import NotConverged
 from winkler.numerics.springs.spectrum_response import Measurements, Response, SpectrumLayout, bending, linearised
@@ -230,6 +229,8 @@ def _settle(
 
 def _step(curvature: Array, convex: Array, right: Array, damping: float) -> Array:
     """Return Newton's step where the cost is curved upwards, or that of Gauss and Newton."""
+    import scipy.linalg
+
     for matrix in (curvature, convex):
         damped = matrix + damping * np.diag(np.diag(convex))
         try:

@@ -173,9 +173,6 @@ class ThermalJointSolution:
     __words__ = words(
         contact=("", None, "the contact by boundary elements"),
         conductance=(r"\Lambda", "W/K", "heat rate over temperature drop"),
-        spot_conductance=(r"\Lambda_c", "W/K", "heat rate through the spots that touch, over temperature drop"),
-        gap_conductance=(r"\Lambda_g", "W/K", "heat rate through the gap, over temperature drop"),
-        joint_conductance=("h_j", "W/(m^2 K)", "conductance per area of the map"),
         resistance=("R", "K/W", "temperature drop over heat rate"),
     )
 

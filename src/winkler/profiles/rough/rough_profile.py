@@ -50,6 +50,8 @@ class RoughProfile(Topography):
     heights: Array = dataclasses.field(init=False, repr=False, default_factory=lambda: np.zeros((2, 2)))
     lengths: Array = dataclasses.field(init=False, repr=False, default_factory=lambda: np.ones(2))
     periodic: bool = dataclasses.field(init=False, repr=False, default_factory=bool)
+    tip_radius: float = dataclasses.field(init=False, repr=False, default=0.0)
+    removed: str = dataclasses.field(init=False, repr=False, default="")
     topography: Topography = dataclasses.field()
     profile: Profile | CurvedBodies = dataclasses.field()
 
@@ -60,3 +62,5 @@ class RoughProfile(Topography):
         made = Topography(smooth.heights + (rough.heights - np.nanmean(rough.heights)), rough.lengths)
         object.__setattr__(self, "heights", made.heights)
         object.__setattr__(self, "lengths", made.lengths)
+        object.__setattr__(self, "tip_radius", rough.tip_radius)
+        object.__setattr__(self, "removed", rough.removed)
