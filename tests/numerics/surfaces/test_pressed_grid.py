@@ -228,3 +228,15 @@ def test_shapes_of_another_code(shared_data, shape, heights):
         contact = press(h, (side / 128, side / 128), ByDepth(depth), periodic=False)
         force = contact.pressure.sum() * (side / 128) ** 2
         assert force == pytest.approx(float(row["F_Richardson(256,512;p=2)"]), rel=6e-3)
+
+
+@pytest.mark.filterwarnings("ignore::RuntimeWarning")
+def test_what_no_numbers_hold_is_not_taken_for_solved():
+    """Under 1e-14 a single pixel touches; gaps over depths of 1e-18 and less cancel all digits."""
+    heights = np.add.outer((np.arange(40.0) - 20.0) ** 2, (np.arange(40.0) - 20.0) ** 2)
+    pressed = press(heights, (1.0, 1.0), ByLoad(1e-14), periodic=False)
+    assert np.count_nonzero(pressed.pressure) == 1
+    assert np.sum(pressed.pressure) == pytest.approx(1e-14, rel=1e-12)
+    for load in (1e-30, 1e-200):
+        with pytest.raises(ArithmeticError):
+            press(heights, (1.0, 1.0), ByLoad(load), periodic=False)

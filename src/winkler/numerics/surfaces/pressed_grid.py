@@ -36,6 +36,8 @@ SINGLE_DIGITS_CONTRAST, CONTRAST_WAVES = 1e2, 40
 """Ratio of 1 + M among these many waves up to which single digits are enough."""
 SINGLE_DIGITS_TOLERANCE = 4e-7
 """To what pressures and gaps may be solved in single digits; what they leave is then found anew in double ones."""
+SINGLE_DIGITS_REACH = 1e12
+"""Greatest gap, over about the depth, whose square single digits hold in sums over all pixels."""
 INNER_RATIO = 0.6
 """Part of the tolerance to which the box around the contact is solved, and then to less."""
 
@@ -224,10 +226,14 @@ def _pressed(
             depth = float(xp.sum(xp.where(pressing, gap, 0.0))) / int(xp.count_nonzero(pressing))
         gap -= depth
         left = overlap_and_work(p, gap, depth, ceiling)
+        if math.isinf(max(left)):
+            raise OverflowError("gaps and pressures leave the range of numbers")
         if max(left) <= tolerance:
             return PressedSurface(p, gap, depth, *left, count)
         box = box_around((p > 0.0) | (gap < 0.0)) if elastic and not surface.periodic else everywhere
-        grid = surface.rough_grid(whole, p[box].shape).beside(heights)
+        near = float(xp.max(xp.abs(gap))) < SINGLE_DIGITS_REACH
+        rough = surface.rough_grid(whole, p[box].shape) if near else surface.grid(p[box].shape)
+        grid = rough.beside(heights)
         digits = p.dtype
         if round_ == 0 and elastic and inner >= SINGLE_DIGITS_TOLERANCE and grid.response.dtype == xp.float32:
             digits = xp.float32

@@ -20,6 +20,8 @@ def overlap_and_work(p: Any, gap: Any, depth: float, ceiling: float) -> tuple[fl
     """
     overlap, spent, load = left_over(p, gap, ceiling)
     borne = abs(load * depth)
+    if not math.isfinite(overlap + spent + borne):
+        return math.inf, math.inf
     return overlap / abs(depth), spent / borne if borne > 0.0 else 0.0
 
 
@@ -32,7 +34,7 @@ def left_over(p: Any, gap: Any, ceiling: float) -> tuple[float, float, float]:
         soft = p < ceiling
         lowest = float(xp.min(xp.where(soft, gap, 0.0)))
         spent = dot(p, xp.where(soft, xp.abs(gap), xp.clip(gap, 0.0, math.inf)))
-    return max(0.0, -lowest), spent, float(xp.sum(p, dtype=xp.float64))
+    return 0.0 if lowest >= 0.0 else -lowest, spent, float(xp.sum(p, dtype=xp.float64))
 
 
 def shared(target: Any, ceiling: float, load: float) -> Any:
