@@ -34,7 +34,7 @@ MOST_ROUNDS = 20
 """How often the whole surface is checked before it has not converged; two are usual."""
 SINGLE_DIGITS_CONTRAST, CONTRAST_WAVES = 1e2, 40
 """Ratio of 1 + M among these many waves up to which single digits are enough."""
-SINGLE_DIGITS_TOLERANCE = 4e-7
+SINGLE_DIGITS_TOLERANCE = 1e-5
 """To what pressures and gaps may be solved in single digits; what they leave is then found anew in double ones."""
 SINGLE_DIGITS_REACH = 1e12
 """Greatest gap, over about the depth, whose square single digits hold in sums over all pixels."""
@@ -221,7 +221,7 @@ def _pressed(
     for round_ in range(MOST_ROUNDS):
         gap = whole.displaced(p)
         gap += heights
-        if math.isnan(depth):
+        if math.isnan(depth) or (elastic and isinstance(drive, ByLoad)):  # which has been brought to the load
             pressing = p > 0.0
             depth = float(xp.sum(xp.where(pressing, gap, 0.0))) / int(xp.count_nonzero(pressing))
         gap -= depth
