@@ -51,7 +51,9 @@ class Question:
         self.task = ui.toggle(TASKS, value=entered.task).props("no-caps unelevated spread").classes("task")
         self.task.props["aria-label"] = "what to do"
         self.task.on_value_change(lambda event: entered.switch_task(event.value))
-        self.choice = ui.select({}, label="problem").props("outlined options-dense").classes("problem")
+        # all kinds stand in the list at once: one that is far away can be found and read aloud, too
+        drawn = "outlined options-dense virtual-scroll-slice-size=500"
+        self.choice = ui.select({}, label="problem").props(drawn).classes("problem")
         labels = json.dumps({_in_words(kind): chapter for kind, chapter in _chapters().items()})
         self.choice.add_slot("option", OPTION.format(safe(labels)))
         self.choice.props["data-choice"] = "problem"
