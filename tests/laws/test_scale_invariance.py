@@ -84,6 +84,12 @@ ROUNDED: dict[tuple[str, str], Rounded] = {
     ("SurfaceContactSolution", "penetration"): ERROR,
     ("SurfaceContactSolution", "misfit"): ERROR,
     ("SealSolution", "imbalance"): ERROR,
+    **{
+        ("ReducedFrictionSolution", name): Rounded(
+            1e-8, "the contacts of the map are solved to 1e-6, in steps of single digits"
+        )
+        for name in ("spring_shift_x", "spring_shift_y")
+    },
     **{("SurfaceWearSolution", name): ERROR for name in ("imbalance", "penetration", "misfit")},
     **{("SurfaceWearSolution", name): PRESSED for name in ("area", "peak_pressure", "mean_pressure", "worn_depth")},
     ("LineProfileSolution", "strip_error"): ERROR,
