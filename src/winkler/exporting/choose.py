@@ -26,12 +26,12 @@ from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 __all__ = ["LAWS", "law_of"]
 
 LAWS = {
-    "Indentation": "normal force of any shape, up to the deepest load",
+    "Indentation": "normal force of a body of revolution, up to the deepest load",
     "ContactLaw": "the same, up to its depth and to its tolerance",
     "Tangential": "the same with friction in the plane, up to the deepest point of the path",
     "ElasticPlasticParticle": "a particle that yields and sticks, with all its hysteresis",
     "AdhesiveCycle": "a ball with short-ranged adhesion and hysteresis, along a path of depths",
-    "ViscoelasticIndentation": "any shape on a body that relaxes, up to the deepest point of the path",
+    "ViscoelasticIndentation": "a body of revolution on one that relaxes, up to the deepest point of the path",
     "Contacts": "two balls with friction, twist and rolling; in Python",
 }
 """Problem -> what it is as a law."""

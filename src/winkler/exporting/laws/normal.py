@@ -1,4 +1,4 @@
-"""A contact without friction, of any shape on any medium, as a law for other programs."""
+"""The normal contact of a body of revolution without friction, as a law for other programs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A contact with a viscoelastic body, of any shape, as a law for other programs."""
+"""A body of revolution on one that relaxes, as a law for other programs."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ def relaxing_law(problem: ViscoelasticIndentation, count: int, inputs: tuple[str
         f"Up to a depth of {deepest:.4g} m; beyond, the answer is not-a-number. {_error(elastic, deepest, count)}",
         *map(str, solution.validity),
     )
-    title = "A viscoelastic contact: any shape, springs that relax, let go and recover"
+    title = "A body of revolution on one that relaxes: springs that relax, let go and recover"
     duration = float(np.median(series.times)) / 5.0
     return StepLaw(
         title, step_relaxing, (solid, *law, *springs), state, MOTION, ANSWER, notes, inputs, _trial(deepest, duration)

@@ -1,4 +1,4 @@
-"""A contact of any shape with friction, in the plane, as a law for other programs."""
+"""A body of revolution that is pushed with friction, in the plane, as a law for other programs."""
 
 from __future__ import annotations
 
@@ -100,7 +100,7 @@ def sheared_law(problem: Tangential, tolerance: float, count: int, inputs: tuple
         str(sticking_note(bed.medium, coefficient_of(friction))),
         *map(str, spring_notes(springs, friction, in_plane=True)),
     )
-    title = "A contact with friction: any shape, springs that stick and slip in the plane"
+    title = "A contact of a body of revolution with friction: springs that stick and slip in the plane"
     most = kinetic / float(np.min(springs.mindlin_ratio)) * deepest
     return StepLaw(title, step_sheared, (*tables, *own), state, MOTION, ANSWER, notes, inputs, _trial(deepest, most))
 
