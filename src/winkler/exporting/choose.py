@@ -22,6 +22,7 @@ from winkler.problems.particles.contact_law import ContactLaw, ContactLawSolutio
 from winkler.problems.particles.contacts import Contacts
 from winkler.problems.particles.elastic_plastic import ElasticPlasticParticle
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
+from winkler.profiles.power import Paraboloid
 
 __all__ = ["LAWS", "law_of"]
 
@@ -55,25 +56,36 @@ def law_of(problem: Any, *, tolerance: float, count: int) -> StepLaw:
         If it is none of these; the message lists them.
     """
     inputs = _described(problem)
+    radius = ball_radius(getattr(problem, "bed", None))
     match problem:
         case Indentation():
-            return normal_law(problem.bed, float(np.max(problem.solve().depth)), tolerance, inputs)
+            law = normal_law(problem.bed, float(np.max(problem.solve().depth)), tolerance, inputs)
         case ContactLaw():
-            return normal_law(problem.bed, problem.deepest, problem.tolerance, inputs)
+            law = normal_law(problem.bed, problem.deepest, problem.tolerance, inputs)
         case ContactLawSolution():
             return law_of(problem.problem, tolerance=tolerance, count=count)
         case Tangential():
-            return sheared_law(problem, tolerance, count, inputs)
+            law = sheared_law(problem, tolerance, count, inputs)
         case ElasticPlasticParticle():
-            return particle_law(problem, inputs)
+            law, radius = particle_law(problem, inputs), problem.curvature_radius
         case AdhesiveCycle():
-            return adhesive_law(problem, inputs)
+            law = adhesive_law(problem, inputs)
         case ViscoelasticIndentation():
-            return relaxing_law(problem, count, inputs)
+            law = relaxing_law(problem, count, inputs)
         case Contacts():
-            return ball_law(problem, inputs)
-    known = "; ".join(f"{name} ({what})" for name, what in LAWS.items())
-    raise InvalidInput(f"export: {type(problem).__name__} is no contact law for other programs; give one of: {known}.")
+            law, radius = ball_law(problem, inputs), float(problem.curvature_radius[0])
+        case _:
+            known = "; ".join(f"{name} ({what})" for name, what in LAWS.items())
+            raise InvalidInput(
+                f"export: {type(problem).__name__} is no contact law for other programs; give one of: {known}."
+            )
+    return law._replace(curvature_radius=radius, against_plane=isinstance(problem, ElasticPlasticParticle))
+
+
+def ball_radius(bed: Any) -> float:
+    """Return R [m] of a bed under a paraboloid; not-a-number for another shape, or none."""
+    profile = getattr(bed, "profile", None)
+    return profile.curvature_radius if isinstance(profile, Paraboloid) else math.nan
 
 
 def _described(problem: Any) -> tuple[str, ...]:

@@ -16,6 +16,7 @@ from winkler.exporting.step_law import StepLaw
 from winkler.exporting.targets.c_law import c_law
 from winkler.exporting.targets.fmu_law import fmu_law
 from winkler.exporting.targets.fortran_law import fortran_law
+from winkler.exporting.targets.lammps_law import lammps_law
 from winkler.exporting.targets.python_law import python_law
 from winkler.exporting.targets.wasm_law import wasm_law
 from winkler.io.whole_file import write_whole_text, written_whole
@@ -27,6 +28,7 @@ TARGETS: dict[str, tuple[str, Callable[[StepLaw, str], Mapping[str, str | bytes]
     "c": ("one header in C99, without dependencies", lambda law, name: {f"{name}.h": c_law(law, name)}),
     "python": ("one file that needs numpy alone", lambda law, name: {f"{name}.py": python_law(law, name)}),
     "fortran": ("a module in Fortran 2008 over the header", fortran_law),
+    "lammps": ("a pair style for LAMMPS' plugin load; without friction a sub-model of granular, too", lammps_law),
     "fmu": ("a unit for co-simulation by FMI 2.0: source, and a binary where there is a C compiler", fmu_law),
     "wasm": ("a module of WebAssembly with an example in JavaScript; needs winkler[export]", wasm_law),
 }
