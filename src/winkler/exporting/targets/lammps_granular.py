@@ -9,6 +9,8 @@ from winkler.exporting.targets.c_law import ITEMS
 
 __all__ = ["granular_law"]
 
+MOTIONS = {"depth": "share * gm->delta", "duration": "gm->history_update ? gm->dt : 0.0"}
+
 
 def granular_law(law: StepLaw, name: str, hold: float) -> dict[str, str]:
     """Return header and source of the sub-model.
@@ -31,10 +33,7 @@ def granular_law(law: StepLaw, name: str, hold: float) -> dict[str, str]:
         "hold": repr(hold * (2.0 if law.against_plane else 1.0)),
         "shared": "gm->contact_type == PAIR ? 0.5 : 1.0" if law.against_plane else "1.0",
         "radius": "0.0" if math.isnan(law.curvature_radius) else repr(law.curvature_radius),
-        "takes": "\n    ".join(
-            f"motion.{one.name} = {'share * gm->delta' if one.name == 'depth' else 'gm->history_update ? gm->dt : 0.0'};"
-            for one in law.motion
-        ),
+        "takes": "\n    ".join(f"motion.{one.name} = {MOTIONS[one.name]};" for one in law.motion),
         "recall": _each(law, "{to} = {kind}memory[{at} + k];"),
         "keep": _each(law, "memory[{at} + k] = (double){to};"),
     }

@@ -91,7 +91,7 @@ public:
     }
 
     void settings(int count, char **words) override {
-        if (count != 1) error->all(FLERR, "pair_style @name@: give the greatest distance of two centres at first touch");
+        if (count != 1) error->all(FLERR, "pair_style @name@: give the greatest distance of touching centres");
         size = utils::numeric(FLERR, words[0], false, lmp);
     }
 
@@ -146,7 +146,7 @@ public:
                         @name@_begin(&fresh.state);
                         found = contacts.emplace(key, fresh).first;
                     } else if (found->second.seen == now)
-                        error->one(FLERR, "pair_style @name@: two images of a particle touch another: use a larger box");
+                        error->one(FLERR, "pair_style @name@: two images of one sphere are near: use a larger box");
                     own = &found->second;
                     own->seen = now;
                     ++met;
@@ -189,7 +189,8 @@ public:
                     @adds@
                 }
                 cross(n, push, lever);
-                const bool with_a = force->newton_pair || a < atom->nlocal, with_b = force->newton_pair || b < atom->nlocal;
+                const bool with_a = force->newton_pair || a < atom->nlocal;
+                const bool with_b = force->newton_pair || b < atom->nlocal;
                 for (int k = 0; k < 3; ++k) {
                     if (with_a) f[a][k] += push[k], torque[a][k] += moment[k] - arm_a * lever[k];
                     if (with_b) f[b][k] -= push[k], torque[b][k] -= moment[k] + arm_b * lever[k];
@@ -209,7 +210,7 @@ private:
 
     void check_radii(double a, double b) {
         if (a + b > size * (1.0 + 1e-12))
-            error->one(FLERR, "pair_style @name@ was told of distances up to {} m, two spheres touch at {} m", size, a + b);
+            error->one(FLERR, "pair_style @name@: {} m was given, but spheres touch at {} m", size, a + b);
         const double radius = a * b / (a + b) / SHARED;
         if ((RADIUS > 0.0 && std::fabs(radius - RADIUS) > 1e-6 * RADIUS) || (SHARED < 1.0 && a != b))
             error->one(FLERR, "pair_style @name@ was made for R = {} m, two spheres have {} m", RADIUS, radius);
