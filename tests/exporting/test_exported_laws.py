@@ -40,6 +40,18 @@ def test_a_compiled_law_agrees_with_the_trace_it_holds(tmp_path, name):
     assert re.match(rf"{name}: \d+ steps agree with winkler to [\de.+-]+\n", text)
 
 
+@pytest.mark.parametrize("name", ["sheared", "powder"])
+def test_in_single_precision_a_law_states_how_far_it_is_off(tmp_path, name):
+    exported = export(PROBLEMS[name], "c", name=name, count=8, precision="float")
+    stated = float(re.search(r"off by up to ([\d.e+-]+) of its", exported.text)[1])
+    code = re.sub(r"/\*.*?\*/", "", exported.text, flags=re.DOTALL)
+    assert "double" not in code
+    write_export(exported, tmp_path)
+    code, text = ran(built(tmp_path, name))
+    assert code == 0, text
+    assert 1e-8 < float(text.split()[-1]) < 3.0 * stated < 1e-4
+
+
 def test_a_wrong_law_fails_its_own_test(tmp_path):
     (path,) = write_export(export(PROBLEMS["ball"], "c", name="ball"), tmp_path)
     text = path.read_text()
@@ -199,6 +211,8 @@ def test_mistakes_are_refused_in_one_sentence():
     ball = PROBLEMS["ball"]
     with pytest.raises(InvalidInput, match=r"^export: there is no target 'pyton'.*python"):
         export(ball, "pyton")
+    with pytest.raises(InvalidInput, match=r"no precision 'float' for fmu; give double"):
+        export(ball, "fmu", precision="float")
     for name in ("Ball", "2ball", "for", "a b", "a" * 40):
         with pytest.raises(InvalidInput, match=r"cannot begin the names of functions"):
             export(ball, "c", name=name)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from winkler.exporting.step_law import StepLaw, StepNumber
-from winkler.exporting.targets.c_example import c_main
+from winkler.exporting.targets.c_example import TRACE_TOLERANCE, c_main
 from winkler.exporting.targets.heading import heading_lines
 from winkler.translation.c_writer import INCLUDES, c_source
 from winkler.translation.translate import Translation
@@ -30,7 +30,7 @@ def translated_step(law: StepLaw) -> tuple[TranslationUnit, Routine]:
     return translation.unit(routine), routine
 
 
-def c_law(law: StepLaw, name: str) -> str:
+def c_law(law: StepLaw, name: str, tolerance: float = TRACE_TOLERANCE) -> str:
     """Return the file; its functions and types begin with the name.
 
     Parameters
@@ -38,6 +38,8 @@ def c_law(law: StepLaw, name: str) -> str:
     law : StepLaw
     name : str
         An identifier of C.
+    tolerance : float
+        To which its program compares the trace, over the greatest number of a column.
     """
     guard = f"{name.upper()}_H"
     use = [
@@ -52,7 +54,7 @@ def c_law(law: StepLaw, name: str) -> str:
         f"/*\n{comment.replace('*/', '* /')}\n */",
         f"#ifndef {guard}\n#define {guard}\n\n{INCLUDES}#include <string.h>",
         *law_parts(law, name),
-        f"#ifdef {name.upper()}_MAIN\n{c_main(law, name)}\n#endif",
+        f"#ifdef {name.upper()}_MAIN\n{c_main(law, name, tolerance)}\n#endif",
         "#endif",
     ]
     return "\n\n".join(parts) + "\n"
