@@ -15,7 +15,7 @@ from winkler.exporting.choose import law_of
 from winkler.exporting.step_law import StepLaw
 from winkler.exporting.targets.c_law import c_law
 from winkler.exporting.targets.dem_engine_law import dem_engine_law
-from winkler.exporting.targets.fmu_law import fmu_law
+from winkler.exporting.targets.fmu_law import fmu3_law, fmu_law
 from winkler.exporting.targets.fortran_law import fortran_law
 from winkler.exporting.targets.lammps_law import lammps_law
 from winkler.exporting.targets.python_law import python_law
@@ -33,6 +33,7 @@ TARGETS: dict[str, tuple[str, Callable[[StepLaw, str], Mapping[str, str | bytes]
     "lammps": ("a pair style for LAMMPS' plugin load; without friction a sub-model of granular, too", lammps_law),
     "dem-engine": ("text of a force model for DEM-Engine, without friction", dem_engine_law),
     "fmu": ("a unit for co-simulation by FMI 2.0: source, and a binary where there is a C compiler", fmu_law),
+    "fmu3": ("the same by FMI 3.0", fmu3_law),
     "wasm": ("a module of WebAssembly with an example in JavaScript; needs winkler[export]", wasm_law),
 }
 """Target -> what it is, and what writes its files."""
