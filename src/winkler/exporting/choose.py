@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.exporting.laws.attracted import attracted_law
 from winkler.exporting.laws.balls import ball_law
 from winkler.exporting.laws.normal import normal_law
 from winkler.exporting.laws.particle import adhesive_law, particle_law
@@ -15,6 +16,7 @@ from winkler.exporting.laws.relaxing import relaxing_law
 from winkler.exporting.laws.sheared import sheared_law
 from winkler.exporting.step_law import StepLaw
 from winkler.io.traces import inputs_of
+from winkler.laws.adhesion import DerjaguinMullerToporov
 from winkler.problems.adhesion.cycle import AdhesiveCycle
 from winkler.problems.friction.tangential import Tangential
 from winkler.problems.normal.indentation import Indentation
@@ -31,7 +33,7 @@ LAWS = {
     "ContactLaw": "the same, up to its depth and to its tolerance",
     "Tangential": "the same with friction in the plane, up to the deepest point of the path",
     "ElasticPlasticParticle": "a particle that yields and sticks, with all its hysteresis",
-    "AdhesiveCycle": "a ball with short-ranged adhesion and hysteresis, along a path of depths",
+    "AdhesiveCycle": "a ball with adhesion (JKR with hysteresis, or DMT), along a path of depths",
     "ViscoelasticIndentation": "a body of revolution on one that relaxes, up to the deepest point of the path",
     "Contacts": "two balls with friction, twist and rolling; in Python",
 }
@@ -68,6 +70,8 @@ def law_of(problem: Any, *, tolerance: float, count: int) -> StepLaw:
             law = sheared_law(problem, tolerance, count, inputs)
         case ElasticPlasticParticle():
             law, radius = particle_law(problem, inputs), problem.curvature_radius
+        case AdhesiveCycle(law=DerjaguinMullerToporov(work=work)):
+            law = attracted_law(problem, work, tolerance, inputs)
         case AdhesiveCycle():
             law = adhesive_law(problem, inputs)
         case ViscoelasticIndentation():
