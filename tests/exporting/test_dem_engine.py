@@ -64,7 +64,8 @@ def stepped(folder, name, depths, radii):
 
 
 @pytest.mark.parametrize(
-    ("name", "radii"), [("ball", (2e-3, 2e-3)), ("sticky", (2e-3, 2e-3)), ("powder", (1e-3, 1e15))]
+    ("name", "radii"),
+    [("ball", (2e-3, 2e-3)), ("sticky", (2e-3, 2e-3)), pytest.param("powder", (1e-3, 1e15), marks=pytest.mark.slow)],
 )
 def test_the_force_model_does_what_the_law_does(tmp_path, name, radii):
     law = law_of(PROBLEMS[name], tolerance=1e-6, count=8)
@@ -74,6 +75,7 @@ def test_the_force_model_does_what_the_law_does(tmp_path, name, radii):
     np.testing.assert_allclose(found, expected, rtol=1e-6, atol=1e-7 * np.max(np.abs(expected)))
 
 
+@pytest.mark.slow
 def test_two_particles_share_the_overlap_and_other_radii_have_no_force(tmp_path):
     law = law_of(PROBLEMS["powder"], tolerance=1e-6, count=8)
     found = stepped(tmp_path, "powder", [2e-6, 40e-6], (1e-3, 1e-3))

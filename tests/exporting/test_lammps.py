@@ -174,6 +174,21 @@ def test_friction_in_lammps_is_that_of_contacts(tmp_path):
     np.testing.assert_allclose(rows[:, 0:3], -rows[:, 3:6], rtol=1e-13)
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["ball", "powder", "gel"])
+def test_the_sub_model_is_compiled_against_the_headers_of_lammps(tmp_path, name):
+    source = os.environ.get("LAMMPS_SOURCE")
+    if source is None or shutil.which("g++") is None:
+        pytest.skip("no source of LAMMPS here: set LAMMPS_SOURCE to its folder src")
+    headers, mpi, _ = includes()
+    write_export(export(PROBLEMS[name], "lammps", name=name, count=8), tmp_path)
+    folders = ["-isystem", str(Path(source) / "GRANULAR"), "-isystem", source, "-isystem", headers, "-isystem", mpi]
+    build = ["g++", "-std=c++17", "-Wall", "-Wextra", "-fsyntax-only", *folders, f"gran_sub_mod_{name}.cpp"]
+    made = subprocess.run(build, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert made.returncode == 0, made.stderr
+    assert "warning" not in made.stderr, made.stderr
+
+
 def test_what_is_written_for_lammps_is_filled_in():
     for name, count in (("ball", 4), ("sheared", 2), ("powder", 4)):
         files = dict(export(PROBLEMS[name], "lammps", name=name, count=4).files)
