@@ -9,7 +9,7 @@ import numpy as np
 from compiled_c import compiler
 
 from winkler.foundation.foundation import Foundation
-from winkler.laws.adhesion import ShortRange
+from winkler.laws.adhesion import DerjaguinMullerToporov, ShortRange
 from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.loading import Depth, Force, Shift
 from winkler.materials.elastic import Elastic
@@ -43,6 +43,7 @@ PROBLEMS = {
     "beads": Contacts.apart(GLASS, curvature_radius=1e-3, coefficient=0.3, reach=2e-6, rolling_arm=1e-5, count=8),
     "powder": ElasticPlasticParticle(1e-3, POWDER, Depth([50e-6, 0.0]), work_opening=0.1, work_closing=0.05),
     "sticky": AdhesiveCycle(RUBBER, ShortRange(work_closing=0.02, work_opening=0.05), Depth([10e-6, -1e-5])),
+    "pulled": AdhesiveCycle(BALL, DerjaguinMullerToporov(0.05), Depth([3e-8, 0.0])),
     "gel": ViscoelasticIndentation(GEL, Path([0.0, 1.0, 1.5], Depth([0.0, 1e-4, 0.5e-4]))),
 }
 

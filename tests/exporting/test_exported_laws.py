@@ -12,7 +12,7 @@ from winkler.errors import InvalidInput
 from winkler.exporting.choose import law_of
 from winkler.exporting.export import TARGETS, export, write_export
 from winkler.foundation.foundation import Foundation
-from winkler.laws.adhesion import DerjaguinMullerToporov, ShortRange
+from winkler.laws.adhesion import Dugdale, ShortRange
 from winkler.laws.friction import Coulomb
 from winkler.loading import Depth, Force, Shift
 from winkler.materials.elastic import Elastic
@@ -38,6 +38,18 @@ def test_a_compiled_law_agrees_with_the_trace_it_holds(tmp_path, name):
     code, text = ran(built(tmp_path, name))
     assert code == 0
     assert re.match(rf"{name}: \d+ steps agree with winkler to [\de.+-]+\n", text)
+
+
+@pytest.mark.parametrize("name", ["sheared", "powder"])
+def test_in_single_precision_a_law_states_how_far_it_is_off(tmp_path, name):
+    exported = export(PROBLEMS[name], "c", name=name, count=8, precision="float")
+    stated = float(re.search(r"off by up to ([\d.e+-]+) of its", exported.text)[1])
+    code = re.sub(r"/\*.*?\*/", "", exported.text, flags=re.DOTALL)
+    assert "double" not in code
+    write_export(exported, tmp_path)
+    code, text = ran(built(tmp_path, name))
+    assert code == 0, text
+    assert 1e-8 < float(text.split()[-1]) < 3.0 * stated < 1e-4
 
 
 def test_a_wrong_law_fails_its_own_test(tmp_path):
@@ -139,6 +151,17 @@ def test_pull_off_is_that_of_johnson_kendall_and_roberts():
     assert np.min(force) == pytest.approx(-1.5 * np.pi * 0.05 * 1e-3, rel=1e-5)
 
 
+def test_attraction_of_long_range_pulls_with_two_pi_r_w_while_the_bodies_touch():
+    depth = np.array([-1e-8, 0.0, 1e-12, 1e-9, 2e-8, 3e-8])
+    force, stiffness, energy = law(PROBLEMS["pulled"]).trace(depth[:, np.newaxis]).T
+    pressed = np.maximum(depth, 0.0)
+    hertz = 4.0 / 3.0 * STEEL.modulus * np.sqrt(1e-3) * pressed**1.5
+    pull = np.where(depth > 0.0, 2.0 * np.pi * 1e-3 * 0.05, 0.0)
+    np.testing.assert_allclose(force, hertz - pull, rtol=1e-12)
+    np.testing.assert_allclose(energy, 0.4 * hertz * pressed - pull * pressed, rtol=1e-12)
+    np.testing.assert_allclose(stiffness[2:], 1.5 * hertz[2:] / depth[2:], rtol=1e-12)
+
+
 def test_a_particle_is_the_one_of_the_solver():
     path = np.array([50e-6, 40e-6, 0.0, -1e-6, 60e-6, 58e-6])
     powder = PROBLEMS["powder"]
@@ -199,6 +222,8 @@ def test_mistakes_are_refused_in_one_sentence():
     ball = PROBLEMS["ball"]
     with pytest.raises(InvalidInput, match=r"^export: there is no target 'pyton'.*python"):
         export(ball, "pyton")
+    with pytest.raises(InvalidInput, match=r"no precision 'float' for fmu; give double"):
+        export(ball, "fmu", precision="float")
     for name in ("Ball", "2ball", "for", "a b", "a" * 40):
         with pytest.raises(InvalidInput, match=r"cannot begin the names of functions"):
             export(ball, "c", name=name)
@@ -210,7 +235,7 @@ def test_mistakes_are_refused_in_one_sentence():
     moved = PROBLEMS["beads"].moved([1e-6], motion=[[1e-7, 0.0]])
     with pytest.raises(InvalidInput, match=r"moved already"):
         export(moved, "c")
-    far = AdhesiveCycle(RUBBER, DerjaguinMullerToporov(0.05), Depth([1e-6, 0.0]))
+    far = AdhesiveCycle(RUBBER, Dugdale(0.05, 1e6), Depth([1e-6, 0.0]))
     with pytest.raises(InvalidInput, match=r"give ShortRange"):
         export(far, "c")
     sharp = AdhesiveCycle(

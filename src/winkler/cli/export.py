@@ -20,6 +20,7 @@ def export(
     name: Annotated[str, typer.Option(help="With which functions and types begin.")] = "contact",
     tolerance: Annotated[float, typer.Option(help="Error of a force given by a table, over the greatest.")] = 1e-6,
     count: Annotated[int, typer.Option(help="How many springs bear friction.")] = 32,
+    precision: Annotated[str, typer.Option(help="Type of numbers: double, or float in C.")] = "double",
     overwrite: Annotated[bool, typer.Option("--overwrite", "--yes", "-y", help="Replace existing files.")] = False,
 ) -> None:
     """Write the contact law of a study as a source file that tests itself against winkler.
@@ -30,7 +31,8 @@ def export(
     from winkler.exporting.export import write_export
     from winkler.study.language.reading import read_study
 
-    law = exported_law(read_study(study).problem, to, name=name, tolerance=tolerance, count=count)
+    problem = read_study(study).problem
+    law = exported_law(problem, to, name=name, tolerance=tolerance, count=count, precision=precision)
     for file, _ in law.files:
         refuse_existing(output / file, overwrite, "output: ")
     for path in write_export(law, output):

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.exporting.laws.attracted import attracted_law
 from winkler.exporting.laws.balls import ball_law
 from winkler.exporting.laws.normal import normal_law
 from winkler.exporting.laws.particle import adhesive_law, particle_law
@@ -15,6 +16,7 @@ from winkler.exporting.laws.relaxing import relaxing_law
 from winkler.exporting.laws.sheared import sheared_law
 from winkler.exporting.step_law import StepLaw
 from winkler.io.traces import inputs_of
+from winkler.laws.adhesion import DerjaguinMullerToporov
 from winkler.problems.adhesion.cycle import AdhesiveCycle
 from winkler.problems.friction.tangential import Tangential
 from winkler.problems.normal.indentation import Indentation
@@ -22,6 +24,7 @@ from winkler.problems.particles.contact_law import ContactLaw, ContactLawSolutio
 from winkler.problems.particles.contacts import Contacts
 from winkler.problems.particles.elastic_plastic import ElasticPlasticParticle
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
+from winkler.profiles.power import Paraboloid
 
 __all__ = ["LAWS", "law_of"]
 
@@ -30,7 +33,7 @@ LAWS = {
     "ContactLaw": "the same, up to its depth and to its tolerance",
     "Tangential": "the same with friction in the plane, up to the deepest point of the path",
     "ElasticPlasticParticle": "a particle that yields and sticks, with all its hysteresis",
-    "AdhesiveCycle": "a ball with short-ranged adhesion and hysteresis, along a path of depths",
+    "AdhesiveCycle": "a ball with adhesion (JKR with hysteresis, or DMT), along a path of depths",
     "ViscoelasticIndentation": "a body of revolution on one that relaxes, up to the deepest point of the path",
     "Contacts": "two balls with friction, twist and rolling; in Python",
 }
@@ -55,25 +58,38 @@ def law_of(problem: Any, *, tolerance: float, count: int) -> StepLaw:
         If it is none of these; the message lists them.
     """
     inputs = _described(problem)
+    radius = ball_radius(getattr(problem, "bed", None))
     match problem:
         case Indentation():
-            return normal_law(problem.bed, float(np.max(problem.solve().depth)), tolerance, inputs)
+            law = normal_law(problem.bed, float(np.max(problem.solve().depth)), tolerance, inputs)
         case ContactLaw():
-            return normal_law(problem.bed, problem.deepest, problem.tolerance, inputs)
+            law = normal_law(problem.bed, problem.deepest, problem.tolerance, inputs)
         case ContactLawSolution():
             return law_of(problem.problem, tolerance=tolerance, count=count)
         case Tangential():
-            return sheared_law(problem, tolerance, count, inputs)
+            law = sheared_law(problem, tolerance, count, inputs)
         case ElasticPlasticParticle():
-            return particle_law(problem, inputs)
+            law, radius = particle_law(problem, inputs), problem.curvature_radius
+        case AdhesiveCycle(law=DerjaguinMullerToporov(work=work)):
+            law = attracted_law(problem, work, tolerance, inputs)
         case AdhesiveCycle():
-            return adhesive_law(problem, inputs)
+            law = adhesive_law(problem, inputs)
         case ViscoelasticIndentation():
-            return relaxing_law(problem, count, inputs)
+            law = relaxing_law(problem, count, inputs)
         case Contacts():
-            return ball_law(problem, inputs)
-    known = "; ".join(f"{name} ({what})" for name, what in LAWS.items())
-    raise InvalidInput(f"export: {type(problem).__name__} is no contact law for other programs; give one of: {known}.")
+            law, radius = ball_law(problem, inputs), float(problem.curvature_radius[0])
+        case _:
+            known = "; ".join(f"{name} ({what})" for name, what in LAWS.items())
+            raise InvalidInput(
+                f"export: {type(problem).__name__} is no contact law for other programs; give one of: {known}."
+            )
+    return law._replace(curvature_radius=radius, against_plane=isinstance(problem, ElasticPlasticParticle))
+
+
+def ball_radius(bed: Any) -> float:
+    """Return R [m] of a bed under a paraboloid; not-a-number for another shape, or none."""
+    profile = getattr(bed, "profile", None)
+    return profile.curvature_radius if isinstance(profile, Paraboloid) else math.nan
 
 
 def _described(problem: Any) -> tuple[str, ...]:

@@ -14,9 +14,12 @@ from winkler.errors import InvalidInput, suggest
 from winkler.exporting.choose import law_of
 from winkler.exporting.step_law import StepLaw
 from winkler.exporting.targets.c_law import c_law
-from winkler.exporting.targets.fmu_law import fmu_law
+from winkler.exporting.targets.dem_engine_law import dem_engine_law
+from winkler.exporting.targets.fmu_law import fmu3_law, fmu_law
 from winkler.exporting.targets.fortran_law import fortran_law
+from winkler.exporting.targets.lammps_law import lammps_law
 from winkler.exporting.targets.python_law import python_law
+from winkler.exporting.targets.single import single_law
 from winkler.exporting.targets.wasm_law import wasm_law
 from winkler.io.whole_file import write_whole_text, written_whole
 from winkler.values import value, words
@@ -27,7 +30,10 @@ TARGETS: dict[str, tuple[str, Callable[[StepLaw, str], Mapping[str, str | bytes]
     "c": ("one header in C99, without dependencies", lambda law, name: {f"{name}.h": c_law(law, name)}),
     "python": ("one file that needs numpy alone", lambda law, name: {f"{name}.py": python_law(law, name)}),
     "fortran": ("a module in Fortran 2008 over the header", fortran_law),
+    "lammps": ("a pair style for LAMMPS' plugin load; without friction a sub-model of granular, too", lammps_law),
+    "dem-engine": ("text of a force model for DEM-Engine, without friction", dem_engine_law),
     "fmu": ("a unit for co-simulation by FMI 2.0: source, and a binary where there is a C compiler", fmu_law),
+    "fmu3": ("the same by FMI 3.0", fmu3_law),
     "wasm": ("a module of WebAssembly with an example in JavaScript; needs winkler[export]", wasm_law),
 }
 """Target -> what it is, and what writes its files."""
@@ -70,7 +76,9 @@ class ExportedLaw:
         return first if isinstance(first, str) else ""
 
 
-def export(law: Any, to: str, *, name: str = "contact", tolerance: float = 1e-6, count: int = 32) -> ExportedLaw:
+def export(
+    law: Any, to: str, *, name: str = "contact", tolerance: float = 1e-6, count: int = 32, precision: str = "double"
+) -> ExportedLaw:
     """Return a contact law as a source file of another language.
 
     The law is translated from the source of winkler's own compiled loops.  Its heading states units, signs, inputs and
@@ -81,13 +89,15 @@ def export(law: Any, to: str, *, name: str = "contact", tolerance: float = 1e-6,
     law : Indentation, ContactLaw, Tangential or Contacts
         Without friction up to the deepest load; with friction; balls with twist and rolling.
     to : str
-        One of "c", "python", "fortran", "fmu", "wasm".
+        One of "c", "python", "fortran", "lammps", "dem-engine", "fmu", "fmu3", "wasm".
     name : str, optional
         With which functions and types begin; a word in small letters.
     tolerance : float, optional
         Error of a normal force that is given by a table, over the greatest force.
     count : int, optional
         How many springs a Tangential has; `Contacts` state it themselves.
+    precision : str, optional
+        "double", or "float" in C: the heading states by how much the answers are off along the test trace.
 
     Returns
     -------
@@ -119,12 +129,17 @@ def export(law: Any, to: str, *, name: str = "contact", tolerance: float = 1e-6,
         )
     checked(POSITIVE, "export", "tolerance", tolerance)
     checked(Whole(2, what="springs"), "export", "count", count)
+    if precision not in PRECISIONS or (precision == "float" and to != "c"):
+        raise InvalidInput(
+            f"export: there is no precision {precision!r} for {to}; give double for all targets, float for c."
+        )
     steps = law_of(law, tolerance=tolerance, count=count)
-    files = TARGETS[to][1](steps, name)
+    files = single_law(steps, name) if precision == "float" else TARGETS[to][1](steps, name)
     return ExportedLaw(name, to, steps.title, tuple(files.items()), steps.state_size)
 
 
 MOST_LETTERS = 24
+PRECISIONS = ("double", "float")
 
 
 def write_export(exported: ExportedLaw, folder: str | os.PathLike[str]) -> tuple[Path, ...]:

@@ -77,6 +77,10 @@ class StepLaw(NamedTuple):
         The problem in words, line by line.
     trial : ndarray, (steps, inputs)
         Motions of the test trace.
+    curvature_radius : float
+        R [m] of the contact, 1/R = 1/R1 + 1/R2, if the bodies are balls; else not-a-number.
+    against_plane : bool
+        Whether it is one body against a plane that does not yield: the half of a contact of two that are alike.
     """
 
     title: str
@@ -88,6 +92,8 @@ class StepLaw(NamedTuple):
     notes: tuple[str, ...]
     inputs: tuple[str, ...]
     trial: Array
+    curvature_radius: float = math.nan
+    against_plane: bool = False
 
     def trace(self, motions: Array | None = None) -> Array:
         """Return the answers, (steps, outputs), to motions, (steps, inputs); those of the test trace unless given."""

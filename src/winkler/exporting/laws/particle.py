@@ -18,7 +18,7 @@ from winkler.problems.particles.elastic_plastic import ELASTIC, ENGINEERING, Ela
 from winkler.problems.particles.elastic_plastic_springs import DEPTH_LIMIT, material_of
 from winkler.problems.particles.particle_step import step_particle
 
-__all__ = ["adhesive_law", "particle_law"]
+__all__ = ["adhesive_law", "ball_of", "checked_depth", "particle_law"]
 
 MOTION = (StepNumber("depth", "m", "d at the end of the step"),)
 ANSWER = (
@@ -60,14 +60,11 @@ def adhesive_law(problem: AdhesiveCycle, inputs: tuple[str, ...]) -> StepLaw:
     """
     if not isinstance(problem.law, ShortRange):
         raise InvalidInput(
-            f"export: adhesion by {type(problem.law).__name__} has no steps for other programs; give ShortRange."
+            f"export: adhesion by {type(problem.law).__name__} has no steps for other programs; give ShortRange, or "
+            "DerjaguinMullerToporov."
         )
-    if not isinstance(problem.path, Depth) or math.isfinite(problem.machine_stiffness):
-        raise InvalidInput("export: the other program states depths; give the path as Depth([...]), without a machine.")
-    radius, modulus = _ball(problem.bed)
-    deepest = float(np.max(numbers_of(problem.path)))
-    if not deepest > 0.0:
-        raise InvalidInput(f"export: the path goes {deepest:g} m deep; give one that presses the bodies together.")
+    deepest = checked_depth(problem)
+    radius, modulus = ball_of(problem.bed)
     wide = PARABOLOID_SCALE
     numbers = (
         radius, math.inf, modulus, 0.0, modulus, math.inf, 4.0 * radius * wide**2, radius * wide,
@@ -82,7 +79,17 @@ def adhesive_law(problem: AdhesiveCycle, inputs: tuple[str, ...]) -> StepLaw:
     return _law(title, numbers, notes, inputs, deepest)
 
 
-def _ball(bed: Bed) -> tuple[float, float]:
+def checked_depth(problem: AdhesiveCycle) -> float:
+    """Return the greatest depth of the path [m]; refuse a path of forces, and one that presses nothing."""
+    if not isinstance(problem.path, Depth) or math.isfinite(problem.machine_stiffness):
+        raise InvalidInput("export: the other program states depths; give the path as Depth([...]), without a machine.")
+    deepest = float(np.max(numbers_of(problem.path)))
+    if not deepest > 0.0:
+        raise InvalidInput(f"export: the path goes {deepest:g} m deep; give one that presses the bodies together.")
+    return deepest
+
+
+def ball_of(bed: Bed) -> tuple[float, float]:
     """Return R [m] and E* [Pa] of a bed with springs of a ball."""
     reach = min(bed.reach, bed.rim)
     unit = reach if math.isfinite(reach) else 1.0

@@ -15,8 +15,8 @@ TRACE_TOLERANCE = 1e-11
 """To which a compiled file agrees with the trace, over the greatest number of a column: compilers round differently."""
 
 
-def c_main(law: StepLaw, name: str) -> str:
-    """Return the program."""
+def c_main(law: StepLaw, name: str, tolerance: float = TRACE_TOLERANCE) -> str:
+    """Return the program, which compares to a tolerance."""
     answers = law.trace()
     scale = np.maximum(np.max(np.abs(answers), axis=0), 1e-300)
     count, takes, gives = len(law.trial), len(law.motion), len(law.answer)
@@ -49,7 +49,7 @@ int main(void) {{
         memcpy(got, &answer, sizeof(answer));
         for (int k = 0; k < {gives}; ++k) {{
             const double error = fabs(got[k] - trial_answer[step][k]) / trial_scale[k];
-            if (!(error <= {TRACE_TOLERANCE!r})) {{
+            if (!(error <= {tolerance!r})) {{
                 printf("step %d: %s is %.17g, winkler has %.17g\\n", step, columns[k], got[k], trial_answer[step][k]);
                 return 1;
             }}

@@ -8,13 +8,13 @@ from typing import Any
 import numpy as np
 
 from winkler.exporting.step_law import StepLaw, StepNumber
-from winkler.exporting.targets.c_example import c_main
+from winkler.exporting.targets.c_example import TRACE_TOLERANCE, c_main
 from winkler.exporting.targets.heading import heading_lines
 from winkler.translation.c_writer import INCLUDES, c_source
 from winkler.translation.translate import Translation
 from winkler.translation.tree import BOOL, INT, REAL, Routine, TranslatedType, TranslationUnit, array_of
 
-__all__ = ["c_law", "translated_step"]
+__all__ = ["c_law", "law_parts", "translated_step"]
 
 OWN_NAMES = frozenset({"begin", "step", "main"})
 """Functions that every file has."""
@@ -30,7 +30,7 @@ def translated_step(law: StepLaw) -> tuple[TranslationUnit, Routine]:
     return translation.unit(routine), routine
 
 
-def c_law(law: StepLaw, name: str) -> str:
+def c_law(law: StepLaw, name: str, tolerance: float = TRACE_TOLERANCE) -> str:
     """Return the file; its functions and types begin with the name.
 
     Parameters
@@ -38,8 +38,9 @@ def c_law(law: StepLaw, name: str) -> str:
     law : StepLaw
     name : str
         An identifier of C.
+    tolerance : float
+        To which its program compares the trace, over the greatest number of a column.
     """
-    unit, routine = translated_step(law)
     guard = f"{name.upper()}_H"
     use = [
         f'Use: #include "{name}.h"; {name}_begin(&state) before the first touch, {name}_step(&state, &motion, &answer)',
@@ -52,15 +53,23 @@ def c_law(law: StepLaw, name: str) -> str:
     parts = [
         f"/*\n{comment.replace('*/', '* /')}\n */",
         f"#ifndef {guard}\n#define {guard}\n\n{INCLUDES}#include <string.h>",
+        *law_parts(law, name),
+        f"#ifdef {name.upper()}_MAIN\n{c_main(law, name, tolerance)}\n#endif",
+        "#endif",
+    ]
+    return "\n\n".join(parts) + "\n"
+
+
+def law_parts(law: StepLaw, name: str) -> list[str]:
+    """Return kernels, tables, structures and functions of a law."""
+    unit, routine = translated_step(law)
+    return [
         c_source(unit, f"{name}_in_").rstrip(),
         *(_table(f"{name}_{table.name}", table.meaning, table.numbers) for table in law.tables),
         _structures(law, name),
         _begin(law, name),
         _step(law, name, routine),
-        f"#ifdef {name.upper()}_MAIN\n{c_main(law, name)}\n#endif",
-        "#endif",
     ]
-    return "\n\n".join(parts) + "\n"
 
 
 def numbers_of_c(numbers: np.ndarray[Any, Any]) -> str:

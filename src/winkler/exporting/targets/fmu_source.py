@@ -3,71 +3,14 @@
 from __future__ import annotations
 
 from winkler.exporting.step_law import StepLaw
-from winkler.exporting.targets.fmu_description import DURATION
+from winkler.exporting.targets.fmu_core import fmu_core
 
 __all__ = ["fmu_source"]
 
 
 def fmu_source(law: StepLaw, name: str, guid: str) -> str:
     """Return the C file."""
-    lines, place = [], 0
-    for one in law.motion:
-        if one.name == DURATION:
-            lines.append(f"    motion.{one.name} = step;")
-            continue
-        change = f" - unit->last[{place}]" if one.changes else ""
-        lines.append(f"    motion.{one.name} = unit->input[{place}]{change};")
-        place += 1
-    setting = "\n".join(lines)
-    return f"""/* {law.title}, as a unit for co-simulation by FMI 2.0. */
-#include "{name}.h"
-
-#if defined _WIN32
-#define EXPORTED __declspec(dllexport)
-#else
-#define EXPORTED __attribute__((visibility("default")))
-#endif
-#ifdef FMI2_FUNCTION_PREFIX
-#define JOINED(a, b) a##b
-#define NAMED(a, b) JOINED(a, b)
-#define FMI(name) EXPORTED NAMED(FMI2_FUNCTION_PREFIX, name)
-#else
-#define FMI(name) EXPORTED name
-#endif
-
-enum {{ INPUTS = {place}, OUTPUTS = {len(law.answer)} }};
-enum {{ OK = 0, ERROR = 3 }};
-typedef void *Unit;
-typedef unsigned int Reference;
-typedef int Whole;
-typedef int Truth;
-typedef const char *Text;
-typedef int Status;
-
-typedef struct {{
-    {name}_state state;
-    double input[INPUTS], last[INPUTS], output[OUTPUTS];
-}} Contact;
-
-/* Move to where the inputs are; an answer that is no number is an error. */
-static Status move(Contact *unit, double step) {{
-    {name}_motion motion;
-    {name}_answer answer;
-    (void)step;
-{setting}
-    {name}_step(&unit->state, &motion, &answer);
-    memcpy(unit->output, &answer, sizeof(unit->output));
-    memcpy(unit->last, unit->input, sizeof(unit->last));
-    for (int k = 0; k < OUTPUTS; ++k) if (unit->output[k] != unit->output[k]) return ERROR;
-    return OK;
-}}
-
-static Status begin(Contact *unit) {{
-    memset(unit, 0, sizeof(*unit));
-    {name}_begin(&unit->state);
-    return OK;
-}}
-
+    return f"""{fmu_core(law, name, 2)}
 Text FMI(fmi2GetTypesPlatform)(void) {{ return "default"; }}
 Text FMI(fmi2GetVersion)(void) {{ return "2.0"; }}
 Status FMI(fmi2SetDebugLogging)(Unit u, Truth on, size_t n, const Text c[]) {{
@@ -77,38 +20,22 @@ Status FMI(fmi2SetDebugLogging)(Unit u, Truth on, size_t n, const Text c[]) {{
 Unit FMI(fmi2Instantiate)(
     Text name, int kind, Text guid, Text resources, const void *calls, Truth visible, Truth log) {{
     (void)name; (void)resources; (void)calls; (void)visible; (void)log;
-    if (kind != 1 || !guid || strcmp(guid, "{guid}") != 0) return NULL;
-    Contact *unit = (Contact *)malloc(sizeof(Contact));
-    if (unit) begin(unit);
-    return unit;
+    return kind == 1 ? made_unit(guid, "{guid}") : NULL;
 }}
 void FMI(fmi2FreeInstance)(Unit u) {{ free(u); }}
 Status FMI(fmi2SetupExperiment)(Unit u, Truth given, double tolerance, double start, Truth stated, double stop) {{
     (void)u; (void)given; (void)tolerance; (void)start; (void)stated; (void)stop; return OK;
 }}
 Status FMI(fmi2EnterInitializationMode)(Unit u) {{ (void)u; return OK; }}
-Status FMI(fmi2ExitInitializationMode)(Unit u) {{
-    Contact *unit = (Contact *)u;
-    memcpy(unit->last, unit->input, sizeof(unit->last)); /* the bodies are where they are without having slipped */
-    return move(unit, 0.0);
-}}
+Status FMI(fmi2ExitInitializationMode)(Unit u) {{ return start((Contact *)u); }}
 Status FMI(fmi2Terminate)(Unit u) {{ (void)u; return OK; }}
 Status FMI(fmi2Reset)(Unit u) {{ return begin((Contact *)u); }}
 
 Status FMI(fmi2GetReal)(Unit u, const Reference r[], size_t n, double value[]) {{
-    Contact *unit = (Contact *)u;
-    for (size_t k = 0; k < n; ++k) {{
-        if (r[k] >= INPUTS + OUTPUTS) return ERROR;
-        value[k] = r[k] < INPUTS ? unit->input[r[k]] : unit->output[r[k] - INPUTS];
-    }}
-    return OK;
+    return read((const Contact *)u, r, n, value);
 }}
 Status FMI(fmi2SetReal)(Unit u, const Reference r[], size_t n, const double value[]) {{
-    for (size_t k = 0; k < n; ++k) {{
-        if (r[k] >= INPUTS) return ERROR;
-        ((Contact *)u)->input[r[k]] = value[k];
-    }}
-    return OK;
+    return write((Contact *)u, r, n, value);
 }}
 #define NONE(get, set, type) \\
     Status FMI(get)(Unit u, const Reference r[], size_t n, type v[]) {{ \\
@@ -121,12 +48,7 @@ NONE(fmi2GetInteger, fmi2SetInteger, Whole)
 NONE(fmi2GetBoolean, fmi2SetBoolean, Truth)
 NONE(fmi2GetString, fmi2SetString, Text)
 
-Status FMI(fmi2GetFMUstate)(Unit u, void **kept) {{
-    if (!*kept) *kept = malloc(sizeof(Contact));
-    if (!*kept) return ERROR;
-    memcpy(*kept, u, sizeof(Contact));
-    return OK;
-}}
+Status FMI(fmi2GetFMUstate)(Unit u, void **kept) {{ return keep(u, kept); }}
 Status FMI(fmi2SetFMUstate)(Unit u, void *kept) {{ memcpy(u, kept, sizeof(Contact)); return OK; }}
 Status FMI(fmi2FreeFMUstate)(Unit u, void **kept) {{ (void)u; free(*kept); *kept = NULL; return OK; }}
 Status FMI(fmi2SerializedFMUstateSize)(Unit u, void *kept, size_t *n) {{
@@ -141,10 +63,7 @@ Status FMI(fmi2SerializeFMUstate)(Unit u, void *kept, char bytes[], size_t n) {{
 Status FMI(fmi2DeSerializeFMUstate)(Unit u, const char bytes[], size_t n, void **kept) {{
     (void)u;
     if (n < sizeof(Contact)) return ERROR;
-    if (!*kept) *kept = malloc(sizeof(Contact));
-    if (!*kept) return ERROR;
-    memcpy(*kept, bytes, sizeof(Contact));
-    return OK;
+    return keep(bytes, kept);
 }}
 Status FMI(fmi2GetDirectionalDerivative)(
     Unit u, const Reference a[], size_t n, const Reference b[], size_t m, const double s[], double t[]) {{

@@ -17,6 +17,9 @@ __all__ = ["FULL_CONTACT_ANGLE", "Springs5", "balanced", "critical_angle", "held
 
 Springs5 = tuple[float, float, float, float, float]
 NODES, WEIGHTS = (tuple(map(float, row)) for row in np.polynomial.legendre.leggauss(16))
+FEW_NODES, FEW_WEIGHTS = (tuple(map(float, row)) for row in np.polynomial.legendre.leggauss(6))
+SMALL_ANGLE = 0.3
+"""Below it six nodes are exact to rounding."""
 FULL_CONTACT_ANGLE = 0.5 * math.pi
 """The angle at which all springs are in contact."""
 CRITICAL, BALANCED = 0, 1
@@ -27,14 +30,23 @@ ROOT_TOLERANCE = 4e-16
 
 def spring_sums(springs: Springs5, angle: float, compression: float) -> tuple[float, float]:
     """Return force [N] and elastic energy of the springs [J], from quadrature that is exact to rounding."""
+    if angle < SMALL_ANGLE:
+        return _summed(FEW_NODES, FEW_WEIGHTS, springs, angle, compression)
+    return _summed(NODES, WEIGHTS, springs, angle, compression)
+
+
+def _summed(
+    nodes: tuple[float, ...], weights: tuple[float, ...], springs: Springs5, angle: float, compression: float
+) -> tuple[float, float]:
+    """Return both sums at given nodes."""
     modulus, height, half_width, _, _ = springs
     force = 0.0
     energy = 0.0
-    for k in range(len(NODES)):
-        theta = 0.5 * angle * (NODES[k] + 1.0)
+    for k in range(len(nodes)):
+        theta = 0.5 * angle * (nodes[k] + 1.0)
         sine = math.sin(0.5 * theta)
         pressed = compression - height * sine * sine
-        weight = modulus * half_width * angle * WEIGHTS[k] * math.cos(theta)
+        weight = modulus * half_width * angle * weights[k] * (1.0 - 2.0 * sine * sine)
         force += weight * pressed
         energy += 0.5 * weight * pressed * pressed
     return force, energy
@@ -55,44 +67,50 @@ def potential(springs: Springs5, angle: float, compression: float, work: float) 
     return stretch * (energy - work * math.pi * radius * radius)
 
 
-def _excess(springs: Springs5, what: int, angle: float, work: float, target: float) -> float:
-    """Return what vanishes at the angle that is looked for."""
+def _excess(springs: Springs5, what: int, angle: float, work: float, target: float) -> tuple[float, float]:
+    """Return what vanishes at the angle that is looked for, and its slope."""
+    modulus, height, half_width, _, _ = springs
+    sine = math.sin(angle)
+    cosine = math.cos(angle)
     if what == CRITICAL:
-        sine = math.sin(angle)
-        return sine * math.sqrt(sine) - target * math.cos(angle)
-    return balanced(springs, angle, work) - target
+        root = math.sqrt(sine)
+        return sine * root - target * cosine, 1.5 * root * cosine + target * sine
+    slope = 0.5 * height * sine
+    if sine > 0.0 and work > 0.0:
+        slope -= cosine * math.sqrt(0.5 * math.pi * half_width * work / (modulus * sine))
+    return balanced(springs, angle, work) - target, slope
 
 
-def _angle_of(springs: Springs5, what: int, work: float, target: float, least: float) -> float:
-    """Return the angle from `least` on where an excess that grows vanishes."""
+def _angle_of(springs: Springs5, what: int, work: float, target: float, least: float, guess: float) -> float:
+    """Return the angle from `least` on where an excess that grows vanishes: Newton's steps, kept between bounds."""
     low = least
     high = FULL_CONTACT_ANGLE
-    below = _excess(springs, what, low, work, target)
-    above = _excess(springs, what, high, work, target)
+    below, _ = _excess(springs, what, low, work, target)
+    above, _ = _excess(springs, what, high, work, target)
     if below >= 0.0:
         return low
     if above <= 0.0:
         return high
-    for trial in range(MOST_TRIALS):
-        if high - low <= ROOT_TOLERANCE * high:
-            break
-        middle = low + (high - low) * below / (below - above)
-        if trial % 3 == 2:
-            middle = math.sqrt(low * high) if low > 0.25 * least and low > 0.0 else 0.125 * high
-        if not low < middle < high:
-            middle = 0.5 * (low + high)
-        if not low < middle < high:
-            break
-        value = _excess(springs, what, middle, work, target)
+    angle = guess if low < guess < high else 0.5 * (low + high)
+    trials = 0
+    while trials < MOST_TRIALS:
+        trials += 1
+        value, slope = _excess(springs, what, angle, work, target)
         if value == 0.0:
-            return middle
+            break
         if value < 0.0:
-            low = middle
-            below = value
+            low = angle
         else:
-            high = middle
-            above = value
-    return low if -below < above else high
+            high = angle
+        better = angle - value / slope if slope > 0.0 else low
+        if abs(better - angle) <= ROOT_TOLERANCE * angle or high - low <= ROOT_TOLERANCE * high:
+            break
+        if not low < better < high:
+            better = math.sqrt(low * high) if low > 0.0 and high > 2.0 * low else 0.5 * (low + high)
+        if not low < better < high:
+            break
+        angle = better
+    return angle
 
 
 def critical_angle(springs: Springs5, work: float, factor: float) -> float:
@@ -104,7 +122,7 @@ def critical_angle(springs: Springs5, work: float, factor: float) -> float:
         return 0.0
     modulus, height, half_width, _, _ = springs
     number = 2.0 * factor * math.sqrt(2.0 * math.pi * half_width * work / modulus) / height
-    return _angle_of(springs, CRITICAL, work, number, 0.0)
+    return _angle_of(springs, CRITICAL, work, number, 0.0, math.asin(min(number, 1.0) ** (2.0 / 3.0)))
 
 
 def held_edge(springs: Springs5, compression: float, work: float) -> float:
@@ -117,4 +135,5 @@ def held_edge(springs: Springs5, compression: float, work: float) -> float:
         return 0.0
     if compression >= balanced(springs, FULL_CONTACT_ANGLE, work):
         return FULL_CONTACT_ANGLE
-    return _angle_of(springs, BALANCED, work, compression, least)
+    sine = math.sqrt(min(max(compression, 0.0) / height, 0.5))
+    return _angle_of(springs, BALANCED, work, compression, least, max(2.0 * math.asin(sine), 2.0 * least))

@@ -17,7 +17,7 @@ import numpy as np
 from winkler.numerics.jit import compiled
 from winkler.numerics.types import Array
 
-__all__ = ["cubic_energy", "follow_table", "monotone_intervals", "step_table"]
+__all__ = ["cubic_energy", "follow_table", "monotone_intervals", "step_attracted", "step_table"]
 
 
 @compiled
@@ -67,6 +67,20 @@ def step_table(
     answer[2] = e
     if shear.size > 0:
         answer[3] = shear[0] * k
+
+
+@compiled
+def step_attracted(
+    depth: Array, force: Array, stiffness: Array, energy: Array, pull: Array, motion: Array, answer: Array
+) -> None:
+    """Write force, stiffness and energy of a contact that a constant force [N], (1,), pulls together while it lasts."""
+    f, k, e = follow_table(depth, force, stiffness, energy, motion[0])
+    if motion[0] > 0.0:
+        f -= pull[0]
+        e -= pull[0] * motion[0]
+    answer[0] = f
+    answer[1] = k
+    answer[2] = e
 
 
 def monotone_intervals(depth: Array, force: Array, stiffness: Array) -> Array:
