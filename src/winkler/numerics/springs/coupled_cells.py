@@ -1,0 +1,192 @@
+r"""Cells of a line load that move one another and creep: one step of a contact with all that it remembers.
+
+The line load q is constant in every cell of a width h, the displacement its sum of exponentials
+(`winkler.numerics.springs.wave_creep`), and over a step of time q changes steadily.  Then a step is the contact of an
+elastic surface with the compliance
+
+.. math:: A = G_0 + \sum_m (1-g_m)\,G_m , \qquad g_m = \frac{\lambda_m}{\Delta t}\big(1-e^{-\Delta t/\lambda_m}\big) ,
+
+on a shape that the memory has dented.  With :math:`A = LL^{\mathsf T}` the factors of all contacts [0, a] are blocks of
+L: the cells become independent springs whose displacements :math:`v = L^{-1}\,h\,(d-h_i-\text{dent})` say at once how
+far the contact reaches, :math:`v_i>0`, and what it bears, :math:`F = 2\sum v_i\,(L^{-1}h)_i`.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.numerics.types import Array
+
+__all__ = ["CellState", "CoupledCells"]
+
+MOST_FACTORS = 48
+"""Steps of so many lengths are kept."""
+
+
+class CellState(NamedTuple):
+    """The cells at one moment.
+
+    Parameters
+    ----------
+    depth, force, radius : float
+        d [m], F [N], a [m].
+    held : int
+        How many cells bear.
+    ring : bool
+        Whether cells beyond them would be pressed, too.
+    load : ndarray, (n,)
+        q [N/m].
+    memory : ndarray, (M, 2 n)
+        What every retardation time remembers of q, wave by wave.
+    """
+
+    depth: float
+    force: float
+    radius: float
+    held: int
+    ring: bool
+    load: Array
+    memory: Array
+
+
+class _Factor(NamedTuple):
+    """What depends on the length of a step alone."""
+
+    fade: Array
+    share: Array
+    lower: Array
+    unit: Array
+
+
+class CoupledCells:
+    """Cells from the axis to some radius, under a shape.
+
+    Parameters
+    ----------
+    kernels : ndarray, (1 + M, 2 n)
+        Of `WaveCreep.kernels` [m/Pa].
+    times : ndarray, (M,)
+        lambda_m [s].
+    width : float
+        Of the cells [m].
+    shape : ndarray, (n,)
+        The equivalent profile on a homogeneous body in the middle of the cells [m].
+    """
+
+    def __init__(self, kernels: Array, times: Array, width: float, shape: Array) -> None:
+        count = shape.size
+        self.kernels, self.times, self.width, self.shape, self.count = kernels, times, width, shape, count
+        self.middle = width * (np.arange(count) + 0.5)
+        around = np.zeros((kernels.shape[0], 4 * count))
+        around[:, : 2 * count], around[:, 2 * count + 1 :] = kernels, kernels[:, :0:-1]
+        self.waves = np.fft.rfft(around, axis=1).real[:, : 2 * count]
+        self._factors: dict[float, _Factor] = {}
+
+    @property
+    def at_rest(self) -> CellState:
+        """Cells that nothing has ever pressed."""
+        memory = np.zeros((self.times.size, 2 * self.count))
+        return CellState(float(self.shape[0]), 0.0, 0.0, 0, False, np.zeros(self.count), memory)
+
+    def transformed(self, load: Array) -> Array:
+        """Return the waves of a load of the cells and their mirror images, ``(2 n,)``."""
+        from scipy.fft import dct
+
+        return np.asarray(dct(np.concatenate([load, np.zeros(self.count)]), norm="ortho"))
+
+    def restored(self, waves: Array) -> Array:
+        """Return what waves are in the cells, ``(n,)``."""
+        from scipy.fft import idct
+
+        return np.asarray(idct(waves, norm="ortho")[: self.count])
+
+    def matrix(self, kernel: Array) -> Array:
+        """Return how cells and their mirror images move one another, ``(n, n)``, for one kernel ``(2 n,)``."""
+        from scipy.linalg import hankel, toeplitz
+
+        return np.asarray(toeplitz(kernel[: self.count]) + hankel(kernel[1 : self.count + 1], kernel[self.count :]))
+
+    def step(self, state: CellState, span: float, depth: float | None, force: float | None) -> CellState:
+        """Return the cells after a time [s], zero for a sudden change, at a depth [m] or under a force [N]."""
+        from scipy.linalg import solve_triangular
+
+        factor = self._factor(span)
+        before = self.transformed(state.load)
+        # einsum: no temporary arrays as large as the memory
+        dent = np.einsum("m,mk->k", factor.share, self.waves[1:]) * before
+        dent -= np.einsum("m,mk,mk->k", factor.fade, self.waves[1:], state.memory)
+        offset = -self.width * self.shape - self.restored(dent)
+        still = solve_triangular(factor.lower, offset, lower=True, check_finite=False)
+        if depth is None:
+            depth = self._depth_under(force or 0.0, factor.unit, still)
+        pressed = depth * factor.unit + still
+        bears = pressed > 0.0
+        held = self.count if bears.all() else int(np.argmin(bears))
+        load = np.zeros(self.count)
+        if held:
+            inner = factor.lower[:held, :held]
+            load[:held] = solve_triangular(inner, pressed[:held], lower=True, trans="T", check_finite=False)
+        memory = factor.fade[:, None] * state.memory
+        memory += factor.share[:, None] * (self.transformed(load) - before)
+        total = 2.0 * self.width * float(np.sum(load))
+        ring = bool(bears[held:].any())
+        return CellState(depth, total, self._radius(pressed / np.diag(factor.lower), held), held, ring, load, memory)
+
+    def _depth_under(self, force: float, unit: Array, still: Array) -> float:
+        """Return the depth at which independent springs bear a force."""
+        touched = -still / unit
+        if force <= 0.0:
+            return float(np.min(touched))
+        stiffness, offset = np.cumsum(unit * unit), np.cumsum(unit * still)
+        beyond = 2.0 * (touched[1:] * stiffness[:-1] + offset[:-1]) >= force
+        last = int(np.argmax(beyond)) if beyond.any() else self.count - 1
+        return float((0.5 * force - offset[last]) / stiffness[last])
+
+    def _radius(self, last: Array, held: int) -> float:
+        """Return where the line load vanishes, from what the last cell of contacts of all widths would bear."""
+        if held == 0 or held == self.count:
+            return held * self.width
+        inner, outer = float(last[held - 1]), float(last[held])
+        return float(self.middle[held - 1]) + self.width * inner / (inner - outer)
+
+    def _factor(self, span: float) -> _Factor:
+        key = float(f"{span:.9e}")
+        if key not in self._factors:
+            from scipy.linalg import cholesky, solve_triangular
+
+            turns = span / self.times
+            fade = np.exp(-turns)
+            share = -np.expm1(-turns) / turns if span > 0.0 else np.ones(turns.size)
+            matrix = self.matrix(self.kernels[0] + (1.0 - share) @ self.kernels[1:])
+            lower = cholesky(matrix, lower=True, overwrite_a=True, check_finite=False)
+            unit = solve_triangular(lower, np.full(self.count, self.width), lower=True, check_finite=False)
+            while len(self._factors) >= MOST_FACTORS:
+                self._factors.pop(next(iter(self._factors)))
+            self._factors[key] = _Factor(fade, share, lower, unit)
+        return self._factors[key]
+
+    def displacement(self, state: CellState) -> Array:
+        """Return u [m] in the cells."""
+        load = self.transformed(state.load)
+        waves = self.waves[0] * load + np.einsum("mk,mk->k", self.waves[1:], load - state.memory)
+        return self.restored(waves) / self.width
+
+    def stored(self, state: CellState) -> float:
+        """Return the energy stored [J]."""
+        load = self.transformed(state.load)
+        kept = load - state.memory
+        return float(self.waves[0] @ load**2 + np.einsum("mk,mk,mk->", self.waves[1:], kept, kept))
+
+    def lost(self, before: CellState, after: CellState, span: float) -> float:
+        """Return what a step has lost [J]."""
+        if span == 0.0:
+            return 0.0
+        times = self.times[:, None]
+        fade = np.exp(-span / times)
+        steady = (self.transformed(after.load) - self.transformed(before.load)) * times / span
+        passing = before.memory - steady
+        squares = steady**2 * span + 2.0 * steady * passing * times * (1.0 - fade)
+        squares += 0.5 * passing**2 * times * (1.0 - fade**2)
+        return 2.0 * float(np.sum(self.waves[1:] * squares / times))

@@ -1,0 +1,159 @@
+r"""Creep of a surface that differs from wave to wave: sums of exponentials with common times.
+
+A load that varies like :math:`\cos\xi x` and is put on at once sinks by
+
+.. math:: c(\xi,t) = c_0(\xi) + \sum_m c_m(\xi)\,\big(1-e^{-t/\lambda_m}\big) .
+
+The true retardation times depend on :math:`\xi`, but lie between the shortest relaxation time and the longest
+retardation time of the solids.  :math:`e^{-t/\lambda}` is an analytic function of :math:`\ln\lambda`: times spaced
+evenly in the logarithm stand for all those between them, with an error that falls exponentially with their spacing.
+The :math:`c_m` of one wave may have any sign.  They are a linear fit to the compliance at imaginary frequencies, the
+same for all waves.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.errors import NotConverged
+from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.panels.chebyshev import Panels, fit_nodes, panels_from
+from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, FIRST_WAVE_NUMBER, wave_numbers
+from winkler.numerics.types import Array, ComplexArray
+
+__all__ = ["WaveCreep", "fit_wave_creep"]
+
+SPACING = 0.3
+"""Of the logarithms of the times."""
+MARGIN = 4
+"""Times beyond the shortest and the longest one."""
+FREQUENCIES_PER_TIME = 4
+REACH_OF_FREQUENCIES = 50.0
+"""Frequencies go up to this many over the shortest time, and down to one over so many of the longest."""
+LIMIT_WEIGHT = 100.0
+"""Of what is left after all time, against that of one frequency."""
+CUTOFF = 1e-10
+"""Singular values below this part of the largest one are left out of the fit."""
+LARGEST_ERROR = 1e-5
+"""A fit that is wrong by more than this part is refused."""
+NODES = 16
+"""Gauss-Legendre nodes on a panel of wave numbers."""
+CHECKED_WAVES = 5
+"""Every fifth wave is checked."""
+
+Compliance = Callable[[ComplexArray, Array], ComplexArray]
+"""c(s, xi) [1/Pa], ``(S, m)``, of s [1/s] ``(S,)`` on the imaginary axis, from 0 to i inf, and xi [1/m] ``(m,)``."""
+
+
+class WaveCreep(NamedTuple):
+    """The coefficients of all waves.
+
+    Parameters
+    ----------
+    times : ndarray, (M,)
+        lambda_m [s], ascending.
+    local : ndarray, (1 + M,)
+        c_0, c_1, ... of the shortest waves [1/Pa].
+    varying : tuple of Panels
+        What is added to each of them, as functions of xi [1/m]; zero beyond the last edge.
+    error : float
+        Greatest error of c, relative to c of that wave and frequency, between the frequencies of the fit [-].
+    """
+
+    times: Array
+    local: Array
+    varying: tuple[Panels, ...]
+    error: float
+
+    def kernels(self, count: int, width: float) -> Array:
+        """Return how the load of a cell moves cells at distances 0, width, ..., ``(1 + M, 2 count)``.
+
+        The double integral of c over two cells of this width [m] on a line [m/Pa].
+        """
+        edges = self.varying[0].edges
+        last, along = float(edges[-1]), np.arange(2 * count)
+        stride = 2.0 * math.pi / (4 * count * width)
+        start = min(float(edges[1] * 2.0 ** max(0, math.ceil(math.log2(stride / edges[1])))), last)
+        xi, weights = wave_numbers(float(edges[1]), start, start)
+        total = self._weighted(xi, weights, width) @ np.cos(np.outer(xi, width * along))
+        # from there on panels of one width, which all cells at their distances meet in steps of a whole turn's part
+        panels = math.ceil((last - start) / stride)
+        for node, weight in zip(*gauss_legendre(NODES), strict=True):
+            first = start + node * stride
+            xi = first + stride * np.arange(panels)
+            parts = self._weighted(xi, np.where(xi < last, weight * stride, 0.0), width)
+            folded = np.zeros((self.local.size, math.ceil(panels / (4 * count)) * 4 * count))
+            folded[:, :panels] = parts
+            summed = np.fft.fft(folded.reshape(self.local.size, -1, 4 * count).sum(axis=1), axis=1)
+            turned = np.conj(summed[:, : 2 * count]) * np.exp(1j * first * width * along)
+            total += turned.real
+        total[:, 0] += self.local * width
+        return total
+
+    def _weighted(self, xi: Array, weights: Array, width: float) -> Array:
+        """Return what varies of the coefficients, times the weights and the square of the transform of a cell."""
+        cell = weights / math.pi * (width * np.sinc(0.5 * xi * width / math.pi)) ** 2
+        return np.stack([panels(xi) for panels in self.varying]) * cell
+
+
+def fit_wave_creep(
+    compliance: Compliance, softest: Compliance, times: tuple[float, float], span: float, length: float
+) -> WaveCreep:
+    """Fit the creep of all waves.
+
+    Parameters
+    ----------
+    compliance : callable
+        c(s, xi) of the surface; infinite xi of the shortest waves.
+    softest : callable
+        |c| of the part that creeps most, over its value after all time, of any xi: what an error is compared with.
+    times : (float, float)
+        Between which the retardation times lie [s].
+    span, length : float
+        c is a power series in xi below 1 / span, and its limit is approached like exp(-2 xi length) [m].
+
+    Raises
+    ------
+    NotConverged
+        If the error is larger than 1e-5.
+    """
+    low, high = math.log(times[0]) - MARGIN * SPACING, math.log(times[1]) + MARGIN * SPACING
+    kept = np.exp(np.linspace(low, high, math.ceil((high - low) / SPACING) + 1))
+    ends = 1.0 / (REACH_OF_FREQUENCIES * kept[-1]), REACH_OF_FREQUENCIES / kept[0]
+    grid = np.geomspace(*ends, 2 * FREQUENCIES_PER_TIME * kept.size + 1)
+    fitted, checked = np.append(0.0, grid[::2]), grid[1::2]
+    edges = [0.0, FIRST_WAVE_NUMBER / span]
+    while edges[-1] < DECAY_SPAN / length:
+        edges.append(2.0 * edges[-1])
+    nodes = fit_nodes(np.array(edges))
+    xi = np.append(nodes.ravel(), np.inf)
+
+    at_once = np.real(compliance(np.array([1j * np.inf]), xi)[0])
+    weights = 1.0 / np.abs(softest(1j * fitted, xi[-1:])[:, 0])
+    weights[0] *= LIMIT_WEIGHT
+    rows, wanted = _terms(fitted, kept), compliance(1j * fitted, xi) - at_once
+    both = np.concatenate([weights, weights])[:, None]
+    inverse = np.linalg.pinv(both * np.concatenate([rows.real, rows.imag]), rcond=CUTOFF)
+    found = inverse @ (both * np.concatenate([wanted.real, wanted.imag]))
+
+    part = slice(None, None, CHECKED_WAVES)
+    true = compliance(1j * checked, xi[part])
+    error = float(np.max(np.abs((at_once + _terms(checked, kept) @ found)[:, part] - true) / np.abs(true)))
+    if not error <= LARGEST_ERROR:
+        raise NotConverged(
+            f"The creep of the layers is not a sum of exponentials to better than {error:.1e}, {LARGEST_ERROR:.0e} are "
+            "needed; give solids whose moduli differ less between short and long times."
+        )
+    every = np.concatenate([at_once[None], found])
+    varying = (every[:, :-1] - every[:, -1:]).reshape(-1, *nodes.shape)
+    panels = tuple(panels_from(np.array(edges), part) for part in varying)
+    return WaveCreep(kept, every[:, -1], panels, error)
+
+
+def _terms(frequency: Array, times: Array) -> ComplexArray:
+    """Return 1 / (1 + i omega lambda), ``(S, M)``."""
+    return np.asarray(1.0 / (1.0 + 1j * frequency[:, None] * times))
