@@ -15,11 +15,11 @@ and the body asks for :math:`u(x,t) = d(t)-h(x)` where they touch, h the equival
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.errors import InvalidInput
 from winkler.materials.elastic import RIGID, Elastic, Rigid
 from winkler.materials.layered import Layer
 from winkler.materials.relaxing_layer import ViscoelasticLayer
@@ -76,6 +76,8 @@ class ViscoelasticCoatedHalfSpace(RelaxingMedium):
     >>> film.glassy.layers[0].solid.young, film.relaxed.layers[0].solid.young
     (15000.0, 3000.0)
     """
+
+    in_proportion: ClassVar[bool] = False
 
     layers: tuple[Layer | ViscoelasticLayer, ...]
     on: ViscoelasticSolid | Elastic | Rigid
@@ -220,7 +222,3 @@ def _wave_creep(medium: ViscoelasticCoatedHalfSpace) -> WaveCreep:
     stacks = [NormalResponse(stack.layers, stack.on) for stack in (medium.glassy, medium.relaxed)]
     return fit_wave_creep(medium.compliance, softest, times, max(stack.span for stack in stacks), stacks[0].length)
 
-
-def outside(owner: str) -> OutsideValidity:
-    """Return the refusal of a field of such a body."""
-    return OutsideValidity(f"{owner}: fields of layers that relax each by a law of its own are not known; request others.")

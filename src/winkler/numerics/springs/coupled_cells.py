@@ -110,7 +110,7 @@ class CoupledCells:
 
     def step(self, state: CellState, span: float, depth: float | None, force: float | None) -> CellState:
         """Return the cells after a time [s], zero for a sudden change, at a depth [m] or under a force [N]."""
-        from scipy.linalg import solve_triangular
+        from scipy.linalg.lapack import dtrtrs
 
         factor = self._factor(span)
         before = self.transformed(state.load)
@@ -118,7 +118,7 @@ class CoupledCells:
         dent = np.einsum("m,mk->k", factor.share, self.waves[1:]) * before
         dent -= np.einsum("m,mk,mk->k", factor.fade, self.waves[1:], state.memory)
         offset = -self.width * self.shape - self.restored(dent)
-        still = solve_triangular(factor.lower, offset, lower=True, check_finite=False)
+        still, _ = dtrtrs(factor.lower, offset, lower=1)
         if depth is None:
             depth = self._depth_under(force or 0.0, factor.unit, still)
         pressed = depth * factor.unit + still
@@ -126,8 +126,7 @@ class CoupledCells:
         held = self.count if bears.all() else int(np.argmin(bears))
         load = np.zeros(self.count)
         if held:
-            inner = factor.lower[:held, :held]
-            load[:held] = solve_triangular(inner, pressed[:held], lower=True, trans="T", check_finite=False)
+            load[:held], _ = dtrtrs(factor.lower[:held, :held], pressed[:held], lower=1, trans=1)
         memory = factor.fade[:, None] * state.memory
         memory += factor.share[:, None] * (self.transformed(load) - before)
         total = 2.0 * self.width * float(np.sum(load))

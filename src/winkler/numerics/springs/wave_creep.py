@@ -21,7 +21,7 @@ import numpy as np
 
 from winkler.errors import NotConverged
 from winkler.numerics.integrals.quadrature import gauss_legendre
-from winkler.numerics.panels.chebyshev import Panels, fit_nodes, panels_from
+from winkler.numerics.panels.chebyshev import fit_nodes, panels_from
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, FIRST_WAVE_NUMBER, wave_numbers
 from winkler.numerics.types import Array, ComplexArray
 
@@ -58,15 +58,18 @@ class WaveCreep(NamedTuple):
         lambda_m [s], ascending.
     local : ndarray, (1 + M,)
         c_0, c_1, ... of the shortest waves [1/Pa].
-    varying : tuple of Panels
-        What is added to each of them, as functions of xi [1/m]; zero beyond the last edge.
+    edges : ndarray, (panels + 1,)
+        Of panels of wave numbers [1/m].
+    series : ndarray, (degree + 1, panels, 1 + M)
+        What is added to each of them, in Chebyshev polynomials on every panel; zero beyond the last edge.
     error : float
         Greatest error of c, relative to c of that wave and frequency, between the frequencies of the fit [-].
     """
 
     times: Array
     local: Array
-    varying: tuple[Panels, ...]
+    edges: Array
+    series: Array
     error: float
 
     def kernels(self, count: int, width: float) -> Array:
@@ -74,11 +77,10 @@ class WaveCreep(NamedTuple):
 
         The double integral of c over two cells of this width [m] on a line [m/Pa].
         """
-        edges = self.varying[0].edges
-        last, along = float(edges[-1]), np.arange(2 * count)
+        lowest, last, along = float(self.edges[1]), float(self.edges[-1]), np.arange(2 * count)
         stride = 2.0 * math.pi / (4 * count * width)
-        start = min(float(edges[1] * 2.0 ** max(0, math.ceil(math.log2(stride / edges[1])))), last)
-        xi, weights = wave_numbers(float(edges[1]), start, start)
+        start = min(lowest * 2.0 ** max(0, math.ceil(math.log2(stride / lowest))), last)
+        xi, weights = wave_numbers(lowest, start, start)
         total = self._weighted(xi, weights, width) @ np.cos(np.outer(xi, width * along))
         # from there on panels of one width, which all cells at their distances meet in steps of a whole turn's part
         panels = math.ceil((last - start) / stride)
@@ -94,10 +96,24 @@ class WaveCreep(NamedTuple):
         total[:, 0] += self.local * width
         return total
 
+    def after(self, xi: Array, time: Array) -> Array:
+        """Return c(xi, t) [1/Pa] of waves [1/m] ``(m,)`` after times [s] ``(T,)``, ``(m, T)``."""
+        parts = self.local[:, None] + np.where(xi < self.edges[-1], self._varying(np.minimum(xi, self.edges[-1])), 0.0)
+        return np.asarray(parts[0][:, None] - parts[1:].T @ np.expm1(-time / self.times[:, None]))
+
     def _weighted(self, xi: Array, weights: Array, width: float) -> Array:
         """Return what varies of the coefficients, times the weights and the square of the transform of a cell."""
-        cell = weights / math.pi * (width * np.sinc(0.5 * xi * width / math.pi)) ** 2
-        return np.stack([panels(xi) for panels in self.varying]) * cell
+        return self._varying(xi) * (weights / math.pi * (width * np.sinc(0.5 * xi * width / math.pi)) ** 2)
+
+    def _varying(self, xi: Array) -> Array:
+        """Return what is added to the coefficients of the shortest waves, ``(1 + M, m)``."""
+        panel = np.clip(np.searchsorted(self.edges, xi, side="right") - 1, 0, self.edges.size - 2)
+        low, high = self.edges[panel], self.edges[panel + 1]
+        place = ((2.0 * xi - low - high) / (high - low))[:, None]
+        before, current = np.zeros((xi.size, self.local.size)), np.zeros((xi.size, self.local.size))
+        for row in self.series[:0:-1]:  # Clenshaw, for all times at once
+            before, current = current, row[panel] + 2.0 * place * current - before
+        return np.asarray((self.series[0][panel] + place * current - before).T)
 
 
 def fit_wave_creep(
@@ -150,8 +166,8 @@ def fit_wave_creep(
         )
     every = np.concatenate([at_once[None], found])
     varying = (every[:, :-1] - every[:, -1:]).reshape(-1, *nodes.shape)
-    panels = tuple(panels_from(np.array(edges), part) for part in varying)
-    return WaveCreep(kept, every[:, -1], panels, error)
+    series = np.stack([panels_from(np.array(edges), part).coefficients for part in varying])
+    return WaveCreep(kept, every[:, -1], np.array(edges), np.ascontiguousarray(series.transpose(2, 1, 0)), error)
 
 
 def _terms(frequency: Array, times: Array) -> ComplexArray:

@@ -39,6 +39,12 @@ class MarchedPoint(NamedTuple):
     stored: float
     lost: float
 
+    @property
+    def numbers(self) -> tuple[float, ...]:
+        """Time, depth, force, radius, work, energy stored and lost."""
+        state = self.state
+        return self.time, state.depth, state.force, state.radius, self.work, self.stored, self.lost
+
 
 def cells_of(bed: Bed, reach: float, count: int) -> CoupledCells:
     """Return cells up to a radius [m], or up to the rim of the body."""

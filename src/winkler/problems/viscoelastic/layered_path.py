@@ -6,9 +6,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
+from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
-from winkler.foundation.on_medium import OnMedium
+from winkler.footprint import DISC
+from winkler.foundation.on_medium import OnMedium, UnderProfile
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HalfSpace
 from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
@@ -32,9 +33,16 @@ PUNCH_CELLS = 192
 """Cells under a small oscillation; twice as many remove the error of the second order."""
 
 
-def is_layered(bed: Bed) -> bool:
-    """Return whether layers of a bed relax each by a law of its own."""
-    return isinstance(bed.medium, ViscoelasticCoatedHalfSpace)
+def is_layered(owner: str, bed: Bed) -> bool:
+    """Return whether layers of a bed relax each by a law of its own; refuse such a bed without a profile."""
+    if not isinstance(bed.medium, ViscoelasticCoatedHalfSpace):
+        return False
+    if not isinstance(bed, UnderProfile) or bed.footprint != DISC:
+        raise InvalidInput(
+            f"{owner}: a ViscoelasticCoatedHalfSpace needs Foundation(profile, medium) of a body of revolution, whose "
+            "contact is a disc; the equivalent profile of other beds changes in time."
+        )
+    return True
 
 
 def contact_reach(owner: str, bed: Bed, normal: Depth | Force, most: float) -> float:
