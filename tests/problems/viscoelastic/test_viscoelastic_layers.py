@@ -7,7 +7,7 @@ import pytest
 from scipy.special import ellipe, ellipk, j0, j1
 
 import winkler as wk
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.errors import InvalidInput, OutsideValidity
 from winkler.loading import Depth, Force
 from winkler.materials.layered import Layer
 from winkler.materials.relaxing_layer import ViscoelasticLayer
@@ -67,11 +67,11 @@ def test_a_film_on_a_rigid_base_relaxes_in_proportion():
     times = np.array([0.03, 1.0, 20.0])
     for test, load in ((CreepTest, 0.02), (RelaxationTest, 1e-2)):
         found, known = (test(bed(medium), load, times).solve() for medium in (film, alike))
-        for name in ("depth", "force", "radius"):
-            assert getattr(found, name) == pytest.approx(getattr(known, name), rel=2e-4)
+        for name, close in (("depth", 1e-4), ("force", 1e-4), ("radius", 2e-3)):  # a cell is 5e-3 of the radius
+            assert getattr(found, name) == pytest.approx(getattr(known, name), rel=close)
     shaken, known = (HarmonicIndentation(bed(m), Depth(1e-2), [0.1, 1.0, 10.0]).solve() for m in (film, alike))
-    assert shaken.storage_stiffness == pytest.approx(known.storage_stiffness, rel=1e-5)
-    assert shaken.loss_stiffness == pytest.approx(known.loss_stiffness, rel=1e-5)
+    assert shaken.storage_stiffness == pytest.approx(known.storage_stiffness, rel=3e-6)
+    assert shaken.loss_stiffness == pytest.approx(known.loss_stiffness, rel=3e-6)
 
 
 def test_a_thin_compressible_film_is_a_winkler_foundation():
@@ -168,12 +168,10 @@ def test_against_rings_with_all_of_their_past():
     """Pressed in and taken back; another discretisation, kernels by Talbot from Burmister's formula."""
     times = np.linspace(0.0, 1.8, 37)
     depths = np.interp(times, [0.0, 1.0, 1.8], [0.0, 1e-2, 2e-3])
-    pairs = [rings_on_a_coating(times, depths, 0.14, count) for count in (40, 80)]
-    (coarse, _), (fine, radii) = pairs
+    force, radius = rings_on_a_coating(times, depths, 0.14, 80)
     found = ViscoelasticIndentation(bed(COATED), Path(times, Depth(depths)), count=160).solve()
-    print(np.abs(coarse - fine).max() / fine.max(), np.abs(found.force[1:] - fine).max() / fine.max())
-    assert np.max(np.abs(found.force[1:] - fine)) < 1e-3 * np.max(fine)
-    assert np.max(np.abs(found.radius[1:] - radii)) < 2.0 * 0.14 / 80
+    assert np.max(np.abs(found.force[1:] - force)) < 3e-4 * np.max(force)
+    assert np.max(np.abs(found.radius[1:] - radius)) < 1.5 * 0.14 / 80
 
 
 def test_energy_is_lost_in_every_cycle_and_the_account_closes():

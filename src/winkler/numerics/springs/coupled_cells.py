@@ -106,7 +106,8 @@ class CoupledCells:
         """Return how cells and their mirror images move one another, ``(n, n)``, for one kernel ``(2 n,)``."""
         from scipy.linalg import hankel, toeplitz
 
-        return np.asarray(toeplitz(kernel[: self.count]) + hankel(kernel[1 : self.count + 1], kernel[self.count :]))
+        near = kernel[: self.count]  # given twice: a complex row alone would be conjugated
+        return np.asarray(toeplitz(near, near) + hankel(kernel[1 : self.count + 1], kernel[self.count :]))
 
     def step(self, state: CellState, span: float, depth: float | None, force: float | None) -> CellState:
         """Return the cells after a time [s], zero for a sudden change, at a depth [m] or under a force [N]."""
