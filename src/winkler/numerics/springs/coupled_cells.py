@@ -38,6 +38,8 @@ class CellState(NamedTuple):
         Whether cells beyond them would be pressed, too.
     load : ndarray, (n,)
         q [N/m].
+    waves : ndarray, (2 n,)
+        Its waves.
     memory : ndarray, (M, 2 n)
         What every retardation time remembers of q, wave by wave.
     """
@@ -48,6 +50,7 @@ class CellState(NamedTuple):
     held: int
     ring: bool
     load: Array
+    waves: Array
     memory: Array
 
 
@@ -56,6 +59,8 @@ class _Factor(NamedTuple):
 
     fade: Array
     share: Array
+    faded: Array
+    shared: Array
     lower: Array
     unit: Array
 
@@ -88,7 +93,9 @@ class CoupledCells:
     def at_rest(self) -> CellState:
         """Cells that nothing has ever pressed."""
         memory = np.zeros((self.times.size, 2 * self.count))
-        return CellState(float(self.shape[0]), 0.0, 0.0, 0, False, np.zeros(self.count), memory)
+        return CellState(
+            float(self.shape[0]), 0.0, 0.0, 0, False, np.zeros(self.count), np.zeros(2 * self.count), memory
+        )
 
     def transformed(self, load: Array) -> Array:
         """Return the waves of a load of the cells and their mirror images, ``(2 n,)``."""
@@ -114,10 +121,7 @@ class CoupledCells:
         from scipy.linalg.lapack import dtrtrs
 
         factor = self._factor(span)
-        before = self.transformed(state.load)
-        # einsum: no temporary arrays as large as the memory
-        dent = np.einsum("m,mk->k", factor.share, self.waves[1:]) * before
-        dent -= np.einsum("m,mk,mk->k", factor.fade, self.waves[1:], state.memory)
+        dent = factor.shared * state.waves - np.einsum("mk,mk->k", factor.faded, state.memory)
         offset = -self.width * self.shape - self.restored(dent)
         still, _ = dtrtrs(factor.lower, offset, lower=1)
         if depth is None:
@@ -125,14 +129,15 @@ class CoupledCells:
         pressed = depth * factor.unit + still
         bears = pressed > 0.0
         held = self.count if bears.all() else int(np.argmin(bears))
-        load = np.zeros(self.count)
-        if held:
-            load[:held], _ = dtrtrs(factor.lower[:held, :held], pressed[:held], lower=1, trans=1)
+        # where nothing is prescribed behind the contact the load there is zero: no block needs to be cut out
+        load, _ = dtrtrs(factor.lower, np.where(np.arange(self.count) < held, pressed, 0.0), lower=1, trans=1)
+        waves = self.transformed(load)
         memory = factor.fade[:, None] * state.memory
-        memory += factor.share[:, None] * (self.transformed(load) - before)
+        memory += np.outer(factor.share, waves - state.waves)
         total = 2.0 * self.width * float(np.sum(load))
         ring = bool(bears[held:].any())
-        return CellState(depth, total, self._radius(pressed / np.diag(factor.lower), held), held, ring, load, memory)
+        radius = self._radius(pressed / np.diag(factor.lower), held)
+        return CellState(depth, total, radius, held, ring, load, waves, memory)
 
     def _depth_under(self, force: float, unit: Array, still: Array) -> float:
         """Return the depth at which independent springs bear a force."""
@@ -160,33 +165,33 @@ class CoupledCells:
             fade = np.exp(-turns)
             share = -np.expm1(-turns) / turns if span > 0.0 else np.ones(turns.size)
             matrix = self.matrix(self.kernels[0] + (1.0 - share) @ self.kernels[1:])
-            lower = cholesky(matrix, lower=True, overwrite_a=True, check_finite=False)
+            lower = np.asfortranarray(cholesky(matrix, lower=True, overwrite_a=True, check_finite=False))
             unit = solve_triangular(lower, np.full(self.count, self.width), lower=True, check_finite=False)
             while len(self._factors) >= MOST_FACTORS:
                 self._factors.pop(next(iter(self._factors)))
-            self._factors[key] = _Factor(fade, share, lower, unit)
+            self._factors[key] = _Factor(fade, share, fade[:, None] * self.waves[1:], share @ self.waves[1:], lower, unit)
         return self._factors[key]
 
     def displacement(self, state: CellState) -> Array:
         """Return u [m] in the cells."""
-        load = self.transformed(state.load)
-        waves = self.waves[0] * load + np.einsum("mk,mk->k", self.waves[1:], load - state.memory)
-        return self.restored(waves) / self.width
+        kept = state.waves - state.memory
+        return self.restored(self.waves[0] * state.waves + np.einsum("mk,mk->k", self.waves[1:], kept)) / self.width
 
     def stored(self, state: CellState) -> float:
         """Return the energy stored [J]."""
-        load = self.transformed(state.load)
-        kept = load - state.memory
-        return float(self.waves[0] @ load**2 + np.einsum("mk,mk,mk->", self.waves[1:], kept, kept))
+        kept = state.waves - state.memory
+        return float(self.waves[0] @ state.waves**2 + np.sum(self.waves[1:] * kept**2))
 
     def lost(self, before: CellState, after: CellState, span: float) -> float:
-        """Return what a step has lost [J]."""
+        """Return what a step has lost [J], the integral of c_m z_m^2 / lambda_m with the memory z_m in closed form."""
         if span == 0.0:
             return 0.0
-        times = self.times[:, None]
-        fade = np.exp(-span / times)
-        steady = (self.transformed(after.load) - self.transformed(before.load)) * times / span
-        passing = before.memory - steady
-        squares = steady**2 * span + 2.0 * steady * passing * times * (1.0 - fade)
-        squares += 0.5 * passing**2 * times * (1.0 - fade**2)
-        return 2.0 * float(np.sum(self.waves[1:] * squares / times))
+        change, turns = after.waves - before.waves, span / self.times
+        gone = -np.expm1(-turns)
+        # turns - 2 (1 - e) + (1 - e^2) / 2 over turns^2; the series where it cancels
+        series = turns * (1.0 / 3.0 - turns * (0.25 - 7.0 / 60.0 * turns))
+        steady = np.where(turns < 1e-2, series, (turns - 2.0 * gone - 0.5 * np.expm1(-2.0 * turns)) / turns**2)
+        borne = self.waves[1:] * before.memory
+        total = -0.5 * np.expm1(-2.0 * turns) @ np.einsum("mk,mk->m", borne, before.memory)
+        total += (gone**2 / turns) @ (borne @ change) + steady @ (self.waves[1:] @ change**2)
+        return 2.0 * float(total)

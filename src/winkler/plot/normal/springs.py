@@ -8,6 +8,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from winkler.foundation.bed import Bed, PressedSprings
+from winkler.media.halfspace import HalfSpace
+from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.extent import outline_end
