@@ -12,8 +12,8 @@ __all__ = ["Layer"]
 
 
 BUILT_ELASTIC = Advice(
-    "a layer that relaxes is a ViscoelasticLayer(solid, thickness) of a ViscoelasticCoatedHalfSpace; if all parts relax "
-    "in proportion, build the body of elastic layers, and give RelaxingInProportion(medium, solid, shear)"
+    "a layer that relaxes is a ViscoelasticLayer(solid, thickness) of a ViscoelasticCoatedHalfSpace; if all parts "
+    "relax in proportion, build the body of elastic layers, and give RelaxingInProportion(medium, solid, shear)"
 )
 
 

@@ -12,7 +12,6 @@ from winkler.loading import Depth, Force
 from winkler.materials.layered import Layer
 from winkler.materials.relaxing_layer import ViscoelasticLayer
 from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
-from winkler.materials.viscoelastic import Prony
 from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
 from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
@@ -57,7 +56,7 @@ def test_layers_of_the_solid_of_the_base_are_the_half_space_of_ting():
     r = np.linspace(0.0, 0.95, 12) * known_moment.radius
     assert moment.pressure(r) == pytest.approx(known_moment.pressure(r), rel=5e-3)
     with pytest.raises(OutsideValidity, match="the pressure is restored alone"):
-        moment.pressed
+        _ = moment.pressed
 
 
 def test_a_film_on_a_rigid_base_relaxes_in_proportion():
@@ -197,5 +196,5 @@ def test_what_is_refused():
         wk.ViscoelasticImpact(bed(ViscoelasticCoatedHalfSpace([layer], on=BASE)), mass=1.0, velocity=1.0)
     with pytest.raises(InvalidInput, match="body of revolution"):
         CreepTest(wk.PlaneFoundation(BALL, COATED), 1.0, [1.0])
-    with pytest.raises(OutsideValidity, match="changes in time"):
+    with pytest.raises(OutsideValidity, match="change in time"):
         wk.Indentation(bed(COATED), Depth(1e-2)).solve()

@@ -1,10 +1,10 @@
 r"""Coated bodies whose layers relax, each by a law of its own.
 
-Poisson's ratios do not change in time, so that a wave of pressure meets, by the elastic-viscoelastic correspondence, the
-compliance of the elastic stack with the moduli :math:`G_j(s)`, and after a step of load a sum of exponentials
+Poisson's ratios do not change in time, so that a wave of pressure meets, by the elastic-viscoelastic correspondence,
+the compliance of the elastic stack with the moduli :math:`G_j(s)`, and after a step of load a sum of exponentials
 (`winkler.numerics.springs.wave_creep`).  The ratios of the moduli change in time, and with them the shape of g: neither
-k(a) nor g(x) exists by itself.  What is left of the springs is their line load q(x), the Abel transform of the pressure,
-and their displacement u(x); each wave of q moves its own wave of u,
+k(a) nor g(x) exists by itself.  What is left of the springs is their line load q(x), the Abel transform of the
+pressure, and their displacement u(x); each wave of q moves its own wave of u,
 
 .. math:: \hat u(\xi,t) = \int_0^t c(\xi,t-t')\,\frac{\partial\hat q(\xi,t')}{\partial t'}\,\mathrm dt' ,
           \qquad c = \tfrac12\,\xi\,C(\xi,t) ,
@@ -19,7 +19,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput
+from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import RIGID, Elastic, Rigid
 from winkler.materials.layered import Layer
 from winkler.materials.relaxing_layer import ViscoelasticLayer
@@ -109,6 +109,14 @@ class ViscoelasticCoatedHalfSpace(RelaxingMedium):
         solids = (*(layer.solid for layer in self.layers), self.on, self.second)
         return tuple(solid for solid in solids if isinstance(solid, ViscoelasticSolid))
 
+    def timeless(self) -> OutsideValidity:
+        """Return the error of a call that requests a single value."""
+        return OutsideValidity(
+            "ViscoelasticCoatedHalfSpace: its stiffness and its equivalent profile change in time, so no single value "
+            "exists; use ViscoelasticIndentation(bed, path), CreepTest, RelaxationTest or HarmonicIndentation, or the "
+            "elastic stacks `glassy`, right after a step, and `relaxed`, after all time."
+        )
+
     @property
     def glassy(self) -> CoatedHalfSpace:
         """The elastic stack that responds to a sudden step."""
@@ -185,8 +193,8 @@ class ViscoelasticCoatedHalfSpace(RelaxingMedium):
         Note(
             Assumption.RESPONSE,
             Standing.EXACT,
-            "Frictionless contact of perfectly bonded, isotropic, linear viscoelastic layers with Poisson's ratios that "
-            "do not change in time, without inertia: tractions are superposed over the history, wave by wave.",
+            "Frictionless contact of perfectly bonded, isotropic, linear viscoelastic layers with Poisson's ratios "
+            "that do not change in time, without inertia: tractions are superposed over the history, wave by wave.",
             LEE,
         ),
     )
@@ -221,4 +229,3 @@ def _wave_creep(medium: ViscoelasticCoatedHalfSpace) -> WaveCreep:
     )
     stacks = [NormalResponse(stack.layers, stack.on) for stack in (medium.glassy, medium.relaxed)]
     return fit_wave_creep(medium.compliance, softest, times, max(stack.span for stack in stacks), stacks[0].length)
-

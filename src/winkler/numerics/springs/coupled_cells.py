@@ -169,7 +169,9 @@ class CoupledCells:
             unit = solve_triangular(lower, np.full(self.count, self.width), lower=True, check_finite=False)
             while len(self._factors) >= MOST_FACTORS:
                 self._factors.pop(next(iter(self._factors)))
-            self._factors[key] = _Factor(fade, share, fade[:, None] * self.waves[1:], share @ self.waves[1:], lower, unit)
+            self._factors[key] = _Factor(
+                fade, share, fade[:, None] * self.waves[1:], share @ self.waves[1:], lower, unit
+            )
         return self._factors[key]
 
     def displacement(self, state: CellState) -> Array:

@@ -63,16 +63,15 @@ def proportional_sheet(item: RelaxingInProportion) -> Sheet:
 
 @without_extent(ViscoelasticCoatedHalfSpace)
 def coated_sheet(item: ViscoelasticCoatedHalfSpace) -> Sheet:
-    """Return how much waves of pressure sink, over their first amplitude: short ones, and ones longer than the layers."""
+    """Return how much waves of pressure sink, over their first amplitude: short and long against the layers."""
     creep, thickness = item.wave_creep, item.elastic.thickness
-    time = series("time", np.geomspace(float(creep.times[0]), float(creep.times[-1]), POINTS))
+    time = series("time", np.geomspace(0.1 * float(creep.times[0]), 3.0 * float(creep.times[-1]), POINTS))
     waves = np.array([np.inf, 1.0 / thickness, 0.1 / thickness])
     names = "much shorter than the layers are thick", "about $6$ thicknesses", "about $60$ thicknesses"
-    curves = creep.after(waves, time.content)
+    curves = creep.after(waves, time.content) / creep.after(waves, np.zeros(1))
     meaning = "amplitude over that at first"
     quantities = [
-        Quantity(Series(meaning, Word("", "", meaning), curve / curve[0]), name)
-        for curve, name in zip(curves, names, strict=True)
+        Quantity(Series(meaning, Word("", "", meaning), curve), name) for curve, name in zip(curves, names, strict=True)
     ]
     panel = decades_panel(time, quantities)
     return Sheet(titled((panel,), "creep under waves of pressure"), width=5.2, height=3.6, title=type(item).__name__)

@@ -121,7 +121,7 @@ class LayeredMarch:
         """Refuse a contact that is no disc: touched around a dent, pulled inside, or overlapping outside."""
         state, cells = self.state, self.cells
         what = ""
-        if state.ring and state.held == 0 and state.force > 0.0 or state.ring and state.held > 0:
+        if (state.ring and state.held == 0 and state.force > 0.0) or (state.ring and state.held > 0):
             what = "touches around a dent that has not recovered"
         elif state.held > 2:
             if self.check.pulls(state):

@@ -1,8 +1,7 @@
-"""Validity notes of contacts whose layers relax each by a law of its own: shape, edge, and the error of cells and steps."""
+"""Validity notes of contacts whose layers relax each by a law of its own: shape, edge, error of cells and steps."""
 
 from __future__ import annotations
 
-import dataclasses
 from typing import Any
 
 import numpy as np

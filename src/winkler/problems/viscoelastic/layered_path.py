@@ -7,8 +7,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
-from winkler.foundation.bed import Bed
 from winkler.footprint import DISC
+from winkler.foundation.bed import Bed
 from winkler.foundation.on_medium import OnMedium, UnderProfile
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HalfSpace
