@@ -40,7 +40,7 @@ print(f"at one depth the contact widens by {held.radius[-1] / held.radius[0] - 1
 # %%
 # In, hold, out
 # -------------
-# The loop of the film lies between those of a thick layer and of the bare base, which loses nothing.
+# The base loses nothing: the thinner the film, the less is lost.
 
 path = wk.Path([0.0, 0.1, 0.3, 0.4], wk.Depth([0.0, DEPTH, DEPTH, 0.0]))
 times = np.concatenate([np.linspace(0.0, 0.1, 20), np.linspace(0.1, 0.3, 10)[1:], np.linspace(0.3, 0.4, 40)[1:]])

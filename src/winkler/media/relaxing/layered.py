@@ -187,7 +187,7 @@ class ViscoelasticCoatedHalfSpace(RelaxingMedium):
         result = np.empty((s.size, xi.size), dtype=complex)
         result[:, finite] = -0.5 * below[:, 1, 1].reshape(s.size, -1)
         result[:, ~finite] = _own(self.layers[0].solid, s)[:, None]
-        return result + (0.0 if isinstance(self.second, Rigid) else _own(self.second, s)[:, None])
+        return np.asarray(result if isinstance(self.second, Rigid) else result + _own(self.second, s)[:, None])
 
     notes = (
         Note(
@@ -207,7 +207,7 @@ def _shear(solid: ViscoelasticSolid | Elastic, s: ComplexArray) -> ComplexArray:
         return np.full(s.shape, solid.shear, dtype=complex)
     series = solid.series
     last = np.isinf(np.abs(s))
-    return np.where(last, series.glassy, series.dynamic(np.where(last, 0.0, s.imag)))
+    return np.asarray(np.where(last, series.glassy, series.dynamic(np.where(last, 0.0, s.imag))))
 
 
 def _own(solid: ViscoelasticSolid | Elastic, s: ComplexArray) -> ComplexArray:

@@ -93,7 +93,7 @@ def plane_profile(bed: Bed, end: float) -> tuple[Series, Series]:
     medium = getattr(bed, "medium", None)
     if isinstance(medium, RelaxingMedium) and not medium.in_proportion:
         # g changes in time; what the springs follow is the profile on one solid
-        bed = dataclasses.replace(bed, medium=HalfSpace(medium.elastic.layers[0].solid))  # type: ignore
+        bed = dataclasses.replace(bed, medium=HalfSpace(medium.elastic.layers[0].solid))  # type: ignore[attr-defined, type-var]
     end = min(end, outline_end(bed))
     inner = places(end, tuple(b for b, _ in bed.kinks))
     x = np.concatenate([[0.0], inner, [end]])

@@ -40,7 +40,7 @@ class MarchedPoint(NamedTuple):
     lost: float
 
     @property
-    def numbers(self) -> tuple[float, ...]:
+    def numbers(self) -> tuple[float, float, float, float, float, float, float]:
         """Time, depth, force, radius, work, energy stored and lost."""
         state = self.state
         return self.time, state.depth, state.force, state.radius, self.work, self.stored, self.lost
