@@ -2,8 +2,8 @@ r"""Coated bodies whose layers relax, each by a law of its own.
 
 Poisson's ratios do not change in time, so that a wave of pressure meets, by the elastic-viscoelastic correspondence,
 the compliance of the elastic stack with the moduli :math:`G_j(s)`, and after a step of load a sum of exponentials
-(`winkler.numerics.springs.wave_creep`).  The ratios of the moduli change in time, and with them the shape of g: neither
-k(a) nor g(x) exists by itself.  What is left of the springs is their line load q(x), the Abel transform of the
+(`winkler.numerics.transforms.wave_creep`).  The ratios of the moduli change in time, and with them the shape of g:
+neither k(a) nor g(x) exists by itself.  What is left of the springs is their line load q(x), the Abel transform of the
 pressure, and their displacement u(x); each wave of q moves its own wave of u,
 
 .. math:: \hat u(\xi,t) = \int_0^t c(\xi,t-t')\,\frac{\partial\hat q(\xi,t')}{\partial t'}\,\mathrm dt' ,
@@ -29,7 +29,7 @@ from winkler.media.layered.layers import NormalResponse, half_space, through_lay
 from winkler.media.relaxing.relaxing_medium import LEE, RelaxingMedium
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.springs.exponential_sums import of_relaxation
-from winkler.numerics.springs.wave_creep import WaveCreep, fit_wave_creep
+from winkler.numerics.transforms.wave_creep import WaveCreep, fit_wave_creep
 from winkler.numerics.types import Array, ComplexArray
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value

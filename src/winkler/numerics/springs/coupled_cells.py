@@ -1,8 +1,8 @@
 r"""Cells of a line load that move one another and creep: one step of a contact with all that it remembers.
 
 The line load q is constant in every cell of a width h, the displacement its sum of exponentials
-(`winkler.numerics.springs.wave_creep`), and over a step of time q changes steadily.  Then a step is the contact of an
-elastic surface with the compliance
+(`winkler.numerics.transforms.wave_creep`), and over a step of time q changes steadily.  Then a step is the contact of
+an elastic surface with the compliance
 
 .. math:: A = G_0 + \sum_m (1-g_m)\,G_m , \qquad g_m = \frac{\lambda_m}{\Delta t}\big(1-e^{-\Delta t/\lambda_m}\big) ,
 
@@ -19,13 +19,13 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["CellState", "CoupledCells"]
+__all__ = ["CoupledCells", "LoadedCells"]
 
 MOST_FACTORS = 48
 """Steps of so many lengths are kept."""
 
 
-class CellState(NamedTuple):
+class LoadedCells(NamedTuple):
     """The cells at one moment.
 
     Parameters
@@ -90,10 +90,10 @@ class CoupledCells:
         self._factors: dict[float, _Factor] = {}
 
     @property
-    def at_rest(self) -> CellState:
+    def at_rest(self) -> LoadedCells:
         """Cells that nothing has ever pressed."""
         memory = np.zeros((self.times.size, 2 * self.count))
-        return CellState(
+        return LoadedCells(
             float(self.shape[0]), 0.0, 0.0, 0, False, np.zeros(self.count), np.zeros(2 * self.count), memory
         )
 
@@ -116,7 +116,7 @@ class CoupledCells:
         near = kernel[: self.count]  # given twice: a complex row alone would be conjugated
         return np.asarray(toeplitz(near, near) + hankel(kernel[1 : self.count + 1], kernel[self.count :]))
 
-    def step(self, state: CellState, span: float, depth: float | None, force: float | None) -> CellState:
+    def step(self, state: LoadedCells, span: float, depth: float | None, force: float | None) -> LoadedCells:
         """Return the cells after a time [s], zero for a sudden change, at a depth [m] or under a force [N]."""
         from scipy.linalg.lapack import dtrtrs
 
@@ -137,7 +137,7 @@ class CoupledCells:
         total = 2.0 * self.width * float(np.sum(load))
         ring = bool(bears[held:].any())
         radius = self._radius(pressed / np.diag(factor.lower), held)
-        return CellState(depth, total, radius, held, ring, load, waves, memory)
+        return LoadedCells(depth, total, radius, held, ring, load, waves, memory)
 
     def _depth_under(self, force: float, unit: Array, still: Array) -> float:
         """Return the depth at which independent springs bear a force."""
@@ -174,17 +174,17 @@ class CoupledCells:
             )
         return self._factors[key]
 
-    def displacement(self, state: CellState) -> Array:
+    def displacement(self, state: LoadedCells) -> Array:
         """Return u [m] in the cells."""
         kept = state.waves - state.memory
         return self.restored(self.waves[0] * state.waves + np.einsum("mk,mk->k", self.waves[1:], kept)) / self.width
 
-    def stored(self, state: CellState) -> float:
+    def stored(self, state: LoadedCells) -> float:
         """Return the energy stored [J]."""
         kept = state.waves - state.memory
         return float(self.waves[0] @ state.waves**2 + np.sum(self.waves[1:] * kept**2))
 
-    def lost(self, before: CellState, after: CellState, span: float) -> float:
+    def lost(self, before: LoadedCells, after: LoadedCells, span: float) -> float:
         """Return what a step has lost [J], the integral of c_m z_m^2 / lambda_m with the memory z_m in closed form."""
         if span == 0.0:
             return 0.0

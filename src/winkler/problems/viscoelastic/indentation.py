@@ -159,7 +159,7 @@ class ViscoelasticIndentation:
         if is_layered("ViscoelasticIndentation", self.bed):
             for cells, point in self._layered():
                 state, places = point.state, cells.displacement(point.state)
-                yield ViscoelasticState(self.bed, *point.numbers, cells.middle, state.load, places)
+                yield ViscoelasticState(self.bed, *point.numbers(), cells.middle, state.load, places)
             return
         stiffness: Array = np.empty(0)
         for row, numbers in self._stretches(1):
@@ -248,7 +248,7 @@ class ViscoelasticIndentation:
             As `steps`.
         """
         if is_layered("ViscoelasticIndentation", self.bed):
-            return ViscoelasticSolution(self, *np.array([point.numbers for _, point in self._layered()]).T)
+            return ViscoelasticSolution(self, *np.array([point.numbers() for _, point in self._layered()]).T)
         return ViscoelasticSolution(self, *np.concatenate([numbers for _, numbers in self._stretches(BLOCK)]).T)
 
 

@@ -11,7 +11,7 @@ from winkler.foundation.bed import Bed
 from winkler.foundation.on_medium import UnderProfile
 from winkler.loading import Depth, Force
 from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
-from winkler.numerics.springs.coupled_cells import CellState, CoupledCells
+from winkler.numerics.springs.coupled_cells import CoupledCells, LoadedCells
 from winkler.numerics.types import Array
 
 __all__ = ["LayeredMarch", "MarchedPoint", "TooNarrow", "cells_of"]
@@ -34,14 +34,13 @@ class MarchedPoint(NamedTuple):
     """A point of a path: its cells, and energies since the beginning [J]."""
 
     time: float
-    state: CellState
+    state: LoadedCells
     work: float
     stored: float
     lost: float
 
-    @property
     def numbers(self) -> tuple[float, float, float, float, float, float, float]:
-        """Time, depth, force, radius, work, energy stored and lost."""
+        """Return time, depth, force, radius, work, energy stored and lost."""
         state = self.state
         return self.time, state.depth, state.force, state.radius, self.work, self.stored, self.lost
 
@@ -89,7 +88,7 @@ class LayeredMarch:
         self._examine()
         return MarchedPoint(time, self.state, self.work, self.cells.stored(self.state), self.lost)
 
-    def _through(self, span: float, by_depth: bool, start: float, end: float, full: CellState, level: int) -> None:
+    def _through(self, span: float, by_depth: bool, start: float, end: float, full: LoadedCells, level: int) -> None:
         """Make a step of which the result at once is known, in two halves, or in smaller ones."""
         half, middle = 0.5 * span, 0.5 * (start + end)
         one = self._step(self.state, half, by_depth, middle)
@@ -108,10 +107,10 @@ class LayeredMarch:
         self._through(half, by_depth, start, middle, one, level + 1)
         self._through(half, by_depth, middle, end, self._step(self.state, half, by_depth, end), level + 1)
 
-    def _scaled(self, state: CellState, by_depth: bool) -> None:
+    def _scaled(self, state: LoadedCells, by_depth: bool) -> None:
         self.scale = max(self.scale, abs(state.force if by_depth else state.depth))
 
-    def _step(self, state: CellState, span: float, by_depth: bool, end: float) -> CellState:
+    def _step(self, state: LoadedCells, span: float, by_depth: bool, end: float) -> LoadedCells:
         after = self.cells.step(state, span, end if by_depth else None, None if by_depth else end)
         if after.held == self.cells.count and not self.pinned:
             raise TooNarrow
@@ -135,7 +134,7 @@ class LayeredMarch:
             )
 
 
-def _work(first: CellState, one: CellState, two: CellState, by_depth: bool) -> float:
+def _work(first: LoadedCells, one: LoadedCells, two: LoadedCells, by_depth: bool) -> float:
     """Return the integral of F dd [J] over two halves of a step, by Simpson's rule over what is prescribed."""
     if by_depth:
         return (two.depth - first.depth) * (first.force + 4.0 * one.force + two.force) / 6.0
@@ -156,7 +155,7 @@ class _Check:
         self.opening = 2.0 / np.pi * np.diff(np.arcsin(np.minimum(edges / r, 1.0)), axis=1)
         self.cells = cells
 
-    def pulls(self, state: CellState) -> bool:
+    def pulls(self, state: LoadedCells) -> bool:
         """Return whether the pressure is a pull somewhere."""
         if state.held == state.load.size:  # pinned at the rim: the slope is that of a punch
             return False
@@ -164,7 +163,7 @@ class _Check:
         inside = self.places < self.cells.middle[state.held - 1] - self.cells.width
         return bool(np.any(pressure[inside] < -PULL * np.max(pressure)))
 
-    def overlaps(self, state: CellState, displacement: Array) -> bool:
+    def overlaps(self, state: LoadedCells, displacement: Array) -> bool:
         """Return whether the bodies overlap somewhere outside."""
         apart = np.where(np.arange(state.load.size) < state.held, 0.0, self.cells.shape - state.depth + displacement)
         outside = self.places > self.cells.middle[state.held - 1] + 2.0 * self.cells.width
