@@ -1,8 +1,8 @@
 r"""Cells of a line load that move one another and creep: one step of a contact with all that it remembers.
 
-The line load q is constant in every cell of a width h, the displacement its sum of exponentials
-(`winkler.numerics.transforms.wave_creep`), and over a step of time q changes steadily.  Then a step is the contact of
-an elastic surface with the compliance
+The line load q is straight between the middles of cells of a width h, a sum of hats; its displacement is a sum of
+exponentials (`winkler.numerics.transforms.wave_creep`), prescribed as a mean over each hat, and over a step of time q
+changes steadily.  Then a step is the contact of an elastic surface with the compliance
 
 .. math:: A = G_0 + \sum_m (1-g_m)\,G_m , \qquad g_m = \frac{\lambda_m}{\Delta t}\big(1-e^{-\Delta t/\lambda_m}\big) ,
 
@@ -13,16 +13,22 @@ far the contact reaches, :math:`v_i>0`, and what it bears, :math:`F = 2\sum v_i\
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["CoupledCells", "LoadedCells"]
+__all__ = ["EDGE_SHIFT", "CoupledCells", "LoadedCells"]
 
-MOST_FACTORS = 48
-"""Steps of so many lengths are kept."""
+EDGE_SHIFT = 0.5 - 0.5 / math.sqrt(3.0)
+"""By so many cells a contact is wider than where the last of its cells would bear nothing.
+
+Of hats on a medium without waves, whose factor has d^2 + e^2 = 2/3 and d e = 1/6, it is e / (d + e).
+"""
+MOST_FACTORS, MOST_NUMBERS_KEPT = 48, 8_000_000
+"""Steps of so many lengths are kept, with so many numbers, but those of two in any case."""
 
 
 class LoadedCells(NamedTuple):
@@ -151,10 +157,12 @@ class CoupledCells:
 
     def _radius(self, last: Array, held: int) -> float:
         """Return where the line load vanishes, from what the last cell of contacts of all widths would bear."""
-        if held == 0 or held == self.count:
-            return held * self.width
+        if held == 0:
+            return 0.0
+        if held == self.count:
+            return (held + EDGE_SHIFT) * self.width
         inner, outer = float(last[held - 1]), float(last[held])
-        return float(self.middle[held - 1]) + self.width * inner / (inner - outer)
+        return float(self.middle[held - 1]) + self.width * (inner / (inner - outer) + EDGE_SHIFT)
 
     def _factor(self, span: float) -> _Factor:
         key = float(f"{span:.9e}")
@@ -167,7 +175,7 @@ class CoupledCells:
             matrix = self.matrix(self.kernels[0] + (1.0 - share) @ self.kernels[1:])
             lower = np.asfortranarray(cholesky(matrix, lower=True, overwrite_a=True, check_finite=False))
             unit = solve_triangular(lower, np.full(self.count, self.width), lower=True, check_finite=False)
-            while len(self._factors) >= MOST_FACTORS:
+            while len(self._factors) >= min(MOST_FACTORS, max(2, MOST_NUMBERS_KEPT // self.count**2)):
                 self._factors.pop(next(iter(self._factors)))
             self._factors[key] = _Factor(
                 fade, share, fade[:, None] * self.waves[1:], share @ self.waves[1:], lower, unit

@@ -73,9 +73,9 @@ class WaveCreep(NamedTuple):
     error: float
 
     def kernels(self, count: int, width: float) -> Array:
-        """Return how the load of a cell moves cells at distances 0, width, ..., ``(1 + M, 2 count)``.
+        """Return how the load of a hat moves hats at distances 0, width, ..., ``(1 + M, 2 count)``.
 
-        The double integral of c over two cells of this width [m] on a line [m/Pa].
+        A hat is one in its middle and zero one width [m] away: the double integral of c with two hats [m/Pa].
         """
         lowest, last, along = float(self.edges[1]), float(self.edges[-1]), np.arange(2 * count)
         stride = 2.0 * math.pi / (4 * count * width)
@@ -93,7 +93,8 @@ class WaveCreep(NamedTuple):
             summed = np.fft.fft(folded.reshape(self.local.size, -1, 4 * count).sum(axis=1), axis=1)
             turned = np.conj(summed[:, : 2 * count]) * np.exp(1j * first * width * along)
             total += turned.real
-        total[:, 0] += self.local * width
+        total[:, 0] += self.local * (2.0 / 3.0 * width)
+        total[:, 1] += self.local * (width / 6.0)
         return total
 
     def after(self, xi: Array, time: Array) -> Array:
@@ -102,8 +103,8 @@ class WaveCreep(NamedTuple):
         return np.asarray(parts[0][:, None] - parts[1:].T @ np.expm1(-time / self.times[:, None]))
 
     def _weighted(self, xi: Array, weights: Array, width: float) -> Array:
-        """Return what varies of the coefficients, times the weights and the square of the transform of a cell."""
-        return self._varying(xi) * (weights / math.pi * (width * np.sinc(0.5 * xi * width / math.pi)) ** 2)
+        """Return what varies of the coefficients, times the weights and the square of the transform of a hat."""
+        return self._varying(xi) * (weights / math.pi * width**2 * np.sinc(0.5 * xi * width / math.pi) ** 4)
 
     def _varying(self, xi: Array) -> Array:
         """Return what is added to the coefficients of the shortest waves, ``(1 + M, m)``."""

@@ -11,7 +11,7 @@ from winkler.foundation.bed import Bed
 from winkler.foundation.on_medium import UnderProfile
 from winkler.loading import Depth, Force
 from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
-from winkler.numerics.springs.coupled_cells import CoupledCells, LoadedCells
+from winkler.numerics.springs.coupled_cells import EDGE_SHIFT, CoupledCells, LoadedCells
 from winkler.numerics.types import Array
 
 __all__ = ["LayeredMarch", "MarchedPoint", "TooNarrow", "cells_of"]
@@ -49,7 +49,7 @@ def cells_of(bed: Bed, reach: float, count: int) -> CoupledCells:
     """Return cells up to a radius [m], or up to the rim of the body."""
     assert isinstance(bed, UnderProfile)
     assert isinstance(bed.medium, ViscoelasticCoatedHalfSpace)
-    creep, width = bed.medium.wave_creep, min(reach, bed.rim) / count
+    creep, width = bed.medium.wave_creep, min(reach, bed.rim) / (count + EDGE_SHIFT)
     shape = np.asarray(bed.profile.gap(width * (np.arange(count) + 0.5)), dtype=float)
     return CoupledCells(creep.kernels(count, width), creep.times, width, shape)
 
@@ -70,7 +70,7 @@ class LayeredMarch:
     def __init__(self, owner: str, bed: Bed, cells: CoupledCells, tolerance: float) -> None:
         self.owner, self.bed, self.cells = owner, bed, cells
         self.tolerance = max(tolerance, CELL_ERROR / cells.count**2)
-        self.pinned = cells.width * cells.count >= bed.rim * (1.0 - 1e-12)
+        self.pinned = cells.width * (cells.count + EDGE_SHIFT) >= bed.rim * (1.0 - 1e-12)
         self.state, self.time, self.work, self.lost, self.scale = cells.at_rest, 0.0, 0.0, 0.0, 0.0
         self.check = _Check(cells)
 

@@ -62,7 +62,7 @@ def contact_reach(owner: str, bed: Bed, normal: Depth | Force, most: float) -> f
             for span in (0.0, last)
         ]
         widest = max(end.radius for end in ends)
-        if widest >= bed.rim:
+        if widest >= bed.rim * (1.0 - 1e-12):
             return bed.rim
         if all(end.held < cells.count for end in ends) and widest > 0.25 * reach:
             return REACH_MARGIN * widest
