@@ -196,5 +196,31 @@ def test_what_is_refused():
         wk.ViscoelasticImpact(bed(ViscoelasticCoatedHalfSpace([layer], on=BASE)), mass=1.0, velocity=1.0)
     with pytest.raises(InvalidInput, match="body of revolution"):
         CreepTest(wk.PlaneFoundation(BALL, COATED), 1.0, [1.0])
+    with pytest.raises(InvalidInput, match="at most 2000 cells"):
+        ViscoelasticIndentation(bed(COATED), IN_AND_OUT, count=2001)
     with pytest.raises(OutsideValidity, match="change in time"):
         wk.Indentation(bed(COATED), Depth(1e-2)).solve()
+
+
+def test_a_thin_incompressible_film_carries_like_a_squeezed_fluid():
+    """a^2 = 4 R d and F = 2 pi mu a^6 / (32 R h^3) for a bonded film of h << a, from u = - h^3 / (3 mu) laplacian p."""
+    h, d = 1e-3, 1e-2
+    rubber = StandardSolid(1.0, 4.0, 1.0, poisson=0.5)
+    film = ViscoelasticCoatedHalfSpace([ViscoelasticLayer(rubber, h)], on=wk.Rigid())
+    times = np.array([1e-3, 1.0, 30.0])
+    found = RelaxationTest(bed(film), d, times).solve()
+    shear = 1.0 + 4.0 * np.exp(-times)
+    assert found.force == pytest.approx(np.pi * shear * (4.0 * d) ** 3 / (32.0 * h**3), rel=0.1)
+    assert found.radius == pytest.approx(np.sqrt(4.0 * d), rel=0.02)
+    assert found.force / found.force[0] == pytest.approx(shear / shear[0], rel=1e-3)
+
+
+def test_a_hard_film_whose_bending_relaxes_loses_touch_inside():
+    """The states before it are yielded."""
+    hard = ViscoelasticCoatedHalfSpace([ViscoelasticLayer(StandardSolid(1e3, 4e3, 1.0, poisson=0.3), 0.01)], on=BASE)
+    t = np.linspace(0.0, 1.5, 16)
+    path = Path(t, Depth(5e-3 * (1.0 - np.cos(2.0 * np.pi * t / 3.0))))
+    seen = []
+    with pytest.raises(OutsideValidity, match="is pulled inside the contact"):
+        seen.extend(ViscoelasticIndentation(bed(hard), path, count=60).steps())
+    assert len(seen) > 4

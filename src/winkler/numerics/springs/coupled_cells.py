@@ -18,6 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.errors import NotConverged
 from winkler.numerics.types import Array
 
 __all__ = ["EDGE_SHIFT", "CoupledCells", "LoadedCells"]
@@ -173,7 +174,13 @@ class CoupledCells:
             fade = np.exp(-turns)
             share = -np.expm1(-turns) / turns if span > 0.0 else np.ones(turns.size)
             matrix = self.matrix(self.kernels[0] + (1.0 - share) @ self.kernels[1:])
-            lower = np.asfortranarray(cholesky(matrix, lower=True, overwrite_a=True, check_finite=False))
+            try:
+                lower = np.asfortranarray(cholesky(matrix, lower=True, overwrite_a=True, check_finite=False))
+            except np.linalg.LinAlgError as failed:
+                raise NotConverged(
+                    "The compliance of the layers is lost in rounding: the contact is too wide against them, or their "
+                    "contrast too large; press less, or give thicker layers."
+                ) from failed
             unit = solve_triangular(lower, np.full(self.count, self.width), lower=True, check_finite=False)
             while len(self._factors) >= min(MOST_FACTORS, max(2, MOST_NUMBERS_KEPT // self.count**2)):
                 self._factors.pop(next(iter(self._factors)))

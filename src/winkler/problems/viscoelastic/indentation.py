@@ -112,7 +112,7 @@ class ViscoelasticIndentation:
     assumptions: ClassVar[frozenset[Assumption]] = RELAXING | BALANCED
 
     def __post_init__(self) -> None:
-        if not is_layered("ViscoelasticIndentation", self.bed):
+        if not is_layered("ViscoelasticIndentation", self.bed, self.count):
             relaxation_of("ViscoelasticIndentation", self.bed)
         if not isinstance(self.path.lateral, Shift) or np.any(self.path.along != 0.0):
             raise InvalidInput(

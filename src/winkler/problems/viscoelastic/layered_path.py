@@ -20,6 +20,7 @@ from winkler.problems.viscoelastic.layered_march import LayeredMarch, MarchedPoi
 
 __all__ = ["complex_stiffness", "contact_reach", "is_layered", "marched", "stepped"]
 
+MOST_CELLS = 2000
 COARSE_CELLS = 32
 """With which it is estimated how far contacts reach."""
 REACH_MARGIN = 1.25
@@ -33,14 +34,19 @@ PUNCH_CELLS = 192
 """Cells under a small oscillation; twice as many remove the error of the second order."""
 
 
-def is_layered(owner: str, bed: Bed) -> bool:
-    """Return whether layers of a bed relax each by a law of its own; refuse such a bed without a profile."""
+def is_layered(owner: str, bed: Bed, count: int = 2) -> bool:
+    """Return whether layers of a bed relax each by a law of its own; refuse too many cells, and no profile."""
     if not isinstance(bed.medium, ViscoelasticCoatedHalfSpace):
         return False
     if not isinstance(bed, UnderProfile) or bed.footprint != DISC:
         raise InvalidInput(
             f"{owner}: a ViscoelasticCoatedHalfSpace needs Foundation(profile, medium) of a body of revolution, whose "
             "contact is a disc; the equivalent profile of other beds changes in time."
+        )
+    if count > MOST_CELLS:
+        raise InvalidInput(
+            f"{owner}: count is {count}, but on layers that relax each by a law of its own at most {MOST_CELLS} cells "
+            "are solved, which know forces to 1e-6; give fewer."
         )
     return True
 
