@@ -219,13 +219,12 @@ def _own(solid: ViscoelasticSolid | Elastic, s: ComplexArray) -> ComplexArray:
 def _wave_creep(medium: ViscoelasticCoatedHalfSpace) -> WaveCreep:
     solids = medium.relaxing_solids
 
-    def softest(s: ComplexArray, _: Array) -> ComplexArray:
-        parts = [solid.series.relaxed / np.abs(_shear(solid, s)) for solid in solids]
-        return np.min(parts, axis=0)[:, None].astype(complex)
+    def share(s: ComplexArray) -> Array:
+        return np.asarray(np.min([solid.series.relaxed / np.abs(_shear(solid, s)) for solid in solids], axis=0))
 
     times = (
         min(float(np.min(solid.series.times)) for solid in solids),
         max(float(np.max(of_relaxation(solid.series).times)) for solid in solids),
     )
     stacks = [NormalResponse(stack.layers, stack.on) for stack in (medium.glassy, medium.relaxed)]
-    return fit_wave_creep(medium.compliance, softest, times, max(stack.span for stack in stacks), stacks[0].length)
+    return fit_wave_creep(medium.compliance, share, times, max(stack.span for stack in stacks), stacks[0].length)

@@ -118,7 +118,11 @@ class WaveCreep(NamedTuple):
 
 
 def fit_wave_creep(
-    compliance: Compliance, softest: Compliance, times: tuple[float, float], span: float, length: float
+    compliance: Compliance,
+    share: Callable[[ComplexArray], Array],
+    times: tuple[float, float],
+    span: float,
+    length: float,
 ) -> WaveCreep:
     """Fit the creep of all waves.
 
@@ -126,8 +130,8 @@ def fit_wave_creep(
     ----------
     compliance : callable
         c(s, xi) of the surface; infinite xi of the shortest waves.
-    softest : callable
-        |c| of the part that creeps most, over its value after all time, of any xi: what an error is compared with.
+    share : callable
+        The smallest |J(s)| / J(0) of the solids, ``(S,)``: in proportion to it errors are weighed.
     times : (float, float)
         Between which the retardation times lie [s].
     span, length : float
@@ -150,7 +154,7 @@ def fit_wave_creep(
     xi = np.append(nodes.ravel(), np.inf)
 
     at_once = np.real(compliance(np.array([1j * np.inf]), xi)[0])
-    weights = 1.0 / np.abs(softest(1j * fitted, xi[-1:])[:, 0])
+    weights = 1.0 / share(1j * fitted)
     weights[0] *= LIMIT_WEIGHT
     rows, wanted = _terms(fitted, kept), compliance(1j * fitted, xi) - at_once
     both = np.concatenate([weights, weights])[:, None]

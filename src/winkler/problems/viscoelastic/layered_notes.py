@@ -10,6 +10,7 @@ from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.loading import Depth, Force
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.types import Array
+from winkler.problems.assumptions.film import film_notes
 from winkler.problems.normal.unknown_yield import relaxing_yield
 from winkler.problems.normal.validity import shape_notes
 from winkler.problems.viscoelastic.layered_path import STEP_CELLS, marched, stepped
@@ -27,6 +28,9 @@ def layered_notes(problem: Any, solution: Any, own: tuple[Note, ...]) -> tuple[N
     """Return the notes on bed, shape, cells and yield about those of one kind of problem."""
     bed, radius = problem.bed, float(np.max(solution.radius))
     shape = shape_notes(bed, radius) if radius > 0.0 else []
+    depths, forces, radii = (np.ravel(each) for each in (solution.depth, solution.force, solution.radius))
+    deepest = int(np.argmax(depths))
+    shape.extend(film_notes(bed, float(depths[deepest]), float(forces[deepest]), float(radii[deepest])))
     return (*bed.notes, *shape, *_disc(bed, radius), _error_note(problem, solution), *own, *relaxing_yield(bed.medium))
 
 

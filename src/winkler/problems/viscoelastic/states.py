@@ -39,7 +39,8 @@ class ViscoelasticState:
     line_load : ndarray, (n,)
         q(x) [N/m], zero where the spring is free.
     recess : ndarray, (n,)
-        u(x) [m]: how far every spring is pressed in, or has not yet recovered.
+        u(x) [m]: how far every spring is pressed in, or has not yet recovered; on layers that relax each by a law of
+        its own also how far the loads of others move it.
     """
 
     __words__ = words(
