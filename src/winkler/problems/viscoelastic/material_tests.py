@@ -86,7 +86,9 @@ class CreepTest:
         Raises
         ------
         OutsideValidity
-            If it sinks beyond what is known of its profile.
+            If it sinks beyond what is known of its profile, or the contact on layers is no disc.
+        NotConverged
+            If cells do not resolve layers that relax each by a law of its own.
         """
         medium = self.bed.medium
         assert isinstance(medium, RelaxingMedium)
@@ -150,7 +152,9 @@ class RelaxationTest:
         Raises
         ------
         OutsideValidity
-            If the depth is beyond what is known of the profile.
+            If the depth is beyond what is known of the profile, or the contact on layers is no disc.
+        NotConverged
+            If cells do not resolve layers that relax each by a law of its own.
         """
         if is_layered("RelaxationTest", self.bed):
             return StepSolution(self, self.time, *stepped("RelaxationTest", self.bed, self.time, Depth(self.depth)))
