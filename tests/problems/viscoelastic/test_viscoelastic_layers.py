@@ -204,10 +204,10 @@ def test_what_is_refused():
 
 def test_a_thin_incompressible_film_carries_like_a_squeezed_fluid():
     """a^2 = 4 R d and F = 2 pi mu a^6 / (32 R h^3) for a bonded film of h << a, from u = - h^3 / (3 mu) laplacian p."""
-    h, d = 1e-3, 1e-2
+    h, d = 2e-3, 1e-2
     rubber = StandardSolid(1.0, 4.0, 1.0, poisson=0.5)
     film = ViscoelasticCoatedHalfSpace([ViscoelasticLayer(rubber, h)], on=wk.Rigid())
-    times = np.array([1e-3, 1.0, 30.0])
+    times = np.array([1e-3, 30.0])
     found = RelaxationTest(bed(film), d, times).solve()
     shear = 1.0 + 4.0 * np.exp(-times)
     assert found.force == pytest.approx(np.pi * shear * (4.0 * d) ** 3 / (32.0 * h**3), rel=0.1)
