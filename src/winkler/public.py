@@ -115,6 +115,7 @@ from winkler.materials.named import (
     material_names,
 )
 from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
+from winkler.materials.relaxing_layer import ViscoelasticLayer
 from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
 from winkler.materials.sweeps import DynamicSweeps, RelaxationSweeps
 from winkler.materials.temperature import Arrhenius, WilliamsLandelFerry
@@ -124,6 +125,7 @@ from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HalfSpace
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
+from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
 from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
@@ -197,17 +199,17 @@ __all__ = [
     "Sphere", "SpheroConical", "Spikes", "Springs", "Staircase", "StandardSolid", "Standing", "Start", "StaticKinetic",
     "SubsurfaceFields", "Sum", "SurfaceFields", "SurfaceFilm", "TabulatedGrading", "TabulatedTip", "ThermalConductor",
     "ThermalDrift", "ThermalInterface", "Tilt", "Topography", "Torque", "TransverselyIsotropic",
-    "TransverselyIsotropicHalfSpace", "TruncatedCone", "TruncatedParaboloid", "Vickers", "ViscoelasticFit",
-    "ViscoelasticHalfSpace", "Voltage", "Wavy", "WiedemannFranz", "WilliamsLandelFerry", "WinklerError", "ZeroPoint",
-    "bearing_heights", "calibrate_indenter", "calibration_shares", "compare", "compare_terms", "contact_reading",
-    "correlation_length", "correlation_lengths", "depth_scaling", "export", "first_yield_stress", "fit",
-    "fit_poroelastic", "fit_steps", "fit_together", "found_drift", "found_zero_point", "indentation_quantities",
-    "intercept_factor", "map_statistics", "material", "material_names", "over_depth", "peak_stress",
-    "pop_in_statistics", "population", "random_topography", "ratio_of", "read_bed", "read_contacts", "read_creep",
-    "read_cross_profile", "read_curve", "read_curves", "read_dynamic", "read_dynamic_sweeps", "read_grading",
-    "read_indenter", "read_path", "read_profile", "read_profile_pair", "read_relaxation", "read_relaxation_sweeps",
-    "read_scan", "read_section", "read_spectrum", "read_surface_load", "read_topography", "relaxation_band",
-    "repeated_mean", "restore", "restore_body", "restore_shift", "sample_young", "spectrum_of", "staircase",
-    "tip_limit", "to_pandas", "to_xarray", "write_contacts", "write_export", "write_indenter", "write_law",
-    "write_trace", "write_vtk",
+    "TransverselyIsotropicHalfSpace", "TruncatedCone", "TruncatedParaboloid", "Vickers", "ViscoelasticCoatedHalfSpace",
+    "ViscoelasticFit", "ViscoelasticHalfSpace", "ViscoelasticLayer", "Voltage", "Wavy", "WiedemannFranz",
+    "WilliamsLandelFerry", "WinklerError", "ZeroPoint", "bearing_heights", "calibrate_indenter", "calibration_shares",
+    "compare", "compare_terms", "contact_reading", "correlation_length", "correlation_lengths", "depth_scaling",
+    "export", "first_yield_stress", "fit", "fit_poroelastic", "fit_steps", "fit_together", "found_drift",
+    "found_zero_point", "indentation_quantities", "intercept_factor", "map_statistics", "material", "material_names",
+    "over_depth", "peak_stress", "pop_in_statistics", "population", "random_topography", "ratio_of", "read_bed",
+    "read_contacts", "read_creep", "read_cross_profile", "read_curve", "read_curves", "read_dynamic",
+    "read_dynamic_sweeps", "read_grading", "read_indenter", "read_path", "read_profile", "read_profile_pair",
+    "read_relaxation", "read_relaxation_sweeps", "read_scan", "read_section", "read_spectrum", "read_surface_load",
+    "read_topography", "relaxation_band", "repeated_mean", "restore", "restore_body", "restore_shift", "sample_young",
+    "spectrum_of", "staircase", "tip_limit", "to_pandas", "to_xarray", "write_contacts", "write_export",
+    "write_indenter", "write_law", "write_trace", "write_vtk",
 ]  # fmt: skip

@@ -12,8 +12,8 @@ __all__ = ["Layer"]
 
 
 BUILT_ELASTIC = Advice(
-    "unless all parts of a layered body relax in proportion its equivalent profile changes in time, which is not "
-    "solved; build the body of elastic layers, and give RelaxingInProportion(medium, solid, shear) of the whole"
+    "a layer that relaxes is a ViscoelasticLayer(solid, thickness) of a ViscoelasticCoatedHalfSpace; if all parts "
+    "relax in proportion, build the body of elastic layers, and give RelaxingInProportion(medium, solid, shear)"
 )
 
 

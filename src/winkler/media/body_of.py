@@ -151,7 +151,11 @@ def slope(medium: Medium, imprint: Displacement, r: Array) -> Array:
 
 def _elastic(medium: Medium) -> Medium:
     """Return the medium as if it did not relax, which changes no shape."""
-    return medium.elastic if isinstance(medium, RelaxingMedium) else medium
+    if not isinstance(medium, RelaxingMedium):
+        return medium
+    if not medium.in_proportion:
+        raise medium.timeless()
+    return medium.elastic
 
 
 def surface_slope(rise: Curve, edges: list[float], exponent: float, r: Array, radius: float) -> Array:

@@ -35,8 +35,8 @@ __all__: list[str] = []
 @sheet_of.register(Foundation)
 @sheet_of.register(PlaneFoundation)
 def _bed(item: Any, *, extent: float | None = None) -> Sheet:
-    end = checked_extent(extent) or (1.6 if item.rim <= item.reach else 1.0) * typical(item)
-    if not body_is_defined(item):
+    end = checked_extent(extent) or (1.6 if item.rim <= item.reach else 1.0) * typical(_elastic(item))
+    if not body_is_defined(_elastic(item)):
         return _general_body(item, extent)
     shape = item.profile if isinstance(item, Foundation) else item.plane_profile
     name = type(shape).__name__ if isinstance(item, Foundation) else "the body that belongs to $g(x)$"

@@ -9,7 +9,7 @@ linear, and the same at all times.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
 import numpy as np
 
@@ -38,6 +38,9 @@ class RelaxingDisplacement(Displacement, Protocol):
 
 class RelaxingMedium:
     """An elastic medium times a function of time: subclasses state both, and the assumptions."""
+
+    in_proportion: ClassVar[bool] = True
+    """Whether all parts relax alike, so that g does not change; layers with laws of their own do not."""
 
     @property
     def elastic(self) -> Medium:

@@ -8,6 +8,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from winkler.foundation.bed import Bed, PressedSprings
+from winkler.media.halfspace import HalfSpace
+from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.extent import outline_end
@@ -88,6 +90,10 @@ def plane_profile(bed: Bed, end: float) -> tuple[Series, Series]:
     end : float
         [m].
     """
+    medium = getattr(bed, "medium", None)
+    if isinstance(medium, RelaxingMedium) and not medium.in_proportion:
+        # g changes in time; what the springs follow is the profile on one solid
+        bed = dataclasses.replace(bed, medium=HalfSpace(medium.elastic.layers[0].solid))  # type: ignore[attr-defined, type-var]
     end = min(end, outline_end(bed))
     inner = places(end, tuple(b for b, _ in bed.kinks))
     x = np.concatenate([[0.0], inner, [end]])

@@ -9,6 +9,7 @@ import numpy as np
 
 from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
 from winkler.materials.viscoelastic import ViscoelasticSolid
+from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
 from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.springs.exponential_sums import RelaxationSeries, of_relaxation
@@ -19,7 +20,7 @@ from winkler.plot.panel import Sheet, note, titled
 from winkler.plot.series import Series, series, with_unit
 from winkler.vocabulary import Word
 
-__all__ = ["half_space_sheet", "proportional_sheet", "solid_sheet"]
+__all__ = ["coated_sheet", "half_space_sheet", "proportional_sheet", "solid_sheet"]
 
 POINTS = 161
 TIME_FACTOR_BEYOND = 30.0
@@ -58,6 +59,22 @@ def proportional_sheet(item: RelaxingInProportion) -> Sheet:
     return _sheet(
         item, relaxation_series, _drawn_span(relaxation_series, item.span), r"\varphi", "", (NO_POINTS,) * 4, unit=""
     )
+
+
+@without_extent(ViscoelasticCoatedHalfSpace)
+def coated_sheet(item: ViscoelasticCoatedHalfSpace) -> Sheet:
+    """Return how much waves of pressure sink, over their first amplitude: short and long against the layers."""
+    creep, thickness = item.wave_creep, item.elastic.thickness
+    time = series("time", np.geomspace(0.1 * float(creep.times[0]), 3.0 * float(creep.times[-1]), POINTS))
+    waves = np.array([np.inf, 1.0 / thickness, 0.1 / thickness])
+    names = "much shorter than the layers are thick", "about $6$ thicknesses", "about $60$ thicknesses"
+    curves = creep.after(waves, time.content) / creep.after(waves, np.zeros(1))
+    meaning = "amplitude over that at first"
+    quantities = [
+        Quantity(Series(meaning, Word("", "", meaning), curve), name) for curve, name in zip(curves, names, strict=True)
+    ]
+    panel = decades_panel(time, quantities)
+    return Sheet(titled((panel,), "creep under waves of pressure"), width=5.2, height=3.6, title=type(item).__name__)
 
 
 def _drawn_span(relaxation_series: RelaxationSeries, span: tuple[float, float]) -> tuple[float, float]:

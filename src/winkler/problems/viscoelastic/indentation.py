@@ -24,6 +24,7 @@ from winkler.foundation.springs import Springs
 from winkler.limits import RELAXING_SPRINGS
 from winkler.loading import Depth, Force, Shift
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
+from winkler.numerics.springs.coupled_cells import CoupledCells
 from winkler.numerics.types import Array
 from winkler.path import Path
 from winkler.problems.answer import gather
@@ -32,6 +33,9 @@ from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.assumptions.times import path_notes
 from winkler.problems.normal.solve_contact import at_depth, at_force
 from winkler.problems.viscoelastic.force_driven import ForceDriven
+from winkler.problems.viscoelastic.layered_march import MarchedPoint
+from winkler.problems.viscoelastic.layered_notes import layered_notes
+from winkler.problems.viscoelastic.layered_path import is_layered, marched
 from winkler.problems.viscoelastic.march import SpringRow, elastic_like, refuse_rings, relaxation_of
 from winkler.problems.viscoelastic.states import ViscoelasticState
 from winkler.problems.viscoelastic.validity import relaxing_notes
@@ -55,14 +59,15 @@ class ViscoelasticIndentation:
     Parameters
     ----------
     bed : Bed
-        Foundation(profile, ViscoelasticHalfSpace(solid)).
+        Foundation(profile, ViscoelasticHalfSpace(solid)), or of a profile on a ViscoelasticCoatedHalfSpace.
     path : Path
         Depths or forces over time; equal times are a sudden step, which a dashpot alongside (Kelvin-Voigt) forbids
         for depths.  Under no force the body rests on the surface.
     count : int, optional
-        How many springs; the error falls with its square.
+        How many springs, or cells on layers that relax each by a law of its own; the error falls with its square.
     tolerance : float, optional
-        Error of the depth in one step under prescribed forces, over the greatest depth.
+        Error of the depth in one step under prescribed forces, over the greatest depth.  On layers that relax each by
+        a law of its own the same of the force at prescribed depths, and 0.1 / count^2 where that is more.
 
     Raises
     ------
@@ -107,7 +112,8 @@ class ViscoelasticIndentation:
     assumptions: ClassVar[frozenset[Assumption]] = RELAXING | BALANCED
 
     def __post_init__(self) -> None:
-        relaxation_of("ViscoelasticIndentation", self.bed)
+        if not is_layered("ViscoelasticIndentation", self.bed, self.count):
+            relaxation_of("ViscoelasticIndentation", self.bed)
         if not isinstance(self.path.lateral, Shift) or np.any(self.path.along != 0.0):
             raise InvalidInput(
                 "ViscoelasticIndentation: the path moves along the surface; use ViscoelasticTangential, or leave "
@@ -150,6 +156,11 @@ class ViscoelasticIndentation:
         NotConverged
             If the depth under a force is not found.
         """
+        if is_layered("ViscoelasticIndentation", self.bed):
+            for cells, point in self._layered():
+                state, places = point.state, cells.displacement(point.state)
+                yield ViscoelasticState(self.bed, *point.numbers(), cells.middle, state.load, places)
+            return
         stiffness: Array = np.empty(0)
         for row, numbers in self._stretches(1):
             springs = row.springs
@@ -159,6 +170,12 @@ class ViscoelasticIndentation:
             yield ViscoelasticState(
                 self.bed, time, depth, force, radius, work, stored, lost, springs.position, loads, row.place
             )
+
+    def _layered(self) -> Iterator[tuple[CoupledCells, MarchedPoint]]:
+        path = self.path
+        assert isinstance(path.normal, Depth | Force)
+        owner = "ViscoelasticIndentation"
+        return marched(owner, self.bed, path.time, path.normal, path.across, self.count, self.tolerance)
 
     def _stretches(self, length: int) -> Iterator[tuple[SpringRow, Array]]:
         """Yield the row after every so many points of the path, and what a solution holds of them, a line each."""
@@ -230,6 +247,8 @@ class ViscoelasticIndentation:
         OutsideValidity, NotConverged
             As `steps`.
         """
+        if is_layered("ViscoelasticIndentation", self.bed):
+            return ViscoelasticSolution(self, *np.array([point.numbers() for _, point in self._layered()]).T)
         return ViscoelasticSolution(self, *np.concatenate([numbers for _, numbers in self._stretches(BLOCK)]).T)
 
 
@@ -273,4 +292,7 @@ class ViscoelasticSolution:
         """How far the result can be trusted: assumptions, slopes and size of the body at its deepest."""
         bed = self.problem.bed
         balance = energy_note(self.work, self.stored_energy, self.dissipation)
+        if is_layered("validity", bed):
+            own = (*path_notes(bed, self.time), balance)
+            return layered_notes(self.problem, self, own)
         return relaxing_notes(bed, self.depth, self.radius, (*path_notes(bed, self.time), balance))

@@ -12,6 +12,7 @@ from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.on_medium import OnMedium
 from winkler.foundation.springs import Springs
+from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.numerics.springs.free_relaxation import Recovery
@@ -50,6 +51,12 @@ class SpringMemory(NamedTuple):
 def relaxation_of(owner: str, bed: Bed) -> RelaxationSeries:
     """Return by what the springs of a bed relax, E*(t) on half-spaces; refuse one that does not."""
     medium = bed.medium
+    if isinstance(medium, ViscoelasticCoatedHalfSpace):
+        raise InvalidInput(
+            f"{owner}: the layers of the bed relax each by a law of its own, which ViscoelasticIndentation, CreepTest, "
+            "RelaxationTest and HarmonicIndentation know; use one of these, or RelaxingInProportion(medium, solid, "
+            "shear) of layers that relax alike."
+        )
     if not isinstance(medium, RelaxingMedium) or not isinstance(bed, OnMedium):
         raise InvalidInput(
             f"{owner}: the bed stands on a {type(medium).__name__}; give Foundation(profile, "

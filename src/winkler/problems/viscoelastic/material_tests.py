@@ -4,6 +4,8 @@ While the contact does not shrink, elastic solutions stay true with the load rep
 and Radok).  With :math:`\mathcal F(d)` the force of the bed at :math:`E^*=1`, a step of force and a step of depth give
 
 .. math:: \mathcal F(d(t)) = F\,C(t) , \qquad F(t) = E^*(t)\,\mathcal F(d) .
+
+On layers that relax each by a law of its own the step is followed by a march, and the contact radius changes in both.
 """
 
 from __future__ import annotations
@@ -20,6 +22,8 @@ from winkler.numerics.types import Array, Quantity
 from winkler.problems.assumptions.declared import RELAXING
 from winkler.problems.assumptions.times import times_notes
 from winkler.problems.normal.indentation import Indentation
+from winkler.problems.viscoelastic.layered_notes import layered_notes
+from winkler.problems.viscoelastic.layered_path import is_layered, stepped
 from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
 from winkler.problems.viscoelastic.validity import relaxing_notes
 from winkler.validity import Assumption, Note
@@ -35,7 +39,7 @@ class CreepTest:
     Parameters
     ----------
     bed : Bed
-        Foundation(profile, ViscoelasticHalfSpace(solid)).
+        Foundation(profile, ViscoelasticHalfSpace(solid)), or of a profile on a ViscoelasticCoatedHalfSpace.
     force : float
         F_N [N], positive.
     time : ndarray, (steps,)
@@ -69,7 +73,8 @@ class CreepTest:
     assumptions: ClassVar[frozenset[Assumption]] = RELAXING
 
     def __post_init__(self) -> None:
-        relaxation_of("CreepTest", self.bed)
+        if not is_layered("CreepTest", self.bed):
+            relaxation_of("CreepTest", self.bed)
 
     def solve(self) -> StepSolution:
         """Return how the body sinks.
@@ -81,10 +86,14 @@ class CreepTest:
         Raises
         ------
         OutsideValidity
-            If it sinks beyond what is known of its profile.
+            If it sinks beyond what is known of its profile, or the contact on layers is no disc.
+        NotConverged
+            If cells do not resolve layers that relax each by a law of its own.
         """
         medium = self.bed.medium
         assert isinstance(medium, RelaxingMedium)
+        if is_layered("CreepTest", self.bed):
+            return StepSolution(self, self.time, *stepped("CreepTest", self.bed, self.time, Force(self.force)))
         sunk = Indentation(elastic_like(self.bed), Force(self.force * medium.creep.at(self.time))).solve()
         return StepSolution(self, self.time, sunk.depth, np.full(self.time.shape, self.force), sunk.radius)
 
@@ -96,7 +105,7 @@ class RelaxationTest:
     Parameters
     ----------
     bed : Bed
-        Foundation(profile, ViscoelasticHalfSpace(solid)).
+        Foundation(profile, ViscoelasticHalfSpace(solid)), or of a profile on a ViscoelasticCoatedHalfSpace.
     depth : float
         d [m], positive.
     time : ndarray, (steps,)
@@ -130,7 +139,8 @@ class RelaxationTest:
     assumptions: ClassVar[frozenset[Assumption]] = RELAXING
 
     def __post_init__(self) -> None:
-        relaxation_of("RelaxationTest", self.bed)
+        if not is_layered("RelaxationTest", self.bed):
+            relaxation_of("RelaxationTest", self.bed)
 
     def solve(self) -> StepSolution:
         """Return how the force falls.
@@ -142,8 +152,12 @@ class RelaxationTest:
         Raises
         ------
         OutsideValidity
-            If the depth is beyond what is known of the profile.
+            If the depth is beyond what is known of the profile, or the contact on layers is no disc.
+        NotConverged
+            If cells do not resolve layers that relax each by a law of its own.
         """
+        if is_layered("RelaxationTest", self.bed):
+            return StepSolution(self, self.time, *stepped("RelaxationTest", self.bed, self.time, Depth(self.depth)))
         held = Indentation(elastic_like(self.bed), Depth(self.depth)).solve()
         force = float(held.force) * relaxation_of("", self.bed).at(self.time)
         depth, radius = (np.full(self.time.shape, float(number)) for number in (self.depth, held.radius))
@@ -180,4 +194,6 @@ class StepSolution:
         bed = self.problem.bed
         depth, radius = np.broadcast_arrays(np.ravel(self.depth), np.ravel(self.radius))
         times = times_notes(bed, float(np.min(self.time)), float(np.max(self.time)))
+        if is_layered("validity", bed):
+            return layered_notes(self.problem, self, times)
         return relaxing_notes(bed, depth, radius, times)

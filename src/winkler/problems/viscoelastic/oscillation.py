@@ -1,6 +1,7 @@
 r"""A small oscillation of a viscoelastic contact: stiffness and damping.
 
-An oscillation so small that the contact stays as wide as it is meets :math:`2aE^*(\mathrm i\omega)`.
+An oscillation so small that the contact stays as wide as it is meets :math:`2aE^*(\mathrm i\omega)`, on layers that
+relax each by a law of its own the stiffness of a flat punch with their complex moduli.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ from winkler.path import OnePositiveNormal
 from winkler.problems.assumptions.declared import RELAXING
 from winkler.problems.assumptions.times import times_notes
 from winkler.problems.normal.indentation import Indentation
+from winkler.problems.viscoelastic.layered_path import complex_stiffness, is_layered
 from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
 from winkler.problems.viscoelastic.validity import relaxing_notes
 from winkler.validity import Assumption, Note, Standing
@@ -33,7 +35,7 @@ class HarmonicIndentation:
     Parameters
     ----------
     bed : Bed
-        Foundation(profile, ViscoelasticHalfSpace(solid)).
+        Foundation(profile, ViscoelasticHalfSpace(solid)), or of a profile on a ViscoelasticCoatedHalfSpace.
     normal : Depth or Force
         The steady load about which it oscillates, one number; a Force needs a solid that does not flow for ever.
     angular_frequency : float or ndarray
@@ -68,6 +70,8 @@ class HarmonicIndentation:
     assumptions: ClassVar[frozenset[Assumption]] = RELAXING
 
     def __post_init__(self) -> None:
+        if is_layered("HarmonicIndentation", self.bed):
+            return
         series = relaxation_of("HarmonicIndentation", self.bed)
         if isinstance(self.normal, Force) and series.relaxed == 0.0:
             raise InvalidInput(
@@ -86,10 +90,16 @@ class HarmonicIndentation:
         OutsideValidity
             If the load is beyond what is known of the profile.
         """
+        frequency = np.asarray(self.angular_frequency, dtype=float)
+        if is_layered("HarmonicIndentation", self.bed):
+            rest = Indentation(elastic_like(self.bed), self.normal).solve()
+            rested = float(rest.depth), float(rest.force), float(rest.radius)
+            found = complex_stiffness(self.bed, rested[2], frequency)
+            return HarmonicSolution(self, *rested, shaped(np.real(found)), shaped(np.imag(found)))
         series, elastic = relaxation_of("", self.bed), elastic_like(self.bed)
         load = self.normal if isinstance(self.normal, Depth) else Force(float(self.normal.force) / series.relaxed)
         contact = Indentation(elastic, load).solve()
-        stiffness = float(contact.stiffness) * series.dynamic(np.asarray(self.angular_frequency, dtype=float))
+        stiffness = float(contact.stiffness) * series.dynamic(frequency)
         steady = float(contact.depth), series.relaxed * float(contact.force), float(contact.radius)
         return HarmonicSolution(self, *steady, shaped(np.real(stiffness)), shaped(np.imag(stiffness)))
 
@@ -141,4 +151,5 @@ class HarmonicSolution:
             "linearisation about the relaxed contact",
         )
         times = times_notes(bed, float(1.0 / np.max(frequency)), float(1.0 / np.min(frequency)))
+        # of layers that relax each by a law of its own, the notes are those of the relaxed stack, on which it rests
         return relaxing_notes(bed, np.array([self.depth]), np.array([self.radius]), (*times, small))

@@ -5,9 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.checks.outline import refuse_unless_round
+from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.on_medium import OnMedium
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.viscoelastic.relaxed_springs import RelaxedSprings, smooth
@@ -37,7 +39,8 @@ class ViscoelasticState:
     line_load : ndarray, (n,)
         q(x) [N/m], zero where the spring is free.
     recess : ndarray, (n,)
-        u(x) [m]: how far every spring is pressed in, or has not yet recovered.
+        u(x) [m]: how far every spring is pressed in, or has not yet recovered; on layers that relax each by a law of
+        its own also how far the loads of others move it.
     """
 
     __words__ = words(
@@ -62,6 +65,11 @@ class ViscoelasticState:
         """The springs, from which the fields are restored; a smooth function of g between them."""
         assert isinstance(self.bed, OnMedium)
         assert isinstance(self.bed.medium, RelaxingMedium)
+        if isinstance(self.bed.medium, ViscoelasticCoatedHalfSpace):
+            raise OutsideValidity(
+                "ViscoelasticState: on layers that relax each by a law of its own the pressure is restored alone, no "
+                "field inside and no surface outside; request the pressure."
+            )
         elastic = self.bed.with_medium(self.bed.medium.elastic)
         x, u = self.position, self.recess
         gaps = np.maximum(elastic.gap(x), 0.0)
@@ -110,7 +118,8 @@ class ViscoelasticState:
         refuse_unless_round(self, "pressure", "the pressure")
         places = np.asarray(r, dtype=float)
         medium = self.bed.medium
-        if not (isinstance(medium, RelaxingMedium) and isinstance(medium.elastic, HomogeneousMedium)):
+        layered = isinstance(medium, ViscoelasticCoatedHalfSpace)
+        if not (layered or (isinstance(medium, RelaxingMedium) and isinstance(medium.elastic, HomogeneousMedium))):
             return medium.pressure(self.pressed, places)
         edges, loads = self._edges
         # parabolas between the springs: much faster, and of the same order
@@ -130,7 +139,9 @@ class ViscoelasticState:
             return np.array([0.0]), np.array([0.0])
         x, q = self.position[inside], self.line_load[inside]
         if x[0] > 0.0:
-            x, q = np.concatenate([[0.0], x]), np.concatenate([q[:1], q])
+            # a parabola up to the axis
+            rise = (q[0] - q[1]) * x[0] ** 2 / (x[1] ** 2 - x[0] ** 2) if x.size > 1 else 0.0
+            x, q = np.concatenate([[0.0], x]), np.concatenate([[q[0] + rise], q])
         if self.radius > x[-1]:
             x, q = np.append(x, self.radius), np.append(q, 0.0)
         return x, q

@@ -93,6 +93,14 @@ RELAXING_BODIES: Kinds = {
             activation_energy="80 kJ/mol",
         ),
     },
+    "layer": {
+        "viscoelastic_layer": kind(
+            "winkler.materials.relaxing_layer:ViscoelasticLayer",
+            problem="relaxation_test",
+            solid=RUBBER,
+            thickness="1 mm",
+        ),
+    },
     "medium": {
         "viscoelastic_half_space": kind(
             "winkler.media.relaxing.viscoelastic:ViscoelasticHalfSpace",
@@ -111,6 +119,14 @@ RELAXING_BODIES: Kinds = {
             },
             solid=RUBBER,
             shear="1 MPa",
+        ),
+        "viscoelastic_coated_half_space": kind(
+            "winkler.media.relaxing.layered:ViscoelasticCoatedHalfSpace",
+            "lee_radok_1960",
+            "barber_1974",
+            problem="relaxation_test",
+            layers=[{"kind": "viscoelastic_layer", "solid": RUBBER, "thickness": "1 mm"}],
+            on={"kind": "elastic", "young": "3 GPa", "poisson": 0.35},
         ),
     },
 }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
@@ -101,17 +102,37 @@ VARIED = Equation(
     r"q(x,t) = c_N(x)\int_0^t \varphi(t-t')\,\frac{\partial u(x,t')}{\partial t'}\,\mathrm{d}t'",
 )
 
+LAYERS = Equation(
+    "Each layer relaxes by its own law: every wave of the springs' load sinks by a creep function of its own, the "
+    "compliance of the stack with the moduli at a rate s",
+    r"U(\xi,t) = \int_0^t c(\xi,t-t')\,\frac{\partial Q(\xi,t')}{\partial t'}\,\mathrm{d}t', \quad "
+    r"c(\xi,t) = c_0(\xi) + \sum_m c_m(\xi)\left(1-e^{-t/\lambda_m}\right)",
+)
+PRESSED = Equation(
+    "Where the bodies touch the displacement of the springs follows from the depth and the profile h on a homogeneous "
+    "body; elsewhere there is no load, and the load vanishes at the edge",
+    r"u(x,t) = d(t)-h(x), \quad |x| < a(t), \quad q(x,t) = 0, \quad |x| \ge a(t)",
+)
+PUNCH = Equation(
+    "About the relaxed contact the bodies meet the stiffness of a flat punch with the complex compliance of every wave",
+    r"\int c(\xi,\mathrm{i}\omega)\,Q(\xi)\,\cos\xi x\,\frac{\mathrm{d}\xi}{\pi} = 1, \quad "
+    r"k'+\mathrm{i}k'' = 2\int_0^a q\,\mathrm{d}x",
+)
+
 STEP = Caption("step", "After the step", "The depth under a force, or the force at a depth, over time.")
 STEP_CURVES = (("time", "depth"), ("time", "radius"), ("time", "force"))
 
 AT_TEMPERATURE = "winkler.materials.at_temperature:AtTemperature"
 ARRHENIUS = "winkler.materials.temperature:Arrhenius"
 IN_PROPORTION = "winkler.media.relaxing.proportional:RelaxingInProportion"
+COATED = "winkler.media.relaxing.layered:ViscoelasticCoatedHalfSpace"
 
 
 def pair_formulas(problem: Any) -> tuple[Equation, ...]:
     """Return the formulas of the relaxation of the bodies."""
     medium = problem.bed.medium
+    if is_a(medium, COATED):
+        return (LAYERS, PRESSED)
     proportional = is_a(medium, IN_PROPORTION)
     solids = (medium.solid,) if proportional else (medium.first, medium.second)
     laws = [solid.law for solid in solids if is_a(solid, AT_TEMPERATURE)]
@@ -121,6 +142,8 @@ def pair_formulas(problem: Any) -> tuple[Equation, ...]:
 
 def relaxing_formulas(problem: Any) -> tuple[Equation, ...]:
     """Return the formulas from bodies and shape to springs."""
+    if is_a(problem.bed.medium, COATED):
+        return pair_formulas(problem)
     if is_a(problem.bed.medium, IN_PROPORTION):
         shape = SAME_PROFILE
     else:
@@ -128,7 +151,23 @@ def relaxing_formulas(problem: Any) -> tuple[Equation, ...]:
     return (*pair_formulas(problem), shape)
 
 
+def _unless_coated(*formulas: Equation) -> Callable[[Any], tuple[Equation, ...]]:
+    """Return a function that returns what holds where all relaxes in proportion, or the force alone."""
+
+    def own(problem: Any) -> tuple[Equation, ...]:
+        return (*relaxing_formulas(problem), *((FORCE,) if is_a(problem.bed.medium, COATED) else formulas))
+
+    return own
+
+
+def _oscillation_formulas(problem: Any) -> tuple[Equation, ...]:
+    own = (PUNCH,) if is_a(problem.bed.medium, COATED) else (COMPLEX_STIFFNESS, DYNAMIC)
+    return (*relaxing_formulas(problem), *own)
+
+
 def _hereditary_formulas(problem: Any) -> tuple[Equation, ...]:
+    if is_a(problem.bed.medium, COATED):
+        return (*relaxing_formulas(problem), FORCE)
     springs = VARIED if is_a(problem.bed.medium, IN_PROPORTION) else SPRINGS
     return (*relaxing_formulas(problem), springs, DETACHMENT, FORCE)
 
@@ -167,7 +206,7 @@ VISCOELASTIC = Chapter(
             picture=STEP,
             curves=STEP_CURVES,
             pictured=PicturedContact.NONE,
-            formulas=followed_by(relaxing_formulas, CREEP),
+            formulas=_unless_coated(CREEP),
         ),
         "relaxation_test": answer(
             "winkler.problems.viscoelastic.material_tests:RelaxationTest",
@@ -178,7 +217,7 @@ VISCOELASTIC = Chapter(
             picture=STEP,
             curves=STEP_CURVES,
             pictured=PicturedContact.NONE,
-            formulas=followed_by(relaxing_formulas, RELAXATION),
+            formulas=_unless_coated(RELAXATION),
         ),
         "harmonic_indentation": answer(
             "winkler.problems.viscoelastic.oscillation:HarmonicIndentation",
@@ -197,7 +236,7 @@ VISCOELASTIC = Chapter(
                 ("angular_frequency", "loss_tangent"),
             ),
             pictured=PicturedContact.NONE,
-            formulas=followed_by(relaxing_formulas, COMPLEX_STIFFNESS, DYNAMIC),
+            formulas=_oscillation_formulas,
         ),
         "viscoelastic_impact": answer(
             "winkler.problems.viscoelastic.impact:ViscoelasticImpact",

@@ -1,0 +1,214 @@
+r"""Cells of a line load that move one another and creep: one step of a contact with all that it remembers.
+
+The line load q is straight between the middles of cells of a width h, a sum of hats; its displacement is a sum of
+exponentials (`winkler.numerics.transforms.wave_creep`), prescribed as a mean over each hat, and over a step of time q
+changes steadily.  Then a step is the contact of an elastic surface with the compliance
+
+.. math:: A = G_0 + \sum_m (1-g_m)\,G_m , \qquad g_m = \frac{\lambda_m}{\Delta t}\big(1-e^{-\Delta t/\lambda_m}\big) ,
+
+on a shape that the memory has dented.  With :math:`A = LL^{\mathsf T}` the factors of all contacts [0, a] are blocks of
+L: the cells become independent springs whose displacements :math:`v = L^{-1}\,h\,(d-h_i-\text{dent})` say at once how
+far the contact reaches, :math:`v_i>0`, and what it bears, :math:`F = 2\sum v_i\,(L^{-1}h)_i`.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.errors import NotConverged
+from winkler.numerics.types import Array
+
+__all__ = ["EDGE_SHIFT", "CoupledCells", "LoadedCells"]
+
+EDGE_SHIFT = 0.5 - 0.5 / math.sqrt(3.0)
+"""By so many cells a contact is wider than where the last of its cells would bear nothing.
+
+Of hats on a medium without waves, whose factor has d^2 + e^2 = 2/3 and d e = 1/6, it is e / (d + e).
+"""
+MOST_FACTORS, MOST_NUMBERS_KEPT = 48, 8_000_000
+"""Steps of so many lengths are kept, with so many numbers, but those of two in any case."""
+
+
+class LoadedCells(NamedTuple):
+    """The cells at one moment.
+
+    Parameters
+    ----------
+    depth, force, radius : float
+        d [m], F [N], a [m].
+    held : int
+        How many cells bear.
+    ring : bool
+        Whether cells beyond them would be pressed, too.
+    load : ndarray, (n,)
+        q [N/m].
+    waves : ndarray, (2 n,)
+        Its waves.
+    memory : ndarray, (M, 2 n)
+        What every retardation time remembers of q, wave by wave.
+    """
+
+    depth: float
+    force: float
+    radius: float
+    held: int
+    ring: bool
+    load: Array
+    waves: Array
+    memory: Array
+
+
+class _Factor(NamedTuple):
+    """What depends on the length of a step alone."""
+
+    fade: Array
+    share: Array
+    faded: Array
+    shared: Array
+    lower: Array
+    unit: Array
+
+
+class CoupledCells:
+    """Cells from the axis to some radius, under a shape.
+
+    Parameters
+    ----------
+    kernels : ndarray, (1 + M, 2 n)
+        Of `WaveCreep.kernels` [m/Pa].
+    times : ndarray, (M,)
+        lambda_m [s].
+    width : float
+        Of the cells [m].
+    shape : ndarray, (n,)
+        The equivalent profile on a homogeneous body in the middle of the cells [m].
+    """
+
+    def __init__(self, kernels: Array, times: Array, width: float, shape: Array) -> None:
+        count = shape.size
+        self.kernels, self.times, self.width, self.shape, self.count = kernels, times, width, shape, count
+        self.middle = width * (np.arange(count) + 0.5)
+        around = np.zeros((kernels.shape[0], 4 * count))
+        around[:, : 2 * count], around[:, 2 * count + 1 :] = kernels, kernels[:, :0:-1]
+        self.waves = np.fft.rfft(around, axis=1).real[:, : 2 * count]
+        self._factors: dict[float, _Factor] = {}
+
+    @property
+    def at_rest(self) -> LoadedCells:
+        """Cells that nothing has ever pressed."""
+        memory = np.zeros((self.times.size, 2 * self.count))
+        return LoadedCells(
+            float(self.shape[0]), 0.0, 0.0, 0, False, np.zeros(self.count), np.zeros(2 * self.count), memory
+        )
+
+    def transformed(self, load: Array) -> Array:
+        """Return the waves of a load of the cells and their mirror images, ``(2 n,)``."""
+        from scipy.fft import dct
+
+        return np.asarray(dct(np.concatenate([load, np.zeros(self.count)]), norm="ortho"))
+
+    def restored(self, waves: Array) -> Array:
+        """Return what waves are in the cells, ``(n,)``."""
+        from scipy.fft import idct
+
+        return np.asarray(idct(waves, norm="ortho")[: self.count])
+
+    def matrix(self, kernel: Array) -> Array:
+        """Return how cells and their mirror images move one another, ``(n, n)``, for one kernel ``(2 n,)``."""
+        from scipy.linalg import hankel, toeplitz
+
+        near = kernel[: self.count]  # given twice: a complex row alone would be conjugated
+        return np.asarray(toeplitz(near, near) + hankel(kernel[1 : self.count + 1], kernel[self.count :]))
+
+    def step(self, state: LoadedCells, span: float, depth: float | None, force: float | None) -> LoadedCells:
+        """Return the cells after a time [s], zero for a sudden change, at a depth [m] or under a force [N]."""
+        from scipy.linalg.lapack import dtrtrs
+
+        factor = self._factor(span)
+        dent = factor.shared * state.waves - np.einsum("mk,mk->k", factor.faded, state.memory)
+        offset = -self.width * self.shape - self.restored(dent)
+        still, _ = dtrtrs(factor.lower, offset, lower=1)
+        if depth is None:
+            depth = self._depth_under(force or 0.0, factor.unit, still)
+        pressed = depth * factor.unit + still
+        bears = pressed > 0.0
+        held = self.count if bears.all() else int(np.argmin(bears))
+        # where nothing is prescribed behind the contact the load there is zero: no block needs to be cut out
+        load, _ = dtrtrs(factor.lower, np.where(np.arange(self.count) < held, pressed, 0.0), lower=1, trans=1)
+        waves = self.transformed(load)
+        memory = factor.fade[:, None] * state.memory
+        memory += np.outer(factor.share, waves - state.waves)
+        total = 2.0 * self.width * float(np.sum(load))
+        ring = bool(bears[held:].any())
+        radius = self._radius(pressed / np.diag(factor.lower), held)
+        return LoadedCells(depth, total, radius, held, ring, load, waves, memory)
+
+    def _depth_under(self, force: float, unit: Array, still: Array) -> float:
+        """Return the depth at which independent springs bear a force."""
+        touched = -still / unit
+        if force <= 0.0:
+            return float(np.min(touched))
+        stiffness, offset = np.cumsum(unit * unit), np.cumsum(unit * still)
+        beyond = 2.0 * (touched[1:] * stiffness[:-1] + offset[:-1]) >= force
+        last = int(np.argmax(beyond)) if beyond.any() else self.count - 1
+        return float((0.5 * force - offset[last]) / stiffness[last])
+
+    def _radius(self, last: Array, held: int) -> float:
+        """Return where the line load vanishes, from what the last cell of contacts of all widths would bear."""
+        if held == 0:
+            return 0.0
+        if held == self.count:
+            return (held + EDGE_SHIFT) * self.width
+        inner, outer = float(last[held - 1]), float(last[held])
+        return float(self.middle[held - 1]) + self.width * (inner / (inner - outer) + EDGE_SHIFT)
+
+    def _factor(self, span: float) -> _Factor:
+        key = float(f"{span:.9e}")
+        if key not in self._factors:
+            from scipy.linalg import cholesky, solve_triangular
+
+            turns = span / self.times
+            fade = np.exp(-turns)
+            share = -np.expm1(-turns) / turns if span > 0.0 else np.ones(turns.size)
+            matrix = self.matrix(self.kernels[0] + (1.0 - share) @ self.kernels[1:])
+            try:
+                lower = np.asfortranarray(cholesky(matrix, lower=True, overwrite_a=True, check_finite=False))
+            except np.linalg.LinAlgError as failed:
+                raise NotConverged(
+                    "The compliance of the layers is lost in rounding: the contact is too wide against them, or their "
+                    "contrast too large; press less, or give thicker layers."
+                ) from failed
+            unit = solve_triangular(lower, np.full(self.count, self.width), lower=True, check_finite=False)
+            while len(self._factors) >= min(MOST_FACTORS, max(2, MOST_NUMBERS_KEPT // self.count**2)):
+                self._factors.pop(next(iter(self._factors)))
+            self._factors[key] = _Factor(
+                fade, share, fade[:, None] * self.waves[1:], share @ self.waves[1:], lower, unit
+            )
+        return self._factors[key]
+
+    def displacement(self, state: LoadedCells) -> Array:
+        """Return u [m] in the cells."""
+        kept = state.waves - state.memory
+        return self.restored(self.waves[0] * state.waves + np.einsum("mk,mk->k", self.waves[1:], kept)) / self.width
+
+    def stored(self, state: LoadedCells) -> float:
+        """Return the energy stored [J]."""
+        kept = state.waves - state.memory
+        return float(self.waves[0] @ state.waves**2 + np.sum(self.waves[1:] * kept**2))
+
+    def lost(self, before: LoadedCells, after: LoadedCells, span: float) -> float:
+        """Return what a step has lost [J], the integral of c_m z_m^2 / lambda_m with the memory z_m in closed form."""
+        if span == 0.0:
+            return 0.0
+        change, turns = after.waves - before.waves, span / self.times
+        gone = -np.expm1(-turns)
+        # turns - 2 (1 - e) + (1 - e^2) / 2 over turns^2; the series where it cancels
+        series = turns * (1.0 / 3.0 - turns * (0.25 - 7.0 / 60.0 * turns))
+        steady = np.where(turns < 1e-2, series, (turns - 2.0 * gone - 0.5 * np.expm1(-2.0 * turns)) / turns**2)
+        borne = self.waves[1:] * before.memory
+        total = -0.5 * np.expm1(-2.0 * turns) @ np.einsum("mk,mk->m", borne, before.memory)
+        total += (gone**2 / turns) @ (borne @ change) + steady @ (self.waves[1:] @ change**2)
+        return 2.0 * float(total)

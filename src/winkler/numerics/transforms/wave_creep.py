@@ -1,0 +1,180 @@
+r"""Creep of a surface that differs from wave to wave: sums of exponentials with common times.
+
+A load that varies like :math:`\cos\xi x` and is put on at once sinks by
+
+.. math:: c(\xi,t) = c_0(\xi) + \sum_m c_m(\xi)\,\big(1-e^{-t/\lambda_m}\big) .
+
+The true retardation times depend on :math:`\xi`, but lie between the shortest relaxation time and the longest
+retardation time of the solids.  :math:`e^{-t/\lambda}` is an analytic function of :math:`\ln\lambda`: times spaced
+evenly in the logarithm stand for all those between them, with an error that falls exponentially with their spacing.
+The :math:`c_m` of one wave may have any sign.  They are a linear fit to the compliance at imaginary frequencies, the
+same for all waves.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.errors import NotConverged
+from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.panels.chebyshev import fit_nodes, panels_from
+from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, FIRST_WAVE_NUMBER, wave_numbers
+from winkler.numerics.types import Array, ComplexArray
+
+__all__ = ["WaveCreep", "fit_wave_creep"]
+
+SPACING = 0.3
+"""Of the logarithms of the times."""
+MARGIN = 4
+"""Times beyond the shortest and the longest one."""
+FREQUENCIES_PER_TIME = 4
+REACH_OF_FREQUENCIES = 50.0
+"""Frequencies go up to this many over the shortest time, and down to one over so many of the longest."""
+LIMIT_WEIGHT = 100.0
+"""Of what is left after all time, against that of one frequency."""
+CUTOFF = 1e-10
+"""Singular values below this part of the largest one are left out of the fit."""
+LARGEST_ERROR = 1e-5
+"""A fit that is wrong by more than this part is refused."""
+NODES = 16
+"""Gauss-Legendre nodes on a panel of wave numbers."""
+CHECKED_WAVES = 5
+"""Every fifth wave is checked."""
+
+Compliance = Callable[[ComplexArray, Array], ComplexArray]
+"""c(s, xi) [1/Pa], ``(S, m)``, of s [1/s] ``(S,)`` on the imaginary axis, from 0 to i inf, and xi [1/m] ``(m,)``."""
+
+
+class WaveCreep(NamedTuple):
+    """The coefficients of all waves.
+
+    Parameters
+    ----------
+    times : ndarray, (M,)
+        lambda_m [s], ascending.
+    local : ndarray, (1 + M,)
+        c_0, c_1, ... of the shortest waves [1/Pa].
+    edges : ndarray, (panels + 1,)
+        Of panels of wave numbers [1/m].
+    series : ndarray, (degree + 1, panels, 1 + M)
+        What is added to each of them, in Chebyshev polynomials on every panel; zero beyond the last edge.
+    error : float
+        Greatest error of c, relative to c of that wave and frequency, between the frequencies of the fit [-].
+    """
+
+    times: Array
+    local: Array
+    edges: Array
+    series: Array
+    error: float
+
+    def kernels(self, count: int, width: float) -> Array:
+        """Return how the load of a hat moves hats at distances 0, width, ..., ``(1 + M, 2 count)``.
+
+        A hat is one in its middle and zero one width [m] away: the double integral of c with two hats [m/Pa].
+        """
+        lowest, last, along = float(self.edges[1]), float(self.edges[-1]), np.arange(2 * count)
+        stride = 2.0 * math.pi / (4 * count * width)
+        start = min(lowest * 2.0 ** max(0, math.ceil(math.log2(stride / lowest))), last)
+        xi, weights = wave_numbers(lowest, start, start)
+        total = self._weighted(xi, weights, width) @ np.cos(np.outer(xi, width * along))
+        # from there on panels of one width, which all cells at their distances meet in steps of a whole turn's part
+        panels = math.ceil((last - start) / stride)
+        for node, weight in zip(*gauss_legendre(NODES), strict=True):
+            first = start + node * stride
+            xi = first + stride * np.arange(panels)
+            parts = self._weighted(xi, np.where(xi < last, weight * stride, 0.0), width)
+            folded = np.zeros((self.local.size, math.ceil(panels / (4 * count)) * 4 * count))
+            folded[:, :panels] = parts
+            summed = np.fft.fft(folded.reshape(self.local.size, -1, 4 * count).sum(axis=1), axis=1)
+            turned = np.conj(summed[:, : 2 * count]) * np.exp(1j * first * width * along)
+            total += turned.real
+        total[:, 0] += self.local * (2.0 / 3.0 * width)
+        total[:, 1] += self.local * (width / 6.0)
+        return total
+
+    def after(self, xi: Array, time: Array) -> Array:
+        """Return c(xi, t) [1/Pa] of waves [1/m] ``(m,)`` after times [s] ``(T,)``, ``(m, T)``."""
+        parts = self.local[:, None] + np.where(xi < self.edges[-1], self._varying(np.minimum(xi, self.edges[-1])), 0.0)
+        return np.asarray(parts[0][:, None] - parts[1:].T @ np.expm1(-time / self.times[:, None]))
+
+    def _weighted(self, xi: Array, weights: Array, width: float) -> Array:
+        """Return what varies of the coefficients, times the weights and the square of the transform of a hat."""
+        return self._varying(xi) * (weights / math.pi * width**2 * np.sinc(0.5 * xi * width / math.pi) ** 4)
+
+    def _varying(self, xi: Array) -> Array:
+        """Return what is added to the coefficients of the shortest waves, ``(1 + M, m)``."""
+        panel = np.clip(np.searchsorted(self.edges, xi, side="right") - 1, 0, self.edges.size - 2)
+        low, high = self.edges[panel], self.edges[panel + 1]
+        place = ((2.0 * xi - low - high) / (high - low))[:, None]
+        before, current = np.zeros((xi.size, self.local.size)), np.zeros((xi.size, self.local.size))
+        for row in self.series[:0:-1]:  # Clenshaw, for all times at once
+            before, current = current, row[panel] + 2.0 * place * current - before
+        return np.asarray((self.series[0][panel] + place * current - before).T)
+
+
+def fit_wave_creep(
+    compliance: Compliance,
+    share: Callable[[ComplexArray], Array],
+    times: tuple[float, float],
+    span: float,
+    length: float,
+) -> WaveCreep:
+    """Fit the creep of all waves.
+
+    Parameters
+    ----------
+    compliance : callable
+        c(s, xi) of the surface; infinite xi of the shortest waves.
+    share : callable
+        The smallest |J(s)| / J(0) of the solids, ``(S,)``: in proportion to it errors are weighed.
+    times : (float, float)
+        Between which the retardation times lie [s].
+    span, length : float
+        c is a power series in xi below 1 / span, and its limit is approached like exp(-2 xi length) [m].
+
+    Raises
+    ------
+    NotConverged
+        If the error is larger than 1e-5.
+    """
+    low, high = math.log(times[0]) - MARGIN * SPACING, math.log(times[1]) + MARGIN * SPACING
+    kept = np.exp(np.linspace(low, high, math.ceil((high - low) / SPACING) + 1))
+    ends = 1.0 / (REACH_OF_FREQUENCIES * kept[-1]), REACH_OF_FREQUENCIES / kept[0]
+    grid = np.geomspace(*ends, 2 * FREQUENCIES_PER_TIME * kept.size + 1)
+    fitted, checked = np.append(0.0, grid[::2]), grid[1::2]
+    edges = [0.0, FIRST_WAVE_NUMBER / span]
+    while edges[-1] < DECAY_SPAN / length:
+        edges.append(2.0 * edges[-1])
+    nodes = fit_nodes(np.array(edges))
+    xi = np.append(nodes.ravel(), np.inf)
+
+    at_once = np.real(compliance(np.array([1j * np.inf]), xi)[0])
+    weights = 1.0 / share(1j * fitted)
+    weights[0] *= LIMIT_WEIGHT
+    rows, wanted = _terms(fitted, kept), compliance(1j * fitted, xi) - at_once
+    both = np.concatenate([weights, weights])[:, None]
+    inverse = np.linalg.pinv(both * np.concatenate([rows.real, rows.imag]), rcond=CUTOFF)
+    found = inverse @ (both * np.concatenate([wanted.real, wanted.imag]))
+
+    part = slice(None, None, CHECKED_WAVES)
+    true = compliance(1j * checked, xi[part])
+    error = float(np.max(np.abs((at_once + _terms(checked, kept) @ found)[:, part] - true) / np.abs(true)))
+    if not error <= LARGEST_ERROR:
+        raise NotConverged(
+            f"The creep of the layers is not a sum of exponentials to better than {error:.1e}, {LARGEST_ERROR:.0e} are "
+            "needed; give solids whose moduli differ less between short and long times."
+        )
+    every = np.concatenate([at_once[None], found])
+    varying = (every[:, :-1] - every[:, -1:]).reshape(-1, *nodes.shape)
+    series = np.stack([panels_from(np.array(edges), part).coefficients for part in varying])
+    return WaveCreep(kept, every[:, -1], np.array(edges), np.ascontiguousarray(series.transpose(2, 1, 0)), error)
+
+
+def _terms(frequency: Array, times: Array) -> ComplexArray:
+    """Return 1 / (1 + i omega lambda), ``(S, M)``."""
+    return np.asarray(1.0 / (1.0 + 1j * frequency[:, None] * times))

@@ -1,0 +1,91 @@
+"""Validity notes of contacts whose layers relax each by a law of its own: shape, edge, error of cells and steps."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.loading import Depth, Force
+from winkler.numerics.caching import cached_by_value
+from winkler.numerics.types import Array
+from winkler.problems.assumptions.film import film_notes
+from winkler.problems.normal.unknown_yield import relaxing_yield
+from winkler.problems.normal.validity import shape_notes
+from winkler.problems.viscoelastic.layered_path import STEP_CELLS, marched, stepped
+from winkler.validity import Assumption, Note, Standing
+
+__all__ = ["layered_notes"]
+
+HALVED = "the same with half as many cells and steps of eight times the error"
+COARSER_STEPS = 8.0
+SMALL_CHANGE, LARGE_CHANGE = 1e-3, 1e-2
+"""Of the greatest force or depth, where numbers are good, and where they are not known."""
+
+
+def layered_notes(problem: Any, solution: Any, own: tuple[Note, ...]) -> tuple[Note, ...]:
+    """Return the notes on bed, shape, cells and yield about those of one kind of problem."""
+    bed, radius = problem.bed, float(np.max(solution.radius))
+    shape = shape_notes(bed, radius) if radius > 0.0 else []
+    depths, forces, radii = (np.ravel(each) for each in (solution.depth, solution.force, solution.radius))
+    deepest = int(np.argmax(depths))
+    shape.extend(film_notes(bed, float(depths[deepest]), float(forces[deepest]), float(radii[deepest])))
+    return (*bed.notes, *shape, *_disc(bed, radius), _error_note(problem, solution), *own, *relaxing_yield(bed.medium))
+
+
+def _disc(bed: Any, radius: float) -> tuple[Note, ...]:
+    one = Note(
+        Assumption.SINGLE_CONTACT,
+        Standing.EXACT,
+        "That the contact is one disc was checked at every point: no tension inside, no overlap outside.",
+        "a-posteriori check of pressure and separation, at sampled places",
+    )
+    return (one,) if 0.0 < radius < bed.rim else ()
+
+
+def _error_note(problem: Any, solution: Any) -> Note:
+    """Return by how much cells and steps twice as coarse change what was not prescribed, as it was solved."""
+    forces, depths = np.ravel(solution.force), np.ravel(solution.depth)
+    try:
+        force, depth = _coarser(problem)
+    except (InvalidInput, NotConverged, OutsideValidity) as failed:
+        return Note(
+            Assumption.RESOLUTION,
+            Standing.APPROXIMATE,
+            f"The error of cells and steps is not known, since a coarser solution was not found: {failed}",
+            HALVED,
+        )
+    many = min(force.size, forces.size)
+    change = max(_change(force[:many], forces[:many]), _change(depth[:many], depths[:many]))
+    error = float(problem.bed.medium.wave_creep.error)
+    if change <= SMALL_CHANGE:
+        standing = Standing.ASYMPTOTIC
+    else:
+        standing = Standing.APPROXIMATE if change <= LARGE_CHANGE else Standing.OUTSIDE
+    return Note(
+        Assumption.RESOLUTION,
+        standing,
+        f"Half as many cells, and coarser steps, change force or depth by {change:.1g} of the greatest; about a third "
+        f"of that is left. The sum of exponentials of the layers is wrong by {error:.0e} at most.",
+        HALVED,
+    )
+
+
+def _change(coarse: Array, fine: Array) -> float:
+    greatest = float(np.max(np.abs(fine)))
+    return float(np.max(np.abs(coarse - fine))) / greatest if greatest > 0.0 else 0.0
+
+
+@cached_by_value(32)
+def _coarser(problem: Any) -> tuple[Array, Array]:
+    """Return force [N] and depth [m] of a coarser solution."""
+    path = getattr(problem, "path", None)
+    if path is not None:
+        count, tolerance = max(2, problem.count // 2), COARSER_STEPS * problem.tolerance
+        found = marched("validity", problem.bed, path.time, path.normal, path.across, count, tolerance)
+        states = [point.state for _, point in found]
+        return np.array([state.force for state in states]), np.array([state.depth for state in states])
+    load = Depth(problem.depth) if hasattr(problem, "depth") else Force(problem.force)
+    depth, force, _ = stepped("validity", problem.bed, problem.time, load, STEP_CELLS // 2)
+    return force, depth

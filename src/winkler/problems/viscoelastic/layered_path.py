@@ -1,0 +1,149 @@
+"""Histories, steps and small oscillations of contacts whose layers relax each by a law of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.footprint import DISC
+from winkler.foundation.bed import Bed
+from winkler.foundation.on_medium import OnMedium, UnderProfile
+from winkler.loading import Depth, Force
+from winkler.media.halfspace import HalfSpace
+from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
+from winkler.numerics.springs.coupled_cells import CoupledCells
+from winkler.numerics.types import Array, ComplexArray
+from winkler.problems.normal.solve_contact import at_depth, at_force
+from winkler.problems.viscoelastic.layered_march import LayeredMarch, MarchedPoint, TooNarrow, cells_of
+
+__all__ = ["complex_stiffness", "contact_reach", "is_layered", "marched", "stepped"]
+
+MOST_CELLS = 2000
+COARSE_CELLS = 32
+"""With which it is estimated how far contacts reach."""
+REACH_MARGIN = 1.25
+"""Cells reach so much farther than the contacts at once and after all time."""
+WIDENED, MOST_WIDENINGS = 1.4, 20
+LONG_AGO = 1e9
+"""Retardation times after which nothing creeps any more."""
+STEP_CELLS = 256
+"""Cells of a creep or relaxation test."""
+PUNCH_CELLS = 192
+"""Cells under a small oscillation; twice as many remove the error of the second order."""
+
+
+def is_layered(owner: str, bed: Bed, count: int = 2) -> bool:
+    """Return whether layers of a bed relax each by a law of its own; refuse too many cells, and no profile."""
+    if not isinstance(bed.medium, ViscoelasticCoatedHalfSpace):
+        return False
+    if not isinstance(bed, UnderProfile) or bed.footprint != DISC:
+        raise InvalidInput(
+            f"{owner}: a ViscoelasticCoatedHalfSpace needs Foundation(profile, medium) of a body of revolution, whose "
+            "contact is a disc; the equivalent profile of other beds changes in time."
+        )
+    if count > MOST_CELLS:
+        raise InvalidInput(
+            f"{owner}: count is {count}, but on layers that relax each by a law of its own at most {MOST_CELLS} cells "
+            "are solved, which know forces to 1e-6; give fewer."
+        )
+    return True
+
+
+def contact_reach(owner: str, bed: Bed, normal: Depth | Force, most: float) -> float:
+    """Return up to which radius [m] cells are needed for contacts up to a depth [m] or force [N]."""
+    assert isinstance(bed, OnMedium)
+    assert isinstance(bed.medium, ViscoelasticCoatedHalfSpace)
+    by_depth = isinstance(normal, Depth)
+    relaxed = bed.medium.relaxed
+    alike = bed.with_medium(HalfSpace(relaxed.layers[0].solid, relaxed.second))
+    _, radius = (at_depth if by_depth else at_force)(alike, np.array([most]))
+    reach = REACH_MARGIN * min(float(radius[0]), bed.rim)
+    for _ in range(MOST_WIDENINGS):
+        cells = cells_of(bed, reach, COARSE_CELLS)
+        last = LONG_AGO * float(cells.times[-1])
+        ends = [
+            cells.step(cells.at_rest, span, most if by_depth else None, None if by_depth else most)
+            for span in (0.0, last)
+        ]
+        widest = max(end.radius for end in ends)
+        if widest >= bed.rim * (1.0 - 1e-12):
+            return bed.rim
+        if all(end.held < cells.count for end in ends) and widest > 0.25 * reach:
+            return REACH_MARGIN * widest
+        reach = min(WIDENED * reach if widest > 0.25 * reach else max(2.0 * widest, 0.1 * reach), bed.rim)
+    raise NotConverged(f"{owner}: how wide the contact becomes was not found; press less, or take thicker layers.")
+
+
+def _walked(
+    owner: str, bed: Bed, points: tuple[Array, Array], normal: Depth | Force, count: int, tolerance: float
+) -> Iterator[tuple[CoupledCells, MarchedPoint]]:
+    """Yield the cells at every point of a path, (times, depths or forces); wider cells start again from the first."""
+    times, loads = points
+    most = float(np.max(loads))
+    if most <= 0.0:
+        raise OutsideValidity(f"{owner}: the bodies never touch along this path; press them.")
+    reach, done = contact_reach(owner, bed, normal, most), 0
+    for _ in range(MOST_WIDENINGS):
+        march = LayeredMarch(owner, bed, cells_of(bed, reach, count), tolerance)
+        march.time = float(times[0])
+        try:
+            for i, (time, load) in enumerate(zip(times.tolist(), loads.tolist(), strict=True)):
+                point = march.go(time, normal, float(loads[max(i - 1, 0)]), load)
+                if i >= done:
+                    done += 1
+                    yield march.cells, point
+            return
+        except TooNarrow:
+            reach *= WIDENED
+    raise NotConverged(f"{owner}: the contact grows without end; press less, or end the path before.")
+
+
+def marched(
+    owner: str, bed: Bed, times: Array, normal: Depth | Force, loads: Array, count: int, tolerance: float
+) -> Iterator[tuple[CoupledCells, MarchedPoint]]:
+    """Return the cells and what is known at every point of a path.
+
+    Parameters
+    ----------
+    owner : str
+        For errors.
+    bed : Bed
+        On a `ViscoelasticCoatedHalfSpace`.
+    times : ndarray, (steps,)
+        [s].
+    normal : Depth or Force
+        What is prescribed.
+    loads : ndarray, (steps,)
+        Depths [m] or forces [N].
+    count : int
+        How many cells.
+    tolerance : float
+        Of the depth or force in one step, over the greatest one so far.
+    """
+    return _walked(owner, bed, (times, loads), normal, count, tolerance)
+
+
+def stepped(owner: str, bed: Bed, time: Array, load: Depth | Force, cells: int = STEP_CELLS) -> tuple[Array, ...]:
+    """Return depth [m], force [N] and radius [m] at times [s] after a sudden depth or force."""
+    moments, place = np.unique(time, return_inverse=True)
+    number = float(load.depth if isinstance(load, Depth) else load.force)
+    times, loads = np.concatenate([[0.0], moments]), np.full(moments.size + 1, number)
+    found = [point.state for _, point in _walked(owner, bed, (times, loads), load, cells, 0.0)]
+    rows = [[getattr(state, name) for state in found[1:]] for name in ("depth", "force", "radius")]
+    return tuple(np.array(row)[place] for row in rows)
+
+
+def complex_stiffness(bed: Bed, radius: float, frequency: Array) -> ComplexArray:
+    """Return the stiffness [N/m] of a contact of a fixed radius [m] at angular frequencies [rad/s]."""
+    coarse, fine = (_punch(bed, radius, frequency.ravel(), count) for count in (PUNCH_CELLS // 2, PUNCH_CELLS))
+    return np.asarray(fine + (fine - coarse) / 3.0).reshape(frequency.shape)
+
+
+def _punch(bed: Bed, radius: float, frequency: Array, count: int) -> ComplexArray:
+    cells = cells_of(bed, radius, count)
+    parts = 1.0 / (1.0 + 1j * frequency[:, None] * cells.times)
+    kernels = cells.kernels[0] + parts @ cells.kernels[1:]
+    ones = np.full(count, cells.width, dtype=complex)
+    return np.array([2.0 * ones @ np.linalg.solve(cells.matrix(kernel), ones) for kernel in kernels])
