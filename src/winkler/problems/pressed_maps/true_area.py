@@ -2,9 +2,10 @@ r"""How much of a height map touches, how hard, in how many patches: with the er
 
 The area is that of the pixels less what their edge counts too much (Yastrebov and others),
 
-.. math:: A = A_\mathrm{pixels} - \frac{\pi-1+\ln 2}{24}\,S\,\Delta x ,
+.. math:: A = A_\mathrm{pixels} - 0.9\,\frac{\pi-1+\ln 2}{24}\,S\,\Delta x ,
 
-with the length S of the edge along the sides of the pixels.  The contact is solved again on every second point of the
+with the length S of the edge along the sides of the pixels; the factor 0.9 is measured
+(`winkler.problems.rough.contact_area`).  The contact is solved again on every second point of the
 map: by as much as area and peak pressure change, so far may they be from those of a fine grid.
 """
 
