@@ -11,7 +11,6 @@ map: by as much as area and peak pressure change, so far may they be from those 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import ClassVar
 
 import numpy as np
@@ -20,7 +19,7 @@ from winkler.numerics.films.joined import islands
 from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
 from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
-from winkler.problems.pressed_maps.two_grids import on_every_second_point, refuse_without_second_points
+from winkler.problems.pressed_maps.two_grids import measured, on_every_second_point, refuse_without_second_points
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.rough.surface_notes import YASTREBOV
 from winkler.problems.rough.surface_states import SurfaceState
@@ -88,24 +87,14 @@ class TrueArea:
         NotConverged
             If a contact is not solved to its tolerance.
         """
-        found: list[tuple[float, int, float]] = []
 
-        def watched() -> Iterator[SurfaceState]:
-            for state in self.contact.steps():
-                areas = patch_areas(state, self.contact)
-                found.append((float(np.max(state.pressure)), areas.size, float(areas[0])))
-                yield state
+        def peaks_and_patches(state: SurfaceState) -> tuple[float, int, float]:
+            areas = patch_areas(state, self.contact)
+            return float(np.max(state.pressure)), areas.size, float(areas[0])
 
-        contact = self.contact.gathered(watched())
+        contact, found = measured(self.contact, peaks_and_patches)
         second = on_every_second_point(self.contact, contact.force)
-        coarse_peaks: list[float] = []
-
-        def watched_again() -> Iterator[SurfaceState]:
-            for state in second.steps():
-                coarse_peaks.append(float(np.max(state.pressure)))
-                yield state
-
-        coarse = second.gathered(watched_again())
+        coarse, coarse_peaks = measured(second, lambda state: float(np.max(state.pressure)))
         shape = numbers_of(self.contact.load).shape
         peak = np.array([row[0] for row in found]).reshape(shape)
         change = np.abs(peak - np.array(coarse_peaks).reshape(shape))

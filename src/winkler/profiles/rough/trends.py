@@ -96,8 +96,9 @@ def line_levels(lines: Array, by: str, *, periodic: bool) -> Array:
             levels[i] = reached
     else:
         x = np.linspace(-1.0, 1.0, lines.shape[1])
-        powers = np.stack([x**i for i in range(DEGREES[by] + 1)], axis=1)
-        for i in np.flatnonzero(some):
-            strengths, *_ = np.linalg.lstsq(powers[measured[i]], lines[i, measured[i]], rcond=None)
-            levels[i] = powers @ strengths
+        powers = np.stack([x**degree for degree in range(DEGREES[by] + 1)], axis=1)
+        for line in np.flatnonzero(some).tolist():
+            there = measured[line]
+            strengths, *_ = np.linalg.lstsq(powers[there], lines[line, there], rcond=None)
+            levels[line] = powers @ strengths
     return np.where(some[:, None], levels - float(np.mean(levels[measured])), 0.0)
