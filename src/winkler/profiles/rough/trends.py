@@ -83,22 +83,23 @@ def line_levels(lines: Array, by: str, *, periodic: bool) -> Array:
             "Topography: levelled by other than the medians of its lines, a periodic map would not fit its neighbours "
             "any more; give median, or a map that is not periodic."
         )
-    measured, levels = ~np.isnan(lines), np.zeros(lines.shape)
-    some = measured.any(axis=1)
+    measured: Array = ~np.isnan(lines)
+    levels = np.zeros(lines.shape)
+    some = np.asarray(np.any(measured, axis=1))
     if by == "median":
         levels[some] = np.nanmedian(lines[some], axis=1)[:, None]
     elif by == "differences":
-        reached = 0.0
-        for i in range(1, lines.shape[0]):
-            both = measured[i] & measured[i - 1]
+        reached, there = 0.0, np.flatnonzero(some).tolist()
+        for before, line in zip(there, there[1:], strict=False):
+            both = measured[line] & measured[before]
             if both.any():
-                reached += float(np.median(lines[i, both] - lines[i - 1, both]))
-            levels[i] = reached
+                reached += float(np.median(lines[line, both] - lines[before, both]))
+            levels[line] = reached
     else:
         x = np.linspace(-1.0, 1.0, lines.shape[1])
         powers = np.stack([x**degree for degree in range(DEGREES[by] + 1)], axis=1)
         for line in np.flatnonzero(some).tolist():
-            there = measured[line]
-            strengths, *_ = np.linalg.lstsq(powers[there], lines[line, there], rcond=None)
+            kept = measured[line]
+            strengths, *_ = np.linalg.lstsq(powers[kept], lines[line, kept], rcond=None)
             levels[line] = powers @ strengths
     return np.where(some[:, None], levels - float(np.mean(levels[measured])), 0.0)
