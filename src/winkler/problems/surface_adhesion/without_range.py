@@ -22,7 +22,7 @@ from winkler.numerics.types import Array
 __all__ = ["PullOffWithoutRange", "greatest_pull", "limit_of_two", "two_ranges"]
 
 SPANS = (3.0, 6.0)
-"""Pixels in the zones: from three on the grid changes the pull-off force of a ball by less than 0.1 per cent."""
+"""Pixels in the zones: with three to six the grid changes the pull-off force of a ball by less than 0.1 per cent."""
 POWER = 0.8
 """Of the length of the zone, to which the force differs from that without range."""
 
