@@ -32,6 +32,18 @@ def bench_a_pull_off(benchmark, below, count):
     below(LIMITS[count], f"a ball of Tabor number {tabor:.2g} on {count} x {count} pixels: snap-in and pull-off")
 
 
+def bench_a_pull_off_without_range(benchmark, below):
+    """JKR's pull-off force of a ball from two short ranges, seven displacements each."""
+    reach, count = np.sqrt(2.0 * WORK), 256
+    radius = TABOR**3 * reach**3 / WORK**2
+    x = np.arange(count) - 0.5 * (count - 1) + 0.3
+    surface = wk.Topography(-(x[:, None] ** 2 + x**2) / (2.0 * radius), [count, count])
+    problem = wk.SurfaceAdhesion(surface, UNIT, wk.ShortRange(WORK), wk.Depth(reach * np.linspace(-3.0, -4.8, 7)))
+    found = benchmark.pedantic(problem.pull_off_without_range, rounds=1)
+    assert abs(found.force / (-1.5 * np.pi * radius * WORK) - 1.0) < 0.005
+    below(10.0, "a ball on 256 x 256 pixels: pull-off force without range, from two ranges")
+
+
 def bench_a_rough_loop(benchmark, below):
     """A rough map of 128 pixels along a side, to contact and back, in nineteen displacements."""
     spectrum = wk.SelfAffine(0.8, rms_height=0.5e-6, longest=2e-4, shortest=25e-6)

@@ -51,6 +51,16 @@ def show(
     detrend: Annotated[
         str, typer.Option(help="What is taken off: none, mean, plane or paraboloid.", rich_help_panel=OF_A_FILE)
     ] = "none",
+    levelled: Annotated[
+        str,
+        typer.Option(
+            help="What is taken off each scan line: none, median, differences, line or parabola.",
+            rich_help_panel=OF_A_FILE,
+        ),
+    ] = "none",
+    lines_along: Annotated[
+        str, typer.Option(help="Direction of the scan lines: x or y.", rich_help_panel=OF_A_FILE)
+    ] = "x",
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Its picture: .png, .svg or .pdf.", rich_help_panel=OF_A_FILE)
     ] = None,
@@ -74,7 +84,9 @@ def show(
     from winkler.study.language.catalogue import CATALOGUE, REFUSED, kinds
 
     if show_map.is_file(name):
-        options = show_map.MapOptions(unit, lengths, channel, periodic, tip_radius, without_spikes, detrend)
+        options = show_map.MapOptions(
+            unit, lengths, channel, periodic, tip_radius, without_spikes, detrend, levelled, lines_along
+        )
         show_map.show_map(Path(name), options, output, as_json=as_json, overwrite=overwrite)
         return
     # a word may name a group and a kind (force is one, load the other): the kind is meant, groups have no kind's name

@@ -30,6 +30,8 @@ class MapOptions(NamedTuple):
     tip_radius: str
     without_spikes: bool
     detrend: str
+    levelled: str = "none"
+    lines_along: str = "x"
 
 
 def is_file(name: str) -> bool:
@@ -118,7 +120,8 @@ def _map(path: Path, options: MapOptions) -> Topography:
     return read_surface(
         path, lengths=both, unit=options.unit, periodic=options.periodic, channel=options.channel,
         tip_radius=quantity(options.tip_radius, "m", what="--tip-radius") if options.tip_radius else 0.0,
-        without_spikes=options.without_spikes, detrend=options.detrend, filled=options.without_spikes,
+        without_spikes=options.without_spikes, levelled=options.levelled,
+        scan_lines_along=options.lines_along, detrend=options.detrend, filled=options.without_spikes,
     )  # fmt: skip
 
 

@@ -81,7 +81,7 @@ def test_four_pixels_a_wave():
 
     found = TrueArea(SurfaceContact(surface, UNIT, Force(loads))).solve()
     fine, medium = counted(8), counted(4)
-    np.testing.assert_allclose(found.area, 2.0 * fine - medium, rtol=0.016)
+    np.testing.assert_allclose(found.area, 2.0 * fine - medium, rtol=0.01)
     assert np.all(counted(1) > 1.04 * fine)  # what was taken off
 
 

@@ -73,7 +73,7 @@ def test_the_line_is_that_of_the_spectrum():
         (
             lambda c: wk.SurfaceConduction(c, wk.ElectricalConductors(METAL, METAL, wk.SurfaceFilm(1e-12))),
             wk.OutsideValidity,
-            "without film or plating",
+            r"without film or plating.* A SurfaceConstriction follows",
         ),
         (
             lambda c: wk.SurfaceConduction(

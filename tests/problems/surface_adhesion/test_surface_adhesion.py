@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import tracemalloc
 
 import numpy as np
 import pytest
@@ -11,7 +12,9 @@ from attracted_rings import pull_off, walled_pull_off
 import winkler as wk
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.numerics.attracted.attraction import EightTwo, Exponential, RoundedStep
+from winkler.problems.rough import map_memory
 from winkler.problems.surface_adhesion import march
+from winkler.problems.surface_adhesion.input_checks import memory_of
 
 UNIT = wk.HalfSpace(wk.Elastic(1.0, 0.0))
 
@@ -71,20 +74,82 @@ def test_pull_off_of_a_ball_under_dugdales_stress(tabor, count):
 
 
 @pytest.mark.parametrize(
-    ("tabor", "count", "rings", "error"),
-    [(2.0, 64, 130, 7e-3), pytest.param(5.0, 256, 400, 5e-3, marks=pytest.mark.slow)],
+    ("tabor", "count", "error"),
+    [(2.5, 64, 4e-3), pytest.param(5.0, 256, 3e-3, marks=pytest.mark.slow)],
 )
-def test_short_range_approaches_jkr(tabor, count, rings, error):
+def test_short_range_is_an_exponential_law(tabor, count, error):
     """As on rings, whose exponential law has the same range; above JKR's force, with the Tabor number stated."""
     work = 1e-6
     reach = math.sqrt(2.0 * work)
     radius = tabor**3 * reach**3 / work**2
-    depths = reach * np.linspace(-0.5 if tabor < 3.0 else -2.0, -2.5 if tabor < 3.0 else -6.0, 9)
+    depths = reach * np.linspace(*((-0.5, -2.5) if tabor < 3.0 else (-2.0, -6.0)), 9)
     found = drawn_off(ball(count, radius), wk.ShortRange(work), depths)
-    assert found.pull_off_force == pytest.approx(-walled_pull_off(tabor, rings) * math.pi * radius * work, rel=error)
+    assert found.pull_off_force == pytest.approx(-walled_pull_off(tabor) * math.pi * radius * work, rel=error)
     assert found.pull_off_force < -1.5 * math.pi * radius * work
     assert found.problem.tabor == pytest.approx(tabor, rel=1e-9)
     assert any(f"Tabor number of {tabor:g}" in note.statement for note in found.validity)
+
+
+@pytest.mark.parametrize("count", [128, pytest.param(256, marks=pytest.mark.slow)])
+def test_pull_off_without_range_is_that_of_jkr(count):
+    """3/2 pi R w, of a ball off the middle of its pixels; on 256 its shortest range has a Tabor number of 5."""
+    work, tabor = 1e-6, 5.0 * math.sqrt(count / 256.0)
+    reach = math.sqrt(2.0 * work)
+    radius = tabor**3 * reach**3 / work**2
+    depths = wk.Depth(reach * (np.linspace(-3.0, -4.8, 7) if count == 256 else np.linspace(-2.0, -3.4, 7)))
+    sticky = wk.SurfaceAdhesion(ball(count, radius, off=0.3), UNIT, wk.ShortRange(work), depths)
+    limit = sticky.pull_off_without_range()
+    closed = -1.5 * math.pi * radius * work
+    assert limit.force == pytest.approx(closed, rel=5e-3)
+    assert abs(limit.force - closed) < limit.error < 0.02 * abs(closed)
+    assert limit.forces[1] < limit.forces[0] < 1.01 * closed
+    assert limit.ranges == pytest.approx([math.sqrt(span * work) for span in (3.0, 6.0)], rel=1e-12)
+
+
+def test_a_pull_off_without_range_needs_it_between_displacements():
+    surface, law = ball(24, 1000.0), wk.ShortRange(1e-6)
+    with pytest.raises(InvalidInput, match="lowest force is at the end of the path"):
+        wk.SurfaceAdhesion(surface, UNIT, law, wk.Depth(1e-3 * np.array([0.0, -0.1]))).pull_off_without_range()
+    ranged = wk.ExponentialAttraction(1e-6, 1e-2)
+    with pytest.raises(InvalidInput, match="ExponentialAttraction has a range"):
+        wk.SurfaceAdhesion(surface, UNIT, ranged, wk.Depth([0.0, -1e-3])).pull_off_without_range()
+
+
+def test_what_comes_off_is_no_snap_in():
+    """Drawn apart from near full contact, where forces fall as stripes of pixels come off one after the other."""
+    amplitude, count, wide = 1e-3, 64, 4
+    x = (np.arange(count) + 0.5) / count
+    wave = wk.Topography(
+        amplitude * np.cos(2.0 * np.pi * x)[:, None] + np.zeros(wide), [1.0, wide / count], periodic=True
+    )
+    law = wk.ShortRange(0.5 * (0.5 * math.pi * amplitude) ** 2)
+    path = amplitude * np.concatenate((np.linspace(-2.0, 0.95, 12), np.linspace(0.8, -3.0, 12)))
+    jumps = drawn_off(wave, law, path).jumps
+    assert [jump.closing for jump in jumps] == [True] + [False] * (len(jumps) - 1)
+    assert any(jump.force_after < jump.force_before and jump.area_after < jump.area_before for jump in jumps[1:])
+
+
+def test_memory_is_counted():
+    """What numpy held at most, of a map in part in touch, is less than what is stated, and not much less."""
+    drawn_off(ball(16, 100.0), wk.ShortRange(1e-3), [0.0])  # what is imported is not counted
+    for periodic in (False, True):
+        rough = ball(96, 1e4)
+        surface = wk.Topography(rough.heights, rough.lengths, periodic)
+        stated = wk.SurfaceAdhesion(surface, UNIT, wk.ShortRange(1e-2), wk.Depth([0.03, 0.02, -0.1]))
+        tracemalloc.start()
+        try:
+            stated.solve()
+            most = tracemalloc.get_traced_memory()[1]
+        finally:
+            tracemalloc.stop()
+        assert 0.4 * memory_of(surface) < most < memory_of(surface)
+
+
+def test_a_map_for_which_too_little_memory_is_free_is_refused(monkeypatch):
+    monkeypatch.setattr(map_memory, "STATED_BYTES", 0)
+    monkeypatch.setattr(map_memory, "free_memory", lambda: 1000.0)
+    with pytest.raises(InvalidInput, match=r"SurfaceAdhesion: a map of 16 x 16 pixels takes about 0.00019 GiB"):
+        drawn_off(ball(16, 100.0), wk.ShortRange(1e-3), [0.0])
 
 
 def test_what_does_not_deform():

@@ -15,6 +15,7 @@ from winkler.loading import Force
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.problems.rough.surface_contact import SurfaceContact
+from winkler.profiles.rough.map_notes import map_notes
 from winkler.profiles.rough.random_rough import random_topography
 from winkler.profiles.rough.spectrum import SelfAffine
 from winkler.profiles.rough.topography import Topography
@@ -319,3 +320,50 @@ def test_what_a_flat_or_a_periodic_map_has_not():
         Topography(np.zeros((4, 4)), [1.0, 1.0], "no")
     with pytest.raises(InvalidInput, match="must be numbers in m"):
         Topography(np.ones((4, 4)) * 1j, [1.0, 1.0])
+
+
+@pytest.mark.parametrize("along", ["x", "y"])
+def test_scan_lines_are_levelled(along):
+    """A surface whose lines were shifted, tilted and bent one by one: what was added is found again."""
+    rng = np.random.default_rng(5)
+    lines, x = 24, np.linspace(-1.0, 1.0, 41)
+    bend = np.stack([x**0, x, x**2])
+    surface = rng.normal(size=(lines, 41))
+    surface -= surface @ np.linalg.pinv(bend) @ bend  # without a parabola along any line
+    added = rng.normal(size=(lines, 3)) * 5.0
+
+    def levelled(by, strengths, rough=surface):
+        drifted = rough + strengths @ bend
+        drifted[3, 7] = np.nan
+        heights = drifted.T if along == "x" else drifted
+        return Topography(heights, [1.0, 1.0]).levelled(by, along)
+
+    def lines_of(found):
+        return found.heights.T if along == "x" else found.heights
+
+    for by, kept in (("line", [1.0, 1.0, 0.0]), ("parabola", [1.0, 1.0, 1.0])):
+        found = lines_of(levelled(by, added * kept))
+        complete = np.delete(np.arange(lines), 3)
+        given = surface + (added * kept) @ bend
+        given[3, 7] = np.nan
+        assert np.nanmean(found) == pytest.approx(np.nanmean(given), abs=1e-12)
+        np.testing.assert_allclose(np.ptp(found[complete] - surface[complete]), 0.0, atol=1e-9)
+    medians = np.nanmedian(lines_of(levelled("median", added)), axis=1)
+    np.testing.assert_allclose(medians, medians[0], atol=1e-12)
+    # a step that all lines share, and hills: the differences leave them, medians would not
+    shared = np.where(x > 0.2, 3.0, 0.0) * np.ones((lines, 1))
+    found = levelled("differences", added * [1.0, 0.0, 0.0], shared)
+    np.testing.assert_allclose(np.ptp(lines_of(found)[4:] - shared[4:]), 0.0, atol=1e-12)
+    assert found.removed == (f"of each scan line along {along} the median of its differences from the line before")
+    assert any(note.statement == f"Taken out of the measured heights: {found.removed}." for note in map_notes(found))
+
+
+def test_lines_that_cannot_be_levelled():
+    wave = Topography(np.random.default_rng(0).random((8, 8)), [1.0, 1.0], periodic=True)
+    assert np.ptp(np.median(wave.levelled().heights, axis=0)) < 1e-15
+    with pytest.raises(InvalidInput, match="would not fit its neighbours"):
+        wave.levelled("line")
+    with pytest.raises(InvalidInput, match=r"by 'medain' \(did you mean 'median'\?\); give median, "):
+        wave.levelled("medain")
+    with pytest.raises(InvalidInput, match="run along 'z'; give x or y"):
+        wave.levelled(along="z")

@@ -118,6 +118,10 @@ def test_reading_makes_a_map_ready(here):
     np.save(here / "spiked.npy", spiked)
     clean = read_surface(here / "spiked.npy", lengths=np.array([1e-3, 0.8e-3]), unit="um", without_spikes=True)
     assert np.isnan(clean.heights[20, 11])
+    level = read_surface(
+        here / "map.npy", lengths=np.array([1e-3, 0.8e-3]), unit="um", levelled="line", scan_lines_along="y"
+    )
+    assert level == plain.levelled("line", "y")
     with pytest.raises(wk.InvalidInput, match=r"detrend is 'plain' \(did you mean 'plane'\?\)"):
         read_surface(here / "map.npy", lengths=np.array([1e-3, 1e-3]), unit="um", detrend="plain")
 

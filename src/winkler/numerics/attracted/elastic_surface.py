@@ -18,10 +18,18 @@ from winkler.numerics.pixels.layered import SurfaceBelow
 from winkler.numerics.threads import cores
 from winkler.numerics.types import Array
 
-__all__ = ["ElasticSurface"]
+__all__ = ["ElasticSurface", "attracted_bytes"]
 
 SINGLE_THREAD_PIXELS = 2**14
 """Pixels below which a second thread costs more than it brings."""
+PERIODIC_COPIES, FREE_COPIES = 48, 100
+"""Arrays of double digits of the size of the map that are alive at once at most while it is brought to rest; of a map
+that stands alone most of them lie on the torus of twice its lengths."""
+
+
+def attracted_bytes(shape: tuple[int, ...], periodic: bool) -> int:
+    """Return the memory [byte] that an attracted map of this shape takes at most while it is solved."""
+    return 8 * shape[0] * shape[1] * (PERIODIC_COPIES if periodic else FREE_COPIES)
 
 
 class ElasticSurface(NamedTuple):

@@ -9,7 +9,6 @@ is solved on its pixels between two opposite sides of the map.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import ClassVar
 
 import numpy as np
@@ -22,7 +21,7 @@ from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.pressed_maps.seal_notes import seal_notes
 from winkler.problems.pressed_maps.seal_states import FilmPassage, factor_of, gap_of, passage
-from winkler.problems.pressed_maps.two_grids import on_every_second_point, refuse_without_second_points
+from winkler.problems.pressed_maps.two_grids import measured, on_every_second_point, refuse_without_second_points
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.rough.surface_notes import YASTREBOV
 from winkler.problems.rough.surface_states import SurfaceState
@@ -101,24 +100,19 @@ class Seal:
         NotConverged
             If a contact is not solved to its tolerance.
         """
-        rows: list[tuple[FilmPassage, FilmPassage]] = []
 
-        def watched() -> Iterator[SurfaceState]:
-            for state in self.contact.steps():
-                gap = gap_of(state.pressure, state.separation)
-                rows.append((_passage(gap, self.contact, False), _passage(gap, self.contact, True)))
-                yield state
+        def both_ways(state: SurfaceState) -> tuple[FilmPassage, FilmPassage]:
+            gap = gap_of(state.pressure, state.separation)
+            return _passage(gap, self.contact, False), _passage(gap, self.contact, True)
 
-        contact = self.contact.gathered(watched())
+        contact, rows = measured(self.contact, both_ways)
         second = on_every_second_point(self.contact, contact.force)
-        coarse: list[float] = []
 
-        def watched_again() -> Iterator[SurfaceState]:
-            for state in second.steps():
-                coarse.append(_passage(gap_of(state.pressure, state.separation), second, False).flow.rate)
-                yield state
+        def along(state: SurfaceState) -> float:
+            return _passage(gap_of(state.pressure, state.separation), second, False).flow.rate
 
-        area = second.gathered(watched_again()).area
+        every_second, coarse = measured(second, along)
+        area = every_second.area
         shape = numbers_of(self.contact.load).shape
         leak = self.pressure_drop / (12.0 * self.viscosity)
 

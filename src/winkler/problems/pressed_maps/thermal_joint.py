@@ -9,7 +9,6 @@ On a spot the interface holds back :math:`1/h_i`, in the gap u a layer of conduc
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import ClassVar
 
 import numpy as np
@@ -23,6 +22,7 @@ from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.pressed_maps.seal_states import gap_of
+from winkler.problems.pressed_maps.two_grids import measured
 from winkler.problems.rough.mapped_medium import homogeneous
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.rough.surface_states import SurfaceState
@@ -129,21 +129,18 @@ class ThermalJoint:
         NotConverged
             If a contact, or the heat through it, is not solved to its tolerance.
         """
-        rows: list[tuple[float, float, float]] = []
 
-        def watched() -> Iterator[SurfaceState]:
-            for state in self.contact.steps():
-                try:
-                    found = self.passing(state)
-                except NotConverged as error:
-                    raise NotConverged(f"ThermalJoint: under the force {state.force:.6g} N, {error}") from None
-                touching = state.pressure > 0.0
-                parts = float(np.sum(found.flux[touching])), float(np.sum(found.flux[~touching]))
-                share = parts[1] / sum(parts) if np.isfinite(found.whole) else 0.0
-                rows.append((found.whole, (1.0 - share) * found.whole, share * found.whole))
-                yield state
+        def parted(state: SurfaceState) -> tuple[float, float, float]:
+            try:
+                found = self.passing(state)
+            except NotConverged as error:
+                raise NotConverged(f"ThermalJoint: under the force {state.force:.6g} N, {error}") from None
+            touching = state.pressure > 0.0
+            parts = float(np.sum(found.flux[touching])), float(np.sum(found.flux[~touching]))
+            share = parts[1] / sum(parts) if np.isfinite(found.whole) else 0.0
+            return found.whole, (1.0 - share) * found.whole, share * found.whole
 
-        contact = self.contact.gathered(watched())
+        contact, rows = measured(self.contact, parted)
         shape = numbers_of(self.contact.load).shape
         columns = [shaped(np.array(column).reshape(shape)) for column in zip(*rows, strict=True)]
         return ThermalJointSolution(

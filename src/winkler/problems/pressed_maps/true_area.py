@@ -2,15 +2,15 @@ r"""How much of a height map touches, how hard, in how many patches: with the er
 
 The area is that of the pixels less what their edge counts too much (Yastrebov and others),
 
-.. math:: A = A_\mathrm{pixels} - \frac{\pi-1+\ln 2}{24}\,S\,\Delta x ,
+.. math:: A = A_\mathrm{pixels} - 0.9\,\frac{\pi-1+\ln 2}{24}\,S\,\Delta x ,
 
-with the length S of the edge along the sides of the pixels.  The contact is solved again on every second point of the
+with the length S of the edge along the sides of the pixels; the factor 0.9 is measured
+(`winkler.problems.rough.contact_area`).  The contact is solved again on every second point of the
 map: by as much as area and peak pressure change, so far may they be from those of a fine grid.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import ClassVar
 
 import numpy as np
@@ -19,7 +19,7 @@ from winkler.numerics.films.joined import islands
 from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
 from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
-from winkler.problems.pressed_maps.two_grids import on_every_second_point, refuse_without_second_points
+from winkler.problems.pressed_maps.two_grids import measured, on_every_second_point, refuse_without_second_points
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.rough.surface_notes import YASTREBOV
 from winkler.problems.rough.surface_states import SurfaceState
@@ -87,24 +87,14 @@ class TrueArea:
         NotConverged
             If a contact is not solved to its tolerance.
         """
-        found: list[tuple[float, int, float]] = []
 
-        def watched() -> Iterator[SurfaceState]:
-            for state in self.contact.steps():
-                areas = patch_areas(state, self.contact)
-                found.append((float(np.max(state.pressure)), areas.size, float(areas[0])))
-                yield state
+        def peaks_and_patches(state: SurfaceState) -> tuple[float, int, float]:
+            areas = patch_areas(state, self.contact)
+            return float(np.max(state.pressure)), areas.size, float(areas[0])
 
-        contact = self.contact.gathered(watched())
+        contact, found = measured(self.contact, peaks_and_patches)
         second = on_every_second_point(self.contact, contact.force)
-        coarse_peaks: list[float] = []
-
-        def watched_again() -> Iterator[SurfaceState]:
-            for state in second.steps():
-                coarse_peaks.append(float(np.max(state.pressure)))
-                yield state
-
-        coarse = second.gathered(watched_again())
+        coarse, coarse_peaks = measured(second, lambda state: float(np.max(state.pressure)))
         shape = numbers_of(self.contact.load).shape
         peak = np.array([row[0] for row in found]).reshape(shape)
         change = np.abs(peak - np.array(coarse_peaks).reshape(shape))

@@ -1,21 +1,45 @@
-"""A contact solved again on every second point of its map: what changes is an estimate of the error of the grid."""
+"""A pressed map measured under each load, and again on every second point: what changes is an estimate of the error."""
 
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Callable, Iterator
+from typing import TypeVar
 
 import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.loading import Force
 from winkler.numerics.types import Quantity
-from winkler.problems.rough.surface_contact import SurfaceContact
+from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
+from winkler.problems.rough.surface_states import SurfaceState
 from winkler.profiles.rough.topography import Topography
 
-__all__ = ["on_every_second_point", "refuse_without_second_points"]
+__all__ = ["measured", "on_every_second_point", "refuse_without_second_points"]
 
+Measured = TypeVar("Measured")
 FEWEST_PIXELS = 8
 """Along a side, so that four are left."""
+
+
+def measured(
+    contact: SurfaceContact, measure: Callable[[SurfaceState], Measured]
+) -> tuple[SurfaceContactSolution, list[Measured]]:
+    """Return the solution of a contact, and what was measured of its maps under each load, of which the last is kept.
+
+    Raises
+    ------
+    NotConverged
+        If a contact is not solved to its tolerance.
+    """
+    found: list[Measured] = []
+
+    def watched() -> Iterator[SurfaceState]:
+        for state in contact.steps():
+            found.append(measure(state))
+            yield state
+
+    return contact.gathered(watched()), found
 
 
 def refuse_without_second_points(owner: str, contact: SurfaceContact) -> None:

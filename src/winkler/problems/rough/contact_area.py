@@ -10,8 +10,14 @@ from winkler.numerics.types import Array
 
 __all__ = ["contact_area"]
 
-EDGE_EXCESS = (math.pi - 1.0 + math.log(2.0)) / 24.0
-"""What counted pixels give too much, per length of the edge of the contact and pixel size."""
+EDGE_EXCESS = 0.9 * (math.pi - 1.0 + math.log(2.0)) / 24.0
+"""What counted pixels give too much, per length of the edge of the contact and pixel size: 0.9 of Yastrebov's number.
+
+His edges fall anywhere in pixels that are cut.  Of pressures of boundary elements, which rise as a root from the edge,
+Hertz's discs have 0.80 (+- 0.03) of it, Westergaard's waves that run in random directions 0.85 (+- 0.02), random maps
+with four pixels in their shortest wave 0.92 (ten maps, 5 to 90 per cent of contact), with 32 pixels 0.87, and those of
+another code on 512 and 1024 pixels 0.89.
+"""
 AREA_ERROR = 0.25
 """Error of the corrected area, likewise."""
 
@@ -19,7 +25,7 @@ AREA_ERROR = 0.25
 def contact_area(
     touching: Array, pixel: tuple[float, float], periodic: bool, least: float = 0.0
 ) -> tuple[float, float]:
-    """Return the area of a contact [m^2] and its error: pixels less what its edge counts too much (Yastrebov).
+    """Return the area of a contact [m^2] and its error: pixels less what its edge counts too much.
 
     Where a map that stands alone ends, its last pixels are whole.  The area is not less than `least`, force over
     greatest pressure: where pressures do not fall to zero at the edge, nothing there is to be taken off.

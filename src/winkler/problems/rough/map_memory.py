@@ -16,36 +16,52 @@ STATED_BYTES = 2**28
 GIB = 2.0**30
 
 
-def refuse_too_large(shape: tuple[int, ...], periodic: bool) -> None:
-    """Refuse a map of a `SurfaceContact` that takes more memory than the machine has.
+def refuse_too_large(shape: tuple[int, ...], periodic: bool, owner: str = "SurfaceContact", takes: int = 0) -> None:
+    """Refuse a map that takes more memory than the machine has.
+
+    Parameters
+    ----------
+    shape
+        (nx, ny) of the map.
+    periodic
+        Whether it is repeated.
+    owner
+        The problem.
+    takes
+        Its memory [byte]; that of a `SurfaceContact` unless given.
 
     Raises
     ------
     InvalidInput
         If it does; systems that do not report their memory are trusted.
     """
-    needed, there = bytes_needed((shape[0], shape[1]), periodic), whole_memory()
+    needed, there = takes or bytes_needed((shape[0], shape[1]), periodic), whole_memory()
     if needed > there:
         raise InvalidInput(
-            f"SurfaceContact: a map of {shape[0]} x {shape[1]} pixels takes {needed / GIB:.3g} GiB of memory, "
+            f"{owner}: a map of {shape[0]} x {shape[1]} pixels takes {needed / GIB:.3g} GiB of memory, "
             f"this machine has {there / GIB:.3g} GiB; take topography.coarsened(2), or a part of it."
         )
 
 
-def state_memory(shape: tuple[int, ...], periodic: bool) -> None:
-    """State how much memory a map of a `SurfaceContact` takes, before it is taken; small ones are not mentioned.
+def state_memory(shape: tuple[int, ...], periodic: bool, owner: str = "SurfaceContact", takes: int = 0) -> None:
+    """State how much memory a map takes, before it is taken; small ones are not mentioned.
+
+    Parameters
+    ----------
+    shape, periodic, owner, takes
+        As of `refuse_too_large`.
 
     Raises
     ------
     InvalidInput
         If it is more than is free now.
     """
-    needed = bytes_needed((shape[0], shape[1]), periodic)
+    needed = takes or bytes_needed((shape[0], shape[1]), periodic)
     if needed < STATED_BYTES:
         return
     free = free_memory()
     sentence = (
-        f"SurfaceContact: a map of {shape[0]} x {shape[1]} pixels takes about {needed / GIB:.2g} GiB of memory, of "
+        f"{owner}: a map of {shape[0]} x {shape[1]} pixels takes about {needed / GIB:.2g} GiB of memory, of "
         f"{max(free, 0.0) / GIB:.2g} GiB that are free"
     )
     if needed > free:

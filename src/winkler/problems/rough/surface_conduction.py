@@ -17,6 +17,7 @@ from typing import Annotated, ClassVar
 import numpy as np
 
 from winkler.checks.number_checks import Seed, Whole
+from winkler.errors import OutsideValidity
 from winkler.limits import MOST_SPRINGS
 from winkler.loading import Depth, Force
 from winkler.media.conduction.conductors import ElectricalConductors
@@ -81,7 +82,11 @@ class SurfaceConduction:
     }
 
     def __post_init__(self) -> None:
-        conductance_of_stiffness("SurfaceConduction", self._medium, self.conductors)
+        medium = self._medium  # refuses layers
+        try:
+            conductance_of_stiffness("SurfaceConduction", medium, self.conductors)
+        except OutsideValidity as error:
+            raise OutsideValidity(f"{error} A SurfaceConstriction follows films and platings on maps.") from None
 
     @property
     def _medium(self) -> HomogeneousMedium:

@@ -10,14 +10,14 @@ exist the surfaces jump to the next one, and what the energy falls by is lost.
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Iterable, Iterator
 from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice, affordable, between
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
-from winkler.limits import MOST_NUMBERS
+from winkler.checks.number_checks import Advice, between
+from winkler.errors import NotConverged, OutsideValidity
 from winkler.loading import Depth
 from winkler.numerics.attracted.attracted_surface import AttractedSurface
 from winkler.numerics.attracted.elastic_surface import ElasticSurface
@@ -27,11 +27,19 @@ from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import ATTRACTED
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.rough.contact_area import contact_area
+from winkler.problems.rough.map_memory import state_memory
 from winkler.problems.rough.mapped_medium import MappedMedium, layers_of
+from winkler.problems.surface_adhesion.input_checks import check_adhesion, memory_of
 from winkler.problems.surface_adhesion.law_on_grid import AttractionOnGrid, RangedLaw, attraction_on_grid, tabor_of_map
 from winkler.problems.surface_adhesion.march import AdhesionMarch, Leapt
 from winkler.problems.surface_adhesion.notes import surface_adhesion_notes
 from winkler.problems.surface_adhesion.states import SurfaceAdhesionState, SurfaceJump
+from winkler.problems.surface_adhesion.without_range import (
+    PullOffWithoutRange,
+    greatest_pull,
+    limit_of_two,
+    two_ranges,
+)
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
@@ -104,26 +112,7 @@ class SurfaceAdhesion:
     assumptions: ClassVar[frozenset[Assumption]] = ATTRACTED
 
     def __post_init__(self) -> None:
-        rough = self.topography
-        around = 1 if rough.periodic else 4
-        affordable("SurfaceAdhesion", "pixels with their surroundings", around * rough.heights.size, MOST_NUMBERS)
-        if rough.missing:
-            raise InvalidInput(
-                f"SurfaceAdhesion: {rough.missing} of {rough.heights.size} heights are missing; fill them with "
-                "topography.filled(), or cut a complete part out with topography.cropped(...)."
-            )
-        given = numbers_of(self.path)
-        if given.ndim != 1 or not given.size:
-            raise InvalidInput(
-                f"SurfaceAdhesion: the path has the shape {given.shape}; give its displacements one after the other in "
-                "one row."
-            )
-        whole = float(np.mean(rough.gaps))
-        if rough.periodic and np.any(given >= whole):
-            raise OutsideValidity(
-                f"SurfaceAdhesion: the displacement {np.max(given):.6g} m closes the periodic map, whose mean planes "
-                f"can approach by less than {whole:.6g} m; stay below it."
-            )
+        check_adhesion(self.topography, self.path)
         self.on_grid()
 
     def on_grid(self) -> AttractionOnGrid:
@@ -151,10 +140,13 @@ class SurfaceAdhesion:
 
         Raises
         ------
+        InvalidInput
+            If the map takes more memory than is free.
         NotConverged
             If no state of rest is found to the tolerance.
         """
         rough, modulus, on_grid = self.topography, self.medium.modulus, self.on_grid()
+        state_memory(rough.heights.shape, rough.periodic, "SurfaceAdhesion", memory_of(rough))
         (dx, dy), law, unit = rough.pixel, on_grid.law, on_grid.range
         shape = rough.heights.shape
         layers = layers_of(self.medium)
@@ -176,7 +168,7 @@ class SurfaceAdhesion:
             return SurfaceJump(
                 unit * new.depth, force * old.force, force * new.force, touched(old.rest.gap)[0],
                 touched(new.rest.gap)[0], energy * leapt.loss,
-                new.force < old.force,
+                float(np.sum(law.terms(new.rest.gap)[0])) < float(np.sum(law.terms(old.rest.gap)[0])),
             )  # fmt: skip
 
         for index, depth in enumerate(numbers_of(self.path).tolist()):
@@ -197,6 +189,20 @@ class SurfaceAdhesion:
                 rest.residual, abs(march.lacking) / march.most if march.most else 0.0,
                 modulus * unit / dx * rest.traction, unit * gap, tuple(jump(leapt) for leapt in leaps),
             )  # fmt: skip
+
+    def pull_off_without_range(self) -> PullOffWithoutRange:
+        """Return the pull-off force of `ShortRange` without range (JKR), by two short ranges on this path.
+
+        Raises
+        ------
+        InvalidInput
+            If the law is another one, or the lowest force is at an end of the path.
+        NotConverged
+            As `steps`.
+        """
+        laws = two_ranges(self.law, self.medium.modulus, self.topography.pixel)
+        found = [dataclasses.replace(self, law=law).solve() for law in laws]
+        return limit_of_two(laws, [greatest_pull(each.depth, each.force) for each in found])
 
     def gathered(self, states: Iterable[SurfaceAdhesionState]) -> SurfaceAdhesionSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""

@@ -54,7 +54,7 @@ def surface_adhesion_notes(
         stated = (
             f"In place of an attraction without range one that fades exponentially over {on_grid.range:.3g} m, the "
             f"shortest that the grid resolves; with it the map {number}, and forces near those without range are off "
-            "by some per cent below 5."
+            "by some per cent below 5; pull_off_without_range() extrapolates the pull-off force."
         )
     elif isinstance(on_grid.law, RoundedStep):
         stated = (

@@ -40,11 +40,12 @@ def map_notes(surface: Topography) -> tuple[Note, ...]:
     if surface.tip_radius > 0.0:
         notes.append(_tip_note(surface))
     if surface.removed:
+        bridged = ", and bridged" if "stand out" in surface.removed else ""
         notes.append(
             Note(
                 Assumption.RESOLUTION,
                 Standing.APPROXIMATE,
-                f"Taken out of the measured heights, and bridged: {surface.removed}.",
+                f"Taken out of the measured heights{bridged}: {surface.removed}.",
                 "J. W. Tukey, Exploratory Data Analysis, Addison-Wesley 1977",
             )
         )

@@ -14,11 +14,10 @@ from winkler.errors import InvalidInput
 from winkler.limits import MOST_HOLES
 from winkler.numerics.types import Array, ArrayLike
 from winkler.profiles.rough.spikes import Spikes
+from winkler.profiles.rough.trends import LINE_LEVELS, along_x, line_levels, trend_of
 from winkler.values import frozen_array, value
 
 __all__ = ["Topography"]
-
-REMOVED_SURFACES = {0: "its mean", 1: "a plane", 2: "a paraboloid"}
 
 
 @value
@@ -36,7 +35,7 @@ class Topography:
     tip_radius : float, optional
         Radius of the tip that has scanned it [m], which rounds what is sharper; zero if it is not known, or none has.
     removed : str, optional
-        What was taken out of the measured heights, in words; `without_spikes` writes it.
+        What was taken out of the measured heights, in words; `without_spikes` and `levelled` write it.
 
     Raises
     ------
@@ -144,25 +143,29 @@ class Topography:
         InvalidInput
             If the order is another one, or the map is periodic and would not be so without its trend.
         """
-        if order not in REMOVED_SURFACES:
-            raise InvalidInput(
-                f"Topography: cannot detrend to the order {order!r}; give 0 for the mean, 1 for a plane, "
-                "2 for a paraboloid."
-            )
-        if self.periodic and order:
-            raise InvalidInput(
-                "Topography: without a plane or paraboloid a periodic map would not fit its neighbours any more; give "
-                "order 0, or a map that is not periodic."
-            )
-        x, y = (np.linspace(-1.0, 1.0, n) for n in self.heights.shape)
-        terms = [
-            (x[:, None] ** i) * (y[None, :] ** j) for i in range(order + 1) for j in range(order + 1) if i + j <= order
-        ]
-        measured = ~np.isnan(self.heights)
-        rows = np.stack([term[measured] for term in np.broadcast_arrays(*terms, self.heights)[:-1]], axis=1)
-        strengths, *_ = np.linalg.lstsq(rows, self.heights[measured], rcond=None)
-        trend = sum(strength * term for strength, term in zip(strengths, terms, strict=True))
-        return self._with(self.heights - trend)
+        return self._with(self.heights - trend_of(self.heights, order, periodic=self.periodic))
+
+    def levelled(self, by: str = "median", along: str = "x") -> Topography:
+        """Return the map with each of its scan lines levelled, its mean kept; `removed` says so.
+
+        Parameters
+        ----------
+        by : str, optional
+            What is taken off: median of each line, differences (their median from the line before, so that steps which
+            lines share stay), or a fitted line or parabola.
+        along : str, optional
+            Direction in which a line was scanned, x or y.
+
+        Raises
+        ------
+        InvalidInput
+            If a word is another one, or the map is periodic and would not be so any more.
+        """
+        turned = along_x(along)
+        levels = line_levels(self.heights.T if turned else self.heights, by, periodic=self.periodic)
+        said = f"of each scan line along {along} {LINE_LEVELS[by]}"
+        heights = self.heights - (levels.T if turned else levels)
+        return dataclasses.replace(self, heights=heights, removed="; ".join(filter(None, (self.removed, said))))
 
     def masked(self, where: ArrayLike) -> Topography:
         """Return the map with some heights missing: behind a dust grain, or where an instrument has lost the surface.
@@ -232,8 +235,9 @@ class Topography:
         found = self.spikes(times)
         if not np.any(found.where):
             return self
-        said = f"{self.removed}; {found}" if self.removed else str(found)
-        return dataclasses.replace(self.masked(found.where), removed=said)
+        return dataclasses.replace(
+            self.masked(found.where), removed="; ".join(filter(None, (self.removed, str(found))))
+        )
 
     def filled(self) -> Topography:
         """Return the map with missing heights bridged, each island by the smoothest surface through its border.
@@ -261,7 +265,7 @@ class Topography:
         inside = all(a >= 0 and n >= 2 and a + n <= m for a, n, m in zip(first, count, shape, strict=True))
         if not inside:
             raise InvalidInput(
-                f"Topography: {count} pixels from {first} on are not inside a map of {shape}; give a part of it."
+                f"Topography: {count} pixels from {first} on are not inside a map of {shape}; give less."
             )
         part = self.heights[first[0] : first[0] + count[0], first[1] : first[1] + count[1]]
         return self._with(part, np.array(self.pixel) * count, False)

@@ -26,6 +26,8 @@ def read_surface(
     channel: str = "",
     tip_radius: float = 0.0,
     without_spikes: bool = False,
+    levelled: str = "none",
+    scan_lines_along: str = "x",
     detrend: str = "none",
     filled: bool = False,
     coarsened: int = 1,
@@ -48,6 +50,11 @@ def read_surface(
         Radius [m] of the tip that has scanned the map; the limit that it sets is among the notes.
     without_spikes
         Whether outliers, such as dust or the scar of a scan, count as missing; the notes say what was taken out.
+    levelled
+        What is taken off each scan line: none, its median, the median of its differences from the line before
+        (differences), a straight line (line) or a parabola; the notes say so.
+    scan_lines_along
+        Direction in which a line was scanned: x or y.
     detrend
         Trend that is subtracted, fitted by least squares: none, mean, plane or paraboloid.
     filled
@@ -73,6 +80,8 @@ def read_surface(
         raise InvalidInput(f"detrend is {detrend!r}{suggest(detrend, choices)}; give one of {', '.join(choices)}.")
     if without_spikes:
         rough = rough.without_spikes()
+    if levelled != "none":
+        rough = rough.levelled(levelled, scan_lines_along)
     if detrend != "none":
         rough = rough.detrended(TREND_DEGREES[detrend])
     if filled:
