@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from winkler.errors import NotConverged
-from winkler.numerics.surfaces import pressed_box, pressed_grid, surface_grid
+from winkler.numerics.surfaces import pressed_box, pressed_grid
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, press
 from winkler.numerics.surfaces.punched_grid import punch
 from winkler.numerics.surfaces.surface_grid import SurfaceGrid, bytes_needed
@@ -240,19 +240,3 @@ def test_what_no_numbers_hold_is_not_taken_for_solved():
     for load in (1e-30, 1e-200):
         with pytest.raises(ArithmeticError):
             press(heights, (1.0, 1.0), ByLoad(load), periodic=False)
-
-
-@pytest.mark.parametrize("periodic", [False, True])
-def test_memory_of_large_transforms_is_kept(periodic, monkeypatch):
-    """As by whole passes of numpy, in both digits, again and again."""
-    monkeypatch.setattr(surface_grid, "LEAST_KEPT_PIXELS", 1)
-    pressure = np.random.default_rng(2).random((70, 90))
-    for digits, error in ((surface_grid.SINGLE, 1e-6), (surface_grid.DOUBLE, 1e-14)):
-        grid = SurfaceGrid.of((70, 90), (1.0, 1.2), periodic=periodic, digits=digits)
-        for number in (1.0, 3.0):
-            p = (number * pressure).astype(digits)
-            whole = np.fft.irfft2(np.fft.rfft2(p, grid.padded) * grid.response, grid.padded)[:70, :90]
-            np.testing.assert_allclose(grid.displaced(p), whole, rtol=0.0, atol=error * np.max(np.abs(whole)))
-            whole = np.fft.irfft2(np.fft.rfft2(p) * grid.wave_numbers, p.shape)
-            np.testing.assert_allclose(grid.roughly_pressing(p), whole, rtol=0.0, atol=error * np.max(np.abs(whole)))
-            assert grid.displaced(p).dtype == digits

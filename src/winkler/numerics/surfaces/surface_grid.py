@@ -19,7 +19,6 @@ import numpy as np
 from winkler.numerics.arrays import cast, namespace_of, real_waves, waves_back
 from winkler.numerics.pixels.layered import SurfaceBelow
 from winkler.numerics.threads import cores
-from winkler.numerics.transforms.large_convolution import LEAST_KEPT_PIXELS, Room, convolved
 from winkler.numerics.types import Array
 
 __all__ = ["DOUBLE", "SINGLE", "SurfaceGrid", "bytes_needed"]
@@ -69,8 +68,6 @@ class SurfaceGrid(NamedTuple):
         |q| / 2 [1/m] of the grid itself, over 1 + M or less: about the inverse of `response`.
     workers
         Threads.
-    room
-        Memory that is kept for transforms of large grids.
     """
 
     shape: tuple[int, int]
@@ -79,7 +76,6 @@ class SurfaceGrid(NamedTuple):
     response: Array
     wave_numbers: Array
     workers: int
-    room: Room | None = None
 
     @classmethod
     def of(
@@ -153,22 +149,14 @@ class SurfaceGrid(NamedTuple):
         """Return the numbers on the grid that have this transform, which is overwritten."""
         return waves_back(waves, self.padded, self.shape, self.workers)
 
-    def _kept(self, numbers: Any) -> bool:
-        large = self.padded[0] * self.padded[1] >= LEAST_KEPT_PIXELS
-        return large and isinstance(numbers, np.ndarray) and numbers.ndim == 2
-
     def displaced(self, pressure: Any) -> Any:
         """Return u [m] under p, over E*."""
-        if self._kept(pressure):
-            return convolved(pressure, self.response, self.padded, self.workers, self.room or Room())
         both = self.waves(pressure)
         both *= self.response
         return self.numbers(both)
 
     def roughly_pressing(self, displacement: Any) -> Any:
         """Return pressures, over E*, that would displace a periodic surface so: the preconditioner."""
-        if self._kept(displacement):
-            return convolved(displacement, self.wave_numbers, self.shape, self.workers, self.room or Room())
         waves = real_waves(displacement, self.shape, self.workers)
         waves *= self.wave_numbers
         return waves_back(waves, self.shape, self.shape, self.workers)
@@ -205,7 +193,7 @@ def _made(
         kernel[:, padded[1] - ny + 1 :] = kernel[:, ny - 1 : 0 : -1]
         response = np.ascontiguousarray(scipy.fft.rfft2(kernel, workers=workers).real)
     pressing = 0.5 * wave / np.where(whole > 1.0, whole**STIFF_FILM_POWER, whole)
-    return SurfaceGrid(shape, pixel, padded, response.astype(digits), pressing.astype(digits), workers, Room())
+    return SurfaceGrid(shape, pixel, padded, response.astype(digits), pressing.astype(digits), workers)
 
 
 _cached_grid = functools.lru_cache(maxsize=12)(_made)
