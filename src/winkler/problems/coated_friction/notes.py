@@ -20,7 +20,7 @@ __all__ = ["coated_notes", "stuck_error"]
 
 TRACTION_ROUNDING = 1e-6
 """Excess of the traction over friction that is none."""
-PATH_SAMPLES, RADIUS_SAMPLES = 24, 97
+PATH_SAMPLES, RADIUS_SAMPLES = 8, 25
 """At so many states of a path the traction is examined, at so many radii."""
 
 

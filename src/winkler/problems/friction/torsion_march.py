@@ -21,6 +21,7 @@ __all__ = [
     "ANGLE_TOLERANCE",
     "CUT_TOLERANCE",
     "LOSS_TOLERANCE",
+    "TORQUE_MARGIN",
     "TorsionStep",
     "square",
     "step_by_angle",
