@@ -9,6 +9,7 @@ import numpy as np
 from winkler.foundation.bed import Bed, PressedSprings
 from winkler.laws.friction import Coulomb
 from winkler.numerics.transforms import fredholm
+from winkler.numerics.types import Array
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.coated_friction.state import CoatedTangentialState
 from winkler.problems.friction.torsion_march import ANGLE_TOLERANCE, LOSS_TOLERANCE
@@ -20,7 +21,7 @@ __all__ = ["coated_notes", "stuck_error"]
 
 TRACTION_ROUNDING = 1e-6
 """Excess of the traction over friction that is none."""
-PATH_SAMPLES, RADIUS_SAMPLES = 8, 25
+PATH_SAMPLES, RADIUS_SAMPLES = 6, 25
 """At so many states of a path the traction is examined, at so many radii."""
 
 
@@ -79,10 +80,13 @@ def _excess(bed: Bed, law: Coulomb, states: Sequence[CoatedTangentialState]) -> 
     """Return by which part the traction exceeds friction at most, at sampled states, and the first such state."""
     pressed = [index for index, state in enumerate(states) if state.radius > 0.0 and state.shear_force != 0.0]
     most, first = 0.0, len(states)
-    for index in pressed[:: max(1, len(pressed) // PATH_SAMPLES)]:
+    pressure: dict[tuple[float, float], Array] = {}
+    for index in pressed[:: max(1, -(-len(pressed) // PATH_SAMPLES))]:
         state = states[index]
-        r = np.linspace(0.02, 0.98, RADIUS_SAMPLES) * state.radius
-        borne = law.coefficient * bed.medium.pressure(PressedSprings(bed, state.depth, state.radius), r)
+        r, press = np.linspace(0.02, 0.98, RADIUS_SAMPLES) * state.radius, (state.depth, state.radius)
+        if press not in pressure:
+            pressure[press] = bed.medium.pressure(PressedSprings(bed, *press), r)
+        borne = law.coefficient * pressure[press]
         excess = float(np.max(np.abs(state.traction(r)) / borne)) - 1.0 if borne.min() > 0.0 else 0.0
         if excess > TRACTION_ROUNDING:
             most, first = max(most, excess), min(first, index)

@@ -81,6 +81,7 @@ class CoatedTangential:
 
     references: ClassVar[tuple[str, ...]] = ("cattaneo_1938", "mindlin_1949", "jaeger_1995")
     assumptions: ClassVar[frozenset[Assumption]] = SHEARED | BALANCED
+    needs_round: ClassVar[str] = "slip on a coating, ring by ring"
 
     def __post_init__(self) -> None:
         if not isinstance(self.path.lateral, Shift | ShearForce) or self.path.in_plane:
