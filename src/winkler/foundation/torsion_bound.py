@@ -49,7 +49,7 @@ class TwistBound:
     Parameters
     ----------
     bed : Bed
-        On a medium that `refuse_without_kernel` lets pass.
+        On a `winkler.media.families.TwistedMedium`.
     coefficient : float
         mu [-].
     widest : float

@@ -7,11 +7,11 @@ import pytest
 
 import winkler as wk
 from winkler.foundation.torsion_bound import PressedState, twist_bound
-from winkler.problems.coated_friction.push import push_bound
-from winkler.problems.friction.play import followed
-from winkler.problems.friction.steady_path import steady_points
-from winkler.problems.friction.torsion_march import square, step_by_angle, step_to_torque, torque_of
-from winkler.problems.friction.torsion_pieces import fresh
+from winkler.problems.ring_slip.play import followed
+from winkler.problems.ring_slip.push_bound import push_bound
+from winkler.problems.ring_slip.steady_path import steady_points
+from winkler.problems.ring_slip.torsion_march import square, step_by_angle, step_to_torque, torque_of
+from winkler.problems.ring_slip.torsion_pieces import fresh
 
 MU, D = 0.3, 0.01
 LAYER = wk.Layer(wk.Elastic(1.0, 0.3), 0.1)

@@ -12,9 +12,10 @@ from winkler.numerics.transforms import fredholm
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.coated_friction.state import CoatedTangentialState
-from winkler.problems.friction.torsion_march import ANGLE_TOLERANCE, LOSS_TOLERANCE
 from winkler.problems.normal.validity import indentation_notes
 from winkler.problems.normal.yield_statement import SurfaceFriction
+from winkler.problems.ring_slip.push_bound import pushed_body
+from winkler.problems.ring_slip.torsion_march import ANGLE_TOLERANCE, LOSS_TOLERANCE
 from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["coated_notes", "stuck_error"]
@@ -71,9 +72,9 @@ def coated_notes(bed: Bed, law: Coulomb, states: Sequence[CoatedTangentialState]
 
 def stuck_error(bed: Bed, radius: float) -> float:
     """Return by which part k_x of tractions along the motion differs from that of all tractions [-]."""
-    place, medium = np.array([radius]), bed.medium
-    mean = 2.0 * medium.shear_modulus * fredholm.area(medium.tangential_response, place)  # type: ignore[attr-defined]
-    return float(mean[0] / medium.punch_shear_stiffness(place)[0]) - 1.0  # type: ignore[attr-defined]
+    place, medium = np.array([radius]), pushed_body(bed)
+    mean = 2.0 * medium.shear_modulus * fredholm.area(medium.tangential_response, place)
+    return float(mean[0] / medium.punch_shear_stiffness(place)[0]) - 1.0
 
 
 def _excess(bed: Bed, law: Coulomb, states: Sequence[CoatedTangentialState]) -> tuple[float, int]:

@@ -16,12 +16,12 @@ from winkler.media.halfspace import HalfSpace
 from winkler.media.interior.peak import greatest
 from winkler.numerics.types import Array
 from winkler.problems.friction.torsion_fields import body_of_twisted
-from winkler.problems.friction.torsion_march import ANGLE_TOLERANCE, LOSS_TOLERANCE
 from winkler.problems.friction.torsion_states import TorsionState
 from winkler.problems.normal.greatest_stress import sharp_places
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.problems.normal.unknown_yield import MISES, unknown_yield
 from winkler.problems.normal.yield_statement import SurfaceFriction, yield_notes_of_bed
+from winkler.problems.ring_slip.torsion_march import ANGLE_TOLERANCE, LOSS_TOLERANCE
 from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["torsion_notes", "torsion_yield_notes"]

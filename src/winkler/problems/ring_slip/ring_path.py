@@ -13,8 +13,9 @@ from winkler.foundation.torsion_bound import PressedState, TwistBound
 from winkler.loading import Angle, Depth, Shift
 from winkler.numerics.types import Array
 from winkler.path import Path
-from winkler.problems.friction.steady_path import HistoryPoint, falls, steady_points
-from winkler.problems.friction.torsion_march import (
+from winkler.problems.normal.solve_contact import at_depth, at_force
+from winkler.problems.ring_slip.steady_path import HistoryPoint, falls, steady_points
+from winkler.problems.ring_slip.torsion_march import (
     TORQUE_MARGIN,
     TorsionStep,
     square,
@@ -23,8 +24,7 @@ from winkler.problems.friction.torsion_march import (
     torque_of,
     torsion_step,
 )
-from winkler.problems.friction.torsion_pieces import TwistMemory, fresh, pieces_of
-from winkler.problems.normal.solve_contact import at_depth, at_force
+from winkler.problems.ring_slip.torsion_pieces import TwistMemory, fresh, pieces_of
 
 __all__ = ["RingPoint", "ring_points"]
 

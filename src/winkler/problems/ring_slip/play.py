@@ -12,8 +12,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.numerics.types import Array
-
 __all__ = ["Branches", "Stretch", "followed"]
 
 

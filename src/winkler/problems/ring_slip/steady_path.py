@@ -6,7 +6,7 @@ radius c at which :math:`b(c)=s`, and bear, and lose
 .. math:: F = 2\Big[s\int_0^c e^2\,\mathrm dx + \int_c^a e^2 b\,\mathrm dx\Big] , \qquad
           L = \int_c^a e^2\,b\,(s-b)\,\mathrm dx ;
 
-all other states follow from the turning points of the motion (`winkler.problems.friction.play`).
+all other states follow from the turning points of the motion (`winkler.problems.ring_slip.play`).
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ import numpy as np
 from winkler.foundation.torsion_bound import PressedState, TwistBound
 from winkler.numerics.panels.kink_panels import LOCAL_NODES, TO_COEFFICIENTS, WEIGHTS
 from winkler.numerics.types import Array
-from winkler.problems.friction.play import Branches, followed
-from winkler.problems.friction.torsion_pieces import NO_CONTACT, TwistMemory
+from winkler.problems.ring_slip.play import Branches, followed
+from winkler.problems.ring_slip.torsion_pieces import NO_CONTACT, TwistMemory
 
 __all__ = ["FreshSprings", "HistoryPoint", "falls", "steady_points"]
 
@@ -40,7 +40,7 @@ class HistoryPoint(NamedTuple):
     """A point of a history: motion [Pa] as in `TwistMemory`, load, radius of the part that sticks [m], and energies.
 
     `work` and `lost` are the sums of those of `TorsionStep`, `stored` is
-    `winkler.problems.friction.torsion_march.square`, `nested` that of `TorsionStep`.
+    `winkler.problems.ring_slip.torsion_march.square`, `nested` that of `TorsionStep`.
     """
 
     motion: float

@@ -1,0 +1,141 @@
+"""Write the table of media and problems in docs/choosing.md from what the package answers.
+
+Run ``python docs/tabulate_media.py`` (a few minutes) after a problem, a medium or a note on validity was added; tests
+compare the page with what this would write.  The problem of each cell is the example of its kind in the catalogue, with
+the medium in place of its own.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import NamedTuple
+
+import winkler as wk
+from winkler.study.language.build import build
+from winkler.study.language.catalogue import CATALOGUE
+from winkler.study.language.explain import example_study
+from winkler.validity import Assumption, Standing
+
+PAGE = Path(__file__).resolve().parent / "choosing.md"
+BEGIN, END = "<!-- media: begin -->", "<!-- media: end -->"
+OF_METHOD = {
+    Assumption.RESPONSE,
+    Assumption.SINGLE_CONTACT,
+    Assumption.SLIP,
+    Assumption.CALIBRATION,
+    Assumption.STEADY,
+    Assumption.RESOLUTION,
+    Assumption.ENERGY,
+    Assumption.CONDUCTION,
+    Assumption.WEAR,
+    Assumption.ROUGHNESS,
+}
+"""What belongs to a method on a medium; the other assumptions depend on the numbers of a case."""
+NO_PLACE = "–"
+TAKEN = "taken"
+
+
+class Cell(NamedTuple):
+    """One of "exact", "approximate", "refused", `NO_PLACE` and, before it is solved, `TAKEN`; and why."""
+
+    word: str
+    why: str = ""
+
+
+def made(kind: str, medium: str) -> tuple[Cell, object]:
+    """Return what can be said before the problem is solved, and the problem."""
+    try:
+        table = example_study(kind, medium=medium)["problem"]
+    except wk.WinklerError:
+        return Cell(NO_PLACE), None
+    try:
+        return Cell(TAKEN), build(table)
+    except wk.WinklerError as error:
+        return Cell("refused", reason(str(error), medium)), None
+
+
+def cell(kind: str, medium: str) -> Cell:
+    """Return a cell of the table."""
+    before, problem = made(kind, medium)
+    if problem is None:
+        return before
+    try:
+        notes = problem.solve().validity
+    except wk.WinklerError as error:
+        return Cell("refused", reason(str(error), medium))
+    order = list(Standing)
+    worst = [note for note in notes if note.assumption in OF_METHOD and note.standing in order[2:]]
+    if not worst:
+        return Cell("exact")
+    note = max(worst, key=lambda each: order.index(each.standing))
+    return Cell("approximate", reason(note.statement, medium))
+
+
+def reason(sentence: str, medium: str) -> str:
+    """Return a sentence without the names of problem and medium, so that equal reasons are equal."""
+    sentence = re.sub(r"^(problem[\w.]*: )?([A-Z]\w+: )?", "", sentence)
+    name = CATALOGUE["medium"][medium].path.rpartition(":")[2]
+    sentence = re.sub(rf"\b(an? )?{name}\b(?!\()", "this medium", sentence, count=1)
+    return sentence[0].upper() + sentence[1:].rstrip(".") + "."
+
+
+def topic(sentence: str) -> str:
+    """Return a reason without its numbers, which are those of the example."""
+    return re.sub(r"[-+]?\d[-+.\de]*", "#", sentence)
+
+
+def columns() -> tuple[list[str], list[str]]:
+    """Return the media that do not relax, and those that do."""
+    media = list(CATALOGUE["medium"])
+    elastic = [medium for medium in media if made("indentation", medium)[0].word == TAKEN]
+    return elastic, [medium for medium in media if medium not in elastic]
+
+
+def rows(media: list[str]) -> list[str]:
+    """Return the kinds of problems that one of these media suits."""
+    return [kind for kind in CATALOGUE["problem"] if any(made(kind, medium)[0].word == TAKEN for medium in media)]
+
+
+def section() -> str:
+    """Return the tables and their notes."""
+    whys: list[str] = []
+    lines: list[str] = []
+    for media in columns():
+        lines += ["", "| kind of problem | " + " | ".join(f"`{medium}`" for medium in media) + " |"]
+        lines += ["|---" * (len(media) + 1) + "|"]
+        for kind in rows(media):
+            words = []
+            for medium in media:
+                found = cell(kind, medium)
+                if found.why and topic(found.why) not in map(topic, whys):
+                    whys.append(found.why)
+                number = [topic(why) for why in whys].index(topic(found.why)) + 1 if found.why else 0
+                words.append(f"{found.word} ({number})" if number else found.word)
+            lines.append(f"| `{kind}` | " + " | ".join(words) + " |")
+    notes = [f"{number}. {why}" for number, why in enumerate(whys, 1)]
+    return "\n".join([BEGIN, *lines, "", *notes, "", END])
+
+
+def stated() -> dict[tuple[str, str], Cell]:
+    """Return the cells that stand on the page."""
+    text = PAGE.read_text(encoding="utf-8")
+    text = text[text.index(BEGIN) : text.index(END)]
+    whys = dict(re.findall(r"^(\d+)\. (.*)$", text, re.MULTILINE))
+    cells: dict[tuple[str, str], Cell] = {}
+    media: list[str] = []
+    for line in re.findall(r"^\|(.*)\|$", text, re.MULTILINE):
+        first, *others = (part.strip().strip("`") for part in line.split("|"))
+        if first == "kind of problem":
+            media = others
+        elif first in CATALOGUE["problem"]:
+            for medium, content in zip(media, others, strict=True):
+                word, _, number = content.partition(" (")
+                cells[first, medium] = Cell(word, whys[number.rstrip(")")] if number else "")
+    return cells
+
+
+if __name__ == "__main__":
+    page = PAGE.read_text(encoding="utf-8")
+    before, after = page.index(BEGIN), page.index(END) + len(END)
+    PAGE.write_text(page[:before] + section() + page[after:], encoding="utf-8")
