@@ -77,7 +77,8 @@ def test_a_history_is_cut_into_branches():
     assert ways[4:] == [(3, 2, 1.5, 2.0), (4, 2, 2.0, 4.0), (4, 1, 4.0, 4.0), (5, 1, 4.0, 5.0)]
 
 
-@pytest.mark.parametrize("ratio", [pytest.param(0.1, marks=pytest.mark.slow), 10.0])
+@pytest.mark.slow
+@pytest.mark.parametrize("ratio", [0.1, 10.0])
 def test_a_loop_as_by_boundary_elements_on_the_layer(ratio):
     """Tractions of both directions on 97 x 97 pixels, without rings: within 0.1 % of friction, losses within 0.3 %."""
     bed = on(ratio)
@@ -91,3 +92,27 @@ def test_a_loop_as_by_boundary_elements_on_the_layer(ratio):
     pixels = wk.SurfaceTangential(topography, bed.medium, wk.Coulomb(MU), path).solve()
     np.testing.assert_allclose(pixels.shear_force[:, 0], rings.shear_force, atol=1e-3 * friction)
     np.testing.assert_allclose(pixels.dissipation, rings.dissipation, rtol=3e-3, atol=0.0)
+
+
+def test_damping_on_a_coating_is_that_of_its_loop():
+    bed, law = on(0.1), wk.Coulomb(MU)
+    contact = wk.Indentation(bed, wk.Depth(D)).solve()
+    shift = MU * float(contact.force) / float(bed.medium.punch_shear_stiffness(contact.radius))
+    path = wk.Path.through(wk.Depth(D), wk.Shift(shift * np.array([0.0, 1.0, -1.0, 1.0])))
+    loop = wk.CoatedTangential(bed, law, path).solve()
+    swing = wk.FrictionDamping(bed, law, wk.Depth(D), wk.Shift([0.0, shift])).solve()
+    assert swing.loss_per_cycle[1] == pytest.approx(loop.dissipation[3] - loop.dissipation[1], rel=1e-12)
+    assert swing.shear_force[1] == pytest.approx(loop.shear_force[1], rel=1e-12)
+    assert swing.loss_per_cycle[0] == 0.0 == swing.shear_force[0]
+    assert any("kernels are those of the layers" in note.statement for note in swing.validity)
+    back = wk.FrictionDamping(bed, law, wk.Depth(D), wk.ShearForce([swing.shear_force[1], MU * contact.force])).solve()
+    assert back.shift[0] == pytest.approx(shift, rel=1e-11)
+
+
+def test_damping_on_a_layer_of_the_same_solid_is_that_of_a_half_space():
+    """Mindlin and Deresiewicz, with all that slides at the end."""
+    solid, law, swing = wk.Elastic(1.0, 0.3), wk.Coulomb(MU), wk.Shift(np.array([1e-5, 1e-4, 1e-3, 2e-2]))
+    media = (wk.CoatedHalfSpace([LAYER], on=solid), wk.HalfSpace(solid))
+    first, other = (wk.FrictionDamping(wk.Foundation(BALL, each), law, wk.Depth(D), swing).solve() for each in media)
+    np.testing.assert_allclose(first.loss_per_cycle, other.loss_per_cycle, rtol=1e-9)
+    np.testing.assert_allclose(first.shear_force, other.shear_force, rtol=1e-10)

@@ -8,17 +8,16 @@ import numpy as np
 
 from winkler.foundation.bed import Bed, PressedSprings
 from winkler.laws.friction import Coulomb
-from winkler.numerics.transforms import fredholm
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.coated_friction.state import CoatedTangentialState
 from winkler.problems.normal.validity import indentation_notes
 from winkler.problems.normal.yield_statement import SurfaceFriction
-from winkler.problems.ring_slip.push_bound import pushed_body
+from winkler.problems.ring_slip.push_notes import push_note
 from winkler.problems.ring_slip.torsion_march import ANGLE_TOLERANCE, LOSS_TOLERANCE
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["coated_notes", "stuck_error"]
+__all__ = ["coated_notes"]
 
 TRACTION_ROUNDING = 1e-6
 """Excess of the traction over friction that is none."""
@@ -40,17 +39,7 @@ def coated_notes(bed: Bed, law: Coulomb, states: Sequence[CoatedTangentialState]
     depth, radius = (np.array([getattr(state, word) for state in states]) for word in ("depth", "radius"))
     yield from indentation_notes(bed, depth, radius, SurfaceFriction(law.coefficient))
     yield sticking_note(bed.medium, law.coefficient)
-    widest = float(np.max(radius))
-    softer = f"by {-stuck_error(bed, widest):.1e}" if widest > 0.0 else "little"
-    yield Note(
-        Assumption.SLIP,
-        Standing.APPROXIMATE,
-        "Tractions point along the motion and depend on the distance from the axis alone, and displacements are means "
-        f"over each ring (Cattaneo and Mindlin); a stuck contact is softer than without that assumption, {softer}. "
-        "Within it normal and shear kernels are those of the layers, and every ring bears its own pressure times the "
-        "coefficient.",
-        "k_x with tractions of both directions, winkler.media.layered.sheared",
-    )
+    yield push_note(bed, float(np.max(radius)))
     bad = np.flatnonzero([not state.nested for state in states])
     excess, index = _excess(bed, law, states)
     if bad.size or excess > TRACTION_ROUNDING:
@@ -68,13 +57,6 @@ def coated_notes(bed: Bed, law: Coulomb, states: Sequence[CoatedTangentialState]
         f"Shift, shear force and slip are known without a grid; under a changing normal load {computed}.",
         "moves along the path halved until they agree",
     )
-
-
-def stuck_error(bed: Bed, radius: float) -> float:
-    """Return by which part k_x of tractions along the motion differs from that of all tractions [-]."""
-    place, medium = np.array([radius]), pushed_body(bed)
-    mean = 2.0 * medium.shear_modulus * fredholm.area(medium.tangential_response, place)
-    return float(mean[0] / medium.punch_shear_stiffness(place)[0]) - 1.0
 
 
 def _excess(bed: Bed, law: Coulomb, states: Sequence[CoatedTangentialState]) -> tuple[float, int]:

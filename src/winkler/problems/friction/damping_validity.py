@@ -6,6 +6,7 @@ from winkler.foundation.bed import Bed
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
+from winkler.problems.ring_slip.push_notes import push_note
 from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["STEADY", "damping_notes"]
@@ -37,7 +38,7 @@ SLOW = Note(
 )
 
 
-def damping_notes(bed: Bed, radius: float, coefficient: float) -> tuple[Note, ...]:
+def damping_notes(bed: Bed, radius: float, coefficient: float, rings: bool = False) -> tuple[Note, ...]:
     """Return what is assumed of friction in a contact.
 
     Parameters
@@ -47,7 +48,11 @@ def damping_notes(bed: Bed, radius: float, coefficient: float) -> tuple[Note, ..
         Up to which the bodies touch [m].
     coefficient : float
         Of friction [-]; infinity where nothing slips.
+    rings : bool
+        Whether rings of a coating slide, not springs.
     """
+    if rings:
+        return (push_note(bed, radius), sticking_note(bed.medium, coefficient), *direction_notes(bed), SLOW)
     least, greatest = ratios = stiffness_ratios(bed, radius)
     if alike(ratios):
         alone = Note(

@@ -89,7 +89,14 @@ class FreshSprings:
         self._beyond: Array = np.append(beyond[:, 1:], np.zeros((3, 1)), axis=1)
         """The integrals of e^2 b^n from the upper end of each panel to the edge."""
         self._all: Array = beyond[:, 0]
+        self.inertia = 2.0 * float(self._all[0])
+        """As `TwistBound.inertia` of the whole contact."""
         self._nodes = np.maximum.accumulate(limit.ravel()[::-1])
+
+    @property
+    def most(self) -> float:
+        """The amplitude [Pa] from which all slides, of bounds that do not grow without limit."""
+        return float(self._nodes[-1])
 
     def tails(self, front: Array) -> Array:
         """Return the integrals of e^2 b^n from these radii to the edge, n = 0, 1, 2: ``(3, m)``."""
@@ -107,12 +114,15 @@ class FreshSprings:
         known = self._curve(self._nodes)
         least = load / (2.0 * self._all[0])
         found = np.maximum(np.interp(load, np.append(0.0, known.load), np.append(0.0, self._nodes)), least)
-        active = np.arange(load.size)
+        top = self._nodes[-1]
+        found = np.where(load >= known.load[-1], top, np.minimum(found, top))
+        active = np.flatnonzero(load < known.load[-1])
         for _ in range(MOST_TRIALS):  # the load is a concave function of the amplitude: Newton's steps settle
             now = self.curve(found[active])
             miss = load[active] - now.load
             stiffness = 2.0 * (self._all[0] - self.tails(now.front)[0])
-            ahead = np.maximum(found[active] + miss / np.where(stiffness > 0.0, stiffness, np.inf), least[active])
+            ahead = found[active] + miss / np.where(stiffness > 0.0, stiffness, np.inf)
+            ahead = np.clip(ahead, least[active], max(top, float(np.max(least[active]))))
             late = (np.abs(miss) > LOAD_ROUNDING * 2.0 * self._all[1]) & (ahead != found[active])
             found[active] = ahead
             active = active[late]
@@ -126,9 +136,9 @@ class FreshSprings:
         k = self._bound.panels.panel(front)
         lost = np.sum(weights * limit * np.maximum(amplitude[:, None] - limit, 0.0), axis=1)
         lost = lost + np.maximum(amplitude * self._beyond[1, k] - self._beyond[2, k], 0.0)
-        stuck = self._all[0] - tails[0]
-        work = amplitude**2 * stuck + tails[2] + 2.0 * lost
-        return _Curve(front, 2.0 * (amplitude * stuck + tails[1]), work, lost)
+        stuck, lost = self._all[0] - tails[0], np.where(amplitude > 0.0, np.maximum(lost, 0.0), 0.0)
+        load = np.where(amplitude > 0.0, 2.0 * (amplitude * stuck + tails[1]), 0.0)
+        return _Curve(front, load, amplitude**2 * stuck + tails[2] + 2.0 * lost, lost)
 
     def _front(self, amplitude: Array) -> Array:
         panels = self._bound.panels
