@@ -1,6 +1,6 @@
 """Write the table of media and problems in docs/choosing.md from what the package answers.
 
-Run ``python docs/tabulate_media.py`` (a few minutes) after a problem, a medium or a note on validity was added; tests
+Run ``python docs/tabulate_media.py`` (some minutes) after a problem, a medium or a note on validity was added; tests
 compare the page with what this would write.  The problem of each cell is the example of its kind in the catalogue, with
 the medium in place of its own.
 """
@@ -25,8 +25,6 @@ OF_METHOD = {
     Assumption.SLIP,
     Assumption.CALIBRATION,
     Assumption.STEADY,
-    Assumption.RESOLUTION,
-    Assumption.ENERGY,
     Assumption.CONDUCTION,
     Assumption.WEAR,
     Assumption.ROUGHNESS,
@@ -34,10 +32,37 @@ OF_METHOD = {
 """What belongs to a method on a medium; the other assumptions depend on the numbers of a case."""
 NO_PLACE = "–"
 TAKEN = "taken"
+LONG = {
+    "adhesive_impact",
+    "joint_stiffness",
+    "line_viscoelastic_indentation",
+    "profile_pair_rolling",
+    "reduced_friction",
+    "reduction",
+    "rolling_start",
+    "seal",
+    "simplified_rolling",
+    "sliding_resistance",
+    "sliding_wear",
+    "surface_adhesion",
+    "surface_conduction",
+    "surface_rolling",
+    "surface_rolling_heating",
+    "surface_rolling_start",
+    "surface_tangential",
+    "surface_wear",
+    "thermal_joint",
+    "transient_heating",
+    "viscoelastic_adhesion",
+    "viscoelastic_impact",
+    "viscoelastic_indentation",
+    "viscoelastic_tangential",
+}
+"""Kinds whose examples take seconds: it is stated which media they take, not how exactly."""
 
 
 class Cell(NamedTuple):
-    """One of "exact", "approximate", "refused", `NO_PLACE` and, before it is solved, `TAKEN`; and why."""
+    """One of "exact", "approximate", "refused", `NO_PLACE` and, where it is not solved, `TAKEN`; and why."""
 
     word: str
     why: str = ""
@@ -58,7 +83,7 @@ def made(kind: str, medium: str) -> tuple[Cell, object]:
 def cell(kind: str, medium: str) -> Cell:
     """Return a cell of the table."""
     before, problem = made(kind, medium)
-    if problem is None:
+    if problem is None or kind in LONG:
         return before
     try:
         notes = problem.solve().validity
@@ -77,6 +102,8 @@ def reason(sentence: str, medium: str) -> str:
     sentence = re.sub(r"^(problem[\w.]*: )?([A-Z]\w+: )?", "", sentence)
     name = CATALOGUE["medium"][medium].path.rpartition(":")[2]
     sentence = re.sub(rf"\b(an? )?{name}\b(?!\()", "this medium", sentence, count=1)
+    sentence = re.sub(r"^[Tt]he (medium of the )?bed (is|stands on) this medium; ", "", sentence)
+    sentence = re.sub(r"^[Tt]he medium( of the bed)? is this medium; ", "", sentence)
     return sentence[0].upper() + sentence[1:].rstrip(".") + "."
 
 
@@ -112,6 +139,7 @@ def section() -> str:
                     whys.append(found.why)
                 number = [topic(why) for why in whys].index(topic(found.why)) + 1 if found.why else 0
                 words.append(f"{found.word} ({number})" if number else found.word)
+            print(kind, *words)
             lines.append(f"| `{kind}` | " + " | ".join(words) + " |")
     notes = [f"{number}. {why}" for number, why in enumerate(whys, 1)]
     return "\n".join([BEGIN, *lines, "", *notes, "", END])

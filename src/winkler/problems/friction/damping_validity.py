@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from winkler.foundation.bed import Bed
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.direction import direction_notes
@@ -61,6 +63,14 @@ def damping_notes(bed: Bed, radius: float, coefficient: float, rings: bool = Fal
             "Springs of one gap stick and slide together, since their stiffnesses have one ratio "
             f"({least:.4g}): sums over springs are the three-dimensional sums within Cattaneo-Mindlin.",
             JAEGER,
+        )
+    elif math.isinf(coefficient):
+        alone = Note(
+            Assumption.SLIP,
+            Standing.EXACT,
+            "Nothing slides: springs bear what the stiffness k_x(a) of a disc without slip grows by with its radius, "
+            "and what leaves the contact loses what it bore.",
+            "superposition of discs of all radii, each moved along the surface as a whole",
         )
     else:
         alone = Note(

@@ -118,6 +118,8 @@ class FreshSprings:
         found = np.where(load >= known.load[-1], top, np.minimum(found, top))
         active = np.flatnonzero(load < known.load[-1])
         for _ in range(MOST_TRIALS):  # the load is a concave function of the amplitude: Newton's steps settle
+            if active.size == 0:
+                break
             now = self.curve(found[active])
             miss = load[active] - now.load
             stiffness = 2.0 * (self._all[0] - self.tails(now.front)[0])
@@ -126,8 +128,6 @@ class FreshSprings:
             late = (np.abs(miss) > LOAD_ROUNDING * 2.0 * self._all[1]) & (ahead != found[active])
             found[active] = ahead
             active = active[late]
-            if active.size == 0:
-                break
         return np.asarray(found)
 
     def _curve(self, amplitude: Array) -> _Curve:
