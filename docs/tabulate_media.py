@@ -7,6 +7,7 @@ the medium in place of its own.
 
 from __future__ import annotations
 
+import functools
 import re
 from pathlib import Path
 from typing import NamedTuple
@@ -15,7 +16,7 @@ import winkler as wk
 from winkler.study.language.build import build
 from winkler.study.language.catalogue import CATALOGUE
 from winkler.study.language.explain import example_study
-from winkler.validity import Assumption, Standing
+from winkler.validity import Assumption, Note, Standing
 
 PAGE = Path(__file__).resolve().parent / "choosing.md"
 BEGIN, END = "<!-- media: begin -->", "<!-- media: end -->"
@@ -23,6 +24,7 @@ OF_METHOD = {
     Assumption.RESPONSE,
     Assumption.SINGLE_CONTACT,
     Assumption.SLIP,
+    Assumption.ADHESION,
     Assumption.CALIBRATION,
     Assumption.STEADY,
     Assumption.CONDUCTION,
@@ -68,6 +70,7 @@ class Cell(NamedTuple):
     why: str = ""
 
 
+@functools.cache
 def made(kind: str, medium: str) -> tuple[Cell, object]:
     """Return what can be said before the problem is solved, and the problem."""
     try:
@@ -90,11 +93,17 @@ def cell(kind: str, medium: str) -> Cell:
     except wk.WinklerError as error:
         return Cell("refused", reason(str(error), medium))
     order = list(Standing)
-    worst = [note for note in notes if note.assumption in OF_METHOD and note.standing in order[2:]]
+    worst = [note for note in notes if of_method(note) and note.standing in order[2:]]
     if not worst:
         return Cell("exact")
     note = max(worst, key=lambda each: order.index(each.standing))
     return Cell("approximate", reason(note.statement, medium))
+
+
+def of_method(note: Note) -> bool:
+    """Return whether a note is on the method, not on the numbers of the example."""
+    ranged = note.assumption is Assumption.ADHESION and "Tabor" in note.statement
+    return note.assumption in OF_METHOD and not ranged
 
 
 def reason(sentence: str, medium: str) -> str:

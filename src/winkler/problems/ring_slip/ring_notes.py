@@ -76,8 +76,9 @@ def ring_notes(
             Assumption.SLIP,
             Standing.APPROXIMATE,
             f"From index {min([*bad[:1].tolist(), index])} on springs have slid with sticking ones outside of "
-            "them: the normal load changes while the motion turns back. There the law holds for the springs, but not on "
-            f"all of the surface: the traction exceeds coefficient times pressure by up to {excess:.1%}, where examined.",
+            "them: the normal load changes while the motion turns back. There the law holds for the springs, but not "
+            f"on all of the surface: the traction exceeds coefficient times pressure by up to {excess:.1%}, where "
+            "examined.",
             "traction restored at points of the path",
         )
     settled = (

@@ -53,7 +53,7 @@ class HistoryPoint(NamedTuple):
     memory: TwistMemory
 
 
-class _Curve(NamedTuple):
+class _Moved(NamedTuple):
     """Fresh springs, for many amplitudes: c [m], F, the integral of F over s, and L."""
 
     front: Array
@@ -92,22 +92,19 @@ class FreshSprings:
         self.inertia = 2.0 * float(self._all[0])
         """As `TwistBound.inertia` of the whole contact."""
         self._nodes = np.maximum.accumulate(limit.ravel()[::-1])
-
-    @property
-    def most(self) -> float:
+        self.most = float(self._nodes[-1])
         """The amplitude [Pa] from which all slides, of bounds that do not grow without limit."""
-        return float(self._nodes[-1])
 
     def tails(self, front: Array) -> Array:
         """Return the integrals of e^2 b^n from these radii to the edge, n = 0, 1, 2: ``(3, m)``."""
         parts = [self._tails(part)[0] for part in _chunks(front)]
         return np.concatenate(parts, axis=1) if parts else np.zeros((3, 0))
 
-    def curve(self, amplitude: Array) -> _Curve:
+    def curve(self, amplitude: Array) -> _Moved:
         """Return what fresh springs bear that have moved by these amplitudes [Pa]."""
         parts = [self._curve(part) for part in _chunks(amplitude)]
         columns = zip(*parts, strict=True) if parts else [()] * 4
-        return _Curve(*(np.concatenate([*column, np.zeros(0)]) for column in columns))
+        return _Moved(*(np.concatenate([*column, np.zeros(0)]) for column in columns))
 
     def amplitude(self, load: Array) -> Array:
         """Return the amplitudes [Pa] under which fresh springs bear these loads, less than what friction bears."""
@@ -130,7 +127,7 @@ class FreshSprings:
             active = active[late]
         return np.asarray(found)
 
-    def _curve(self, amplitude: Array) -> _Curve:
+    def _curve(self, amplitude: Array) -> _Moved:
         front = self._front(amplitude)
         tails, weights, limit = self._tails(front)
         k = self._bound.panels.panel(front)
@@ -138,7 +135,7 @@ class FreshSprings:
         lost = lost + np.maximum(amplitude * self._beyond[1, k] - self._beyond[2, k], 0.0)
         stuck, lost = self._all[0] - tails[0], np.where(amplitude > 0.0, np.maximum(lost, 0.0), 0.0)
         load = np.where(amplitude > 0.0, 2.0 * (amplitude * stuck + tails[1]), 0.0)
-        return _Curve(front, load, amplitude**2 * stuck + tails[2] + 2.0 * lost, lost)
+        return _Moved(front, load, amplitude**2 * stuck + tails[2] + 2.0 * lost, lost)
 
     def _front(self, amplitude: Array) -> Array:
         panels = self._bound.panels
