@@ -49,7 +49,7 @@ class TwistBound:
     Parameters
     ----------
     bed : Bed
-        On a medium that `refuse_without_kernel` lets pass.
+        On a `winkler.media.families.TwistedMedium`.
     coefficient : float
         mu [-].
     widest : float
@@ -150,6 +150,7 @@ class TwistBound:
         meeting = np.diagonal(self._kernel.bound).reshape(self.x.shape)
         return self._coefficient * float(self.panels.value(meeting * self.x, np.array([kink]))[0]) * strength / kink
 
+    @functools.lru_cache(maxsize=64)  # noqa: B019 - as `at`
     def most(self, press: PressedState) -> float:
         """Return the torque at which everything slides [N m]."""
         if self.endless:

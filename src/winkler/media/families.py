@@ -2,20 +2,44 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from winkler.materials.elastic import Solid
 from winkler.materials.layered import Layer
 from winkler.media.medium import Displacement
-from winkler.numerics.types import Curve
+from winkler.numerics.types import Array, Curve
 
-__all__ = ["CoatedBody", "DepthVaryingMedium", "PowerLawMedium"]
+if TYPE_CHECKING:  # numerics of layers are loaded with layers
+    from winkler.numerics.transforms.cosine_transform import SurfaceResponse
+
+__all__ = ["CoatedBody", "DepthVaryingMedium", "PowerLawMedium", "TwistedMedium"]
 
 
-class PowerLawMedium:
+class TwistedMedium:
+    """A medium on which it is known what springs bear whose rings slide around the axis."""
+
+    @property
+    def modulus(self) -> float:
+        """E* [Pa]."""
+        raise NotImplementedError
+
+    @property
+    def torsional_modulus(self) -> float:
+        """G_t [Pa]."""
+        raise NotImplementedError
+
+
+class PowerLawMedium(TwistedMedium):
     """A medium whose moduli follow one power of the depth."""
 
     @property
     def exponent(self) -> float:
         """k [-]."""
+        raise NotImplementedError
+
+    @property
+    def depth_scale(self) -> float:
+        """c_0 [m]."""
         raise NotImplementedError
 
 
@@ -32,9 +56,33 @@ class DepthVaryingMedium:
         raise NotImplementedError
 
 
-class CoatedBody(DepthVaryingMedium):
-    """Layers on a half-space or a rigid base, against a homogeneous body."""
+class CoatedBody(DepthVaryingMedium, TwistedMedium):
+    """Layers on a half-space or a rigid base, against a homogeneous body: rings may slide around the axis, or along."""
 
     layers: tuple[Layer, ...]
     on: Solid
     second: Solid
+
+    @property
+    def response(self) -> SurfaceResponse:
+        """The response of the pair to a pressure."""
+        raise NotImplementedError
+
+    @property
+    def tangential_response(self) -> SurfaceResponse:
+        """The response of the pair to a shear load, averaged over its angle with the wave."""
+        raise NotImplementedError
+
+    @property
+    def across_response(self) -> SurfaceResponse:
+        """The response of the pair to shear across its wave, and to a twist."""
+        raise NotImplementedError
+
+    @property
+    def shear_modulus(self) -> float:
+        """G* [Pa] of the uppermost layer and the other body."""
+        raise NotImplementedError
+
+    def punch_shear_stiffness(self, radius: Array) -> Array:
+        """k_x(a) [N/m] of a flat punch that is pushed along the surface."""
+        raise NotImplementedError

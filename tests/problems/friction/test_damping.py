@@ -12,6 +12,8 @@ from scipy.integrate import quad
 import winkler as wk
 from winkler.laws.friction import Coulomb
 from winkler.path import Path
+from winkler.problems.friction.damping_springs import SlippingSprings
+from winkler.problems.friction.damping_validity import damping_notes
 from winkler.problems.friction.tangential import Tangential
 from winkler.reference.damping import ball_loss, small_loss
 
@@ -176,12 +178,13 @@ def test_a_graded_medium():
     assert again.loss_per_cycle == pytest.approx(half.loss_per_cycle, rel=1e-10)
 
 
-def test_layers_are_computed_and_labelled():
+def test_springs_of_different_kinds_are_computed_and_labelled():
+    """As on bodies graded in depth; coatings have rings, tests/problems/friction/test_steady_slip.py."""
     coat = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(young=400e9, poisson=0.2), thickness=50e-6)], on=MEDIUM.first)
     bed = wk.Foundation(wk.Paraboloid(10e-3), coat)
     contact = wk.Indentation(bed, wk.Radius(60e-6)).solve()
     shift = 0.4 * MU * contact.depth
-    swing = wk.FrictionDamping(bed, Coulomb(MU), wk.Depth(contact.depth), wk.Shift(shift)).solve()
+    springs = SlippingSprings(MU, contact)
 
     def lost(x):
         x = np.array([x])
@@ -190,14 +193,13 @@ def test_layers_are_computed_and_labelled():
         return 8.0 * stiff * bound * max(shift - bound, 0.0)
 
     expected = quad(lost, 0.0, contact.radius, epsabs=0.0, epsrel=1e-8, limit=400)[0]
-    assert swing.loss_per_cycle == pytest.approx(expected, rel=1e-6)
-    (label,) = [note for note in swing.validity if "springs slide by themselves" in note.statement]
+    assert springs.loss(np.array([shift]))[0] == pytest.approx(expected, rel=1e-6)
+    notes = damping_notes(bed, float(contact.radius), MU)
+    (label,) = [note for note in notes if "springs slide by themselves" in note.statement]
     assert label.standing is wk.Standing.APPROXIMATE
-    back = wk.FrictionDamping(
-        bed, Coulomb(MU), wk.Depth(contact.depth), wk.ShearForce(np.array([0.0, swing.shear_force]))
-    ).solve()
-    assert back.shift[1] == pytest.approx(shift, rel=1e-9)
-    assert back.secant_stiffness[0] > back.secant_stiffness[1]
+    force = springs.force(np.array([shift]))
+    assert springs.shift(force)[0] == pytest.approx(shift, rel=1e-9)
+    assert springs.stiffness > force[0] / shift
 
 
 def test_quantities_of_vibration_engineering():

@@ -26,7 +26,7 @@ class Ball:
 
     def __init__(self, problem: dict) -> None:
         medium = problem["bed"]["medium"]
-        solids = [medium[which] for which in ("first", "second") if which in medium]
+        solids = [medium[which] for which in ("first", "on", "second") if which in medium]
         pairs = [(number(solid["young"]), number(solid["poisson"])) for solid in solids]
         shears = [young / (2 * (1 + nu)) for young, nu in pairs]
         self.modulus = 1 / sum((1 - nu**2) / young for young, nu in pairs)
@@ -66,6 +66,13 @@ def mindlin_deresiewicz_loop(problem: dict) -> dict:
         "dissipation.-1": 5 * loss / 4,
         "shift.2": -ball.shift(a, a * mp.cbrt(1 - share)),
     }
+
+
+def coated_steel_loop(problem: dict) -> dict:
+    """The layer, its base and the ball are of one steel."""
+    (layer,) = problem["bed"]["medium"]["layers"]
+    assert layer["solid"] == problem["bed"]["medium"]["on"]
+    return mindlin_deresiewicz_loop(problem)
 
 
 def mindlin_deresiewicz_loss(problem: dict) -> dict:
@@ -138,6 +145,7 @@ def thornton_ning_sticking_ball(problem: dict) -> dict:
 RECOMPUTED = (
     mindlin_partial_slip,
     mindlin_deresiewicz_loop,
+    coated_steel_loop,
     mindlin_deresiewicz_loss,
     unloading_at_fixed_shift,
     lubkin_torsion,
@@ -160,7 +168,7 @@ def test_a_case_is_recomputed(reference):
 
 
 def test_every_friction_case_is_recomputed_or_cited():
-    kinds = {"tangential", "torsion", "friction_damping", "bimodal_damping", "relaxation_damper"}
+    kinds = {"tangential", "coated_tangential", "torsion", "friction_damping", "bimodal_damping", "relaxation_damper"}
     kinds |= {"impact", "adhesive_impact"}
     cases = {path.stem: tomllib.loads(path.read_text(encoding="utf-8")) for path in CASES.glob("*.toml")}
     rubbed = {name for name, case in cases.items() if case.get("problem", {}).get("kind") in kinds}

@@ -247,12 +247,12 @@ def test_paths_in_the_plane_have_two_columns_for_each_load():
 FRICTION = ("tangential", "torsion", "friction_damping", "bimodal_damping", "relaxation_damper", "impact")
 
 
-@pytest.mark.parametrize("name", [*FRICTION, "adhesive_impact", "elastic_plastic_particle"])
+@pytest.mark.parametrize("name", [*FRICTION, "coated_tangential", "adhesive_impact", "elastic_plastic_particle"])
 def test_every_kind_is_cited_described_and_has_formulas(name):
     problem = build(example_study(name)["problem"])
     study = Study("", problem)
     assert len(cite(problem)) >= 3
-    if name in FRICTION:
+    if name in (*FRICTION, "coated_tangential"):
         for one in formulas_of(problem):
             assert formula(one.latex).startswith("<math")
         assert len(formulas_of(problem)) >= 4

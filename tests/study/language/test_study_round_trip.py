@@ -55,7 +55,6 @@ ELSEWHERE = {
     wk.ContactLaw,
     wk.ContactTrace,
     wk.Contacts,
-    wk.CoatedTangential,
     wk.CorrelationLengths,
     wk.CurrentFields,
     wk.EllipticFields,
@@ -77,7 +76,7 @@ ELSEWHERE = {
     wk.TwistedFields,
 }
 """Thousands of contacts or springs at once, arrays that no study file holds; restored fields and statistics of a map,
-which are answers; references, which a method takes; and a problem of Python alone."""
+which are answers; references, which a method takes."""
 
 
 def test_the_catalogue_knows_every_public_value_that_a_study_could_name():

@@ -23,12 +23,13 @@ from winkler.media.layered import coated_interior, coated_load, flat_punch, punc
 from winkler.media.layered.coated_load import CarriedLoad, spread
 from winkler.media.layered.layers import NormalResponse
 from winkler.media.layered.shear_responses import AcrossResponse, AlongResponse
-from winkler.media.layered.sheared import ShearedLayers, SurfaceResponse
+from winkler.media.layered.sheared import ShearedLayers
 from winkler.media.layered.tangential_response import TangentialResponse
 from winkler.media.medium import Displacement, PunchFacts, rigid_body
 from winkler.media.punch_field import BodyField
 from winkler.numerics.pixels.layered import GridResponse
 from winkler.numerics.transforms import abel, fredholm
+from winkler.numerics.transforms.cosine_transform import SurfaceResponse
 from winkler.numerics.types import Array, Curve
 from winkler.profiles.profile import Profile
 from winkler.validity import Assumption, Note, Standing

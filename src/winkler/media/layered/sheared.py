@@ -19,25 +19,14 @@ The disc does not press (no normal traction); its surface may rise and sink.  A 
 
 from __future__ import annotations
 
-from typing import Protocol
-
 import numpy as np
 
 from winkler.numerics.transforms import fredholm
-from winkler.numerics.transforms.cosine_transform import WaveResponse
+from winkler.numerics.transforms.cosine_transform import SurfaceResponse
 from winkler.numerics.transforms.odd_response import OddResponse
 from winkler.numerics.types import Array
 
-__all__ = ["ShearedLayers", "SurfaceResponse"]
-
-
-class SurfaceResponse(WaveResponse, Protocol):
-    """A response with the modulus of the shortest waves."""
-
-    @property
-    def modulus(self) -> float:
-        """E*, G*, m_L or m_T [Pa] of the surface and the other body: C = 2 (1 + M) / (modulus xi)."""
-        ...
+__all__ = ["ShearedLayers"]
 
 
 class ShearedLayers:

@@ -18,13 +18,13 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.media.families import CoatedBody, PowerLawMedium
+from winkler.media.families import CoatedBody, PowerLawMedium, TwistedMedium
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.medium import Medium
 from winkler.numerics.panels.kink_panels import Stretches
 from winkler.numerics.types import Array
 
-__all__ = ["TwistKernel", "bound_shape", "panel_width", "refuse_without_kernel", "twist_kernel"]
+__all__ = ["TwistKernel", "bound_shape", "no_kernel", "panel_width", "twist_kernel", "twisted_medium"]
 
 PANEL_WIDTH_RATIO = 2.0
 """Width of a panel, over the length on which the kernel of a stack is smooth."""
@@ -43,20 +43,26 @@ class TwistKernel(NamedTuple):
     weight: Array
 
 
-def refuse_without_kernel(medium: Medium) -> None:
-    """Raise where it is not known what twisted springs bear.
+def twisted_medium(medium: Medium) -> TwistedMedium:
+    """Return a medium on which it is known what twisted springs bear.
 
     Raises
     ------
     OutsideValidity
         If the medium relaxes, is measured, graded by a law other than a power, or of another kind.
     """
-    if not isinstance(medium, HomogeneousMedium | PowerLawMedium | CoatedBody):
-        raise OutsideValidity(
-            f"Torsion: the medium of the bed is a {type(medium).__name__}; what twisted springs bear is known on "
-            "HalfSpace, TransverselyIsotropicHalfSpace, GradedHalfSpace and CoatedHalfSpace: give one of these, for a "
-            "body graded in depth a stack of layers."
-        )
+    if not isinstance(medium, TwistedMedium):
+        raise no_kernel(medium)
+    return medium
+
+
+def no_kernel(medium: object) -> OutsideValidity:
+    """Return the refusal of torsion on a medium."""
+    return OutsideValidity(
+        f"Torsion: the medium of the bed is a {type(medium).__name__}; what twisted springs bear is known on "
+        "HalfSpace, TransverselyIsotropicHalfSpace, GradedHalfSpace and CoatedHalfSpace: give one of these, for a "
+        "body graded in depth a stack of layers."
+    )
 
 
 def panel_width(owner: str, medium: Medium, widest: float) -> float:
@@ -69,7 +75,7 @@ def panel_width(owner: str, medium: Medium, widest: float) -> float:
     """
     if not isinstance(medium, CoatedBody):
         return np.inf
-    width = PANEL_WIDTH_RATIO * min(medium.response.smooth, medium.across_response.smooth)  # type: ignore[attr-defined]
+    width = PANEL_WIDTH_RATIO * min(medium.response.smooth, medium.across_response.smooth)
     if widest > 0.05 * MOST_NODES * width:
         raise OutsideValidity(
             f"{owner}: the contact of radius {widest:.3g} m is too wide against the length of {width:.3g} m over which "
@@ -79,7 +85,13 @@ def panel_width(owner: str, medium: Medium, widest: float) -> float:
 
 
 def twist_kernel(medium: Medium, panels: Stretches) -> TwistKernel:
-    """Return what springs bear in a medium that `refuse_without_kernel` lets pass."""
+    """Return what springs bear.
+
+    Raises
+    ------
+    OutsideValidity
+        As `twisted_medium`.
+    """
     x = panels.nodes.ravel()
     if isinstance(medium, HomogeneousMedium):
         from scipy.special import ellipkm1
@@ -87,17 +99,19 @@ def twist_kernel(medium: Medium, panels: Stretches) -> TwistKernel:
         return TwistKernel(4.0 * medium.modulus / np.pi * ellipkm1((x[:, None] / x) ** 2) / x, x**2)
     if isinstance(medium, PowerLawMedium):
         k = medium.exponent
-        weight = x ** (2.0 + k) / medium.depth_scale**k  # type: ignore[attr-defined]
+        weight = x ** (2.0 + k) / medium.depth_scale**k
         bound = np.zeros((x.size, x.size))
         count = panels.nodes.shape[1]
         read = np.arange(x.size)[:, None] // count <= np.arange(x.size) // count
         bound[read] = bound_shape(k, ((x[:, None] / x) ** 2)[read])
-        return TwistKernel(2.0 * medium.modulus / (1.0 + k) * bound / x, weight)  # type: ignore[attr-defined]
+        return TwistKernel(2.0 * medium.modulus / (1.0 + k) * bound / x, weight)
     from winkler.numerics.transforms.odd_response import OddResponse
     from winkler.numerics.transforms.slip_tables import slip_table
 
-    table = slip_table(panels, medium.response, OddResponse(medium.across_response))  # type: ignore[attr-defined]
-    return TwistKernel(medium.modulus * table.bound, table.lever**2)  # type: ignore[attr-defined]
+    if not isinstance(medium, CoatedBody):
+        raise no_kernel(medium)
+    table = slip_table(panels, medium.response, OddResponse(medium.across_response))
+    return TwistKernel(medium.modulus * table.bound, table.lever**2)
 
 
 def bound_shape(k: float, z: Array) -> Array:

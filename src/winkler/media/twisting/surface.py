@@ -12,10 +12,11 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.media.families import PowerLawMedium
+from winkler.media.families import CoatedBody, PowerLawMedium
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.interior.twist_field import Twisted, clean_slope, twist_displacement, twist_traction
 from winkler.media.medium import Medium
+from winkler.media.twisting.kernels import no_kernel
 from winkler.numerics.transforms import abel, fredholm
 from winkler.numerics.types import Array
 
@@ -46,11 +47,13 @@ def traction_on(medium: Medium, twisted: Twisted, r: Array) -> Array:
 
         k = medium.exponent
         summed = pressure(clean_slope(twisted), twisted.kinks, twisted.edge, twisted.radius, k, place)
-        factor = 0.5 * (1.0 + k) / medium.depth_scale**k  # type: ignore[attr-defined]
+        factor = 0.5 * (1.0 + k) / medium.depth_scale**k
         return np.where(r > 0.0, factor * r * summed, 0.0)
+    if not isinstance(medium, CoatedBody):
+        raise no_kernel(medium)
     from winkler.numerics.transforms.odd_response import OddResponse
 
-    response = OddResponse(medium.across_response)  # type: ignore[attr-defined]
+    response = OddResponse(medium.across_response)
     summed = abel.pressure(
         clean_slope(twisted, TABLE_ROUNDING),
         twisted.kinks,

@@ -23,6 +23,7 @@ from winkler.values import value
 
 __all__ = [
     "ScaledResponse",
+    "SurfaceResponse",
     "WaveResponse",
     "in_own_lengths",
     "on_axis",
@@ -75,6 +76,15 @@ class WaveResponse(Protocol):
 
     def excess(self, xi: ComplexArray) -> ComplexArray:
         """M(xi) [-], analytic near the positive axis, ``(m,)``."""
+        ...
+
+
+class SurfaceResponse(WaveResponse, Protocol):
+    """A response with the modulus of the shortest waves."""
+
+    @property
+    def modulus(self) -> float:
+        """E*, G*, m_L or m_T [Pa] of the surface and the other body: C = 2 (1 + M) / (modulus xi)."""
         ...
 
 

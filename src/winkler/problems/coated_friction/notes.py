@@ -6,21 +6,19 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from winkler.foundation.bed import Bed, PressedSprings
+from winkler.foundation.bed import Bed
 from winkler.laws.friction import Coulomb
-from winkler.numerics.transforms import fredholm
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.coated_friction.state import CoatedTangentialState
-from winkler.problems.friction.torsion_march import ANGLE_TOLERANCE, LOSS_TOLERANCE
 from winkler.problems.normal.validity import indentation_notes
 from winkler.problems.normal.yield_statement import SurfaceFriction
-from winkler.validity import Assumption, Note, Standing
+from winkler.problems.ring_slip.push_notes import push_note
+from winkler.problems.ring_slip.ring_notes import ring_notes
+from winkler.validity import Note
 
-__all__ = ["coated_notes", "stuck_error"]
+__all__ = ["coated_notes"]
 
-TRACTION_ROUNDING = 1e-6
-"""Excess of the traction over friction that is none."""
-PATH_SAMPLES, RADIUS_SAMPLES = 24, 97
+PATH_SAMPLES, RADIUS_SAMPLES = 6, 25
 """At so many states of a path the traction is examined, at so many radii."""
 
 
@@ -38,52 +36,8 @@ def coated_notes(bed: Bed, law: Coulomb, states: Sequence[CoatedTangentialState]
     depth, radius = (np.array([getattr(state, word) for state in states]) for word in ("depth", "radius"))
     yield from indentation_notes(bed, depth, radius, SurfaceFriction(law.coefficient))
     yield sticking_note(bed.medium, law.coefficient)
-    widest = float(np.max(radius))
-    softer = f"by {-stuck_error(bed, widest):.1e}" if widest > 0.0 else "little"
-    yield Note(
-        Assumption.SLIP,
-        Standing.APPROXIMATE,
-        "Tractions point along the motion and depend on the distance from the axis alone, and displacements are means "
-        f"over each ring (Cattaneo and Mindlin); a stuck contact is softer than without that assumption, {softer}. "
-        "Within it normal and shear kernels are those of the layers, and every ring bears its own pressure times the "
-        "coefficient.",
-        "k_x with tractions of both directions, winkler.media.layered.sheared",
-    )
-    bad = np.flatnonzero([not state.nested for state in states])
-    excess, index = _excess(bed, law, states)
-    if bad.size or excess > TRACTION_ROUNDING:
-        yield Note(
-            Assumption.SLIP,
-            Standing.APPROXIMATE,
-            f"From index {min([*bad[:1].tolist(), index])} on what slides is not one outer ring: the law holds for the "
-            f"springs, but the traction exceeds coefficient times pressure by up to {excess:.1%}, where examined.",
-            "traction restored at points of the path",
-        )
-    computed = f"the shift to {ANGLE_TOLERANCE:g}" if by_force else f"the loss to {LOSS_TOLERANCE:g} of the energies"
-    yield Note(
-        Assumption.RESOLUTION,
-        Standing.EXACT,
-        f"Shift, shear force and slip are known without a grid; under a changing normal load {computed}.",
-        "moves along the path halved until they agree",
-    )
-
-
-def stuck_error(bed: Bed, radius: float) -> float:
-    """Return by which part k_x of tractions along the motion differs from that of all tractions [-]."""
-    place, medium = np.array([radius]), bed.medium
-    mean = 2.0 * medium.shear_modulus * fredholm.area(medium.tangential_response, place)  # type: ignore[attr-defined]
-    return float(mean[0] / medium.punch_shear_stiffness(place)[0]) - 1.0  # type: ignore[attr-defined]
-
-
-def _excess(bed: Bed, law: Coulomb, states: Sequence[CoatedTangentialState]) -> tuple[float, int]:
-    """Return by which part the traction exceeds friction at most, at sampled states, and the first such state."""
+    yield push_note(bed, float(np.max(radius)))
     pressed = [index for index, state in enumerate(states) if state.radius > 0.0 and state.shear_force != 0.0]
-    most, first = 0.0, len(states)
-    for index in pressed[:: max(1, len(pressed) // PATH_SAMPLES)]:
-        state = states[index]
-        r = np.linspace(0.02, 0.98, RADIUS_SAMPLES) * state.radius
-        borne = law.coefficient * bed.medium.pressure(PressedSprings(bed, state.depth, state.radius), r)
-        excess = float(np.max(np.abs(state.traction(r)) / borne)) - 1.0 if borne.min() > 0.0 else 0.0
-        if excess > TRACTION_ROUNDING:
-            most, first = max(most, excess), min(first, index)
-    return most, first
+    examined = pressed[:: max(1, -(-len(pressed) // PATH_SAMPLES))]
+    words = ("shift", "shear force")
+    yield from ring_notes(bed, law.coefficient, states, examined, RADIUS_SAMPLES, words, by_force)

@@ -3,7 +3,7 @@ r"""A coated body that is pressed and pushed along the surface, with friction, a
 On a homogeneous half-space a stuck contact drags with the same distribution as a flat punch presses, so that the
 difference of two normal contacts solves partial slip (Cattaneo, Mindlin, Jaeger, Ciavarella).  Layers answer to shear
 otherwise than to pressure, and that rule fails.  What holds are springs of another weight and another bound
-(`winkler.problems.coated_friction.push`): a ring that slides bears :math:`\mu p(r)`, one that sticks follows the body.
+(`winkler.problems.ring_slip.push_bound`): a ring that slides bears :math:`\mu p(r)`, one that sticks follows the body.
 """
 
 from __future__ import annotations
@@ -11,22 +11,21 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import ClassVar
 
-from winkler.errors import InvalidInput, OutsideValidity
-from winkler.footprint import DISC
+from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Coulomb
 from winkler.loading import Depth, ShearForce, Shift
-from winkler.media.families import CoatedBody
 from winkler.numerics.types import Array
 from winkler.path import Path
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import BALANCED, SHEARED
 from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.coated_friction.notes import coated_notes
-from winkler.problems.coated_friction.push import PushedSprings, push_bound
+from winkler.problems.coated_friction.push import PushedSprings
 from winkler.problems.coated_friction.state import CoatedTangentialState
-from winkler.problems.friction.ring_path import ring_points
 from winkler.problems.one_load import OfPath
+from winkler.problems.ring_slip.push_bound import push_bound, pushed_body
+from winkler.problems.ring_slip.ring_path import ring_points
 from winkler.validity import Assumption, Note
 from winkler.values import value
 
@@ -81,6 +80,7 @@ class CoatedTangential:
 
     references: ClassVar[tuple[str, ...]] = ("cattaneo_1938", "mindlin_1949", "jaeger_1995")
     assumptions: ClassVar[frozenset[Assumption]] = SHEARED | BALANCED
+    needs_round: ClassVar[str] = "slip on a coating, ring by ring"
 
     def __post_init__(self) -> None:
         if not isinstance(self.path.lateral, Shift | ShearForce) or self.path.in_plane:
@@ -88,11 +88,7 @@ class CoatedTangential:
                 "CoatedTangential: the path must move along one line; give Path(time, normal, lateral) with the "
                 "lateral load Shift([...]) or ShearForce([...]), or use Tangential or Torsion."
             )
-        if not isinstance(self.bed.medium, CoatedBody) or self.bed.footprint != DISC:
-            raise OutsideValidity(
-                f"CoatedTangential: the medium of the bed is a {type(self.bed.medium).__name__}; it must be a "
-                "CoatedHalfSpace under a body of revolution: use Tangential for other media and shapes."
-            )
+        pushed_body(self.bed)
 
     @property
     def total(self) -> int:
@@ -111,7 +107,7 @@ class CoatedTangential:
             If a step is too long for the shift or the loss to settle.
         """
         forced = not isinstance(self.path.normal, Depth)
-        unit = self.bed.medium.shear_modulus  # type: ignore[attr-defined]
+        unit = pushed_body(self.bed).shear_modulus
         for point in ring_points(self.bed, self.law.coefficient, self.path, unit, push_bound):
             yield CoatedTangentialState(
                 time=point.time,

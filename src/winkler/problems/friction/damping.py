@@ -30,6 +30,7 @@ from winkler.problems.friction.damping_springs import SlippingSprings
 from winkler.problems.friction.damping_validity import damping_notes
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.yield_statement import SurfaceFriction, slid_depth
+from winkler.problems.ring_slip.pushed_rings import PushedRings, pushed_rings
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -114,7 +115,7 @@ class FrictionDamping:
                 "FrictionDamping: the bodies do not touch under this normal load; press them together."
             )
         prescribed = numbers_of(self.amplitude)
-        springs = SlippingSprings(self.law.coefficient, contact)
+        springs = _springs(self.law.coefficient, contact)
         flat = prescribed.ravel()
         if isinstance(self.amplitude, ShearForce):
             force = np.minimum(flat, self._bearable(flat, float(contact.force)))
@@ -216,7 +217,7 @@ class FrictionDampingSolution(DampingSolution):
         moving = np.asarray(self.shift) > 0.0
         stuck = 0.0
         if not np.all(moving):
-            stuck = SlippingSprings(self.problem.law.coefficient, self.contact).stiffness
+            stuck = _springs(self.problem.law.coefficient, self.contact).stiffness
         return shaped(np.where(moving, self.shear_force / np.where(moving, self.shift, 1.0), stuck))
 
     @property
@@ -241,10 +242,18 @@ class FrictionDampingSolution(DampingSolution):
         mu, shape = self.problem.law.coefficient, np.shape(self.shear_force)
         depth, force = (np.broadcast_to(part, shape) for part in (self.contact.depth, self.contact.force))
         rubbing = SurfaceFriction(mu, slid_depth(mu, depth, force, np.asarray(self.shear_force)))
+        rings = isinstance(_springs(mu, self.contact), PushedRings)
         return (
             *self.contact.notes_with(rubbing),
-            *damping_notes(self.problem.bed, float(self.contact.radius), mu),
+            *damping_notes(self.problem.bed, float(self.contact.radius), mu, rings),
         )
+
+
+def _springs(coefficient: float, contact: IndentationSolution) -> SlippingSprings | PushedRings:
+    """Return what slides: rings on a coating, with its own kernels, springs elsewhere."""
+    bed = contact.problem.bed
+    rings = pushed_rings(bed, coefficient, float(contact.depth), float(contact.radius))
+    return rings or SlippingSprings(coefficient, contact)
 
 
 def positive_frequency(frequency: float) -> float:

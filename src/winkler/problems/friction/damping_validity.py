@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import math
+
 from winkler.foundation.bed import Bed
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
+from winkler.problems.ring_slip.push_notes import push_note
 from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["STEADY", "damping_notes"]
@@ -37,7 +40,7 @@ SLOW = Note(
 )
 
 
-def damping_notes(bed: Bed, radius: float, coefficient: float) -> tuple[Note, ...]:
+def damping_notes(bed: Bed, radius: float, coefficient: float, rings: bool = False) -> tuple[Note, ...]:
     """Return what is assumed of friction in a contact.
 
     Parameters
@@ -47,7 +50,11 @@ def damping_notes(bed: Bed, radius: float, coefficient: float) -> tuple[Note, ..
         Up to which the bodies touch [m].
     coefficient : float
         Of friction [-]; infinity where nothing slips.
+    rings : bool
+        Whether rings of a coating slide, not springs.
     """
+    if rings:
+        return (push_note(bed, radius), sticking_note(bed.medium, coefficient), *direction_notes(bed), SLOW)
     least, greatest = ratios = stiffness_ratios(bed, radius)
     if alike(ratios):
         alone = Note(
@@ -56,6 +63,14 @@ def damping_notes(bed: Bed, radius: float, coefficient: float) -> tuple[Note, ..
             "Springs of one gap stick and slide together, since their stiffnesses have one ratio "
             f"({least:.4g}): sums over springs are the three-dimensional sums within Cattaneo-Mindlin.",
             JAEGER,
+        )
+    elif math.isinf(coefficient):
+        alone = Note(
+            Assumption.SLIP,
+            Standing.EXACT,
+            "Nothing slides: springs bear what the stiffness k_x(a) of a disc without slip grows by with its radius, "
+            "and what leaves the contact loses what it bore.",
+            "superposition of discs of all radii, each moved along the surface as a whole",
         )
     else:
         alone = Note(

@@ -21,17 +21,17 @@ from winkler.foundation.bed import Bed
 from winkler.foundation.torsion_bound import twist_bound
 from winkler.laws.friction import Coulomb
 from winkler.loading import Angle, Depth, Torque
-from winkler.media.twisting.kernels import refuse_without_kernel
+from winkler.media.twisting.kernels import twisted_medium
 from winkler.numerics.types import Array
 from winkler.path import Path
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import BALANCED, PRESSED
 from winkler.problems.assumptions.energy import energy_note
-from winkler.problems.friction.ring_path import ring_points
 from winkler.problems.friction.torsion_states import TorsionState, TwistedSprings
 from winkler.problems.friction.torsion_validity import torsion_notes, torsion_yield_notes
 from winkler.problems.normal.validity import contact_notes
 from winkler.problems.one_load import OfPath
+from winkler.problems.ring_slip.ring_path import ring_points
 from winkler.validity import Assumption, Note
 from winkler.values import value
 
@@ -98,7 +98,7 @@ class Torsion:
                 f"Torsion: the path prescribes a {type(self.path.lateral).__name__}; give Path(time, normal, lateral) "
                 "with the lateral load Angle([...]) or Torque([...])."
             )
-        refuse_without_kernel(self.bed.medium)
+        twisted_medium(self.bed.medium)
 
     @property
     def total(self) -> int:
@@ -116,7 +116,7 @@ class Torsion:
         NotConverged
             If the profile is too rough, or a step too long for the angle or the loss to settle.
         """
-        unit = 8.0 * self.bed.medium.torsional_modulus  # type: ignore[attr-defined]
+        unit = 8.0 * twisted_medium(self.bed.medium).torsional_modulus
         forced = not isinstance(self.path.normal, Depth)
         for point in ring_points(self.bed, self.law.coefficient, self.path, unit, twist_bound):
             yield TorsionState(

@@ -17,7 +17,7 @@ from winkler.media.interior.twist_field import (
 )
 from winkler.media.twisting.surface import traction_on, turning_on
 from winkler.numerics.types import Array, ArrayLike
-from winkler.problems.friction.torsion_pieces import TwistMemory, pieces_of
+from winkler.problems.ring_slip.torsion_pieces import TwistMemory, pieces_of
 from winkler.values import value, words
 
 __all__ = ["TorsionState", "TwistedSprings"]

@@ -16,12 +16,12 @@ from winkler.media.halfspace import HalfSpace
 from winkler.media.interior.peak import greatest
 from winkler.numerics.types import Array
 from winkler.problems.friction.torsion_fields import body_of_twisted
-from winkler.problems.friction.torsion_march import ANGLE_TOLERANCE, LOSS_TOLERANCE
 from winkler.problems.friction.torsion_states import TorsionState
 from winkler.problems.normal.greatest_stress import sharp_places
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.problems.normal.unknown_yield import MISES, unknown_yield
 from winkler.problems.normal.yield_statement import SurfaceFriction, yield_notes_of_bed
+from winkler.problems.ring_slip.ring_notes import ring_notes
 from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["torsion_notes", "torsion_yield_notes"]
@@ -30,8 +30,6 @@ LEAST_DEPTH = 1e-3
 """Stresses of a twist are sought below this depth, in contact radii."""
 REFINEMENTS = 4
 """Rounds of refinement: the value is good to about a per mille."""
-TRACTION_ROUNDING = 1e-6
-"""Excess of the traction over friction that is none."""
 PATH_SAMPLES, RADIUS_SAMPLES = 24, 193
 """At so many points of a path where the load falls the traction is examined, at so many radii."""
 
@@ -56,44 +54,11 @@ def torsion_notes(bed: Bed, law: Coulomb, states: Sequence[TorsionState], by_tor
         "itself, as long as what slides is an outer ring.",
         "J. Jaeger, Arch. Appl. Mech. 65 (1995) 478-487, doi:10.1007/BF00835661",
     )
-    bad = np.flatnonzero([not state.nested for state in states])
-    excess, index = _excess(bed, law, states)
-    if bad.size or excess > TRACTION_ROUNDING:
-        yield Note(
-            Assumption.SLIP,
-            Standing.APPROXIMATE,
-            f"From index {min([*bad[:1].tolist(), index])} on springs have slid with sticking ones outside of them: "
-            "the normal load falls while the twist turns back.  There the law holds for the springs, but not on all "
-            f"of the surface: the traction exceeds coefficient times pressure by up to {excess:.1%}, where examined.",
-            "traction restored at points where the load falls",
-        )
-    computed = (
-        f"the angle to {ANGLE_TOLERANCE:g} of what friction bears."
-        if by_torque
-        else f"the loss to {LOSS_TOLERANCE:g} of the energies."
-    )
-    yield Note(
-        Assumption.RESOLUTION,
-        Standing.EXACT,
-        f"Angle, torque and slip are known without a grid; under a changing normal load {computed}",
-        "moves along the path halved until they agree",
-    )
-
-
-def _excess(bed: Bed, law: Coulomb, states: Sequence[TorsionState]) -> tuple[float, int]:
-    """Return by which part the traction exceeds friction at most, where the load falls, and the first such point."""
     depth, radius = (np.array([getattr(state, word) for state in states]) for word in ("depth", "radius"))
     falling = np.flatnonzero((np.diff(depth) < 0.0) & (radius[1:] > 0.0)) + 1
-    most, first = 0.0, len(states)
-    for index in falling[:: max(1, falling.size // PATH_SAMPLES)].tolist():
-        state = states[index]
-        r = np.linspace(0.02, 0.98, RADIUS_SAMPLES) * state.radius
-        pressed = PressedSprings(bed, state.depth, state.radius)
-        borne = law.coefficient * bed.medium.pressure(pressed, r)
-        excess = float(np.max(np.abs(state.traction(r)) / borne)) - 1.0 if borne.min() > 0.0 else 0.0
-        if excess > TRACTION_ROUNDING:
-            most, first = max(most, excess), min(first, index)
-    return most, first
+    examined = falling[:: max(1, falling.size // PATH_SAMPLES)].tolist()
+    words = ("angle", "torque")
+    yield from ring_notes(bed, law.coefficient, states, examined, RADIUS_SAMPLES, words, by_torque)
 
 
 def torsion_yield_notes(bed: Bed, states: Sequence[TorsionState]) -> tuple[Note, ...]:

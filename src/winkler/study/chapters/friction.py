@@ -17,6 +17,11 @@ OSCILLATION = [
     {"kind": "oscillate", "lateral": {"kind": "shift", "shift": "0.5 um"}, "cycles": 2.0},
     {"kind": "hold", "duration": "1 s"},
 ]
+STEEL = {"kind": "elastic", "young": "210 GPa", "poisson": 0.3}
+TO_AND_FRO = [
+    {**NORMAL_START, "lateral": {"kind": "shift", "shift": "0 um"}},
+    {"kind": "oscillate", "lateral": {"kind": "shift", "shift": "0.5 um"}, "cycles": 1.25},
+]
 TWIST = [
     {**NORMAL_START, "lateral": {"kind": "angle", "angle": "0 rad"}},
     {"kind": "oscillate", "lateral": {"kind": "angle", "angle": "2 mrad"}, "cycles": 1.25},
@@ -48,6 +53,15 @@ RELAXED = Equation(
     r"F_x = k_x\,u_x + c\,\dot{u}_x, \quad k_x = 2\int_0^{a_{min}} c_T\,\mathrm{d}x",
 )
 
+PUSHED_DEEP = Equation(
+    "A spring at x bears in proportion to the shift, as long as it does not slide; it counts as much as a disc of that "
+    "radius, pushed without slip, gets stiffer",
+    r"h(x) = G^*\,u_x, \quad 2\,G^*\,e(x)^2 = \frac{\mathrm{d}k_x}{\mathrm{d}x}",
+)
+PUSH_SUM = Equation(
+    "It slides where that reaches the bound of rings that bear their own pressure times μ; the shear force is the sum",
+    r"|h(x)| \le b(x), \quad F_x = 2\int_0^a e(x)^2\,h(x)\,\mathrm{d}x",
+)
 TWISTED_DEEP = Equation(
     "A spring at x bears in proportion to the angle, as long as it does not slide; it counts as much as a flat punch "
     "of that radius gets stiffer",
@@ -134,6 +148,22 @@ FRICTION = Chapter(
             pictured=PicturedContact.PATH,
             contact_shown="the contact at its greatest depth, its springs along the surface left out",
             formulas=tangential_formulas,
+        ),
+        "coated_tangential": answer(
+            "winkler.problems.coated_friction.tangential:CoatedTangential",
+            "barber_1974",
+            headline=("dissipation", "shear_force", "shift", "stick_radius"),
+            bed={"kind": "foundation", "medium": {"kind": "coated_half_space", "second": STEEL}},
+            path={"kind": "program", "steps": TO_AND_FRO},
+            picture=Caption(
+                "coated_tangential",
+                "The contact along its path",
+                "The loop of the shear force, forces and energies over time, and the traction of the last contact.",
+            ),
+            curves=(("shift", "shear_force"), ("time", "dissipation")),
+            pictured=PicturedContact.PATH,
+            contact_shown="the contact at its greatest depth, its traction along the surface left out",
+            formulas=followed_by(normal_formulas, PUSHED_DEEP, PUSH_SUM),
         ),
         "torsion": answer(
             "winkler.problems.friction.torsion:Torsion",

@@ -14,13 +14,14 @@ import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.torsion_bound import PressedState, TwistBound
-from winkler.problems.friction.torsion_memory import TwistMove, moved, slid_along, stuck_work
-from winkler.problems.friction.torsion_pieces import TwistMemory, pieces_of
+from winkler.problems.ring_slip.torsion_memory import TwistMove, moved, slid_along, stuck_work
+from winkler.problems.ring_slip.torsion_pieces import TwistMemory, pieces_of
 
 __all__ = [
     "ANGLE_TOLERANCE",
     "CUT_TOLERANCE",
     "LOSS_TOLERANCE",
+    "TORQUE_MARGIN",
     "TorsionStep",
     "square",
     "step_by_angle",

@@ -13,7 +13,10 @@ from winkler.foundation.torsion_bound import PressedState, TwistBound
 from winkler.loading import Angle, Depth, Shift
 from winkler.numerics.types import Array
 from winkler.path import Path
-from winkler.problems.friction.torsion_march import (
+from winkler.problems.normal.solve_contact import at_depth, at_force
+from winkler.problems.ring_slip.steady_path import HistoryPoint, falls, steady_points
+from winkler.problems.ring_slip.torsion_march import (
+    TORQUE_MARGIN,
     TorsionStep,
     square,
     step_by_angle,
@@ -21,8 +24,7 @@ from winkler.problems.friction.torsion_march import (
     torque_of,
     torsion_step,
 )
-from winkler.problems.friction.torsion_pieces import TwistMemory, fresh, pieces_of
-from winkler.problems.normal.solve_contact import at_depth, at_force
+from winkler.problems.ring_slip.torsion_pieces import TwistMemory, fresh, pieces_of
 
 __all__ = ["RingPoint", "ring_points"]
 
@@ -83,41 +85,68 @@ def ring_points(
     excess = np.where(radius >= bed.rim, depth - bed.gap(radius), 0.0)
     rows = (path.across, radius, np.maximum(excess, 0.0))
     presses = [PressedState(*row) for row in zip(*(each.tolist() for each in rows), strict=True)]
-    memory = torsion_step(bound, fresh(min(presses[0].level, 0.0)), presses[0], 0.0).memory
-    motion = lost = work = 0.0
     moved = isinstance(path.lateral, Angle | Shift)
-    for i, (press, target) in enumerate(zip(presses, path.along.tolist(), strict=True)):
-        if moved:
-            step = step_by_angle(bound, memory, press, unit * (target - motion))
-        else:
-            step = _to_load(bound, memory, press, target, i)
-        memory = step.memory
-        lost, work = lost + 2.0 * step.loss / unit, work + 2.0 * step.work / unit
-        motion = target if moved else motion + step.twist / unit
+    targets = [unit * each if moved else each for each in path.along.tolist()]
+    history = _steady if all(each == presses[0] for each in presses) and falls(bound, presses[0]) else _marched
+    for i, point in enumerate(history(bound, presses, targets, moved)):
         yield RingPoint(
             time=float(path.time[i]),
             depth=float(depth[i]),
             force=float(force[i]),
-            radius=press.radius,
-            motion=motion,
-            load=torque_of(bound, memory),
-            limit=bound.most(press),
-            stick_radius=_stick_radius(memory),
-            work=work,
-            stored=square(bound, memory) / unit,
-            lost=lost,
-            nested=step.nested,
+            radius=presses[i].radius,
+            motion=float(path.along[i]) if moved else point.motion / unit,
+            load=point.load,
+            limit=bound.most(presses[i]),
+            stick_radius=point.stick_radius,
+            work=2.0 * point.work / unit,
+            stored=point.stored / unit,
+            lost=2.0 * point.lost / unit,
+            nested=point.nested,
             bound=bound,
-            memory=memory,
+            memory=point.memory,
         )
 
 
 def _pressed(bed: Bed, path: Path, forced: bool) -> tuple[Array, Array, Array]:
     """Return depths, forces and radii along the path."""
     across = path.across
-    depth, radius = at_force(bed, across) if forced else at_depth(bed, across)
+    pressed = across[:1] if np.all(across == across[0]) else across  # a steady load is solved once
+    depth, radius = at_force(bed, pressed) if forced else at_depth(bed, pressed)
+    depth, radius = np.broadcast_to(depth, across.shape), np.broadcast_to(radius, across.shape)
     force = across if forced else bed.stiffness(radius) * depth - bed.gap_load(radius)
     return depth, np.where(radius > 0.0, force, 0.0), radius
+
+
+def _steady(
+    bound: TwistBound, presses: list[PressedState], targets: list[float], moved: bool
+) -> Iterator[HistoryPoint]:
+    """Yield the points of a path under a steady load, all at once."""
+    press = presses[0]
+    most = bound.most(press) * (1.0 - TORQUE_MARGIN)
+    borne = len(targets) if moved else next((i for i, each in enumerate(targets) if abs(each) > most), len(targets))
+    points = steady_points(bound, press, targets[:borne], not moved)
+    yield from points
+    if borne < len(targets):
+        memory = points[-1].memory if points else torsion_step(bound, fresh(), press, 0.0).memory
+        _to_load(bound, memory, press, targets[borne], borne)  # refuses
+
+
+def _marched(
+    bound: TwistBound, presses: list[PressedState], targets: list[float], moved: bool
+) -> Iterator[HistoryPoint]:
+    """Yield the points of a path one after the other."""
+    memory = torsion_step(bound, fresh(min(presses[0].level, 0.0)), presses[0], 0.0).memory
+    motion = lost = work = 0.0
+    for i, (press, target) in enumerate(zip(presses, targets, strict=True)):
+        if moved:
+            step = step_by_angle(bound, memory, press, target - motion)
+        else:
+            step = _to_load(bound, memory, press, target, i)
+        memory = step.memory
+        lost, work = lost + step.loss, work + step.work
+        motion = target if moved else motion + step.twist
+        at = (motion, torque_of(bound, memory), _stick_radius(memory))
+        yield HistoryPoint(*at, work, square(bound, memory), lost, step.nested, memory)
 
 
 def _to_load(bound: TwistBound, memory: TwistMemory, press: PressedState, target: float, index: int) -> TorsionStep:

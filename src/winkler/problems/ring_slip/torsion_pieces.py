@@ -1,7 +1,7 @@
 r"""The record of twisted springs: on every stretch of the contact three numbers and one bound state what they bear.
 
 A spring at x bears :math:`q = x\,h` with :math:`h = \alpha + \beta\,\ell(x) + \sigma\,b(x)`; the terms are those of
-`winkler.problems.friction.torsion_memory`.
+`winkler.problems.ring_slip.torsion_memory`.
 """
 
 from __future__ import annotations

@@ -23,7 +23,7 @@ import numpy as np
 from winkler.foundation.torsion_bound import PressedState, TwistBound
 from winkler.numerics.panels.kink_panels import Sample
 from winkler.numerics.types import Array
-from winkler.problems.friction.torsion_pieces import NO_CONTACT, TwistMemory, TwistPiece, pieces_of
+from winkler.problems.ring_slip.torsion_pieces import NO_CONTACT, TwistMemory, TwistPiece, pieces_of
 
 __all__ = ["TwistMove", "TwistRing", "moved", "slid_along", "stuck_work"]
 

@@ -1,0 +1,40 @@
+"""What is assumed where rings of a coating slide along the surface."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.foundation.bed import Bed
+from winkler.numerics.transforms import fredholm
+from winkler.problems.ring_slip.push_bound import pushed_body
+from winkler.validity import Assumption, Note, Standing
+
+__all__ = ["push_note"]
+
+
+def push_note(bed: Bed, radius: float) -> Note:
+    """Return what is assumed of tractions on a coating.
+
+    Parameters
+    ----------
+    bed : Bed
+    radius : float
+        Of the widest contact [m].
+    """
+    softer = f"by {-_stuck_error(bed, radius):.1e}" if radius > 0.0 else "little"
+    return Note(
+        Assumption.SLIP,
+        Standing.APPROXIMATE,
+        "Tractions point along the motion and depend on the distance from the axis alone, and displacements are means "
+        f"over each ring (Cattaneo and Mindlin); a stuck contact is softer than without that assumption, {softer}. "
+        "Within it normal and shear kernels are those of the layers, and every ring bears its own pressure times the "
+        "coefficient.",
+        "k_x with tractions of both directions, winkler.media.layered.sheared",
+    )
+
+
+def _stuck_error(bed: Bed, radius: float) -> float:
+    """Return by which part k_x of tractions along the motion differs from that of all tractions [-]."""
+    place, medium = np.array([radius]), pushed_body(bed)
+    mean = 2.0 * medium.shear_modulus * fredholm.area(medium.tangential_response, place)
+    return float(mean[0] / medium.punch_shear_stiffness(place)[0]) - 1.0

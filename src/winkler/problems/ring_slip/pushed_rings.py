@@ -1,0 +1,70 @@
+"""Rings of a coating that is pushed to and fro under a steady depth: their force, loss and reach."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.footprint import DISC
+from winkler.foundation.bed import Bed
+from winkler.foundation.torsion_bound import PressedState
+from winkler.media.families import CoatedBody
+from winkler.numerics.types import Array
+from winkler.problems.ring_slip.push_bound import push_bound, pushed_body
+from winkler.problems.ring_slip.steady_path import FreshSprings, falls
+
+__all__ = ["PushedRings", "pushed_rings"]
+
+
+class PushedRings:
+    """The rings of one pressed contact; `winkler.problems.friction.damping_springs.SlippingSprings` in springs.
+
+    Parameters
+    ----------
+    springs : FreshSprings
+    modulus : float
+        G* [Pa].
+    """
+
+    def __init__(self, springs: FreshSprings, modulus: float) -> None:
+        self._springs, self._modulus = springs, modulus
+
+    @property
+    def stiffness(self) -> float:
+        """Stiffness without slip [N/m]."""
+        return self._modulus * self._springs.inertia
+
+    @property
+    def reach(self) -> float:
+        """The shift from which every ring slides [m]."""
+        return self._springs.most / self._modulus
+
+    def loss(self, moved: Array) -> Array:
+        """Return the loss per cycle [J] at amplitudes of the shift [m], both ``(m,)``."""
+        return np.asarray(8.0 / self._modulus * self._springs.curve(self._modulus * moved).lost)
+
+    def force(self, moved: Array) -> Array:
+        """Return the amplitude of the shear force [N] at amplitudes of the shift [m], both ``(m,)``."""
+        return np.asarray(self._springs.curve(self._modulus * moved).load)
+
+    def shift(self, targets: Array) -> Array:
+        """Return the least amplitudes of the shift [m] at amplitudes of the shear force [N], both ``(m,)``."""
+        return np.asarray(self._springs.amplitude(targets) / self._modulus)
+
+
+def pushed_rings(bed: Bed, coefficient: float, depth: float, radius: float) -> PushedRings | None:
+    """Return the rings of a contact; None where the medium is no coating, the contact no disc or no outer ring slides.
+
+    Parameters
+    ----------
+    bed : Bed
+    coefficient : float
+        mu [-].
+    depth, radius : float
+        d [m] and a [m], positive.
+    """
+    if not isinstance(bed.medium, CoatedBody) or bed.footprint != DISC:
+        return None
+    bound = push_bound(bed, coefficient, radius, False)
+    excess = depth - float(bed.gap(np.array([radius]))[0]) if radius >= bed.rim else 0.0
+    press = PressedState(depth, radius, max(excess, 0.0))
+    return PushedRings(FreshSprings(bound, press), pushed_body(bed).shear_modulus) if falls(bound, press) else None

@@ -1,0 +1,112 @@
+"""What notes on sliding rings have in common: where the traction exceeds friction, and how paths are cut."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Protocol
+
+import numpy as np
+
+from winkler.foundation.bed import Bed, PressedSprings
+from winkler.numerics.types import Array, ArrayLike
+from winkler.problems.ring_slip.torsion_march import ANGLE_TOLERANCE, LOSS_TOLERANCE
+from winkler.validity import Assumption, Note, Standing
+
+__all__ = ["RingState", "ring_notes"]
+
+TRACTION_ROUNDING = 1e-6
+"""Excess of the traction over friction that is none."""
+
+
+class RingState(Protocol):
+    """What a contact is at one moment."""
+
+    @property
+    def depth(self) -> float:
+        """d [m]."""
+        ...
+
+    @property
+    def radius(self) -> float:
+        """a [m]."""
+        ...
+
+    @property
+    def nested(self) -> bool:
+        """Whether all that slid in the step was one outer ring, and slid to one side."""
+        ...
+
+    def traction(self, r: ArrayLike) -> Array:
+        """Return the traction [Pa] at distances from the axis [m]."""
+        ...
+
+
+def ring_notes(
+    bed: Bed,
+    coefficient: float,
+    states: Sequence[RingState],
+    examined: Iterable[int],
+    radii: int,
+    words: tuple[str, str],
+    by_load: bool,
+) -> Iterator[Note]:
+    """Yield whether the law of friction holds at each ring, and how fine a path is cut.
+
+    Parameters
+    ----------
+    bed : Bed
+    coefficient : float
+        mu [-].
+    states : sequence of RingState
+        Those of the path.
+    examined : iterable of int
+        The states of which the traction is restored, in contact.
+    radii : int
+        At so many radii.
+    words : tuple of str
+        The motion and the load.
+    by_load : bool
+        Whether the load is prescribed and the motion computed.
+    """
+    motion, load = words
+    bad = np.flatnonzero([not state.nested for state in states])
+    excess, index = _excess(bed, coefficient, states, examined, radii)
+    if bad.size or excess > TRACTION_ROUNDING:
+        yield Note(
+            Assumption.SLIP,
+            Standing.APPROXIMATE,
+            f"From index {min([*bad[:1].tolist(), index])} on springs have slid with sticking ones outside of "
+            "them: the normal load changes while the motion turns back. There the law holds for the springs, but not "
+            f"on all of the surface: the traction exceeds coefficient times pressure by up to {excess:.1%}, where "
+            "examined.",
+            "traction restored at points of the path",
+        )
+    settled = (
+        f"the {motion} to {ANGLE_TOLERANCE:g} of what friction bears"
+        if by_load
+        else f"the loss to {LOSS_TOLERANCE:g} of the energies"
+    )
+    yield Note(
+        Assumption.RESOLUTION,
+        Standing.EXACT,
+        f"{motion.capitalize()}, {load} and slip are known without a grid; under a changing normal load {settled}.",
+        "moves along the path halved until they agree",
+    )
+
+
+def _excess(
+    bed: Bed, coefficient: float, states: Sequence[RingState], examined: Iterable[int], radii: int
+) -> tuple[float, int]:
+    """Return by which part the traction exceeds friction at most, and the first such state."""
+    most, first = 0.0, len(states)
+    pressure: dict[tuple[float, float], Array] = {}
+    for index in examined:
+        state = states[index]
+        r, press = np.linspace(0.02, 0.98, radii) * state.radius, (state.depth, state.radius)
+        if press not in pressure:
+            pressure[press] = bed.medium.pressure(PressedSprings(bed, *press), r)
+        borne = coefficient * pressure[press]
+        excess = float(np.max(np.abs(state.traction(r)) / borne)) - 1.0 if borne.min() > 0.0 else 0.0
+        if excess > TRACTION_ROUNDING:
+            most, first = max(most, excess), min(first, index)
+    return most, first
