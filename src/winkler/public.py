@@ -124,6 +124,7 @@ from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HalfSpace
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
+from winkler.media.layered.sliding_film import SlidingFilm
 from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
@@ -194,6 +195,7 @@ __all__ = [
     "RelaxationSweeps", "RelaxingInProportion", "RepeatedMean", "Rigid", "Rod", "RoughProfile", "RoundedCone",
     "RoundedEnds", "RoundedPunch", "RoundedPyramid", "SampledProfile", "SaturatingWork", "Segment", "SegmentKind",
     "SelfAffine", "Shape", "SharpEnds", "ShearForce", "ShearedFields", "Shift", "ShortRange", "SigmoidalGrading",
+    "SlidingFilm",
     "Sphere", "SpheroConical", "Spikes", "Springs", "Staircase", "StandardSolid", "Standing", "Start", "StaticKinetic",
     "SubsurfaceFields", "Sum", "SurfaceFields", "SurfaceFilm", "TabulatedGrading", "TabulatedTip", "ThermalConductor",
     "ThermalDrift", "ThermalInterface", "Tilt", "Topography", "Torque", "TransverselyIsotropic",

@@ -7,7 +7,7 @@ from winkler.materials.layered import Layer
 from winkler.media.medium import Displacement
 from winkler.numerics.types import Curve
 
-__all__ = ["CoatedBody", "DepthVaryingMedium", "PowerLawMedium"]
+__all__ = ["CoatedBody", "DepthVaryingMedium", "PowerLawMedium", "SlidingBody"]
 
 
 class PowerLawMedium:
@@ -34,6 +34,14 @@ class DepthVaryingMedium:
 
 class CoatedBody(DepthVaryingMedium):
     """Layers on a half-space or a rigid base, against a homogeneous body."""
+
+    layers: tuple[Layer, ...]
+    on: Solid
+    second: Solid
+
+
+class SlidingBody(DepthVaryingMedium):
+    """A layer on a half-space or a rigid base that bears no shear between them, against a homogeneous body."""
 
     layers: tuple[Layer, ...]
     on: Solid
