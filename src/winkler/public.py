@@ -15,6 +15,7 @@ from winkler.fitting.examined.calibrated import CalibrationShares, calibration_s
 from winkler.fitting.examined.over_depth import DepthSeries, over_depth
 from winkler.fitting.fit import Fit, fit, fit_steps
 from winkler.fitting.holds.depth_scaling import DepthScaling, depth_scaling
+from winkler.fitting.holds.held_contacts import HeldContacts, HeldContactsSolution
 from winkler.fitting.holds.held_force import HeldForce
 from winkler.fitting.holds.poroelastic import PoroelasticFit, fit_poroelastic
 from winkler.fitting.nanoindentation.calibration import calibrate_indenter
@@ -60,6 +61,7 @@ from winkler.io.indenter_file import read_indenter, write_indenter
 from winkler.io.tables.bed_table import read_bed
 from winkler.io.tables.cross_profile_file import read_cross_profile
 from winkler.io.tables.grading_table import read_grading
+from winkler.io.tables.held_force_table import read_held_force
 from winkler.io.tables.law_table import write_law
 from winkler.io.tables.path_table import read_path
 from winkler.io.tables.profile_pair_files import read_profile_pair
@@ -182,7 +184,8 @@ __all__ = [
     "EventKind", "ExponentialAttraction", "ExponentialGrading", "ExponentialSlipWeakening", "ExportedLaw",
     "FallingFriction", "Fit", "FitState", "FixedShare", "FlatPunch", "Follow", "Force", "ForceCurve", "Formula",
     "FormulaSection", "Foundation", "FractionalZener", "GeneralisedKelvin", "GradedHalfSpace", "GroupRatio",
-    "HalfSpace", "HalfWidth", "HeatConductors", "HeldForce", "Hold", "Hyperboloid", "IndentationQuantities",
+    "HalfSpace", "HalfWidth", "HeatConductors", "HeldContacts", "HeldContactsSolution",
+    "HeldForce", "Hold", "Hyperboloid", "IndentationQuantities",
     "IndenterCalibration", "InvalidInput", "JointFit", "KelvinVoigt", "Layer", "LayeredLineFoundation", "LennardJones",
     "LineForce", "LineFoundation", "LineOfAction", "LineScan", "LineShearForce", "LinearSlipWeakening",
     "LogarithmicEnds", "MapStatistics", "Maxwell", "MeanPressure", "Measured", "MeasuredBed", "MeasuredSection",
@@ -207,6 +210,7 @@ __all__ = [
     "intercept_factor", "map_statistics", "material", "material_names", "over_depth", "peak_stress",
     "pop_in_statistics", "population", "random_topography", "ratio_of", "read_bed", "read_contacts", "read_creep",
     "read_cross_profile", "read_curve", "read_curves", "read_dynamic", "read_dynamic_sweeps", "read_grading",
+    "read_held_force",
     "read_indenter", "read_path", "read_profile", "read_profile_pair", "read_relaxation", "read_relaxation_sweeps",
     "read_scan", "read_section", "read_spectrum", "read_surface_load", "read_topography", "relaxation_band",
     "repeated_mean", "restore", "restore_body", "restore_shift", "sample_young", "spectrum_of", "staircase",
