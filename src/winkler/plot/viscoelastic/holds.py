@@ -78,7 +78,7 @@ def _shifts(item: HeldContactsSolution) -> Panel:
         tuple(marks),
         PanelAxis.of(Series("radius", Word("a", "m", "contact radius"), radius), margin=0.05),
         PanelAxis.of(
-            Series("shift_factor", Word("", "", "times, over those of the smallest contact"), drawn), margin=0.08
+            Series("shift", Word("t/t_1", "", "times over those of the smallest contact"), drawn), margin=0.08
         ),
         legend="best",
     )
