@@ -19,7 +19,7 @@ from winkler.numerics.springs.pairwise_shifts import pairwise_shifts
 from winkler.numerics.springs.relaxation_spectrum import estimate_spectrum
 from winkler.numerics.springs.spectrum_response import Measurements, Response
 from winkler.numerics.types import Array
-from winkler.problems.master_curves.temperature_groups import spread_times
+from winkler.problems.master_curves.temperature_groups import in_own_units, spread_times
 from winkler.values import value, words
 
 __all__ = ["DepthScaling", "HoldVerdict", "depth_scaling", "distinct_radii"]
@@ -118,7 +118,7 @@ def depth_scaling(holds: Sequence[HeldForce], *, vertical: bool = True) -> Depth
     group = np.repeat(np.arange(len(rows)), [hold.time.size for hold in rows])
     modulus = np.concatenate([hold.force / hold.unit_force for hold in rows])
     time = np.concatenate([hold.time for hold in rows])
-    measured = (Measurements(Response.RELAXATION, time, group, modulus),)
+    measured, _, _ = in_own_units((Measurements(Response.RELAXATION, time, group, modulus),))
     shifts = pairwise_shifts(measured, len(rows), 0)
     for _ in range(ROUNDS):
         times = spread_times(measured, shifts, PER_DECADE)
