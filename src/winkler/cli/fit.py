@@ -79,7 +79,7 @@ def fit(
     from winkler.study.batch.run import named
     from winkler.study.batch.stopping import clear_interrupt
     from winkler.study.language.fit_reading import read_fit_study
-    from winkler.study.language.measured_problem import is_measured_problem
+    from winkler.cli.measured_problem import is_measured_problem
     from winkler.study.report.writing import write_outcome
 
     started = time.perf_counter()

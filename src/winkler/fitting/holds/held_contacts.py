@@ -224,7 +224,7 @@ class HeldContactsSolution:
         numbers = Note(
             Assumption.RESPONSE,
             Standing.APPROXIMATE,
-            f"Of a poroelastic body the intervals of 95 % are {ends}{bound}, from the scatter alone; beyond that the "
+            f"Of a poroelastic body the intervals of 95 % are {ends}, from the scatter alone{bound}; beyond that the "
             f"part of the force that relaxes is known to {unsure}. Biot's theory of an impermeable indenter on a body "
             "that drains freely beside it, pressed in at once: leave out times shorter than that of pressing in.",
             "dual integral equations at a constant contact radius",

@@ -1,4 +1,4 @@
-"""Make gel_hold_narrow.csv and gel_hold_wide.csv: the force on flat punches held on a wet gel, with scatter.
+"""Make narrow.csv and wide.csv: the force on flat punches held on a wet gel, with scatter.
 
 The holds are not real ones.  What they should give is known: two impermeable punches of 0.5 mm and 1 mm radius, pressed
 0.1 mm into a gel with G = 5 kPa, whose network has Poisson's ratio 0.3 and whose liquid diffuses with 1e-9 m^2/s.  The
@@ -17,7 +17,7 @@ RADII = {"narrow": 0.5e-3, "wide": 1e-3}
 SCATTER, SEED = 5e-3, 2017
 
 HEADER = """\
-# NOT a real measurement: made by examples/data/make_holds.py from a formula of Lai and Hu, with seeded scatter.
+# NOT a real measurement: made by examples/data/gel_holds/make_holds.py from a formula of Lai and Hu, with seeded scatter.
 # Gel with G = 5 kPa, nu = 0.3, D = 1e-9 m^2/s; flat punch of {radius:g} mm radius, 0.1 mm deep.
 time [s], force [mN]
 """
@@ -42,6 +42,6 @@ if __name__ == "__main__":
         force = last + (first - last) * share(DIFFUSIVITY * time / radius**2)
         force *= 1.0 + SCATTER * random.standard_normal(time.size)
         rows = (f"{t:.4g}, {1e3 * f:.5g}\n" for t, f in zip(time, force, strict=True))
-        file = Path(f"gel_hold_{name}.csv")
+        file = Path(f"{name}.csv")
         file.write_text(HEADER.format(radius=1e3 * radius) + "".join(rows), encoding="utf-8")
         print(f"Written {file}")
