@@ -17,7 +17,7 @@ RADII = {"narrow": 0.5e-3, "wide": 1e-3}
 SCATTER, SEED = 5e-3, 2017
 
 HEADER = """\
-# NOT a real measurement: made by examples/data/gel_holds/make_holds.py from a formula of Lai and Hu, with seeded scatter.
+# NOT a real measurement: made by examples/data/gel_holds/make_holds.py from a formula of Lai and Hu, with scatter.
 # Gel with G = 5 kPa, nu = 0.3, D = 1e-9 m^2/s; flat punch of {radius:g} mm radius, 0.1 mm deep.
 time [s], force [mN]
 """

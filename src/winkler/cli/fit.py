@@ -69,6 +69,7 @@ def fit(
     Example: winkler fit examples/studies/fitting/fit_gel.toml --output results/gel
     """
     from winkler.cli import nanoindentation, terminal
+    from winkler.cli.measured_problem import is_measured_problem
     from winkler.cli.run import run
     from winkler.errors import Interrupted, InvalidInput, WinklerError
     from winkler.study.batch.fit_outcome import Fitted
@@ -79,7 +80,6 @@ def fit(
     from winkler.study.batch.run import named
     from winkler.study.batch.stopping import clear_interrupt
     from winkler.study.language.fit_reading import read_fit_study
-    from winkler.cli.measured_problem import is_measured_problem
     from winkler.study.report.writing import write_outcome
 
     started = time.perf_counter()

@@ -35,6 +35,7 @@ from winkler.fitting.search import FitState, Search
 from winkler.fitting.start import best_start
 from winkler.fitting.task import FitTask
 from winkler.fitting.validity import Model
+from winkler.fitting.viscoelastic.acceleration import tip_acceleration
 from winkler.fitting.viscoelastic.drive import driven_task, examined_stroke
 from winkler.loading import Depth
 from winkler.numerics.equations.streaming import streamed
@@ -186,7 +187,10 @@ def _fit(
         flags, rough_outline = refuse(moving), outline(moving)
         deviation = _deviation(curve, noise, "N")
         deviation = deviation[curve.direction != 0.0] if deviation.ndim else deviation
-        task = elastic_task(moving, model, stated, deviation)
+        acceleration = None
+        if "inertia" in stated:  # of the whole path: without its holds it is not even in time
+            acceleration = tip_acceleration(curve)[curve.direction != 0.0]
+        task = elastic_task(moving, model, stated, deviation, acceleration)
     count, free_count = np.count_nonzero(task.weights), len(task.parameters)
     if count < 3 * free_count:
         raise InvalidInput(
