@@ -194,4 +194,6 @@ def elastic_task(
     zeros = np.zeros(curve.count)
     parameters = parameters_of(model, free, scales, NATURAL_BOUNDS)
     tables = tables_for(model, parameters)
-    return ElasticTask(curve, model, parameters, even_weights(curve, noise), zeros, zeros, tables=tables, acceleration=acceleration)
+    return ElasticTask(
+        curve, model, parameters, even_weights(curve, noise), zeros, zeros, tables=tables, acceleration=acceleration
+    )
