@@ -47,7 +47,7 @@ def test_a_free_tilt_does_not_hide_that_a_curve_is_wholly_in_contact(begin, leve
     """The foot of the contact is taken for a tilted baseline: the modulus is a third to a half too low."""
     depth = np.linspace(begin, begin + 1e-6, 300)
     force = hertz(depth, 1.33e4, 5e-6)
-    force += level * force.max() * np.random.default_rng(1).standard_normal(depth.size)
+    force += level * force.max() * np.random.default_rng(0).standard_normal(depth.size)
     found = fit(ForceCurve(depth, force), elastic(), free=[*FREE, "tilt"])
     assert np.count_nonzero(~found.touched) > 30
     assert found.value(PATH) < 0.8e4
