@@ -95,6 +95,7 @@ def _uniform_medium(medium: Medium) -> InvalidInput:
 
 def _layer_intervals(medium: CoatedHalfSpace | SlidingFilm, end: float) -> list[DepthInterval]:
     intervals, top = [], 0.0
+    laid = "slides on" if isinstance(medium, SlidingFilm) else "on"
     for place, layer in enumerate(medium.layers):
         bottom = top + layer.thickness
         intervals.append(
@@ -103,9 +104,9 @@ def _layer_intervals(medium: CoatedHalfSpace | SlidingFilm, end: float) -> list[
         top = bottom
     if isinstance(medium.on, Elastic):
         z, young = np.array([top, max(end, top)]), np.full(2, medium.on.young)
-        intervals.append(DepthInterval(z, young, f"on {_solid_text(medium.on)}"))
+        intervals.append(DepthInterval(z, young, f"{laid} {_solid_text(medium.on)}"))
     else:
-        intervals.append(DepthInterval(np.array([top, max(end, top)]), np.zeros(2), "on a rigid base"))
+        intervals.append(DepthInterval(np.array([top, max(end, top)]), np.zeros(2), f"{laid} a rigid base"))
     return intervals
 
 
