@@ -15,6 +15,7 @@ from winkler.fitting.examined.calibrated import CalibrationShares, calibration_s
 from winkler.fitting.examined.over_depth import DepthSeries, over_depth
 from winkler.fitting.fit import Fit, fit, fit_steps
 from winkler.fitting.holds.depth_scaling import DepthScaling, depth_scaling
+from winkler.fitting.holds.held_contacts import HeldContacts, HeldContactsSolution
 from winkler.fitting.holds.held_force import HeldForce
 from winkler.fitting.holds.poroelastic import PoroelasticFit, fit_poroelastic
 from winkler.fitting.nanoindentation.calibration import calibrate_indenter
@@ -60,6 +61,7 @@ from winkler.io.indenter_file import read_indenter, write_indenter
 from winkler.io.tables.bed_table import read_bed
 from winkler.io.tables.cross_profile_file import read_cross_profile
 from winkler.io.tables.grading_table import read_grading
+from winkler.io.tables.held_force_table import read_held_force
 from winkler.io.tables.law_table import write_law
 from winkler.io.tables.path_table import read_path
 from winkler.io.tables.profile_pair_files import read_profile_pair
@@ -125,6 +127,7 @@ from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HalfSpace
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
+from winkler.media.layered.sliding_film import SlidingFilm
 from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
 from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
@@ -183,33 +186,33 @@ __all__ = [
     "EventKind", "ExponentialAttraction", "ExponentialGrading", "ExponentialSlipWeakening", "ExportedLaw",
     "FallingFriction", "Fit", "FitState", "FixedShare", "FlatPunch", "Follow", "Force", "ForceCurve", "Formula",
     "FormulaSection", "Foundation", "FractionalZener", "GeneralisedKelvin", "GradedHalfSpace", "GroupRatio",
-    "HalfSpace", "HalfWidth", "HeatConductors", "HeldForce", "Hold", "Hyperboloid", "IndentationQuantities",
-    "IndenterCalibration", "InvalidInput", "JointFit", "KelvinVoigt", "Layer", "LayeredLineFoundation", "LennardJones",
-    "LineForce", "LineFoundation", "LineOfAction", "LineScan", "LineShearForce", "LinearSlipWeakening",
-    "LogarithmicEnds", "MapStatistics", "Maxwell", "MeanPressure", "Measured", "MeasuredBed", "MeasuredSection",
-    "MirroredSection", "Moment", "NamedElastic", "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor",
-    "Nanoindentation", "NanoindentationSolution", "NominalPressure", "NotConverged", "Note", "OliverPharr",
-    "OliverPharrSolution", "Oscillate", "OutsideValidity", "PairWear", "Paraboloid", "Path", "PeakStress",
-    "PlacedCurve", "PlacedStress", "PlaneFoundation", "Plated", "PopInStatistics", "Population", "PoroelasticFit",
-    "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "Program", "Prony", "PunchRow", "Pyramid",
-    "PyramidByEdges", "Radius", "Ramp", "RandomTopography", "RateDependentWork", "ReferenceSample", "RelaxationData",
-    "RelaxationSweeps", "RelaxingInProportion", "RepeatedMean", "Rigid", "Rod", "RoughProfile", "RoundedCone",
-    "RoundedEnds", "RoundedPunch", "RoundedPyramid", "SampledProfile", "SaturatingWork", "Segment", "SegmentKind",
-    "SelfAffine", "Shape", "SharpEnds", "ShearForce", "ShearedFields", "Shift", "ShortRange", "SigmoidalGrading",
-    "Sphere", "SpheroConical", "Spikes", "Springs", "Staircase", "StandardSolid", "Standing", "Start", "StaticKinetic",
-    "SubsurfaceFields", "Sum", "SurfaceFields", "SurfaceFilm", "TabulatedGrading", "TabulatedTip", "ThermalConductor",
-    "ThermalDrift", "ThermalInterface", "Tilt", "Topography", "Torque", "TransverselyIsotropic",
-    "TransverselyIsotropicHalfSpace", "TruncatedCone", "TruncatedParaboloid", "Vickers", "ViscoelasticCoatedHalfSpace",
-    "ViscoelasticFit", "ViscoelasticHalfSpace", "ViscoelasticLayer", "Voltage", "Wavy", "WiedemannFranz",
-    "WilliamsLandelFerry", "WinklerError", "ZeroPoint", "bearing_heights", "calibrate_indenter", "calibration_shares",
-    "compare", "compare_terms", "contact_reading", "correlation_length", "correlation_lengths", "depth_scaling",
-    "export", "first_yield_stress", "fit", "fit_poroelastic", "fit_steps", "fit_together", "found_drift",
-    "found_zero_point", "indentation_quantities", "intercept_factor", "map_statistics", "material", "material_names",
-    "over_depth", "peak_stress", "pop_in_statistics", "population", "random_topography", "ratio_of", "read_bed",
-    "read_contacts", "read_creep", "read_cross_profile", "read_curve", "read_curves", "read_dynamic",
-    "read_dynamic_sweeps", "read_grading", "read_indenter", "read_path", "read_profile", "read_profile_pair",
-    "read_relaxation", "read_relaxation_sweeps", "read_scan", "read_section", "read_spectrum", "read_surface_load",
-    "read_topography", "relaxation_band", "repeated_mean", "restore", "restore_body", "restore_shift", "sample_young",
-    "spectrum_of", "staircase", "tip_limit", "to_pandas", "to_xarray", "write_contacts", "write_export",
-    "write_indenter", "write_law", "write_trace", "write_vtk",
+    "HalfSpace", "HalfWidth", "HeatConductors", "HeldContacts", "HeldContactsSolution", "HeldForce", "Hold",
+    "Hyperboloid", "IndentationQuantities", "IndenterCalibration", "InvalidInput", "JointFit", "KelvinVoigt", "Layer",
+    "LayeredLineFoundation", "LennardJones", "LineForce", "LineFoundation", "LineOfAction", "LineScan",
+    "LineShearForce", "LinearSlipWeakening", "LogarithmicEnds", "MapStatistics", "Maxwell", "MeanPressure", "Measured",
+    "MeasuredBed", "MeasuredSection", "MirroredSection", "Moment", "NamedElastic", "NamedElectricalConductor",
+    "NamedMaterial", "NamedThermalConductor", "Nanoindentation", "NanoindentationSolution", "NominalPressure",
+    "NotConverged", "Note", "OliverPharr", "OliverPharrSolution", "Oscillate", "OutsideValidity", "PairWear",
+    "Paraboloid", "Path", "PeakStress", "PlacedCurve", "PlacedStress", "PlaneFoundation", "Plated", "PopInStatistics",
+    "Population", "PoroelasticFit", "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "Program", "Prony",
+    "PunchRow", "Pyramid", "PyramidByEdges", "Radius", "Ramp", "RandomTopography", "RateDependentWork",
+    "ReferenceSample", "RelaxationData", "RelaxationSweeps", "RelaxingInProportion", "RepeatedMean", "Rigid", "Rod",
+    "RoughProfile", "RoundedCone", "RoundedEnds", "RoundedPunch", "RoundedPyramid", "SampledProfile", "SaturatingWork",
+    "Segment", "SegmentKind", "SelfAffine", "Shape", "SharpEnds", "ShearForce", "ShearedFields", "Shift", "ShortRange",
+    "SigmoidalGrading", "SlidingFilm", "Sphere", "SpheroConical", "Spikes", "Springs", "Staircase", "StandardSolid",
+    "Standing", "Start", "StaticKinetic", "SubsurfaceFields", "Sum", "SurfaceFields", "SurfaceFilm", "TabulatedGrading",
+    "TabulatedTip", "ThermalConductor", "ThermalDrift", "ThermalInterface", "Tilt", "Topography", "Torque",
+    "TransverselyIsotropic", "TransverselyIsotropicHalfSpace", "TruncatedCone", "TruncatedParaboloid", "Vickers",
+    "ViscoelasticCoatedHalfSpace", "ViscoelasticFit", "ViscoelasticHalfSpace", "ViscoelasticLayer", "Voltage", "Wavy",
+    "WiedemannFranz", "WilliamsLandelFerry", "WinklerError", "ZeroPoint", "bearing_heights", "calibrate_indenter",
+    "calibration_shares", "compare", "compare_terms", "contact_reading", "correlation_length", "correlation_lengths",
+    "depth_scaling", "export", "first_yield_stress", "fit", "fit_poroelastic", "fit_steps", "fit_together",
+    "found_drift", "found_zero_point", "indentation_quantities", "intercept_factor", "map_statistics", "material",
+    "material_names", "over_depth", "peak_stress", "pop_in_statistics", "population", "random_topography", "ratio_of",
+    "read_bed", "read_contacts", "read_creep", "read_cross_profile", "read_curve", "read_curves", "read_dynamic",
+    "read_dynamic_sweeps", "read_grading", "read_held_force", "read_indenter", "read_path", "read_profile",
+    "read_profile_pair", "read_relaxation", "read_relaxation_sweeps", "read_scan", "read_section", "read_spectrum",
+    "read_surface_load", "read_topography", "relaxation_band", "repeated_mean", "restore", "restore_body",
+    "restore_shift", "sample_young", "spectrum_of", "staircase", "tip_limit", "to_pandas", "to_xarray",
+    "write_contacts", "write_export", "write_indenter", "write_law", "write_trace", "write_vtk",
 ]  # fmt: skip

@@ -56,6 +56,13 @@ LOST = """
 0.024 0.0922 0.318 0.716 0.594
 """
 HELD = "3.97 3.89 3.59 2.84 1.85 3.82 3.4 2.5 1.6 1.18 3.52 2.71 1.75 1.23 1.06 3.15 2.16 1.41 1.11 1.03"
+HOLDS = [
+    wk.HeldForce(wk.Paraboloid(1e-3), depth, [1.0, 3.0, 9.0, 27.0, 81.0, 240.0, 720.0, 2200.0], force)
+    for depth, force in (
+        (10e-6, [26.4e-6, 25.9e-6, 24.8e-6, 23e-6, 21.4e-6, 20.3e-6, 19.7e-6, 19.4e-6]),
+        (40e-6, [213e-6, 211e-6, 209e-6, 202e-6, 189e-6, 174e-6, 164e-6, 159e-6]),
+    )
+]
 SWEEPS = wk.DynamicSweeps(
     SWEPT,
     np.tile([0.1, 1.0, 10.0, 100.0, 1000.0], 4),
@@ -97,6 +104,7 @@ RELAXING = {
     "poroelastic_relaxation": wk.PoroelasticRelaxation(
         wk.Paraboloid(1e-3), 5e3, 0.3, 1e-9, depth=20e-6, time=np.geomspace(0.1, 1000.0, 33)
     ),
+    **{kind: wk.HeldContacts(HOLDS) for kind in ("held_force", "held_contacts")},
     "creep_test": wk.CreepTest(ON_RUBBER, force=1.0, time=np.geomspace(1e-3, 10.0, 33)),
     "relaxation_test": wk.RelaxationTest(ON_RUBBER, depth=100e-6, time=np.geomspace(1e-3, 10.0, 33)),
     "harmonic_indentation": wk.HarmonicIndentation(ON_RUBBER, wk.Depth(100e-6), np.geomspace(0.1, 1000.0, 33)),

@@ -92,6 +92,7 @@ SOLVED = {
         *("viscoelastic_tangential", "viscoelastic_impact", "tangential", "torsion", "rolling", "rolling_start"),
         "coated_tangential",
         *("simplified_rolling", "oscillating_rolling", "elastomer_friction", "master_curve", "poroelastic_relaxation"),
+        *("held_contacts",),
         *("line_rolling", "line_rolling_start", "line_rolling_resistance", "line_viscoelastic_indentation"),
     ),
     "warm and rough": (

@@ -138,6 +138,10 @@ ROUNDED: dict[tuple[str, str], Rounded] = {
         for name in ("heat_rate", "creep_power", "max_temperature", "mean_temperature", "grid_error")
     },
     **{
+        ("HeldContactsSolution", name): Rounded(1e-7, "least squares whose derivatives are quotients of differences")
+        for name in ("shear_error", "poisson_error", "diffusivity", "diffusivity_error", "scatter")
+    },
+    **{
         ("MasterCurveSolution", name): Rounded(1e-7, "the evidence is flat at its maximum, where its search ends")
         for name in (
             *("shift_factor", "shift_error", "relaxed_shear", "relaxed_shear_error", "freedom"),

@@ -30,7 +30,10 @@ MOST_ROWS = 24
 def fit(
     study: Annotated[
         Path,
-        typer.Argument(help=r"A study file (TOML) with \[fit], \[indentation] or \[calibration].", show_default=False),
+        typer.Argument(
+            help=r"A study file (TOML) with \[fit], \[indentation] or \[calibration], or of held contacts.",
+            show_default=False,
+        ),
     ],
     output: Output = None,
     overwrite: Overwrite = False,
@@ -66,6 +69,8 @@ def fit(
     Example: winkler fit examples/studies/fitting/fit_gel.toml --output results/gel
     """
     from winkler.cli import nanoindentation, terminal
+    from winkler.cli.measured_problem import is_measured_problem
+    from winkler.cli.run import run
     from winkler.errors import Interrupted, InvalidInput, WinklerError
     from winkler.study.batch.fit_outcome import Fitted
     from winkler.study.batch.fit_recording import recalled_fits
@@ -80,6 +85,8 @@ def fit(
     started = time.perf_counter()
     if nanoindentation.wanted(study):
         return nanoindentation.evaluate(study, output, overwrite=overwrite, quiet=quiet, as_json=as_json)
+    if is_measured_problem(study):
+        return run(study, output, overwrite=overwrite, workers=workers, anew=anew, quiet=quiet, as_json=as_json)
     if time_limit is not None and not time_limit > 0.0:
         raise InvalidInput(f"fit: --time-limit is {time_limit:g}; give a positive time in s.")
     if pages < 0:

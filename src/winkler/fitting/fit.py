@@ -34,7 +34,9 @@ from winkler.fitting.outcome import AnyFit, CreepFit, Fit, ViscoelasticFit
 from winkler.fitting.search import FitState, Search
 from winkler.fitting.start import best_start
 from winkler.fitting.task import FitTask
+from winkler.fitting.unseen_baseline import unseen_baseline
 from winkler.fitting.validity import Model
+from winkler.fitting.viscoelastic.acceleration import tip_acceleration
 from winkler.fitting.viscoelastic.drive import driven_task, examined_stroke
 from winkler.loading import Depth
 from winkler.numerics.equations.streaming import streamed
@@ -186,7 +188,10 @@ def _fit(
         flags, rough_outline = refuse(moving), outline(moving)
         deviation = _deviation(curve, noise, "N")
         deviation = deviation[curve.direction != 0.0] if deviation.ndim else deviation
-        task = elastic_task(moving, model, stated, deviation)
+        acceleration = None
+        if "inertia" in stated:  # of the whole path: without its holds it is not even in time
+            acceleration = tip_acceleration(curve)[curve.direction != 0.0]
+        task = elastic_task(moving, model, stated, deviation, acceleration)
     count, free_count = np.count_nonzero(task.weights), len(task.parameters)
     if count < 3 * free_count:
         raise InvalidInput(
@@ -270,5 +275,6 @@ def _with_errors(task: FitTask, best: Generalised, noise: float, flags: tuple[Fl
     further = [*doubts(task.parameters, coordinates, result, uncertainty)]
     if not any(flag.name == "no_baseline" for flag in result.flags):
         both = ("approach", "retract") if isinstance(result, Fit) else ("approach",)
-        further += without_baseline(result.curve, result.touched, both)
+        unseen = [*without_baseline(result.curve, result.touched, both)]
+        further += unseen or unseen_baseline(task, coordinates, prediction, best.noise.effective_count)
     return dataclasses.replace(result, flags=(*result.flags, *further))

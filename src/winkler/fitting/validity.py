@@ -18,6 +18,7 @@ from winkler.laws.adhesion import Dugdale, ShortRange
 from winkler.loading import Depth
 from winkler.media.halfspace import HalfSpace
 from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.media.layered.sliding_film import SlidingFilm
 from winkler.numerics.types import Array
 from winkler.problems.adhesion import griffith
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
@@ -74,7 +75,7 @@ def fit_notes(
 def _coating_notes(bed: Bed, names: tuple[str, ...], widest: float) -> list[Note]:
     """Return the note on coating and substrate, by the stiffness of the widest contact."""
     medium = bed.medium
-    if not isinstance(medium, CoatedHalfSpace):
+    if not isinstance(medium, CoatedHalfSpace | SlidingFilm):
         return []
     top, thickness = medium.layers[0].solid, sum(layer.thickness for layer in medium.layers)
     place = np.array([widest])

@@ -12,7 +12,7 @@ from winkler.numerics.types import Array, Curve
 if TYPE_CHECKING:  # numerics of layers are loaded with layers
     from winkler.numerics.transforms.cosine_transform import SurfaceResponse
 
-__all__ = ["CoatedBody", "DepthVaryingMedium", "PowerLawMedium", "TwistedMedium"]
+__all__ = ["CoatedBody", "DepthVaryingMedium", "PowerLawMedium", "SlidingBody", "TwistedMedium"]
 
 
 class TwistedMedium:
@@ -86,3 +86,11 @@ class CoatedBody(DepthVaryingMedium, TwistedMedium):
     def punch_shear_stiffness(self, radius: Array) -> Array:
         """k_x(a) [N/m] of a flat punch that is pushed along the surface."""
         raise NotImplementedError
+
+
+class SlidingBody(DepthVaryingMedium):
+    """A layer on a half-space or a rigid base that bears no shear between them, against a homogeneous body."""
+
+    layers: tuple[Layer, ...]
+    on: Solid
+    second: Solid

@@ -20,6 +20,7 @@ from winkler.materials.layered import Layer
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
+from winkler.media.layered.sliding_film import SlidingFilm
 from winkler.media.medium import Medium
 from winkler.numerics.types import Array
 from winkler.plot import style
@@ -57,7 +58,7 @@ class DepthInterval(NamedTuple):
 
 def interfaces(medium: Medium) -> tuple[float, ...]:
     """Return the depths of the interfaces between layers and under the last one [m]; none if there are no layers."""
-    if not isinstance(medium, CoatedHalfSpace):
+    if not isinstance(medium, CoatedHalfSpace | SlidingFilm):
         return ()
     return tuple(float(z) for z in np.cumsum([layer.thickness for layer in medium.layers]))
 
@@ -76,7 +77,7 @@ def typical_width(medium: Medium) -> float:
     InvalidInput
         If it has no length of its own.
     """
-    if isinstance(medium, CoatedHalfSpace):
+    if isinstance(medium, CoatedHalfSpace | SlidingFilm):
         return 4.0 * interfaces(medium)[-1]
     if isinstance(medium, DepthGradedHalfSpace):
         return 2.0 * medium.grading.settled_at(0.05)
@@ -92,8 +93,9 @@ def _uniform_medium(medium: Medium) -> InvalidInput:
     )
 
 
-def _layer_intervals(medium: CoatedHalfSpace, end: float) -> list[DepthInterval]:
+def _layer_intervals(medium: CoatedHalfSpace | SlidingFilm, end: float) -> list[DepthInterval]:
     intervals, top = [], 0.0
+    laid = "slides on" if isinstance(medium, SlidingFilm) else "on"
     for place, layer in enumerate(medium.layers):
         bottom = top + layer.thickness
         intervals.append(
@@ -102,9 +104,9 @@ def _layer_intervals(medium: CoatedHalfSpace, end: float) -> list[DepthInterval]
         top = bottom
     if isinstance(medium.on, Elastic):
         z, young = np.array([top, max(end, top)]), np.full(2, medium.on.young)
-        intervals.append(DepthInterval(z, young, f"on {_solid_text(medium.on)}"))
+        intervals.append(DepthInterval(z, young, f"{laid} {_solid_text(medium.on)}"))
     else:
-        intervals.append(DepthInterval(np.array([top, max(end, top)]), np.zeros(2), "on a rigid base"))
+        intervals.append(DepthInterval(np.array([top, max(end, top)]), np.zeros(2), f"{laid} a rigid base"))
     return intervals
 
 
@@ -119,7 +121,7 @@ def _solid_text(solid: Elastic) -> str:
 
 def _intervals(medium: Medium, end: float) -> list[DepthInterval]:
     """Return the first body from the surface down to `end` [m]."""
-    if isinstance(medium, CoatedHalfSpace):
+    if isinstance(medium, CoatedHalfSpace | SlidingFilm):
         return _layer_intervals(medium, end)
     if isinstance(medium, DepthGradedHalfSpace):
         grading = medium.grading
@@ -141,7 +143,7 @@ def makeup_panel(medium: Medium, end: float, radius: float = 0.0) -> Panel:
 
     Parameters
     ----------
-    medium : CoatedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
+    medium : CoatedHalfSpace, SlidingFilm, DepthGradedHalfSpace or GradedHalfSpace
     end : float
         Greatest depth [m].
     radius : float
@@ -196,8 +198,8 @@ def spring_stiffness_panel(medium: Medium, end: float, radius: float = 0.0) -> P
     top = float(np.max(stiffness[x >= 0.01 * end]))
     upright = PanelAxis.of(series("normal_stiffness", stiffness), scale_of("Pa", [top]), low=0.0)
     marks: list[Any] = [Line(x, stiffness, style.RED, name="springs, $c_N(x)$")]
-    layered = isinstance(medium, CoatedHalfSpace | DepthGradedHalfSpace)
-    if isinstance(medium, CoatedHalfSpace | DepthGradedHalfSpace):
+    layered = isinstance(medium, CoatedHalfSpace | SlidingFilm | DepthGradedHalfSpace)
+    if isinstance(medium, CoatedHalfSpace | SlidingFilm | DepthGradedHalfSpace):
         above = float(medium.modulus)
         name = f"uppermost solid alone, {with_unit(above, 'Pa')}"
         marks.append(Rule(above, width=1.0, dash=style.DOTTED, name=name))

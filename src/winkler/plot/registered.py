@@ -39,7 +39,7 @@ from winkler.plot.rough import (  # noqa: F401
 )  # fmt: skip
 from winkler.plot.rough import surfaces as rough_surfaces  # noqa: F401
 from winkler.plot.rough.film import film
-from winkler.plot.viscoelastic import contacts, fits, master_curves, material_tests, poroelastic, solids  # noqa: F401
+from winkler.plot.viscoelastic import contacts, fits, holds, master_curves, material_tests, poroelastic, solids  # noqa: F401  # noqa: F401
 from winkler.plot.viscoelastic import surfaces as viscoelastic_surfaces  # noqa: F401
 from winkler.plot.wear import elliptic_wear, line_wear, wear, worn_maps  # noqa: F401
 

@@ -37,6 +37,7 @@ WITHOUT = {
     "line_yield_onset": "the onset is its answer",
     "master_curve": "measurements of a solid, no contact",
     "poroelastic_relaxation": "a wet gel, whose network has no strength",
+    "held_contacts": "measurements of a body that relaxes",
     "spot_cluster": "no elastic bodies",
     "surface_friction_heating": "a map of loads without elastic bodies",
     "yield_onset": "the onset is its answer",

@@ -19,7 +19,7 @@ from winkler.fitting.elastic.response import MachineResponse, of_table
 from winkler.fitting.elastic.rising import RadiusTable, table_of
 from winkler.fitting.parameters import changed, number_at
 from winkler.foundation.foundation import Foundation
-from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.media.layered.coated import LayeredMedium
 from winkler.media.layered.direct_punch import depth_and_force, nodes_for
 from winkler.numerics.equations.roots import rough_root
 from winkler.numerics.types import Array
@@ -61,7 +61,7 @@ class FilmTables(EachAnew):
     Parameters
     ----------
     model : Indentation
-        A profile without kinks on a `CoatedHalfSpace`.
+        A profile without kinks on a `CoatedHalfSpace` or a `SlidingFilm`.
     name : str
         Path of the free modulus.
     """
@@ -101,7 +101,7 @@ class FilmTables(EachAnew):
             return super().rough(states, depth)
         a = _radius_at(bed, depth)
         for _ in range(ROUGH_STEPS):
-            reached, force = depth_and_force(cast(CoatedHalfSpace, bed.medium), bed.profile, np.array([a]))
+            reached, force = depth_and_force(cast(LayeredMedium, bed.medium), bed.profile, np.array([a]))
             if abs(float(reached[0]) - depth) < ROUGH_TOLERANCE * depth:
                 break
             a = _radius_at(bed, float(bed.profile.gap(np.array([a]))[0]) * depth / float(reached[0]))
@@ -135,10 +135,10 @@ class FilmTables(EachAnew):
         self._edges = np.concatenate([[0.0], high * 2.0 ** np.arange(-OCTAVES, 1.0)])
         self._is_used = min(depths) >= self._highest
 
-    def _medium(self, logarithm: float) -> CoatedHalfSpace:
+    def _medium(self, logarithm: float) -> LayeredMedium:
         """Return the film with a modulus, given as the logarithm of its ratio to the start."""
         other = changed(self.model, {self.name: math.exp(self.start + logarithm)})
-        return cast(CoatedHalfSpace, other.bed.medium)
+        return cast(LayeredMedium, other.bed.medium)
 
     def _logarithm(self, states: EdgeStates) -> float:
         return math.log(number_at(Indentation(states.bed, self.model.load), self.name)) - self.start

@@ -33,6 +33,7 @@ from winkler.fitting.outcome import Fit
 from winkler.fitting.task import FitTask, Prediction, even_weights, moved
 from winkler.fitting.validity import Model
 from winkler.fitting.varied import NATURAL_BOUNDS, parameters_of
+from winkler.fitting.viscoelastic.acceleration import tip_acceleration
 from winkler.loading import Depth
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
@@ -99,11 +100,18 @@ class ElasticTask(FitTask):
         count = max(3, round(self.coarse_count * stretch.size / self.curve.count))
         return np.linspace(stretch[0], stretch[-1], min(count, stretch.size)).astype(int)
 
+    def place(self, numbers: dict[str, float]) -> Array:
+        """Return D from first touch, less what the inertia of the probe bends the machine by [m]."""
+        along = self.along(numbers)
+        if self.acceleration is None or self.curve.compliance == 0.0:
+            return along
+        return np.asarray(along - self.curve.compliance * numbers.get("inertia", 0.0) * self.acceleration)
+
     def held(self, numbers: dict[str, float]) -> HeldContact:
         """Return the contact continued to all points."""
         origin = numbers.get("contact_point", 0.0)
         model, compliance = self.with_numbers(numbers), self.curve.compliance
-        return held_contact(model, compliance, self.along(numbers), self.runs, origin, self.tables)
+        return held_contact(model, compliance, self.place(numbers), self.runs, origin, self.tables)
 
     def prediction(self, coordinates: Array) -> Prediction:
         """Return the forces [N] at coordinates."""
@@ -116,6 +124,10 @@ class ElasticTask(FitTask):
         """Return the derivative with respect to a number in closed form ``(n,)``, else None."""
         if name == "contact_point":
             return -np.where(prediction.touched, prediction.contact.slope, 0.0) - numbers.get("tilt", 0.0)
+        if name == "inertia":
+            assert self.acceleration is not None
+            bent = self.curve.compliance * np.where(prediction.touched, prediction.contact.slope, 0.0)
+            return self.acceleration * (1.0 - bent)
         return super().slope(name, numbers, prediction)
 
     def difference(self, coordinates: Array, index: int, prediction: Prediction) -> Array:
@@ -135,7 +147,7 @@ class ElasticTask(FitTask):
         model: Model = self.with_numbers(numbers)
         bed, touched, held = model.bed, prediction.touched, prediction.contact
         widest = float(np.max(held.radius[touched]))
-        depth = float(np.max((self.along(numbers) - self.curve.compliance * held.force)[touched]))
+        depth = float(np.max((self.place(numbers) - self.curve.compliance * held.force)[touched]))
         beyond = widest >= bed.reach and bed.reach < bed.rim
         if beyond and depth > float(states_for(model).depth(np.array([bed.reach]))[0]):
             raise OutsideValidity(
@@ -150,7 +162,9 @@ class ElasticTask(FitTask):
         return Fit(**shared, radius=radius, contact=prediction.touched)
 
 
-def elastic_task(curve: ForceCurve, model: Model, free: dict[str, Any], noise: Array) -> ElasticTask:
+def elastic_task(
+    curve: ForceCurve, model: Model, free: dict[str, Any], noise: Array, acceleration: Array | None = None
+) -> ElasticTask:
     """Return the task of a fit.
 
     Parameters
@@ -162,6 +176,8 @@ def elastic_task(curve: ForceCurve, model: Model, free: dict[str, Any], noise: A
         Name and (low, high), or a start value, or neither (an empty tuple).
     noise : ndarray
         Standard deviation of the forces [N], ``()`` or ``(n,)``; only its course matters here; zero: uniform.
+    acceleration : ndarray, (n,), optional
+        Of the tip into the body [m/s^2], where the inertia of the probe is free; from the curve unless given.
 
     Raises
     ------
@@ -172,7 +188,12 @@ def elastic_task(curve: ForceCurve, model: Model, free: dict[str, Any], noise: A
     if span == 0.0 or strength == 0.0:
         raise InvalidInput(f"fit: the curve '{curve.name}' has no range of positions or forces; nothing can be fitted.")
     scales = {"contact_point": span, "baseline": strength, "tilt": strength / span}
+    if "inertia" in free:
+        acceleration = tip_acceleration(curve) if acceleration is None else acceleration
+        scales["inertia"] = strength / (float(np.abs(acceleration).max()) or 1.0)
     zeros = np.zeros(curve.count)
     parameters = parameters_of(model, free, scales, NATURAL_BOUNDS)
     tables = tables_for(model, parameters)
-    return ElasticTask(curve, model, parameters, even_weights(curve, noise), zeros, zeros, tables=tables)
+    return ElasticTask(
+        curve, model, parameters, even_weights(curve, noise), zeros, zeros, tables=tables, acceleration=acceleration
+    )

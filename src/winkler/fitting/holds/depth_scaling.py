@@ -19,10 +19,10 @@ from winkler.numerics.springs.pairwise_shifts import pairwise_shifts
 from winkler.numerics.springs.relaxation_spectrum import estimate_spectrum
 from winkler.numerics.springs.spectrum_response import Measurements, Response
 from winkler.numerics.types import Array
-from winkler.problems.master_curves.temperature_groups import spread_times
+from winkler.problems.master_curves.temperature_groups import in_own_units, spread_times
 from winkler.values import value, words
 
-__all__ = ["DepthScaling", "HoldVerdict", "depth_scaling"]
+__all__ = ["DepthScaling", "HoldVerdict", "depth_scaling", "distinct_radii"]
 
 LEAST_RATIO = 1.05
 """Least ratio of the greatest contact radius to the smallest."""
@@ -113,18 +113,12 @@ def depth_scaling(holds: Sequence[HeldForce], *, vertical: bool = True) -> Depth
     """
     from scipy.stats import chi2
 
-    rows = sorted(checked_holds("depth_scaling", holds, 2), key=lambda hold: hold.radius)
+    rows = distinct_radii("depth_scaling", checked_holds("depth_scaling", holds, 2))
     radius = np.array([hold.radius for hold in rows])
-    if radius[-1] < LEAST_RATIO * radius[0]:
-        raise InvalidInput(
-            f"depth_scaling: the contact radii, {radius[0]:.4g} m to {radius[-1]:.4g} m, are nearly the same; "
-            f"give holds at "
-            "other depths, or with another punch."
-        )
     group = np.repeat(np.arange(len(rows)), [hold.time.size for hold in rows])
     modulus = np.concatenate([hold.force / hold.unit_force for hold in rows])
     time = np.concatenate([hold.time for hold in rows])
-    measured = (Measurements(Response.RELAXATION, time, group, modulus),)
+    measured, _, _ = in_own_units((Measurements(Response.RELAXATION, time, group, modulus),))
     shifts = pairwise_shifts(measured, len(rows), 0)
     for _ in range(ROUNDS):
         times = spread_times(measured, shifts, PER_DECADE)
@@ -161,3 +155,14 @@ def depth_scaling(holds: Sequence[HeldForce], *, vertical: bool = True) -> Depth
         (False, False): HoldVerdict.NEITHER,
     }
     return DepthScaling(**(vars(result) | {"verdict": names[liquid, solid].value}))
+
+
+def distinct_radii(owner: str, holds: Sequence[HeldForce]) -> list[HeldForce]:
+    """Return holds by rising contact radius; refuse those with nearly the same."""
+    rows = sorted(holds, key=lambda hold: hold.radius)
+    if rows[-1].radius < LEAST_RATIO * rows[0].radius:
+        raise InvalidInput(
+            f"{owner}: the contact radii, {rows[0].radius:.4g} m to {rows[-1].radius:.4g} m, are nearly the same; give "
+            "holds at other depths, or with another punch."
+        )
+    return rows

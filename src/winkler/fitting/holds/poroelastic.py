@@ -104,24 +104,23 @@ def fit_poroelastic(holds: Sequence[HeldForce]) -> PoroelasticFit:
 
     rows = checked_holds("fit_poroelastic", holds, 1)
     shape = shape_of(rows[0].profile)
-    measured = np.log(np.concatenate([hold.force for hold in rows]))
+    # in units of the holds themselves: no digit depends on those of the user
+    modulus = max(float(np.max(hold.force)) / hold.unit_force for hold in rows)
+    length, duration = rows[0].radius, float(rows[0].time[0])
+    measured = np.log(np.concatenate([hold.force / (modulus * hold.unit_force) for hold in rows]))
+    times = [(hold.time / duration) / (hold.radius / length) ** 2 for hold in rows]
 
     def model(numbers: Array) -> Array:
         stiffness, poisson, spread = numbers
         last = 0.5 / (1.0 - poisson)
-        parts = [
-            math.log(hold.unit_force)
-            + np.log(last + (1.0 - last) * relaxed_share(shape, math.exp(spread) * hold.time / hold.radius**2, poisson))
-            for hold in rows
-        ]
+        parts = [np.log(last + (1.0 - last) * relaxed_share(shape, math.exp(spread) * time, poisson)) for time in times]
         return np.asarray(stiffness + np.concatenate(parts))
 
-    first = max(float(np.max(hold.force)) / hold.unit_force for hold in rows)
-    middle = np.median([math.log(hold.radius**2) - np.mean(np.log(hold.time[[0, -1]])) for hold in rows])
+    middle = np.median([-np.mean(np.log(time[[0, -1]])) for time in times])
     tried = [
         least_squares(
             lambda numbers: model(numbers) - measured,
-            [math.log(first), 0.25, float(middle) + math.log(share)],
+            [0.0, 0.25, float(middle) + math.log(share)],
             bounds=([-np.inf, 0.0, -np.inf], [np.inf, GREATEST_POISSON, np.inf]),
             x_scale=[0.1, 0.1, 1.0],
             xtol=1e-12,
@@ -138,9 +137,9 @@ def fit_poroelastic(holds: Sequence[HeldForce]) -> PoroelasticFit:
     stiffness, poisson, spread = (float(number) for number in best.x)
     bound = min(poisson, GREATEST_POISSON - poisson) < NEAR_BOUND
     return PoroelasticFit(
-        math.exp(stiffness),
+        modulus * math.exp(stiffness),
         poisson,
-        math.exp(spread),
+        math.exp(spread) * length**2 / duration,
         covariance,
         math.sqrt(squares / freedom),
         freedom,

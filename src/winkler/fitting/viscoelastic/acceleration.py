@@ -42,6 +42,8 @@ def tip_acceleration(curve: ForceCurve) -> Array:
     """
     from scipy.signal import savgol_filter
 
+    if not curve.timed:
+        raise InvalidInput(f"fit: 'inertia' needs times, and curve '{curve.name}' has none; leave 'inertia' out.")
     steps = np.diff(curve.time)
     if curve.count < WIDEST_SHARE * NARROWEST or not steps.min() > 0.0:
         raise InvalidInput(

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from winkler.foundation.bed import Bed
 from winkler.materials.elastic import Elastic
-from winkler.media.families import CoatedBody
+from winkler.media.families import CoatedBody, SlidingBody
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.validity import Assumption, Note, Standing, standing_of
 
@@ -26,12 +26,12 @@ DIMITRIADIS = "E. K. Dimitriadis et al., Biophys. J. 82 (2002) 2798-2810, doi:10
 LONG = "R. Long, M. S. Hall, M. Wu, C.-Y. Hui, Biophys. J. 101 (2011) 643-650, doi:10.1016/j.bpj.2011.06.049"
 
 
-def film_strain(medium: CoatedBody, depth: float, force: float, radius: float) -> float:
+def film_strain(medium: CoatedBody | SlidingBody, depth: float, force: float, radius: float) -> float:
     """Return the mean compression of the layers over their thickness [-].
 
     Parameters
     ----------
-    medium : CoatedBody
+    medium : CoatedBody or SlidingBody
     depth, force, radius : float
         d [m], F_N [N] and a [m], positive.
     """
@@ -56,7 +56,7 @@ def film_notes(bed: Bed, depth: float, force: float, radius: float) -> tuple[Not
         from winkler.problems.assumptions.pyramid_film import pyramid_notes  # not loaded for numbers of other bodies
 
         pyramid = pyramid_notes(bed, medium, radius)
-    if not isinstance(medium, CoatedBody) or radius <= 0.0 or depth <= 0.0:
+    if not isinstance(medium, CoatedBody | SlidingBody) or radius <= 0.0 or depth <= 0.0:
         return pyramid
     return (film_note(depth / medium.thickness, film_strain(medium, depth, force, radius)), *pyramid)
 

@@ -91,13 +91,17 @@ def relaxed_share(shape: str, tau: Array, poisson: float) -> Array:
     poisson : float
         nu of the drained body [-], 0 to 0.49.
     """
-    from scipy.interpolate import BarycentricInterpolator
-
     rows = np.array([curve(np.log(np.clip(tau, TIMES[0], TIMES[-1]))) for curve in _curves(shape)])
-    share = BarycentricInterpolator(POISSON, rows)(poisson) if poisson not in POISSON else rows[poisson == POISSON][0]
-    share = np.clip(share, 0.0, 1.0)
+    share = np.clip(_weights(poisson) @ rows, 0.0, 1.0)
     early, late = np.sqrt(tau / TIMES[0]), np.sqrt(TIMES[-1] / np.maximum(tau, TIMES[-1]))
     return np.asarray(np.where(tau < TIMES[0], 1.0 - (1.0 - share) * early, share * late))
+
+
+def _weights(poisson: float) -> Array:
+    """Return the weights of the rows, those of Lagrange's polynomial."""
+    apart = POISSON[:, None] - POISSON
+    shares = np.divide(poisson - POISSON, apart, out=np.ones_like(apart), where=apart != 0.0)
+    return np.asarray(np.prod(shares, axis=1))
 
 
 @functools.cache

@@ -174,6 +174,7 @@ BODIES: Kinds = {
         "coated_half_space": kind(
             "winkler.media.layered.coated:CoatedHalfSpace", "barber_1974", "hayes_1972", "hess_2023"
         ),
+        "sliding_film": kind("winkler.media.layered.sliding_film:SlidingFilm", "barber_1974"),
         "depth_graded_half_space": kind(
             "winkler.media.layered.depth_graded:DepthGradedHalfSpace", "barber_1974", "hess_2023", tolerance=1e-2
         ),

@@ -30,11 +30,11 @@ OF_A_CURVE = {
     "contact_point": Word("D_0", "m", "position at which the curve first touches"),
     "baseline": Word("F_0", "N", "force out of contact"),
     "tilt": Word("t", "N/m", "change of the baseline with the position"),
+    "inertia": Word("m", "kg", "mass that moves with the probe, over the acceleration of its tip"),
 }
 OF_A_TIMED_CURVE = OF_A_CURVE | {
     "drift": Word("u", "m/s", "drift of the position"),
     "drag": Word("c_v", "N s/m", "drag of the liquid on the cantilever, over its velocity"),
-    "inertia": Word("m", "kg", "mass that moves with the probe, over the acceleration of its tip"),
 }
 """Free numbers of a curve where the model relaxes."""
 
@@ -46,8 +46,8 @@ class Free:
     Parameters
     ----------
     key
-        As it stands in the study: ``problem.bed.medium.first.young``, or contact_point, baseline, tilt; of a body
-        that relaxes also drift and drag.
+        As it stands in the study: ``problem.bed.medium.first.young``, or contact_point, baseline, tilt, inertia; of a
+        body that relaxes also drift and drag.
     given : tuple of float
         ``(low, high)``, ``(start,)``, or nothing; SI.
     """

@@ -69,7 +69,7 @@ SECTIONS: dict[str, dict[str, str]] = {
         "tilt": "change of the baseline with the position: the same",
         "drift": "of the position, of a body that relaxes: the same",
         "drag": "of a liquid on the cantilever, over its velocity, of a body that relaxes: the same",
-        "inertia": "mass that moves with the probe, of a body that relaxes: the same",
+        "inertia": "mass that moves with the probe, of curves with even times: the same",
     },
     "output": {
         "folder": "folder of the results; results/NAME if left out",

@@ -1,8 +1,11 @@
-"""Poroelastic relaxation: the problem, and its formulas."""
+"""Poroelastic relaxation: held contacts, computed and measured, and their formulas."""
 
 from __future__ import annotations
 
+from typing import Any
+
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
+from winkler.study.chapters.kind import kind
 
 __all__ = ["POROELASTIC"]
 
@@ -19,10 +22,39 @@ DIFFUSION = Equation(
     "with the diffusivity from the permeability k and the viscosity of the liquid",
     r"D = \frac{2(1-\nu)}{1-2\nu}\,\frac{G\,k}{\eta}",
 )
+SCALED = Equation(
+    "Holds at other contact radii are shifted into one curve; the power of the radius tells a liquid, n = 2, from a "
+    "viscoelastic body, n = 0",
+    r"t_j = t_1\left(\frac{a_j}{a_1}\right)^{n}",
+)
+
+BALL: dict[str, Any] = {"kind": "paraboloid", "curvature_radius": "1 mm"}
+TIMES = ("1 s", "3 s", "9 s", "27 s", "81 s", "240 s", "720 s", "2200 s")
+SHALLOW: dict[str, Any] = {
+    "kind": "held_force",
+    "profile": BALL,
+    "depth": "10 um",
+    "time": list(TIMES),
+    "force": [*("26.4 uN", "25.9 uN", "24.8 uN", "23 uN"), *("21.4 uN", "20.3 uN", "19.7 uN", "19.4 uN")],
+}
+DEEP: dict[str, Any] = {
+    **SHALLOW,
+    "depth": "40 um",
+    "force": [*("213 uN", "211 uN", "209 uN", "202 uN"), *("189 uN", "174 uN", "164 uN", "159 uN")],
+}
 
 POROELASTIC = Chapter(
     "bodies that relax",
-    kinds={},
+    kinds={
+        "hold": {
+            "held_force": kind(
+                "winkler.fitting.holds.held_force:HeldForce",
+                reader="winkler.io.tables.held_force_table:read_held_force",
+                problem="held_contacts",
+                **{name: content for name, content in SHALLOW.items() if name != "kind"},
+            ),
+        },
+    },
     answers={
         "poroelastic_relaxation": answer(
             "winkler.problems.poroelastic.held:PoroelasticRelaxation",
@@ -41,6 +73,20 @@ POROELASTIC = Chapter(
             curves=(("time", "force"),),
             pictured=PicturedContact.NONE,
             formulas=(FIRST, LAST, SHARE, DIFFUSION),
+        ),
+        "held_contacts": answer(
+            "winkler.fitting.holds.held_contacts:HeldContacts",
+            headline=("exponent", "shear", "poisson", "diffusivity"),
+            holds=[SHALLOW, DEEP],
+            picture=Caption(
+                "holds",
+                "Holds at several depths",
+                "Forces with those of the poroelastic body, and times over the contact radius, against the laws of a "
+                "liquid and of a viscoelastic body.",
+            ),
+            curves=(("radius", "shift_factor"),),
+            pictured=PicturedContact.NONE,
+            formulas=(FIRST, LAST, SHARE, SCALED),
         ),
     },
 )

@@ -1,0 +1,23 @@
+"""Problems that are measurements to be evaluated, which `winkler fit` takes as `winkler run` does."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from winkler.errors import WinklerError
+from winkler.study.language.reading import parsed, read_text
+
+__all__ = ["MEASURED_PROBLEMS", "is_measured_problem"]
+
+MEASURED_PROBLEMS = ("held_contacts", "master_curve")
+"""Kinds whose numbers are fitted by the problem itself."""
+
+
+def is_measured_problem(path: Path) -> bool:
+    """Return whether a study file has such a problem and no ``[fit]``; False if it cannot be read."""
+    try:
+        raw = parsed(read_text(path), path.name)
+    except WinklerError:
+        return False
+    problem = raw.get("problem")
+    return "fit" not in raw and isinstance(problem, dict) and problem.get("kind") in MEASURED_PROBLEMS
