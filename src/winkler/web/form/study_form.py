@@ -12,7 +12,9 @@ from winkler.study.language.explain import completed
 from winkler.study.language.fit_reading import FITTED
 from winkler.web.form import fit_form, form, measurement_form, sweep_form
 from winkler.web.form.carry import carried, is_sound
+from winkler.web.form.form import FormEntry
 from winkler.web.form.front_examples import first_table
+from winkler.web.form.ranges import range_content
 from winkler.web.form.typed import typed
 
 __all__ = ["TASKS", "StudyForm"]
@@ -102,6 +104,10 @@ class StudyForm:
             del self.table[name]
         return name in self.table
 
+    def content(self, path: str) -> Any:
+        """Return the content of a key."""
+        return form.at(self.table, path)
+
     def choose(self, path: str, kind: str) -> None:
         """Set a kind at a path; an empty one removes it."""
         if kind == str((form.at(self.table, path) or {}).get("kind", "")):
@@ -142,6 +148,18 @@ class StudyForm:
         if self.task == "fit" and self.table["fit"].get("units") == {}:
             del self.table["fit"]["units"]
         self.solve()
+
+    def give_range(self, entry: FormEntry, spacing: str, texts: dict[str, str], *, anew: bool) -> None:
+        """Set the range of a key that may hold several numbers; `anew` if this needs other fields."""
+        content = range_content(entry, spacing, texts)
+        if content != form.at(self.table, entry.path):
+            form.put(self.table, entry.path, content)
+            (self.changed if anew else self.solve)()
+
+    def give_one(self, path: str) -> None:
+        """Replace the range of a key by its upper end."""
+        form.put(self.table, path, (form.at(self.table, path) or {}).get("to", ""))
+        self.changed()
 
     def choose_option(self, path: str, word: str) -> None:
         """Choose an option of the measurement, which may change other fields."""
