@@ -9,6 +9,7 @@ from nicegui import ui
 
 from winkler.study.report.markup import safe
 from winkler.web.page.picture import Card, caption
+from winkler.web.page.pinned import Pinned
 from winkler.web.pictures.answer import AnswerText, DrawnSheet, InteractivePicture, MomentComplete
 
 __all__ = ["Result"]
@@ -45,6 +46,7 @@ class Result:
         self.wrong = ui.element("div").classes("refused").props('role="alert"')
         self.wrong.set_visibility(False)
         self.head = ui.html("", sanitize=False).classes("paper head")
+        self.pinned = Pinned(self._pin)
         self._film()
         self.remark = ui.label().classes("meaning")
         self.grid = ui.element("div").classes("pictures")
@@ -117,7 +119,12 @@ class Result:
             return
         self.keep_cards(place)
         with self.grid:
-            self.cards.append(Card(one))
+            self.cards.append(Card(one, self.pinned.charts))
+
+    def _pin(self) -> None:
+        """Draw the curves of the pinned answer below those that are shown, or none."""
+        for card in self.cards:
+            card.pin(self.pinned.charts)
 
     def show(self, frame: MomentComplete) -> None:
         """Remove pictures of earlier results after the last one of a moment, and update the text below."""
@@ -126,6 +133,7 @@ class Result:
         self.remark.text = frame.remark
         if self.answer is None:
             return
+        self.pinned.show(self.answer, {card.name: card.chart for card in self.cards if card.chart})
         for part, content in zip(self.tail, (self.answer.answers, self.answer.notes, self.answer.papers), strict=True):
             if part.content != content:  # laying out a page again takes longer than solving
                 part.set_content(content)

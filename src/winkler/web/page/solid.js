@@ -56,6 +56,12 @@ export default {
       this.newest = text;
       this.requested ??= requestAnimationFrame(() => this.redraw());
     },
+    pin() {}, // one body is drawn
+    save(_, name) {
+      const link = document.createElement("a");
+      [link.href, link.download] = [this.canvas.toDataURL("image/png"), `${name}.png`];
+      link.click();
+    },
     redraw() {
       this.requested = undefined;
       if (!this.$el?.isConnected) return;
