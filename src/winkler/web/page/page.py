@@ -94,8 +94,9 @@ class Page:
             examples = ui.button("Examples", icon="grid_view", on_click=lambda: self.front.toggle())
             examples.props("flat dense no-caps").props["data-kept"] = "examples"
             self.files = Files(self.uploads, self.opened, self.uploaded, self.upload_refused, self.export)
-        with ui.element("main").classes("desk"):
+        with ui.element("div").classes("desk"):
             with ui.element("section").classes("study-side").props('aria-label="The study"'):
+                ui.html("The study", sanitize=False, tag="h2").classes("spoken")
                 self.question = Question(self.entered)
                 self.parts = ui.element("div").classes("form")
                 self.text = AsText(lambda: self.entered.table, self.take_text)

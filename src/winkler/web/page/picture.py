@@ -24,6 +24,8 @@ class Solid(ui.element, component="solid.js"):
     """The body in space: the ``data`` of its curves, as JSON."""
 
 
+NOT_PINNED = (BODY_PICTURE, "springs")
+"""Pictures of bodies, over which nothing else is drawn."""
 FORMATS = {"png": "PNG", "svg": "SVG", "csv": "CSV: the numbers of the curves"}
 
 
@@ -46,8 +48,7 @@ class Card:
                 is_body = one.name == BODY_PICTURE
                 self.drawing = (Solid if is_body else PlotlyFigure)().classes("plot")
                 self.drawing.props.update({"first": one.chart, "data-picture": one.name})
-                if not is_body:
-                    self.drawing.props["pinned"] = pinned.get(one.name, "")
+                self.drawing.props["pinned"] = self._below(pinned)
                 self._save_menu(one.title, ("png",) if is_body else tuple(FORMATS))
             else:
                 ui.label(f"Not shown: {one.missing}").classes("missing")
@@ -78,7 +79,10 @@ class Card:
     def pin(self, pinned: dict[str, str]) -> None:
         """Draw the curves of another answer below those of this picture, or none."""
         if self.chart:
-            self.drawing.run_method("pin", pinned.get(self.name, ""))
+            self.drawing.run_method("pin", self._below(pinned))
+
+    def _below(self, pinned: dict[str, str]) -> str:
+        return pinned.get(self.name, "") if self.name not in NOT_PINNED else ""
 
 
 def caption(title: str, sentence: str) -> str:

@@ -45,10 +45,12 @@ class Result:
             self.stop_button = ui.button("Stop", icon="stop", on_click=lambda: stop()).props("outline dense no-caps")
         self.wrong = ui.element("div").classes("refused").props('role="alert"')
         self.wrong.set_visibility(False)
+        ui.html("The answer", sanitize=False, tag="h2").classes("spoken")
         self.head = ui.html("", sanitize=False).classes("paper head")
         self.pinned = Pinned(self._pin)
         self._film()
         self.remark = ui.label().classes("meaning")
+        ui.html("Pictures", sanitize=False, tag="h2").classes("spoken")
         self.grid = ui.element("div").classes("pictures")
         self.drawn = ui.element("div").classes("paper sheets")
         self.tail = [ui.html("", sanitize=False).classes("paper tail") for _ in range(3)]

@@ -18,7 +18,7 @@ export default {
   template: `<div class="solid">
     <canvas tabindex="0" role="img" aria-label="The body in three dimensions; arrow keys turn it"></canvas><p></p>
   </div>`,
-  props: { first: String },
+  props: { first: String, pinned: String },
   mounted() {
     this.view = { ...HOME };
     this.canvas = this.$el.querySelector("canvas");

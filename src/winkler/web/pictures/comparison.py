@@ -75,6 +75,8 @@ def _differences(a: dict[str, Any], b: dict[str, Any]) -> Iterator[str]:
     for key in dict.fromkeys((*before, *after)):
         if before.get(key) != after.get(key) and key.partition(".")[0] not in NO_INPUTS:
             old, new = (field_text(one[key]) if key in one else "left out" for one in (before, after))
+            if key.endswith(".kind"):
+                key, old, new = key.removesuffix(".kind"), old.replace("_", " "), new.replace("_", " ")
             yield f"{key_in_words(key)} {old} → {new}"
 
 
