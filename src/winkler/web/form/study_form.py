@@ -15,6 +15,7 @@ from winkler.web.form.carry import carried, is_sound
 from winkler.web.form.form import FormEntry
 from winkler.web.form.front_examples import first_table
 from winkler.web.form.ranges import range_content
+from winkler.web.form.sample_curve import sample_of
 from winkler.web.form.typed import typed
 
 __all__ = ["TASKS", "StudyForm"]
@@ -75,6 +76,7 @@ class StudyForm:
             return form.initial_table(kind)
         table = fit_form.initial_table(kind)
         table["fit"] |= measurement_form.kept(self.table)
+        table["fit"]["curve"] = sample_of(table["fit"]["curve"], relaxes=kind == fit_form.RELAXES)
         return table
 
     def _ask(self, kind: str) -> None:
