@@ -23,9 +23,9 @@ pytestmark = pytest.mark.browser
 def test_ctrl_c_after_a_reload(browser, tmp_path):
     address = f"http://127.0.0.1:{(port := free_port())}"
     words = [sys.executable, "-m", "winkler", "app", "--port", str(port), "--no-browser"]
-    process = subprocess.Popen(
-        words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True, cwd=tmp_path
-    )
+    plain = {name: content for name, content in os.environ.items() if not name.startswith("PYTEST")}
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
+    process = subprocess.Popen(words, **pipes, start_new_session=True, env=plain | {"TMPDIR": str(tmp_path)})
     assert address in process.stdout.readline()
 
     def asked(query):
@@ -33,7 +33,7 @@ def test_ctrl_c_after_a_reload(browser, tmp_path):
         request = urllib.request.Request(where, headers={"Origin": address})
         return urllib.request.urlopen(request, timeout=60).read().decode()
 
-    for _ in range(300):
+    for _ in range(150):
         try:
             opening = asked("")
             break

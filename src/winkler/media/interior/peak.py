@@ -134,7 +134,7 @@ def _fitted_top(r: Array, z: Array, values: Array, *, on_axis: bool) -> tuple[fl
 
 def _on_face(found: StressPlace, r: Array, z: Array, least: float, top: float) -> bool:
     """Return whether the best point lies on a face of its box behind which the body goes on."""
-    return found.r == r[-1] or found.z == z[-1] or found.r == r[0] > least or found.z == z[0] > top
+    return bool(found.r == r[-1] or found.z == z[-1] or found.r == r[0] > least or found.z == z[0] > top)
 
 
 def _within(z: Array, top: float, bottom: float, radius: float) -> Array:

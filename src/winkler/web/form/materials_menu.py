@@ -88,5 +88,5 @@ def material_numbers(kind: str, name: str) -> dict[str, Any]:
     for key in keys_of(kind):
         number = getattr(body, key.name)
         if number != defaults[key.name] and math.isfinite(number):
-            result[key.name] = format_quantity(number, key.word.unit) if "quantity" in key.takes else number
+            result[key.name] = format_quantity(number, key.word.unit or "") if "quantity" in key.takes else number
     return result

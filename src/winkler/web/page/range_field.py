@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable, Mapping
 from typing import Any, Protocol
 
@@ -70,7 +71,11 @@ def draw_range_boxes(
     choice.on_value_change(lambda event: give(event.value, entered_texts(), True))
     for name, box in boxes.items():
         box.on_value_change(lambda _: give(spacing, entered_texts(), False))
-        complete_when_left(box, lambda name=name: completed().get(name, ""))
+        complete_when_left(box, functools.partial(_one_of, completed, name))
+
+
+def _one_of(completed: Callable[[], Mapping[str, str]], name: str) -> str:
+    return completed().get(name, "")
 
 
 def complete_when_left(field: Any, content: Callable[[], str]) -> None:
