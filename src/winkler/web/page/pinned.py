@@ -9,12 +9,12 @@ from nicegui import ui
 from winkler.web.pictures.answer import AnswerText
 from winkler.web.pictures.comparison import comparison
 
-__all__ = ["Pinned"]
+__all__ = ["PinnedAnswer"]
 
 DRAWN = "Dotted curves in the pictures are A."
 
 
-class Pinned:
+class PinnedAnswer:
     """The button that pins an answer, and the comparison with it.
 
     Parameters

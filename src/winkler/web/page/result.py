@@ -9,7 +9,7 @@ from nicegui import ui
 
 from winkler.study.report.markup import safe
 from winkler.web.page.picture import Card, caption
-from winkler.web.page.pinned import Pinned
+from winkler.web.page.pinned import PinnedAnswer
 from winkler.web.pictures.answer import AnswerText, DrawnSheet, InteractivePicture, MomentComplete
 
 __all__ = ["Result"]
@@ -47,7 +47,7 @@ class Result:
         self.wrong.set_visibility(False)
         ui.html("The answer", sanitize=False, tag="h2").classes("spoken")
         self.head = ui.html("", sanitize=False).classes("paper head")
-        self.pinned = Pinned(self._pin)
+        self.pinned = PinnedAnswer(self._pin)
         self._film()
         self.remark = ui.label().classes("meaning")
         ui.html("Pictures", sanitize=False, tag="h2").classes("spoken")
