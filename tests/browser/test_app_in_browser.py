@@ -118,6 +118,8 @@ def test_by_the_keyboard_alone(fresh):
     page.keyboard.press("Control+a")
     page.keyboard.type("50 N")
     page.locator(".head .card .value", has_text="50 N").wait_for(timeout=20_000)
+    page.keyboard.press("Tab")  # to its unit
+    assert page.evaluate("document.activeElement.dataset.unit") == FORCE
     page.keyboard.press("Tab")  # to its slider
     page.keyboard.press("ArrowRight")
     page.locator(".head .card .value", has_text="51.16 N").wait_for(timeout=20_000)

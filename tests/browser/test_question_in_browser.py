@@ -57,3 +57,19 @@ def test_the_page_begins_with_examples(fresh):
     page.locator(".head .sought-line", has_text="under a force of 500 N").wait_for(timeout=30_000)
     app_page.choose("problem", "line_indentation")
     page.get_by_text("Kept: medium (half space).").wait_for(timeout=30_000)
+
+
+def test_a_kind_is_found_by_its_name_or_chapter(fresh):
+    """By the keyboard alone; the list is filtered in the browser, and whole again when it is opened next."""
+    page = fresh().page
+    page.locator('[data-choice="problem"]').click()
+    page.get_by_role("searchbox", name="Find by name or chapter").wait_for()
+    page.keyboard.type("adhes cycle")
+    page.wait_for_function("[...document.querySelectorAll('[role=option]')].filter(o => o.offsetHeight).length === 1")
+    page.keyboard.press("Enter")
+    page.locator(".answer-side[data-state=busy]").wait_for()
+    assert page.locator('[data-choice="problem"]').inner_text().endswith("adhesive cycle")
+    page.locator('[data-choice="problem"]').click()
+    page.wait_for_function("[...document.querySelectorAll('[role=option]')].filter(o => o.offsetHeight).length > 40")
+    page.keyboard.type("no such thing")
+    page.get_by_text("Nothing has these words.").wait_for()

@@ -13,8 +13,16 @@ from winkler.numerics.types import Array
 __all__ = ["StressPlace", "StressSpot", "greatest", "greatest_around"]
 
 REFINEMENTS = 14
-"""Rounds of refinement; each narrows the box to about a third, so the place is good to 1e-6 of the radius."""
-
+"""Most rounds of refinement; each narrows the box to about a third, so the place is good to 1e-6 of the radius."""
+LINE = np.linspace(-1.0, 1.0, 7)
+"""Places of a round along one side of its box."""
+NARROWED, FITTED, WIDENED = 0.36, 0.04, 6.0
+"""Size of the next box over that of this one: around the best point, around the top of a fitted paraboloid, and after
+one of these on whose face the best point lies."""
+MISFIT = 0.02
+"""Largest root mean square of the misfit of a paraboloid that counts as one, over the range of the values."""
+ROUNDING = 1e-13
+"""Range of the values of a box, over the greatest, below which they differ by rounding alone."""
 
 COARSE_DIRECTIONS = 24
 """Directions about the axis of the coarse search."""
@@ -45,6 +53,7 @@ def greatest(
     bottom: float = math.inf,
     both_sides: bool = False,
     zooms: int = REFINEMENTS,
+    smooth: bool = False,
 ) -> StressPlace:
     """Return the greatest value of `field` below a contact.
 
@@ -61,6 +70,9 @@ def greatest(
         Whether r is a coordinate along a line through the axis, also negative.
     zooms
         Rounds of refinement; each narrows the box to about a third.
+    smooth
+        Whether the field has no sharp places; the top of a paraboloid through the values of a box is then the middle
+        of the next one, and fewer rounds are needed.
     """
     r = np.concatenate([np.linspace(0.0, 0.9, 10), [0.95, 0.98, 1.0, 1.02, 1.05, 1.2]]) * radius
     if both_sides:
@@ -72,13 +84,57 @@ def greatest(
     dr, dz = 0.1 * radius, 0.25
     best = _best(field, r, z)
     depth_step = max(dz * best.z, 0.01 * radius)
+    centre, fitted, least_step = best, False, NARROWED**zooms * 0.1 * radius
     for _ in range(zooms):
-        around_r = np.unique(np.clip(best.r + dr * np.linspace(-1.0, 1.0, 7), least, None))
-        around_z = np.unique(np.clip(best.z + depth_step * np.linspace(-1.0, 1.0, 7), top, bottom))
-        best_place = _best(field, around_r, around_z)
-        best = best_place if best_place.value >= best.value else best
-        dr, depth_step = 0.36 * dr, 0.36 * depth_step
+        around_r = np.unique(np.clip(centre.r + dr * LINE, least, None))
+        around_z = np.unique(np.clip(centre.z + depth_step * LINE, top, bottom))
+        values = _values(field, around_r, around_z)
+        found = _highest(around_r, around_z, values)
+        best, size = (found if found.value >= best.value else best), NARROWED
+        centre = best
+        if smooth:
+            finite = values[np.isfinite(values)]
+            if max(dr, depth_step) < least_step or (finite.size and np.ptp(finite) <= ROUNDING * abs(best.value)):
+                break
+            place = _fitted_top(around_r, around_z, values, on_axis=around_r[0] == least) if best is found else None
+            if _on_face(found, around_r, around_z, least, top):
+                size, fitted = WIDENED if fitted else 1.0, False
+            elif fitted := place is not None:
+                centre, size = StressPlace(best.value, *place), FITTED
+        dr, depth_step = size * dr, size * depth_step
     return best
+
+
+def _fitted_top(r: Array, z: Array, values: Array, *, on_axis: bool) -> tuple[float, float] | None:
+    """Return where a paraboloid through the values of a box has its top; None if they are none, or it lies outside.
+
+    The box may touch the axis, about which the values are even.
+    """
+    if r.size < 3 or z.size < LINE.size or not np.all(np.isfinite(values)):
+        return None
+    half_r, half_z, middle_r, middle_z = 0.5 * np.ptp(r), 0.5 * np.ptp(z), r[0], 0.5 * (z[0] + z[-1])
+    if not on_axis:
+        middle_r = 0.5 * (r[0] + r[-1])
+    x, y = (part.ravel() for part in np.meshgrid((r - middle_r) / half_r, (z - middle_z) / half_z, indexing="ij"))
+    columns = [np.ones(x.size), y, y * y, x * x] + ([] if on_axis else [x, x * y])
+    matrix, flat = np.stack(columns, axis=1), values.ravel()
+    solution = np.linalg.lstsq(matrix, flat, rcond=None)[0]
+    if np.sqrt(np.mean((matrix @ solution - flat) ** 2)) > MISFIT * np.ptp(flat):
+        return None
+    _, by_y, by_yy, by_xx, by_x, by_xy = np.append(solution, np.zeros(6 - len(columns)))
+    determinant = 4.0 * by_xx * by_yy - by_xy**2
+    if not (by_xx < 0.0 and by_yy < 0.0 < determinant):
+        return None
+    across = (by_xy * by_y - 2.0 * by_yy * by_x) / determinant
+    down = (by_xy * by_x - 2.0 * by_xx * by_y) / determinant
+    if max(abs(across), abs(down)) > 1.0:
+        return None
+    return float(middle_r + half_r * across), float(middle_z + half_z * down)
+
+
+def _on_face(found: StressPlace, r: Array, z: Array, least: float, top: float) -> bool:
+    """Return whether the best point lies on a face of its box behind which the body goes on."""
+    return bool(found.r == r[-1] or found.z == z[-1] or found.r == r[0] > least or found.z == z[0] > top)
 
 
 def _within(z: Array, top: float, bottom: float, radius: float) -> Array:
@@ -88,10 +144,18 @@ def _within(z: Array, top: float, bottom: float, radius: float) -> Array:
 
 
 def _best(field: Callable[[Array, Array], Array], r: Array, z: Array) -> StressPlace:
+    return _highest(r, z, _values(field, r, z))
+
+
+def _values(field: Callable[[Array, Array], Array], r: Array, z: Array) -> Array:
+    """Return the values in all places of a grid."""
     rr, zz = (grid.ravel() for grid in np.meshgrid(r, z, indexing="ij"))
-    values = field(rr, zz)
-    place = int(np.argmax(np.where(np.isfinite(values), values, -np.inf)))
-    return StressPlace(float(values[place]), float(rr[place]), float(zz[place]))
+    return field(rr, zz).reshape(r.size, z.size)
+
+
+def _highest(r: Array, z: Array, values: Array) -> StressPlace:
+    i, j = np.unravel_index(int(np.argmax(np.where(np.isfinite(values), values, -np.inf))), values.shape)
+    return StressPlace(float(values[i, j]), float(r[i]), float(z[j]))
 
 
 def greatest_around(field: Callable[[Array, Array, Array], Array], radius: float) -> StressSpot:

@@ -104,6 +104,7 @@ def greatest_stress(pressed: PressedSprings, part: StrongPart, friction: float =
         bottom=part.bottom,
         both_sides=friction > 0.0,
         zooms=REFINEMENTS_IN_LAYERS if layered else REFINEMENTS,
+        smooth=not (sharp or layered),
     )
     return GreatestStress(place.value, place.r, place.z, sharp[0][1] if sharp else "")
 
@@ -184,5 +185,7 @@ def _ball(poisson: float, friction: float) -> GreatestStress:
     medium = HalfSpace(solid)
     unit, part = PressedSprings(Foundation(Paraboloid(1.0), medium), 1.0, 1.0), StrongPart("", solid, True)
     peak = 2.0 * medium.modulus / math.pi
-    largest = greatest(lambda x, z: _stress(unit, part, friction, x, z) / peak, 1.0, both_sides=friction > 0.0)
+    largest = greatest(
+        lambda x, z: _stress(unit, part, friction, x, z) / peak, 1.0, both_sides=friction > 0.0, smooth=True
+    )
     return GreatestStress(largest.value, largest.r, largest.z, "")

@@ -183,8 +183,7 @@ def _same(content: np.ndarray, given: np.ndarray) -> bool:
 
 def _cell(content: float, factor: float) -> str:
     # adding zero turns minus zero into zero
-    text = "—" if np.isnan(content) else f"{content / factor + 0.0:.6g}".replace("-", "−").replace("inf", "infinite")
-    return number(text)
+    return number("—" if np.isnan(content) else with_unit(content / factor + 0.0, "", 6))
 
 
 def failures(outcome: Outcome) -> str:

@@ -16,6 +16,7 @@ from winkler.web.form.typed import field_text
 
 __all__ = [
     "CURVE",
+    "RELAXES",
     "FreeNumber",
     "bounds",
     "free_numbers",
@@ -160,8 +161,11 @@ def free_numbers(table: dict[str, Any]) -> tuple[tuple[FreeNumber, ...], dict[st
 
 def bounds(low: str, high: str, unit: str) -> Any:
     """Return the entry of ``[fit.free]`` for two typed bounds, which the checks of the study validate."""
+    from winkler.web.form.field_units import completed_text, shown_unit
     from winkler.web.form.typed import typed
 
+    shown = shown_unit(low, shown_unit(high, "")) if unit else ""  # a bare number is one of the unit beside it
+    low, high = (completed_text(text, "quantity" if unit else "number", shown) for text in (low, high))
     takes = f"quantity [{unit}]" if unit else "number"
     stated = [typed(text, takes) for text in (low, high) if text.strip()]
     if len(stated) == 2:

@@ -11,6 +11,7 @@ from winkler.study.language.catalogue import kind_of, kinds
 from winkler.study.language.explain import completed, example_study, keys_of, summary
 from winkler.study.language.schema import allowed_in_list, allowed_kinds, hints
 from winkler.vocabulary import Word
+from winkler.web.form.materials_menu import NAMED, material_numbers
 from winkler.web.form.typed import field_text
 
 __all__ = [
@@ -202,9 +203,14 @@ def drop(table: dict[str, Any], path: str) -> None:
 
 
 def choose_kind(table: dict[str, Any], path: str, kind: str) -> None:
-    """Set a kind at a path, with the numbers of an example; keys shared with the previous kind keep their content."""
+    """Set a kind at a path, with the numbers of an example; keys shared with the previous kind keep their content.
+
+    A body with a name becomes one with the numbers of that material.
+    """
     before = at(table, path)
     new = completed({"kind": kind})
+    if isinstance(before, dict) and before.get("kind") == f"{NAMED}{kind}":
+        new |= material_numbers(kind, str(before.get("name")))
     if isinstance(before, dict) and before.get("kind") in kinds():
         old = {key.name: key for key in keys_of(str(before["kind"]))}
         for key in keys_of(kind):

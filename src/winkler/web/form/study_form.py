@@ -12,7 +12,10 @@ from winkler.study.language.explain import completed
 from winkler.study.language.fit_reading import FITTED
 from winkler.web.form import fit_form, form, measurement_form, sweep_form
 from winkler.web.form.carry import carried, is_sound
+from winkler.web.form.form import FormEntry
 from winkler.web.form.front_examples import first_table
+from winkler.web.form.ranges import range_content
+from winkler.web.form.sample_curve import sample_of
 from winkler.web.form.typed import typed
 
 __all__ = ["TASKS", "StudyForm"]
@@ -73,6 +76,7 @@ class StudyForm:
             return form.initial_table(kind)
         table = fit_form.initial_table(kind)
         table["fit"] |= measurement_form.kept(self.table)
+        table["fit"]["curve"] = sample_of(table["fit"]["curve"], relaxes=kind == fit_form.RELAXES)
         return table
 
     def _ask(self, kind: str) -> None:
@@ -101,6 +105,10 @@ class StudyForm:
         if name in self.table and not is_sound(self.table, self.folder):
             del self.table[name]
         return name in self.table
+
+    def content(self, path: str) -> Any:
+        """Return the content of a key."""
+        return form.at(self.table, path)
 
     def choose(self, path: str, kind: str) -> None:
         """Set a kind at a path; an empty one removes it."""
@@ -142,6 +150,18 @@ class StudyForm:
         if self.task == "fit" and self.table["fit"].get("units") == {}:
             del self.table["fit"]["units"]
         self.solve()
+
+    def give_range(self, entry: FormEntry, spacing: str, texts: dict[str, str], *, anew: bool) -> None:
+        """Set the range of a key that may hold several numbers; `anew` if this needs other fields."""
+        content = range_content(entry, spacing, texts)
+        if content != form.at(self.table, entry.path):
+            form.put(self.table, entry.path, content)
+            (self.changed if anew else self.solve)()
+
+    def give_one(self, path: str) -> None:
+        """Replace the range of a key by its upper end."""
+        form.put(self.table, path, (form.at(self.table, path) or {}).get("to", ""))
+        self.changed()
 
     def choose_option(self, path: str, word: str) -> None:
         """Choose an option of the measurement, which may change other fields."""

@@ -8,11 +8,9 @@ from winkler.study.language.designs import DESIGNS
 from winkler.web.form import form
 from winkler.web.form.fit_form import key_in_words, numbers_in
 from winkler.web.form.form import FormEntry
-from winkler.web.form.sliders import NUMBER, span_of
-from winkler.web.form.typed import field_text, typed
+from winkler.web.form.ranges import EVEN, RATIO, SPACINGS, first_range, range_content, range_texts, spacing_of
 
 __all__ = [
-    "SPACINGS",
     "VariedNumber",
     "add",
     "change_design",
@@ -23,9 +21,6 @@ __all__ = [
     "set_range",
 ]
 
-EVEN, RATIO, LIST = "even", "ratio", "list"
-SPACINGS = {EVEN: "in equal steps", RATIO: "in equal ratios", LIST: "these values"}
-"""Spacings with their labels."""
 DESIGN_LABELS = {
     "crossed": "every combination",
     "zipped": "together, one after the other",
@@ -34,8 +29,8 @@ DESIGN_LABELS = {
     "sensitivity": "which matters: Sobol indices",
 }
 """Designs with their labels."""
-VALUE_COUNT, POINT_COUNT = 5, 64
-"""Initial number of values, and of drawn points."""
+POINT_COUNT = 64
+"""Initial number of drawn points."""
 SECTION, DESIGN = "sweep", "design"
 
 
@@ -95,38 +90,18 @@ def rows(table: dict[str, Any]) -> tuple[tuple[VariedNumber, ...], dict[str, str
         if key in candidates and isinstance(content, dict | list):
             spacings = (EVEN, RATIO) if _draws(table) else tuple(SPACINGS)
             result.append(
-                VariedNumber(key, candidates[key], key_in_words(key), _spacing(content), spacings, _texts(content))
+                VariedNumber(
+                    key, candidates[key], key_in_words(key), spacing_of(content), spacings, range_texts(content)
+                )
             )
     return tuple(result), {key: key_in_words(key) for key in candidates if key not in lines}
-
-
-def _spacing(content: Any) -> str:
-    if isinstance(content, list):
-        return LIST
-    return RATIO if "log" in (content.get("spacing"), content.get("scale")) else EVEN
-
-
-def _texts(content: Any) -> dict[str, str]:
-    if isinstance(content, list):
-        return {"values": field_text(content)}
-    return {
-        name: field_text(content.get(name)) for name in ("from", "to", "count") if name != "count" or name in content
-    }
 
 
 def add(table: dict[str, Any], key: str) -> None:
     """Vary a number between half and twice its value."""
     entry = _candidates(table)[key]
     lines = table.setdefault(SECTION, {})
-    result, span = NUMBER.fullmatch(entry.text), span_of(key.rpartition(".")[2], entry.text)
-    if result is None or span is None:
-        low, high = entry.text, entry.text
-    elif span[0].even:
-        low, high = span[0].text(-100), span[0].text(100)
-    else:
-        low, high = (f"{factor * float(result[1]):.4g} {result[2]}".rstrip() for factor in (0.5, 2.0))
-    texts = {"from": low, "to": high, "count": str(VALUE_COUNT)}
-    lines[key] = _content(entry, EVEN, texts, draws=_draws(table))
+    lines[key] = range_content(entry, EVEN, first_range(entry), draws=_draws(table))
 
 
 def remove_key(table: dict[str, Any], key: str) -> None:
@@ -138,25 +113,7 @@ def remove_key(table: dict[str, Any], key: str) -> None:
 
 def set_range(table: dict[str, Any], key: str, spacing: str, texts: dict[str, str]) -> None:
     """Set the range of a varied number."""
-    table[SECTION][key] = _content(_candidates(table)[key], spacing, texts, draws=_draws(table))
-
-
-def _content(entry: FormEntry, spacing: str, texts: dict[str, str], *, draws: bool) -> Any:
-    """Return the entry of ``[sweep]`` for the fields of a number; empty ones are left out."""
-    one = f"quantity [{entry.unit}]" if entry.unit else "number"
-    if spacing == LIST and not draws:
-        text = texts.get("values") or ", ".join(texts[name] for name in ("from", "to") if texts.get(name))
-        return typed(text, f"list of {one}") if text.strip() else []
-    if "values" in texts:  # a list before
-        items = [part.strip() for part in texts["values"].split(",")]
-        texts = {"from": items[0], "to": items[-1], "count": str(max(len(items), 2))}
-    result = {name: typed(texts[name], one) for name in ("from", "to") if texts.get(name, "").strip()}
-    if not draws:
-        count = texts.get("count", str(VALUE_COUNT))
-        result |= {"count": typed(count, "whole number")} if count.strip() else {}
-    if spacing == RATIO:
-        result["scale" if draws else "spacing"] = "log"
-    return result
+    table[SECTION][key] = range_content(_candidates(table)[key], spacing, texts, draws=_draws(table))
 
 
 def change_design(table: dict[str, Any], kind: str) -> None:

@@ -71,7 +71,8 @@ def typed(text: str, takes: str) -> Any:
 
 def _one_number(text: str, takes: str) -> bool:
     """Return whether commas belong to one number, which the checks of the study refuse as ambiguous."""
-    return bool(comma_readings(text)) if "quantit" in takes else GROUPED.search(text) is not None
+    one = "quantit" in takes or takes.startswith("number")
+    return bool(comma_readings(text)) if one else GROUPED.search(text) is not None
 
 
 def _single(text: str, takes: str) -> Any:

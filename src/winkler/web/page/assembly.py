@@ -32,7 +32,7 @@ def assemble(visitors: Visitors, origins: tuple[str, ...]) -> None:
     origins
         Addresses at which the app may be opened.
     """
-    ui.page("/")(visitors.visit)
+    ui.page("/", language="en-US", dark=None)(visitors.visit)  # dark as the system is
     app.add_exception_handler(404, _nothing)
     MultiPartParser.spool_max_size = LARGEST + FRAME  # uploads never become files of NiceGUI's own
     core.sio.eio.cors_allowed_origins = list(origins)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Callable
-from typing import Any, Protocol
+from typing import Any
 
 from nicegui import ui
 
@@ -13,11 +13,17 @@ from winkler.study.language.explain import plain_symbol
 from winkler.study.report.markup import safe
 from winkler.vocabulary import Word
 from winkler.web.form.form import FormEntry, FormPart, Many, Slot
+from winkler.web.form.materials_menu import NAMED
+from winkler.web.form.ranges import SPACINGS, is_range, range_texts, spacing_of
 from winkler.web.form.sliders import STEPS, span_of
-from winkler.web.form.typed import SWITCH
+from winkler.web.form.typed import SWITCH, typed
+from winkler.web.page.field_actions import FieldActions
+from winkler.web.page.material_field import draw_material
+from winkler.web.page.number_field import UnitMenu
+from winkler.web.page.range_field import draw_range_boxes
 from winkler.web.pictures.words import symbol_html
 
-__all__ = ["FieldActions", "FormFields"]
+__all__ = ["FormFields"]
 
 NONE = "—"
 PLAIN = {
@@ -29,30 +35,6 @@ PLAIN = {
 }
 """End of a path -> plain words beside the name of the place."""
 NUMBERS = "numbers below"
-
-
-class FieldActions(Protocol):
-    """Changes that a form makes to its study."""
-
-    def change(self, path: str, text: str, takes: str) -> None:
-        """Set the typed content of a key."""
-        ...
-
-    def choose(self, path: str, kind: str) -> None:
-        """Set a kind at a path; an empty one removes it."""
-        ...
-
-    def add(self, path: str, kind: str) -> None:
-        """Add a kind to a list."""
-        ...
-
-    def read(self, path: str, name: str) -> None:
-        """Replace numbers by a file; an empty name restores numbers."""
-        ...
-
-    def pick(self, path: str) -> None:
-        """Set the path for which the next upload is meant."""
-        ...
 
 
 class FormFields:
@@ -82,6 +64,8 @@ class FormFields:
             self._file(part)
         for child in part.children:
             match child:
+                case FormEntry() if part.kind.startswith(NAMED) and child.label == "name":
+                    draw_material(self, part.kind, child)
                 case FormEntry():
                     self.entry(child)
                 case Slot():
@@ -157,11 +141,16 @@ class FormFields:
             box = ui.checkbox(entry.label, value=entry.text == "true").tooltip(entry.hint)
             box.on_value_change(lambda event: self.actions.change(entry.path, str(event.value).lower(), entry.takes))
             return
+        if is_range(typed(entry.text, entry.takes)):
+            self._range(entry)
+            return
         with ui.element("div").classes("entry"):
             field = ui.input(value=entry.text, placeholder="" if entry.required else "left out")
+            menu = UnitMenu(entry, field, self.actions)
+            unit = "" if menu.button else entry.unit
             with field.add_slot("label"):
-                ui.html(_title(entry.label, entry.word), sanitize=False, tag="span")
-            field.props["aria-label"] = f"{entry.label} {plain_symbol(entry.symbol)}{_unit(entry.unit)}"
+                ui.html(_title(entry.label, entry.word._replace(unit=unit)), sanitize=False, tag="span")
+            field.props["aria-label"] = f"{entry.label} {plain_symbol(entry.symbol)}{_unit(unit)}"
             field.props("outlined dense label-slot debounce=250 no-error-icon hide-bottom-space").props["hint"] = (
                 entry.hint
             )
@@ -172,11 +161,27 @@ class FormFields:
             self.inputs[entry.path] = field
             if not slides:
                 field.on_value_change(
-                    lambda event: self.actions.change(entry.path, str(event.value or ""), entry.takes)
+                    lambda event: self.actions.change(entry.path, menu.completed(str(event.value or "")), entry.takes)
                 )
                 return
             slider = self._slider(entry, field)
-            field.on_value_change(lambda event: self._typed(entry, str(event.value or ""), slider))
+            field.on_value_change(lambda event: self._typed(entry, menu.completed(str(event.value or "")), slider))
+
+    def _range(self, entry: FormEntry) -> None:
+        """Draw a key that holds a range."""
+        content = typed(entry.text, entry.takes)
+        texts = {"from": "", "to": "", "count": "", **range_texts(content)}
+        with ui.element("section").classes("part free"):
+            one = functools.partial(self.actions.give_one, entry.path)
+            self.line(entry.path, entry.label, entry.word, "one value in place of the range of", one)
+            draw_range_boxes(
+                self,
+                entry.path,
+                entry.label,
+                (spacing_of(content), SPACINGS, texts),
+                lambda spacing, given, anew: self.actions.give_range(entry, spacing, given, anew=anew),
+                lambda: range_texts(self.actions.content(entry.path)),
+            )
 
     def _slider(self, entry: FormEntry, field: Any) -> Any:
         """Return a slider beside a number, hidden if the content has none."""
@@ -210,7 +215,7 @@ class FormFields:
         self.actions.change(entry.path, text, entry.takes)
 
     def _slot(self, slot: Slot) -> None:
-        names = {kind: kind.replace("_", " ") for kind in slot.allowed}
+        names = {kind: _kind_in_words(kind) for kind in slot.allowed}
         if not slot.required:
             left_out = f"{NONE} {slot.otherwise.replace('_', ' ')}".rstrip()
             names = {"": left_out, **names}
@@ -253,6 +258,14 @@ class FormFields:
         button.props["data-upload"] = path
         button.on("click", lambda: self.actions.pick(path))
         button.on("click", js_handler=self.picker)
+
+
+def _kind_in_words(kind: str) -> str:
+    return (
+        f"{kind.removeprefix(NAMED).replace('_', ' ')}, material from the table"
+        if kind.startswith(NAMED)
+        else kind.replace("_", " ")
+    )
 
 
 def _unit(unit: str | None) -> str:

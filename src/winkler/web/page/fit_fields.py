@@ -10,7 +10,7 @@ from winkler.study.language.explain import plain_symbol
 from winkler.web.form import fit_form, form, measurement_form
 from winkler.web.form.fit_form import CURVE
 from winkler.web.form.measurement_form import Choice
-from winkler.web.form.sample_curve import SAMPLE, SAMPLE_REMARK
+from winkler.web.form.sample_curve import SAMPLE_REMARKS
 from winkler.web.form.study_form import StudyForm
 from winkler.web.page.fields import FormFields
 
@@ -28,7 +28,7 @@ def draw_curve(fields: FormFields, entered: StudyForm) -> None:
         fields.curves = choice = ui.select({}, label="file").props("outlined dense options-dense")
         choice.props["data-choice"] = CURVE
         fields.upload(CURVE)
-    fields.sample = ui.label(SAMPLE_REMARK).classes("meaning")
+    fields.sample = ui.label().classes("meaning")
     show_curve(fields, entered)
     choice.on_value_change(lambda event: _chosen(fields, entered, event.value))
     for one in measurement_form.choices(entered.table):
@@ -41,12 +41,17 @@ def show_curve(fields: FormFields, entered: StudyForm) -> None:
     names = {name: name for name in dict.fromkeys((*fields.files, *filter(None, [chosen])))}
     if fields.curves is not None:
         fields.curves.set_options(names, value=chosen or None)
-        fields.sample.set_visibility(chosen == SAMPLE)
+        _remark(fields, chosen)
+
+
+def _remark(fields: FormFields, curve: str) -> None:
+    fields.sample.text = SAMPLE_REMARKS.get(curve, "")
+    fields.sample.set_visibility(curve in SAMPLE_REMARKS)
 
 
 def _chosen(fields: FormFields, entered: StudyForm, name: str | None) -> None:
     if name and name != form.at(entered.table, CURVE):
-        fields.sample.set_visibility(name == SAMPLE)
+        _remark(fields, name)
         entered.read_curve(name)
 
 

@@ -12,7 +12,7 @@ from nicegui import events, ui
 from winkler.errors import InvalidInput, WinklerError
 from winkler.study.language.reading import parsed
 from winkler.web.form.link import LONGEST_LINK, code_of, study_of
-from winkler.web.form.sample_curve import SAMPLE
+from winkler.web.form.sample_curve import SAMPLES
 from winkler.web.form.undo import UndoStates
 from winkler.web.session.upload_folder import UploadFolder, files_in
 
@@ -88,7 +88,7 @@ class KeptStudies:
 
     def _keep_files(self, table: dict[str, Any]) -> None:
         """Keep the uploaded files that a study reads in the store of the tab, if they are not too large."""
-        read = {name for _, name in files_in(table) if isinstance(name, str)} & set(self.uploads.names) - {SAMPLE}
+        read = {name for _, name in files_in(table) if isinstance(name, str)} & set(self.uploads.names) - set(SAMPLES)
         names = tuple(sorted(read))
         kept = tuple((name, (self.uploads.folder / name).stat().st_mtime_ns) for name in names)
         if kept == self.files_kept:
@@ -155,7 +155,7 @@ class KeptStudies:
         elif not (event.args or {}).get("done"):
             ui.notify("The browser does not let the page copy: copy the address of the page.", type="warning")
         else:
-            files = sorted({str(name) for _, name in files_in(parsed(present, STUDY)) if name} - {SAMPLE})
+            files = sorted({str(name) for _, name in files_in(parsed(present, STUDY)) if name} - set(SAMPLES))
             without = f" It does not hold {', '.join(files)}: send the study file for that." if files else ""
             ui.notify(f"The link to this study is copied.{without}", type="positive")
 

@@ -12,7 +12,7 @@ from nicegui import context, ui
 
 from winkler.errors import InvalidInput, WinklerError, mistake_in
 from winkler.web.form import fit_form, form
-from winkler.web.form.sample_curve import SAMPLE, sample_curve
+from winkler.web.form.sample_curve import SAMPLE, SAMPLES
 from winkler.web.form.study_form import StudyForm
 from winkler.web.form.taken import taken
 from winkler.web.page.astext import AsText
@@ -72,7 +72,9 @@ class Page:
             self.uploads.close()
             raise
         with contextlib.suppress(InvalidInput):  # a full disk: the form then asks for a curve
-            form.put(self.entered.other_table, "fit.curve", self.uploads.keep(SAMPLE, sample_curve()))
+            for name, made in SAMPLES.items():
+                self.uploads.keep(name, made())
+            form.put(self.entered.other_table, "fit.curve", SAMPLE)
         self.requests = RequestQueue(self.send)
         self.anew = True
         self.shown_task = self.entered.task
@@ -94,8 +96,9 @@ class Page:
             examples = ui.button("Examples", icon="grid_view", on_click=lambda: self.front.toggle())
             examples.props("flat dense no-caps").props["data-kept"] = "examples"
             self.files = Files(self.uploads, self.opened, self.uploaded, self.upload_refused, self.export)
-        with ui.element("main").classes("desk"):
+        with ui.element("div").classes("desk"):
             with ui.element("section").classes("study-side").props('aria-label="The study"'):
+                ui.html("The study", sanitize=False, tag="h2").classes("spoken")
                 self.question = Question(self.entered)
                 self.parts = ui.element("div").classes("form")
                 self.text = AsText(lambda: self.entered.table, self.take_text)

@@ -37,6 +37,10 @@ def _in_words(kind: str) -> str:
     return kind.replace("_", " ")
 
 
+class FindField(ui.element, component="find.js"):
+    """The search among the options of an open list."""
+
+
 class Question:
     """The choice of task and problem.
 
@@ -57,6 +61,8 @@ class Question:
         labels = json.dumps({_in_words(kind): chapter for kind, chapter in _chapters().items()})
         self.choice.add_slot("option", OPTION.format(safe(labels)))
         self.choice.props["data-choice"] = "problem"
+        with self.choice.add_slot("before-options"):
+            FindField().props["label"] = "Find by name or chapter"
         self.meaning = ui.label().classes("meaning")
         self.choice.on_value_change(lambda event: entered.choose("problem", event.value) if event.value else None)
         with ui.element("div").classes("carried") as self.carried:

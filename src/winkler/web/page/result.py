@@ -9,6 +9,7 @@ from nicegui import ui
 
 from winkler.study.report.markup import safe
 from winkler.web.page.picture import Card, caption
+from winkler.web.page.pinned import PinnedAnswer
 from winkler.web.pictures.answer import AnswerText, DrawnSheet, InteractivePicture, MomentComplete
 
 __all__ = ["Result"]
@@ -44,9 +45,12 @@ class Result:
             self.stop_button = ui.button("Stop", icon="stop", on_click=lambda: stop()).props("outline dense no-caps")
         self.wrong = ui.element("div").classes("refused").props('role="alert"')
         self.wrong.set_visibility(False)
+        ui.html("The answer", sanitize=False, tag="h2").classes("spoken")
         self.head = ui.html("", sanitize=False).classes("paper head")
+        self.pinned = PinnedAnswer(self._pin)
         self._film()
         self.remark = ui.label().classes("meaning")
+        ui.html("Pictures", sanitize=False, tag="h2").classes("spoken")
         self.grid = ui.element("div").classes("pictures")
         self.drawn = ui.element("div").classes("paper sheets")
         self.tail = [ui.html("", sanitize=False).classes("paper tail") for _ in range(3)]
@@ -117,7 +121,12 @@ class Result:
             return
         self.keep_cards(place)
         with self.grid:
-            self.cards.append(Card(one))
+            self.cards.append(Card(one, self.pinned.charts))
+
+    def _pin(self) -> None:
+        """Draw the curves of the pinned answer below those that are shown, or none."""
+        for card in self.cards:
+            card.pin(self.pinned.charts)
 
     def show(self, frame: MomentComplete) -> None:
         """Remove pictures of earlier results after the last one of a moment, and update the text below."""
@@ -126,6 +135,7 @@ class Result:
         self.remark.text = frame.remark
         if self.answer is None:
             return
+        self.pinned.show(self.answer, {card.name: card.chart for card in self.cards if card.chart})
         for part, content in zip(self.tail, (self.answer.answers, self.answer.notes, self.answer.papers), strict=True):
             if part.content != content:  # laying out a page again takes longer than solving
                 part.set_content(content)

@@ -2,17 +2,28 @@
 
 from __future__ import annotations
 
+import logging
 import socket
+from asyncio import CancelledError
 from collections.abc import Sequence
 
 from winkler.errors import InvalidInput
 from winkler.web.session.security import origin_of
 from winkler.web.session.uploads import uploads
 
-__all__ = ["HOST", "serve"]
+__all__ = ["HOST", "WithoutCancelled", "serve"]
 
 HOST = "127.0.0.1"
 """Reachable only from the local machine."""
+
+
+class WithoutCancelled(logging.Filter):
+    """Keeps back what the server says when it cuts requests off that a browser left open: it was told to end."""
+
+    def filter(self, record: logging.LogRecord) -> bool:
+        """Return whether a record is of something else."""
+        error = record.exc_info[1] if record.exc_info else None
+        return not isinstance(error, CancelledError) and not record.getMessage().startswith("Cancel ")
 
 
 def serve(*, port: int, limit: float, browser: bool, pages: int, addresses: Sequence[str]) -> None:
@@ -49,6 +60,7 @@ def serve(*, port: int, limit: float, browser: bool, pages: int, addresses: Sequ
     from winkler.web.page.assembly import assemble
     from winkler.web.page.visitors import Visitors
 
+    logging.getLogger("uvicorn.error").addFilter(WithoutCancelled())
     with uploads() as folder:
         visitors = Visitors(limit, pages, folder)
         assemble(visitors, tuple(origins))

@@ -18,7 +18,7 @@ export default {
   template: `<div class="solid">
     <canvas tabindex="0" role="img" aria-label="The body in three dimensions; arrow keys turn it"></canvas><p></p>
   </div>`,
-  props: { first: String },
+  props: { first: String, pinned: String },
   mounted() {
     this.view = { ...HOME };
     this.canvas = this.$el.querySelector("canvas");
@@ -55,6 +55,12 @@ export default {
     draw(text) {
       this.newest = text;
       this.requested ??= requestAnimationFrame(() => this.redraw());
+    },
+    pin() {}, // one body is drawn
+    save(_, name) {
+      const link = document.createElement("a");
+      [link.href, link.download] = [this.canvas.toDataURL("image/png"), `${name}.png`];
+      link.click();
     },
     redraw() {
       this.requested = undefined;

@@ -5,9 +5,11 @@ from __future__ import annotations
 from nicegui import ui
 
 from winkler.web.form import sweep_form
+from winkler.web.form.ranges import SPACINGS, range_texts
 from winkler.web.form.study_form import StudyForm
-from winkler.web.form.sweep_form import DESIGN_LABELS, SPACINGS, VariedNumber
+from winkler.web.form.sweep_form import DESIGN_LABELS, VariedNumber
 from winkler.web.page.fields import FormFields
+from winkler.web.page.range_field import draw_range_boxes
 from winkler.web.session.worker import MOST_POINTS
 
 __all__ = ["draw_sweep"]
@@ -15,7 +17,6 @@ __all__ = ["draw_sweep"]
 MEANING = (
     f"Solve for many values of a number, or of several. At most {MOST_POINTS} points here, millions with winkler run."
 )
-BOXES = {"from": "from", "to": "to", "count": "how many", "values": "values, with commas between"}
 
 
 def draw_sweep(fields: FormFields, entered: StudyForm) -> None:
@@ -36,20 +37,14 @@ def _row(fields: FormFields, entered: StudyForm, row: VariedNumber) -> None:
     with ui.element("section").classes("part free"):
         path = f"sweep.{row.key}"
         fields.line(path, row.label, row.entry.word, "do not vary", lambda: entered.hold_constant(row.key))
-        spacings = {spacing: SPACINGS[spacing] for spacing in row.spacings}
-        spacing = ui.select(spacings, value=row.spacing if row.spacing in spacings else None, label="how")
-        spacing.props("outlined dense options-dense").classes("choice").props["data-choice"] = path
-        with ui.element("div").classes("bounds" if len(row.texts) < 3 else "bounds three"):
-            boxes = {
-                name: fields.box(f"{path}.{name}", text, BOXES[name], row.label) for name, text in row.texts.items()
-            }
-
-        def entered_texts() -> dict[str, str]:
-            return {name: str(box.value or "") for name, box in boxes.items()}
-
-        spacing.on_value_change(lambda event: entered.vary_over(row.key, event.value, entered_texts(), anew=True))
-        for box in boxes.values():
-            box.on_value_change(lambda _: entered.vary_over(row.key, row.spacing, entered_texts(), anew=False))
+        draw_range_boxes(
+            fields,
+            path,
+            row.label,
+            (row.spacing, {spacing: SPACINGS[spacing] for spacing in row.spacings}, row.texts),
+            lambda spacing, texts, anew: entered.vary_over(row.key, spacing, texts, anew=anew),
+            lambda: range_texts(entered.table["sweep"][row.key]),
+        )
 
 
 def _design(fields: FormFields, entered: StudyForm) -> None:

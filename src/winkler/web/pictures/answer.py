@@ -7,7 +7,6 @@ from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
-import orjson
 
 from winkler.errors import WinklerError
 from winkler.plot import method
@@ -28,7 +27,9 @@ from winkler.study.report.tables import answer_section, expected, failures
 from winkler.validity import worst
 from winkler.web.pictures import histories
 from winkler.web.pictures.chart import Chart, chart
+from winkler.web.pictures.comparison import NamedNumber, numbers_of
 from winkler.web.pictures.moments import Moments, contact_at
+from winkler.web.pictures.packing import packed
 from winkler.web.pictures.solid import draw_solid
 from winkler.web.pictures.springs import moment_springs
 from winkler.web.pictures.view import NO_VIEW, View, fitting
@@ -41,7 +42,6 @@ __all__ = [
     "Scene",
     "answer_text",
     "method_pictures",
-    "packed",
     "pictures",
     "scene",
     "sheet_of",
@@ -66,6 +66,8 @@ class AnswerText(NamedTuple):
         Of a sweep.
     doubt
         The worst statement on the results, and what to do about it; empty where nothing is doubtful.
+    numbers
+        For comparing this answer with another one: the last row of its table.
     """
 
     standing: str
@@ -77,6 +79,7 @@ class AnswerText(NamedTuple):
     moment: int
     points: int = 1
     doubt: str = ""
+    numbers: tuple[NamedNumber, ...] = ()
 
 
 class InteractivePicture(NamedTuple):
@@ -164,6 +167,7 @@ def answer_text(outcome: Outcome, text: str, moments: int, moment: int) -> Answe
         moment,
         len(outcome.points),
         doubt_line(doubt_of(outcome)),
+        numbers_of(outcome),
     )
 
 
@@ -267,23 +271,6 @@ def _made(name: str, make: Callable[[], Chart], *, sticks: bool = False) -> Inte
         return InteractivePicture(name, title, sentence, packed(make()))
     except WinklerError as error:
         return InteractivePicture(name, title, sentence, "", re.sub(r"^\w+: ", "", str(error)))
-
-
-def packed(chart: Chart) -> str:
-    """Return a figure as JSON, its numbers in single precision."""
-    return orjson.dumps(_single(chart), option=orjson.OPT_SERIALIZE_NUMPY).decode()
-
-
-def _single(content: Any) -> Any:
-    if isinstance(content, dict):
-        return {name: _single(item) for name, item in content.items()}
-    if isinstance(content, list | tuple):
-        return [_single(item) for item in content]
-    if isinstance(content, np.ndarray) and content.dtype.kind == "i":
-        return np.ascontiguousarray(content)
-    if isinstance(content, np.ndarray):
-        return np.ascontiguousarray(content, dtype=np.float32)
-    return content.item() if isinstance(content, np.generic) else content
 
 
 def sheets(outcome: Outcome) -> Iterator[DrawnSheet]:

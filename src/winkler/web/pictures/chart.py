@@ -24,6 +24,7 @@ from winkler.plot.panel import (
     Text,
     Vectors,
 )
+from winkler.web.pictures.hover import add_hover
 from winkler.web.pictures.pixels import arrow_lines, heat_map
 from winkler.web.pictures.words import text_html
 
@@ -33,12 +34,7 @@ Chart = dict[str, Any]
 """``data`` and ``layout`` of a figure."""
 
 FONT = 'system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif'
-CONFIG = {
-    "displaylogo": False,
-    "responsive": False,
-    "displayModeBar": False,
-    "scrollZoom": False,
-}
+CONFIG = {"displaylogo": False, "responsive": False, "displayModeBar": False, "scrollZoom": False}
 """Options of plotly.js; no button sends data elsewhere."""
 
 LEGENDED = {
@@ -75,6 +71,7 @@ def chart(*panels: Panel) -> Chart:
         "xaxis": _axis(panels[-1].across, panels[-1].grid != "", anchor="y2" if len(panels) > 1 else "y"),
         "shapes": [],
         "annotations": [],
+        "meta": {"hover": {}},
     }
     for number, panel in enumerate(panels):
         name = f"y{number + 1}" if number else "y"
@@ -85,6 +82,7 @@ def chart(*panels: Panel) -> Chart:
         for mark in sorted(panel.marks, key=lambda one: getattr(one, "order", 2.0)):
             for kind, one in MARKS[type(mark)](mark, across, upright, name):
                 (data if kind == "data" else layout[kind]).append(one)
+        add_hover(data, layout, panel, name)
         layout |= LEGENDED if panel.legend and any(_is_named(mark) for mark in panel.marks) else {}
     return {"data": data, "layout": layout, "config": CONFIG}
 

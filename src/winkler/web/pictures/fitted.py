@@ -24,8 +24,10 @@ from winkler.study.report.mathml import symbol
 from winkler.study.report.page_parts import papers, trust
 from winkler.validity import worst
 from winkler.web.form.fit_form import key_in_words
-from winkler.web.pictures.answer import AnswerText, DrawnSheet, InteractivePicture, method_pictures, packed, sheet_of
+from winkler.web.pictures.answer import AnswerText, DrawnSheet, InteractivePicture, method_pictures, sheet_of
 from winkler.web.pictures.chart import chart
+from winkler.web.pictures.comparison import NamedNumber
+from winkler.web.pictures.packing import packed
 from winkler.web.pictures.view import fitting
 
 __all__ = ["drawn_points", "fit_pictures", "fit_sheets", "fit_text"]
@@ -57,6 +59,17 @@ def fit_text(outcome: FitOutcome, text: str) -> AnswerText:
         count if count > 1 else 0,
         0,
         doubt=doubt_line(worst_doubt(outcome.validity)),
+        numbers=_numbers(outcome) if count == 1 else (),
+    )
+
+
+def _numbers(outcome: FitOutcome) -> tuple[NamedNumber, ...]:
+    """Return the fitted parameters of one curve."""
+    fit, free = outcome.fitted[0].fit, outcome.study.free
+    words = {one.key: outcome.study.word(one.key) for one in free}
+    return tuple(
+        NamedNumber(key_in_words(one.key), words[one.key].symbol, words[one.key].unit or "", float(fit.value(one.path)))
+        for one in free
     )
 
 

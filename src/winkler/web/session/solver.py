@@ -6,9 +6,10 @@ import asyncio
 import contextlib
 import errno
 import multiprocessing
+import signal
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple, Protocol
 
 from winkler.io.foreign import reason_of
@@ -29,9 +30,23 @@ def started() -> Worker:
     context = multiprocessing.get_context("spawn")
     page_end, worker_end = context.Pipe()
     process = context.Process(target=work, args=(worker_end,), daemon=True)
-    process.start()
+    with _interrupts_held():
+        process.start()
     worker_end.close()
     return Worker(process, page_end)
+
+
+@contextlib.contextmanager
+def _interrupts_held() -> Iterator[None]:
+    """Hold back Ctrl-C while a process is started, which is then deaf to it from its first line on."""
+    if not hasattr(signal, "pthread_sigmask"):  # not on Windows
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 class ReplyReceiver(Protocol):

@@ -94,10 +94,17 @@ def _round(contact: IndentationSolution) -> ElasticState | None:
     parts = solid_parts(pressed.bed.medium)
     if type(pressed) is not PressedSprings or not parts or pressed.radius <= 0.0:
         return None
-    part, place = _nearest([(part, greatest_stress(pressed, part)) for part in parts])
+    part, place = _nearest([(part, greatest_stress(pressed, _alike(parts, part, pressed))) for part in parts])
     peak = float(np.max(contact.peak_pressure))
     onset = _onset(pressed.bed, place.sharp) if part.solid.strength < math.inf else math.nan
     return ElasticState(peak, place.value, place.z, part.name, place.sharp, part.solid.strength, onset, "N")
+
+
+def _alike(parts: tuple[StrongPart, ...], part: StrongPart, pressed: PressedSprings) -> StrongPart:
+    """Return the first part with the same stresses: in half-spaces they depend on Poisson's ratio alone."""
+    if not isinstance(pressed.bed.medium, HalfSpace):
+        return part
+    return next(one for one in parts if one.solid.poisson == part.solid.poisson)
 
 
 @functools.lru_cache(maxsize=64)

@@ -1,0 +1,66 @@
+"""The search of the greatest stress in smooth fields: few rounds, and not less than the slow one finds."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.optimize import minimize_scalar
+
+from winkler.media.interior.peak import REFINEMENTS, greatest
+
+
+def counted(function):
+    """Return a field that counts how often it is asked."""
+
+    def field(r, z):
+        field.rounds += 1
+        return function(r, z)
+
+    field.rounds = 0
+    return field
+
+
+def hertz(poisson):
+    """Von Mises stress on the axis under Hertz's pressure, over p0; off the axis less (K. L. Johnson 1985, 3.45)."""
+
+    def stress(z):
+        axial = -1.0 / (1.0 + z**2)
+        radial = -(1.0 + poisson) * (1.0 - z * np.arctan2(1.0, z)) + 0.5 / (1.0 + z**2)
+        return np.abs(axial - radial)
+
+    return stress
+
+
+@pytest.mark.parametrize("poisson", [0.1, 0.3, 0.5])
+def test_top_on_the_axis(poisson):
+    stress = hertz(poisson)
+    expected = minimize_scalar(lambda z: -stress(z), bounds=(0.2, 1.0), method="bounded", options={"xatol": 1e-10})
+    field = counted(lambda r, z: stress(z) * np.exp(-0.3 * r**2))
+    found = greatest(field, 1.0, smooth=True)
+    assert found.value == pytest.approx(-expected.fun, rel=1e-14)
+    assert (found.r, found.z) == (pytest.approx(0.0, abs=1e-7), pytest.approx(expected.x, abs=1e-6))
+    assert field.rounds <= 8
+
+
+@pytest.mark.parametrize("both_sides", [False, True])
+def test_inclined_ridge(both_sides):
+    field = counted(lambda r, z: 5.0 - (r - 0.61) ** 2 - 4.0 * (z - 0.37 - 0.6 * (r - 0.61)) ** 2 - (r - 0.61) ** 4)
+    found = greatest(field, 1.0, both_sides=both_sides, smooth=True)
+    assert (found.value, found.r, found.z) == pytest.approx((5.0, 0.61, 0.37), abs=1e-6)
+    assert found.value == pytest.approx(5.0, rel=1e-12)
+    assert field.rounds <= 9
+
+
+def test_top_at_the_surface_and_none_at_all():
+    surface = greatest(lambda r, z: np.exp(-((r - 0.5) ** 2) - z), 1.0, smooth=True)
+    assert (surface.r, surface.z) == (pytest.approx(0.5, abs=1e-6), 0.0)
+    level = counted(lambda r, z: np.full(r.shape, 2.0))
+    assert greatest(level, 1.0, smooth=True).value == 2.0
+    assert level.rounds == 2
+
+
+def test_a_sharp_field_is_searched_as_before():
+    field = counted(lambda r, z: -np.hypot(r - 0.61, z - 0.37))
+    found = greatest(field, 1.0)
+    assert (found.r, found.z) == (pytest.approx(0.61, abs=1e-6), pytest.approx(0.37, abs=1e-6))
+    assert field.rounds == REFINEMENTS + 1
