@@ -2,7 +2,7 @@
 
 They run in this process, one script of each folder and some studies by default; the other studies are slow tests, as is
 one script of each folder in a process of its own.  The other scripts run where the manual's gallery is built, which
-stops at a mistake or a warning as these tests do: `pytest -m gallery` runs them without it, and `.ci/run` does not.
+stops at a mistake or a warning as these tests do: `pytest -m manual` runs them without it, and `.ci/run` does not.
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ def when(script: Path) -> list[pytest.MarkDecorator]:
     """Return the mark of a script; sphinx-gallery takes the folders that have a heading."""
     if name(script) in QUICK:
         return []
-    return [pytest.mark.gallery if (script.parent / "GALLERY_HEADER.rst").exists() else pytest.mark.slow]
+    return [pytest.mark.manual if (script.parent / "GALLERY_HEADER.rst").exists() else pytest.mark.slow]
 
 
 @pytest.mark.parametrize(
