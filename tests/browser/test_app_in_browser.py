@@ -33,9 +33,17 @@ WHOLE = (
 """A kind of each form of a page: lines, maps, histories, spectra, sheets alone; with the last the next test goes on."""
 
 
-@pytest.mark.parametrize("kind", [kind for kind in CATALOGUE["problem"] if kind not in WHOLE])
+OTHERS = [kind for kind in CATALOGUE["problem"] if kind not in WHOLE]
+
+
+@pytest.mark.parametrize(
+    "kind",
+    [kind if place % 3 == 0 else pytest.param(kind, marks=pytest.mark.long) for place, kind in enumerate(OTHERS)],
+)
 def test_each_other_kind_shows_numbers_pictures_and_notes(kind, app_page):
-    """The page does not wait for the sheets, which `tests/web/test_web_pictures.py` draws, and goes on to the next."""
+    """The page does not wait for the sheets, which `tests/web/test_web_pictures.py` draws, and goes on to the next.
+
+    Every third kind, the others before a release: `tests/web` computes headline, pictures and sheets of all of them."""
     before = app_page.page.locator(".head").inner_html()
     app_page.choose("problem", kind)
     app_page.answered(before)
