@@ -1,8 +1,8 @@
 """A hundred and thirty kills over run, sweep, fit, wear and report: the same command goes on to equal results.
 
 Half of them are long tests.  Each is killed by SIGKILL, SIGTERM or Ctrl-C, before an operation on a file or after some
-time, in an empty folder or over older results.  What stands there is whole at once after the kill or as soon as the next
-run begins; the next run leaves the same bytes as one that was not disturbed, and nothing else.
+time, in an empty folder or over older results.  What stands there is whole at once after the kill or as soon as the
+next run begins; the next run leaves the same bytes as one that was not disturbed, and nothing else.
 """
 
 from __future__ import annotations
