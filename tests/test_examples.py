@@ -40,7 +40,7 @@ QUICK = {
     "fitting/oliver_pharr.py",
     "friction/fretting_loop.py",
     "heating/warming_up.py",
-    "line/cylinder_on_flat_fretting.py",
+    "line/sticky_roller.py",
     "media/graded_ceramic.py",
     "normal/hertz.py",
     "rolling/creep_curves.py",

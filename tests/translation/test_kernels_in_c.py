@@ -38,8 +38,9 @@ def same(one, other):
     return all(np.array_equal(*pair, equal_nan=True) for pair in zip(one, other, strict=True))
 
 
-@pytest.mark.few(10)
-@pytest.mark.parametrize("name", HISTORIES)
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=pytest.mark.slow) if name == "corners_at" else name for name in HISTORIES]
+)
 def test_the_source_and_its_translation_agree_bit_by_bit(translated, name):
     plain = interpreted(HISTORIES[name][0])
     for seed in SEEDS:
