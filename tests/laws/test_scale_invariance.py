@@ -282,10 +282,14 @@ def test_every_problem_at_all_scales(name):
     assert_same(specimen(name), OTHERS)
 
 
-@pytest.mark.slow
+@pytest.mark.parametrize(
+    "units",
+    [pytest.param(DECIMAL, marks=pytest.mark.slow, id="ten"), pytest.param(BINARY, marks=pytest.mark.long, id="two")],
+)
 @pytest.mark.parametrize("name", [name for name in PARTS if name not in NAMED])
-def test_every_part_in_other_units(name):
-    assert_same(specimen(name), [BINARY, DECIMAL])
+def test_every_part_in_other_units(name, units):
+    """Powers of two only find what is wrong in the last digits; they are long tests."""
+    assert_same(specimen(name), [units])
 
 
 SHAPES = {"cone": wk.Cone(1.35), "power_law": wk.PowerLaw(1e6, 4.0), "flat_punch": wk.FlatPunch(1e-3)}
