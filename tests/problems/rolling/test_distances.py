@@ -81,7 +81,7 @@ def test_balls_on_a_line_are_within_what_is_stated(script, poisson):
     assert np.all(np.array(script.ball_row(poisson, ONE, BOTH)) <= np.array(ball_distances(poisson)))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_finer_pixels_change_the_distances_by_less_than_they_are_rounded(script):
     for rows in (script.ONE, script.SPUN):
         coarse, fine = (script.apart(*script.rolled(0.5, 0.25, rows, count)) for count in (script.COUNT, 128))
