@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import inspect
 import re
+import warnings
 import weakref
 from typing import Any
 
@@ -159,7 +160,9 @@ def _keep_sentences(app: Any, what: str, name: str, item: Any, options: Any, lin
 
 
 def setup(app: Any) -> None:
-    """Hook the pages that are made while building into the build."""
+    """Hook the pages that are made while building into the build; a warning of a script is a mistake, as in tests."""
+    warnings.filterwarnings("error", category=RuntimeWarning)
+    warnings.filterwarnings("error", category=DeprecationWarning, module="winkler")
     app.connect("source-read", _fill)
     app.connect("autodoc-process-docstring", _keep_sentences, priority=100)
     app.connect("autodoc-process-docstring", _keep_initials, priority=900)

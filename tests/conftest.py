@@ -58,16 +58,18 @@ def _spread(members: list[pytest.Item], count: int) -> list[pytest.Item]:
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Run as many members of a test as its mark ``few`` says; the others are among the slow tests."""
+    """Run as many members of a test as its mark ``few`` says; of the others some are slow tests, and some long ones."""
     found: dict[tuple[pytest.Item, str], list[pytest.Item]] = {}
     for item in items:
         if item.get_closest_marker("few") and not item.get_closest_marker("slow"):
             found.setdefault((item.parent, item.originalname), []).append(item)
     for members in found.values():
-        chosen = _spread(members, members[0].get_closest_marker("few").args[0])
+        few = members[0].get_closest_marker("few")
+        count, slow = few.args[0], few.kwargs.get("slow", len(members))
+        chosen = _spread(members, count + slow)
         for item in members:
-            if item not in chosen:
-                item.add_marker(pytest.mark.slow)
+            if item not in chosen[:count]:
+                item.add_marker(pytest.mark.slow if item in chosen else pytest.mark.long)
 
 
 def pytest_collection_finish() -> None:

@@ -91,6 +91,7 @@ def test_stress_is_that_of_the_displacement():
     np.testing.assert_allclose(hooke, np.array(expected, dtype=float), atol=1e-6 * float(stress.von_mises))
 
 
+@pytest.mark.slow
 def test_peak():
     peak, alone = wk.peak_stress(STATE), wk.peak_stress(wk.Indentation(BALL, wk.Radius(STATE.radius)).solve())
     assert peak.von_mises >= alone.von_mises

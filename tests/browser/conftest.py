@@ -95,6 +95,7 @@ class AppPage:
     def __init__(self, browser, address, width=1400, height=950):
         self.left_machine, self.mistakes = [], []  # requests to elsewhere; exceptions, and what the policy forbids
         self.context = browser.new_context(viewport={"width": width, "height": height}, accept_downloads=True)
+        self.context.set_default_timeout(90_000)  # the machine may be busy with other tests
         self.page = self.context.new_page()
         self.page.route("**/*", self._only_here(address))
         self.page.on("pageerror", lambda error: self.mistakes.append(str(error)))
@@ -122,7 +123,7 @@ class AppPage:
 
     def busy(self):
         """Wait until something was requested."""
-        self.page.locator('.answer-side[data-state="busy"]').wait_for(timeout=20_000)
+        self.page.locator('.answer-side[data-state="busy"]').wait_for(timeout=60_000)
 
     def answered(self, before):
         """Wait until other numbers stand on the page, and below their pictures too, which come after them."""

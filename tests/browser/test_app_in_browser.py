@@ -8,10 +8,10 @@ import zipfile
 
 import numpy as np
 import pytest
+from shown_kinds import OTHERS, SHOWN, WHOLE
 
 import winkler as wk
 from winkler.study.batch.run import run
-from winkler.study.language.catalogue import CATALOGUE
 from winkler.study.language.reading import parse_study
 from winkler.study.language.template import whole_text
 
@@ -26,16 +26,13 @@ def numbers_of(content):
     return {name.split(" ")[0]: [row[name] for row in rows] for name in rows[0]}
 
 
-WHOLE = (
-    "line_indentation", "roller_contact", "equilibrium", "tangential", "impact", "creep_test", "constriction",
-    "friction_heating", "rolling", "sliding_wear", "surface_contact", "map_stress", "indentation",
-)  # fmt: skip
-"""A kind of each form of a page: lines, maps, histories, spectra, sheets alone; with the last the next test goes on."""
-
-
-@pytest.mark.parametrize("kind", [kind for kind in CATALOGUE["problem"] if kind not in WHOLE])
+@pytest.mark.parametrize(
+    "kind", [kind if kind in SHOWN else pytest.param(kind, marks=pytest.mark.long) for kind in OTHERS]
+)
 def test_each_other_kind_shows_numbers_pictures_and_notes(kind, app_page):
-    """The page does not wait for the sheets, which `tests/web/test_web_pictures.py` draws, and goes on to the next."""
+    """The page does not wait for the sheets, which `tests/web/test_web_pictures.py` draws, and goes on to the next.
+
+    Every third kind; of the others `tests/web/test_web_pictures.py` computes the pictures, and a release shows them."""
     before = app_page.page.locator(".head").inner_html()
     app_page.choose("problem", kind)
     app_page.answered(before)

@@ -178,7 +178,7 @@ PROFILES = list(CATALOGUE["profile"])
 SEARCHES = {"line_yield_onset", "line_shakedown"}
 """Problems that search for the greatest stress under many loads, a second or two for a profile."""
 MARCHES = {"sliding_wear", "viscoelastic_adhesion"}
-"""Problems whose march takes a second for a profile: one profile of each is tried, the others among the slow tests."""
+"""Problems whose march takes a second for a profile: one profile of each is tried, and one among the slow tests."""
 
 
 def pairs():
@@ -190,7 +190,8 @@ def pairs():
             if (profile in few or problem == "indentation") and problem not in SEARCHES:
                 yield pytest.param(problem, profile)
             elif usual or (number + place) % 8 == 0:
-                yield pytest.param(problem, profile, marks=pytest.mark.slow)
+                lasts = profile not in USUAL[: 1 if problem in SEARCHES else 2] and problem in SEARCHES | MARCHES
+                yield pytest.param(problem, profile, marks=pytest.mark.long if lasts else pytest.mark.slow)
 
 
 @pytest.mark.parametrize(("problem", "profile"), [*pairs()])
@@ -491,8 +492,8 @@ tolerance = 1e-12
 
 @pytest.mark.slow
 def test_validate_the_package(capsys):
-    """Every eighth case; `tests/study/batch/test_study_verdicts.py` solves all, one by one."""
-    names = [path.stem for path in case_files()[::8]]
+    """Some cases; `tests/study/batch/test_study_verdicts.py` solves all, one by one."""
+    names = [path.stem for path in case_files()[::24]]
     assert main(["validate", *names]) == 0
     assert re.search(rf"{len(names)} cases, \d+ numbers, none missed\.", capsys.readouterr().out)
 

@@ -135,17 +135,17 @@ def test_results_that_cannot_be_written_cost_no_point(here, monkeypatch, capsys)
 
 @pytest.mark.slow
 @pytest.mark.skipif(os.name == "nt", reason="there is no SIGKILL there")
-def test_ten_thousand_points_survive_a_kill_at_half(here):
+def test_two_thousand_points_survive_a_kill_at_half(here):
     """Killed without warning; nothing is solved twice, nothing is lost, and no process stays behind."""
-    (here / "balls.toml").write_text(STUDY.format(forces=100, youngs=100), encoding="utf-8")
+    (here / "balls.toml").write_text(STUDY.format(forces=100, youngs=20), encoding="utf-8")
     words = [sys.executable, "-m", "winkler", "run", "balls.toml", "--workers", "2", "--quiet"]
     run = subprocess.Popen(words, cwd=here, start_new_session=True)
     journal = here / "results" / ".balls.journal"
     deadline = time.monotonic() + 300
-    while not journal.exists() or journal.read_bytes().count(b"\n") < 5000:
+    while not journal.exists() or journal.read_bytes().count(b"\n") < 1000:
         assert run.poll() is None
         assert time.monotonic() < deadline
-        time.sleep(0.2)
+        time.sleep(0.02)
     run.send_signal(signal.SIGKILL)
     run.wait()
     while True:  # the workers notice that they are alone
@@ -156,14 +156,14 @@ def test_ten_thousand_points_survive_a_kill_at_half(here):
         assert time.monotonic() < deadline
         time.sleep(0.05)
     lines = journal.read_bytes().count(b"\n")
-    assert lines < 10001
+    assert lines < 2001
     answer = subprocess.run([*words[:-1]], cwd=here, capture_output=True, text=True, check=False)
     assert answer.returncode == 4, answer.stderr
-    assert f"{lines - 1} of 10000 points were known from the run before." in answer.stdout
+    assert f"{lines - 1} of 2000 points were known from the run before." in answer.stdout
     assert [path.name for path in (here / "results").iterdir()] == ["balls"]
     with (here / "results/balls/results.csv").open(encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
-    assert len(rows) == 10000
+    assert len(rows) == 2000
     force, young, depth = (
         np.array([float(row[name]) for row in rows])
         for name in ("problem.load.force [N]", "problem.bed.medium.first.young [Pa]", "depth [m]")

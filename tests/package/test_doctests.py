@@ -21,9 +21,13 @@ def module_of(page: Path) -> str:
 
 EXEMPLARY = [module_of(page) for page in sorted(SOURCE.rglob("*.py")) if ">>>" in page.read_text(encoding="utf-8")]
 """Modules with examples; of the others there is nothing to run."""
+LONG = {"winkler.problems.wear.sliding", "winkler.problems.wear.line_sliding", "winkler.problems.viscoelastic.adhesion"}
+"""Examples that march for seconds; they are slow tests."""
 
 
-@pytest.mark.parametrize("module_name", EXEMPLARY)
+@pytest.mark.parametrize(
+    "module_name", [pytest.param(name, marks=pytest.mark.slow) if name in LONG else name for name in EXEMPLARY]
+)
 def test_doctests(module_name, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     module = importlib.import_module(module_name)
@@ -34,5 +38,5 @@ def test_doctests(module_name, tmp_path, monkeypatch):
 def test_all_modules_with_doctests_are_run(modules):
     finder = doctest.DocTestFinder(exclude_empty=True)
     found = {module.__name__ for module in modules if any(test.examples for test in finder.find(module))}
-    assert found <= set(EXEMPLARY)
+    assert LONG <= found <= set(EXEMPLARY)
     assert len(found) > 100

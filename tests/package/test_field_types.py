@@ -20,7 +20,8 @@ def repeated(check: ast.FunctionDef) -> list[str]:
     return [
         ast.unparse(call)
         for call in calls
-        if ast.unparse(call.func) == "isinstance"
+        if isinstance(call.func, ast.Name)
+        and call.func.id == "isinstance"
         and ast.unparse(call.args[0]).startswith("self.")
         and {node.id for node in ast.walk(call.args[1]) if isinstance(node, ast.Name)} & NUMBERS
     ]

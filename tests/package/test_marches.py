@@ -8,6 +8,7 @@ import typing
 
 import numpy as np
 import pytest
+from example_answers import solved
 
 from winkler.plot import sheet_of
 from winkler.problems.answer import is_march
@@ -78,7 +79,7 @@ def test_every_march_states_how_far_it_is_and_keeps_what_it_has_reached(name):
         if total is not None:  # of a reduction the deepest contact comes first
             assert np.array_equal(column, columns[word][:count], equal_nan=True), word
     assert early.solution.validity
-    for word, content in answers_of(problem.solve()).items():
+    for word, content in answers_of(solved(problem)).items():
         assert np.array_equal(getattr(whole.solution, word), content, equal_nan=True), word
 
 

@@ -48,13 +48,14 @@ def test_the_area_below_the_line_load_is_the_force(solution):
 
 def test_springs_that_only_round_do_not_pull():
     """The edge of a contact without adhesion: g(a) = d but for the last digit, of either sign."""
-    edges = []
+    edges, drawn = [], 0
     for force in np.geomspace(1.0, 100.0, 40):
         for profile in (Paraboloid(R), Cone(0.1), Sphere(R)):
             solution = pressed(profile, Force(float(force)))
             edges.append(float(np.min(solution.pressed.value(np.linspace(0.0, solution.radius, 33)))))
             assert not stretched(solution.pressed.value(np.linspace(0.0, solution.radius, 33))).any()
-            if edges[-1] < 0.0:
+            if edges[-1] < 0.0 and drawn < 4:
+                drawn += 1
                 assert "blue springs pull" not in [text.get_text() for text in sheet_of_springs(solution).texts]
     assert min(edges) < 0.0  # or nothing is tested
 

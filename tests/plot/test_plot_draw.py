@@ -108,6 +108,7 @@ def laid_out(name):
     return figure
 
 
+@pytest.mark.few(16)
 @pytest.mark.parametrize("name", ITEMS)
 def test_every_item_has_a_whole_labelled_figure(name):
     figure = laid_out(name)

@@ -38,7 +38,9 @@ def same(one, other):
     return all(np.array_equal(*pair, equal_nan=True) for pair in zip(one, other, strict=True))
 
 
-@pytest.mark.parametrize("name", HISTORIES)
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=pytest.mark.slow) if name == "corners_at" else name for name in HISTORIES]
+)
 def test_the_source_and_its_translation_agree_bit_by_bit(translated, name):
     plain = interpreted(HISTORIES[name][0])
     for seed in SEEDS:
@@ -46,7 +48,7 @@ def test_the_source_and_its_translation_agree_bit_by_bit(translated, name):
         assert same(outcome(translated[name], arguments), outcome(plain, arguments)), seed
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=8)
 @pytest.mark.parametrize("name", HISTORIES)
 def test_a_thousand_histories_agree_bit_by_bit(translated, name):
     plain = interpreted(HISTORIES[name][0])
@@ -63,7 +65,7 @@ def test_compiled_python_and_compiled_c_agree(fast, name):
         agree(outcome(fast[name], arguments), outcome(kernel, arguments))
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=6)
 @pytest.mark.parametrize("name", [name for name in HISTORIES if name not in ("move_balls", "turn_balls", "march_line")])
 def test_compiled_python_and_compiled_c_agree_everywhere(fast, name):
     kernel = HISTORIES[name][0]

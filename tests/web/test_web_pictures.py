@@ -1,10 +1,14 @@
-"""Every kind of study, as the app opens it: its interactive pictures and its sheets are computed without a mistake."""
+"""Every kind of study, as the app opens it: its interactive pictures and its sheets are computed without a mistake.
+
+Those that a browser does not show in `.ci/run`; the others are long tests.
+"""
 
 from __future__ import annotations
 
 import json
 
 import pytest
+from shown_kinds import SHOWN
 
 from winkler.study.batch.run import run
 from winkler.study.language.catalogue import CATALOGUE
@@ -16,8 +20,13 @@ from winkler.web.pictures.moments import initial_moment, moments_of
 from winkler.web.pictures.view import NO_VIEW
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("kind", list(CATALOGUE["problem"]))
+@pytest.mark.parametrize(
+    "kind",
+    [
+        pytest.param(kind, marks=pytest.mark.long if kind in SHOWN else pytest.mark.slow)
+        for kind in CATALOGUE["problem"]
+    ],
+)
 def test_pictures_of_each_kind(kind):
     outcome = run(parse_study(whole_text(kind)))
     point = shown_point(outcome)

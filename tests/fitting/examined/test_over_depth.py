@@ -42,7 +42,7 @@ def test_rising_modulus():
     assert np.all(np.diff(series.values[1:]) > 0.0)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_constant_moduli_are_rarely_called_changing():
     """One in twenty would be; slow noise, estimated anew in each fit, must not make it many."""
     called = sum(not over_depth(measured(seed), MODEL, free=FREE, count=5).constant for seed in range(100, 160))

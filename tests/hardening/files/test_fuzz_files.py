@@ -70,7 +70,7 @@ def test_the_table_itself_is_read(name, tmp_path):
     read(tmp_path / "table.csv")
 
 
-@pytest.mark.few(6)
+@pytest.mark.few(6, slow=4)
 @pytest.mark.parametrize("name", TABLES)
 @QUICK
 @given(data=st.data())
@@ -147,7 +147,7 @@ WRONG = {
 }
 
 
-@pytest.mark.few(8)
+@pytest.mark.few(8, slow=4)
 @pytest.mark.parametrize("wrong", WRONG)
 @pytest.mark.parametrize("name", ["contacts", "wear"])
 def test_an_archive_with_one_wrong_array(name, wrong, whole, tmp_path):

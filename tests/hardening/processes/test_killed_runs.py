@@ -1,8 +1,8 @@
 """A hundred and thirty kills over run, sweep, fit, wear and report: the same command goes on to equal results.
 
-Each is killed by SIGKILL, SIGTERM or Ctrl-C, before an operation on a file or after some time, in an empty folder or
-over older results.  What stands there is whole at once after the kill or as soon as the next run begins; the next run
-leaves the same bytes as one that was not disturbed, and nothing else.
+Half of them are long tests.  Each is killed by SIGKILL, SIGTERM or Ctrl-C, before an operation on a file or after some
+time, in an empty folder or over older results.  What stands there is whole at once after the kill or as soon as the
+next run begins; the next run leaves the same bytes as one that was not disturbed, and nothing else.
 """
 
 from __future__ import annotations
@@ -97,10 +97,7 @@ STOPS = {signal.SIGKILL: (-signal.SIGKILL, -signal.SIGPROF), signal.SIGTERM: (14
 GOES_ON = (".journal", ".states.npz")
 """What a stopped run may leave beside its results: the next one begins with it."""
 
-pytestmark = [
-    pytest.mark.slow,
-    pytest.mark.skipif(not hasattr(os, "fork"), reason="processes are forked, and killed by signals"),
-]
+pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="processes are forked, and killed by signals")
 
 
 @pytest.fixture(scope="module")
@@ -134,6 +131,7 @@ def whole(results):
     return made.exists() and sorted(json.loads(made.read_text())["files"]) == sorted(tree(results))
 
 
+@pytest.mark.few(0, slow=6)
 @pytest.mark.parametrize("by", ["operation", "time"])
 @pytest.mark.parametrize("name", STUDIES)
 def test_a_rerun_after_a_kill_gives_equal_results_and_leaves_nothing(name, by, tmp_path, killer):
@@ -221,6 +219,7 @@ sys.exit(main(["run", "study.toml"]))
 AT_IMPORTS, IN_CALLBACKS = "sys.addaudithook(imported)", "sys.setprofile(left)"
 
 
+@pytest.mark.few(0, slow=4)
 @pytest.mark.parametrize("sign", [signal.SIGTERM, signal.SIGINT])
 @pytest.mark.parametrize(("how", "place"), [*((AT_IMPORTS, n) for n in (1, 100, 250, 400)), (IN_CALLBACKS, 150)])
 def test_a_signal_while_winkler_is_loaded_is_not_lost(how, place, sign, tmp_path):

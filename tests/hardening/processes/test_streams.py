@@ -76,7 +76,7 @@ def test_some_hundred_steps():
     assert grown(MARCHES["tangential"](1400), 600, 1300) < ALLOWED
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=3)
 @pytest.mark.parametrize("name", MARCHES)
 def test_a_thousand_steps(name):
     assert grown(MARCHES[name](1200), 200, 1190) < ALLOWED
@@ -130,7 +130,7 @@ def resident() -> int:
     return int(Path("/proc/self/statm").read_text(encoding="ascii").split()[1]) * os.sysconf("SC_PAGE_SIZE")
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=3)
 @pytest.mark.skipif(not Path("/proc/self/statm").exists(), reason="the system does not tell the size of a process")
 @pytest.mark.parametrize("name", LONG)
 def test_many_thousand_steps(name):

@@ -75,10 +75,11 @@ def undefined(answer) -> list[str]:
     ]
 
 
-def faults(name: str) -> list[str]:
-    """Return what is wrong with the marches of a kind."""
+def faults(name: str, start: int = 0, step: int = 1) -> list[str]:
+    """Return what is wrong with the marches of a kind, for each number with every so many sizes."""
     example, wrong = build(completed({"kind": name}), slot_of(name)), []
-    for route, size in itertools.product(numbers(example), SIZES):
+    routes = enumerate(numbers(example))
+    for route, size in [(route, size) for n, route in routes for size in SIZES[(start + n) % step :: step]]:
         where = f"{'.'.join(map(str, route))} = {size:g}"
         try:
             with warnings.catch_warnings():
@@ -98,10 +99,11 @@ def test_a_quick_march():
     assert faults("elastic_plastic_particle") == []
 
 
-@pytest.mark.slow
+@pytest.mark.parametrize("start", [pytest.param(0, marks=pytest.mark.slow), pytest.param(1, marks=pytest.mark.long)])
 @pytest.mark.parametrize("name", [name for name in MARCHES if name not in SLOW])
-def test_every_march(name):
-    assert faults(name) == []
+def test_every_march(name, start):
+    """Each number with every second size, its neighbours with the sizes between; the rest are long tests."""
+    assert faults(name, start, 2) == []
 
 
 BALL = wk.Foundation(wk.Sphere(10e-3), wk.HalfSpace(wk.Elastic(210e9, 0.3)))

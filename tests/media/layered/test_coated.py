@@ -175,13 +175,17 @@ SHAPES = {
     "sphero-conical": wk.SpheroConical(0.5, 1.0),
 }
 QUICK = {("paraboloid", "hard"), ("paraboloid", "film"), ("cone", "soft"), ("truncated cone", "stack")}
-"""One of each by default, all of them in .ci/run."""
+"""One of each by default."""
+NEXT = {("cone", "hard"), ("power", "stack"), ("sphero-conical", "film"), ("truncated cone", "soft")}
+"""One of each among the slow tests."""
 
 
 @pytest.mark.parametrize(
     ("shape", "name"),
     [
-        pytest.param(shape, name, marks=[] if (shape, name) in QUICK else [pytest.mark.slow])
+        pytest.param(shape, name, marks=[pytest.mark.slow if (shape, name) in NEXT else pytest.mark.long])
+        if (shape, name) not in QUICK
+        else (shape, name)
         for shape in SHAPES
         for name in MEDIA
     ],

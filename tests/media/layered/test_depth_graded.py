@@ -224,13 +224,15 @@ def test_the_tolerance_holds(ratio):
         assert 1e-12 < np.max(np.abs(coarse / fine - 1.0)) < tolerance
 
 
-@pytest.mark.slow
-def test_the_default_tolerance_holds():
+@pytest.mark.few(0, slow=1)
+@pytest.mark.parametrize(
+    "grading", [TABLE, ExponentialGrading(1.0, 100.0, 1.0, 0.5), ExponentialGrading(100.0, 1.0, 1.0, 0.3)]
+)
+def test_the_default_tolerance_holds(grading):
     """E ratios up to 100, rising and falling, and a table that ends incompressible."""
     a = np.array([0.05, 0.7])
-    for grading in (ExponentialGrading(1.0, 100.0, 1.0, 0.5), ExponentialGrading(100.0, 1.0, 1.0, 0.3), TABLE):
-        found, finer = (DepthGradedHalfSpace(grading, tolerance=t).punch_stiffness(a) for t in (1e-6, 1e-7))
-        np.testing.assert_allclose(found, finer, rtol=1e-6)
+    found, finer = (DepthGradedHalfSpace(grading, tolerance=t).punch_stiffness(a) for t in (1e-6, 1e-7))
+    np.testing.assert_allclose(found, finer, rtol=1e-6)
 
 
 def test_a_flat_punch_by_ritz():
@@ -274,7 +276,6 @@ def test_narrow_and_wide_contacts():
 
 
 @pytest.mark.slow
-@pytest.mark.slow
 def test_a_sharp_step_is_a_coating():
     coating = CoatedHalfSpace([Layer(wk.Elastic(4.0, 0.3), 1.0)], on=wk.Elastic(1.0, 0.3))
     a = np.array([0.5, 2.0])
@@ -309,7 +310,6 @@ def test_a_curve_is_its_own_derivative():
     assert slope == pytest.approx(contact.stiffness[2], rel=1e-7)
 
 
-@pytest.mark.slow
 @pytest.mark.slow
 def test_fields_inside():
     """At the surface they are those of the surface, deep down the pressure carries the force."""

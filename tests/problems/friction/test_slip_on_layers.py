@@ -49,6 +49,7 @@ def steady(bed, law, values, lateral):
     return wk.Path(time, wk.Depth(np.full(time.size, D)), lateral(values)), law
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("name", LAYERS)
 @pytest.mark.parametrize("order", [1, 0])
 def test_partial_slip_by_least_energy_inside_the_stick_zone(name, order):
@@ -88,6 +89,7 @@ def test_rings_that_slide_bear_their_own_pressure_and_others_less(name, problem)
     assert np.max(np.abs(missed)) < 1e-10 * solution.work[-1]
 
 
+@pytest.mark.slow
 def test_a_layer_of_the_same_solid_twists_and_slips_as_a_half_space():
     same = wk.Foundation(BALL, wk.CoatedHalfSpace([wk.Layer(SOLID, 0.02)], on=SOLID))
     plain = wk.Foundation(BALL, wk.HalfSpace.between(SOLID))

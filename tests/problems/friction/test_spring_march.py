@@ -108,6 +108,7 @@ def test_two_strokes_at_a_right_angle(parts):
     assert np.all(np.hypot(*state.displacement.T) <= FULL * (1.0 - state.springs.gap) * (1.0 + 1e-12))
 
 
+@pytest.mark.slow
 def test_a_circular_motion_is_inadmissible_at_the_edge_of_its_stick_zone():
     """Steady circle of half the shift of sliding: 1.35 at r = 0.70 a, and ever more towards c = a / sqrt(2)."""
     angle = 2.0 * np.pi * np.arange(8 * 240 + 1) / 240

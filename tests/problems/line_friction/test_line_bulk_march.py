@@ -136,9 +136,8 @@ HISTORIES = [("cylinder", CYLINDER, 0.2, 4), ("rounded punch", ROUNDED, 0.2, 5)]
 HISTORIES += [("wedge", wk.LineFoundation(wk.Cone(1.5), UNIT), 0.01, 4)]
 
 
-@pytest.mark.parametrize(
-    ("bed", "stress", "points"), [pytest.param(*row[1:], id=row[0], marks=pytest.mark.slow) for row in HISTORIES]
-)
+@pytest.mark.few(0, slow=1)
+@pytest.mark.parametrize(("bed", "stress", "points"), [pytest.param(*row[1:], id=row[0]) for row in HISTORIES])
 def test_no_history_creates_energy(bed, stress, points):
     for seed in range(3):
         random = np.random.default_rng(seed)

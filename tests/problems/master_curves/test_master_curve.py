@@ -51,7 +51,7 @@ def test_intervals_hold_the_truth_as_often_as_they_say():
     assert np.mean(constants) >= 0.8
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize("law", [ferry, arrhenius])
 def test_intervals_of_many_curves(law):
     scores, constants, verdicts = [], [], []

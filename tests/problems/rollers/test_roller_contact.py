@@ -157,7 +157,7 @@ SHAPES = [
 ]
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(("ends", "alignment"), SHAPES)
 def test_the_usual_grid_is_within_one_per_cent_of_a_refined_one(ends, alignment):
     usual = bearing(ends, alignment=alignment, elements=160).solve()

@@ -22,7 +22,7 @@ def script():
     return module
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("row", range(len(RATIOS)))
 def test_the_table_of_ellipses_is_that_of_the_script(script, row):
     for column, poisson in enumerate(POISSON):
@@ -49,7 +49,7 @@ SPUN = tuple(
 )
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=5)
 @pytest.mark.parametrize("ratio", [0.3, 0.7, 1.0, 1.4, 3.3])
 @pytest.mark.parametrize("poisson", [0.12, 0.3, 0.4])
 def test_other_creepages_ellipses_and_bodies_are_within_what_is_stated(script, ratio, poisson):
@@ -75,13 +75,13 @@ def test_the_farthest_of_random_creepages_are_within_what_is_stated(script, rati
     assert moment <= stated.spun_moment
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("poisson", [0.12, 0.3, 0.4])
 def test_balls_on_a_line_are_within_what_is_stated(script, poisson):
     assert np.all(np.array(script.ball_row(poisson, ONE, BOTH)) <= np.array(ball_distances(poisson)))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_finer_pixels_change_the_distances_by_less_than_they_are_rounded(script):
     for rows in (script.ONE, script.SPUN):
         coarse, fine = (script.apart(*script.rolled(0.5, 0.25, rows, count)) for count in (script.COUNT, 128))

@@ -31,7 +31,7 @@ def test_the_table_has_all_maps():
     assert [row[:2] for row in rows] == [(name, poisson) for name in module.maps() for poisson in module.POISSON]
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=3)
 @pytest.mark.parametrize("row", range(12))
 def test_the_table_is_what_is_measured(row):
     name, poisson, *numbers = list(stated())[row]

@@ -223,7 +223,8 @@ def test_what_is_said_of_the_coupling(monkeypatch):
         problem.solve()
 
 
-@pytest.mark.parametrize("seed", [0, *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(1, 20))])
+@pytest.mark.few(1, slow=7)
+@pytest.mark.parametrize("seed", range(20))
 def test_random_dissimilar_bodies(seed):
     """Any two materials, frictions from a hundredth to two, under loads, depths, forces and moments: all is met."""
     rng = np.random.default_rng(seed)

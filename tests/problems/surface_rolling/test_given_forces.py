@@ -62,8 +62,8 @@ def test_few_rolls_find_them(monkeypatch):
     assert len(counted) <= 10 * push.size + 3
 
 
-@pytest.mark.few(1)
-@pytest.mark.parametrize("seed", [0, *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(1, 20))])
+@pytest.mark.few(1, slow=7)
+@pytest.mark.parametrize("seed", range(20))
 def test_random_forces_and_back(seed):
     """The creepages that are found give the forces, and the stated misfit contains what is missing."""
     rng = np.random.default_rng(seed)

@@ -54,6 +54,7 @@ def test_no_more_points_are_made_than_are_looked_at(made):
     assert len(made) <= MOST_CHECKED + 2 * 5
 
 
+@pytest.mark.slow
 def test_a_journal_of_a_million_points_goes_on_in_little_memory(tmp_path):
     path, study = tmp_path / "x.journal", CROSSED
     tracemalloc.start()

@@ -26,7 +26,7 @@ PRESSED = [
 ]
 COSTLY = {"bimodal_damping", "impact", "sliding_wear", "tangential", "viscoelastic_adhesion"}
 """Problems that take seconds on all beds; they run among the slow tests."""
-ON_MAPS = {"reduced_friction", "surface_rolling", "surface_rolling_start", "surface_tangential"}
+ON_MAPS = {"joint_stiffness", "reduced_friction", "surface_rolling", "surface_rolling_start", "surface_tangential"}
 """Problems that take a second or more with all parts; those of the others on maps run by default."""
 STEEL = wk.Elastic(210e9, 0.3)
 PAIR = wk.HalfSpace.between(STEEL, STEEL)

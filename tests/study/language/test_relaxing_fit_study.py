@@ -63,6 +63,7 @@ def test_the_loop_gives_what_is_known(studies, tmp_path):
     assert len(rows) == 602
 
 
+@pytest.mark.slow
 def test_creep_gives_what_is_known_with_units_of_positions(studies, tmp_path):
     study = read_fit_study(studies / "fit_gel_creep.toml")
     assert [free.key for free in study.free] == [
