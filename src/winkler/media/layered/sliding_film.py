@@ -8,9 +8,9 @@ from winkler.materials.layered import Layer
 from winkler.media.families import SlidingBody
 from winkler.media.layered.coated import BARBER, LayeredMedium
 from winkler.media.layered.coated_load import CarriedLoad
-from winkler.media.layered.sheared import SurfaceResponse
 from winkler.media.layered.sliding_response import SlidingResponse
 from winkler.media.punch_field import BodyField
+from winkler.numerics.transforms.cosine_transform import SurfaceResponse
 from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
