@@ -9,7 +9,7 @@ grows as the square of the contact radius, :math:`a^2/D`. Two depths therefore t
 import matplotlib.pyplot as plt
 import numpy as np
 
-from winkler import HeldForce, Paraboloid, PoroelasticRelaxation, depth_scaling, fit_poroelastic
+from winkler import HeldContacts, HeldForce, Paraboloid, PoroelasticRelaxation
 
 rng, time, holds = np.random.default_rng(1), np.geomspace(1.0, 3e3, 80), []
 figure, axes = plt.subplots(figsize=(5.5, 3.6), layout="constrained")
@@ -28,8 +28,7 @@ axes.legend(title="depth", frameon=False)
 # What two holds tell
 # -------------------
 
-scaling, body = depth_scaling(holds), fit_poroelastic(holds)
-low, high = scaling.interval()
-print(f"{scaling.verdict}: times grow with the power {low:.2f} to {high:.2f} of the contact radius")
-print("D between {:.2e} and {:.2e} m^2/s".format(*body.interval("diffusivity")))
-assert scaling.verdict == "poroelastic"
+found = HeldContacts(holds).solve()
+print(f"{found.scaling.verdict}: times grow with the power {found.scaling.exponent:.2f} of the contact radius")
+print("D between {:.2e} and {:.2e} m^2/s".format(*found.body.interval("diffusivity")))
+assert found.scaling.verdict == "poroelastic"
