@@ -31,7 +31,13 @@ ON_MAPS = {"joint_stiffness", "reduced_friction", "surface_rolling", "surface_ro
 STEEL = wk.Elastic(210e9, 0.3)
 PAIR = wk.HalfSpace.between(STEEL, STEEL)
 BALL = wk.Paraboloid(10e-3)
-LONG = {"coated_half_space", "depth_graded_half_space", "relaxing_in_proportion"}
+LONG = {
+    "coated_half_space",
+    "depth_graded_half_space",
+    "relaxing_in_proportion",
+    "sliding_film",
+    "viscoelastic_coated_half_space",
+}
 """Media whose tables take seconds: each is pressed once."""
 MARCHES = {"adhesive_impact", "friction_heating", "transient_heating", "viscoelastic_adhesion", "viscoelastic_impact"}
 """Problems that take seconds on a bed: they are solved on each kind of bed and medium, not under each profile."""
