@@ -36,6 +36,7 @@ QUICK = {
     "conduction/thermal_joint.py",
     "data/make_force_curves.py",
     "data/make_rough_surface.py",
+    "data/gel_holds/make_holds.py",
     "exchange/for_other_programs.py",
     "fitting/oliver_pharr.py",
     "friction/fretting_loop.py",
@@ -61,7 +62,7 @@ QUICK = {
     "studies/viscoelastic/gel_creep.toml",
     "studies/wear/fretting_wear.toml",
 }
-"""One of each folder, and the two that write data for others; all run among the slow tests."""
+"""One of each folder, and those that write data for others; all run among the slow tests."""
 QUICK_SCRIPTS = [script for script in SCRIPTS if name(script) in QUICK]
 
 

@@ -14,6 +14,7 @@ FRICTION = wk.Coulomb(0.3)
 
 RUBBER = wk.StandardSolid(relaxed_shear=1e6, shear=3e6, relaxation_time=0.1)
 ON_RUBBER = wk.Foundation(BALL, wk.ViscoelasticHalfSpace(RUBBER))
+GEL_FILM = wk.ViscoelasticCoatedHalfSpace([wk.ViscoelasticLayer(RUBBER, 1e-3)], on=wk.Elastic(3e9, 0.35))
 IN_AND_OUT = wk.Program(
     [
         wk.Start(wk.Depth(0.0)),
@@ -91,6 +92,10 @@ RELAXING = {
     "at_temperature": warm(WLF),
     "williams_landel_ferry": warm(WLF),
     "arrhenius": warm(ARRHENIUS),
+    **{
+        kind: wk.RelaxationTest(wk.Foundation(BALL, GEL_FILM), depth=100e-6, time=np.geomspace(1e-3, 10.0, 33))
+        for kind in ("viscoelastic_coated_half_space", "viscoelastic_layer")
+    },
     "relaxing_in_proportion": relaxing(wk.RelaxingInProportion(FILM, RUBBER, shear=1e6)),
     **{
         kind: wk.ViscoelasticAdhesion(ON_RUBBER, wk.RateDependentWork(0.05, 1e-6, 0.6), PULLED)

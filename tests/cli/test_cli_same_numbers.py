@@ -108,6 +108,7 @@ PYTHON = {
     "transversely_isotropic_half_space": pressed(BALL, wk.TransverselyIsotropicHalfSpace.between(QUARTZ)),
     "graded_half_space": pressed(BALL, wk.GradedHalfSpace(CERAMIC)),
     "coated_half_space": pressed(BALL, wk.CoatedHalfSpace((HARD,), STEEL)),
+    "sliding_film": pressed(BALL, wk.SlidingFilm((HARD,), STEEL)),
     "depth_graded_half_space": pressed(BALL, wk.DepthGradedHalfSpace(CASE, wk.Rigid(), 1e-2)),
     "foundation": pressed(BALL),
     "plane_foundation": wk.Indentation(wk.PlaneFoundation(BALL, HALF_SPACE), wk.Force(100.0)),

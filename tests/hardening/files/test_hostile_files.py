@@ -45,7 +45,7 @@ READERS = {
     "profile_pair": lambda path: wk.read_profile_pair(path, path),
     "relaxation": wk.read_relaxation,
     "dynamic_sweeps": wk.read_dynamic_sweeps,
-    "hold": lambda path: wk.read_held_force(path, profile=wk.Paraboloid(1e-3), depth=1e-5),
+    "held_force": lambda path: wk.read_held_force(path, profile=wk.Paraboloid(1e-3), depth=1e-5),
     "relaxation_sweeps": wk.read_relaxation_sweeps,
     "scan": wk.read_scan,
     "section": wk.read_section,
