@@ -28,6 +28,16 @@ def history(count: int, seed: int) -> np.ndarray:
     return np.concatenate([[0.0], random, [1.0, -1.0, 1.0, 0.2, 0.5, 0.2, 0.5, 0.5, 0.7, -1.0, 0.0]])
 
 
+def test_a_ball_that_never_touches_bears_nothing_in_all_units():
+    time = np.arange(3.0)
+    for size in (1e-6, 1.0, 1e6):
+        layer = wk.Layer(wk.Elastic(1.0, 0.3), 0.1 * size)
+        bed = wk.Foundation(wk.Paraboloid(size), wk.CoatedHalfSpace([layer], on=wk.Elastic(0.1, 0.3)))
+        path = wk.Path(time, wk.Force(np.zeros(3)), wk.Shift(1e-3 * size * np.array([0.0, 1.0, -1.0])))
+        moved = wk.CoatedTangential(bed, wk.Coulomb(MU), path).solve()
+        assert not any(each.any() for each in (moved.shear_force, moved.radius, moved.dissipation))
+
+
 @pytest.mark.parametrize(
     ("bound_of", "ratio"), [(push_bound, 0.1), pytest.param(twist_bound, 10.0, marks=pytest.mark.slow)]
 )

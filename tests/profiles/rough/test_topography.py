@@ -358,6 +358,17 @@ def test_scan_lines_are_levelled(along):
     assert any(note.statement == f"Taken out of the measured heights: {found.removed}." for note in map_notes(found))
 
 
+def test_lines_that_share_no_point_are_levelled_by_an_earlier_one():
+    """Neighbours of which one half each is missing: the line after them is as far off as it was shifted."""
+    heights = np.zeros((8, 5)) + np.array([0.0, 3.0, -200.0, 70.0, 1.0])
+    heights[:4, 2] = heights[4:, 3] = np.nan
+    found = Topography(heights, [1.0, 1.0]).levelled("differences").heights
+    assert np.nanmax(found) - np.nanmin(found) < 1e-12
+    heights[4:, :2] = np.nan
+    with pytest.raises(InvalidInput, match="scan line 2 has no measured point beside one of a line before it"):
+        Topography(heights, [1.0, 1.0]).levelled("differences")
+
+
 def test_lines_that_cannot_be_levelled():
     wave = Topography(np.random.default_rng(0).random((8, 8)), [1.0, 1.0], periodic=True)
     assert np.ptp(np.median(wave.levelled().heights, axis=0)) < 1e-15

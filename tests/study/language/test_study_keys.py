@@ -44,10 +44,10 @@ def test_what_is_replaced_is_checked_again():
     ("key", "sentence"),
     [
         ("lod", "the key 'lod': there is no 'lod' (did you mean 'load'?); known are bed, load."),
-        ("load.force.2", "the key 'load.force.2': '2' is no number from 0 to 1, a part of the list."),
+        ("load.force.2", "the key 'load.force.2': '2' is no place in this list; give a number from 0 to 1."),
         (
             "bed.profile.parts.one",
-            "the key 'bed.profile.parts.one': 'one' is no number from 0 to 1, a part of the list.",
+            "the key 'bed.profile.parts.one': 'one' is no place in this list; give a number from 0 to 1.",
         ),
         ("bed.profile.parts.1.constants.d", "there is no 'd'; known are c."),
         ("bed.medium.second.young", "there is no 'young'; nothing is adjustable there."),

@@ -80,7 +80,8 @@ def numbers_of_c(numbers: np.ndarray[Any, Any]) -> str:
 
 
 def _table(name: str, meaning: str, numbers: np.ndarray[Any, Any]) -> str:
-    return f"{_comment(meaning)}\nstatic const double {name}[{numbers.size}] = {{\n{numbers_of_c(numbers)}\n}};"
+    kept = numbers if numbers.size else np.zeros(1)  # C knows no array without elements
+    return f"{_comment(meaning)}\nstatic const double {name}[{kept.size}] = {{\n{numbers_of_c(kept)}\n}};"
 
 
 def _comment(text: str) -> str:

@@ -1,4 +1,4 @@
-"""Measured holds at several depths: does a liquid leave the body, or is it viscoelastic, and its numbers.
+"""Measured holds of several contact radii: does a liquid leave the body, or is it viscoelastic, and its numbers.
 
 The depth scaling of the times tells the kind of body (`winkler.fitting.holds.depth_scaling`); shear modulus, Poisson's
 ratio and diffusivity are those of the poroelastic body that describes all holds best
@@ -52,7 +52,7 @@ MEANINGS = {
 
 @value
 class HeldContacts:
-    """Forces of contacts that were pressed in at once and held, at two depths or more.
+    """Forces of contacts that were pressed in at once and held, with two contact radii or more.
 
     Parameters
     ----------

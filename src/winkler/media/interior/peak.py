@@ -67,7 +67,8 @@ def greatest(
     top, bottom
         Depths between which is searched [m].
     both_sides
-        Whether r is a coordinate along a line through the axis, also negative.
+        Whether r is a coordinate along a line through the axis, also negative; then the greatest of both sides, and of
+        the surface, are followed.
     zooms
         Rounds of refinement; each narrows the box to about a third.
     smooth
@@ -80,10 +81,30 @@ def greatest(
     z = np.concatenate([[0.0], np.geomspace(0.01, 3.0, 24)]) * radius
     if top > 0.0 or bottom < math.inf:
         z = _within(z, top, bottom, radius)
-    least = -math.inf if both_sides else 0.0
-    dr, dz = 0.1 * radius, 0.25
-    best = _best(field, r, z)
-    depth_step = max(dz * best.z, 0.01 * radius)
+    values = _values(field, r, z)
+    if not both_sides:
+        return _followed(field, _highest(r, z, values), radius, (top, bottom), False, zooms, smooth)
+    found = []
+    for side in (r < 0.0, r >= 0.0):  # coarse values do not tell which side has more, or whether the surface has
+        found.append(_followed(field, _highest(r[side], z, values[side]), radius, (top, bottom), True, zooms, smooth))
+        if top == 0.0:
+            on = _highest(r[side], z[:1], values[side, :1])
+            found.append(_followed(field, on, radius, (0.0, 0.0), True, zooms, False))
+    return max(found, key=lambda place: place.value)
+
+
+def _followed(
+    field: Callable[[Array, Array], Array],
+    best: StressPlace,
+    radius: float,
+    depths: tuple[float, float],
+    both_sides: bool,
+    zooms: int,
+    smooth: bool,
+) -> StressPlace:
+    """Return the greatest value about a place, in smaller and smaller boxes; the rest as of `greatest`."""
+    (top, bottom), least = depths, -math.inf if both_sides else 0.0
+    dr, depth_step = 0.1 * radius, max(0.25 * best.z, 0.01 * radius)
     centre, fitted, least_step = best, False, NARROWED**zooms * 0.1 * radius
     for _ in range(zooms):
         around_r = np.unique(np.clip(centre.r + dr * LINE, least, None))
@@ -141,10 +162,6 @@ def _within(z: Array, top: float, bottom: float, radius: float) -> Array:
     """Return depths between two faces of a layer, of which both count."""
     end = min(bottom, top + 3.0 * radius)
     return np.unique(np.concatenate([z[(z > top) & (z < end)][::2], np.linspace(top, end, 5)]))
-
-
-def _best(field: Callable[[Array, Array], Array], r: Array, z: Array) -> StressPlace:
-    return _highest(r, z, _values(field, r, z))
 
 
 def _values(field: Callable[[Array, Array], Array], r: Array, z: Array) -> Array:

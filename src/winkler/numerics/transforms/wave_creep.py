@@ -42,6 +42,8 @@ LARGEST_ERROR = 1e-5
 """A fit that is wrong by more than this part is refused."""
 NODES = 16
 """Gauss-Legendre nodes on a panel of wave numbers."""
+MOST_PANELS = 400_000
+"""Of wave numbers for one grid of cells, up to contacts some 10 000 times as wide as the uppermost layer is thick."""
 CHECKED_WAVES = 5
 """Every fifth wave is checked."""
 
@@ -76,6 +78,11 @@ class WaveCreep(NamedTuple):
         """Return how the load of a hat moves hats at distances 0, width, ..., ``(1 + M, 2 count)``.
 
         A hat is one in its middle and zero one width [m] away: the double integral of c with two hats [m/Pa].
+
+        Raises
+        ------
+        NotConverged
+            If the cells reach too far against the length over which the waves vary.
         """
         lowest, last, along = float(self.edges[1]), float(self.edges[-1]), np.arange(2 * count)
         stride = 2.0 * math.pi / (4 * count * width)
@@ -84,6 +91,12 @@ class WaveCreep(NamedTuple):
         total = self._weighted(xi, weights, width) @ np.cos(np.outer(xi, width * along))
         # from there on panels of one width, which all cells at their distances meet in steps of a whole turn's part
         panels = math.ceil((last - start) / stride)
+        if panels > MOST_PANELS:
+            raise NotConverged(
+                f"The contact is too wide against the uppermost layer: it needs {panels:.1e} panels of waves, of "
+                f"which at most {MOST_PANELS:.0e} are summed; leave so thin a layer out, give a thicker one, or press "
+                "less."
+            )
         for node, weight in zip(*gauss_legendre(NODES), strict=True):
             first = start + node * stride
             xi = first + stride * np.arange(panels)

@@ -1,4 +1,4 @@
-"""Sheets of measured holds at several depths: forces with a poroelastic body, and times over the contact radius."""
+"""Sheets of measured holds of several contact radii: forces with a poroelastic body, and times over the radius."""
 
 from __future__ import annotations
 

@@ -11,6 +11,7 @@ from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.torsion_bound import PressedState, TwistBound
 from winkler.loading import Angle, Depth, Shift
+from winkler.media.families import CoatedBody
 from winkler.numerics.types import Array
 from winkler.path import Path
 from winkler.problems.normal.solve_contact import at_depth, at_force
@@ -81,7 +82,7 @@ def ring_points(
     forced = not isinstance(path.normal, Depth)
     depth, force, radius = _pressed(bed, path, forced)
     widest = float(np.max(radius))
-    bound = bound_of(bed, coefficient, widest if widest > 0.0 else 1.0, forced)
+    bound = bound_of(bed, coefficient, widest if widest > 0.0 else _own_length(bed), forced)
     excess = np.where(radius >= bed.rim, depth - bed.gap(radius), 0.0)
     rows = (path.across, radius, np.maximum(excess, 0.0))
     presses = [PressedState(*row) for row in zip(*(each.tolist() for each in rows), strict=True)]
@@ -105,6 +106,11 @@ def ring_points(
             bound=bound,
             memory=point.memory,
         )
+
+
+def _own_length(bed: Bed) -> float:
+    """Return a radius [m] for the tables of bodies that never touch; without a length in the body, it is of no effect."""
+    return float(bed.medium.response.length) if isinstance(bed.medium, CoatedBody) else 1.0
 
 
 def _pressed(bed: Bed, path: Path, forced: bool) -> tuple[Array, Array, Array]:

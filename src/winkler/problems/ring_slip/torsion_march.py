@@ -241,9 +241,9 @@ def _step_to(
     limit = bound.most(press)
     if abs(torque) > limit * (1.0 - TORQUE_MARGIN):
         raise OutsideValidity(
-            f"the {bound.load} of {torque:.6g} {bound.unit} exceeds what friction bears, {limit:.6g} {bound.unit} "
-            f"under this normal load: the bodies would {bound.free_motion} against each other; give a smaller "
-            f"{bound.load}, a greater load, or prescribe the {bound.motion.capitalize()}."
+            f"the {bound.load} of {torque:.6g} {bound.unit} reaches or exceeds what friction bears, {limit:.6g} "
+            f"{bound.unit} under this normal load: the bodies would {bound.free_motion} against each other; give a "
+            f"smaller {bound.load}, a greater load, or prescribe the {bound.motion.capitalize()}."
         )
     slack = TORQUE_TOLERANCE * (abs(torque) if bound.endless else limit)
     twist, low, high = guess, -math.inf, math.inf

@@ -151,15 +151,16 @@ class Topography:
         Parameters
         ----------
         by : str, optional
-            What is taken off: median of each line, differences (their median from the line before, so that steps which
-            lines share stay), or a fitted line or parabola.
+            What is taken off: median of each line, differences (their median from the nearest line before that shares
+            points with it, so that steps which lines share stay), or a fitted line or parabola.
         along : str, optional
             Direction in which a line was scanned, x or y.
 
         Raises
         ------
         InvalidInput
-            If a word is another one, or the map is periodic and would not be so any more.
+            If a word is another one, or the map is periodic and would not be so any more; by differences, if a line
+            shares no point with any line before it.
         """
         turned = along_x(along)
         levels = line_levels(self.heights.T if turned else self.heights, by, periodic=self.periodic)

@@ -71,7 +71,8 @@ def line_levels(lines: Array, by: str, *, periodic: bool) -> Array:
     Raises
     ------
     InvalidInput
-        If `by` is another word, or a periodic map would not be so without it.
+        If `by` is another word, or a periodic map would not be so without it; by differences, if a line has no point
+        in common with any line before it.
     """
     if by not in LINE_LEVELS:
         raise InvalidInput(
@@ -89,12 +90,16 @@ def line_levels(lines: Array, by: str, *, periodic: bool) -> Array:
     if by == "median":
         levels[some] = np.nanmedian(lines[some], axis=1)[:, None]
     elif by == "differences":
-        reached, there = 0.0, np.flatnonzero(some).tolist()
-        for before, line in zip(there, there[1:], strict=False):
+        there = np.flatnonzero(some).tolist()
+        for place, line in enumerate(there[1:], 1):
+            shared = (before for before in reversed(there[:place]) if np.any(measured[line] & measured[before]))
+            if (before := next(shared, None)) is None:
+                raise InvalidInput(
+                    f"Topography: scan line {line} has no measured point beside one of a line before it, so their "
+                    "difference is not known; level by median, or give a part of the map."
+                )
             both = measured[line] & measured[before]
-            if both.any():
-                reached += float(np.median(lines[line, both] - lines[before, both]))
-            levels[line] = reached
+            levels[line] = levels[before] + float(np.median(lines[line, both] - lines[before, both]))
     else:
         x = np.linspace(-1.0, 1.0, lines.shape[1])
         powers = np.stack([x**degree for degree in range(DEGREES[by] + 1)], axis=1)

@@ -68,9 +68,9 @@ class Solved(_WithAnswers):
         """Return one row for each event of a kind (`winkler.study.batch.events`)."""
         return events_of(self.solution, name)
 
-    @property
+    @functools.cached_property
     def validity(self) -> tuple[Note, ...]:
-        """What was assumed and checked."""
+        """What was assumed and checked; it may take as long as solving."""
         return tuple(getattr(self.solution, "validity", ()))
 
 

@@ -114,11 +114,14 @@ def _existing_file(folder: Path, name: str) -> Path:
         if path.is_file():
             return path
         beside = path.parent.iterdir() if path.parent.is_dir() else ()
+        folder_given = path.is_dir()
         near = sorted(item.name for item in itertools.islice(beside, MOST_NEIGHBOURS) if item.suffix == path.suffix)[:5]
     except (OSError, ValueError) as error:
         raise InvalidInput(
             f"file is '{path_text(name)}', which cannot be accessed ({reason_of(error)}); give its path from the study."
         ) from None
+    if folder_given:
+        raise InvalidInput(f"file is '{path_text(name)}', which is a folder; give the path of a file.")
     near_ones = f"; there are {', '.join(near)}" if near else ""
     raise InvalidInput(
         f"file is '{path_text(name)}', which does not exist beside the study{near_ones}; give its path from there."

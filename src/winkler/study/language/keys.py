@@ -40,7 +40,8 @@ def _step(content: Any, part: str, key: str) -> tuple[Any, Any]:
     if isinstance(content, tuple | np.ndarray):
         if part.isdecimal() and int(part) < len(content):
             return int(part), content[int(part)]
-        raise InvalidInput(f"the key '{key}': '{part}' is no number from 0 to {len(content) - 1}, a part of the list.")
+        places = f"give a number from 0 to {len(content) - 1}" if len(content) > 1 else "its only one is 0"
+        raise InvalidInput(f"the key '{key}': '{part}' is no place in this list; {places}.")
     if dataclasses.is_dataclass(content):
         fields = [field.name for field in dataclasses.fields(content) if field.init]
         if part in fields:

@@ -80,7 +80,7 @@ POROELASTIC = Chapter(
             holds=[SHALLOW, DEEP],
             picture=Caption(
                 "holds",
-                "Holds at several depths",
+                "Holds of several contact radii",
                 "Forces with those of the poroelastic body, and times over the contact radius, against the laws of a "
                 "liquid and of a viscoelastic body.",
             ),
