@@ -109,7 +109,7 @@ def ring_points(
 
 
 def _own_length(bed: Bed) -> float:
-    """Return a radius [m] for the tables of bodies that never touch; without a length in the body, it is of no effect."""
+    """Return a radius [m] for the tables of bodies that never touch; of no effect where the body has no length."""
     return float(bed.medium.response.length) if isinstance(bed.medium, CoatedBody) else 1.0
 
 
