@@ -76,7 +76,7 @@ def chart(*panels: Panel) -> Chart:
     for number, panel in enumerate(panels):
         name = f"y{number + 1}" if number else "y"
         place: dict[str, Any] = {"domain": list(DOMAINS[number])} if len(panels) > 1 else {"automargin": True}
-        place |= {"scaleanchor": "x", "constrain": "domain", "constraintoward": "top"} if panel.equal else {}
+        place |= {"scaleanchor": "x", "constrain": "domain", "constraintoward": "middle"} if panel.equal else {}
         layout[f"yaxis{number + 1 if number else ''}"] = _axis(panel.upright, panel.grid == "both", **place)
         across, upright = panel.across.scale.factor, panel.upright.scale.factor
         for mark in sorted(panel.marks, key=lambda one: getattr(one, "order", 2.0)):
