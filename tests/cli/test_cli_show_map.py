@@ -65,6 +65,7 @@ def test_a_scan(here, capsys):
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
     [
+        (["sphere", "--levelled", "median"], "'sphere' is not the path of a file, which has a dot or a slash"),
         (["nothing.npy"], "nothing.npy: there is no such file in '.'; give the path of a height map."),
         (["waves.npy"], "waves.npy: the file does not state the unit of its heights; give unit, such as 'nm' or 'um'."),
         (["waves.npy", "-o", "waves.toml"], "show: 'waves.toml' does not end like a picture; give .svg, .png, .pdf."),

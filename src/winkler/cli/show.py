@@ -83,12 +83,17 @@ def show(
     from winkler.materials.named import material, material_names
     from winkler.study.language.catalogue import CATALOGUE, REFUSED, kinds
 
+    options = show_map.MapOptions(
+        unit, lengths, channel, periodic, tip_radius, without_spikes, detrend, levelled, lines_along
+    )
     if show_map.is_file(name):
-        options = show_map.MapOptions(
-            unit, lengths, channel, periodic, tip_radius, without_spikes, detrend, levelled, lines_along
-        )
         show_map.show_map(Path(name), options, output, as_json=as_json, overwrite=overwrite)
         return
+    if options != show_map.MapOptions() or output is not None:
+        raise InvalidInput(
+            f"'{name}' is not the path of a file, which has a dot or a slash; options other than --json are "
+            "for files with a height map or a line scan: give its path, or leave them out."
+        )
     # a word may name a group and a kind (force is one, load the other): the kind is meant, groups have no kind's name
     if as_json and name == "fit":
         write_json(show_fit.fit_json())

@@ -23,13 +23,13 @@ LARGE_TILT = 0.2
 class MapOptions(NamedTuple):
     """How a file is read and prepared, as the command line gives it."""
 
-    unit: str
-    lengths: str
-    channel: str
-    periodic: bool
-    tip_radius: str
-    without_spikes: bool
-    detrend: str
+    unit: str = ""
+    lengths: str = ""
+    channel: str = ""
+    periodic: bool = False
+    tip_radius: str = ""
+    without_spikes: bool = False
+    detrend: str = "none"
     levelled: str = "none"
     lines_along: str = "x"
 
