@@ -165,6 +165,8 @@ def write_export(exported: ExportedLaw, folder: str | os.PathLike[str]) -> tuple
     target = Path(folder)
     try:
         target.mkdir(parents=True, exist_ok=True)
+    except FileExistsError:
+        raise InvalidInput(f"write_export: {target} is a file, not a folder; give another folder.") from None
     except OSError as error:
         raise InvalidInput(f"write_export: {target} cannot be made ({error.strerror}); give another folder.") from None
     paths = []
