@@ -72,7 +72,7 @@ ROUNDED: dict[tuple[str, str], Rounded] = {
     ("SpotClusterSolution", "uncertainty"): ERROR,
     ("OscillatingRollingSolution", "shift_per_cycle"): ERROR,
     **{("EllipticYieldOnsetSolution", name): PLACE for name in "xyz"},
-    ("YieldOnsetSolution", "z"): PLACE,
+    **{("YieldOnsetSolution", name): PLACE._replace(beside=name) for name in "rz"},  # powers of two round logarithms
     ("SurfaceAdhesionSolution", "residual"): ERROR,
     ("SurfaceAdhesionSolution", "energy_misfit"): Rounded(
         1e-3, "a small difference of energies", beside="energy_misfit"
