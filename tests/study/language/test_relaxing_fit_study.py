@@ -102,7 +102,7 @@ def test_creep_gives_what_is_known_with_units_of_positions(studies, tmp_path):
         ("fit_cell_loop", "contact_point = true", "contact_pint = true", "did you mean 'contact_point'"),
         ("fit_cell_loop", "contact_point = true", "drift = true\ndrga = true", "did you mean 'drag'"),
         ("fit_gel_creep", "first.shears", "first.shers", "did you mean 'shears'"),
-        ("fit_gel_creep", 'first.shears"', 'first.shears.3"', "no number from 0 to 0"),
+        ("fit_gel_creep", 'first.shears"', 'first.shears.3"', "is no place in this list; its only one is 0"),
         ("fit_cell_loop", "first.exponent", "first.span", "there is no 'span'"),
         ("fit_cell_loop", '"viscoelastic_indentation"', '"creep_test"', "no curve can be fitted to"),
         ("fit_gel", 'part = "approach"', 'part = "hold"', "needs a body that relaxes"),
