@@ -18,7 +18,7 @@ HOST = "127.0.0.1"
 
 
 class WithoutCancelled(logging.Filter):
-    """Keeps back what the server says when it cuts requests off that a browser left open: it was told to end."""
+    """Keeps back what the server says when it cuts requests off that a browser left open: the app is ending."""
 
     def filter(self, record: logging.LogRecord) -> bool:
         """Return whether a record is of something else."""
