@@ -12,6 +12,8 @@ import warnings
 import weakref
 from typing import Any
 
+from docutils import nodes
+from latex2mathml.converter import convert
 from matplotlib import pyplot
 from matplotlib.figure import Figure
 from sphinx.util import logging
@@ -31,12 +33,14 @@ release = version = winkler.__version__
 extensions = [
     "myst_parser",
     "sphinx.ext.autodoc",
-    "sphinx.ext.mathjax",
     "sphinx.ext.napoleon",
     "sphinx_gallery.gen_gallery",
 ]
 
 html_theme = "furo"
+html_math_renderer = "mathml"
+html_static_path = ["static"]
+html_css_files = ["formulas.css"]
 html_title = "winkler"
 exclude_patterns = ["_build", "sg_execution_times.rst", "**/sg_execution_times.rst"]
 
@@ -159,10 +163,32 @@ def _keep_sentences(app: Any, what: str, name: str, item: Any, options: Any, lin
         lines.insert(0, "")
 
 
+def in_mathml(formula: str, display: str) -> str:
+    """Return a formula in MathML, with a thin space between the name of a function and what it is taken of."""
+    return re.sub(
+        r"(?<!<msup>)(?<!<msub>)(<mi>[a-z]{2,}</mi>)(?=<m[infs])",
+        r'\1<mspace width="0.17em" />',
+        convert(formula, display=display),
+    )
+
+
+def inline_formula(writer: Any, node: Any) -> None:
+    """Write a formula of a line in MathML: browsers draw it themselves, from any disk, without a script of a server."""
+    writer.body.append(in_mathml(node.astext(), "inline"))
+    raise nodes.SkipNode
+
+
+def displayed_formula(writer: Any, node: Any) -> None:
+    """Write a displayed formula in MathML, in a box that scrolls by itself where the page is narrow."""
+    writer.body.append(f'<div class="math">{in_mathml(node.astext(), "block")}</div>\n')
+    raise nodes.SkipNode
+
+
 def setup(app: Any) -> None:
     """Hook the pages that are made while building into the build; a warning of a script is a mistake, as in tests."""
     warnings.filterwarnings("error", category=RuntimeWarning)
     warnings.filterwarnings("error", category=DeprecationWarning, module="winkler")
+    app.add_html_math_renderer("mathml", (inline_formula, None), (displayed_formula, None))
     app.connect("source-read", _fill)
     app.connect("autodoc-process-docstring", _keep_sentences, priority=100)
     app.connect("autodoc-process-docstring", _keep_initials, priority=900)
