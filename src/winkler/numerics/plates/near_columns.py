@@ -62,9 +62,9 @@ def fill_columns(
         for da in range(-REACH, REACH + 1):
             for db in range(-REACH, REACH + 1):
                 ca, cb = a + da, b + db
-                if periodic and 2 * REACH + 1 < across:
+                if periodic and across > 2 * REACH + 1:
                     ca %= across
-                if periodic and 2 * REACH + 1 < along:
+                if periodic and along > 2 * REACH + 1:
                     cb %= along
                 if ca < 0 or cb < 0 or ca >= across or cb >= along:
                     continue

@@ -1,9 +1,11 @@
 r"""A contact on layers of high contrast: Newton's steps on the pixels that press, each of which takes energy away.
 
 A stiff layer spreads what one pixel bears over many others, so that pixels which enter together push each other out
-again: to let in all that overlap goes in circles from contrasts of some hundred on.  Here pixels enter where the overlap
-is greatest of those around it, and together only once those that press touch; a step that ends at pressures which are
-not allowed is halved until the energy p G p / 2 + p (h - d) falls.  So no set of pixels comes back.
+again: to let in all that overlap goes in circles from contrasts of some hundred on.  Here pixels enter where the
+overlap is greatest of those around, and together once those that press touch.  What would then be pulled is let go, and
+the others are brought to touch again before anything is compared: pressures that are only cut off bend the plate.  A
+step counts if the energy p G p / 2 + p (h - d) falls, so that no set of pixels comes back; where it does not, the step
+before anything was let go is halved until it does.
 """
 
 from __future__ import annotations
@@ -28,7 +30,9 @@ __all__ = ["PlateContact"]
 MOST_STEPS = 400
 """Steps after which a contact has not converged; ten to a hundred are usual."""
 MOST_HALVINGS = 30
+"""Of a step, after which less than rounding is left of it."""
 MOST_RELEASES = 30
+"""How often in a row what would be pulled is let go; three to eight times are usual."""
 AROUND = 5
 """Pixels across, of which the one that overlaps most enters."""
 ENTERING_RATIO = 0.3
@@ -63,6 +67,7 @@ class PlateContact:
         self.load = getattr(drive, "load", math.nan)
         self.balanced = not math.isnan(self.load)
         self.kernel, self.periodic = kernel_of(grid), grid.padded == grid.shape
+        self.first = np.zeros_like(start)
 
     def solve(self, tolerance: float) -> int:
         """Solve it, and count the iterations.
@@ -138,7 +143,7 @@ class PlateContact:
 
     def _moved(self, step: Array) -> bool:
         """Go along a step as far as the energy falls; return whether it did."""
-        for k in range(MOST_HALVINGS):
+        for _ in range(MOST_HALVINGS):
             pressed = self._allowed(self.p + step)
             change = pressed - self.p
             sunk = self.grid.displaced(change)

@@ -2,7 +2,7 @@ r"""An approximate inverse of the response of some pixels to each other, whateve
 
 The response of an elastic surface is a Green's function, of an operator of the first order on a half-space and of the
 fourth where a stiff layer bends.  Given the displacements of the pixels around it, that of a pixel hardly depends on
-pixels farther away.  Pixels are put in order from coarse to fine, and every one is eliminated given only those before it
+pixels farther away.  Pixels are put in order from coarse to fine, and each is eliminated given only those before it
 that are nearer than three times the distance between pixels of its level: a factor L of few numbers with
 :math:`L L^T` near the inverse.
 

@@ -8,16 +8,17 @@ a grid of half as many pixels it takes about ten.
 
 from __future__ import annotations
 
+import functools
 import math
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
-from winkler.numerics.arrays import cast, given, namespace_of, to_numpy
+from winkler.numerics.arrays import cast, given, namespace_of
 from winkler.numerics.pixels.layered import SurfaceBelow
-from winkler.numerics.plates.plate_contact import PlateContact
-from winkler.numerics.surfaces.pressed_box import MOST_ITERATIONS, BoxContact, ByDepth, ByLoad, box_around
+from winkler.numerics.plates.box_or_plate import box_or_plate
+from winkler.numerics.surfaces.pressed_box import BoxContact, ByDepth, ByLoad, box_around
 from winkler.numerics.surfaces.pressed_sums import overlap_and_work, shared
 from winkler.numerics.surfaces.surface_grid import DOUBLE, SINGLE, SurfaceGrid
 
@@ -39,8 +40,6 @@ SINGLE_DIGITS_TOLERANCE = 1e-5
 """To what pressures and gaps may be solved in single digits; what they leave is then found anew in double ones."""
 SINGLE_DIGITS_REACH = 1e12
 """Greatest gap, over about the depth, whose square single digits hold in sums over all pixels."""
-STEPS_OF_PLATES = 60
-"""Steps of conjugate gradients on layers of high contrast, after which Newton's are taken."""
 INNER_RATIO = 0.6
 """Part of the tolerance to which the box around the contact is solved, and then to less."""
 
@@ -243,20 +242,11 @@ def _pressed(
             digits = xp.float32
         contact = BoxContact(grid, drive, ceiling, cast(p[box], digits), cast(gap[box], digits), depth)
         del gap
-        stiff = grid.response.dtype == xp.float64 and near
-        if not plate:
-            try:
-                count += contact.solve(inner, STEPS_OF_PLATES if stiff else MOST_ITERATIONS)
-            except NotConverged:
-                if not stiff:
-                    raise
-                plate, count = True, count + STEPS_OF_PLATES
-        if plate:
-            solved, steps = _as_plate(contact, surface, drive, ceiling, inner)
-            count += steps
-            p[box], depth = xp.asarray(solved.p, device=p.device) if xp is not np else solved.p, solved.depth
-        else:
-            p[box], depth = cast(contact.p, p.dtype), contact.depth
+        stiff = near and surface.layers is not None and grid.response.dtype == xp.float64
+        plated = functools.partial(surface.grid, p[box].shape) if stiff else None
+        solved, steps, plate = box_or_plate(contact, plated, drive, ceiling, inner, plate)
+        count += steps
+        p[box], depth = cast(solved, p.dtype), contact.depth
         inner = inner if digits != p.dtype else max(inner * INNER_RATIO, 1e-15)
         if elastic and isinstance(drive, ByLoad):
             p *= drive.load / float(xp.sum(p))
@@ -265,15 +255,6 @@ def _pressed(
         f"{left[1]:.3g} of the work on gaps, after {MOST_ROUNDS} rounds; allowed are {tolerance:.3g} of both. "
         "Allow a larger tolerance, or smooth the heights."
     )
-
-
-def _as_plate(
-    contact: BoxContact, surface: _Surface, drive: ByDepth | ByLoad, ceiling: float, tolerance: float
-) -> tuple[PlateContact, int]:
-    """Go on with a contact where pixels went in circles: return it solved, and the number of steps."""
-    start, gap = to_numpy(contact.p), to_numpy(contact.gap)
-    solved = PlateContact(surface.grid(start.shape), drive, ceiling, start, gap, contact.depth)
-    return solved, solved.solve(tolerance)
 
 
 def _first(heights: Any, drive: ByDepth | ByLoad, pixel: tuple[float, float], ceiling: float, start: Any) -> Any:
