@@ -38,6 +38,7 @@ from winkler.problems.surface_adhesion.without_range import (
     PullOffWithoutRange,
     greatest_pull,
     limit_of_two,
+    refuse_long_ranges,
     two_ranges,
 )
 from winkler.profiles.rough.topography import Topography
@@ -199,9 +200,13 @@ class SurfaceAdhesion:
             If the law is another one, or the lowest force is at an end of the path.
         NotConverged
             As `steps`.
+        OutsideValidity
+            If the shorter range has a Tabor number below two on a ball as curved as the map.
         """
         laws = two_ranges(self.law, self.medium.modulus, self.topography.pixel)
-        found = [dataclasses.replace(self, law=law).solve() for law in laws]
+        ranged = [dataclasses.replace(self, law=law) for law in laws]
+        refuse_long_ranges(ranged[0].tabor)
+        found = [each.solve() for each in ranged]
         return limit_of_two(laws, [greatest_pull(each.depth, each.force) for each in found])
 
     def gathered(self, states: Iterable[SurfaceAdhesionState]) -> SurfaceAdhesionSolution:

@@ -14,15 +14,18 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput
+from winkler.errors import InvalidInput, OutsideValidity
 from winkler.laws.adhesion import ShortRange
 from winkler.laws.attraction import ExponentialAttraction
 from winkler.numerics.types import Array
 
-__all__ = ["PullOffWithoutRange", "greatest_pull", "limit_of_two", "two_ranges"]
+__all__ = ["PullOffWithoutRange", "greatest_pull", "limit_of_two", "refuse_long_ranges", "two_ranges"]
 
 SPANS = (3.0, 6.0)
 """Pixels in the zones: with three to six the grid changes the pull-off force of a ball by less than 0.1 per cent."""
+LEAST_TABOR = 2.0
+"""Of the shorter range on a ball as curved as the map: below it forces of both ranges come near to each other again, as
+those without deformation do, and tell nothing of the limit."""
 POWER = 0.8
 """Of the length of the zone, to which the force differs from that without range."""
 
@@ -35,8 +38,7 @@ class PullOffWithoutRange(NamedTuple):
     force
         Lowest force [N], tension negative.
     error
-        By how much the forces under both laws differ [N]: of balls whose range of three pixels has a Tabor number of
-        2 and more the limit is nearer than this.
+        By how much the forces under both laws differ [N]: of balls the limit is nearer than this.
     ranges
         Of both exponential laws [m].
     forces
@@ -64,6 +66,27 @@ def two_ranges(law: object, modulus: float, pixel: tuple[float, float]) -> tuple
         )
     reach = [math.sqrt(span * max(pixel) * law.work / modulus) for span in SPANS]
     return tuple(ExponentialAttraction(law.work, each) for each in reach)
+
+
+def refuse_long_ranges(tabor: float) -> None:
+    """Refuse ranges that are too long for the limit.
+
+    Parameters
+    ----------
+    tabor : float
+        Tabor's parameter of a ball as curved as the map under the shorter range [-].
+
+    Raises
+    ------
+    OutsideValidity
+        If it is below two.
+    """
+    if tabor < LEAST_TABOR:
+        raise OutsideValidity(
+            f"SurfaceAdhesion: the shortest range that these pixels resolve has a Tabor number of {tabor:.3g} on a ball "
+            f"as curved as the map, and the pull-off force without range follows from {LEAST_TABOR:g} on; take pixels "
+            f"of at most {(tabor / LEAST_TABOR) ** 2:.2g} times this size."
+        )
 
 
 def greatest_pull(depth: Array, force: Array) -> float:
