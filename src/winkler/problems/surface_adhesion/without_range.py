@@ -19,7 +19,7 @@ from winkler.laws.adhesion import ShortRange
 from winkler.laws.attraction import ExponentialAttraction
 from winkler.numerics.types import Array
 
-__all__ = ["PullOffWithoutRange", "greatest_pull", "limit_of_two", "refuse_long_ranges", "two_ranges"]
+__all__ = ["PullOffWithoutRange", "cut_off", "greatest_pull", "limit_of_two", "refuse_long_ranges", "two_ranges"]
 
 SPANS = (3.0, 6.0)
 """Pixels in the zones: with three to six the grid changes the pull-off force of a ball by less than 0.1 per cent."""
@@ -38,7 +38,8 @@ class PullOffWithoutRange(NamedTuple):
     force
         Lowest force [N], tension negative.
     error
-        By how much the forces under both laws differ [N]: of balls the limit is nearer than this.
+        By how much the forces under both laws differ, and what the border of a map that stands alone cuts off [N]: of
+        balls the limit is nearer than this.
     ranges
         Of both exponential laws [m].
     forces
@@ -112,9 +113,25 @@ def greatest_pull(depth: Array, force: Array) -> float:
     return float(force[k] - 0.25 * slope * slope / curvature) if curvature > 0.0 else float(force[k])
 
 
-def limit_of_two(laws: Sequence[ExponentialAttraction], forces: Sequence[float]) -> PullOffWithoutRange:
-    """Return the limit of the forces under both laws."""
+def cut_off(pressure: Array, pixel: tuple[float, float]) -> float:
+    """Return about what a map that stands alone lacks beyond its border [N]: the pull there over the longer zone.
+
+    Parameters
+    ----------
+    pressure : ndarray, (nx, ny)
+        p [Pa] of the strongest pull, tension negative.
+    pixel : tuple of float
+        (dx, dy) [m].
+    """
+    edges = float(np.sum(pressure[[0, -1]])) + float(np.sum(pressure[:, [0, -1]]))
+    return SPANS[1] * abs(min(edges, 0.0)) * pixel[0] * pixel[1]
+
+
+def limit_of_two(
+    laws: Sequence[ExponentialAttraction], forces: Sequence[float], cut: float = 0.0
+) -> PullOffWithoutRange:
+    """Return the limit of the forces under both laws, and its error with what the border cuts off."""
     short, long = forces
     change, ratio = short - long, SPANS[1] / SPANS[0]
     limit = short + change / (ratio**POWER - 1.0)
-    return PullOffWithoutRange(limit, abs(change), (laws[0].range, laws[1].range), (short, long))
+    return PullOffWithoutRange(limit, abs(change) + cut, (laws[0].range, laws[1].range), (short, long))
