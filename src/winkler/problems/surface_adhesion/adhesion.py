@@ -35,7 +35,12 @@ from winkler.problems.surface_adhesion.march import AdhesionMarch, Leapt
 from winkler.problems.surface_adhesion.notes import surface_adhesion_notes
 from winkler.problems.surface_adhesion.states import SurfaceAdhesionState, SurfaceJump
 from winkler.problems.surface_adhesion.without_range import (
-    PullOffWithoutRange, cut_off, greatest_pull, limit_of_two, refuse_long_ranges, two_ranges,
+    PullOffWithoutRange,
+    cut_off,
+    greatest_pull,
+    limit_of_two,
+    refuse_long_ranges,
+    two_ranges,
 )  # fmt: skip
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note
