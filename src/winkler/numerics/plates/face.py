@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from winkler.numerics.plates.responding_grid import RespondingGrid
 from winkler.numerics.plates.screened_inverse import ScreenedInverse
-from winkler.numerics.surfaces.surface_grid import SurfaceGrid
 from winkler.numerics.types import Array
 
 __all__ = ["step_on"]
@@ -15,13 +15,13 @@ MOST_ITERATIONS = 300
 
 
 def step_on(
-    grid: SurfaceGrid, kernel: Array, there: Array, wanted: Array, tolerance: float, *, balanced: bool
+    grid: RespondingGrid, kernel: Array, there: Array, wanted: Array, tolerance: float, *, balanced: bool
 ) -> tuple[Array, int]:
     """Return changes of pressures that displace some pixels as wanted, and the number of iterations.
 
     Parameters
     ----------
-    grid : SurfaceGrid
+    grid : RespondingGrid
         The response.
     kernel : ndarray, (nx, ny)
         As of `winkler.numerics.plates.screened_inverse.kernel_of`.

@@ -11,19 +11,15 @@ before anything was let go is halved until it does.
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from winkler.errors import NotConverged
 from winkler.numerics.plates.face import step_on
+from winkler.numerics.plates.pressed_sums import left_over, shared
+from winkler.numerics.plates.responding_grid import RespondingGrid
 from winkler.numerics.plates.screened_inverse import kernel_of
-from winkler.numerics.surfaces.pressed_sums import left_over, shared
-from winkler.numerics.surfaces.surface_grid import SurfaceGrid
 from winkler.numerics.types import Array
-
-if TYPE_CHECKING:
-    from winkler.numerics.surfaces.pressed_box import ByDepth, ByLoad
 
 __all__ = ["PlateContact"]
 
@@ -48,10 +44,10 @@ class PlateContact:
 
     Parameters
     ----------
-    grid : SurfaceGrid
+    grid : RespondingGrid
         The grid.
-    drive : ByDepth or ByLoad
-        What is prescribed.
+    load : float
+        Sum of p / E* that is prescribed; nan where the depth is.
     ceiling : float
         Pressure that is not exceeded.
     start, gap : ndarray, (nx, ny)
@@ -61,11 +57,10 @@ class PlateContact:
     """
 
     def __init__(
-        self, grid: SurfaceGrid, drive: ByDepth | ByLoad, ceiling: float, start: Array, gap: Array, depth: float
+        self, grid: RespondingGrid, load: float, ceiling: float, start: Array, gap: Array, depth: float
     ) -> None:
         self.grid, self.ceiling, self.p, self.gap, self.depth = grid, ceiling, start, gap, depth
-        self.load = getattr(drive, "load", math.nan)
-        self.balanced = not math.isnan(self.load)
+        self.load, self.balanced = load, not math.isnan(load)
         self.kernel, self.periodic = kernel_of(grid), grid.padded == grid.shape
         self.first = np.zeros_like(start)
 

@@ -14,13 +14,13 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.numerics.plates.near_columns import MOST_NEAR, fill_columns
-from winkler.numerics.surfaces.surface_grid import SurfaceGrid
+from winkler.numerics.plates.responding_grid import RespondingGrid
 from winkler.numerics.types import Array
 
 __all__ = ["ScreenedInverse", "kernel_of"]
 
 
-def kernel_of(grid: SurfaceGrid) -> Array:
+def kernel_of(grid: RespondingGrid) -> Array:
     """Return the displacement of all pixels under a unit pressure on the one at (0, 0), positive everywhere."""
     one = np.zeros(grid.shape)
     one[0, 0] = 1.0

@@ -12,8 +12,8 @@ from typing import Any, NamedTuple
 
 from winkler.errors import NotConverged
 from winkler.numerics.arrays import cast, dot, namespace_of
+from winkler.numerics.plates.pressed_sums import left_over, shared
 from winkler.numerics.row_blocks import RowBlocks
-from winkler.numerics.surfaces.pressed_sums import left_over, shared
 from winkler.numerics.surfaces.surface_grid import SurfaceGrid
 
 __all__ = ["BoxContact", "ByDepth", "ByLoad", "box_around"]

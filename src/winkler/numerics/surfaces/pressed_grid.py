@@ -17,9 +17,9 @@ import numpy as np
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.numerics.arrays import cast, given, namespace_of
 from winkler.numerics.pixels.layered import SurfaceBelow
-from winkler.numerics.plates.box_or_plate import box_or_plate
+from winkler.numerics.plates.pressed_sums import overlap_and_work, shared
+from winkler.numerics.surfaces.box_or_plate import box_or_plate
 from winkler.numerics.surfaces.pressed_box import BoxContact, ByDepth, ByLoad, box_around
-from winkler.numerics.surfaces.pressed_sums import overlap_and_work, shared
 from winkler.numerics.surfaces.surface_grid import DOUBLE, SINGLE, SurfaceGrid
 
 __all__ = ["ByDepth", "ByLoad", "PressedSurface", "press"]
@@ -244,7 +244,7 @@ def _pressed(
         del gap
         stiff = near and surface.layers is not None and grid.response.dtype == xp.float64
         plated = functools.partial(surface.grid, p[box].shape) if stiff else None
-        solved, steps, plate = box_or_plate(contact, plated, drive, ceiling, inner, plate)
+        solved, steps, plate = box_or_plate(contact, plated, ceiling, inner, plate)
         count += steps
         p[box], depth = cast(solved, p.dtype), contact.depth
         inner = inner if digits != p.dtype else max(inner * INNER_RATIO, 1e-15)

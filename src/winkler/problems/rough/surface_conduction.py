@@ -132,7 +132,7 @@ class SurfaceConduction:
             contact_solution,
             line,
             *(contact_solution.depth, contact_solution.force, contact_solution.stiffness),
-            *(np.asarray(part) for part in (line.stiffness, least, np.full_like(least, flat))),
+            *(np.asarray(line.stiffness), np.asarray(least), np.full_like(least, flat)),
             shaped(np.array([self._film_excess(state) for state in states]).reshape(force.shape)),
         )
 

@@ -10,7 +10,7 @@ import numpy as np
 from winkler.errors import NotConverged
 from winkler.numerics.arrays import namespace_of, to_numpy
 from winkler.numerics.plates.plate_contact import PlateContact
-from winkler.numerics.surfaces.pressed_box import BoxContact, ByDepth, ByLoad
+from winkler.numerics.surfaces.pressed_box import BoxContact
 from winkler.numerics.surfaces.surface_grid import SurfaceGrid
 
 __all__ = ["box_or_plate"]
@@ -22,7 +22,6 @@ STEPS_OF_PLATES = 60
 def box_or_plate(
     contact: BoxContact,
     plated: Callable[[], SurfaceGrid] | None,
-    drive: ByDepth | ByLoad,
     ceiling: float,
     tolerance: float,
     plate: bool,
@@ -35,7 +34,7 @@ def box_or_plate(
         The contact, whose depth is written.
     plated : callable or None
         Makes the grid in double digits, of numpy; none of layers of low contrast.
-    drive, ceiling, tolerance
+    ceiling, tolerance
         As for `BoxContact`.
     plate : bool
         Whether Newton's steps are taken at once.
@@ -52,7 +51,7 @@ def box_or_plate(
             return contact.p, contact.solve(tolerance, STEPS_OF_PLATES), False
         except NotConverged:
             pass  # pixels went in circles
-    found = PlateContact(plated(), drive, ceiling, to_numpy(contact.p), to_numpy(contact.gap), contact.depth)
+    found = PlateContact(plated(), contact.load, ceiling, to_numpy(contact.p), to_numpy(contact.gap), contact.depth)
     count = found.solve(tolerance) + (0 if plate else STEPS_OF_PLATES)
     contact.depth = found.depth
     like, xp = contact.p, namespace_of(contact.p)
