@@ -9,7 +9,6 @@ import pytest
 
 import winkler as wk
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.problems.rough.map_advice import plate_advice
 from winkler.problems.rough.reduce import Reduction
 
 STIFF = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(5.0, 0.3), 0.1)], on=wk.Elastic(1.0, 0.4), second=wk.Elastic(3.0, 0.2))
@@ -86,11 +85,3 @@ def test_gibsons_solid_is_refused():
     soil = wk.GradedHalfSpace.between(wk.PowerLawGraded(young=1.0, depth_scale=1.0, exponent=1.0, poisson=0.5))
     with pytest.raises(OutsideValidity, match="give an exponent below 1"):
         wk.SurfaceContact(ball(21), soil, wk.Force(0.01))
-
-
-def test_stiff_plates_come_with_the_contrasts_that_are_solved():
-    plate = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(1e5, 0.3), 0.01)], on=wk.Elastic(1.0, 0.3))
-    layers = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(200.0, 0.3), 0.01)], on=wk.Elastic(1.0, 0.3))
-    assert plate_advice(plate).startswith(" A layer 1e+05 times as stiff")
-    assert "contrasts up to 300 are solved" in plate_advice(plate)
-    assert plate_advice(layers) == plate_advice(wk.HalfSpace(wk.Elastic(1.0, 0.3))) == ""

@@ -44,6 +44,24 @@ def test_the_lower_bound_is_the_resistance_of_the_stamp():
     assert result.line_resistance == pytest.approx(STEEL.modulus * 32e-9 / (2 * result.line_stiffness), rel=1e-12)
 
 
+def test_a_film_on_the_spots_is_that_of_their_current():
+    """Beside the current solved pixel by pixel; more than the film of an even flux, and all resistances bear it."""
+    pair = wk.ElectricalConductors(METAL, METAL, wk.SurfaceFilm(1e-12))
+    contact = wk.SurfaceContact(STAMP, STEEL, wk.Force([1.0, 10.0]))
+    clean, filmed = (wk.SurfaceConduction(contact, each, realisations=5).solve() for each in (PAIR, pair))
+    spots = wk.SurfaceConstriction(contact, pair, wk.Current(1e-6)).solve()
+    assert filmed.resistance == pytest.approx(spots.cold_resistance, rel=1e-4)
+    pixels = np.asarray(filmed.resistance) - np.asarray(clean.resistance)
+    assert pixels == pytest.approx(filmed.film_excess, rel=1e-12)
+    assert np.all(pixels >= (1.0 - 1e-4) * spots.film_resistance)
+    assert pixels[1] > 1.01 * spots.film_resistance[1]  # of several pixels
+    assert np.all(pixels < 1.3 * spots.film_resistance)
+    for name in ("line_resistance", "least_resistance", "greatest_resistance"):
+        assert getattr(filmed, name) - getattr(clean, name) == pytest.approx(filmed.film_excess, rel=1e-9)
+    assert clean.film_excess == pytest.approx([0.0, 0.0], abs=0.0)
+    assert "bear the same film" in " ".join(note.statement for note in filmed.validity)
+
+
 def test_a_periodic_map_has_no_upper_bound_of_the_stiffness():
     rough = wk.RandomTopography([1e-3, 1e-3], BLASTED, (32, 32))
     result = wk.SurfaceConduction(wk.SurfaceContact(rough, STEEL, wk.Force(3.0)), PAIR, realisations=5).solve()
@@ -71,9 +89,9 @@ def test_the_line_is_that_of_the_spectrum():
         (lambda c: wk.SurfaceConduction(c, PAIR, realisations=0), wk.InvalidInput, "realisations is 0; give a whole"),
         (lambda c: wk.SurfaceConduction(c, PAIR, seed=-1), wk.InvalidInput, "seed is -1; give a whole number"),
         (
-            lambda c: wk.SurfaceConduction(c, wk.ElectricalConductors(METAL, METAL, wk.SurfaceFilm(1e-12))),
+            lambda c: wk.SurfaceConduction(c, wk.ElectricalConductors(wk.Plated(METAL, 1e-6, METAL), METAL)),
             wk.OutsideValidity,
-            r"without film or plating.* A SurfaceConstriction follows",
+            r"without film or plating.* A SurfaceConstriction follows platings",
         ),
         (
             lambda c: wk.SurfaceConduction(

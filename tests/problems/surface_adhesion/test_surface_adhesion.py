@@ -106,8 +106,33 @@ def test_pull_off_without_range_is_that_of_jkr(count):
     assert limit.ranges == pytest.approx([math.sqrt(span * work) for span in (3.0, 6.0)], rel=1e-12)
 
 
+@pytest.mark.parametrize(("tabor", "count"), [(2.01, 48), (2.01, 64), pytest.param(2.5, 96, marks=pytest.mark.slow)])
+def test_the_error_without_range_holds_wherever_it_is_stated(tabor, count):
+    """Of balls on pixels as coarse as are taken, the first of which ends where it still attracts, and finer ones."""
+    limit = drawn_without_range(tabor, count).pull_off_without_range()
+    closed = -1.5 * math.pi * 1e-6 * radius_of(tabor)
+    assert abs(limit.force - closed) < limit.error < (0.1 if count == 48 else 0.035) * abs(closed)
+
+
+@pytest.mark.parametrize("tabor", [0.3, 0.6, 1.0, 1.5, 1.99])
+def test_pixels_that_do_not_tell_the_limit_without_range_are_refused(tabor):
+    with pytest.raises(OutsideValidity, match=r"on a ball as curved as the map, and .* follows from 2 on; take pixels"):
+        drawn_without_range(tabor, 24).pull_off_without_range()
+
+
+def radius_of(tabor: float) -> float:
+    """Return the radius of a ball that has this number under a range whose zone is three pixels of one metre."""
+    return tabor**3 * math.sqrt(3e-6) ** 3 / 1e-12
+
+
+def drawn_without_range(tabor: float, count: int) -> wk.SurfaceAdhesion:
+    """Return a ball that is drawn off."""
+    depths = wk.Depth(math.sqrt(3e-6) * np.linspace(-1.0, -2.6, 9))
+    return wk.SurfaceAdhesion(ball(count, radius_of(tabor), off=0.3), UNIT, wk.ShortRange(1e-6), depths)
+
+
 def test_a_pull_off_without_range_needs_it_between_displacements():
-    surface, law = ball(24, 1000.0), wk.ShortRange(1e-6)
+    surface, law = ball(24, radius_of(2.1)), wk.ShortRange(1e-6)
     with pytest.raises(InvalidInput, match="lowest force is at the end of the path"):
         wk.SurfaceAdhesion(surface, UNIT, law, wk.Depth(1e-3 * np.array([0.0, -0.1]))).pull_off_without_range()
     ranged = wk.ExponentialAttraction(1e-6, 1e-2)

@@ -6,6 +6,7 @@ import dataclasses
 
 import numpy as np
 import pytest
+from scipy.special import gammaln
 
 import winkler as wk
 from winkler.media.conduction.disc_resistance import disc_resistances
@@ -122,6 +123,42 @@ def test_a_thick_film_rules_alone():
     everywhere = spot_resistances(np.ones((4, 6), bool), side, (GOLD, STEEL), 1e-12, periodic=True)
     assert everywhere.first == everywhere.second == 0.0
     assert everywhere.film == pytest.approx(1e-12 / (24 * side[0] ** 2), rel=1e-12)
+
+
+def robin_disc(film):
+    """Resistance of a disc of unit radius under a film, resistivities one, by Galerkin's method on (1 - r^2)^(k/2).
+
+    Hankel's transform of (1 - r^2)^k is 2^k k! J_{k+1}(q) / q^(k+1); products of them integrate by Abramowitz and
+    Stegun 11.4.33.
+    """
+    k = 0.5 * np.arange(14)
+    one, other = np.meshgrid(k, k, indexing="ij")
+    power = one + other + 2.0
+    products = np.exp(
+        gammaln(power) + gammaln(0.5) + gammaln(one + 1.0) + gammaln(other + 1.0) - 2.0 * np.log(2.0)
+        - gammaln((other - one + power + 1.0) / 2.0) - gammaln((one - other + power + 1.0) / 2.0)
+        - gammaln((one + other + power + 3.0) / 2.0)
+    )  # fmt: skip
+    flux = 0.5 / (k + 1.0)
+    found = np.linalg.lstsq(2.0 * products + film * 0.5 / (one + other + 1.0), flux, rcond=1e-14)[0]
+    return 1.0 / (2.0 * np.pi * float(found @ flux))
+
+
+@pytest.mark.parametrize("film", [1e-3, 0.1, 1.0, 10.0, 1e3])
+def test_a_disc_under_a_film_meets_robins_condition(film):
+    """By two grids, whose error falls with the pixel; thin films leave Holm's value, thick ones an even flux."""
+    unit, on = wk.ElectricalConductor(1.0), []
+    for count in (24, 48):
+        x = np.arange(count + 4) - 0.5 * (count + 3)
+        touching = (x[:, None] + 0.13) ** 2 + (x + 0.33) ** 2 <= 0.25 * count**2
+        side = float(np.sqrt(np.pi / np.count_nonzero(touching)))
+        found = spot_resistances(touching, (side, side), (unit, unit), film, periodic=False)
+        on.append(found.first + found.second + found.film)
+    assert 2.0 * on[1] - on[0] == pytest.approx(robin_disc(film), rel=2e-3)
+    if film <= 1e-3:
+        assert robin_disc(film) == pytest.approx(0.5, rel=2e-3)
+    if film >= 1e3:
+        assert robin_disc(film) == pytest.approx(film / np.pi + 0.5 * 32.0 / (3.0 * np.pi**2), rel=1e-7)
 
 
 def rivet(**more):

@@ -12,8 +12,8 @@ from typing import Any, NamedTuple
 
 from winkler.errors import NotConverged
 from winkler.numerics.arrays import cast, dot, namespace_of
+from winkler.numerics.plates.pressed_sums import left_over, shared
 from winkler.numerics.row_blocks import RowBlocks
-from winkler.numerics.surfaces.pressed_sums import left_over, shared
 from winkler.numerics.surfaces.surface_grid import SurfaceGrid
 
 __all__ = ["BoxContact", "ByDepth", "ByLoad", "box_around"]
@@ -94,8 +94,8 @@ class BoxContact:
         # wrong gaps of the pixels that may change, one in those pixels, the direction, and changes of pressures
         self.wrong, self.kept, self.along, self.more = (self._empty() for _ in range(4))
 
-    def solve(self, tolerance: float) -> int:
-        """Solve it, and count the steps; in single digits end where nothing is gained any more.
+    def solve(self, tolerance: float, most: int = MOST_ITERATIONS) -> int:
+        """Solve it in so many steps, and count them; in single digits end where nothing is gained any more.
 
         Raises
         ------
@@ -107,7 +107,7 @@ class BoxContact:
         patience = STEPS_WITHOUT_GAIN if self.digits == xp.float32 else STEPS_OF_STIFF_FILMS
         before = self._empty()
         product, left, best, last, share = 0.0, (math.inf, math.inf), math.inf, 0, 1.0
-        for count in range(MOST_ITERATIONS):
+        for count in range(most):
             pixels, left = self._gaps()
             if math.prod(self.p.shape) >= REPORTED_PIXELS:
                 LOG.info(
@@ -135,11 +135,11 @@ class BoxContact:
             product = new if self._step(downhill, share, tolerance, RESTART_RATIO * pixels) else 0.0
             before, self.wrong = self.wrong, before
         if single:
-            return MOST_ITERATIONS
+            return most
         shape = f"{self.p.shape[0]} x {self.p.shape[1]}"
         raise NotConverged(
             f"the contact of {shape} pixels still overlaps by {left[0]:.3g} of its depth, and pressures do "
-            f"{left[1]:.3g} of the work on gaps, after {MOST_ITERATIONS} steps; allowed are {tolerance:.3g} of both. "
+            f"{left[1]:.3g} of the work on gaps, after {most} steps; allowed are {tolerance:.3g} of both. "
             "Allow a larger tolerance, or smooth the heights."
         )
 

@@ -8,6 +8,7 @@ a grid of half as many pixels it takes about ten.
 
 from __future__ import annotations
 
+import functools
 import math
 from typing import Any, NamedTuple
 
@@ -16,8 +17,9 @@ import numpy as np
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.numerics.arrays import cast, given, namespace_of
 from winkler.numerics.pixels.layered import SurfaceBelow
+from winkler.numerics.plates.pressed_sums import overlap_and_work, shared
+from winkler.numerics.surfaces.box_or_plate import box_or_plate
 from winkler.numerics.surfaces.pressed_box import BoxContact, ByDepth, ByLoad, box_around
-from winkler.numerics.surfaces.pressed_sums import overlap_and_work, shared
 from winkler.numerics.surfaces.surface_grid import DOUBLE, SINGLE, SurfaceGrid
 
 __all__ = ["ByDepth", "ByLoad", "PressedSurface", "press"]
@@ -218,6 +220,7 @@ def _pressed(
     del begun, start
     whole, elastic = surface.grid(shape).beside(heights), math.isinf(ceiling)
     depth, count, inner = drive.depth if isinstance(drive, ByDepth) else math.nan, 0, INNER_RATIO * tolerance
+    plate = False
     for round_ in range(MOST_ROUNDS):
         gap = whole.displaced(p)
         gap += heights
@@ -239,8 +242,11 @@ def _pressed(
             digits = xp.float32
         contact = BoxContact(grid, drive, ceiling, cast(p[box], digits), cast(gap[box], digits), depth)
         del gap
-        count += contact.solve(inner)
-        p[box], depth = cast(contact.p, p.dtype), contact.depth
+        stiff = near and surface.layers is not None and grid.response.dtype == xp.float64
+        plated = functools.partial(surface.grid, p[box].shape) if stiff else None
+        solved, steps, plate = box_or_plate(contact, plated, ceiling, inner, plate)
+        count += steps
+        p[box], depth = cast(solved, p.dtype), contact.depth
         inner = inner if digits != p.dtype else max(inner * INNER_RATIO, 1e-15)
         if elastic and isinstance(drive, ByLoad):
             p *= drive.load / float(xp.sum(p))

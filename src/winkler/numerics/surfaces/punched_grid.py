@@ -13,8 +13,10 @@ from typing import Any
 import numpy as np
 
 from winkler.errors import NotConverged
-from winkler.numerics.arrays import cast, dot, given, namespace_of
+from winkler.numerics.arrays import cast, dot, given, namespace_of, to_numpy
 from winkler.numerics.pixels.layered import SurfaceBelow
+from winkler.numerics.plates.face import step_on
+from winkler.numerics.plates.screened_inverse import kernel_of
 from winkler.numerics.surfaces.pressed_box import box_around
 from winkler.numerics.surfaces.surface_grid import DOUBLE, SINGLE, SurfaceGrid
 from winkler.numerics.surfaces.traction_grid import Compliance, TractionGrid
@@ -72,9 +74,12 @@ def punch(
     shape, aspect = (there.shape[0], there.shape[1]), (1.0, pixel[1] / pixel[0])
     below = layers.in_units_of(pixel[0]) if layers else None
 
-    def grid(digits: np.dtype[np.floating]) -> SurfaceGrid:
+    def grid_of(digits: np.dtype[np.floating] = DOUBLE) -> SurfaceGrid:
         bare = SurfaceGrid.of(shape, aspect, periodic=periodic, digits=digits, layers=below)
-        return bare.filmed(film / pixel[0]).beside(touching)
+        return bare.filmed(film / pixel[0])
+
+    def grid(digits: np.dtype[np.floating]) -> SurfaceGrid:
+        return grid_of(digits).beside(touching)
 
     single = grid(SINGLE)
     exact = single if tolerance > SINGLE_DIGITS_TOLERANCE else grid(DOUBLE)
@@ -100,10 +105,19 @@ def punch(
             wanted = cast(wrong, inner.response.dtype)
             p -= _correction(inner.displaced, inner.roughly_pressing, kept, wanted, INNER_RATIO * tolerance)
         except NotConverged:
-            if inner.response.dtype == xp.float64:
+            if inner.response.dtype == xp.float64 and layers is None:
                 raise
+            if inner.response.dtype == xp.float64:
+                p -= _as_plate(there, grid_of(), wrong, INNER_RATIO * tolerance)
             before = 0.0
     raise _not_converged(touching)
+
+
+def _as_plate(there: Any, grid: SurfaceGrid, wrong: Any, tolerance: float) -> Any:
+    """Return the pressures under a punch that displace by `wrong` on layers of high contrast."""
+    xp = namespace_of(wrong)
+    found, _ = step_on(grid, kernel_of(grid), to_numpy(there), to_numpy(wrong), tolerance, balanced=False)
+    return found if xp is np else xp.asarray(found, device=wrong.device)
 
 
 def _not_converged(touching: Any) -> NotConverged:

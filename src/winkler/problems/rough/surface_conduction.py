@@ -4,13 +4,16 @@ Conductance and stiffness are in proportion, whatever the contact looks like (Ba
 
 .. math:: \frac{1}{R} = \frac{2}{E^*(\rho_1+\rho_2)}\,\frac{\mathrm dF_N}{\mathrm dd} ,
 
-so k(F) determines the resistance.  The map lies between a flat and the same flat raised by its height s from
-the lowest valley to the highest peak.  With the stiffness :math:`k_\infty` of the flat, which touches all over, the
-tangents to both force curves bound that of the rough surface by :math:`F/(F/k_\infty+s)\le k\le k_\infty`.
+so k(F) determines the resistance between clean metals.  A film adds what the boundary elements of the current find,
+each pixel with its own film in series (`winkler.media.conduction.spot_resistances`).  The map lies between a flat and
+the same flat raised by its height s from the lowest valley to the highest peak.  With the stiffness :math:`k_\infty` of
+the flat, which touches all over, the tangents to both force curves bound that of the rough surface by
+:math:`F/(F/k_\infty+s)\le k\le k_\infty`.
 """
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from typing import Annotated, ClassVar
 
@@ -18,9 +21,11 @@ import numpy as np
 
 from winkler.checks.number_checks import Seed, Whole
 from winkler.errors import OutsideValidity
+from winkler.laws.film import SurfaceFilm
 from winkler.limits import MOST_SPRINGS
 from winkler.loading import Depth, Force
 from winkler.media.conduction.conductors import ElectricalConductors
+from winkler.media.conduction.spot_resistances import spot_resistances
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.declared import MAPPED
@@ -28,6 +33,7 @@ from winkler.problems.conduction.stiffness_analogy import conductance_of_stiffne
 from winkler.problems.rough.line_contact import RoughContact, RoughContactSolution
 from winkler.problems.rough.mapped_medium import homogeneous
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
+from winkler.problems.rough.surface_states import SurfaceState
 from winkler.profiles.rough.map_spectrum import spectrum_of
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note, Standing
@@ -49,7 +55,7 @@ class SurfaceConduction:
     contact : SurfaceContact
         How they are pressed together.
     conductors : ElectricalConductors
-        What the bodies conduct; thick ones without platings or film.
+        What the bodies conduct, and the film between them; thick ones without platings.
     realisations : int, optional
         How many random lines with the spectrum of the map are pressed beside it.
     seed : int, optional
@@ -60,7 +66,7 @@ class SurfaceConduction:
     InvalidInput
         If an argument has the wrong type, or a number is out of range.
     OutsideValidity
-        If there is a film, a plating or a rod, or the bodies have layers, of which stiffness tells no conductance.
+        If there is a plating or a rod, or the bodies have layers, of which stiffness tells no conductance.
 
     References
     ----------
@@ -84,9 +90,14 @@ class SurfaceConduction:
     def __post_init__(self) -> None:
         medium = self._medium  # refuses layers
         try:
-            conductance_of_stiffness("SurfaceConduction", medium, self.conductors)
+            conductance_of_stiffness("SurfaceConduction", medium, self._clean)
         except OutsideValidity as error:
-            raise OutsideValidity(f"{error} A SurfaceConstriction follows films and platings on maps.") from None
+            raise OutsideValidity(f"{error} A SurfaceConstriction follows platings on maps.") from None
+
+    @property
+    def _clean(self) -> ElectricalConductors:
+        """The bodies without the film."""
+        return dataclasses.replace(self.conductors, film=SurfaceFilm())
 
     @property
     def _medium(self) -> HomogeneousMedium:
@@ -104,7 +115,8 @@ class SurfaceConduction:
         """
         rough, medium = self.contact.topography, self._medium
         spectrum = spectrum_of(rough)  # first, since it may refuse
-        contact_solution = self.contact.solve()
+        states = list(self.contact.steps())
+        contact_solution = self.contact.gathered(states)
         side = math.sqrt(rough.area)
         line = RoughContact(
             spectrum, medium, side, Force(contact_solution.force), realisations=self.realisations, seed=self.seed
@@ -120,8 +132,20 @@ class SurfaceConduction:
             contact_solution,
             line,
             *(contact_solution.depth, contact_solution.force, contact_solution.stiffness),
-            *(np.asarray(part) for part in (line.stiffness, least, np.full_like(least, flat))),
+            *(np.asarray(line.stiffness), np.asarray(least), np.full_like(least, flat)),
+            shaped(np.array([self._film_excess(state) for state in states]).reshape(force.shape)),
         )
+
+    def _film_excess(self, state: SurfaceState) -> float:
+        """Return what the film adds to the resistance of a contact [ohm]."""
+        pair, rough = self.conductors, self.contact.topography
+        if pair.film.area_resistance == 0.0:
+            return 0.0
+        found = spot_resistances(
+            state.pressure > 0.0, rough.pixel, (pair.first, pair.second), pair.film.area_resistance,
+            periodic=rough.periodic,
+        )  # fmt: skip
+        return found.first + found.second + found.film - found.bare
 
 
 @value
@@ -142,9 +166,15 @@ class SurfaceConductionSolution:
         dF/dd of the lines [N/m], their median.
     least_stiffness, greatest_stiffness : float or ndarray
         Bounds of dF/dd [N/m]; the second is infinite of a periodic map.
+    film_excess : float or ndarray
+        What the film adds to the resistance [ohm]: its area resistance over the area of the pixels in contact, and what
+        it spreads the current.
     """
 
-    __words__ = words(contact=("", None, "the contact by boundary elements"))
+    __words__ = words(
+        contact=("", None, "the contact by boundary elements"),
+        film_excess=("R_f", "ohm", "what a film adds to the resistance"),
+    )
 
     problem: SurfaceConduction
     contact: SurfaceContactSolution
@@ -155,11 +185,12 @@ class SurfaceConductionSolution:
     line_stiffness: Quantity
     least_stiffness: Quantity
     greatest_stiffness: Quantity
+    film_excess: Quantity
 
     def _resistance(self, stiffness: Quantity) -> Array:
         stated = self.problem
-        share = conductance_of_stiffness("SurfaceConduction", stated._medium, stated.conductors)
-        return np.asarray(1.0 / (share * np.asarray(stiffness, dtype=float)))
+        share = conductance_of_stiffness("SurfaceConduction", stated._medium, stated._clean)
+        return np.asarray(1.0 / (share * np.asarray(stiffness, dtype=float)) + np.asarray(self.film_excess))
 
     @property
     def conductance(self) -> Quantity:
@@ -178,7 +209,7 @@ class SurfaceConductionSolution:
 
     @property
     def least_resistance(self) -> Quantity:
-        """The lower bound of R [ohm]; zero of a periodic map."""
+        """The lower bound of R [ohm]; of a periodic map what the film adds."""
         return shaped(self._resistance(self.greatest_stiffness))
 
     @property
@@ -190,12 +221,14 @@ class SurfaceConductionSolution:
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: the contact, the line, the bounds."""
         line = [note for note in self.line.validity if note.standing is Standing.APPROXIMATE]  # no area is given here
+        film = self.problem.conductors.film.area_resistance
+        spots = "All pixels in contact bear the same film" if film else "All spots are clean metal"
         bounds = Note(
             Assumption.CONDUCTION,
             Standing.EXACT,
             "Rigorous bounds for elastic contact without friction or adhesion: the map lies between a flat and the "
-            "same flat raised by its height; of a curved map they are wide. All spots are clean metal, wider than the "
-            "free path of electrons.",
+            f"same flat raised by its height; of a curved map they are wide. {spots}, wider than the free path of "
+            "electrons.",
             BARBER,
         )
         rough = self.problem.contact.topography

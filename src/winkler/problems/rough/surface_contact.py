@@ -32,7 +32,7 @@ from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.rough.contact_area import contact_area
 from winkler.problems.rough.hardness_limit import hardened_share, hardness_notes
-from winkler.problems.rough.map_advice import last_load_notes, plate_advice
+from winkler.problems.rough.map_advice import last_load_notes
 from winkler.problems.rough.map_loads import check_loads
 from winkler.problems.rough.map_memory import refuse_too_large, state_memory
 from winkler.problems.rough.mapped_medium import MappedMedium, homogeneous, layers_of, medium_notes
@@ -182,9 +182,7 @@ class SurfaceContact:
                     )
                     stiffness = modulus * patch * float(xp.sum(under))
             except NotConverged as error:
-                raise NotConverged(
-                    f"SurfaceContact: under the load {load:.6g}, {error}{plate_advice(self.medium)}"
-                ) from None
+                raise NotConverged(f"SurfaceContact: under the load {load:.6g}, {error}") from None
             except OutsideValidity as error:
                 raise OutsideValidity(f"SurfaceContact: {error}") from None
             force = modulus * patch * float(xp.sum(start))

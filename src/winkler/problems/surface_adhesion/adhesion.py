@@ -36,10 +36,12 @@ from winkler.problems.surface_adhesion.notes import surface_adhesion_notes
 from winkler.problems.surface_adhesion.states import SurfaceAdhesionState, SurfaceJump
 from winkler.problems.surface_adhesion.without_range import (
     PullOffWithoutRange,
+    cut_off,
     greatest_pull,
     limit_of_two,
+    refuse_long_ranges,
     two_ranges,
-)
+)  # fmt: skip
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
@@ -199,10 +201,15 @@ class SurfaceAdhesion:
             If the law is another one, or the lowest force is at an end of the path.
         NotConverged
             As `steps`.
+        OutsideValidity
+            If the shorter range has a Tabor number below two on a ball as curved as the map.
         """
-        laws = two_ranges(self.law, self.medium.modulus, self.topography.pixel)
+        rough = self.topography
+        laws = two_ranges(self.law, self.medium.modulus, rough.pixel)
+        refuse_long_ranges(dataclasses.replace(self, law=laws[0]).tabor)
         found = [dataclasses.replace(self, law=law).solve() for law in laws]
-        return limit_of_two(laws, [greatest_pull(each.depth, each.force) for each in found])
+        cut = 0.0 if rough.periodic else cut_off(found[1].tightest.pressure, rough.pixel)
+        return limit_of_two(laws, [greatest_pull(each.depth, each.force) for each in found], cut)
 
     def gathered(self, states: Iterable[SurfaceAdhesionState]) -> SurfaceAdhesionSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""

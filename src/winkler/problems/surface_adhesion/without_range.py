@@ -14,15 +14,18 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput
+from winkler.errors import InvalidInput, OutsideValidity
 from winkler.laws.adhesion import ShortRange
 from winkler.laws.attraction import ExponentialAttraction
 from winkler.numerics.types import Array
 
-__all__ = ["PullOffWithoutRange", "greatest_pull", "limit_of_two", "two_ranges"]
+__all__ = ["PullOffWithoutRange", "cut_off", "greatest_pull", "limit_of_two", "refuse_long_ranges", "two_ranges"]
 
 SPANS = (3.0, 6.0)
 """Pixels in the zones: with three to six the grid changes the pull-off force of a ball by less than 0.1 per cent."""
+LEAST_TABOR = 2.0
+"""Of the shorter range on a ball as curved as the map: below it forces of both ranges come near to each other again, as
+those without deformation do, and tell nothing of the limit."""
 POWER = 0.8
 """Of the length of the zone, to which the force differs from that without range."""
 
@@ -35,8 +38,8 @@ class PullOffWithoutRange(NamedTuple):
     force
         Lowest force [N], tension negative.
     error
-        By how much the forces under both laws differ [N]: of balls whose range of three pixels has a Tabor number of
-        2 and more the limit is nearer than this.
+        By how much the forces under both laws differ, and what the border of a map that stands alone cuts off [N]: of
+        balls the limit is nearer than this.
     ranges
         Of both exponential laws [m].
     forces
@@ -66,6 +69,27 @@ def two_ranges(law: object, modulus: float, pixel: tuple[float, float]) -> tuple
     return tuple(ExponentialAttraction(law.work, each) for each in reach)
 
 
+def refuse_long_ranges(tabor: float) -> None:
+    """Refuse ranges that are too long for the limit.
+
+    Parameters
+    ----------
+    tabor : float
+        Tabor's parameter of a ball as curved as the map under the shorter range [-].
+
+    Raises
+    ------
+    OutsideValidity
+        If it is below two.
+    """
+    if tabor < LEAST_TABOR:
+        raise OutsideValidity(
+            f"SurfaceAdhesion: the shortest range that these pixels resolve has a Tabor number of {tabor:.3g} on a "
+            "ball as curved as the map, and the pull-off force without range follows from "
+            f"{LEAST_TABOR:g} on; take pixels of at most {(tabor / LEAST_TABOR) ** 2:.2g} times this size."
+        )
+
+
 def greatest_pull(depth: Array, force: Array) -> float:
     """Return the lowest force of a path, on the parabola through the lowest of its forces and those on both sides.
 
@@ -89,9 +113,25 @@ def greatest_pull(depth: Array, force: Array) -> float:
     return float(force[k] - 0.25 * slope * slope / curvature) if curvature > 0.0 else float(force[k])
 
 
-def limit_of_two(laws: Sequence[ExponentialAttraction], forces: Sequence[float]) -> PullOffWithoutRange:
-    """Return the limit of the forces under both laws."""
+def cut_off(pressure: Array, pixel: tuple[float, float]) -> float:
+    """Return about what a map that stands alone lacks beyond its border [N]: the pull there over the longer zone.
+
+    Parameters
+    ----------
+    pressure : ndarray, (nx, ny)
+        p [Pa] of the strongest pull, tension negative.
+    pixel : tuple of float
+        (dx, dy) [m].
+    """
+    edges = float(np.sum(pressure[[0, -1]])) + float(np.sum(pressure[:, [0, -1]]))
+    return SPANS[1] * abs(min(edges, 0.0)) * pixel[0] * pixel[1]
+
+
+def limit_of_two(
+    laws: Sequence[ExponentialAttraction], forces: Sequence[float], cut: float = 0.0
+) -> PullOffWithoutRange:
+    """Return the limit of the forces under both laws, and its error with what the border cuts off."""
     short, long = forces
     change, ratio = short - long, SPANS[1] / SPANS[0]
     limit = short + change / (ratio**POWER - 1.0)
-    return PullOffWithoutRange(limit, abs(change), (laws[0].range, laws[1].range), (short, long))
+    return PullOffWithoutRange(limit, abs(change) + cut, (laws[0].range, laws[1].range), (short, long))
