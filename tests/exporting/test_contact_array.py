@@ -15,8 +15,6 @@ from winkler.exporting.many.contact_array import ContactArray
 
 BEADS = PROBLEMS["beads"]
 WORDS = {"motion_x": "motion", "roll_x": "roll"}
-SHARES = {"sheared": 1e-11, "powder": 1e-12}
-"""What rounding may leave of the greatest answer; 1e-13 of the other laws."""
 
 
 def entries(rows, motion, many=1):
@@ -293,32 +291,32 @@ def test_each_contact_does_what_the_exported_law_does_alone(name):
     found = []
     for given in entries(law.trial, law.motion, 3):
         array.step(**given)
-        found.append([array.answer(number.name) for number in law.answer])
+        found.append(np.array([array.answer(number.name) for number in law.answer]))
     scale = np.max(np.abs(expected), axis=0)
     for k in range(3):
         off = np.abs(np.array(found)[:, :, k] - expected)
-        assert np.all(off <= SHARES.get(name, 1e-13) * scale), np.max(off / scale, axis=0)
+        assert np.all(off <= 1e-13 * scale), np.max(off, axis=0) / scale
 
 
-HISTORIES, LEGS, PARTS = 300, 6, 24
+HISTORIES, LEGS = 100, 6
 
 
-def closed_paths(law, rng, many):
+def closed_paths(law, rng, many, parts):
     """Return paths, (steps, many, inputs), of straight legs in parts, which begin and end apart."""
     trial = law.trial
     names = [number.name for number in law.motion]
     deepest, widest = np.max(trial[:, 0]), np.abs(trial).max(axis=0)
     ends = rng.uniform(-0.3, 1.0, (LEGS + 2, many)) * deepest
     ends[0] = ends[-1] = -0.5 * deepest
-    shares = np.arange(1, PARTS + 1) / PARTS
+    shares = np.arange(1, parts + 1) / parts
     depth = (ends[:-1, None] + np.diff(ends, axis=0)[:, None] * shares[:, None]).reshape(-1, many)
     path = np.zeros((depth.shape[0], many, len(names)))
     path[:, :, 0] = depth
     for place, number in enumerate(law.motion[1:], start=1):
-        legs = rng.normal(size=(LEGS + 1, many)) * widest[place] / PARTS
+        legs = rng.normal(size=(LEGS + 1, many)) * widest[place] / parts
         if number.changes:
             legs -= legs.mean(axis=0)  # the bodies return to where they were
-        path[:, :, place] = np.repeat(np.abs(legs) if number.name == "duration" else legs, PARTS, axis=0)
+        path[:, :, place] = np.repeat(np.abs(legs) if number.name == "duration" else legs, parts, axis=0)
     return path
 
 
@@ -326,15 +324,19 @@ def closed_paths(law, rng, many):
 @pytest.mark.parametrize("name", PROBLEMS)
 def test_closed_histories_create_no_energy(name):
     law = law_of(PROBLEMS[name], tolerance=1e-6, count=8)
-    work, least, heat, scale = closed_work(name, law, HISTORIES, 7)
-    assert np.all(least >= -1e-12 * scale)
-    assert np.all(work >= -0.01 * scale)
-    assert work == pytest.approx(heat, abs=0.02 * np.max(scale))
+    misses = []
+    for parts in (96, 384):
+        work, least, heat, scale = closed_work(name, law, HISTORIES, 7, parts)
+        assert np.all(least >= -1e-14 * scale)
+        misses.append(np.sqrt(np.mean(((work - heat) / scale) ** 2)))
+    # trapeziums over steps within which edges jump and springs begin to slip
+    assert misses[1] < 3e-4
+    assert misses[1] < 0.5 * misses[0]
 
 
-def closed_work(name, law, many, seed):
+def closed_work(name, law, many, seed, parts):
     """Return the work of the forces (trapeziums), the least step of the heat, the heat, and its size."""
-    path = closed_paths(law, np.random.default_rng(seed), many)
+    path = closed_paths(law, np.random.default_rng(seed), many, parts)
     array = ContactArray(PROBLEMS[name], many, count=8)
     names = [number.name for number in law.motion]
     pairs = [("force", None)] + [

@@ -184,7 +184,7 @@ class ContactStore:
             part[meant] = self._begin[name]
         self._out[meant] = 0.0
 
-    def _new_kinds(self, kind: Any, size: int) -> np.ndarray[Any, np.dtype[np.int64]]:
+    def _new_kinds(self, kind: Any, size: int) -> Numbers:
         """Return the kinds of so many new contacts."""
         if self.kinds == 1:
             if kind is not None and np.any(np.asarray(kind) != 0):
@@ -200,30 +200,15 @@ class ContactStore:
             raise InvalidInput(f"ContactArray: kind has the shape {chosen.shape} for {size} new contacts.")
         return np.array(np.broadcast_to(chosen, (size,))) if size else chosen[:0]
 
-    def _take(self, order: np.ndarray[Any, np.dtype[np.int64]], kinds: np.ndarray[Any, np.dtype[np.int64]]) -> None:
+    def _take(self, order: Numbers, kinds: Numbers) -> None:
         """Put contacts into an order, with new ones of these kinds where it is -1."""
         self._refuse_too_many(order.size)
-        new = order < 0
-        old = order[~new]
-        plain = old.size == self.size and bool(np.all(np.diff(order[: self.size]) > 0)) and not np.any(new[: self.size])
+        new = np.flatnonzero(order < 0)
         for name, part in self._state.items():
-            begin = self._begin[name]
-            grown = np.zeros((order.size, *part.shape[1:]), part.dtype)
-            if plain:
-                grown[: self.size] = part
-                if np.any(begin):
-                    grown[self.size :] = begin
-            else:
-                grown[~new] = part[old]
-                grown[new] = begin
-            self._state[name] = grown
-        out = np.zeros((order.size, self._out.shape[1]))
-        out[~new] = self._out[old]
-        self._out = out
+            self._state[name] = _taken(part, order, new, self._begin[name])
+        self._out = _taken(self._out, order, new, np.zeros(1))
         if self.kinds > 1:
-            kind = np.zeros(order.size, dtype=np.int64)
-            kind[~new], kind[new] = self._kind[old], kinds
-            self._kind = kind
+            self._kind = _taken(self._kind, order, new, kinds)
         self._size = order.size
 
     def _refuse_too_many(self, size: int) -> None:
@@ -242,6 +227,16 @@ class ContactStore:
             raise InvalidInput(
                 f"ContactArray: there is no {name!r}{suggest(str(name), known)}; give {', '.join(known)}."
             )
+
+
+def _taken(part: np.ndarray[Any, Any], order: Numbers, new: Numbers, begin: Any) -> np.ndarray[Any, Any]:
+    """Return rows in an order, and what new ones begin with."""
+    rows = np.zeros((order.size, *part.shape[1:]), part.dtype)
+    if len(part) and new.size < order.size:
+        np.take(part, order, axis=0, out=rows, mode="clip")  # without a copy in between; -1 is replaced below
+    if np.any(begin) or len(part):
+        rows[new] = begin
+    return rows
 
 
 def _read_only(array: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
