@@ -178,8 +178,9 @@ from winkler.validity import Assumption, Note, Standing
 __all__ = [
     "Angle", "Archard", "AreaFunction", "Arrhenius", "Assumption", "AtTemperature", "BallInSocket", "Berkovich",
     "BodyFields", "CalibratedArea", "CalibratedIndenter", "CalibratedTip", "CalibrationShares", "CappedCylinder",
-    "CappedParaboloid", "Circle", "CoatedHalfSpace", "Comparison", "Cone", "ContactArray", "ContactEllipse", "ContactReading",
-    "ContinuousIndentation", "ContinuousIndentationSolution", "ContinuousStiffness", "CorrelationLengths", "Coulomb",
+    "CappedParaboloid", "Circle", "CoatedHalfSpace", "Comparison", "Cone", "ContactArray", "ContactEllipse",
+    "ContactReading", "ContinuousIndentation", "ContinuousIndentationSolution", "ContinuousStiffness",
+    "CorrelationLengths", "Coulomb",
     "CreepData", "CreepFit", "CrossProfile", "CrownedEnds", "CubeCorner", "Current", "CurveEvent", "CurveEvents",
     "CurvedBodies", "CurvedPair", "Cylinder", "CylinderRow", "Depth", "DepthGradedHalfSpace", "DepthScaling",
     "DepthSeries", "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData", "DynamicSweeps", "Elastic",

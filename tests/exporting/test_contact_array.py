@@ -151,11 +151,13 @@ def test_contacts_that_come_go_and_change_places_keep_their_memory():
     assert array.size == 0
 
 
-def test_kinds_go_with_their_contacts():
+def test_kinds_go_with_their_contacts(tmp_path):
     pairs = wk.Contacts.apart(GLASS, curvature_radius=[1e-3, 4e-3], coefficient=0.3, reach=2e-6, count=2)
     array = ContactArray(pairs, 3, kind=[0, 1, 0])
     array.add(1, kind=1)
     array.renumber([3, -1, 0], kind=1)
+    array.step(1e-6)
+    array = ContactArray.restored(pairs, array.save(tmp_path / "kinds"))
     array.step(1e-6)
     assert array.answer("radius") == pytest.approx(np.sqrt(np.array([4e-3, 4e-3, 1e-3]) * 1e-6), rel=1e-14)
 
@@ -298,7 +300,24 @@ def test_each_contact_does_what_the_exported_law_does_alone(name):
         assert np.all(off <= 1e-13 * scale), np.max(off, axis=0) / scale
 
 
-HISTORIES, LEGS = 100, 6
+@pytest.mark.slow
+@pytest.mark.parametrize("name", PROBLEMS)
+def test_no_law_answers_with_what_is_no_number(name):
+    law = law_of(PROBLEMS[name], tolerance=1e-6, count=8)
+    deepest = np.max(law.trial[:, 0])
+    depths = [0.0, deepest, 5e-324, -5e-324, 1e-300, 0.0, -1e59, 1e-60, 1e-9 * deepest, -1e-30, deepest, deepest, -1e59]
+    sizes = np.array([0.0, 5e-324, 1e-60, 1e-9, 1.0, 1e59])
+    array = ContactArray(PROBLEMS[name], sizes.size, count=8)
+    for depth in depths:
+        for word, size in (("motion", np.outer(sizes, [1.0, -1.0])), ("twist", sizes), ("duration", sizes)):
+            names = {WORDS.get(number.name, number.name): None for number in law.motion[1:]}
+            taken = {key: size if key == word else 0.0 for key in names if not key.endswith("_y")}
+            array.step(depth, **taken)
+            for answer in array.names:
+                assert np.all(np.isfinite(array.answer(answer))), (answer, depth, word)
+
+
+HISTORIES, LEGS = 60, 6
 
 
 def closed_paths(law, rng, many, parts):

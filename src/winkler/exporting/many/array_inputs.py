@@ -27,10 +27,10 @@ def checked_entry(word: str, given: Any, size: int) -> Array:
     """
     width = WIDTHS[word]
     try:
-        numbers = np.ascontiguousarray(given, dtype=float)
+        array = np.asarray(given, dtype=float)
     except (TypeError, ValueError):
         raise InvalidInput(f"ContactArray: {word} holds what is no number; give numbers in SI units.") from None
-    shape = np.shape(given)
+    numbers, shape = np.ascontiguousarray(array), array.shape
     if shape == width and width:
         numbers = numbers[np.newaxis]
     elif shape == ():

@@ -80,8 +80,7 @@ class ContactArray(ContactStore):
         count: int = 32,
     ) -> None:
         checked(POSITIVE, "ContactArray", "tolerance", tolerance)
-        checked(Whole(2, what="springs"), "ContactArray", "count", count)
-        checked(Whole(0, what="contacts"), "ContactArray", "size", size)
+        count = checked(Whole(2, what="springs"), "ContactArray", "count", count)
         laws = stacked_laws(law, tolerance=tolerance, count=count)
         super().__init__(laws, precision, answers)
         self._tables = laws.tables

@@ -56,6 +56,10 @@ class ContactStore:
         self._out = np.zeros((0, len(self.answers)))
         self._size = 0
 
+    def __repr__(self) -> str:
+        """Return in a line how many contacts of which law these are."""
+        return f"<{type(self).__name__} of {self.size} contacts: {self.title}>"
+
     @property
     def size(self) -> int:
         """How many contacts there are."""
@@ -72,7 +76,7 @@ class ContactStore:
         return self._laws.law.title
 
     @property
-    def validity(self) -> tuple[str, ...]:
+    def notes(self) -> tuple[str, ...]:
         """What is assumed, and how far the law holds, in sentences."""
         return self._laws.law.notes
 
@@ -85,9 +89,9 @@ class ContactStore:
         ----------
         size : int
         """
-        checked(Whole(0, what="contacts"), "ContactArray", "size", size)
+        size = checked(Whole(0, what="contacts"), "ContactArray", "size", size)
         each = sum(part.nbytes for part in self._begin.values()) + 8 * len(self.answers) + 8 * (self.kinds > 1)
-        return int(size) * each + sum(table.nbytes for table in self._laws.tables)
+        return size * each + sum(table.nbytes for table in self._laws.tables)
 
     def answer(self, name: str) -> Array:
         """Return one number of every contact after the last step, ``(size,)``; zero of those that made none.
@@ -131,8 +135,9 @@ class ContactStore:
         kind : int or ndarray, (size,), optional
             As of `ContactArray`.
         """
-        checked(Whole(0, what="contacts"), "ContactArray", "size", size)
+        size = checked(Whole(0, what="contacts"), "ContactArray", "size", size)
         before = self.size
+        self._refuse_too_many(before + size)
         kinds = self._new_kinds(kind, size)
         self._take(np.concatenate([np.arange(before), np.full(size, -1)]), kinds)
         return np.arange(before, self.size)
