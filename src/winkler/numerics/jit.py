@@ -40,7 +40,7 @@ OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy", "forceinline":
 A kernel that calls a copy of another one may reach the copy in any kernel that was compiled or loaded earlier; as
 re-association depends on what is around, last digits then differ between a first run and later ones.
 """
-GLOBAL_KINDS = int, float, np.ndarray, tuple
+GLOBAL_KINDS = int, float, np.ndarray
 """What a kernel may read from its module."""
 INTERPRETED = sys.platform == "emscripten"
 """Whether kernels run as plain Python, where numba does not exist."""
@@ -76,6 +76,7 @@ class Kernel(Generic[P, R]):
         code = source.__code__
         numbers = [(name, source.__globals__.get(name)) for name in code.co_names]
         own = [(name, np.asarray(number).tolist()) for name, number in numbers if isinstance(number, GLOBAL_KINDS)]
+        own += [(name, repr(row)) for name, row in numbers if isinstance(row, tuple)]
         parts = [code.co_code, code.co_consts, code.co_names, own, sorted(FAST_MATH_FLAGS), OPTIONS]
         called = [kernel.content for kernel in self._called.values()]
         return hashlib.sha256(repr((parts, called)).encode()).hexdigest()
@@ -125,14 +126,18 @@ class Kernel(Generic[P, R]):
         return self.machine(*args, **kwargs)
 
 
-@functools.cache
 def _kernel_of(content: Any) -> Kernel[Any, Any] | None:
     """Return a kernel, that of a plain function of winkler, or nothing for anything else."""
     if isinstance(content, Kernel):
         return content
     if isinstance(content, types.FunctionType) and content.__module__.startswith("winkler."):
-        return Kernel(content)
+        return _kernel_of_function(content)
     return None
+
+
+@functools.cache
+def _kernel_of_function(function: types.FunctionType) -> Kernel[Any, Any]:
+    return Kernel(function)
 
 
 def compiled(function: Callable[P, R]) -> Kernel[P, R]:
