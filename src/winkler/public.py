@@ -6,6 +6,7 @@ module when it is first used.
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity, WinklerError
 from winkler.exporting.export import ExportedLaw, export, write_export
+from winkler.exporting.many.contact_array import ContactArray
 from winkler.fields import SubsurfaceFields, SurfaceFields, restore, restore_body, restore_shift
 from winkler.fitting.compare import Comparison, compare
 from winkler.fitting.curves.curve import ForceCurve
@@ -177,8 +178,9 @@ from winkler.validity import Assumption, Note, Standing
 __all__ = [
     "Angle", "Archard", "AreaFunction", "Arrhenius", "Assumption", "AtTemperature", "BallInSocket", "Berkovich",
     "BodyFields", "CalibratedArea", "CalibratedIndenter", "CalibratedTip", "CalibrationShares", "CappedCylinder",
-    "CappedParaboloid", "Circle", "CoatedHalfSpace", "Comparison", "Cone", "ContactEllipse", "ContactReading",
-    "ContinuousIndentation", "ContinuousIndentationSolution", "ContinuousStiffness", "CorrelationLengths", "Coulomb",
+    "CappedParaboloid", "Circle", "CoatedHalfSpace", "Comparison", "Cone", "ContactArray", "ContactEllipse",
+    "ContactReading", "ContinuousIndentation", "ContinuousIndentationSolution", "ContinuousStiffness",
+    "CorrelationLengths", "Coulomb",
     "CreepData", "CreepFit", "CrossProfile", "CrownedEnds", "CubeCorner", "Current", "CurveEvent", "CurveEvents",
     "CurvedBodies", "CurvedPair", "Cylinder", "CylinderRow", "Depth", "DepthGradedHalfSpace", "DepthScaling",
     "DepthSeries", "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData", "DynamicSweeps", "Elastic",

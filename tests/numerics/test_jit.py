@@ -55,6 +55,30 @@ def test_what_it_calls_stands_within_it():
     assert not [line for line in code.splitlines() if "call " in line and "4long" in line]
 
 
+TABLE = np.array([1.0, 10.0])
+
+
+@compiled
+def add_row(row: np.ndarray, total: np.ndarray) -> None:
+    for j in range(row.size):
+        total[0] += TABLE[j] * row[j]
+
+
+@compiled
+def add_rows(rows: np.ndarray, total: np.ndarray) -> None:
+    for i in range(rows.shape[0]):
+        add_row(rows[i], total)
+
+
+def test_views_are_handed_on_without_being_counted():
+    rows, total = np.array([[1.0, 2.0], [3.0, 4.0]]), np.zeros(1)
+    add_rows.uncounted(rows, total)
+    assert total[0] == 64.0
+    if not add_rows.uncounted.stats.cache_hits:  # the code of what is loaded cannot be looked at
+        (code,) = add_rows.uncounted.inspect_llvm().values()
+        assert "NRT_incref" not in code
+
+
 def test_a_kernel_may_call_kernels_of_its_file():
     assert squares(np.array([1.0, 2.0, 3.0])) == 14.0
     assert squares.machine is not squares.function

@@ -118,7 +118,7 @@ def export(
     >>> glass = HalfSpace.between(Elastic(70e9, 0.22), Elastic(70e9, 0.22))
     >>> beads = export(Contacts.apart(glass, curvature_radius=1e-3, coefficient=0.3, reach=2e-6, count=8), "c")
     >>> [file for file, _ in beads.files], beads.state_size
-    (['contact.h'], 272)
+    (['contact.h'], 168)
     """
     if to not in TARGETS:
         raise InvalidInput(f"export: there is no target {to!r}{suggest(to, TARGETS)}; give {', '.join(TARGETS)}.")

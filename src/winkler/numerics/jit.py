@@ -61,11 +61,12 @@ class Kernel(Generic[P, R]):
 
     @property
     def _called(self) -> dict[str, Kernel[Any, Any]]:
-        """Name -> every kernel that this one calls."""
+        """Name -> every kernel that this one calls, and every function of winkler that is plain arithmetic."""
         source = self.function
         assert isinstance(source, types.FunctionType)
         referenced = ((name, source.__globals__.get(name)) for name in source.__code__.co_names)
-        return {name: kernel for name, kernel in referenced if isinstance(kernel, Kernel)}
+        kernels = {name: _kernel_of(content) for name, content in referenced}
+        return {name: kernel for name, kernel in kernels.items() if kernel is not None}
 
     @functools.cached_property
     def content(self) -> str:
@@ -75,6 +76,7 @@ class Kernel(Generic[P, R]):
         code = source.__code__
         numbers = [(name, source.__globals__.get(name)) for name in code.co_names]
         own = [(name, np.asarray(number).tolist()) for name, number in numbers if isinstance(number, GLOBAL_KINDS)]
+        own += [(name, repr(row)) for name, row in numbers if isinstance(row, tuple)]
         parts = [code.co_code, code.co_consts, code.co_names, own, sorted(FAST_MATH_FLAGS), OPTIONS]
         called = [kernel.content for kernel in self._called.values()]
         return hashlib.sha256(repr((parts, called)).encode()).hexdigest()
@@ -82,6 +84,17 @@ class Kernel(Generic[P, R]):
     @functools.cached_property
     def machine(self) -> Callable[P, R]:
         """The compiled function; that of the kernels it calls is put in their place."""
+        return self._made(counted=True)
+
+    @functools.cached_property
+    def uncounted(self) -> Callable[P, R]:
+        """The same for kernels that ask for no memory: who refers to an array is not counted.
+
+        Counting takes most of the time of a loop that hands a few numbers of each of many arrays to another kernel.
+        """
+        return self._made(counted=False)
+
+    def _made(self, *, counted: bool) -> Callable[P, R]:
         if INTERPRETED:
             # compiled arithmetic does not complain either: what comes of it is never chosen
             return np.errstate(divide="ignore", invalid="ignore", over="ignore")(self.function)
@@ -95,13 +108,14 @@ class Kernel(Generic[P, R]):
         referenced: dict[str, Any] = dict(source.__globals__)
         code, cells = source.__code__, source.__closure__ or ()
         for name, kernel in self._called.items():
-            referenced[name] = kernel.machine
+            referenced[name] = kernel.machine if counted else kernel.uncounted
         # numba's cache goes by the code of a function and by what its closure holds
         code = code.replace(co_freevars=(*code.co_freevars, "content"))
-        cells = (*cells, types.CellType(self.content))
+        cells = (*cells, types.CellType(self.content if counted else f"{self.content} uncounted"))
         copy = types.FunctionType(code, referenced, source.__name__, source.__defaults__, cells)
         copy.__module__, copy.__qualname__ = source.__module__, source.__qualname__
-        machine: Callable[P, R] = numba.njit(fastmath=set(FAST_MATH_FLAGS), **OPTIONS)(copy)
+        options = OPTIONS if counted else OPTIONS | {"_nrt": False}
+        machine: Callable[P, R] = numba.njit(fastmath=set(FAST_MATH_FLAGS), **options)(copy)
         if cached:
             with contextlib.suppress(RuntimeError):  # it finds no place after all: nothing is kept
                 machine.enable_caching()  # type: ignore[attr-defined]
@@ -110,6 +124,20 @@ class Kernel(Generic[P, R]):
     def __call__(self, *args: P.args, **kwargs: P.kwargs) -> R:
         """Run the kernel."""
         return self.machine(*args, **kwargs)
+
+
+def _kernel_of(content: Any) -> Kernel[Any, Any] | None:
+    """Return a kernel, that of a plain function of winkler, or nothing for anything else."""
+    if isinstance(content, Kernel):
+        return content
+    if isinstance(content, types.FunctionType) and content.__module__.startswith("winkler."):
+        return _kernel_of_function(content)
+    return None
+
+
+@functools.cache
+def _kernel_of_function(function: types.FunctionType) -> Kernel[Any, Any]:
+    return Kernel(function)
 
 
 def compiled(function: Callable[P, R]) -> Kernel[P, R]:

@@ -53,22 +53,14 @@ def ball_law(contacts: Contacts, inputs: tuple[str, ...]) -> StepLaw:
             )
     if np.any(contacts.displaced != 0.0) or np.any(contacts.dissipation != 0.0) or np.any(contacts.depth > 0.0):
         raise InvalidInput("export: the contacts have been moved already; export Contacts.apart(...).")
-    law = np.array([float(getattr(contacts, word)[0]) for word in words[:6]])
+    law = ball_rows(contacts)[0]
     count = contacts.displaced.shape[1]
-    slope = contacts.coefficient[:1] * contacts.modulus[:1] / contacts.shear_modulus[:1]
-    tables = (
-        LawTable("law", "E* [Pa], G_t [Pa], R [m], mu, rolling arm [m], greatest depth [m]", law),
-        LawTable("curvature", "R [m]", contacts.curvature_radius[:1]),
-        LawTable("spacing", "distance of the springs [m]", contacts.spacing(count)[:1]),
-        LawTable("single", "tangential stiffness of one spring [N/m]", contacts.single(count)[:1]),
-        LawTable("slope", "mu E*/G*: how far a slipping spring is displaced, over its compression", slope),
-    )
+    tables = (LawTable("law", LAW_MEANING, law),)
     state = (
-        StatePart("displaced", "springs along the surface [m], from the axis to the edge", np.zeros((1, count, 2))),
-        StatePart("twisted", "elastic part of the twist [rad]", np.zeros((1, 2))),
-        StatePart("rolled", "elastic part of the rolling [rad]", np.zeros((1, 2))),
+        StatePart("displaced", "springs along the surface [m], from the axis to the edge", np.zeros((count, 2))),
+        StatePart("twisted", "elastic part of the twist [rad]", np.zeros(1)),
+        StatePart("rolled", "elastic part of the rolling [rad]", np.zeros(2)),
         StatePart("past", "depth before the step [m], heat so far [J]", np.zeros(2)),
-        *(StatePart(name, "work space", np.zeros(shape)) for name, shape in WORK),
     )
     return StepLaw(
         "Two balls: Hertz' force, friction by springs that stick and slip, twist and rolling",
@@ -83,16 +75,19 @@ def ball_law(contacts: Contacts, inputs: tuple[str, ...]) -> StepLaw:
     )
 
 
-WORK = (
-    ("ends", (1, 2)),
-    ("stiffness", (1, 2)),
-    ("most", (1, 2)),
-    ("lateral", (1, 1, 2)),
-    ("borne", (1, 1, 2)),
-    ("stored", (1, 1)),
-    ("lost", (1, 1)),
+LAW_MEANING = (
+    "E* [Pa], G_t [Pa], R [m], mu, rolling arm [m], greatest depth [m], distance of the springs [m], tangential "
+    "stiffness of one [N/m], how far a slipping spring is displaced over its compression"
 )
-"""What a step writes down for itself."""
+
+
+def ball_rows(contacts: Contacts) -> Array:
+    """Return the numbers of the law of each contact, ``(contacts, 9)``, as `step_ball` takes them."""
+    count = contacts.displaced.shape[1]
+    words = ("modulus", "torsional_modulus", "curvature_radius", "coefficient", "rolling_arm", "reach")
+    slope = contacts.coefficient * contacts.modulus / contacts.shear_modulus
+    columns = [getattr(contacts, word) for word in words]
+    return np.column_stack([*columns, contacts.spacing(count), contacts.single(count), slope])
 
 
 def _trial(law: Array) -> Array:

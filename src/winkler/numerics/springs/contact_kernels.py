@@ -21,7 +21,7 @@ import math
 from winkler.numerics.jit import compiled
 from winkler.numerics.types import Array
 
-__all__ = ["impact_balls", "move_balls", "turn_balls"]
+__all__ = ["impact_balls", "move_balls", "move_row", "turn_balls", "turn_one"]
 
 BOUND_TOLERANCE = 1e-14
 """Part of the squared bound by which a spring that stands on it may seem to be within."""
@@ -56,7 +56,7 @@ def _slip(ux: float, uy: float, bound: float, last: float, mx: float, my: float)
 
 
 @compiled
-def _row(
+def move_row(
     u: Array, radius: float, spacing: float, slope: float, d0: float, d1: float, mx: float, my: float
 ) -> tuple[float, float, float, float]:
     """Move a row of springs, u (n, 2); return the sums of u, of its square, and what is lost, per stiffness."""
@@ -118,13 +118,35 @@ def move_balls(
     """
     for i in range(u.shape[0]):
         for t in range(motion.shape[1]):
-            x, y, square, loss = _row(
+            x, y, square, loss = move_row(
                 u[i], radius[i], spacing[i], slope[i], depth[i, t], depth[i, t + 1], motion[i, t, 0], motion[i, t, 1]
             )
             force[i, t, 0] = stiffness[i] * x
             force[i, t, 1] = stiffness[i] * y
             stored[i, t] = 0.5 * stiffness[i] * square
             lost[i, t] = stiffness[i] * loss
+
+
+@compiled
+def turn_one(
+    x: float, y: float, before: float, after: float, most: float, turn_x: float, turn_y: float
+) -> tuple[float, float, float, float]:
+    """Turn one contact, borne by one spring at (x, y); return where it is, what it stores, and what it loses.
+
+    Its stiffness goes from `before` to `after`, and it bears at most the moment `most` at the end.
+    """
+    energy = 0.5 * before * (x * x + y * y)
+    if after > before:
+        x *= before / after
+        y *= before / after
+    bound = most / after if after > 0.0 else 0.0
+    size = math.sqrt(x * x + y * y)
+    if size > bound:
+        x *= bound / size
+        y *= bound / size
+    waste = energy - 0.5 * after * (x * x + y * y)
+    x, y, loss = _slip(x, y, bound, bound, turn_x, turn_y)
+    return x, y, 0.5 * after * (x * x + y * y), after * loss + max(waste, 0.0)
 
 
 @compiled
@@ -139,27 +161,16 @@ def turn_balls(
     """
     for i in range(u.shape[0]):
         for t in range(turn.shape[1]):
-            k0 = stiffness[i, t]
-            k1 = stiffness[i, t + 1]
-            x = u[i, 0]
-            y = u[i, 1]
-            before = 0.5 * k0 * (x * x + y * y)
-            if k1 > k0:
-                x *= k0 / k1
-                y *= k0 / k1
-            bound = moment[i, t + 1] / k1 if k1 > 0.0 else 0.0
-            size = math.sqrt(x * x + y * y)
-            if size > bound:
-                x *= bound / size
-                y *= bound / size
-            waste = before - 0.5 * k1 * (x * x + y * y)
-            x, y, loss = _slip(x, y, bound, bound, turn[i, t, 0], turn[i, t, 1])
+            after = stiffness[i, t + 1]
+            x, y, energy, loss = turn_one(
+                u[i, 0], u[i, 1], stiffness[i, t], after, moment[i, t + 1], turn[i, t, 0], turn[i, t, 1]
+            )
             u[i, 0] = x
             u[i, 1] = y
-            borne[i, t, 0] = k1 * x
-            borne[i, t, 1] = k1 * y
-            stored[i, t] = 0.5 * k1 * (x * x + y * y)
-            lost[i, t] = k1 * loss + max(waste, 0.0)
+            borne[i, t, 0] = after * x
+            borne[i, t, 1] = after * y
+            stored[i, t] = energy
+            lost[i, t] = loss
 
 
 @compiled
@@ -207,7 +218,7 @@ def impact_balls(
             wx -= 0.5 * step * mobility[i] * fx
             wy -= 0.5 * step * mobility[i] * fy
             new = d + step * v
-            sum_x, sum_y, _, waste = _row(u, radius[i], spacing, slope[i], d, new, step * wx, step * wy)
+            sum_x, sum_y, _, waste = move_row(u, radius[i], spacing, slope[i], d, new, step * wx, step * wy)
             d = new
             force = hertz * d * math.sqrt(d) if d > 0.0 else 0.0
             fx = k * sum_x

@@ -1,0 +1,191 @@
+"""Millions of contacts of one law, each with its memory, moved in place on all cores."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from winkler.checks.number_checks import POSITIVE, Whole, checked
+from winkler.errors import InvalidInput
+from winkler.exporting.many.array_inputs import checked_depth_of, checked_entry
+from winkler.exporting.many.contact_array_file import ArrayFile, write_array_file
+from winkler.exporting.many.contact_store import ContactStore
+from winkler.exporting.many.stacked_laws import stacked_laws
+from winkler.io.foreign import reader
+from winkler.numerics.threads import run_in_threads
+
+__all__ = ["ContactArray"]
+
+TABLE_TOLERANCE = 1e-9
+"""By how much tables of a law may differ from those in a file, which another machine may have computed."""
+
+
+class ContactArray(ContactStore):
+    """Many contacts of one law in arrays, which `step` changes in place, on all cores.
+
+    The step of a contact is the kernel that `export` writes into other languages.  Unlike the values of winkler this
+    one changes: a step of ten million contacts leaves no copy of them.
+
+    Parameters
+    ----------
+    law
+        A problem that `export` takes: `Indentation`, `ContactLaw`, `Tangential`, `AdhesiveCycle`,
+        `ElasticPlasticParticle`, `ViscoelasticIndentation` or `Contacts`.  A list of problems of one form, or
+        `Contacts` that differ, are several kinds of contacts.
+    size : int, optional
+        How many contacts there are.
+    kind : ndarray, (size,), optional
+        Which law each contact has, from 0 on, where there are several; may be left out if there are as many laws.
+    answers : tuple of str, optional
+        Names of the numbers of `names` that are kept; all unless given.
+    precision : str, optional
+        Of the springs that a contact remembers: "double", or "single" in half the memory; all else is double.
+    tolerance : float, optional
+        Error of a normal force that is given by a table, over the greatest force.
+    count : int, optional
+        How many springs a `Tangential` and a `ViscoelasticIndentation` have.
+
+    Raises
+    ------
+    InvalidInput
+        If the law is none, a number is wrong, or the contacts do not fit the memory that is free.
+
+    Examples
+    --------
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.problems.particles.contacts import Contacts
+    >>> glass = HalfSpace.between(Elastic(70e9, 0.22), Elastic(70e9, 0.22))
+    >>> bead = Contacts.apart(glass, curvature_radius=1e-3, coefficient=0.3, reach=2e-6, count=8)
+    >>> beads = ContactArray(bead, 3, answers=("force", "shear_x", "shear_y"))
+    >>> beads.step([1e-6, 0.5e-6, -1e-6], motion=(0.5e-6, 0.0))
+    >>> (beads.answer("shear_x") / np.maximum(beads.answer("force"), 1e-9)).round(3)
+    array([0.3  , 0.302, 0.   ])
+    >>> beads.bytes_for(10_000_000) / 10_000_000
+    192.0000072
+    """
+
+    def __init__(
+        self,
+        law: Any,
+        size: int = 0,
+        *,
+        kind: Any = None,
+        answers: tuple[str, ...] | None = None,
+        precision: str = "double",
+        tolerance: float = 1e-6,
+        count: int = 32,
+    ) -> None:
+        checked(POSITIVE, "ContactArray", "tolerance", tolerance)
+        count = checked(Whole(2, what="springs"), "ContactArray", "count", count)
+        laws = stacked_laws(law, tolerance=tolerance, count=count)
+        super().__init__(laws, precision, answers)
+        self._tables = laws.tables
+        self.add(size, kind=kind)
+
+    def step(
+        self, depth: Any, *, motion: Any = None, twist: Any = None, roll: Any = None, duration: Any = None
+    ) -> None:
+        """Move all contacts by one step, within which depth, motion, twist and roll change in proportion.
+
+        Nothing changes if something is refused.
+
+        Parameters
+        ----------
+        depth : float or ndarray, (size,)
+            d [m] at the end of the step, not positive without contact.
+        motion : ndarray, (size, 2) or (2,), optional
+            By which the bodies move against each other along the surface [m]; of laws with friction.
+        twist : float or ndarray, (size,), optional
+            By which they turn about the normal [rad]; of `Contacts`.
+        roll : ndarray, (size, 2) or (2,), optional
+            By which they roll over each other [rad]; of `Contacts`.
+        duration : float or ndarray, (size,), optional
+            Of the step [s]; needed by bodies that relax, zero for a sudden step.
+
+        Raises
+        ------
+        InvalidInput
+            If a shape does not agree, a number is not finite, or the law does not take what is given.
+        OutsideValidity
+            If a contact is pressed deeper than its law reaches; the message names it.
+        """
+        given = {"depth": depth, "motion": motion, "twist": twist, "roll": roll, "duration": duration}
+        entries = self._laws.loop.entries
+        for word, content in given.items():
+            if content is not None and word not in entries:
+                raise InvalidInput(f"ContactArray: this law takes no {word}; give {', '.join(entries)}.")
+        if "duration" in entries and duration is None:
+            raise InvalidInput("ContactArray: this law needs the duration of the step; give it in s, 0 if sudden.")
+        columns = [checked_entry(word, 0.0 if given[word] is None else given[word], self.size) for word in entries]
+        checked_depth_of(columns[0], self._laws.deepest, self._kind)
+        loop, laws = self._laws.loop, self._laws
+        kernel = loop.kernel.machine if loop.asks_for_memory else loop.kernel.uncounted
+        state = list(self._state.values())
+
+        def work(part: slice) -> None:
+            scratch = [*laws.work(), *columns, np.zeros(len(laws.law.motion)), np.zeros(len(laws.law.answer))]
+            kernel(part.start, part.stop, self._kind, *self._tables, *state, *scratch, self._kept, self._out)
+
+        run_in_threads(work, self.size)
+
+    def save(self, path: str | os.PathLike[str]) -> Path:
+        """Save all contacts to the last digit; a file of that name is replaced only once the new one is whole.
+
+        Raises
+        ------
+        InvalidInput
+            If there is no such folder, or its file cannot be written.
+        """
+        header = {
+            "kernel": self._laws.law.kernel.__name__,
+            "size": self.size,
+            "precision": self.precision,
+            "answers": self.answers,
+            "shapes": [table.shape for table in self._tables],
+        }
+        return write_array_file(path, header, [*self._tables, self._kind, *self._state.values(), self._out])
+
+    @classmethod
+    @reader("a contact array")
+    def restored(
+        cls, law: Any, path: str | os.PathLike[str], *, tolerance: float = 1e-6, count: int = 32
+    ) -> ContactArray:
+        """Return contacts as `save` has saved them: they go on with the same numbers.
+
+        Parameters
+        ----------
+        law, tolerance, count
+            As of `ContactArray`: the law that they were made with.
+        path : str or path
+
+        Raises
+        ------
+        InvalidInput
+            If the file is missing, broken, or holds contacts of another law.
+        """
+        file = ArrayFile(path)
+        header = file.header
+        size, kept = header.get("size"), header.get("answers")
+        if not isinstance(size, int) or not 0 <= size < 2**40 or not isinstance(kept, list):
+            raise file.refuse("its first line states no size or no answers")
+        precision = "single" if header.get("precision") == "single" else "double"
+        made = cls(law, precision=precision, answers=tuple(map(str, kept)), tolerance=tolerance, count=count)
+        shapes = [list(table.shape) for table in made._tables]
+        other = InvalidInput(f"{file.path}: it holds contacts of another law; give the law that they were made with.")
+        if header.get("kernel") != made._laws.law.kernel.__name__ or header.get("shapes") != shapes:
+            raise other
+        file.expect(made.bytes_for(size) + (made._kind.nbytes if made.kinds == 1 else 0))
+        made.add(size, kind=0 if made.kinds > 1 else None)
+        tables = tuple(np.zeros(table.shape) for table in made._tables)
+        file.read_into([*tables, made._kind, *made._state.values(), made._out])
+        if made._kind.size and not 0 <= made._kind.min() <= made._kind.max() < made.kinds:
+            raise file.refuse("a contact is of a kind that is none")
+        for mine, read in zip(made._tables, tables, strict=True):
+            if not np.allclose(mine, read, rtol=TABLE_TOLERANCE, atol=0.0):
+                raise other
+        made._tables = tables
+        return made
