@@ -204,11 +204,6 @@ class CoatedHalfSpace(LayeredMedium, CoatedBody):
         """The response of the pair to shear across its wave, and to a twist."""
         return AcrossResponse(self.layers, self.on, self.second)
 
-    @property
-    def thickness(self) -> float:
-        """Of all layers together [m]."""
-        return sum(layer.thickness for layer in self.layers)
-
     def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
         """Stresses and displacements in the layers and their base; arrays of one shape."""
         return coated_interior.field(load, self.layers, self.on, self.modulus, r, z)

@@ -15,11 +15,12 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.materials.elastic import Elastic, Solid
+from winkler.materials.elastic import Elastic, Solid, TransverselyIsotropic
 from winkler.materials.layered import Layer
 from winkler.media.interior import subsurface
 from winkler.media.layered import layers as stack
 from winkler.media.layered.coated_load import CarriedLoad
+from winkler.media.layered.sheet import sheet_of
 from winkler.media.punch_field import BodyField
 from winkler.numerics.panels.sqrt_panels import doubled, nodes
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, FIRST_WAVE_NUMBER, wave_numbers
@@ -46,7 +47,7 @@ class WaveState(NamedTuple):
 
     moved: Array
     loaded: Array
-    solid: Elastic
+    solid: Elastic | TransverselyIsotropic
 
 
 def field(load: CarriedLoad, layers: tuple[Layer, ...], on: Solid, modulus: float, r: Array, z: Array) -> BodyField:
@@ -179,11 +180,11 @@ def superposed(state: WaveState, waves: HankelWaves, r: Array) -> Array:
     from scipy.special import j0, j1
 
     end = waves.xi.size
-    twice, poisson = 2.0 * state.solid.shear, state.solid.poisson
+    sheet = sheet_of(state.solid)
+    plane, twice = sheet.shear * sheet.plane, 2.0 * sheet.shear * sheet.twist
     strain, lift = state.moved[:end, 0] * waves.weights, state.moved[:end, 1] * waves.weights
     shear, axial = state.loaded[:end, 0] * waves.weights, state.loaded[:end, 1] * waves.weights
-    n = poisson / (1.0 - poisson)
-    common = n * (twice * strain + axial)
+    common = sheet.lateral * axial + (plane - twice) * strain
     result = np.empty((6, r.size))
     step = max(1, PAIRS_PER_CHUNK // max(end, 1))
     for start in range(0, r.size, step):
