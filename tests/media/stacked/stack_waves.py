@@ -1,7 +1,8 @@
 """A stack under one wave of pressure or shear, by Navier's equations and matrix exponentials of many digits.
 
 Displacements U sin x, W cos x of x and depth z, the wave number one: the state (U, W, U', W') is carried down from the
-surface.  A half-space is a layer 160 lengths thick on a rigid base.
+surface.  A half-space is a layer 45 lengths thick on a rigid base, 180 if
+waves may die out slowly in it.
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ import mpmath
 
 import winkler as wk
 
-DEEP = 160
+DEEP = 45
 
 
 def constants(solid):
@@ -36,10 +37,11 @@ def surface(wave, layers, on, load=(0, -1), depths=()):
 
     Layers are (solid, thickness, bonded); displacements are those times the wave number.
     """
-    with mpmath.workdps(260):
+    slow = 4 if isinstance(on, wk.TransverselyIsotropic) else 1
+    with mpmath.workdps(50 + 50 * slow):
         parts = [(solid, mpmath.mpf(wave) * mpmath.mpf(h), bonded) for solid, h, bonded in layers]
         if not isinstance(on, wk.Rigid):
-            parts.append((on, mpmath.mpf(DEEP), True))
+            parts.append((on, mpmath.mpf(DEEP * slow), True))
         slips = sum(not bonded for _, _, bonded in parts)
         # columns: the load, U and W of the surface, and the slip at each interface
         state = mpmath.zeros(4, 3 + slips)

@@ -18,7 +18,7 @@ from winkler.media.stacked.climb import AnyLayer, climbed, crossing
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN
 from winkler.numerics.types import Array
 
-__all__ = ["field"]
+__all__ = ["field", "wave_states"]
 
 
 def field(load: CarriedLoad, layers: tuple[AnyLayer, ...], on: Body, modulus: float, r: Array, z: Array) -> BodyField:
@@ -59,7 +59,7 @@ def field(load: CarriedLoad, layers: tuple[AnyLayer, ...], on: Body, modulus: fl
         if isinstance(top, Elastic) and upper.any():
             own = subsurface.field(load, r[upper], z[upper], modulus=modulus, poisson=top.poisson, shear=top.shear)
             result[:, upper] = own
-        for depth, state in _wave_states(layers, on, np.unique(z), waves.xi):
+        for depth, state in wave_states(layers, on, np.unique(z), waves.xi):
             (members,) = np.nonzero(z == depth)
             passed = _passed(layers, bottoms, depth)
             end = int(np.searchsorted(waves.xi, 2.0 * DECAY_SPAN / passed))
@@ -78,7 +78,7 @@ def _passed(layers: tuple[AnyLayer, ...], bottoms: Array, depth: float) -> float
     )
 
 
-def _wave_states(
+def wave_states(
     layers: tuple[AnyLayer, ...], on: Body, depths: Array, xi: Array
 ) -> Iterator[tuple[float, WaveState]]:
     """Yield, depth by depth, the amplitudes; in the uppermost layer without those of a half-space made of it."""
