@@ -13,6 +13,7 @@ import winkler as wk
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.media.layered.sheet import sheet_of
 from winkler.media.stacked.response import StackAlong, StackNormal
+from winkler.problems.rough.compliance import compliance_of
 
 QUARTZ_LIKE = wk.TransverselyIsotropic(162e9, 92e9, 69e9, 181e9, 35e9)
 WEAVE = wk.TransverselyIsotropic(1e9, 0.2e9, 0.3e9, 1.2e9, 0.6e9)
@@ -202,3 +203,20 @@ def test_what_is_not_known_is_refused_by_name():
     with pytest.raises(OutsideValidity, match=r"lies in a transversely isotropic uppermost layer"):
         wk.restore(pressed, np.array([0.1]), np.array([0.5]))
     assert np.isfinite(wk.restore(pressed, np.array([0.1]), np.array([1.5])).axial_stress).all()
+
+
+def test_a_height_map_presses_on_a_sliding_stack():
+    """A ball as a map: its force is that of the springs, but for an error of second order in the pixel."""
+    medium = stack([(WEAVE, 0.1, False), (WEAVE, 0.1, True)], on=wk.Elastic(3e9, 0.3))
+    line = wk.Indentation(wk.Foundation(wk.Paraboloid(1.0), medium), wk.Radius(0.3)).solve()
+    errors = []
+    for count in (24, 48):
+        x = (np.arange(count) - (count - 1) / 2) * 0.8 / count
+        heights = -0.5 * (x[:, None] ** 2 + x**2)
+        depth = float(line.depth) + float(heights.max())
+        contact = wk.SurfaceContact(wk.Topography(heights, [0.8, 0.8]), medium, wk.Depth(depth)).solve()
+        errors.append(contact.force / line.force - 1.0)
+    assert abs(errors[1]) < 5e-4
+    assert 3.0 < errors[0] / errors[1] < 6.0
+    with pytest.raises(OutsideValidity, match="tractions of a height map on a StackedHalfSpace"):
+        compliance_of(medium)
