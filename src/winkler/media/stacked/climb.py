@@ -21,14 +21,13 @@ from winkler.materials.layered import Layer
 from winkler.materials.stack_layer import StackLayer
 from winkler.media.layered.blocks import Four, add, invert, scaled, times
 from winkler.media.layered.sheet import Body, Sheet, sheet_of
+from winkler.media.stacked.faces import THIN_LAYER_LIMIT, above, compliance_of, face_of, mirrored, slid
 from winkler.numerics.types import ComplexArray
 
 __all__ = ["AnyLayer", "Crossing", "Support", "climbed", "is_bonded", "support_of"]
 
 AnyLayer = Layer | StackLayer
 
-THIN_LAYER_LIMIT = 1.0
-"""Up to this, the steepest exponent times xi h, a layer is crossed by its propagator."""
 LEAST_WAVE = 1e-60
 """Stands for xi h = 0, where a free layer moves sideways without bound."""
 
@@ -105,15 +104,10 @@ def _split(sheet: Sheet, support: Support, x: ComplexArray, start: ComplexArray)
 
     down = sheet.decay(x)
     reflected = scaled(-1.0, times(invert(misfit(rising)), times(misfit(own), down)))
-    amplitude = invert(add(one, times(_mirrored(down), reflected)))  # type: ignore[arg-type]
+    amplitude = invert(add(one, times(mirrored(down), reflected)))  # type: ignore[arg-type]
     falling = times(sheet.decay(start), amplitude)
-    climbing = times(_mirrored(sheet.decay(x - start)), times(reflected, amplitude))
+    climbing = times(mirrored(sheet.decay(x - start)), times(reflected, amplitude))
     return Crossing(add(times(own, falling), times(rising, climbing)), add(falling, climbing))
-
-
-def _mirrored(four: Four) -> Four:
-    """Return the same for the fields that decay upward."""
-    return four[0], -four[1], -four[2], four[3]
 
 
 def support_of(on: Body) -> Four:
@@ -142,10 +136,12 @@ def climbed(layers: tuple[AnyLayer, ...], on: Body, xi: ComplexArray) -> list[tu
     list
         For every layer from the top what lies below it, and the compliance at its upper face [1/Pa].
     """
-    below, rungs = support_of(on), []
+    zero = np.zeros_like(xi)
+    face = face_of(tuple(zero + entry for entry in support_of(on)))  # type: ignore[arg-type]
+    rungs = []
     for layer in reversed(layers):
-        sheet, support = sheet_of(layer.solid), Support(below, is_bonded(layer))
-        x = xi * layer.thickness
-        below = scaled(1.0 / sheet.shear, crossing(sheet, support, x, np.zeros_like(x)).moved)
-        rungs.append((support, below))
+        bonded = is_bonded(layer)
+        support = Support(compliance_of(face), bonded)
+        face = above(sheet_of(layer.solid), face if bonded else slid(face), xi * layer.thickness)
+        rungs.append((support, compliance_of(face)))
     return rungs[::-1]
