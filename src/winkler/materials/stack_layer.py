@@ -41,4 +41,3 @@ class StackLayer:
     solid: Elastic | TransverselyIsotropic
     thickness: Annotated[PositiveNotTiny, Advice("leave a layer without thickness out")]
     bonded: bool = True
-

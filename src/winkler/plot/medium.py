@@ -19,10 +19,10 @@ from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.materials.layered import Layer
 from winkler.materials.stack_layer import StackLayer
 from winkler.media.graded.power_law import GradedHalfSpace
+from winkler.media.layered.climb import is_bonded
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.media.medium import Medium
-from winkler.media.stacked.climb import is_bonded
 from winkler.media.stacked.stacked import SlidingStack
 from winkler.numerics.types import Array
 from winkler.plot import style

@@ -11,6 +11,7 @@ from stack_waves import surface
 
 import winkler as wk
 from winkler.errors import InvalidInput, OutsideValidity
+from winkler.media.layered.coated_interior import wave_states
 from winkler.media.layered.sheet import sheet_of
 from winkler.media.stacked.response import StackAlong, StackNormal
 from winkler.problems.rough.compliance import compliance_of
@@ -148,16 +149,14 @@ def test_layers_that_are_free_sideways_yield_more():
 
 def test_stresses_inside_by_elasticity_in_one_wave():
     """Below a sliding interface shear is zero, the lateral displacement jumps; amplitudes by matrix exponentials."""
-    from winkler.media.stacked import inside
-
     parts, on = [(GLASS, 1.0, False), (WEAVE, 0.5, True)], QUARTZ_LIKE
     layers = tuple(wk.StackLayer(*part) for part in parts)
     depths = np.array([0.4, 1.0, 1.2, 1.5])
     for wave in (0.2, 2.0):
         _, _, states = surface(wave, parts, on, depths=depths.tolist())
         own = sheet_of(GLASS).decay(np.array([wave * 0.4]))
-        found = list(inside.wave_states(layers, on, depths, np.array([wave])))
-        for (_, state), wanted in zip(found[2:], states[2:], strict=True):
+        found = list(wave_states(layers, on, np.array([1.0, 1.5]), depths, np.array([wave])))
+        for (_, state, _), wanted in zip(found[2:], states[2:], strict=True):
             assert np.concatenate([state.moved[0], state.loaded[0]]) == pytest.approx(wanted, rel=1e-10)
         # in the uppermost layer without what a half-space of it has
         loaded = found[0][1].loaded[0] + np.array([-own[1][0], -own[3][0]])

@@ -15,7 +15,8 @@ import numpy as np
 
 from winkler.materials.elastic import RIGID, Elastic, Solid
 from winkler.materials.layered import Layer
-from winkler.media.layered.layers import LayeredResponse, rounded, through_layers
+from winkler.media.layered.climb import climbed
+from winkler.media.layered.layers import LayeredResponse, rounded
 from winkler.numerics.types import ComplexArray
 from winkler.values import value
 
@@ -60,7 +61,7 @@ class AlongResponse(LayeredResponse):
     def excess(self, xi: ComplexArray) -> ComplexArray:
         """M(xi) [-] at real or complex wave numbers (m,) [1/m]."""
         top = self.layers[0].solid
-        along = -through_layers(self.layers, self.on, xi)[0].compliance[:, 0, 0]
+        along = -climbed(self.layers, self.on, xi)[0][1][0]
         return np.asarray(0.5 * self.modulus * (along - (1.0 - top.poisson) / top.shear))
 
 

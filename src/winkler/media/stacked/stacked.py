@@ -1,8 +1,8 @@
 r"""Stacks of layers that may be transversely isotropic about their normal, and of which any may slide on the next.
 
 The compliance under a pressure is all that the method of `winkler.media.layered.coated` needs.  It is climbed from the
-base to the surface (`winkler.media.stacked.climb`) with the five constants of each layer; an interface that slides passes
-on the normal stress and the normal displacement.
+base to the surface (`winkler.media.layered.climb`) with the five constants of each layer; an interface that slides
+passes on the normal stress and the normal displacement.
 """
 
 from __future__ import annotations
@@ -12,12 +12,12 @@ from winkler.materials.elastic import RIGID, Elastic, Rigid, TransverselyIsotrop
 from winkler.materials.layered import Layer
 from winkler.materials.stack_layer import StackLayer
 from winkler.media.families import StackedBody
+from winkler.media.layered import coated_interior
+from winkler.media.layered.climb import is_bonded
 from winkler.media.layered.coated import BARBER, LayeredMedium
 from winkler.media.layered.coated_load import CarriedLoad
 from winkler.media.medium import Displacement
 from winkler.media.punch_field import BodyField
-from winkler.media.stacked import inside
-from winkler.media.stacked.climb import is_bonded
 from winkler.media.stacked.response import StackAcross, StackAlong, StackNormal, StackTangential
 from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note, Standing
@@ -66,7 +66,7 @@ class SlidingStack(LayeredMedium, StackedBody):
 
     def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
         """Stresses and displacements in the layers and their base; arrays of one shape."""
-        return inside.field(load, self.stack, self.on, self.modulus, r, z)
+        return coated_interior.field(load, self.stack, self.on, self.modulus, r, z)
 
     def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
         """Stresses and displacements in the layers and their base (`below`), or in the other body."""

@@ -20,8 +20,8 @@ from winkler.materials.elastic import Rigid
 from winkler.materials.layered import Layer
 from winkler.materials.stack_layer import StackLayer
 from winkler.media.layered.blocks import Four, add, invert, scaled, times
+from winkler.media.layered.faces import THIN_LAYER_LIMIT, above, compliance_of, face_of, mirrored, slid
 from winkler.media.layered.sheet import Body, Sheet, sheet_of
-from winkler.media.stacked.faces import THIN_LAYER_LIMIT, above, compliance_of, face_of, mirrored, slid
 from winkler.numerics.types import ComplexArray
 
 __all__ = ["AnyLayer", "Crossing", "Support", "climbed", "is_bonded", "support_of"]
