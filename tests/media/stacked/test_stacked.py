@@ -20,7 +20,7 @@ QUARTZ_LIKE = wk.TransverselyIsotropic(162e9, 92e9, 69e9, 181e9, 35e9)
 WEAVE = wk.TransverselyIsotropic(1e9, 0.2e9, 0.3e9, 1.2e9, 0.6e9)
 """Whose exponents are a complex pair."""
 FIBRES = wk.TransverselyIsotropic(14e9, 7e9, 6e9, 160e9, 7e9)
-GLASS, GEL = wk.Elastic(70e9, 0.2), wk.Elastic(1e6, 0.49)
+GLASS, GEL, SOFT = wk.Elastic(70e9, 0.2), wk.Elastic(1e6, 0.49), wk.Elastic(1e3, 0.49999)
 WAVES = np.array([1e-3, 0.9, 5.0])
 
 
@@ -36,6 +36,7 @@ STACKS = {
     "a cover slip on gel": ([(GLASS, 0.1, False)], GEL),
     "a plate, gel that slides on a plate": ([(GLASS, 0.1, True), (GEL, 0.3, False), (GLASS, 1.0, True)], GEL),
     "slides in the middle": ([(FIBRES, 0.2, True), (WEAVE, 0.5, False), (GLASS, 0.7, True)], QUARTZ_LIKE),
+    "a stiff plate on a thin soft film": ([(GLASS, 0.5, True), (SOFT, 0.1, True)], wk.Rigid()),
     "bonded, and slides on a rigid base": ([(GLASS, 1.0, True), (GEL, 0.3, False)], wk.Rigid()),
 }
 

@@ -15,13 +15,14 @@ References
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TypeAlias
 
 import numpy as np
 
 from winkler.media.layered.blocks import Four, scaled, times
 from winkler.media.layered.sheet import Sheet
-from winkler.numerics.types import ComplexArray
+from winkler.numerics.types import Array, ComplexArray
 
 __all__ = ["THIN_LAYER_LIMIT", "Face", "above", "compliance_of", "face_of", "mirrored", "reflection", "slid"]
 
@@ -94,7 +95,7 @@ def _propagated(sheet: Sheet, face: Face, x: ComplexArray) -> Face:
             for (k, n), minor in zip(PAIRS, face, strict=True)
         ]
         result.append(sum(terms[1:], terms[0]))
-    return tuple(result)  # type: ignore[return-value]
+    return tuple(result)
 
 
 def _reflected(sheet: Sheet, face: Face, x: ComplexArray) -> Face:
@@ -114,7 +115,7 @@ def reflection(sheet: Sheet, face: Face) -> Four:
         for four in (sheet.half_space, sheet.rising_half_space)
     )
 
-    def volume(first: tuple[float, ...], second: tuple[float, ...]) -> ComplexArray:
+    def volume(first: Sequence[Array | float], second: Sequence[Array | float]) -> ComplexArray:
         minors = [float(first[i] * second[j] - first[j] * second[i]) for i, j in PAIRS]
         terms = [sign * minor * other for sign, minor, other in zip(SIGNS, face, minors[::-1], strict=True) if other]
         return np.asarray(sum(terms[1:], terms[0]))

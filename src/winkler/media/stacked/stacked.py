@@ -7,6 +7,8 @@ passes on the normal stress and the normal displacement.
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import RIGID, Elastic, Rigid, TransverselyIsotropic
 from winkler.materials.layered import Layer
@@ -28,6 +30,9 @@ __all__ = ["SlidingStack", "StackedHalfSpace"]
 
 class SlidingStack(LayeredMedium, StackedBody):
     """What media of layers that may slide have in common; subclasses state `stack`."""
+
+    notes: ClassVar[tuple[Note, ...]]
+    """What is assumed."""
 
     @property
     def stack(self) -> tuple[Layer | StackLayer, ...]:
