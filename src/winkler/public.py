@@ -120,6 +120,7 @@ from winkler.materials.named import (
 from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
 from winkler.materials.relaxing_layer import ViscoelasticLayer
 from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
+from winkler.materials.stack_layer import StackLayer
 from winkler.materials.sweeps import DynamicSweeps, RelaxationSweeps
 from winkler.materials.temperature import Arrhenius, WilliamsLandelFerry
 from winkler.materials.viscoelastic import GeneralisedKelvin, Prony
@@ -128,10 +129,11 @@ from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HalfSpace
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
-from winkler.media.layered.sliding_film import SlidingFilm
 from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
 from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
+from winkler.media.stacked.sliding_film import SlidingFilm
+from winkler.media.stacked.stacked import StackedHalfSpace
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.path import Path
 from winkler.path_steps import Circle, Follow, Hold, Oscillate, Ramp, Start
@@ -201,7 +203,8 @@ __all__ = [
     "ReferenceSample", "RelaxationData", "RelaxationSweeps", "RelaxingInProportion", "RepeatedMean", "Rigid", "Rod",
     "RoughProfile", "RoundedCone", "RoundedEnds", "RoundedPunch", "RoundedPyramid", "SampledProfile", "SaturatingWork",
     "Segment", "SegmentKind", "SelfAffine", "Shape", "SharpEnds", "ShearForce", "ShearedFields", "Shift", "ShortRange",
-    "SigmoidalGrading", "SlidingFilm", "Sphere", "SpheroConical", "Spikes", "Springs", "Staircase", "StandardSolid",
+    "SigmoidalGrading", "SlidingFilm", "Sphere", "SpheroConical", "Spikes", "Springs", "StackLayer",
+    "StackedHalfSpace", "Staircase", "StandardSolid",
     "Standing", "Start", "StaticKinetic", "SubsurfaceFields", "Sum", "SurfaceFields", "SurfaceFilm", "TabulatedGrading",
     "TabulatedTip", "ThermalConductor", "ThermalDrift", "ThermalInterface", "Tilt", "Topography", "Torque",
     "TransverselyIsotropic", "TransverselyIsotropicHalfSpace", "TruncatedCone", "TruncatedParaboloid", "Vickers",

@@ -28,6 +28,7 @@ QUARTZ = wk.TransverselyIsotropic(162e9, 92e9, 69e9, 181e9, 47e9)
 HALF_SPACE = wk.HalfSpace(STEEL)
 CERAMIC = wk.PowerLawGraded(young=220e9, depth_scale=1e-3, exponent=0.15, poisson=0.25)
 HARD = wk.Layer(wk.Elastic(450e9, 0.25), thickness=50e-6)
+SLIDES = wk.StackLayer(HARD.solid, HARD.thickness, bonded=False)
 CASE = wk.ExponentialGrading(surface_young=380e9, deep_young=210e9, depth_scale=0.2e-3, poisson=0.3)
 
 
@@ -93,6 +94,7 @@ PYTHON = {
     "transversely_isotropic": pressed(BALL, wk.TransverselyIsotropicHalfSpace(QUARTZ)),
     "power_law_graded": pressed(BALL, wk.GradedHalfSpace.between(CERAMIC)),
     "layer": pressed(BALL, wk.CoatedHalfSpace([HARD], on=STEEL)),
+    "stack_layer": pressed(BALL, wk.StackedHalfSpace([SLIDES], on=STEEL)),
     "exponential_grading": pressed(BALL, wk.DepthGradedHalfSpace(CASE, tolerance=1e-2)),
     "sigmoidal_grading": pressed(
         BALL, wk.DepthGradedHalfSpace(wk.SigmoidalGrading(380e9, 210e9, 0.2e-3, 0.1e-3, 0.3), tolerance=1e-2)
@@ -109,6 +111,7 @@ PYTHON = {
     "graded_half_space": pressed(BALL, wk.GradedHalfSpace(CERAMIC)),
     "coated_half_space": pressed(BALL, wk.CoatedHalfSpace((HARD,), STEEL)),
     "sliding_film": pressed(BALL, wk.SlidingFilm((HARD,), STEEL)),
+    "stacked_half_space": pressed(BALL, wk.StackedHalfSpace((SLIDES,), STEEL)),
     "depth_graded_half_space": pressed(BALL, wk.DepthGradedHalfSpace(CASE, wk.Rigid(), 1e-2)),
     "foundation": pressed(BALL),
     "plane_foundation": wk.Indentation(wk.PlaneFoundation(BALL, HALF_SPACE), wk.Force(100.0)),

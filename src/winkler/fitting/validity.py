@@ -16,9 +16,8 @@ from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
 from winkler.laws.adhesion import Dugdale, ShortRange
 from winkler.loading import Depth
-from winkler.media.halfspace import HalfSpace
 from winkler.media.layered.coated import CoatedHalfSpace
-from winkler.media.layered.sliding_film import SlidingFilm
+from winkler.media.stacked.stacked import SlidingStack
 from winkler.numerics.types import Array
 from winkler.problems.adhesion import griffith
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
@@ -75,12 +74,12 @@ def fit_notes(
 def _coating_notes(bed: Bed, names: tuple[str, ...], widest: float) -> list[Note]:
     """Return the note on coating and substrate, by the stiffness of the widest contact."""
     medium = bed.medium
-    if not isinstance(medium, CoatedHalfSpace | SlidingFilm):
+    if not isinstance(medium, CoatedHalfSpace | SlidingStack):
         return []
-    top, thickness = medium.layers[0].solid, sum(layer.thickness for layer in medium.layers)
+    thickness = medium.thickness
     place = np.array([widest])
     stiffness = float(bed.stiffness(place)[0])
-    alone = float(HalfSpace(top, medium.second).punch_stiffness(place)[0])
+    alone = 2.0 * medium.modulus * widest
     below = stiffness / alone - 1.0
     deep = [name for name in names if name.startswith(LOWER_SOLIDS) and not name.startswith(TOP_LAYER)]
     standing = Standing.APPROXIMATE

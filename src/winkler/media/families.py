@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from winkler.materials.elastic import Solid
+from winkler.materials.elastic import Solid, TransverselyIsotropic
 from winkler.materials.layered import Layer
+from winkler.materials.stack_layer import StackLayer
 from winkler.media.medium import Displacement
 from winkler.numerics.types import Array, Curve
 
 if TYPE_CHECKING:  # numerics of layers are loaded with layers
     from winkler.numerics.transforms.cosine_transform import SurfaceResponse
 
-__all__ = ["CoatedBody", "DepthVaryingMedium", "PowerLawMedium", "SlidingBody", "TwistedMedium"]
+__all__ = ["CoatedBody", "DepthVaryingMedium", "LayeredBody", "PowerLawMedium", "StackedBody", "TwistedMedium"]
 
 
 class TwistedMedium:
@@ -56,8 +57,18 @@ class DepthVaryingMedium:
         raise NotImplementedError
 
 
-class CoatedBody(DepthVaryingMedium, TwistedMedium):
-    """Layers on a half-space or a rigid base, against a homogeneous body: rings may slide around the axis, or along."""
+class LayeredBody(DepthVaryingMedium):
+    """Layers on a half-space or a rigid base, against a homogeneous body."""
+
+    @property
+    def thickness(self) -> float:
+        """Of all layers together [m]."""
+        layers: tuple[Layer | StackLayer, ...] = self.layers  # type: ignore[attr-defined]
+        return sum(layer.thickness for layer in layers)
+
+
+class CoatedBody(LayeredBody, TwistedMedium):
+    """Bonded, isotropic layers: rings may slide around the axis, or along the surface."""
 
     layers: tuple[Layer, ...]
     on: Solid
@@ -88,9 +99,9 @@ class CoatedBody(DepthVaryingMedium, TwistedMedium):
         raise NotImplementedError
 
 
-class SlidingBody(DepthVaryingMedium):
-    """A layer on a half-space or a rigid base that bears no shear between them, against a homogeneous body."""
+class StackedBody(LayeredBody):
+    """Layers that may be transversely isotropic, and need not be bonded."""
 
-    layers: tuple[Layer, ...]
-    on: Solid
-    second: Solid
+    layers: tuple[Layer | StackLayer, ...]
+    on: Solid | TransverselyIsotropic
+    second: Solid | TransverselyIsotropic

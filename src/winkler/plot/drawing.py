@@ -58,8 +58,8 @@ def draw(item: Any, *, extent: float | None = None) -> Picture:
         - a profile: the body in three dimensions, its height f(r) and its plane profile g(x)
         - ``Foundation``, ``PlaneFoundation``: the body, and its plane profile over the springs
         - ``MeasuredBed``: the measured stiffness, and the springs that follow from it
-        - ``CoatedHalfSpace``, ``SlidingFilm``, ``DepthGradedHalfSpace``, ``GradedHalfSpace``: Young's modulus from the
-          surface down, and the stiffness of the springs
+        - ``CoatedHalfSpace``, ``SlidingFilm``, ``StackedHalfSpace``, ``DepthGradedHalfSpace``,
+          ``GradedHalfSpace``: Young's modulus from the surface down, and the stiffness of the springs
         - a solution for one load: the body in its dent, the springs, their load q(x), the pressure p(r)
         - a solution for many loads: force, contact radius and stiffness over the depth
         - a solution of ``AdhesiveIndentation`` for one load: the body in its dent, the springs, stretched at the edge,

@@ -15,13 +15,15 @@ from winkler.errors import InvalidInput
 from winkler.footprint import RoundOutline
 from winkler.foundation.bed import Bed
 from winkler.foundation.measured import MeasuredBed
-from winkler.materials.elastic import Elastic, Rigid
+from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.materials.layered import Layer
+from winkler.materials.stack_layer import StackLayer
 from winkler.media.graded.power_law import GradedHalfSpace
+from winkler.media.layered.climb import is_bonded
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
-from winkler.media.layered.sliding_film import SlidingFilm
 from winkler.media.medium import Medium
+from winkler.media.stacked.stacked import SlidingStack
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.panel import Area, Line, Panel, PanelAxis, Rule, Text, points
@@ -58,7 +60,7 @@ class DepthInterval(NamedTuple):
 
 def interfaces(medium: Medium) -> tuple[float, ...]:
     """Return the depths of the interfaces between layers and under the last one [m]; none if there are no layers."""
-    if not isinstance(medium, CoatedHalfSpace | SlidingFilm):
+    if not isinstance(medium, CoatedHalfSpace | SlidingStack):
         return ()
     return tuple(float(z) for z in np.cumsum([layer.thickness for layer in medium.layers]))
 
@@ -77,7 +79,7 @@ def typical_width(medium: Medium) -> float:
     InvalidInput
         If it has no length of its own.
     """
-    if isinstance(medium, CoatedHalfSpace | SlidingFilm):
+    if isinstance(medium, CoatedHalfSpace | SlidingStack):
         return 4.0 * interfaces(medium)[-1]
     if isinstance(medium, DepthGradedHalfSpace):
         return 2.0 * medium.grading.settled_at(0.05)
@@ -93,35 +95,44 @@ def _uniform_medium(medium: Medium) -> InvalidInput:
     )
 
 
-def _layer_intervals(medium: CoatedHalfSpace | SlidingFilm, end: float) -> list[DepthInterval]:
-    intervals, top = [], 0.0
-    laid = "slides on" if isinstance(medium, SlidingFilm) else "on"
-    for place, layer in enumerate(medium.layers):
+def _layer_intervals(medium: CoatedHalfSpace | SlidingStack, end: float) -> list[DepthInterval]:
+    intervals, top, laid = [], 0.0, ""
+    for place, layer in enumerate(medium.stack if isinstance(medium, SlidingStack) else medium.layers):
         bottom = top + layer.thickness
-        intervals.append(
-            _layer_interval(layer, top, bottom, f"layer {place + 1}: " if len(medium.layers) > 1 else "layer: ")
-        )
+        name = f"layer {place + 1}: " if len(medium.layers) > 1 else "layer: "
+        intervals.append(_layer_interval(layer, top, bottom, f"{laid}{name}"))
         top = bottom
-    if isinstance(medium.on, Elastic):
-        z, young = np.array([top, max(end, top)]), np.full(2, medium.on.young)
+        laid = "" if is_bonded(layer) else "slides on "
+    laid = laid.strip() or "on"
+    if not isinstance(medium.on, Rigid):
+        z, young = np.array([top, max(end, top)]), np.full(2, _young(medium.on))
         intervals.append(DepthInterval(z, young, f"{laid} {_solid_text(medium.on)}"))
     else:
         intervals.append(DepthInterval(np.array([top, max(end, top)]), np.zeros(2), f"{laid} a rigid base"))
     return intervals
 
 
-def _layer_interval(layer: Layer, top: float, bottom: float, name: str) -> DepthInterval:
+def _layer_interval(layer: Layer | StackLayer, top: float, bottom: float, name: str) -> DepthInterval:
     label = f"{name}{with_unit(layer.thickness, 'm')}, {_solid_text(layer.solid)}"
-    return DepthInterval(np.array([top, bottom]), np.full(2, layer.solid.young), label)
+    return DepthInterval(np.array([top, bottom]), np.full(2, _young(layer.solid)), label)
 
 
-def _solid_text(solid: Elastic) -> str:
+def _young(solid: Elastic | TransverselyIsotropic) -> float:
+    """Return Young's modulus [Pa]; along the depth, if it depends on the direction."""
+    if isinstance(solid, Elastic):
+        return solid.young
+    return solid.c33 - 2.0 * solid.c13**2 / (solid.c11 + solid.c12)
+
+
+def _solid_text(solid: Elastic | TransverselyIsotropic) -> str:
+    if isinstance(solid, TransverselyIsotropic):
+        return f"$E_z$ = {with_unit(_young(solid), 'Pa', 3)}"
     return f"$E$ = {with_unit(solid.young, 'Pa')}, $\\nu$ = {with_unit(solid.poisson, '')}"
 
 
 def _intervals(medium: Medium, end: float) -> list[DepthInterval]:
     """Return the first body from the surface down to `end` [m]."""
-    if isinstance(medium, CoatedHalfSpace | SlidingFilm):
+    if isinstance(medium, CoatedHalfSpace | SlidingStack):
         return _layer_intervals(medium, end)
     if isinstance(medium, DepthGradedHalfSpace):
         grading = medium.grading
@@ -143,7 +154,7 @@ def makeup_panel(medium: Medium, end: float, radius: float = 0.0) -> Panel:
 
     Parameters
     ----------
-    medium : CoatedHalfSpace, SlidingFilm, DepthGradedHalfSpace or GradedHalfSpace
+    medium : CoatedHalfSpace, SlidingFilm, StackedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
     end : float
         Greatest depth [m].
     radius : float
@@ -198,8 +209,8 @@ def spring_stiffness_panel(medium: Medium, end: float, radius: float = 0.0) -> P
     top = float(np.max(stiffness[x >= 0.01 * end]))
     upright = PanelAxis.of(series("normal_stiffness", stiffness), scale_of("Pa", [top]), low=0.0)
     marks: list[Any] = [Line(x, stiffness, style.RED, name="springs, $c_N(x)$")]
-    layered = isinstance(medium, CoatedHalfSpace | SlidingFilm | DepthGradedHalfSpace)
-    if isinstance(medium, CoatedHalfSpace | SlidingFilm | DepthGradedHalfSpace):
+    layered = isinstance(medium, CoatedHalfSpace | SlidingStack | DepthGradedHalfSpace)
+    if isinstance(medium, CoatedHalfSpace | SlidingStack | DepthGradedHalfSpace):
         above = float(medium.modulus)
         name = f"uppermost solid alone, {with_unit(above, 'Pa')}"
         marks.append(Rule(above, width=1.0, dash=style.DOTTED, name=name))

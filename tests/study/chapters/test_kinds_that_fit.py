@@ -36,6 +36,7 @@ LONG = {
     "depth_graded_half_space",
     "relaxing_in_proportion",
     "sliding_film",
+    "stacked_half_space",
     "viscoelastic_coated_half_space",
 }
 """Media whose tables take seconds: each is pressed once."""

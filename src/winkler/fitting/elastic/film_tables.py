@@ -61,7 +61,7 @@ class FilmTables(EachAnew):
     Parameters
     ----------
     model : Indentation
-        A profile without kinks on a `CoatedHalfSpace` or a `SlidingFilm`.
+        A profile without kinks on a `CoatedHalfSpace`, a `SlidingFilm` or a `StackedHalfSpace`.
     name : str
         Path of the free modulus.
     """

@@ -24,6 +24,7 @@ from winkler.media.layered.coated_load import CarriedLoad, spread
 from winkler.media.layered.layers import NormalResponse
 from winkler.media.layered.shear_responses import AcrossResponse, AlongResponse
 from winkler.media.layered.sheared import ShearedLayers
+from winkler.media.layered.sheet import Body
 from winkler.media.layered.tangential_response import TangentialResponse
 from winkler.media.medium import Displacement, PunchFacts, rigid_body
 from winkler.media.punch_field import BodyField
@@ -47,7 +48,7 @@ class PressedResponse(SurfaceResponse, GridResponse, Protocol):
 class LayeredMedium(ShearedLayers, DepthVaryingMedium):
     """What all media with a known surface compliance have in common: subclasses state it, and what is inside."""
 
-    second: Solid
+    second: Body
 
     @property
     def response(self) -> PressedResponse:
@@ -203,11 +204,6 @@ class CoatedHalfSpace(LayeredMedium, CoatedBody):
     def across_response(self) -> AcrossResponse:
         """The response of the pair to shear across its wave, and to a twist."""
         return AcrossResponse(self.layers, self.on, self.second)
-
-    @property
-    def thickness(self) -> float:
-        """Of all layers together [m]."""
-        return sum(layer.thickness for layer in self.layers)
 
     def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
         """Stresses and displacements in the layers and their base; arrays of one shape."""

@@ -1,10 +1,10 @@
 r"""Stresses and displacements inside a stack of layers, by Hankel integrals over what differs from a half-space.
 
-The tractions on the surface, :math:`\hat p\,J_0(\xi r)`, decay through the layers as `winkler.media.layered.layers`
-computes.  In the uppermost layer the field of a homogeneous half-space under the same pressure is known without an
-integral over waves (`winkler.media.interior.subsurface`); what the interfaces add dies out like
-:math:`e^{-\xi(2h-z)}`, so that points on and just below the surface are as good as all others.  Deeper layers lie at
-least h below the load and need no such help.
+The tractions on the surface, :math:`\hat p\,J_0(\xi r)`, decay through the layers as `winkler.media.layered.climb`
+computes; where a layer slides, they pass on without shear.  In the uppermost layer the field of a homogeneous
+half-space under the same pressure is known without an integral over waves (`winkler.media.interior.subsurface`); what
+the interfaces add dies out like :math:`e^{-\xi(2h-z)}`, so that points on and just below the surface are as good as all
+others.  Deeper layers lie at least h below the load and need no such help.
 """
 
 from __future__ import annotations
@@ -15,11 +15,13 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.materials.elastic import Elastic, Solid
-from winkler.materials.layered import Layer
+from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.media.interior import subsurface
 from winkler.media.layered import layers as stack
+from winkler.media.layered.blocks import Four, add, scaled, stacked, times
+from winkler.media.layered.climb import AnyLayer, climbed, crossing
 from winkler.media.layered.coated_load import CarriedLoad
+from winkler.media.layered.sheet import Body, sheet_of
 from winkler.media.punch_field import BodyField
 from winkler.numerics.panels.sqrt_panels import doubled, nodes
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, FIRST_WAVE_NUMBER, wave_numbers
@@ -46,11 +48,11 @@ class WaveState(NamedTuple):
 
     moved: Array
     loaded: Array
-    solid: Elastic
+    solid: Elastic | TransverselyIsotropic
 
 
-def field(load: CarriedLoad, layers: tuple[Layer, ...], on: Solid, modulus: float, r: Array, z: Array) -> BodyField:
-    """Return stresses and displacements inside the coated body.
+def field(load: CarriedLoad, layers: tuple[AnyLayer, ...], on: Body, modulus: float, r: Array, z: Array) -> BodyField:
+    """Return stresses and displacements inside the stack.
 
     Parameters
     ----------
@@ -66,20 +68,25 @@ def field(load: CarriedLoad, layers: tuple[Layer, ...], on: Solid, modulus: floa
     Raises
     ------
     OutsideValidity
-        If a point lies in a rigid base, or the contact is hundreds of times wider than the uppermost layer is thick.
+        If a point lies in a rigid base, or in an uppermost layer that is transversely isotropic, or the contact is
+        hundreds of times wider than the uppermost layer is thick.
     """
     shape, r, z = np.shape(r), np.ravel(r), np.ravel(z)
     bottoms = np.cumsum([layer.thickness for layer in layers])
-    if not isinstance(on, Elastic) and np.any(z > bottoms[-1]):
+    top, upper = layers[0].solid, z <= bottoms[0]
+    if isinstance(on, Rigid) and np.any(z > bottoms[-1]):
         raise OutsideValidity(
-            f"z = {np.max(z):.6g} m lies in the rigid base below {bottoms[-1]:.6g} m of coating; request points in it."
+            f"z = {np.max(z):.6g} m lies in the rigid base below {bottoms[-1]:.6g} m of layers; request points in them."
+        )
+    if not isinstance(top, Elastic) and np.any(upper):
+        raise OutsideValidity(
+            f"z = {np.min(z):.6g} m lies in a transversely isotropic uppermost layer, in which stresses are not known "
+            f"to winkler; request the surface (without z), or points below {bottoms[0]:.6g} m."
         )
     result = np.zeros((6, r.size))
     if load.radius > 0.0 and r.size:
         waves = waves_of(load, modulus, float(np.max(r)), 2.0 * DECAY_SPAN / load.response.length)
-        upper = z <= bottoms[0]
-        if upper.any():
-            top = layers[0].solid
+        if isinstance(top, Elastic) and upper.any():
             own = subsurface.field(load, r[upper], z[upper], modulus=modulus, poisson=top.poisson, shear=top.shear)
             result[:, upper] = own
         for depth, state, end in wave_states(layers, on, bottoms, np.unique(z), waves.xi):
@@ -108,7 +115,7 @@ def waves_of(load: CarriedLoad, modulus: float, farthest: float, end: float) -> 
 
 
 def wave_states(
-    layers: tuple[Layer, ...], on: Solid, bottoms: Array, depths: Array, xi: Array
+    layers: tuple[AnyLayer, ...], on: Body, bottoms: Array, depths: Array, xi: Array
 ) -> Iterator[tuple[float, WaveState, int]]:
     """Yield, depth by depth, the amplitudes and how many wave numbers matter.
 
@@ -125,42 +132,49 @@ def wave_states(
     xi : ndarray, (m,)
         Wave numbers [1/m], ascending.
     """
-    rungs = stack.through_layers(layers, on, xi)
+    supports = [support for support, _ in climbed(layers, on, xi)]
     tops = np.concatenate([[0.0], bottoms])
     surface = np.zeros((xi.size, 2, 1))
     surface[:, 1] = -1.0
     arrived = [surface]
-    for step in rungs:
-        arrived.append(step.decay @ arrived[-1])
+    for layer, support in zip(layers, supports, strict=True):
+        x = xi * layer.thickness
+        arrived.append(_matrices(crossing(sheet_of(layer.solid), support, x, x).loaded, x) @ arrived[-1])
     for depth in depths:
         index = int(np.searchsorted(bottoms, depth))
-        start = depth - tops[index]
+        start = xi * (depth - tops[index])
         if index == len(layers):
-            assert isinstance(on, Elastic)
-            loaded = half_space_decay(xi * start, on.poisson) @ arrived[index]
-            moved = stack.half_space(on.poisson) / (2.0 * on.shear) @ loaded
-            yield float(depth), WaveState(moved[..., 0], loaded[..., 0], on), _enough(xi, depth)
-            continue
-        solid = layers[index].solid
-        twice = 2.0 * solid.shear
-        below = _below(rungs, on, index, xi)
-        here = stack.through_layer(twice * below, xi * (bottoms[index] - depth), solid.poisson)
-        loaded = stack.through_layer(here.compliance, xi * start, solid.poisson).decay @ arrived[index]
-        moved = here.compliance @ loaded / twice
+            assert not isinstance(on, Rigid)
+            solid = on
+            sheet = sheet_of(solid)
+            loaded = sheet.decay(start)
+            moved = times(sheet.half_space, loaded)
+        else:
+            solid = layers[index].solid
+            sheet = sheet_of(solid)
+            moved, loaded = crossing(sheet, supports[index], xi * layers[index].thickness, start)
         if index == 0:
-            own = half_space_decay(xi * start, solid.poisson) @ surface
-            loaded, moved = loaded - own, moved - stack.half_space(solid.poisson) @ own / twice
-        end = _enough(xi, 2.0 * bottoms[0] - depth if index == 0 else depth)
-        yield float(depth), WaveState(moved[..., 0], loaded[..., 0], solid), end
+            own = scaled(-1.0, sheet.decay(start))
+            loaded, moved = add(loaded, own), add(moved, times(sheet.half_space, own))
+        states = (_matrices(part, xi) @ arrived[index] for part in (moved, loaded))
+        displacement, traction = (state[..., 0] for state in states)
+        end = int(np.searchsorted(xi, 2.0 * DECAY_SPAN / _passed(layers, bottoms, depth)))
+        yield float(depth), WaveState(displacement / sheet.shear, traction, solid), end
 
 
-def _below(rungs: list[stack.LayerCompliance], on: Solid, index: int, xi: Array) -> Array:
-    """Return the compliance at the lower face of a layer."""
-    if index + 1 < len(rungs):
-        return rungs[index + 1].compliance
-    if isinstance(on, Elastic):
-        return np.broadcast_to(stack.half_space(on.poisson) / (2.0 * on.shear), (xi.size, 2, 2))
-    return np.zeros((xi.size, 2, 2))
+def _passed(layers: tuple[AnyLayer, ...], bottoms: Array, depth: float) -> float:
+    """Return the distance over which waves at a depth have died out: there and back, in the uppermost layer."""
+    if depth <= bottoms[0]:
+        return float(2.0 * bottoms[0] - depth)
+    above = zip(layers, bottoms, strict=True)
+    return sum(
+        float(min(layer.thickness, max(depth - bottom + layer.thickness, 0.0))) * sheet_of(layer.solid).slowest
+        for layer, bottom in above
+    )
+
+
+def _matrices(four: Four, like: Array) -> Array:
+    return np.asarray(stacked(tuple(np.broadcast_to(entry, like.shape) for entry in four)))  # type: ignore[arg-type]
 
 
 def half_space_decay(x: Array, poisson: float) -> Array:
@@ -170,20 +184,16 @@ def half_space_decay(x: Array, poisson: float) -> Array:
     return np.asarray(np.exp(-x)[:, None, None] * (down @ np.linalg.inv(top)))
 
 
-def _enough(xi: Array, distance: float) -> int:
-    return int(np.searchsorted(xi, 2.0 * DECAY_SPAN / distance))
-
-
 def superposed(state: WaveState, waves: HankelWaves, r: Array) -> Array:
     """Return the six parts of a `BodyField` at one depth."""
     from scipy.special import j0, j1
 
     end = waves.xi.size
-    twice, poisson = 2.0 * state.solid.shear, state.solid.poisson
+    sheet = sheet_of(state.solid)
+    plane, twice = sheet.shear * sheet.plane, 2.0 * sheet.shear * sheet.twist
     strain, lift = state.moved[:end, 0] * waves.weights, state.moved[:end, 1] * waves.weights
     shear, axial = state.loaded[:end, 0] * waves.weights, state.loaded[:end, 1] * waves.weights
-    n = poisson / (1.0 - poisson)
-    common = n * (twice * strain + axial)
+    common = sheet.lateral * axial + (plane - twice) * strain
     result = np.empty((6, r.size))
     step = max(1, PAIRS_PER_CHUNK // max(end, 1))
     for start in range(0, r.size, step):

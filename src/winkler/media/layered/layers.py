@@ -24,6 +24,7 @@ import numpy as np
 from winkler.materials.elastic import RIGID, Elastic, Rigid, Solid
 from winkler.materials.layered import Layer
 from winkler.media.layered.blocks import Four, add, four, invert, matrix, scaled, stacked, times
+from winkler.media.layered.climb import climbed
 from winkler.numerics.types import ComplexArray
 from winkler.values import value
 
@@ -34,15 +35,10 @@ __all__ = [
     "half_space",
     "rounded",
     "through_layer",
-    "through_layers",
 ]
 
 THIN_LAYER_LIMIT = 1.0
 """Up to this |xi h| a layer is crossed by its propagator."""
-
-
-DECAY_DEPTH = 44.0
-"""A layer whose top lies this deep, times xi, has no effect: exp(-44) is negligible."""
 
 
 class LayerCompliance(NamedTuple):
@@ -141,42 +137,6 @@ def _split(below: ComplexArray, x: ComplexArray, poisson: float) -> tuple[Comple
 
 
 # 2x2 matrices entry by entry: much faster than a product of stacks of small matrices
-
-
-def through_layers(layers: tuple[Layer, ...], on: Solid, xi: ComplexArray) -> list[LayerCompliance]:
-    """Climb through a stack.
-
-    Parameters
-    ----------
-    layers : tuple of Layer
-        From the top.
-    on : Elastic or Rigid
-        What carries them.
-    xi : ndarray, (m,)
-        Wave numbers [1/m].
-
-    Returns
-    -------
-    list of Climb
-        For every layer from the top; the compliance [1/Pa] is that of ``displacements = Y tractions / xi``.
-    """
-    below: ComplexArray = np.zeros((xi.size, 2, 2), dtype=xi.dtype)
-    if isinstance(on, Elastic):
-        below = below + half_space(on.poisson) / (2.0 * on.shear)
-    rungs = []
-    bottom = sum(layer.thickness for layer in layers)
-    for layer in reversed(layers):
-        twice, own = 2.0 * layer.solid.shear, half_space(layer.solid.poisson)
-        bottom -= layer.thickness
-        reached = np.real(xi) * bottom < DECAY_DEPTH
-        upper, decay = np.empty_like(below), np.zeros_like(below)
-        upper[~reached] = own
-        upper[reached], decay[reached] = through_layer(
-            twice * below[reached], xi[reached] * layer.thickness, layer.solid.poisson
-        )
-        below = upper / twice
-        rungs.append(LayerCompliance(below, decay))
-    return rungs[::-1]
 
 
 def rounded(ratio: float) -> float:
@@ -288,5 +248,5 @@ class NormalResponse(LayeredResponse):
     def _relative(self, xi: ComplexArray) -> ComplexArray:
         """Return the compliance of the stack over that of a half-space of its uppermost layer."""
         top = self.layers[0].solid
-        compliance = through_layers(self.layers, self.on, xi)[0].compliance[:, 1, 1]
+        compliance = climbed(self.layers, self.on, xi)[0][1][3]
         return np.asarray(-compliance * top.shear / (1.0 - top.poisson))

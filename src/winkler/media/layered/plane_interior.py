@@ -99,6 +99,7 @@ def added_stresses(medium: CoatedHalfSpace, waves: PlaneWaves, x: Array, z: Arra
 
 
 def _superposed(state: WaveState, waves: PlaneWaves, x: Array) -> Array:
+    assert isinstance(state.solid, Elastic)
     end, poisson = waves.k.size, state.solid.poisson
     strain = 2.0 * state.solid.shear * state.moved[:end, 0] * waves.weights
     shear, axial = state.loaded[:end, 0] * waves.weights, state.loaded[:end, 1] * waves.weights

@@ -8,7 +8,8 @@ import numpy as np
 
 from winkler.materials.elastic import RIGID, Elastic, Solid
 from winkler.materials.layered import Layer
-from winkler.media.layered.layers import LayeredResponse, rounded, through_layers
+from winkler.media.layered.climb import climbed
+from winkler.media.layered.layers import LayeredResponse, rounded
 from winkler.numerics.types import ComplexArray
 from winkler.values import value
 
@@ -46,7 +47,7 @@ class TangentialResponse(LayeredResponse):
 
     def _waves(self, xi: ComplexArray) -> tuple[ComplexArray, ComplexArray]:
         """Return the compliances [1/Pa] to loads along the wave and across it, times xi."""
-        along = -through_layers(self.layers, self.on, xi)[0].compliance[:, 0, 0]
+        along = -climbed(self.layers, self.on, xi)[0][1][0]
         across = np.full(xi.shape, 1.0 / self.on.shear if isinstance(self.on, Elastic) else 0.0, dtype=xi.dtype)
         for layer in reversed(self.layers):
             fall = np.tanh(xi * layer.thickness)

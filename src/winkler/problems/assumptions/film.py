@@ -8,8 +8,8 @@ Hertzian pressure, a rigid body nothing; on a rigid base under a rigid body the 
 from __future__ import annotations
 
 from winkler.foundation.bed import Bed
-from winkler.materials.elastic import Elastic
-from winkler.media.families import CoatedBody, SlidingBody
+from winkler.media.families import CoatedBody, StackedBody
+from winkler.media.layered.sheet import normal_compliance
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.validity import Assumption, Note, Standing, standing_of
 
@@ -26,18 +26,16 @@ DIMITRIADIS = "E. K. Dimitriadis et al., Biophys. J. 82 (2002) 2798-2810, doi:10
 LONG = "R. Long, M. S. Hall, M. Wu, C.-Y. Hui, Biophys. J. 101 (2011) 643-650, doi:10.1016/j.bpj.2011.06.049"
 
 
-def film_strain(medium: CoatedBody | SlidingBody, depth: float, force: float, radius: float) -> float:
+def film_strain(medium: CoatedBody | StackedBody, depth: float, force: float, radius: float) -> float:
     """Return the mean compression of the layers over their thickness [-].
 
     Parameters
     ----------
-    medium : CoatedBody or SlidingBody
+    medium : CoatedBody or StackedBody
     depth, force, radius : float
         d [m], F_N [N] and a [m], positive.
     """
-    yielding = sum(
-        (1.0 - body.poisson**2) / body.young for body in (medium.on, medium.second) if isinstance(body, Elastic)
-    )
+    yielding = normal_compliance(medium.on) + normal_compliance(medium.second)
     return max(depth - 0.75 * max(force, 0.0) * yielding / radius, 0.0) / medium.thickness
 
 
@@ -56,7 +54,7 @@ def film_notes(bed: Bed, depth: float, force: float, radius: float) -> tuple[Not
         from winkler.problems.assumptions.pyramid_film import pyramid_notes  # not loaded for numbers of other bodies
 
         pyramid = pyramid_notes(bed, medium, radius)
-    if not isinstance(medium, CoatedBody | SlidingBody) or radius <= 0.0 or depth <= 0.0:
+    if not isinstance(medium, CoatedBody | StackedBody) or radius <= 0.0 or depth <= 0.0:
         return pyramid
     return (film_note(depth / medium.thickness, film_strain(medium, depth, force, radius)), *pyramid)
 

@@ -10,6 +10,7 @@ from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.media.layered.depth_response import TurningDepthResponse, solid_at
 from winkler.media.layered.tangential_response import TurningResponse
+from winkler.media.stacked.stacked import SlidingStack
 from winkler.numerics.pixels.layered_shear import LayeredShear, ShearResponse
 from winkler.numerics.surfaces.traction_grid import Compliance
 from winkler.numerics.transforms.cosine_transform import WaveResponse, in_own_lengths
@@ -28,7 +29,7 @@ def compliance_of(medium: MappedMedium) -> Compliance:
     Raises
     ------
     OutsideValidity
-        If the modulus follows a power of the depth.
+        If the modulus follows a power of the depth, or layers may slide on each other.
     """
     if isinstance(medium, HomogeneousMedium):
         pushed, twisted = 2.0 * medium.modulus / medium.shear_modulus, 0.5 * medium.modulus / medium.torsional_modulus
@@ -40,6 +41,11 @@ def compliance_of(medium: MappedMedium) -> Compliance:
         turning: WaveResponse = TurningResponse(medium.layers, medium.on, medium.second)
     elif isinstance(medium, DepthGradedHalfSpace):
         top, turning = solid_at(medium.grading), TurningDepthResponse(medium.grading, medium.second, medium.tolerance)
+    elif isinstance(medium, SlidingStack):
+        raise OutsideValidity(
+            f"The tractions of a height map on a {type(medium).__name__} are not known to winkler, pressures are; give "
+            "a CoatedHalfSpace of bonded, isotropic layers."
+        )
     else:
         raise OutsideValidity(
             "The tractions of a height map on a GradedHalfSpace, whose modulus follows a power of the depth, are not "

@@ -9,6 +9,7 @@ from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
+from winkler.media.stacked.stacked import SlidingStack
 from winkler.numerics.pixels.layered import GridResponse, LayeredSurface, SurfaceBelow
 from winkler.numerics.pixels.power_law import PowerLawSurface
 from winkler.numerics.transforms.cosine_transform import in_own_lengths
@@ -19,7 +20,7 @@ from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["MappedMedium", "homogeneous", "layers_of", "medium_notes"]
 
-MappedMedium: TypeAlias = HomogeneousMedium | CoatedHalfSpace | DepthGradedHalfSpace | GradedHalfSpace
+MappedMedium: TypeAlias = HomogeneousMedium | CoatedHalfSpace | SlidingStack | DepthGradedHalfSpace | GradedHalfSpace
 """A medium under a height map."""
 SULLIVAN = "T. C. O'Sullivan, R. B. King, J. Tribol. 110 (1988) 235-240, doi:10.1115/1.3261591"
 FOLLOWED_SHARE = 0.01
@@ -86,7 +87,7 @@ def medium_notes(
     response = Note(
         Assumption.RESPONSE,
         Standing.EXACT,
-        "Frictionless contact of bonded, linear elastic layers or of a body graded in depth, every pixel pressing on "
+        "Frictionless contact of linear elastic layers or of a body graded in depth, every pixel pressing on "
         "all others through their surface compliance.",
         SULLIVAN,
     )

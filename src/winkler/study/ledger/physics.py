@@ -11,7 +11,7 @@ from typing import Any
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
-from winkler.media.layered.sliding_film import SlidingFilm
+from winkler.media.stacked.stacked import SlidingStack
 from winkler.study.chapters import contents
 from winkler.study.language.catalogue import kind_of
 from winkler.study.language.study import Study
@@ -43,7 +43,7 @@ def physics_of(study: Study) -> str:
 
 def _normal(study: Study) -> str:
     medium: Any = getattr(study.problem.bed, "medium", None)
-    if isinstance(medium, CoatedHalfSpace | SlidingFilm):
+    if isinstance(medium, CoatedHalfSpace | SlidingStack):
         return COATINGS
     if isinstance(medium, GradedHalfSpace | DepthGradedHalfSpace):
         return GRADED

@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.errors import InvalidInput
 from winkler.materials.elastic import RIGID, Solid
 from winkler.materials.layered import Layer
-from winkler.media.families import SlidingBody
-from winkler.media.layered.coated import BARBER, LayeredMedium
-from winkler.media.layered.coated_load import CarriedLoad
-from winkler.media.layered.sliding_response import SlidingResponse
-from winkler.media.punch_field import BodyField
-from winkler.numerics.transforms.cosine_transform import SurfaceResponse
-from winkler.numerics.types import Array
+from winkler.materials.stack_layer import StackLayer
+from winkler.media.layered.coated import BARBER
+from winkler.media.stacked.stacked import SlidingStack
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
@@ -19,8 +15,14 @@ __all__ = ["SlidingFilm"]
 
 
 @value
-class SlidingFilm(LayeredMedium, SlidingBody):
+class SlidingFilm(SlidingStack):
     r"""An isotropic layer on a half-space or a rigid base, without shear between them and without a gap.
+
+    It is a `StackedHalfSpace` of one layer that is not bonded.  With x = xi h and gamma = E* / E*_b of layer and base
+
+    .. math:: 1+M = \frac{\sinh^2x+\gamma\,(\sinh x\cosh x+x)}{\sinh x\cosh x+x+\gamma\,(\sinh^2x-x^2)} .
+
+    The solid appears by E* alone: Poisson's ratio has no other effect.
 
     The layer is bonded to nothing: it expands sideways under a pressure, also where it is incompressible, so that a
     thin film is far softer than the bonded one of `CoatedHalfSpace`.  It may slide, but it does not lift off.
@@ -39,7 +41,7 @@ class SlidingFilm(LayeredMedium, SlidingBody):
     InvalidInput
         If there is not one layer, or something is not of these kinds.
     OutsideValidity
-        Where shear on the surface, or stresses inside the body, are requested.
+        Where shear on the surface is requested.
 
     References
     ----------
@@ -62,37 +64,14 @@ class SlidingFilm(LayeredMedium, SlidingBody):
     def __post_init__(self) -> None:
         if len(self.layers) != 1:
             raise InvalidInput(
-                f"SlidingFilm: layers has {len(self.layers)} layers; give one Layer(solid, thickness), since a "
-                "stack that slides is not solved. CoatedHalfSpace takes several bonded layers."
+                f"SlidingFilm: layers has {len(self.layers)} layers; give one Layer(solid, thickness). "
+                "StackedHalfSpace takes several layers, bonded or sliding; CoatedHalfSpace several bonded ones."
             )
 
     @property
-    def response(self) -> SlidingResponse:
-        """The response of the pair to a pressure."""
-        return SlidingResponse(self.layers, self.on, self.second)
-
-    @property
-    def tangential_response(self) -> SurfaceResponse:
-        """Refused, as that to any shear: the film would slide away."""
-        raise OutsideValidity(
-            "SlidingFilm: a film without friction on its base bears no shear, it slides away; give a CoatedHalfSpace "
-            "for a bonded one."
-        )
-
-    along_response = tangential_response
-    across_response = tangential_response
-
-    @property
-    def thickness(self) -> float:
-        """Of the layer [m]."""
-        return self.layers[0].thickness
-
-    def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
-        """Refuse: fields inside the layer and its base are not computed."""
-        raise OutsideValidity(
-            "SlidingFilm: stresses inside a sliding film and its base are not computed; request fields of the surface, "
-            "or give a CoatedHalfSpace for a bonded film."
-        )
+    def stack(self) -> tuple[StackLayer, ...]:
+        """The layer, which slides on its base."""
+        return tuple(StackLayer(layer.solid, layer.thickness, bonded=False) for layer in self.layers)
 
     notes = (
         Note(

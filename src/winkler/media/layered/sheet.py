@@ -1,0 +1,167 @@
+r"""Plane waves in a transversely isotropic solid whose axis is the depth: what decays, and how a layer is crossed.
+
+With :math:`x=\xi z`, displacements :math:`u_r=U J_1, u_z=W J_0` and tractions over :math:`\xi`,
+:math:`\tau=\xi T J_1, \sigma_z=\xi S J_0`,
+
+.. math:: U' = W + \frac{T}{C_{44}},\quad W' = -nU + \frac{S}{C_{33}},\quad T' = cU + nS,\quad S' = -T,\qquad
+          n = \frac{C_{13}}{C_{33}},\quad c = C_{11}-\frac{C_{13}^2}{C_{33}} .
+
+The exponents :math:`\pm s_1, \pm s_2` are real or a complex pair; they enter by :math:`p=s_1+s_2` and
+:math:`q=s_1s_2=\sqrt{C_{11}/C_{33}}` alone,
+
+.. math:: C_{33}C_{44}\,p^2 = (\sqrt{C_{11}C_{33}}-C_{13})(\sqrt{C_{11}C_{33}}+C_{13}+2C_{44}) .
+
+Tractions that decay downward obey :math:`(T,S)'=-L\,(T,S)` with :math:`L=((p,-q),(1,0))`, and move the surface by
+:math:`Y_0=\frac1c((-p,q-n),(q-n,-pq))`.  :math:`e^{-Lx}` is an entire function of :math:`(p^2-4q)/4`: equal exponents,
+as those of an isotropic solid, are no special case.  n, c and :math:`1/C_{33}` stay finite where an isotropic solid
+does not change its volume.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
+from winkler.media.layered.blocks import Four
+from winkler.numerics.types import ComplexArray
+
+__all__ = ["Body", "Sheet", "across_compliance", "along_compliance", "normal_compliance", "sheet_of", "stiffness_scale"]
+
+Body = TransverselyIsotropic | Elastic | Rigid
+"""What carries the layers, or presses on them."""
+
+SERIES_TERMS = 10
+"""Terms of the series of cosh and sinh up to an argument of one."""
+
+
+class Sheet(NamedTuple):
+    """A solid, in units of its C44.
+
+    `lateral` is n, `axial` C44/C33, `plane` c/C44, `twist` C66/C44; `total` and `product` are p and q, `split` is
+    (p^2 - 4 q)/4.
+    """
+
+    shear: float
+    lateral: float
+    axial: float
+    plane: float
+    twist: float
+    total: float
+    product: float
+    split: float
+
+    @property
+    def steepest(self) -> float:
+        """The greatest of the moduli of both exponents."""
+        return max(abs(0.5 * self.total + cmath.sqrt(self.split)), 1.0)
+
+    @property
+    def slowest(self) -> float:
+        """How fast waves die out with the depth, on a path of wave numbers that is turned by 15 degrees, too."""
+        root = cmath.sqrt(self.split)
+        if root.imag:
+            return 0.5 * self.total - math.tan(math.pi / 12.0) * root.imag
+        return self.product / (0.5 * self.total + root.real)
+
+    @property
+    def half_space(self) -> Four:
+        """C44 Y0."""
+        p, q, n, c = self.total, self.product, self.lateral, self.plane
+        return tuple(np.array(entry) for entry in (-p / c, (q - n) / c, (q - n) / c, -p * q / c))  # type: ignore[return-value]
+
+    @property
+    def rising_half_space(self) -> Four:
+        """The same of the fields that decay upward."""
+        a, b, c, d = self.half_space
+        return -a, b, c, -d
+
+    def decay(self, x: ComplexArray) -> Four:
+        """Return exp(-L x): tractions x below those of 1 that decay downward."""
+        root = cmath.sqrt(self.split)
+        slow = np.exp(-(self.product / (0.5 * self.total + root)) * x)
+        even = 0.5 * slow * (1.0 + np.exp(-2.0 * root * x))
+        odd = slow * (-np.expm1(-2.0 * root * x) / (2.0 * root) if root else x)
+        if not np.iscomplexobj(x):
+            even, odd = np.real(even), np.real(odd)
+        half = 0.5 * self.total
+        return even - half * odd, self.product * odd, -odd, even + half * odd
+
+    def propagator(self, x: ComplexArray) -> tuple[Four, Four, Four, Four]:
+        """Return exp(-x A) in blocks, displacements first: what lies x above displacements and tractions of 1.
+
+        By series, for x times the steepest exponent up to one.
+        """
+        n, e, c = self.lateral, self.axial, self.plane
+        a = np.array([[0.0, 1.0, 1.0, 0.0], [-n, 0.0, 0.0, e], [c, 0.0, 0.0, n], [0.0, 0.0, -1.0, 0.0]])
+        square = a @ a
+        trace, determinant = c - 2.0 * n, self.product**2
+        first, last = 0.0, 1.0  # (A^2)^k = first A^2 + last
+        power: ComplexArray = np.ones_like(x)
+        even, odd = [np.zeros_like(x), np.zeros_like(x)], [np.zeros_like(x), np.zeros_like(x)]
+        for k in range(SERIES_TERMS):
+            for part, share in enumerate((last, first)):
+                even[part] = even[part] + share * power / math.factorial(2 * k)
+                odd[part] = odd[part] + share * power * x / math.factorial(2 * k + 1)
+            first, last = trace * first + last, -determinant * first
+            power = power * x * x
+        parts = ((even[0], np.eye(4)), (even[1], square), (-odd[0], a), (-odd[1], a @ square))
+
+        def block(row: int, column: int) -> Four:
+            entries = []
+            for i, j in ((row, column), (row, column + 1), (row + 1, column), (row + 1, column + 1)):
+                terms = [factor * float(matrix[i, j]) for factor, matrix in parts if matrix[i, j] != 0.0]
+                entries.append(sum(terms, np.zeros_like(x)))
+            return entries[0], entries[1], entries[2], entries[3]
+
+        return block(0, 0), block(0, 2), block(2, 0), block(2, 2)
+
+
+def sheet_of(solid: Elastic | TransverselyIsotropic) -> Sheet:
+    """Return what the waves need of a solid."""
+    if isinstance(solid, Elastic):
+        nu = solid.poisson
+        return Sheet(
+            solid.shear, nu / (1.0 - nu), (1.0 - 2.0 * nu) / (2.0 * (1.0 - nu)), 2.0 / (1.0 - nu), 1.0, 2.0, 1.0, 0.0
+        )
+    c11, c13, c33, c44 = solid.c11, solid.c13, solid.c33, solid.c44
+    mean, ratio = math.sqrt(c11 * c33), c33 * c44
+    product = math.sqrt(c11 / c33)
+    total = math.sqrt((mean - c13) * (mean + c13 + 2.0 * c44) / ratio)
+    split = 0.25 * (mean + c13) * (mean - c13 - 2.0 * c44) / ratio  # (p^2 - 4 q) / 4 without a difference of squares
+    plane = (mean - c13) * (mean + c13) / ratio
+    return Sheet(c44, c13 / c33, c44 / c33, plane, 0.5 * (c11 - solid.c12) / c44, total, product, split)
+
+
+def normal_compliance(body: Body) -> float:
+    """Return 1/E* of a body [1/Pa]; zero of a rigid one."""
+    if isinstance(body, Rigid):
+        return 0.0
+    sheet = sheet_of(body)
+    return 0.5 * sheet.total * sheet.product / (sheet.plane * sheet.shear)
+
+
+def along_compliance(body: Body) -> float:
+    """Return 1/m_L of a body [1/Pa], of shear along a wave; zero of a rigid one."""
+    if isinstance(body, Rigid):
+        return 0.0
+    sheet = sheet_of(body)
+    return 0.5 * sheet.total / (sheet.plane * sheet.shear)
+
+
+def across_compliance(body: Body) -> float:
+    """Return 1/m_T of a body [1/Pa], of shear across a wave: 1 / (2 sqrt(C44 C66)); zero of a rigid one."""
+    if isinstance(body, Rigid):
+        return 0.0
+    sheet = sheet_of(body)
+    return 0.5 / (sheet.shear * math.sqrt(sheet.twist))
+
+
+def stiffness_scale(solid: Elastic | TransverselyIsotropic) -> tuple[float, float]:
+    """Return the least and the greatest of the moduli of a solid that bound lengths [Pa]."""
+    sheet = sheet_of(solid)
+    moduli = [1.0, 0.5 * sheet.plane, sheet.twist]
+    return sheet.shear * min(moduli), sheet.shear * max(moduli)

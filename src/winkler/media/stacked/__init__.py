@@ -1,0 +1,1 @@
+"""Layers that may slide on each other, or be transversely isotropic."""

@@ -1,0 +1,153 @@
+r"""Stacks of layers that may be transversely isotropic about their normal, and of which any may slide on the next.
+
+The compliance under a pressure is all that the method of `winkler.media.layered.coated` needs.  It is climbed from the
+base to the surface (`winkler.media.layered.climb`) with the five constants of each layer; an interface that slides
+passes on the normal stress and the normal displacement.
+"""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.materials.elastic import RIGID, Elastic, Rigid, TransverselyIsotropic
+from winkler.materials.layered import Layer
+from winkler.materials.stack_layer import StackLayer
+from winkler.media.families import StackedBody
+from winkler.media.layered import coated_interior
+from winkler.media.layered.climb import is_bonded
+from winkler.media.layered.coated import BARBER, LayeredMedium
+from winkler.media.layered.coated_load import CarriedLoad
+from winkler.media.medium import Displacement
+from winkler.media.punch_field import BodyField
+from winkler.media.stacked.response import StackAcross, StackAlong, StackNormal, StackTangential
+from winkler.numerics.types import Array
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value
+
+__all__ = ["SlidingStack", "StackedHalfSpace"]
+
+
+class SlidingStack(LayeredMedium, StackedBody):
+    """What media of layers that may slide have in common; subclasses state `stack`."""
+
+    notes: ClassVar[tuple[Note, ...]]
+    """What is assumed."""
+
+    @property
+    def stack(self) -> tuple[Layer | StackLayer, ...]:
+        """The layers, with what they are bonded to."""
+        raise NotImplementedError
+
+    @property
+    def response(self) -> StackNormal:
+        """The response of the pair to a pressure."""
+        return StackNormal(self.stack, self.on, self.second)
+
+    @property
+    def tangential_response(self) -> StackTangential:
+        """The response of the pair to a shear load, averaged over its angle with the wave."""
+        return StackTangential(self._held(), self.on, self.second)
+
+    @property
+    def along_response(self) -> StackAlong:
+        """The response of the pair to shear along its wave."""
+        return StackAlong(self._held(), self.on, self.second)
+
+    @property
+    def across_response(self) -> StackAcross:
+        """The response of the pair to shear across its wave, and to a twist."""
+        return StackAcross(self._held(), self.on, self.second)
+
+    def _held(self) -> tuple[Layer | StackLayer, ...]:
+        """Return the layers, if shear on the surface reaches the base."""
+        for number, layer in enumerate(self.stack, 1):
+            if not is_bonded(layer):
+                raise OutsideValidity(
+                    f"{type(self).__name__}: layer {number} slides on what lies below it and bears no shear there, so "
+                    "that under a push or a twist it slides away; give layers that are bonded."
+                )
+        return self.stack
+
+    def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
+        """Stresses and displacements in the layers and their base; arrays of one shape."""
+        return coated_interior.field(load, self.stack, self.on, self.modulus, r, z)
+
+    def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
+        """Stresses and displacements in the layers and their base (`below`), or in the other body."""
+        if not below and isinstance(self.second, TransverselyIsotropic):
+            raise OutsideValidity(
+                f"{type(self).__name__}: the stresses inside a transversely isotropic second body are not known to "
+                "winkler; request the surface (without z), or points in the layers."
+            )
+        return super().interior(displacement, r, z, below=below)
+
+
+@value
+class StackedHalfSpace(SlidingStack):
+    r"""Layers, isotropic or transversely isotropic, each bonded to what lies below it or sliding there, on a base.
+
+    Isotropic layers that are all bonded give what `CoatedHalfSpace` gives; more problems take that.  An interface that
+    slides has no friction and does not open.
+
+    Parameters
+    ----------
+    layers : sequence of StackLayer or Layer
+        From the surface down, at least one.  A `Layer` is bonded.
+    on : Elastic, TransverselyIsotropic or Rigid
+        What carries them: an infinitely deep substrate, or a base that does not deform.
+    second : Elastic, TransverselyIsotropic or Rigid, optional
+        The other body, z < 0; rigid unless given.
+
+    Raises
+    ------
+    InvalidInput
+        If there is no layer, or something is not of these kinds.
+    OutsideValidity
+        Where shear on the surface is requested although a layer slides, or stresses inside a transversely isotropic
+        uppermost layer or second body.
+
+    References
+    ----------
+    J. R. Barber, Determining the contact area in elastic-indentation problems, J. Strain Anal. 9 (1974) 230-232;
+    H. A. Elliott, Proc. Camb. Phil. Soc. 45 (1949) 621-630, doi:10.1017/S0305004100025305 (transversely isotropic
+    solids).
+
+    Examples
+    --------
+    A glass cover slip on a gel: bonded to it, and sliding on it.
+
+    >>> import numpy as np
+    >>> glass, gel = Elastic(young=70e9, poisson=0.2), Elastic(young=10e3, poisson=0.5)
+    >>> for bonded in (True, False):
+    ...     slip = StackedHalfSpace([StackLayer(glass, 0.15e-3, bonded)], on=gel)
+    ...     print(f"{float(slip.punch_stiffness(np.array(1e-3))):.1f} N/m")
+    """
+
+    layers: tuple[StackLayer | Layer, ...]
+    on: Elastic | TransverselyIsotropic | Rigid
+    second: Elastic | TransverselyIsotropic | Rigid = RIGID
+
+    def __post_init__(self) -> None:
+        if not self.layers:
+            raise InvalidInput(
+                "StackedHalfSpace: layers must be a list of at least one StackLayer(solid, thickness); for a body "
+                "without layers give HalfSpace or TransverselyIsotropicHalfSpace."
+            )
+
+    @property
+    def stack(self) -> tuple[Layer | StackLayer, ...]:
+        """The layers, with what they are bonded to."""
+        return self.layers
+
+    notes = (
+        Note(
+            Assumption.RESPONSE,
+            Standing.EXACT,
+            "Frictionless contact of linear elastic layers, isotropic or transversely isotropic about the surface "
+            "normal, each bonded to what lies below it or sliding there without friction or gap: k and g follow from "
+            "the flat punches of the stack without approximation, for one round contact.",
+            BARBER,
+        ),
+    )
+    """What is assumed."""
