@@ -21,6 +21,7 @@ def export(
     tolerance: Annotated[float, typer.Option(help="Error of a force given by a table, over the greatest.")] = 1e-6,
     count: Annotated[int, typer.Option(help="How many springs bear friction.")] = 32,
     precision: Annotated[str, typer.Option(help="Type of numbers: double, or float in C.")] = "double",
+    every_radius: Annotated[bool, typer.Option("--every-radius", help="R of the pair goes into every step.")] = False,
     overwrite: Annotated[bool, typer.Option("--overwrite", "--yes", "-y", help="Replace existing files.")] = False,
 ) -> None:
     """Write the contact law of a study as a source file that tests itself against winkler.
@@ -32,7 +33,9 @@ def export(
     from winkler.study.language.reading import read_study
 
     problem = read_study(study).problem
-    law = exported_law(problem, to, name=name, tolerance=tolerance, count=count, precision=precision)
+    law = exported_law(
+        problem, to, name=name, tolerance=tolerance, count=count, precision=precision, every_radius=every_radius
+    )
     for file, _ in law.files:
         refuse_existing(output / file, overwrite, "output: ")
     for path in write_export(law, output):

@@ -23,6 +23,7 @@ from winkler.problems.normal.indentation import Indentation
 from winkler.problems.particles.contact_law import ContactLaw, ContactLawSolution
 from winkler.problems.particles.contacts import Contacts
 from winkler.problems.particles.elastic_plastic import ElasticPlasticParticle
+from winkler.problems.viscoelastic.impact import ViscoelasticImpact
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.profiles.power import Paraboloid
 
@@ -74,8 +75,8 @@ def law_of(problem: Any, *, tolerance: float, count: int) -> StepLaw:
             law = attracted_law(problem, work, tolerance, inputs)
         case AdhesiveCycle():
             law = adhesive_law(problem, inputs)
-        case ViscoelasticIndentation():
-            law = relaxing_law(problem, count, inputs)
+        case ViscoelasticIndentation() | ViscoelasticImpact():
+            law = relaxing_law(problem, tolerance, count, inputs)
         case Contacts():
             law, radius = ball_law(problem, inputs), float(problem.curvature_radius[0])
         case _:

@@ -97,8 +97,8 @@ def ball_of(bed: Bed) -> tuple[float, float]:
     curvature, modulus = bed.gap(x) / x**2, bed.normal_stiffness(x)
     if np.ptp(curvature) > SHAPE_TOLERANCE * np.max(curvature) or np.ptp(modulus) > SHAPE_TOLERANCE * np.max(modulus):
         raise InvalidInput(
-            "export: with adhesion a ball on a homogeneous half-space can be exported, g = x^2/R and E* everywhere; "
-            "this bed has other springs."
+            "export: laws with adhesion, or of every radius, are those of a ball on a homogeneous half-space, g = x^2/R and "
+            "E* everywhere; this bed has other springs."
         )
     return 1.0 / float(curvature[0]), float(modulus[0])
 
@@ -111,7 +111,7 @@ def _law(
         "of opening [J/m^2], greatest depth [m]"
     )
     memory = "greatest depth, compression of the springs [m], angle of the edge, whether it touches, work so far [J]"
-    tables, state = (LawTable("law", meaning, np.array(numbers)),), (StatePart("memory", memory, np.zeros(5)),)
+    tables, state = (LawTable("law", meaning, np.array(numbers), falling=(8, 9)),), (StatePart("memory", memory, np.zeros(5)),)
     return StepLaw(
         title, step_particle, tables, state,
         MOTION, ANSWER, notes, inputs, _trial(deepest),

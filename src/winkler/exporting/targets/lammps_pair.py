@@ -38,7 +38,8 @@ namespace {
 
 const bool SLIDES = @slides@, REMEMBERS = @remembers@;
 const double HOLD = @hold@;     /* farthest distance over which the bodies attract [m] */
-const double RADIUS = @radius@; /* R of the contact [m]; 0 if it is no pair of balls */
+const double RADIUS = @radius@; /* R that the contacts must have [m]; 0 if it may be any */
+const double GIVEN = @given@;  /* R to which HOLD belongs [m]; 0 if it is that of all contacts */
 const double SHARED = @shared@; /* 0.5 where the law is that of one body against a plane */
 
 double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -118,7 +119,7 @@ public:
         neighbor->add_request(this);
     }
 
-    double init_one(int, int) override { return size + HOLD; }
+    double init_one(int, int) override { return size + (GIVEN > 0.0 ? HOLD * std::fmax(1.0, 0.25 * size / SHARED / GIVEN) : HOLD); }
 
     void compute(int eflag, int vflag) override {
         ev_init(eflag, vflag);
@@ -212,8 +213,10 @@ private:
         if (a + b > size * (1.0 + 1e-12))
             error->one(FLERR, "pair_style @name@: {} m was given, but spheres touch at {} m", size, a + b);
         const double radius = a * b / (a + b) / SHARED;
-        if ((RADIUS > 0.0 && std::fabs(radius - RADIUS) > 1e-6 * RADIUS) || (SHARED < 1.0 && a != b))
+        if (RADIUS > 0.0 && std::fabs(radius - RADIUS) > 1e-6 * RADIUS)
             error->one(FLERR, "pair_style @name@ was made for R = {} m, two spheres have {} m", RADIUS, radius);
+        if (SHARED < 1.0 && std::fabs(a - b) > 1e-6 * a)
+            error->one(FLERR, "pair_style @name@ is for pairs of equal spheres, two have {} m and {} m", a, b);
     }
 
     void forget(bigint now) {
