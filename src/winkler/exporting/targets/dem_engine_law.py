@@ -106,7 +106,8 @@ def _model(law: StepLaw, name: str, kept: list[tuple[StatePart, int]]) -> str:
         active = f"overlapDepth > 0 || {name}_begun > 0.5f"
     else:
         active = "overlapDepth > 0"
-    inner = [f"law_motion.{one.name} = {MOTIONS[one.name].format(share=share, whole=" / law_share" if share else "")};" for one in law.motion]
+    words = {"share": share, "whole": " / law_share" if share else ""}
+    inner = [f"law_motion.{one.name} = {MOTIONS[one.name].format(**words)};" for one in law.motion]
     inner += [f"{name}_step(&law_state, &law_motion, &law_answer);"]
     if not math.isnan(law.curvature_radius) and not law.every_radius:
         given = f"{'law_share * ' if law.against_plane else ''}{law.curvature_radius!r}"

@@ -64,7 +64,7 @@ def farthest_hold(law: StepLaw) -> float:
         return 0.0
     deepest = float(np.max(law.trial[:, 0]))
     if law.every_radius:
-        deepest *= law.curvature_radius / law.trial[0, -1]
+        deepest *= law.curvature_radius / float(law.trial[0, -1])
     farthest = 0.0
     for load in deepest * np.geomspace(1e-4, 1.0, LOADS):
         near, far = 0.0, 10.0 * deepest
@@ -75,7 +75,7 @@ def farthest_hold(law: StepLaw) -> float:
             else:
                 far = middle
         farthest = max(farthest, near)
-    return MARGIN * farthest
+    return float(MARGIN * farthest)
 
 
 def _holds(law: StepLaw, load: float, apart: float, column: int) -> bool:
