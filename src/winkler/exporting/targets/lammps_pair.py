@@ -142,7 +142,7 @@ public:
                     const std::pair<tagint, tagint> key(atom->tag[a], atom->tag[b]);
                     auto found = contacts.find(key);
                     if (found == contacts.end()) {
-                        if (!(overlap > 0.0)) continue;
+                        if (!(overlap >= 0.0)) continue;
                         std::memset(&fresh, 0, sizeof(fresh));
                         @name@_begin(&fresh.state);
                         found = contacts.emplace(key, fresh).first;
