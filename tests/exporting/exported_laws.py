@@ -19,12 +19,14 @@ from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.path import Path
 from winkler.problems.adhesion.cycle import AdhesiveCycle
 from winkler.problems.friction.tangential import Tangential
+from winkler.problems.normal.elliptic import EllipticIndentation
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.particles.contact_law import ContactLaw
 from winkler.problems.particles.contacts import Contacts
 from winkler.problems.particles.elastic_plastic import ElasticPlasticParticle
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.profiles.conical import Cone
+from winkler.profiles.ellipse import CurvedBodies
 from winkler.profiles.power import Paraboloid
 
 STEEL = HalfSpace.between(Elastic(210e9, 0.3), Elastic(210e9, 0.3))
@@ -46,6 +48,7 @@ PROBLEMS = {
     "sticky": AdhesiveCycle(RUBBER, ShortRange(work_closing=0.02, work_opening=0.05), Depth([10e-6, -1e-5])),
     "pulled": AdhesiveCycle(BALL, DerjaguinMullerToporov(0.05), Depth([3e-8, 0.0])),
     "damped": ViscoelasticIndentation(DAMPED, Path([0.0, 1.0, 1.5], Depth([0.0, 1e-4, 0.5e-4]))),
+    "ellipse": EllipticIndentation(CurvedBodies(20e-3, 10e-3), STEEL, Force(100.0)),
     "gel": ViscoelasticIndentation(GEL, Path([0.0, 1.0, 1.5], Depth([0.0, 1e-4, 0.5e-4]))),
 }
 

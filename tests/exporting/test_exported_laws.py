@@ -13,14 +13,13 @@ from winkler.exporting.choose import law_of
 from winkler.exporting.export import TARGETS, export, write_export
 from winkler.foundation.foundation import Foundation
 from winkler.laws.adhesion import Dugdale, ShortRange
-from winkler.laws.friction import Coulomb
+from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.loading import Depth, Force, Shift
 from winkler.materials.elastic import Elastic
 from winkler.materials.layered import Layer
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.path import Path
 from winkler.problems.adhesion.cycle import AdhesiveCycle
-from winkler.problems.adhesion.indentation import AdhesiveIndentation
 from winkler.problems.friction.spring_march import SpringMarch
 from winkler.problems.friction.tangential import Tangential
 from winkler.problems.normal.indentation import Indentation
@@ -223,9 +222,8 @@ def test_the_heading_states_units_and_validity(name):
 
 
 def test_what_is_no_law_is_refused_with_those_that_are():
-    held = AdhesiveIndentation(RUBBER, ShortRange(0.05), Force(0.0))
-    with pytest.raises(InvalidInput, match=r"^export: AdhesiveIndentation is no contact law .* one of: Indentation .*"):
-        export(held, "c")
+    with pytest.raises(InvalidInput, match=r"^export: StaticKinetic is no contact law .* one of: Indentation .*"):
+        export(StaticKinetic(0.5, 0.3), "c")
 
 
 def test_mistakes_are_refused_in_one_sentence():

@@ -17,8 +17,14 @@ from winkler.exporting.laws.sheared import sheared_law
 from winkler.exporting.step_law import StepLaw
 from winkler.io.traces import inputs_of
 from winkler.laws.adhesion import DerjaguinMullerToporov
+from winkler.loading import Depth, Shift
+from winkler.path import Path
 from winkler.problems.adhesion.cycle import AdhesiveCycle
+from winkler.problems.adhesion.indentation import AdhesiveIndentation
 from winkler.problems.friction.tangential import Tangential
+from winkler.problems.impact.adhesive_impact import AdhesiveImpact
+from winkler.problems.impact.impact import Impact
+from winkler.problems.normal.elliptic import EllipticIndentation
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.particles.contact_law import ContactLaw, ContactLawSolution
 from winkler.problems.particles.contacts import Contacts
@@ -34,8 +40,13 @@ LAWS = {
     "ContactLaw": "the same, up to its depth and to its tolerance",
     "Tangential": "the same with friction in the plane, up to the deepest point of the path",
     "ElasticPlasticParticle": "a particle that yields and sticks, with all its hysteresis",
-    "AdhesiveCycle": "a ball with adhesion (JKR with hysteresis, or DMT), along a path of depths",
+    "EllipticIndentation": "two bodies of unlike curvatures, up to the deepest load",
+    "Impact": "a body of revolution that strikes; with friction if it moves along the surface",
+    "AdhesiveCycle": "a ball with adhesion (JKR with hysteresis, or DMT), up to the deepest point of the path",
+    "AdhesiveIndentation": "the same, up to its load",
+    "AdhesiveImpact": "the same, up to the deepest point of the impact",
     "ViscoelasticIndentation": "a body of revolution on one that relaxes, up to the deepest point of the path",
+    "ViscoelasticImpact": "the same, up to the deepest point of the impact",
     "Contacts": "two balls with friction, twist and rolling; in Python",
 }
 """Problem -> what it is as a law."""
@@ -59,10 +70,13 @@ def law_of(problem: Any, *, tolerance: float, count: int) -> StepLaw:
         If it is none of these; the message lists them.
     """
     inputs = _described(problem)
+    problem = _with_path(problem)
     radius = ball_radius(getattr(problem, "bed", None))
     match problem:
         case Indentation():
             law = normal_law(problem.bed, float(np.max(problem.solve().depth)), tolerance, inputs)
+        case EllipticIndentation():
+            law, radius = normal_law(problem.bed, float(np.max(problem.solve().depth)), tolerance, inputs), math.nan
         case ContactLaw():
             law = normal_law(problem.bed, problem.deepest, problem.tolerance, inputs)
         case ContactLawSolution():
@@ -85,6 +99,20 @@ def law_of(problem: Any, *, tolerance: float, count: int) -> StepLaw:
                 f"export: {type(problem).__name__} is no contact law for other programs; give one of: {known}."
             )
     return law._replace(curvature_radius=radius, against_plane=isinstance(problem, ElasticPlasticParticle))
+
+
+def _with_path(problem: Any) -> Any:
+    """Return a problem with one load, or an impact, as that of the path to its deepest point."""
+    match problem:
+        case AdhesiveIndentation() | AdhesiveImpact():
+            return AdhesiveCycle(problem.bed, problem.law, Depth([float(np.max(problem.solve().depth)), 0.0]))
+        case Impact(lateral_velocity=0.0, angular_velocity=0.0):
+            return Indentation(problem.bed, Depth(float(np.max(problem.solve().depth))))
+        case Impact():
+            deepest = float(np.max(problem.solve().depth))
+            return Tangential(problem.bed, problem.law, Path([0.0, 1.0], Depth([0.0, deepest]), Shift([0.0, 0.0])))
+        case _:
+            return problem
 
 
 def ball_radius(bed: Any) -> float:

@@ -42,6 +42,4 @@ def of_every_radius(law: StepLaw, problem: Any) -> StepLaw:
     )
     powers = np.array([TRIAL_SIZE if one.unit == "m" else 1.0 for one in law.motion])
     trial = np.column_stack([law.trial * powers, np.full(len(law.trial), TRIAL_SIZE * given)])
-    return law._replace(
-        motion=(*law.motion, RADIUS), trial=trial, notes=(note, *law.notes), every_radius=True
-    )
+    return law._replace(motion=(*law.motion, RADIUS), trial=trial, notes=(note, *law.notes), every_radius=True)

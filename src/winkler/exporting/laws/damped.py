@@ -31,7 +31,12 @@ RECOVERY = (
 
 
 def damped_law(
-    bed: Bed, series: RelaxationSeries, deepest: float, tolerance: float, notes: tuple[str, ...], inputs: tuple[str, ...]
+    bed: Bed,
+    series: RelaxationSeries,
+    deepest: float,
+    tolerance: float,
+    notes: tuple[str, ...],
+    inputs: tuple[str, ...],
 ) -> StepLaw:
     """Return the law of a contact whose solid relaxes by a dashpot alongside alone, up to a depth.
 

@@ -147,8 +147,8 @@ def _step(law: StepLaw, name: str, routine: Routine) -> str:
     return (
         f"/* Move a contact by one step. */\nstatic inline void {name}_step(\n"
         f"    {name}_state *state, const {name}_motion *motion, {name}_answer *answer) {{\n"
-        f"{'' if law.state else '    (void)state;' + chr(10)}{before}    {inner}{routine.name}(\n        {arguments});\n"
-        f"{after}}}"
+        f"{'' if law.state else '    (void)state;' + chr(10)}{before}"
+        f"    {inner}{routine.name}(\n        {arguments});\n{after}}}"
     )
 
 

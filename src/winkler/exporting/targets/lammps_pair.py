@@ -119,7 +119,10 @@ public:
         neighbor->add_request(this);
     }
 
-    double init_one(int, int) override { return size + (GIVEN > 0.0 ? HOLD * std::fmax(1.0, 0.25 * size / SHARED / GIVEN) : HOLD); }
+    /* Greater spheres attract farther, at most in proportion. */
+    double init_one(int, int) override {
+        return size + HOLD * (GIVEN > 0.0 ? std::fmax(1.0, 0.25 * size / SHARED / GIVEN) : 1.0);
+    }
 
     void compute(int eflag, int vflag) override {
         ev_init(eflag, vflag);

@@ -92,7 +92,10 @@ def _call(law: StepLaw, kernel: str) -> str:
                 lines += [f"    {tables[k]} = {table.name.upper()}_TABLE.copy()"]
                 lines += [f"    {tables[k]}[{place}] /= size" for place in table.falling]
         motion = f"np.array([{', '.join(alike)}], dtype=float)"
-    lines += ['    with np.errstate(all="ignore"):', f"        {kernel}({', '.join([*tables, '*state', motion, 'answer'])})"]
+    lines += [
+        '    with np.errstate(all="ignore"):',
+        f"        {kernel}({', '.join([*tables, '*state', motion, 'answer'])})",
+    ]
     if law.every_radius:
         grown = (f"answer[{k}]{factor}" for k, factor in enumerate(factors_of_size(law)))
         lines += [f"    answer = np.array([{', '.join(grown)}])"]

@@ -41,7 +41,7 @@ def step_damped(
         for i in range(answer.size):
             answer[i] = math.nan
         return
-    f0, k0, e0 = follow_table(depth, force, stiffness, energy, past[0])
+    f0, _, e0 = follow_table(depth, force, stiffness, energy, past[0])
     change = motion[0] - past[0]
     heat = 0.0
     if motion[1] > 0.0 and f + f0 > 0.0:
@@ -50,8 +50,8 @@ def step_damped(
             heat = ahead * (f - f0)
             f += k * ahead
         else:
-            f, k, after = follow_table(depth, force, stiffness, energy, motion[0] + ahead)
-            f1, k1, before = follow_table(depth, force, stiffness, energy, past[0] + ahead)
+            f, _, after = follow_table(depth, force, stiffness, energy, motion[0] + ahead)
+            _, _, before = follow_table(depth, force, stiffness, energy, past[0] + ahead)
             heat = max(e0 - e - (before - after), 0.0)
     past[0] = motion[0]
     past[1] += heat
