@@ -88,8 +88,8 @@ def export(
 
     Parameters
     ----------
-    law : Indentation, ContactLaw, Tangential or Contacts
-        Without friction up to the deepest load; with friction; balls with twist and rolling.
+    law : problem
+        One of the problems of `winkler.exporting.choose.LAWS`, such as Indentation, Tangential or Contacts.
     to : str
         One of "c", "python", "fortran", "lammps", "dem-engine", "fmu", "fmu3", "wasm".
     name : str, optional
