@@ -26,6 +26,7 @@ from winkler.problems.normal.indentation import Indentation
 from winkler.problems.particles.contacts import Contacts
 from winkler.problems.particles.elastic_plastic import ElasticPlasticParticle
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
+from winkler.profiles.flat import FlatPunch
 from winkler.profiles.power import Paraboloid, PowerLaw
 
 
@@ -249,8 +250,10 @@ def test_mistakes_are_refused_in_one_sentence():
     sharp = AdhesiveCycle(
         Foundation(PowerLaw(exponent=4.0, coefficient=1e9), GLASS), ShortRange(0.05), Depth([1e-6, 0.0])
     )
-    with pytest.raises(InvalidInput, match=r"a ball on a homogeneous half-space"):
-        export(sharp, "c")
+    flat = AdhesiveCycle(Foundation(FlatPunch(1e-4), GLASS), ShortRange(0.05), Depth([1e-7, 0.0]))
+    for other in (sharp, flat):
+        with pytest.raises(InvalidInput, match=r"a ball on a homogeneous half-space.*give a Paraboloid on a HalfSpace"):
+            export(other, "c")
     with pytest.raises(InvalidInput, match=r"a str is no exported law"):
         write_export("law", "folder")
     assert set(TARGETS) >= {"c", "python"}

@@ -74,9 +74,9 @@ def law_of(problem: Any, *, tolerance: float, count: int) -> StepLaw:
     radius = ball_radius(getattr(problem, "bed", None))
     match problem:
         case Indentation():
-            law = normal_law(problem.bed, float(np.max(problem.solve().depth)), tolerance, inputs)
+            law = normal_law(problem.bed, _deepest(problem), tolerance, inputs)
         case EllipticIndentation():
-            law, radius = normal_law(problem.bed, float(np.max(problem.solve().depth)), tolerance, inputs), math.nan
+            law, radius = normal_law(problem.bed, _deepest(problem), tolerance, inputs), math.nan
         case ContactLaw():
             law = normal_law(problem.bed, problem.deepest, problem.tolerance, inputs)
         case ContactLawSolution():
@@ -105,14 +105,20 @@ def _with_path(problem: Any) -> Any:
     """Return a problem with one load, or an impact, as that of the path to its deepest point."""
     match problem:
         case AdhesiveIndentation() | AdhesiveImpact():
-            return AdhesiveCycle(problem.bed, problem.law, Depth([float(np.max(problem.solve().depth)), 0.0]))
+            path = Depth(np.array([_deepest(problem), 0.0]))
+            return AdhesiveCycle(problem.bed, problem.law, path)
         case Impact(lateral_velocity=0.0, angular_velocity=0.0):
-            return Indentation(problem.bed, Depth(float(np.max(problem.solve().depth))))
+            return Indentation(problem.bed, Depth(_deepest(problem)))
         case Impact():
-            deepest = float(np.max(problem.solve().depth))
-            return Tangential(problem.bed, problem.law, Path([0.0, 1.0], Depth([0.0, deepest]), Shift([0.0, 0.0])))
+            pressed = Path(np.array([0.0, 1.0]), Depth(np.array([0.0, _deepest(problem)])), Shift(np.zeros(2)))
+            return Tangential(problem.bed, problem.law, pressed)
         case _:
             return problem
+
+
+def _deepest(problem: Any) -> float:
+    """Return the greatest depth of the solution [m]."""
+    return float(np.max(problem.solve().depth))
 
 
 def ball_radius(bed: Any) -> float:

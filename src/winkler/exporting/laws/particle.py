@@ -94,10 +94,11 @@ def ball_of(bed: Bed) -> tuple[float, float]:
     unit = reach if math.isfinite(reach) else 1.0
     x = unit * np.array([0.1, 0.3, 0.5])
     curvature, modulus = bed.gap(x) / x**2, bed.normal_stiffness(x)
-    if np.ptp(curvature) > SHAPE_TOLERANCE * np.max(curvature) or np.ptp(modulus) > SHAPE_TOLERANCE * np.max(modulus):
+    alike = [np.ptp(part) <= SHAPE_TOLERANCE * np.max(part) for part in (curvature, modulus)]
+    if not (all(alike) and np.min(curvature) > 0.0):
         raise InvalidInput(
             "export: laws with adhesion, or of every radius, are those of a ball on a homogeneous half-space, "
-            "g = x^2/R and E* everywhere; this bed has other springs."
+            "g = x^2/R and E* everywhere; give a Paraboloid on a HalfSpace."
         )
     return 1.0 / float(curvature[0]), float(modulus[0])
 
