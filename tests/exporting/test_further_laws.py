@@ -14,11 +14,12 @@ from winkler.exporting.sizes import of_every_radius
 from winkler.foundation.foundation import Foundation
 from winkler.laws.adhesion import ShortRange
 from winkler.laws.friction import Coulomb
-from winkler.loading import Depth
+from winkler.loading import Depth, Shift
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.path import Path
 from winkler.problems.adhesion.cycle import AdhesiveCycle
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
+from winkler.problems.friction.tangential import Tangential
 from winkler.problems.impact.impact import Impact
 from winkler.problems.normal.elliptic import EllipticIndentation
 from winkler.problems.particles.contacts import Contacts
@@ -53,12 +54,15 @@ def test_a_damped_ball_is_that_of_springs_that_let_go():
     assert np.min(law(PROBLEMS["damped"]).trace(random_motions(law(PROBLEMS["damped"]), 1, 500)[0])[:, 0]) >= 0.0
 
 
-@pytest.mark.parametrize("name", ["beads", "powder", "sticky", "pulled", "gel"])
+@pytest.mark.parametrize("name", ["beads", "sheared", "powder", "sticky", "pulled", "gel"])
 def test_a_law_of_every_radius_is_the_law_of_that_radius(name):
     """Written for R, and given three times as much: what the law says that was written for the greater balls."""
     greater = {
         "beads": Contacts.apart(
             GLASS, curvature_radius=3e-3, coefficient=0.3, reach=6e-6, rolling_arm=3e-5, count=8
+        ),
+        "sheared": Tangential(
+            Foundation(Paraboloid(3e-3), STEEL), Coulomb(0.3), Path([0.0, 1.0], Depth([0.0, 3e-6]), Shift([0.0, 0.0]))
         ),
         "powder": ElasticPlasticParticle(3e-3, POWDER, Depth([150e-6, 0.0]), work_opening=0.1, work_closing=0.05),
         "sticky": AdhesiveCycle(
