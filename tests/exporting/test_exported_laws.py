@@ -13,20 +13,20 @@ from winkler.exporting.choose import law_of
 from winkler.exporting.export import TARGETS, export, write_export
 from winkler.foundation.foundation import Foundation
 from winkler.laws.adhesion import Dugdale, ShortRange
-from winkler.laws.friction import Coulomb
+from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.loading import Depth, Force, Shift
 from winkler.materials.elastic import Elastic
 from winkler.materials.layered import Layer
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.path import Path
 from winkler.problems.adhesion.cycle import AdhesiveCycle
-from winkler.problems.adhesion.indentation import AdhesiveIndentation
 from winkler.problems.friction.spring_march import SpringMarch
 from winkler.problems.friction.tangential import Tangential
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.particles.contacts import Contacts
 from winkler.problems.particles.elastic_plastic import ElasticPlasticParticle
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
+from winkler.profiles.flat import FlatPunch
 from winkler.profiles.power import Paraboloid, PowerLaw
 
 
@@ -223,9 +223,8 @@ def test_the_heading_states_units_and_validity(name):
 
 
 def test_what_is_no_law_is_refused_with_those_that_are():
-    held = AdhesiveIndentation(RUBBER, ShortRange(0.05), Force(0.0))
-    with pytest.raises(InvalidInput, match=r"^export: AdhesiveIndentation is no contact law .* one of: Indentation .*"):
-        export(held, "c")
+    with pytest.raises(InvalidInput, match=r"^export: StaticKinetic is no contact law .* one of: Indentation .*"):
+        export(StaticKinetic(0.5, 0.3), "c")
 
 
 def test_mistakes_are_refused_in_one_sentence():
@@ -251,8 +250,10 @@ def test_mistakes_are_refused_in_one_sentence():
     sharp = AdhesiveCycle(
         Foundation(PowerLaw(exponent=4.0, coefficient=1e9), GLASS), ShortRange(0.05), Depth([1e-6, 0.0])
     )
-    with pytest.raises(InvalidInput, match=r"a ball on a homogeneous half-space"):
-        export(sharp, "c")
+    flat = AdhesiveCycle(Foundation(FlatPunch(1e-4), GLASS), ShortRange(0.05), Depth([1e-7, 0.0]))
+    for other in (sharp, flat):
+        with pytest.raises(InvalidInput, match=r"a ball on a homogeneous half-space.*give a Paraboloid on a HalfSpace"):
+            export(other, "c")
     with pytest.raises(InvalidInput, match=r"a str is no exported law"):
         write_export("law", "folder")
     assert set(TARGETS) >= {"c", "python"}

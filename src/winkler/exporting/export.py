@@ -12,6 +12,7 @@ from typing import Any
 from winkler.checks.number_checks import POSITIVE, Whole, checked
 from winkler.errors import InvalidInput, suggest
 from winkler.exporting.choose import law_of
+from winkler.exporting.sizes import of_every_radius
 from winkler.exporting.step_law import StepLaw
 from winkler.exporting.targets.c_law import c_law
 from winkler.exporting.targets.dem_engine_law import dem_engine_law
@@ -77,8 +78,9 @@ class ExportedLaw:
 
 
 def export(
-    law: Any, to: str, *, name: str = "contact", tolerance: float = 1e-6, count: int = 32, precision: str = "double"
-) -> ExportedLaw:
+    law: Any, to: str, *, name: str = "contact", tolerance: float = 1e-6, count: int = 32, precision: str = "double",
+    every_radius: bool = False,
+) -> ExportedLaw:  # fmt: skip
     """Return a contact law as a source file of another language.
 
     The law is translated from the source of winkler's own compiled loops.  Its heading states units, signs, inputs and
@@ -86,8 +88,8 @@ def export(
 
     Parameters
     ----------
-    law : Indentation, ContactLaw, Tangential or Contacts
-        Without friction up to the deepest load; with friction; balls with twist and rolling.
+    law : problem
+        One of the problems of `winkler.exporting.choose.LAWS`, such as Indentation, Tangential or Contacts.
     to : str
         One of "c", "python", "fortran", "lammps", "dem-engine", "fmu", "fmu3", "wasm".
     name : str, optional
@@ -98,6 +100,10 @@ def export(
         How many springs a Tangential has; `Contacts` state it themselves.
     precision : str, optional
         "double", or "float" in C: the heading states by how much the answers are off along the test trace.
+
+    every_radius : bool, optional
+        Whether R of the pair goes into every step, so that balls of all sizes follow one law: of balls on homogeneous
+        media.  Lengths of the study (deepest point, rolling arm) are then in proportion to R; works of adhesion stay.
 
     Returns
     -------
@@ -134,6 +140,7 @@ def export(
             f"export: there is no precision {precision!r} for {to}; give double for all targets, float for c."
         )
     steps = law_of(law, tolerance=tolerance, count=count)
+    steps = of_every_radius(steps, law) if every_radius else steps
     files = single_law(steps, name) if precision == "float" else TARGETS[to][1](steps, name)
     return ExportedLaw(name, to, steps.title, tuple(files.items()), steps.state_size)
 

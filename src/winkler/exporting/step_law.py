@@ -11,7 +11,10 @@ from winkler.numerics.types import Array
 from winkler.translation.plain import plain
 from winkler.translation.subset import Translatable
 
-__all__ = ["LawTable", "StatePart", "StepLaw", "StepNumber"]
+__all__ = ["RADIUS", "SIZE_POWERS", "LawTable", "StatePart", "StepLaw", "StepNumber"]
+
+SIZE_POWERS = {"m": 1, "N": 2, "N/m": 1, "J": 3, "N m": 3}
+"""With which power of their size quantities of balls that are alike grow, by their unit; others stay."""
 
 
 class StepNumber(NamedTuple):
@@ -30,6 +33,10 @@ class StepNumber(NamedTuple):
     changes: bool = False
 
 
+RADIUS = StepNumber("curvature_radius", "m", "R of this pair, 1/R = 1/R1 + 1/R2; the same in all steps of a contact")
+"""What goes in besides where the law is that of balls of all sizes."""
+
+
 class LawTable(NamedTuple):
     """Numbers of a law that never change.
 
@@ -37,11 +44,14 @@ class LawTable(NamedTuple):
     ----------
     name, meaning : str
     numbers : ndarray
+    falling : tuple of int
+        Which of them fall with the size of balls that are alike, in proportion to its inverse (works of adhesion).
     """
 
     name: str
     meaning: str
     numbers: Array
+    falling: tuple[int, ...] = ()
 
 
 class StatePart(NamedTuple):
@@ -81,6 +91,9 @@ class StepLaw(NamedTuple):
         R [m] of the contact, 1/R = 1/R1 + 1/R2, if the bodies are balls; else not-a-number.
     against_plane : bool
         Whether it is one body against a plane that does not yield: the half of a contact of two that are alike.
+    every_radius : bool
+        Whether the last number that goes in is R of the pair. The kernel then does the step of a pair of R as
+        `curvature_radius`, whose lengths, and forces over lengths squared, are in proportion.
     """
 
     title: str
@@ -94,19 +107,32 @@ class StepLaw(NamedTuple):
     trial: Array
     curvature_radius: float = math.nan
     against_plane: bool = False
+    every_radius: bool = False
 
     def trace(self, motions: Array | None = None) -> Array:
         """Return the answers, (steps, outputs), to motions, (steps, inputs); those of the test trace unless given."""
         rows = np.ascontiguousarray(self.trial if motions is None else motions, dtype=float)
-        tables = [np.array(table.numbers, dtype=float) for table in self.tables]
         state = [np.array(part.begin) for part in self.state]
         answers = np.empty((len(rows), len(self.answer)))
-        answer = np.zeros(len(self.answer))
-        step = plain(self.kernel)
         for row, into in zip(rows, answers, strict=True):
-            step(*tables, *state, row.copy(), answer)
-            into[:] = answer
+            self.step(state, row, into)
         return answers
+
+    def step(self, state: list[Any], motion: Array, answer: Array, kernel: Any = None) -> None:
+        """Move a contact by one step, by the plain source of the kernel unless another function is given."""
+        own = plain(self.kernel) if kernel is None else kernel
+        tables = [np.array(table.numbers, dtype=float) for table in self.tables]
+        if not self.every_radius:
+            own(*tables, *state, motion.copy(), answer)
+            return
+        size = motion[-1] / self.curvature_radius
+        for table, numbers in zip(self.tables, tables, strict=True):
+            numbers[list(table.falling)] /= size
+        alike = [x / size if one.unit == "m" else x for x, one in zip(motion[:-1], self.motion, strict=False)]
+        own(*tables, *state, np.array(alike), answer)
+        for k, one in enumerate(self.answer):
+            for _ in range(SIZE_POWERS.get(one.unit, 0)):
+                answer[k] *= size
 
     @property
     def state_size(self) -> int:

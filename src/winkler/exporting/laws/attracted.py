@@ -35,7 +35,7 @@ def attracted_law(problem: AdhesiveCycle, work: float, tolerance: float, inputs:
     radius, _ = ball_of(problem.bed)
     tables, error = force_table(problem.bed, deepest, tolerance)
     strength = 2.0 * math.pi * radius * work
-    pull = LawTable("pull", "attraction 2 pi R w while the bodies touch [N]", np.array([strength]))
+    pull = LawTable("pull", "attraction 2 pi R w while the bodies touch [N]", np.array([strength]), falling=(0,))
     notes = (*normal_notes(error), *map(str, problem.solve().validity))
     trial = deepest * np.append(np.random.default_rng(SEED).uniform(-0.1, 1.0, 40), [0.0, 1.0, 1e-6])
     title = "A ball with attraction of long range, by Derjaguin, Muller and Toporov: no hysteresis"

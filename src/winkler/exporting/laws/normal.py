@@ -6,6 +6,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.exporting.step_law import LawTable, StepLaw, StepNumber
+from winkler.footprint import EllipticOutline
 from winkler.foundation.bed import Bed
 from winkler.loading import Depth
 from winkler.numerics.types import Array
@@ -74,7 +75,9 @@ def normal_notes(error: float) -> tuple[str, ...]:
 
 
 def _shear_ratio(bed: Bed, deepest: float) -> Array:
-    """Return the one ratio of the stiffnesses; empty if no single number describes it, as on layers."""
+    """Return the one ratio of the stiffnesses; empty if no single number describes it, as on layers or of ellipses."""
+    if isinstance(bed.footprint, EllipticOutline):
+        return np.zeros(0)
     widest = float(np.max(Indentation(bed, Depth(deepest)).solve().radius))
     try:
         ratios = stiffness_ratios(bed, widest)

@@ -80,10 +80,9 @@ def adhesive_law(problem: AdhesiveCycle, inputs: tuple[str, ...]) -> StepLaw:
 
 
 def checked_depth(problem: AdhesiveCycle) -> float:
-    """Return the greatest depth of the path [m]; refuse a path of forces, and one that presses nothing."""
-    if not isinstance(problem.path, Depth) or math.isfinite(problem.machine_stiffness):
-        raise InvalidInput("export: the other program states depths; give the path as Depth([...]), without a machine.")
-    deepest = float(np.max(numbers_of(problem.path)))
+    """Return the greatest depth of the path [m]; refuse one that presses nothing."""
+    known = isinstance(problem.path, Depth) and math.isinf(problem.machine_stiffness)
+    deepest = float(np.max(numbers_of(problem.path) if known else problem.solve().depth))
     if not deepest > 0.0:
         raise InvalidInput(f"export: the path goes {deepest:g} m deep; give one that presses the bodies together.")
     return deepest
@@ -95,10 +94,11 @@ def ball_of(bed: Bed) -> tuple[float, float]:
     unit = reach if math.isfinite(reach) else 1.0
     x = unit * np.array([0.1, 0.3, 0.5])
     curvature, modulus = bed.gap(x) / x**2, bed.normal_stiffness(x)
-    if np.ptp(curvature) > SHAPE_TOLERANCE * np.max(curvature) or np.ptp(modulus) > SHAPE_TOLERANCE * np.max(modulus):
+    alike = [np.ptp(part) <= SHAPE_TOLERANCE * np.max(part) for part in (curvature, modulus)]
+    if not (all(alike) and np.min(curvature) > 0.0):
         raise InvalidInput(
-            "export: with adhesion a ball on a homogeneous half-space can be exported, g = x^2/R and E* everywhere; "
-            "this bed has other springs."
+            "export: laws with adhesion, or of every radius, are those of a ball on a homogeneous half-space, "
+            "g = x^2/R and E* everywhere; give a Paraboloid on a HalfSpace."
         )
     return 1.0 / float(curvature[0]), float(modulus[0])
 
@@ -111,7 +111,10 @@ def _law(
         "of opening [J/m^2], greatest depth [m]"
     )
     memory = "greatest depth, compression of the springs [m], angle of the edge, whether it touches, work so far [J]"
-    tables, state = (LawTable("law", meaning, np.array(numbers)),), (StatePart("memory", memory, np.zeros(5)),)
+    tables, state = (
+        (LawTable("law", meaning, np.array(numbers), falling=(8, 9)),),
+        (StatePart("memory", memory, np.zeros(5)),),
+    )
     return StepLaw(
         title, step_particle, tables, state,
         MOTION, ANSWER, notes, inputs, _trial(deepest),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.exporting.laws.damped import damped_law
 from winkler.exporting.step_law import LawTable, StatePart, StepLaw, StepNumber
 from winkler.foundation.bed import Bed
 from winkler.foundation.springs import Springs
@@ -13,6 +14,7 @@ from winkler.numerics.springs.relaxing_springs import STEP_NUMBERS
 from winkler.numerics.types import Array
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.solve_contact import at_depth
+from winkler.problems.viscoelastic.impact import ViscoelasticImpact
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.problems.viscoelastic.march import SpringRow, elastic_like, relaxation_of
 from winkler.problems.viscoelastic.relaxing_step import step_relaxing
@@ -45,22 +47,26 @@ TABLES = (
 STEPS, SEED = 60, 20260728
 
 
-def relaxing_law(problem: ViscoelasticIndentation, count: int, inputs: tuple[str, ...]) -> StepLaw:
+def relaxing_law(
+    problem: ViscoelasticIndentation | ViscoelasticImpact, tolerance: float, count: int, inputs: tuple[str, ...]
+) -> StepLaw:
     """Return the law of a contact with a viscoelastic body, up to the deepest point of the path of the problem.
 
     Raises
     ------
     InvalidInput
-        If the solid has a dashpot alongside, whose force jumps with the rate.
+        If the solid has a dashpot alongside, and parts that relax besides.
     """
     series = relaxation_of("export", problem.bed)
-    if series.viscosity > 0.0:
+    if series.viscosity > 0.0 and (series.moduli.size or not series.relaxed > 0.0):
         raise InvalidInput(
-            "export: the solid has a dashpot alongside, whose force jumps with the rate; give a StandardSolid or a "
-            "Prony series with a short time instead."
+            "export: the solid has a dashpot alongside and relaxes besides; give a KelvinVoigt, or a StandardSolid or "
+            "Prony series with a short time instead of the dashpot."
         )
     solution = problem.solve()
     deepest = float(np.max(solution.depth))
+    if series.viscosity > 0.0:
+        return damped_law(problem.bed, series, deepest, tolerance, tuple(map(str, solution.validity)), inputs)
     elastic = elastic_like(problem.bed)
     _, reach = at_depth(elastic, np.array([deepest]))
     row = SpringRow(elastic, Springs.of(elastic, float(reach[0]), count), series)

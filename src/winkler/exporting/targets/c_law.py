@@ -7,14 +7,14 @@ from typing import Any
 
 import numpy as np
 
-from winkler.exporting.step_law import StepLaw, StepNumber
+from winkler.exporting.step_law import SIZE_POWERS, StepLaw, StepNumber
 from winkler.exporting.targets.c_example import TRACE_TOLERANCE, c_main
 from winkler.exporting.targets.heading import heading_lines
 from winkler.translation.c_writer import INCLUDES, c_source
 from winkler.translation.translate import Translation
 from winkler.translation.tree import BOOL, INT, REAL, Routine, TranslatedType, TranslationUnit, array_of
 
-__all__ = ["c_law", "law_parts", "translated_step"]
+__all__ = ["c_law", "factors_of_size", "law_parts", "translated_step"]
 
 OWN_NAMES = frozenset({"begin", "step", "main"})
 """Functions that every file has."""
@@ -28,6 +28,11 @@ def translated_step(law: StepLaw) -> tuple[TranslationUnit, Routine]:
     state = [array_of(part.begin.ndim, ITEMS[part.begin.dtype.kind][0]) for part in law.state]
     routine = translation.routine(law.kernel, (*tables, *state, array_of(1), array_of(1)))
     return translation.unit(routine), routine
+
+
+def factors_of_size(law: StepLaw, size: str = "size") -> list[str]:
+    """Return by what every answer of a law of all radii grows with the size of a pair, as text after it."""
+    return ["".join(f" * {size}" for _ in range(SIZE_POWERS.get(one.unit, 0))) for one in law.answer]
 
 
 def c_law(law: StepLaw, name: str, tolerance: float = TRACE_TOLERANCE) -> str:
@@ -130,10 +135,37 @@ def _step(law: StepLaw, name: str, routine: Routine) -> str:
     kinds = [kind for _, kind in routine.arguments]
     pointers = [(f"{name}_{table.name}", table.numbers.shape) for table in law.tables]
     pointers += [(f"state->{part.name}", part.begin.shape) for part in law.state]
-    pointers += [("motion", (len(law.motion),)), ("answer", (len(law.answer),))]
+    before, after = "", ""
+    if law.every_radius:
+        before, after = _sized(law, name)
+        falling = {f"{name}_{table.name}" for table in law.tables if table.falling}
+        pointers = [(f"own_{pointer}" if pointer in falling else pointer, shape) for pointer, shape in pointers]
+        pointers += [("own_motion", (len(law.motion) - 1,)), ("own_answer", (len(law.answer),))]
+    else:
+        pointers += [("motion", (len(law.motion),)), ("answer", (len(law.answer),))]
     arguments = ",\n        ".join(view(kind, *pair) for kind, pair in zip(kinds, pointers, strict=True))
     return (
         f"/* Move a contact by one step. */\nstatic inline void {name}_step(\n"
         f"    {name}_state *state, const {name}_motion *motion, {name}_answer *answer) {{\n"
-        f"{'' if law.state else '    (void)state;' + chr(10)}    {inner}{routine.name}(\n        {arguments});\n}}"
+        f"{'' if law.state else '    (void)state;' + chr(10)}{before}"
+        f"    {inner}{routine.name}(\n        {arguments});\n{after}}}"
     )
+
+
+def _sized(law: StepLaw, name: str) -> tuple[str, str]:
+    """Return what stands before and after the kernel of a law of all radii: to a pair that is alike, and back."""
+    motion = [f"motion->{one.name}{' / size' if one.unit == 'm' else ''}" for one in law.motion[:-1]]
+    before = [
+        f"const double size = motion->{law.motion[-1].name} / {law.curvature_radius!r};",
+        f"double own_motion[] = {{{', '.join(motion)}}}, own_answer[{len(law.answer)}];",
+    ]
+    for table in law.tables:
+        if table.falling:
+            own = f"{name}_{table.name}"
+            before += [f"double own_{own}[{table.numbers.size}];", f"memcpy(own_{own}, {own}, sizeof({own}));"]
+            before += [f"own_{own}[{k}] /= size;" for k in table.falling]
+    after = [
+        f"answer->{one.name} = own_answer[{k}]{factor};"
+        for k, (one, factor) in enumerate(zip(law.answer, factors_of_size(law), strict=True))
+    ]
+    return "".join(f"    {line}\n" for line in before), "".join(f"    {line}\n" for line in after)

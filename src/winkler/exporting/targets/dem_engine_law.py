@@ -18,7 +18,7 @@ __all__ = ["dem_engine_law"]
 
 MOST_REMEMBERED = 16
 """Numbers that DEM-Engine keeps for a contact, unless it is built for more."""
-MOTIONS = {"depth": "{share}(double)overlapDepth", "duration": "(double)ts"}
+MOTIONS = {"depth": "{share}(double)overlapDepth", "duration": "(double)ts", "curvature_radius": "law_R{whole}"}
 RADIUS_TOLERANCE = "1e-5"
 """Radii are single numbers there."""
 
@@ -106,9 +106,10 @@ def _model(law: StepLaw, name: str, kept: list[tuple[StatePart, int]]) -> str:
         active = f"overlapDepth > 0 || {name}_begun > 0.5f"
     else:
         active = "overlapDepth > 0"
-    inner = [f"law_motion.{one.name} = {MOTIONS[one.name].format(share=share)};" for one in law.motion]
+    words = {"share": share, "whole": " / law_share" if share else ""}
+    inner = [f"law_motion.{one.name} = {MOTIONS[one.name].format(**words)};" for one in law.motion]
     inner += [f"{name}_step(&law_state, &law_motion, &law_answer);"]
-    if not math.isnan(law.curvature_radius):
+    if not math.isnan(law.curvature_radius) and not law.every_radius:
         given = f"{'law_share * ' if law.against_plane else ''}{law.curvature_radius!r}"
         inner += [
             f"if (overlapDepth > 0 && fabs(law_R - {given}) > {RADIUS_TOLERANCE} * law_R) law_answer.force = NAN;"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from xml.sax.saxutils import quoteattr
 
 from winkler.exporting.step_law import StepLaw, StepNumber
-from winkler.exporting.targets.fmu_description import BASE_UNITS, fmu_inputs
+from winkler.exporting.targets.fmu_description import fmu_inputs, unit_and_start, unit_lines
 
 __all__ = ["build_description3", "description3"]
 
@@ -13,8 +13,6 @@ __all__ = ["build_description3", "description3"]
 def description3(law: StepLaw, name: str, token: str) -> str:
     """Return modelDescription.xml."""
     inputs = fmu_inputs(law)
-    used = {one.unit for one in (*inputs, *law.answer)} & set(BASE_UNITS)
-    units = "\n".join(f'    <Unit name="{unit}"><BaseUnit {BASE_UNITS[unit]}/></Unit>' for unit in sorted(used))
     count = len(inputs)
     variables = [_variable(k, one, "input") for k, one in enumerate(inputs)]
     variables += [_variable(count + k, one, "output") for k, one in enumerate(law.answer)]
@@ -32,7 +30,7 @@ def description3(law: StepLaw, name: str, token: str) -> str:
   <CoSimulation modelIdentifier="{name}" canHandleVariableCommunicationStepSize="true"
     canGetAndSetFMUState="true" canSerializeFMUState="true"/>
   <UnitDefinitions>
-{units}
+{unit_lines(law)}
   </UnitDefinitions>
   <ModelVariables>
 {lines}
@@ -58,9 +56,7 @@ def build_description3(name: str) -> str:
 
 
 def _variable(reference: int, one: StepNumber, causality: str) -> str:
-    start = ' start="0"' if causality == "input" else ""
-    unit = f' unit="{one.unit}"' if one.unit in BASE_UNITS else ""
     return (
         f'    <Float64 name="{one.name}" valueReference="{reference}" causality="{causality}" '
-        f'variability="continuous" description={quoteattr(one.meaning)}{unit}{start}/>'
+        f'variability="continuous" description={quoteattr(one.meaning)}{unit_and_start(one, causality)}/>'
     )

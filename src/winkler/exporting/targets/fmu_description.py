@@ -8,7 +8,7 @@ from xml.sax.saxutils import quoteattr
 
 from winkler.exporting.step_law import StepLaw, StepNumber
 
-__all__ = ["DURATION", "description", "fmu_inputs", "unit_guid"]
+__all__ = ["DURATION", "description", "fmu_inputs", "unit_and_start", "unit_guid", "unit_lines"]
 
 DURATION = "duration"
 """The input that the step of the master states."""
@@ -41,11 +41,21 @@ def unit_guid(content: str) -> str:
     return str(uuid.uuid5(uuid.NAMESPACE_URL, content))
 
 
+def unit_lines(law: StepLaw) -> str:
+    """Return the definitions of the units that a law needs."""
+    used = {one.unit for one in (*fmu_inputs(law), *law.answer)} & set(BASE_UNITS)
+    return "\n".join(f'    <Unit name="{unit}"><BaseUnit {BASE_UNITS[unit]}/></Unit>' for unit in sorted(used))
+
+
+def unit_and_start(one: StepNumber, causality: str) -> str:
+    """Return the attributes of a number that both standards have."""
+    start = ' start="0"' if causality == "input" else ""
+    return f' unit="{one.unit}"{start}' if one.unit in BASE_UNITS else start
+
+
 def description(law: StepLaw, name: str, guid: str) -> str:
     """Return modelDescription.xml."""
     inputs = fmu_inputs(law)
-    used = {one.unit for one in (*inputs, *law.answer)} & set(BASE_UNITS)
-    units = "\n".join(f'    <Unit name="{unit}"><BaseUnit {BASE_UNITS[unit]}/></Unit>' for unit in sorted(used))
     variables = [_variable(k, one, "input") for k, one in enumerate(inputs)]
     variables += [_variable(len(inputs) + k, one, "output") for k, one in enumerate(law.answer)]
     known = " ".join(str(k + 1) for k in range(len(inputs)))
@@ -60,7 +70,7 @@ def description(law: StepLaw, name: str, guid: str) -> str:
     <SourceFiles><File name="{name}_fmu.c"/></SourceFiles>
   </CoSimulation>
   <UnitDefinitions>
-{units}
+{unit_lines(law)}
   </UnitDefinitions>
   <ModelVariables>
 {lines}
@@ -78,9 +88,8 @@ def description(law: StepLaw, name: str, guid: str) -> str:
 
 
 def _variable(reference: int, one: StepNumber, causality: str) -> str:
-    start = ' start="0"' if causality == "input" else ""
-    unit = f' unit="{one.unit}"' if one.unit in BASE_UNITS else ""
     return (
         f'    <ScalarVariable name="{one.name}" valueReference="{reference}" causality="{causality}" '
-        f'variability="continuous" description={quoteattr(one.meaning)}><Real{unit}{start}/></ScalarVariable>'
+        f'variability="continuous" description={quoteattr(one.meaning)}>'
+        f"<Real{unit_and_start(one, causality)}/></ScalarVariable>"
     )

@@ -8,6 +8,7 @@ import sys
 import zipfile
 from collections.abc import Mapping
 
+from winkler.errors import InvalidInput
 from winkler.exporting.step_law import StepLaw
 from winkler.exporting.targets.c_law import c_law
 from winkler.exporting.targets.compilers import compiled_here, has_compiler
@@ -36,8 +37,15 @@ DATE = (2026, 1, 1, 0, 0, 0)
 """Of every file in the unit, so that the same law gives the same unit."""
 
 
+def refuse_every_radius(law: StepLaw) -> None:
+    """Refuse a law of all radii: a unit is one contact."""
+    if law.every_radius:
+        raise InvalidInput("export: a unit is one contact, of the R of the study; leave every-radius out.")
+
+
 def fmu_law(law: StepLaw, name: str) -> dict[str, str | bytes]:
     """Return the unit of FMI 2; with a binary for the system here where a C compiler is at hand, else as source."""
+    refuse_every_radius(law)
     header = c_law(law, name)
     guid = unit_guid(header)
     sources = {f"{name}.h": header, f"{name}_fmu.c": fmu_source(law, name, guid)}
@@ -46,6 +54,7 @@ def fmu_law(law: StepLaw, name: str) -> dict[str, str | bytes]:
 
 def fmu3_law(law: StepLaw, name: str) -> dict[str, str | bytes]:
     """Return the unit of FMI 3, in the same way."""
+    refuse_every_radius(law)
     header = c_law(law, name)
     token = unit_guid(header)
     sources = {f"{name}.h": header, f"{name}_fmu.c": fmu3_source(law, name, token)}

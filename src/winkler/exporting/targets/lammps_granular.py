@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import math
+from collections.abc import Mapping
 
 from winkler.exporting.step_law import StepLaw
 from winkler.exporting.targets.c_law import ITEMS
@@ -10,9 +10,10 @@ from winkler.exporting.targets.c_law import ITEMS
 __all__ = ["granular_law"]
 
 MOTIONS = {"depth": "share * gm->delta", "duration": "gm->history_update ? gm->dt : 0.0"}
+MOTIONS["curvature_radius"] = "gm->Reff / share"
 
 
-def granular_law(law: StepLaw, name: str, hold: float) -> dict[str, str]:
+def granular_law(law: StepLaw, name: str, hold: float, radii: Mapping[str, str]) -> dict[str, str]:
     """Return header and source of the sub-model.
 
     Parameters
@@ -22,6 +23,8 @@ def granular_law(law: StepLaw, name: str, hold: float) -> dict[str, str]:
     name : str
     hold : float
         Farthest distance over which the bodies attract each other [m].
+    radii : mapping
+        R that all bodies must have, and R of a law of all radii.
     """
     words = {
         "title": law.title.replace("*/", "* /"),
@@ -32,7 +35,7 @@ def granular_law(law: StepLaw, name: str, hold: float) -> dict[str, str]:
         "cohesive": "1" if hold else "0",
         "hold": repr(hold * (2.0 if law.against_plane else 1.0)),
         "shared": "gm->contact_type == PAIR ? 0.5 : 1.0" if law.against_plane else "1.0",
-        "radius": "0.0" if math.isnan(law.curvature_radius) else repr(law.curvature_radius),
+        **radii,
         "takes": "\n    ".join(f"motion.{one.name} = {MOTIONS[one.name]};" for one in law.motion),
         "recall": _each(law, "{to} = {kind}memory[{at} + k];"),
         "keep": _each(law, "memory[{at} + k] = (double){to};"),
@@ -106,7 +109,11 @@ using namespace Granular_NS;
 
 static const int SIZE = @size@;         /* numbers that a contact remembers */
 static const double HOLD = @hold@;     /* farthest distance over which the bodies attract [m] */
-static const double RADIUS = @radius@; /* R of the contact [m]; 0 if it is no pair of balls */
+static const double RADIUS = @radius@; /* R that the contacts must have [m]; 0 if it may be any */
+static const double GIVEN = @given@;   /* R to which HOLD belongs [m]; 0 if it is that of all contacts */
+
+/* Greater bodies attract farther, at most in proportion. */
+static double holds(double radius) { return GIVEN > 0.0 ? HOLD * std::fmax(1.0, 2.0 * radius / GIVEN) : HOLD; }
 
 GranSubModNormal@Name@::GranSubModNormal@Name@(GranularModel *gm, LAMMPS *lmp) : GranSubModNormal(gm, lmp) {
     num_coeffs = 1;
@@ -129,11 +136,11 @@ void GranSubModNormal@Name@::coeffs_to_local() {
 
 /* Bodies that touched stay together as far as they may attract each other; the law knows when they part. */
 bool GranSubModNormal@Name@::touch() {
-    const double reach = gm->radsum + (gm->touch ? HOLD : 0.0);
+    const double reach = gm->radsum + (gm->touch ? holds(gm->Reff) : 0.0);
     return gm->rsq < reach * reach;
 }
 
-double GranSubModNormal@Name@::pulloff_distance(double, double) { return HOLD; }
+double GranSubModNormal@Name@::pulloff_distance(double a, double b) { return holds(std::fmax(a, b)); }
 
 double GranSubModNormal@Name@::calculate_forces() {
     const double share = @shared@;

@@ -23,6 +23,7 @@ MOTIONS = {
     "twist": "dot(turn, n)",
     "roll_x": "dot(turn, one)",
     "roll_y": "dot(turn, two)",
+    "curvature_radius": "radius[a] * radius[b] / (radius[a] + radius[b]) / SHARED",
 }
 """What a law takes -> what it is in the pair style."""
 MOMENTS = (("torque", "n"), ("rolling_x", "one"), ("rolling_y", "two"))
@@ -42,20 +43,28 @@ def lammps_law(law: StepLaw, name: str) -> dict[str, str]:
         raise InvalidInput(f"export: LAMMPS knows no {unknown[0]} of two balls; export this law to c.")
     hold = farthest_hold(law)
     files = {f"pair_{name}.cpp": _filled(law, name, hold), f"{name}.h": c_law(law, name)}
-    return files | granular_law(law, name, hold) if is_normal(law) else files
+    return files | granular_law(law, name, hold, radii_of(law)) if is_normal(law) else files
+
+
+def radii_of(law: StepLaw) -> dict[str, str]:
+    """Return R that every pair must have, and R of a law of all radii [m]; zero where there is none."""
+    given = "0.0" if math.isnan(law.curvature_radius) else repr(law.curvature_radius)
+    return {"radius": "0.0" if law.every_radius else given, "given": given if law.every_radius else "0.0"}
 
 
 def is_normal(law: StepLaw) -> bool:
     """Return whether the law needs nothing but depth and time."""
-    return {one.name for one in law.motion} <= {"depth", "duration"}
+    return {one.name for one in law.motion} <= {"depth", "duration", "curvature_radius"}
 
 
 def farthest_hold(law: StepLaw) -> float:
     """Return how far apart the bodies still attract each other [m], after any load, with a margin; 0 if they do not."""
     names = [one.name for one in law.answer]
-    if "radius" not in names or [one.name for one in law.motion] != ["depth"]:
+    if "radius" not in names or {one.name for one in law.motion} - {"curvature_radius"} != {"depth"}:
         return 0.0
     deepest = float(np.max(law.trial[:, 0]))
+    if law.every_radius:
+        deepest *= law.curvature_radius / float(law.trial[0, -1])
     farthest = 0.0
     for load in deepest * np.geomspace(1e-4, 1.0, LOADS):
         near, far = 0.0, 10.0 * deepest
@@ -66,7 +75,7 @@ def farthest_hold(law: StepLaw) -> float:
             else:
                 far = middle
         farthest = max(farthest, near)
-    return MARGIN * farthest
+    return float(MARGIN * farthest)
 
 
 def _holds(law: StepLaw, load: float, apart: float, column: int) -> bool:
@@ -99,7 +108,7 @@ def _filled(law: StepLaw, name: str, hold: float) -> str:
         "remembers": "true" if law.state else "false",
         "stored": "answer.energy" if not law.state else "0.0",
         "hold": repr(hold * (2.0 if law.against_plane else 1.0)),
-        "radius": "0.0" if math.isnan(law.curvature_radius) else repr(law.curvature_radius),
+        **radii_of(law),
         "shared": "0.5" if law.against_plane else "1.0",
     }
     text = PAIR

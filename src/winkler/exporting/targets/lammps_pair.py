@@ -38,7 +38,8 @@ namespace {
 
 const bool SLIDES = @slides@, REMEMBERS = @remembers@;
 const double HOLD = @hold@;     /* farthest distance over which the bodies attract [m] */
-const double RADIUS = @radius@; /* R of the contact [m]; 0 if it is no pair of balls */
+const double RADIUS = @radius@; /* R that the contacts must have [m]; 0 if it may be any */
+const double GIVEN = @given@;  /* R to which HOLD belongs [m]; 0 if it is that of all contacts */
 const double SHARED = @shared@; /* 0.5 where the law is that of one body against a plane */
 
 double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -118,7 +119,10 @@ public:
         neighbor->add_request(this);
     }
 
-    double init_one(int, int) override { return size + HOLD; }
+    /* Greater spheres attract farther, at most in proportion. */
+    double init_one(int, int) override {
+        return size + HOLD * (GIVEN > 0.0 ? std::fmax(1.0, 0.25 * size / SHARED / GIVEN) : 1.0);
+    }
 
     void compute(int eflag, int vflag) override {
         ev_init(eflag, vflag);
@@ -141,7 +145,7 @@ public:
                     const std::pair<tagint, tagint> key(atom->tag[a], atom->tag[b]);
                     auto found = contacts.find(key);
                     if (found == contacts.end()) {
-                        if (!(overlap > 0.0)) continue;
+                        if (!(overlap >= 0.0)) continue;
                         std::memset(&fresh, 0, sizeof(fresh));
                         @name@_begin(&fresh.state);
                         found = contacts.emplace(key, fresh).first;
@@ -212,8 +216,10 @@ private:
         if (a + b > size * (1.0 + 1e-12))
             error->one(FLERR, "pair_style @name@: {} m was given, but spheres touch at {} m", size, a + b);
         const double radius = a * b / (a + b) / SHARED;
-        if ((RADIUS > 0.0 && std::fabs(radius - RADIUS) > 1e-6 * RADIUS) || (SHARED < 1.0 && a != b))
+        if (RADIUS > 0.0 && std::fabs(radius - RADIUS) > 1e-6 * RADIUS)
             error->one(FLERR, "pair_style @name@ was made for R = {} m, two spheres have {} m", RADIUS, radius);
+        if (SHARED < 1.0 && std::fabs(a - b) > 1e-6 * a)
+            error->one(FLERR, "pair_style @name@ is for pairs of equal spheres, two have {} m and {} m", a, b);
     }
 
     void forget(bigint now) {

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from winkler.exporting.step_law import StepLaw, StepNumber
-from winkler.exporting.targets.c_law import translated_step
+from winkler.exporting.targets.c_law import factors_of_size, translated_step
 from winkler.exporting.targets.heading import heading_lines
 from winkler.translation.python_writer import python_source
 
@@ -27,7 +27,6 @@ def python_law(law: StepLaw, name: str) -> str:
     )
     begin = "\n".join(f"        {_array(part.begin)},  # {part.meaning}" for part in law.state)
     answers = law.trace()
-    arguments = "".join(f"{table.name.upper()}_TABLE, " for table in law.tables)
     return f'''"""{heading}
 
 Use: state = begin() before the first touch, then answer = step(state, motion) in every step.
@@ -58,8 +57,7 @@ def begin():
 def step(state, motion):
     """Move a contact by one step, whose motion is in the order of MOTION; return what is in the order of ANSWER."""
     answer = np.zeros(len(ANSWER))
-    with np.errstate(all="ignore"):
-        {routine.name}({arguments}*state, np.array(motion, dtype=float), answer)
+{_call(law, routine.name)}
     return answer
 
 
@@ -80,6 +78,28 @@ def main():
 if __name__ == "__main__":
     sys.exit(main())
 '''
+
+
+def _call(law: StepLaw, kernel: str) -> str:
+    """Return the lines that call the kernel; of a law of all radii to a pair that is alike, and back."""
+    tables, lines, motion = [f"{table.name.upper()}_TABLE" for table in law.tables], [], "np.array(motion, dtype=float)"
+    if law.every_radius:
+        lines = [f"    size = motion[-1] / {law.curvature_radius!r}"]
+        alike = [f"motion[{k}]{' / size' if one.unit == 'm' else ''}" for k, one in enumerate(law.motion[:-1])]
+        for k, table in enumerate(law.tables):
+            if table.falling:
+                tables[k] = f"own_{table.name}"
+                lines += [f"    {tables[k]} = {table.name.upper()}_TABLE.copy()"]
+                lines += [f"    {tables[k]}[{place}] /= size" for place in table.falling]
+        motion = f"np.array([{', '.join(alike)}], dtype=float)"
+    lines += [
+        '    with np.errstate(all="ignore"):',
+        f"        {kernel}({', '.join([*tables, '*state', motion, 'answer'])})",
+    ]
+    if law.every_radius:
+        grown = (f"answer[{k}]{factor}" for k, factor in enumerate(factors_of_size(law)))
+        lines += [f"    answer = np.array([{', '.join(grown)}])"]
+    return "\n".join(lines)
 
 
 def _names(quantities: tuple[StepNumber, ...]) -> str:

@@ -10,6 +10,9 @@ from winkler.numerics.types import Array
 
 __all__ = ["step_relaxing"]
 
+SUDDEN = 1e-20
+"""Part of the shortest relaxation time in which nothing relaxes, to the last digit: rates over it would overflow."""
+
 
 @compiled
 def step_relaxing(
@@ -17,7 +20,7 @@ def step_relaxing(
     gap: Array, weight: Array, position: Array, place: Array, memory: Array, pressed: Array, counts: Array,
     course: Array, past: Array, change: Array, span: Array, numbers: Array, motion: Array, answer: Array,
 ) -> None:  # fmt: skip
-    """Move one contact by one step at a steady rate, or suddenly where the step takes no time.
+    """Move one contact by one step at a steady rate, or suddenly where the step takes no time, or next to none.
 
     Parameters
     ----------
@@ -45,7 +48,10 @@ def step_relaxing(
             answer[k] = math.nan
         return
     change[0] = motion[0] - course[0]
-    span[0] = motion[1]
+    quick = motion[1]
+    for i in range(times.size):
+        quick = min(quick, SUDDEN * times[i])
+    span[0] = motion[1] if motion[1] > quick else 0.0
     law = (solid[0], solid[1], moduli, times, rates, displaced, back, forth, modes)
     advance_springs(law, (gap, weight, position), (place, memory, pressed, counts), course, change, span, numbers)
     past[0] += numbers[0, 2]

@@ -9,13 +9,14 @@ keys of the papers on which the class is based.
 from __future__ import annotations
 
 import functools
+import re
 
 from winkler.study.chapters.bodies import BODIES
 from winkler.study.chapters.contents import CHAPTERS
 from winkler.study.chapters.kind import Kind, kind, path_of
 from winkler.study.chapters.relaxing_bodies import RELAXING_BODIES
 
-__all__ = ["CATALOGUE", "REFUSED", "SLOTS", "UNWRITTEN", "Kind", "kind_of", "kinds", "slot_of"]
+__all__ = ["CATALOGUE", "REFUSED", "SLOTS", "UNWRITTEN", "Kind", "in_kinds", "kind_of", "kinds", "slot_of"]
 
 
 def _merged(*tables: dict[str, dict[str, Kind]]) -> dict[str, dict[str, Kind]]:
@@ -70,6 +71,12 @@ def kind_of(cls: type) -> str:
 @functools.cache
 def _names() -> dict[str, str]:
     return {line.path: name for name, line in kinds().items()}
+
+
+def in_kinds(sentence: str) -> str:
+    """Return a sentence with the names of study files in place of those of their classes."""
+    names = {path.rpartition(":")[2]: name for path, name in _names().items()}
+    return re.sub(r"\b[A-Z][A-Za-z]+\b", lambda found: names.get(found[0], found[0]), sentence)
 
 
 def slot_of(name: str) -> str:
