@@ -29,7 +29,7 @@ NORMAL = Calculator(
     ),
     "force", "depth",
     "Elastic, smooth and without friction; the ball stands as a paraboloid, which needs a contact radius that is small "
-    "beside R, and hard bodies yield where p_0 exceeds about 1.6 times their strength.",
+    "beside R, and metals yield where the greatest pressure exceeds about 1.6 times their strength.",
     "method.html",
     BALL + """
 [problem.bed.medium]

@@ -180,8 +180,7 @@ def _graded() -> dict[str, Array]:
         return math.log(FORCE / float(at(exponent, poisson).radius) ** (3.0 + exponent))
 
     return {
-        "force": table_of_two(force, FILMS = math.log(4e-8), math.log(4e7)
-GRADINGS, POISSONS),
+        "force": table_of_two(force, GRADINGS, POISSONS),
         "depth": table_of(lambda k: float(at(k, 0.3).depth) / float(at(k, 0.3).radius) ** 2, *GRADINGS),
         "stiffness": table_of(stiffness, *GRADINGS),
     }
