@@ -171,7 +171,7 @@ CONDUCTION = Calculator(
         contact_radius(), DEPTH,
     ),
     "force", "resistance",
-    "Thick bodies, one round spot that is large beside the mean free path of electrons (about 0.04 um), elastic; rough "
+    "Thick bodies, one round spot that is large beside the mean free path of electrons (about 0.04 µm), elastic; rough "
     "surfaces touch in many spots and resist more.",
     "chapters/conduction.html",
     BALL + ALIKE + CONDUCTORS

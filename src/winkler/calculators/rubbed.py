@@ -134,7 +134,7 @@ HEATING = Calculator(
         Number("temperature", "ΔT", "greatest rise of temperature", "K", "K", "first_max_temperature"),
         Number("heat_rate", "Q", "heat of friction", "W", "W", "heat_rate"),
         Number("first_share", "", "part that goes into the moving body", "", "", "first_share"),
-        Number("peclet", "Pe", "Peclet number v a / 2κ_1", "", "", "first_peclet"),
+        Number("peclet", "Pe", "Peclet number v a / (2 κ)", "", "", "first_peclet"),
         contact_radius(),
     ),
     "speed", "temperature",

@@ -80,6 +80,8 @@ function symbolOf(symbol) {
   return one;
 }
 
+const plainOf = (symbol) => symbol.replaceAll("_", "");
+
 // One calculator in a room.  `changed(values, answer, study)` hears of every change.
 export class Panel {
   constructor(room, one, run, changed, start = {}) {
@@ -200,8 +202,8 @@ export class Panel {
       ys.push(answerOf(this.run, one, others)[up] / number.factor);
     }
     this.chart.draw(
-      { title: slider.words, symbol: slider.symbol, unit: unitText(slider.unit), log: slider.ratio },
-      { title: number.words, symbol: number.symbol, unit: unitText(number.unit) },
+      { title: slider.words, symbol: plainOf(slider.symbol), unit: unitText(slider.unit), log: slider.ratio },
+      { title: number.words, symbol: plainOf(number.symbol) || number.words, unit: unitText(number.unit) },
       xs, ys, [values[across], this.answer[up] / number.factor],
     );
   }

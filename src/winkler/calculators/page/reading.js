@@ -10,7 +10,8 @@ export function shown(number, digits = 5) {
   const [mantissa, power] = number.toExponential(digits - 1).split("e").map(Number);
   if (power >= -3 && power < 6) return String(Number(number.toPrecision(digits))).replace("-", "−");
   const raised = String(Math.abs(power)).replace(/\d/g, (digit) => POWERS[digit]);
-  return `${String(mantissa).replace("-", "−")} × 10${power < 0 ? "⁻" : ""}${raised}`;
+  const times = mantissa === 1 ? "" : `${String(mantissa).replace("-", "−")}\u00a0×\u00a0`;
+  return `${times}10${power < 0 ? "⁻" : ""}${raised}`;
 }
 
 export function element(name, attributes = {}, text = "") {
@@ -112,8 +113,10 @@ export function readOff(svg, panels, told) {
     event.preventDefault();
     const curve = ([which, row]) => panels()[which].curves[row].x.length;
     const step = steps[event.key];
-    if (!held) held = [...rows[0], Math.floor(curve(rows[0]) / 2)];
-    else if (step === "next" || step === "last") {
+    const begins = !held;
+    held ??= [...rows[0], Math.floor(curve(rows[0]) / 2)];
+    if (begins && step !== "first" && step !== "end") return show();
+    if (step === "next" || step === "last") {
       const here = rows.findIndex(([which, row]) => which === held[0] && row === held[1]);
       const next = rows[(here + (step === "next" ? 1 : rows.length - 1)) % rows.length];
       held = [...next, Math.min(held[2], curve(next) - 1)];
