@@ -111,7 +111,7 @@ def test_a_slider_a_link_and_a_study(opened):
     assert promise.value.suggested_filename == "adhesion.toml"
     solved = parse_study(text).problem.solve()
     assert at.numbers()["radius"] == pytest.approx(float(solved.radius), rel=1e-9)
-    code = re.fullmatch(r"http://127\.0\.0\.1:8080/#study=(.+)", page.locator("#app").get_attribute("href"))
+    code = re.fullmatch(r"http://127\.0\.0\.1:8765/#study=(.+)", page.locator("#app").get_attribute("href"))
     assert study_of(code[1]) == text
     other = opened(link)
     assert other.numbers() == at.numbers()

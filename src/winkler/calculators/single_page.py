@@ -16,7 +16,7 @@ from winkler.calculators.catalogue import CALCULATORS
 __all__ = ["APP", "HERE", "calculator_page", "described", "joined_script", "module_text"]
 
 HERE = Path(__file__).parent / "page"
-APP = "http://127.0.0.1:8080"
+APP = "http://127.0.0.1:8765"
 """Where `winkler app` is, unless told otherwise."""
 IMPORTS = re.compile(r"^import .*;\n", re.MULTILINE)
 EXPORTS = re.compile(r"^export (?=async|class|const|function)", re.MULTILINE)
