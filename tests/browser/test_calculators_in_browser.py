@@ -2,18 +2,34 @@
 
 from __future__ import annotations
 
+import json
 import re
 
 import numpy as np
 import pytest
 
 from winkler.calculators.catalogue import CALCULATORS, calculator
-from winkler.calculators.single_page import calculator_page
+from winkler.calculators.single_page import calculator_page, described, joined_script, module_text
+from winkler.calculators.widget import RENDER
+from winkler.cli import main
 from winkler.study.language.reading import parse_study
 from winkler.web.form.link import study_of
 
 pytestmark = pytest.mark.browser
 POINTS = 4
+READ_OFF = """
+[problem]
+kind = "indentation"
+load = { kind = "force", force = "100 N" }
+
+[problem.bed]
+kind = "foundation"
+profile = { kind = "paraboloid", curvature_radius = "10 mm" }
+
+[problem.bed.medium]
+kind = "half_space"
+first = { kind = "elastic", young = "210 GPa", poisson = 0.3 }
+"""
 
 
 class CalculatorPage:
@@ -74,7 +90,10 @@ def drawn(one, rng):
     """Return numbers of the sliders, anywhere in their ranges."""
     part = rng.uniform(size=len(one.sliders))
     pairs = zip(one.sliders, part, strict=True)
-    return {s.name: float(f"{s.low * (s.high / s.low) ** u if s.ratio else s.low + (s.high - s.low) * u:.5g}") for s, u in pairs}
+    return {
+        s.name: float(f"{s.low * (s.high / s.low) ** u if s.ratio else s.low + (s.high - s.low) * u:.5g}")
+        for s, u in pairs
+    }
 
 
 @pytest.mark.parametrize("one", CALCULATORS, ids=lambda one: one.name)
@@ -141,3 +160,65 @@ def test_a_curve_is_read_off_and_narrow_pages_fit(opened):
         at.go(one)
         assert page.evaluate("() => document.documentElement.scrollWidth") <= 390, one.name
         assert page.locator("[data-number]").count() == len(one.numbers)
+
+
+def test_the_curves_of_a_report_are_read_off(browser, tmp_path):
+    """The arrow keys and the mouse say the numbers that the page holds."""
+    study, page_path = tmp_path / "ball.toml", tmp_path / "ball.html"
+    study.write_text(READ_OFF, encoding="utf-8")
+    assert main(["report", str(study), "--interactive", "--output", str(page_path)]) == 0
+    heard = []
+    context = browser.new_context(viewport={"width": 1200, "height": 900})
+    page = context.new_page()
+    page.on("console", lambda message: heard.append(message.text))
+    page.on("pageerror", lambda error: heard.append(str(error)))
+    page.goto(page_path.as_uri())
+    figure = page.locator("figure", has_text="pressure").filter(has=page.locator('[id^="pressure-"]'))
+    figure.locator("svg").focus()
+    page.keyboard.press("End")
+    panel = json.loads(page.locator("#curves").text_content())["pressure"][0]
+    read = figure.locator(".told").text_content()
+    assert read.startswith("distance from the axis r ")
+    assert float(re.search(r"r (\S+) µm", read)[1]) == pytest.approx(panel["curves"][0]["x"][-1], rel=1e-4)
+    box = figure.locator("svg").bounding_box()
+    page.mouse.move(box["x"] + box["width"] * 0.5, box["y"] + box["height"] * 0.5)
+    assert figure.locator(".told").text_content() != read
+    assert figure.locator(".reading .said").count() == 1
+    assert heard == []
+    context.close()
+
+
+def test_a_widget_draws_itself_and_tells_its_values(browser, tmp_path):
+    """The module of the widget in a page of its own, with a model as a notebook gives it."""
+    state = {"module": module_text(), "calculator": described(calculator("adhesion")), "values": {"work": 80.0}}
+    script = joined_script(("reading", "chart", "calculators")) + RENDER.replace("export default", "const widget =")
+    model = """
+      const heard = {}, state = STATE;
+      const model = {
+        get: (name) => state[name],
+        set: (name, value) => (state[name] = value),
+        save_changes: () => (window.saved = state.values),
+        on: (name, call) => (heard[name] = call),
+        off: () => {},
+      };
+      window.follow = (values) => { state.values = { ...state.values, ...values }; heard["change:values"](); };
+      await widget.render({ model, el: document.getElementById("cell") });
+      document.documentElement.dataset.ready = "yes";
+    """.replace("STATE", json.dumps(state))
+    path = tmp_path / "cell.html"
+    path.write_text(
+        f'<meta charset="utf-8"><div id="cell"></div><script type="module">{script}{model}</script>', "utf-8"
+    )
+    at = CalculatorPage(browser, path)
+    assert at.page.evaluate("() => window.saved.work") == 80.0
+    slider = at.page.locator('[data-slider="work"]')
+    slider.focus()
+    at.page.keyboard.press("End")
+    at.page.wait_for_function("() => window.saved.work === 10000")
+    at.page.evaluate("() => window.follow({ work: 160 })")
+    at.page.wait_for_function("() => document.querySelector('[data-field=work]').value === '160'")
+    modulus, unit = 1e6 / 0.75, 1.5 * np.pi * 1e-3
+    assert at.numbers()["pull_off"] == pytest.approx(-unit * 0.16, rel=1e-12)
+    assert at.numbers()["radius"] == pytest.approx((9 * np.pi * 1e-6 * 0.16 / (2 * modulus)) ** (1 / 3), rel=1e-11)
+    assert at.heard == []
+    at.context.close()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import math
 import re
 
@@ -18,16 +17,16 @@ from winkler.study.language.reading import parse_study
 
 
 def test_the_kept_module_is_that_of_these_sources():
-    inputs, module = build.STAMP.read_text().split()
+    inputs, files = build.STAMP.read_text().split()
     assert inputs == build.made_of(), "run python -m winkler.calculators.build"
-    assert module == hashlib.sha256(build.MODULE.read_bytes()).hexdigest()
+    assert files == build.digest_of_files()
 
 
 def test_the_page_is_small_and_asks_nobody():
     page = calculator_page()
     assert len(page.encode()) < 3e6
     assert "default-src 'none'" in page
-    assert not re.search(r'(src|srcset)\s*=|@import|url\(|fetch\(|XMLHttpRequest|import\(|^import ', page, re.MULTILINE)
+    assert not re.search(r"(src|srcset)\s*=|@import|url\(|fetch\(|XMLHttpRequest|import\(|^import ", page, re.MULTILINE)
     assert not {"STYLE", "SCRIPT", "DATA", "MANUAL"} & set(re.findall(r"^[A-Z]+$", page, re.MULTILINE))
 
 
@@ -45,7 +44,9 @@ def test_sliders_begin_within_their_range_and_curves_are_known():
 def test_every_study_is_read(one):
     text = one.study
     for slider in one.sliders:
-        text = text.replace(f"{{{slider.name}}}", f'"{slider.start!r} {slider.unit}"' if slider.unit else repr(slider.start))
+        text = text.replace(
+            f"{{{slider.name}}}", f'"{slider.start!r} {slider.unit}"' if slider.unit else repr(slider.start)
+        )
     for number in one.numbers:
         text = text.replace(f"{{={number.name}}}", f'"1e-7 {number.base}"')
     problem = parse_study(f'title = "t"\n\n[problem]\nkind = "{one.kind}"\n{text}').problem
@@ -53,7 +54,7 @@ def test_every_study_is_read(one):
 
 
 def test_a_kernel_by_the_closed_form_of_hertz():
-    """With the closed-form constants of a ball as its table, the kernel of the first calculator gives Hertz' numbers."""
+    """With the closed-form constants of a ball as its table, the first kernel gives the numbers of Hertz."""
     one = calculator("normal")
     hertz = np.array([(9 / 16) ** (1 / 3), 0.75 ** (1 / 3), (6 / math.pi**3) ** (1 / 3), 0.0, 6 ** (1 / 3)])
     given = np.array([s.start for s in one.sliders]) * one.factors

@@ -1,7 +1,7 @@
 """Make the kernels of the calculators: translated to C, compiled to WebAssembly, and kept beside this file.
 
-``python -m winkler.calculators.build`` does it anew; it needs the compiler of ``pip install winkler[export]`` and about a
-minute.  What is kept says of which source and which numbers it was made.
+``python -m winkler.calculators.build`` does it anew; it needs the compiler of ``pip install winkler[export]`` and a
+minute or two.  What is kept says of which source and which numbers it was made.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ from winkler.translation.c_writer import INCLUDES, c_source
 from winkler.translation.translate import Translation
 from winkler.translation.tree import Routine, array_of
 
-__all__ = ["MODULE", "STAMP", "c_of_calculators", "made_of"]
+__all__ = ["MODULE", "MOST", "STAMP", "TABLE_FILE", "c_of_calculators", "digest_of_files", "made_of"]
 
 HERE = Path(__file__).parent / "page"
-MODULE, STAMP = HERE / "calculators.wasm", HERE / "calculators.sha256"
+MODULE, TABLE_FILE, STAMP = HERE / "calculators.wasm", HERE / "tables.npz", HERE / "calculators.sha256"
 OPTIONS = ("-mexec-model=reactor", "-Wl,--strip-all")
 INNER = "in_"
 MOST = 16
@@ -38,6 +38,11 @@ def made_of() -> str:
     for one in CALCULATORS:
         digest.update(repr((one.name, [s.name for s in one.sliders], [n.name for n in one.numbers])).encode())
     return digest.hexdigest()
+
+
+def digest_of_files() -> str:
+    """Return the digest of what is kept: the module and the tables."""
+    return hashlib.sha256(MODULE.read_bytes() + TABLE_FILE.read_bytes()).hexdigest()
 
 
 def c_of_calculators(numbers: Mapping[str, Mapping[str, Array]]) -> str:
@@ -57,7 +62,7 @@ def c_of_calculators(numbers: Mapping[str, Mapping[str, Array]]) -> str:
     source = c_source(translation.unit(*entries), INNER)
     head = (
         "/* Kernels of winkler's calculators; numbers go in and out by two arrays. */\n"
-        '#define EXPORTED(name) __attribute__((export_name(name)))\n'
+        "#define EXPORTED(name) __attribute__((export_name(name)))\n"
         f"static double given[{MOST}], found[{MOST}];\n"
         'EXPORTED("given") double *given_at(void) { return given; }\n'
         'EXPORTED("found") double *found_at(void) { return found; }\n'
@@ -84,7 +89,9 @@ def main() -> None:
     numbers = {name: {key: np.asarray(table) for key, table in made().items()} for name, made in tables.TABLES.items()}
     module = compiled_by_zig({"calculators.c": c_of_calculators(numbers)}, "wasm32-wasi", OPTIONS, "calculators.wasm")
     MODULE.write_bytes(module)
-    STAMP.write_text(f"{made_of()}\n{hashlib.sha256(module).hexdigest()}\n", encoding="ascii")
+    named = {f"{name}.{key}": table for name, mine in numbers.items() for key, table in mine.items()}
+    np.savez_compressed(TABLE_FILE, **named)  # type: ignore[arg-type]
+    STAMP.write_text(f"{made_of()}\n{digest_of_files()}\n", encoding="ascii")
 
 
 if __name__ == "__main__":

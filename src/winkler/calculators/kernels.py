@@ -1,7 +1,7 @@
 """What twelve calculators compute: similarity of each problem, with all pure numbers from tables of the package.
 
-A kernel takes the numbers of its sliders in SI units, its tables, and the array for its answers.  The laws of contact are
-in the tables (`winkler.calculators.tables`): a kernel knows only how results grow with lengths, moduli and forces.
+A kernel takes the numbers of its sliders in SI units, its tables, and the array for its answers.  The laws of contact
+are in the tables (`winkler.calculators.tables`): a kernel knows how results grow with lengths, moduli and forces.
 """
 
 from __future__ import annotations
@@ -88,7 +88,7 @@ def adhesion(x: Array, pull: Array, radius: Array, depth: Array, y: Array) -> No
 
 
 def heating(x: Array, hertz: Array, peak: Array, y: Array) -> None:
-    """A ball that rubs on a moving body: greatest temperature, heat, share of the moving body, Peclet number, radius."""
+    """A ball that rubs on a moving body: greatest temperature, heat, share of that body, Peclet number, radius."""
     a = ball_radius(hertz, together(x[2], x[3], x[2], x[3]), x[0], x[1])
     y[4] = a
     y[1] = x[4] * x[1] * x[5]

@@ -56,12 +56,19 @@ GRADED = Calculator(
     BALL + """
 [problem.bed.medium]
 kind = "graded_half_space"
-first = { kind = "power_law_graded", young = {young}, depth_scale = {depth_scale}, exponent = {exponent}, poisson = {poisson} }
+
+[problem.bed.medium.first]
+kind = "power_law_graded"
+young = {young}
+depth_scale = {depth_scale}
+exponent = {exponent}
+poisson = {poisson}
 """ + PRESSED,
     kernels.graded,
 )  # fmt: skip
 VISCOELASTIC = Calculator(
-    "viscoelastic", "Viscoelastic body", "A weight is put on rubber: how deep has it sunk after some time?", "creep_test",
+    "viscoelastic", "Viscoelastic body", "A weight is put on rubber: how deep has it sunk after some time?",
+    "creep_test",
     (
         RADIUS._replace(words="radius of the rigid ball"), FORCE._replace(low=0.001, high=100.0, start=1.0),
         Slider("relaxed_shear", "G_∞", "shear modulus when all has relaxed", "MPa", 0.01, 100.0, 1.0),
@@ -73,8 +80,8 @@ VISCOELASTIC = Calculator(
         metres("depth", "d", "indentation depth", "depth[0]"), contact_radius("radius[0]"),
     ),
     "time", "depth",
-    "A standard linear solid that keeps its volume (ν = 0.5), a force that is put on at once and stays, no inertia, and "
-    "a contact radius small beside R.",
+    "A standard linear solid that keeps its volume (ν = 0.5), a force that is put on at once and stays, no inertia, "
+    "and a contact radius small beside R.",
     "chapters/viscoelastic.html",
     """force = {force}
 time = [{time}]
@@ -148,8 +155,8 @@ ROUGHNESS = Calculator(
         Number("greatest_stiffness", "k_max", "greatest stiffness", "N/um", "N/m", "greatest_stiffness"),
     ),
     "roughness", "least",
-    "Barber's bounds hold for elastic bodies with roughness of any shape between the two heights; where peaks yield, or "
-    "a film covers them, they do not.",
+    "Barber's bounds hold for elastic bodies with roughness of any shape between the two heights; where peaks yield, "
+    "or a film covers them, they do not.",
     "chapters/rough.html",
     "roughness = {roughness}\nforce = {force}\n" + BALL + ALIKE + CONDUCTORS
     + 'second = { kind = "electrical_conductor", resistivity = {resistivity} }\n',

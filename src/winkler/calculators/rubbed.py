@@ -103,7 +103,7 @@ ROLLING = Calculator(
         Number("loss", "W'", "loss per way and length", "J/m^2", "J/m^2", "loss_per_area"),
     ),
     "share", "creepage",
-    f"A cylinder in plane strain (Carter) that rolls steadily on a flat; {BETWEEN_ALIKE[0].lower()}{BETWEEN_ALIKE[1:]}.",
+    f"A cylinder in plane strain (Carter) that rolls steadily on a flat. {BETWEEN_ALIKE}.",
     "chapters/line-rolling.html",
     """
 [problem.bed]
@@ -165,7 +165,7 @@ WEAR = Calculator(
         metres("shift", "U", "amplitude of the shift", "problem.amplitude.shift"),
     ),
     "share", "worn_volume",
-    f"{BETWEEN_ALIKE}; the depth and the amplitude are held, and what sticks is not worn. How long it takes is not asked.",
+    f"{BETWEEN_ALIKE}; the depth and the amplitude are held, what sticks is not worn, and the time does not matter.",
     "chapters/wear.html",
     BALL + ALIKE + FRICTION + """
 [problem.normal]

@@ -49,7 +49,7 @@ def series(table: Array, x: float) -> float:
         below = 2.0 * t * here - above + table[first + k]
         above = here
         here = below
-    return t * here - above + table[first]
+    return float(t * here - above + table[first])
 
 
 def series_of_two(table: Array, x: float, y: float) -> float:
@@ -82,9 +82,7 @@ def series_of_two(table: Array, x: float, y: float) -> float:
     return here
 
 
-def table_of(
-    function: Callable[[float], float], low: float, high: float, tolerance: float = TOLERANCE
-) -> Array:
+def table_of(function: Callable[[float], float], low: float, high: float, tolerance: float = TOLERANCE) -> Array:
     """Return a table of a function, bisected until its error is small enough.
 
     Parameters

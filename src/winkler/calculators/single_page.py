@@ -35,11 +35,12 @@ def module_text() -> str:
 
 def described(one: Calculator) -> dict[str, Any]:
     """Return what the page must know of a calculator."""
-    sliders = [
-        {**slider._asdict(), "factor": factor} for slider, factor in zip(one.sliders, one.factors, strict=True)
-    ]
+    sliders = [{**slider._asdict(), "factor": factor} for slider, factor in zip(one.sliders, one.factors, strict=True)]
     numbers = [{**number._asdict(), "factor": number.factor} for number in one.numbers]
-    kept = {key: getattr(one, key) for key in ("name", "title", "question", "kind", "across", "up", "valid", "page", "study")}
+    kept = {
+        key: getattr(one, key)
+        for key in ("name", "title", "question", "kind", "across", "up", "valid", "page", "study")
+    }
     return {**kept, "sliders": sliders, "numbers": numbers}
 
 

@@ -26,7 +26,8 @@ from winkler.profiles.power import Paraboloid
 
 __all__ = ["TABLES"]
 
-FORCE, FRICTION = 1.0, 0.5
+MEDIUM, FORCE, FRICTION = HalfSpace(Elastic(1.0, 0.0)), 1.0, 0.5
+BEGIN_END = np.array([0.0, 1.0])
 LEAST_SHARE, MOST_SHARE = 0.009, 0.991
 """Of the force or torque at which all slides; sliders stay within."""
 LARGEST_PECLET = 3e5
@@ -48,7 +49,7 @@ def hertz() -> Array:
 
 def _bed() -> Foundation:
     """Return a ball of R = 1 on a body of E* = 1."""
-    return Foundation(Paraboloid(1.0), HalfSpace(Elastic(1.0, 0.0)))
+    return Foundation(Paraboloid(1.0), MEDIUM)
 
 
 def _pushed() -> dict[str, Array]:
@@ -56,11 +57,13 @@ def _pushed() -> dict[str, Array]:
     from winkler.problems.friction.tangential import Tangential
 
     bed, depth = _bed(), hertz()[0]
-    most = FRICTION * depth * bed.medium.modulus / bed.medium.shear_modulus
+    most = FRICTION * depth * MEDIUM.modulus / MEDIUM.shear_modulus
 
     def at(s: float) -> Any:
         force = (1.0 - s**3) * FRICTION * FORCE
-        return Tangential(bed, Coulomb(FRICTION), Path([0.0, 1.0], Force(FORCE), ShearForce([0.0, force]))).solve()
+        return Tangential(
+            bed, Coulomb(FRICTION), Path(BEGIN_END, Force(FORCE), ShearForce(np.array([0.0, force])))
+        ).solve()
 
     ends = _roots(3)
     return {
@@ -78,7 +81,7 @@ def _rolled() -> dict[str, Array]:
     from winkler.foundation.line import LineFoundation
     from winkler.problems.line_rolling.steady import LineRolling
 
-    bed = LineFoundation(Paraboloid(1.0), HalfSpace(Elastic(1.0, 0.0)))
+    bed = LineFoundation(Paraboloid(1.0), MEDIUM)
 
     def at(s: float) -> Any:
         force = (1.0 - s * s) * FRICTION * FORCE
@@ -134,7 +137,7 @@ def _heated() -> dict[str, Array]:
 
 
 def _spot() -> dict[str, Array]:
-    """Return constriction and film of a spot of unit radius; the film spreads the current, by its ratio to the bodies."""
+    """Return constriction, which a film changes by its ratio to the bodies, and film of a spot of unit radius."""
     from winkler.laws.film import SurfaceFilm
     from winkler.media.conduction.conductors import ElectricalConductors
     from winkler.problems.conduction.constriction import Constriction
@@ -190,7 +193,7 @@ def _damped() -> dict[str, Array]:
     from winkler.problems.friction.damping import FrictionDamping
 
     bed = _bed()
-    most = FRICTION * float(hertz()[0]) * bed.medium.modulus / bed.medium.shear_modulus
+    most = FRICTION * float(hertz()[0]) * MEDIUM.modulus / MEDIUM.shear_modulus
 
     def at(s: float) -> Any:
         force = (1.0 - s**3) * FRICTION * FORCE
@@ -228,7 +231,7 @@ def _worn() -> dict[str, Array]:
     from winkler.problems.wear.limiting_profile import LimitingProfile
 
     bed, depth = _bed(), 1.0
-    most = FRICTION * depth * bed.medium.modulus / bed.medium.shear_modulus
+    most = FRICTION * depth * MEDIUM.modulus / MEDIUM.shear_modulus
 
     def at(s: float) -> Any:
         return LimitingProfile(bed, Coulomb(FRICTION), Depth(depth), Shift((1.0 - s * s) * most)).solve()
@@ -247,12 +250,12 @@ def _twisted() -> dict[str, Array]:
     from winkler.problems.friction.torsion import Torsion
 
     bed, radius = _bed(), float(hertz()[1])
-    unit = FRICTION * FORCE / (bed.medium.torsional_modulus * radius**2)
-    slipping = Path([0.0, 1.0], Force(FORCE), Torque([0.0, 1e-3]))
+    unit = FRICTION * FORCE / (MEDIUM.torsional_modulus * radius**2)
+    slipping = Path(BEGIN_END, Force(FORCE), Torque(np.array([0.0, 1e-3])))
     limit = float(Torsion(bed, Coulomb(FRICTION), slipping).solve().torque_limit[-1])
 
     def at(share: float) -> Any:
-        path = Path([0.0, 1.0], Force(FORCE), Torque([0.0, share * limit]))
+        path = Path(BEGIN_END, Force(FORCE), Torque(np.array([0.0, share * limit])))
         return Torsion(bed, Coulomb(FRICTION), path).solve()
 
     ends = LEAST_SHARE, MOST_SHARE

@@ -26,13 +26,16 @@ def report(
         int | None, typer.Option("--workers", "-w", help="Processes that solve a sweep; chosen unless given.")
     ] = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", "--yes", "-y", help="Replace an existing page.")] = False,
-) -> None:
+) -> int:
     """Solve a study and write its report alone: one page that needs nothing else.
+
+    Exit codes are those of `winkler run`; points of a sweep that have no answer are listed on the page.
 
     Example: winkler report examples/studies/normal/hertz.toml --interactive
     """
     from winkler.calculators.read_off import with_reading
     from winkler.cli import terminal
+    from winkler.cli.run import exit_code
     from winkler.errors import InvalidInput, WinklerError
     from winkler.study.batch.pool import Machine
     from winkler.study.batch.run import gather, named
@@ -58,3 +61,4 @@ def report(
     text = page(outcome, shown)
     write_whole(path, (with_reading(text, shown) if interactive else text).encode("utf-8"))
     write_line(f"Written {path}")
+    return exit_code(outcome)
