@@ -10,6 +10,7 @@ import inspect
 import re
 import warnings
 import weakref
+from pathlib import Path
 from typing import Any
 
 from docutils import nodes
@@ -20,6 +21,7 @@ from sphinx.util import logging
 from sphinx_gallery.scrapers import figure_rst
 
 import winkler
+from winkler.calculators.single_page import calculator_page
 from winkler.study.ledger.ledger import case_files, ledger, remarks
 from winkler.study.ledger.ledger_page import markdown
 
@@ -184,11 +186,18 @@ def displayed_formula(writer: Any, node: Any) -> None:
     raise nodes.SkipNode
 
 
+def _calculators(app: Any, exception: Exception | None) -> None:
+    """Put the page of calculators beside the pages of the manual."""
+    if exception is None and app.builder.format == "html":
+        (Path(app.outdir) / "calculators.html").write_text(calculator_page(), encoding="utf-8")
+
+
 def setup(app: Any) -> None:
     """Hook the pages that are made while building into the build; a warning of a script is a mistake, as in tests."""
     warnings.filterwarnings("error", category=RuntimeWarning)
     warnings.filterwarnings("error", category=DeprecationWarning, module="winkler")
     app.add_html_math_renderer("mathml", (inline_formula, None), (displayed_formula, None))
     app.connect("source-read", _fill)
+    app.connect("build-finished", _calculators)
     app.connect("autodoc-process-docstring", _keep_sentences, priority=100)
     app.connect("autodoc-process-docstring", _keep_initials, priority=900)

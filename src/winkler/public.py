@@ -4,6 +4,7 @@ The package reads these imports and those of `winkler.public_problems` without r
 module when it is first used.
 """
 
+from winkler.calculators.widget import widget
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity, WinklerError
 from winkler.exporting.export import ExportedLaw, export, write_export
 from winkler.exporting.many.contact_array import ContactArray
@@ -219,5 +220,5 @@ __all__ = [
     "read_profile_pair", "read_relaxation", "read_relaxation_sweeps", "read_scan", "read_section", "read_spectrum",
     "read_surface_load", "read_topography", "relaxation_band", "repeated_mean", "restore", "restore_body",
     "restore_shift", "sample_young", "spectrum_of", "staircase", "tip_limit", "to_pandas", "to_xarray",
-    "write_contacts", "write_export", "write_indenter", "write_law", "write_trace", "write_vtk",
+    "widget", "write_contacts", "write_export", "write_indenter", "write_law", "write_trace", "write_vtk",
 ]  # fmt: skip

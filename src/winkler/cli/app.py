@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
-from winkler.cli import browser, cite, draw, export, fit, new, run, show, table, validate
+from winkler.cli import browser, cite, draw, export, fit, new, report, run, show, table, validate
 from winkler.cli.streams import write_line
 
 __all__ = ["app", "command"]
@@ -58,6 +58,7 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
     "run": run.run,
     "fit": fit.fit,
     "show": show.show,
+    "report": report.report,
     "draw": draw.draw,
     "table": table.table,
     "export": export.export,

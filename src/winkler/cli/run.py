@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from winkler.study.batch.pool import Workers
     from winkler.study.language.study import Study
 
-__all__ = ["run"]
+__all__ = ["exit_code", "run"]
 
 EXPECTATION_MISSED = 1
 
@@ -88,7 +88,7 @@ def run(
         _print(outcome, folder)
         if before:
             write_line(f"{before} of {job.many} points were known from the run before.")
-    code = _code(outcome)
+    code = exit_code(outcome)
     if code == Interrupted.exit_code:
         raise Interrupted(f"interrupted; the points that were reached are {'kept ' if folder else ''}{place}.")
     if code == Mistake.exit_code:
@@ -158,11 +158,12 @@ def _solved_and_written(job: _RunRequest, folder: Path, *, overwrite: bool, anew
             write_outcome(outcome, partial)
         except WinklerError as error:
             raise named(error, job.name) from None
-        journal.complete = _code(outcome) != Interrupted.exit_code
+        journal.complete = exit_code(outcome) != Interrupted.exit_code
     return before, outcome
 
 
-def _code(outcome: Outcome) -> int:
+def exit_code(outcome: Outcome) -> int:
+    """Return the exit code of a study that was solved."""
     from winkler.study.batch.run import first_failure
 
     if outcome.failed:

@@ -1,0 +1,64 @@
+"""``winkler report``: a study as a report alone, if wanted with curves that can be read off."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from winkler.cli.options import refuse_existing
+from winkler.cli.streams import write_line
+
+__all__ = ["report"]
+
+
+def report(
+    study: Annotated[Path, typer.Argument(help="A study file (TOML) of a problem.", show_default=False)],
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", help="The page; NAME.html if not given.", show_default=False)
+    ] = None,
+    interactive: Annotated[
+        bool, typer.Option("--interactive", help="Let curves be read off, by mouse, finger or arrow keys.")
+    ] = False,
+    workers: Annotated[
+        int | None, typer.Option("--workers", "-w", help="Processes that solve a sweep; chosen unless given.")
+    ] = None,
+    overwrite: Annotated[bool, typer.Option("--overwrite", "--yes", "-y", help="Replace an existing page.")] = False,
+) -> int:
+    """Solve a study and write its report alone: one page that needs nothing else.
+
+    Exit codes are those of `winkler run`; points of a sweep that have no answer are listed on the page.
+
+    Example: winkler report examples/studies/normal/hertz.toml --interactive
+    """
+    from winkler.calculators.read_off import with_reading
+    from winkler.cli import terminal
+    from winkler.cli.run import exit_code
+    from winkler.errors import InvalidInput, WinklerError
+    from winkler.study.batch.pool import Machine
+    from winkler.study.batch.run import gather, named
+    from winkler.study.batch.sweep import solve_points
+    from winkler.study.language.reading import read_study
+    from winkler.study.report.figures import figures_of
+    from winkler.study.report.report import page
+    from winkler.study.report.single_file import write_whole
+
+    started = time.perf_counter()
+    path = output or Path(f"{study.stem}.html")
+    if path.suffix.lower() not in (".html", ".htm"):
+        raise InvalidInput(f"report: '{path}' does not end like a page; give .html.")
+    refuse_existing(path, overwrite, "report: ")
+    content = read_study(study)
+    solvers = Machine() if workers is None else workers
+    points = solve_points(content, workers=solvers, watch=terminal.marching(hidden=True))
+    try:
+        outcome = gather(content, points, started=started, source=study.name)
+    except WinklerError as error:
+        raise named(error, study.name) from None
+    shown = figures_of(outcome)
+    text = page(outcome, shown)
+    write_whole(path, (with_reading(text, shown) if interactive else text).encode("utf-8"))
+    write_line(f"Written {path}")
+    return exit_code(outcome)
