@@ -49,6 +49,10 @@ export default {
       if (this.watched) return;
       this.watched = true;
       this.$el.on("plotly_relayout", (change) => this.note(change));
+      this.$el.on("plotly_click", ({ points }) => {
+        const one = points.find(({ customdata }) => Number.isFinite(customdata));
+        if (one) this.$emit("chosen", one.customdata);
+      });
       this.$el.on("plotly_doubleclick", () => {
         this.zoomed = {};
         this.redraw();

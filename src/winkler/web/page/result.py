@@ -11,6 +11,7 @@ from winkler.study.report.markup import safe
 from winkler.web.page.picture import Card, caption
 from winkler.web.page.pinned import PinnedAnswer
 from winkler.web.pictures.answer import AnswerText, DrawnSheet, InteractivePicture, MomentComplete
+from winkler.web.session.batch import Progress
 
 __all__ = ["Result"]
 
@@ -18,6 +19,13 @@ STEP = 0.12
 """Time between two frames of an animation [s]."""
 FRAMES = 60
 """Most frames of an animation."""
+
+
+CHOSEN_ROW = """event => {
+  const row = event.target.closest('[data-curve]');
+  if (row) emit(Number(row.dataset.curve));
+}"""
+"""Tells which curve of the list was chosen."""
 
 
 class Result:
@@ -48,6 +56,9 @@ class Result:
         ui.html("The answer", sanitize=False, tag="h2").classes("spoken")
         self.head = ui.html("", sanitize=False).classes("paper head")
         self.pinned = PinnedAnswer(self._pin)
+        self.batch = self.halting = False
+        self.curves = ui.html("", sanitize=False).classes("paper curve-list")
+        self.curves.on("click", lambda event: self.choose(event.args), js_handler=CHOSEN_ROW)
         self._film()
         self.remark = ui.label().classes("meaning")
         ui.html("Pictures", sanitize=False, tag="h2").classes("spoken")
@@ -72,8 +83,14 @@ class Result:
             self.show_moment(int(event.value))
 
     def _count(self) -> None:
-        last = int(self.moment.props["max"])
-        self.counter.text = f"{int(self.moment.value) + 1} of {last + 1}"
+        last, now = int(self.moment.props["max"]), int(self.moment.value)
+        labels = self.answer.labels if self.answer else ()
+        self.counter.text = f"{now + 1} of {last + 1}" + (f": {labels[now]}" if now < len(labels) else "")
+
+    def choose(self, moment: object) -> None:
+        """Show another moment, or another curve of several."""
+        if isinstance(moment, int | float) and 0 <= moment <= int(self.moment.props["max"]):
+            self.moment.set_value(int(moment))
 
     def pause(self) -> None:
         """Pause the animation."""
@@ -96,10 +113,12 @@ class Result:
         """Show the results in numbers; pictures follow."""
         self.answer = answer
         self.wrong.set_visibility(False)
-        for part in (self.head, self.grid, self.drawn, *self.tail):
+        for part in (self.head, self.curves, self.grid, self.drawn, *self.tail):
             part.classes(remove="stale")
         badge = f'<p class="standing-line"><span class="standing {answer.standing}">{answer.standing}</span></p>'
         self.head.set_content(badge + answer.doubt + answer.answers)
+        if self.curves.content != answer.curves:
+            self.curves.set_content(answer.curves)
         self.drawn.clear()
         self.sheets = 0
         self.place.classes(**{"add" if answer.points > 1 else "remove": "swept"})
@@ -121,7 +140,7 @@ class Result:
             return
         self.keep_cards(place)
         with self.grid:
-            self.cards.append(Card(one, self.pinned.charts))
+            self.cards.append(Card(one, self.pinned.charts, self.choose))
 
     def _pin(self) -> None:
         """Draw the curves of the pinned answer below those that are shown, or none."""
@@ -159,14 +178,14 @@ class Result:
         self.remark.text = ""
         self.keep_cards(0)
         self.drawn.clear()
-        for part in (self.head, *self.tail):
+        for part in (self.head, self.curves, *self.tail):
             part.set_content("")
         self.film.set_visibility(False)
 
     def refuse(self, sentences: list[str], *, beside: bool) -> None:
         """Show why there are no results; the last ones stay, faded."""
         self.answer, self.received = None, 0
-        for part in (self.head, self.grid, self.drawn, *self.tail):
+        for part in (self.head, self.curves, self.grid, self.drawn, *self.tail):
             part.classes(add="stale")
         self.film.set_visibility(False)
         self.pause()
@@ -183,14 +202,18 @@ class Result:
     def state(self, word: str) -> None:
         """Set the state: running (``busy``), complete (``done``), or refused (``wrong``)."""
         self.points = ""
+        self.batch = self.halting = False
         self.place.props["data-state"] = word
         self.place.props["aria-busy"] = "true" if word == "busy" else "false"
         self.place.update()
 
-    def show_progress(self, done: int, total: int | None) -> None:
-        """Show the number of solved points of a sweep or a path."""
-        many = f"{done} points" if total is None else f"{done} of {total} points"
+    def show_progress(self, progress: Progress) -> None:
+        """Show the number of solved points of a sweep or a path, or of fitted curves."""
+        done, total, what = progress
+        self.batch = what != Progress._field_defaults["what"]
+        many = f"{done} {what}" if total is None else f"{done} of {total} {what}"
         self.points = f", {many}" if total is None or done < total else ""
+        self.points += "; stopping after this one" if self.halting else ""
 
     def show_elapsed(self, seconds: float, *, ready: bool) -> None:
         """Show the elapsed time."""

@@ -68,6 +68,10 @@ class AnswerText(NamedTuple):
         The worst statement on the results, and what to do about it; empty where nothing is doubtful.
     numbers
         For comparing this answer with another one: the last row of its table.
+    curves
+        Of several fitted curves, a list of them.
+    labels
+        What each moment is: its time, or another number with its unit; or the name of a fitted curve.
     """
 
     standing: str
@@ -80,6 +84,8 @@ class AnswerText(NamedTuple):
     points: int = 1
     doubt: str = ""
     numbers: tuple[NamedNumber, ...] = ()
+    curves: str = ""
+    labels: tuple[str, ...] = ()
 
 
 class InteractivePicture(NamedTuple):
