@@ -8,6 +8,7 @@ from typing import Any
 from nicegui import ui
 
 from winkler.study.report.markup import safe
+from winkler.web.page.live import LiveText
 from winkler.web.page.picture import Card, caption
 from winkler.web.page.pinned import PinnedAnswer
 from winkler.web.pictures.answer import AnswerText, DrawnSheet, InteractivePicture, MomentComplete
@@ -54,17 +55,17 @@ class Result:
         self.wrong = ui.element("div").classes("refused").props('role="alert"')
         self.wrong.set_visibility(False)
         ui.html("The answer", sanitize=False, tag="h2").classes("spoken")
-        self.head = ui.html("", sanitize=False).classes("paper head")
+        self.head = LiveText().classes("paper head")
         self.pinned = PinnedAnswer(self._pin)
         self.batch = self.halting = False
-        self.curves = ui.html("", sanitize=False).classes("paper curve-list")
+        self.curves = LiveText().classes("paper curve-list")
         self.curves.on("click", lambda event: self.choose(event.args), js_handler=CHOSEN_ROW)
         self._film()
         self.remark = ui.label().classes("meaning")
         ui.html("Pictures", sanitize=False, tag="h2").classes("spoken")
         self.grid = ui.element("div").classes("pictures")
         self.drawn = ui.element("div").classes("paper sheets")
-        self.tail = [ui.html("", sanitize=False).classes("paper tail") for _ in range(3)]
+        self.tail = [LiveText().classes("paper tail") for _ in range(3)]
 
     def _film(self) -> None:
         with ui.element("div").classes("film") as self.film:
@@ -117,17 +118,15 @@ class Result:
             part.classes(remove="stale")
         badge = f'<p class="standing-line"><span class="standing {answer.standing}">{answer.standing}</span></p>'
         self.head.set_content(badge + answer.doubt + answer.answers)
-        if self.curves.content != answer.curves:
-            self.curves.set_content(answer.curves)
-        self.drawn.clear()
-        self.sheets = 0
+        self.curves.set_content(answer.curves)
+        self._clear_sheets()
         self.place.classes(**{"add" if answer.points > 1 else "remove": "swept"})
         self.film.set_visibility(answer.moments > 1)
         self.pause()
         if answer.moments > 1:
             self.quiet = True
-            self.moment.props["max"] = answer.moments - 1
-            self.moment.update()
+            if self.moment.props["max"] != answer.moments - 1:
+                self.moment.props["max"] = answer.moments - 1
             self.moment.set_value(answer.moment)
             self._count()
             self.quiet = False
@@ -156,8 +155,7 @@ class Result:
             return
         self.pinned.show(self.answer, {card.name: card.chart for card in self.cards if card.chart})
         for part, content in zip(self.tail, (self.answer.answers, self.answer.notes, self.answer.papers), strict=True):
-            if part.content != content:  # laying out a page again takes longer than solving
-                part.set_content(content)
+            part.set_content(content)
 
     def keep_cards(self, count: int) -> None:
         """Keep the first pictures, and remove the others."""
@@ -172,12 +170,17 @@ class Result:
             body = one.svg or f'<p class="missing">Not shown: {safe(one.missing)}</p>'
             ui.html(f"<figure>{caption(one.title, one.sentence)}{body}</figure>", sanitize=False)
 
+    def _clear_sheets(self) -> None:
+        if self.sheets:
+            self.drawn.clear()
+        self.sheets = 0
+
     def clear(self) -> None:
         """Remove the displayed results of another study."""
         self.answer, self.received = None, 0
         self.remark.text = ""
         self.keep_cards(0)
-        self.drawn.clear()
+        self._clear_sheets()
         for part in (self.head, self.curves, *self.tail):
             part.set_content("")
         self.film.set_visibility(False)
@@ -203,9 +206,7 @@ class Result:
         """Set the state: running (``busy``), complete (``done``), or refused (``wrong``)."""
         self.points = ""
         self.batch = self.halting = False
-        self.place.props["data-state"] = word
-        self.place.props["aria-busy"] = "true" if word == "busy" else "false"
-        self.place.update()
+        self.head.mark(word)
 
     def show_progress(self, progress: Progress) -> None:
         """Show the number of solved points of a sweep or a path, or of fitted curves."""

@@ -207,7 +207,7 @@ class _WorkerState:
         point = shown_point(outcome)
         self.moments = moments_of(point)
         moment = initial_moment(point, self.moments)
-        yield self.answer.answer_text(outcome, study_text(study), self.moments.total, moment)
+        yield self.answer.answer_text(outcome, study_text(study), self.moments, moment)
         yield from self._pictures(moment, still=False)
         yield from self.answer.sheets(outcome)
 
