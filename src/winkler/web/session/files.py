@@ -148,5 +148,7 @@ def _picker(upload: ui.upload, *, folder: bool | None = None) -> str:
 
     Quasar has no property for the choice of a folder: its hidden input gets it before it is clicked.
     """
-    asked = f"for (const e of u.$el.querySelectorAll('input[type=file]')) e.webkitdirectory = {str(bool(folder)).lower()}; "
+    asked = (
+        f"for (const e of u.$el.querySelectorAll('input[type=file]')) e.webkitdirectory = {str(bool(folder)).lower()}; "
+    )
     return f"() => {{ const u = getElement({upload.id}); {asked}u.$refs.qRef.pickFiles(); }}"
