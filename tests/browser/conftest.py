@@ -21,6 +21,17 @@ SHOTS = os.environ.get("WINKLER_SCREENSHOTS", "")
 """Folder for screenshots, to be looked at; none are taken without it."""
 
 
+OVER = """width => [...document.querySelectorAll('.study-side *, .answer-side *')].filter(one => {
+  const { right, width: across } = one.getBoundingClientRect();
+  if (!across || right <= width + 1) return false;
+  for (let outer = one.parentElement; outer; outer = outer.parentElement)
+    if (getComputedStyle(outer).overflowX !== 'visible' && outer.getBoundingClientRect().right <= width + 1)
+      return false;
+  return true;
+}).slice(0, 3).map(one => `${one.tagName} ${one.className}`)"""
+"""Elements that reach over the edge of the window, but for those that scroll by themselves."""
+
+
 def free_port():
     """Return a port that nobody uses."""
     with socket.socket() as probe:
@@ -142,6 +153,11 @@ class AppPage:
         """Write into a field."""
         self.page.locator(f'input[data-path="{path}"]').fill(text)
 
+    def overflow(self):
+        """Return what reaches over the edge of the window."""
+        wide = self.page.evaluate("document.documentElement.scrollWidth > innerWidth")
+        return ["the page"] * wide + self.page.evaluate(OVER, self.page.viewport_size["width"])
+
     def card(self, name):
         """Return what the large number under a name says."""
         return self.page.locator(".head .card", has_text=name).locator(".value").inner_text()
@@ -163,6 +179,17 @@ def app_page(browser, app):
     """A page that is open all the time: nobody starts anew for every problem."""
     page = AppPage(browser, app)
     yield page
+    assert page.left_machine == []
+    assert page.mistakes == []
+    page.context.close()
+
+
+@pytest.fixture(scope="module")
+def phone(browser, app):
+    """A page as wide as a phone that stays open, and what was said on its console."""
+    page, said = AppPage(browser, app, width=390, height=800), []
+    page.page.on("console", lambda message: said.append(message.text))
+    yield page, said
     assert page.left_machine == []
     assert page.mistakes == []
     page.context.close()

@@ -8,7 +8,7 @@ import zipfile
 
 import numpy as np
 import pytest
-from shown_kinds import OTHERS, SHOWN, WHOLE
+from shown_kinds import WHOLE
 
 import winkler as wk
 from winkler.study.batch.run import run
@@ -26,22 +26,6 @@ def numbers_of(content):
     return {name.split(" ")[0]: [row[name] for row in rows] for name in rows[0]}
 
 
-@pytest.mark.parametrize(
-    "kind", [kind if kind in SHOWN else pytest.param(kind, marks=pytest.mark.long) for kind in OTHERS]
-)
-def test_each_other_kind_shows_numbers_pictures_and_notes(kind, app_page):
-    """The page does not wait for the sheets, which `tests/web/test_web_pictures.py` draws, and goes on to the next.
-
-    Every third kind; of the others `tests/web/test_web_pictures.py` computes the pictures, and a release shows them."""
-    before = app_page.page.locator(".head").inner_html()
-    app_page.choose("problem", kind)
-    app_page.answered(before)
-    assert app_page.page.locator(".tail ul.notes li").count() >= 1
-    assert not app_page.page.locator(".refused").is_visible()
-    app_page.page.locator("[data-picture] .main-svg, .sheets figure svg").first.wait_for(timeout=60_000)
-    assert app_page.page.locator('[data-choice="problem"]').first.inner_text().endswith(kind.replace("_", " "))
-
-
 @pytest.mark.parametrize("kind", WHOLE)
 def test_from_opening_to_a_result(kind, app_page):
     app_page.settled()  # with the sheets of the kind before
@@ -54,6 +38,9 @@ def test_from_opening_to_a_result(kind, app_page):
     assert app_page.page.locator(".tail ul.notes li").count() >= 1
     assert not app_page.page.locator(".refused").is_visible()
     app_page.shot(kind)
+    app_page.page.set_viewport_size({"width": 390, "height": 800})
+    assert app_page.overflow() == []
+    app_page.page.set_viewport_size({"width": 1400, "height": 950})
 
     study = parse_study(app_page.taken("study").decode("utf-8"))
     exported = numbers_of(app_page.taken("csv"))

@@ -12,6 +12,7 @@ import pytest
 
 from winkler.study.batch.fit_run import fit_study
 from winkler.study.language.fit_reading import read_fit_study
+from winkler.web.form.sample_folder import sample_folder
 
 pytestmark = pytest.mark.browser
 
@@ -186,3 +187,35 @@ def test_the_study_of_each_task_is_unchanged(fresh):
     app_page.page.keyboard.press("Enter")
     app_page.settled()
     assert app_page.page.locator('input[data-path="problem.load.force"]').input_value() == "77 N"
+
+
+def test_a_folder_of_curves(fresh, tmp_path):
+    """A list, a map and a histogram; a click on either shows a curve, and what is saved holds the folder."""
+    app_page = fresh()
+    page = app_page.page
+    turned(app_page)
+    page.locator('[data-choice="fit.curve"]').click()
+    page.get_by_role("option", name="sample_curves: a folder of 26 files", exact=True).click()
+    page.locator('[data-picture="map"] .main-svg').first.wait_for()
+    app_page.settled()
+    page.get_by_role("button", name="sample_curves/place_13.csv").click()
+    page.locator(".pictures", has_text="Curve and fit: sample_curves/place_13.csv").wait_for()
+    app_page.settled()
+    app_page.shot("fit_folder")
+    ground = page.locator('[data-picture="map"] .nsewdrag').bounding_box()
+    page.mouse.click(ground["x"] + 0.5 * ground["width"], ground["y"] + 0.95 * ground["height"])  # the lowest row
+    page.locator(".pictures", has_text="Curve and fit: sample_curves/place_03.csv").wait_for()
+    folder = tmp_path / "run"
+    folder.mkdir()
+    for name, content in list(sample_folder())[::8]:
+        (folder / name).write_bytes(content)
+    (folder / "empty.csv").write_bytes(b"")
+    with page.expect_file_chooser() as chooser:
+        page.locator('[data-upload="fit.curve.folder"]').click()
+    chooser.value.set_files(folder)
+    page.locator(".curve-list", has_text="4 of 5 curves were fitted").wait_for()
+    app_page.settled()
+    with zipfile.ZipFile(io.BytesIO(app_page.taken("study"))) as pack:
+        assert sorted(pack.namelist())[:2] == ["curves/empty.csv", "curves/place_01.csv"]
+    page.get_by_role("button", name="Remove them").click()
+    page.locator(".counter", has_text="of 25: sample_curves/").wait_for()

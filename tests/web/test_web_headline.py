@@ -20,6 +20,7 @@ from winkler.study.report.report import page
 from winkler.vocabulary import word
 from winkler.web.form.form import initial_table
 from winkler.web.pictures.answer import answer_text
+from winkler.web.pictures.moments import Moments
 
 LONG = {
     "friction_heating", "viscoelastic_indentation", "viscoelastic_impact", "viscoelastic_tangential", "map_stress",
@@ -39,13 +40,15 @@ def first_of(text):
 
 def check(kind):
     outcome = run(parse_study(tomli_w.dumps(initial_table(kind))))
-    large, sentence = first_of(answer_text(outcome, "", 0, 0).answers)
+    large, sentence = first_of(answer_text(outcome, "", Moments(), 0).answers)
     point = outcome.points[0]
     given = {one.name for one in inputs(outcome.study)}
     headline = [name for name in answer_of(point.problem).headline if name in point.answers]
     for end in (large, *large.split(" … ")):
         assert end in sentence or f"{large.split(' … ')[0]} and {large.split(' … ')[1]}" in sentence
-    if headline:
+    if verdict := getattr(point.solution, "verdict", ""):
+        assert large == verdict in ("poroelastic", "viscoelastic", "cannot tell", "neither")
+    elif headline:
         name = sorted(headline, key=lambda one: name_in_words(one) in given)[0]
         numbers = np.ravel(point.answers[name])
         last = numbers[~np.isnan(numbers)][-1]

@@ -26,6 +26,7 @@ from winkler.problems.assumptions.adhesion_range import GREENWOOD, range_note
 from winkler.problems.normal.indentation import Indentation
 from winkler.profiles.power import Paraboloid
 from winkler.profiles.sphere import Sphere
+from winkler.readable import with_unit
 from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["Model", "fit_notes", "free_notes"]
@@ -92,8 +93,8 @@ def _coating_notes(bed: Bed, names: tuple[str, ...], widest: float) -> list[Note
     else:
         conclusion = "the fitted parameters depend on the fixed ones of coating and substrate"
     statement = (
-        f"Coating: the widest contact is {widest / thickness:.3g} of the thickness {thickness:.3g} m, and what lies "
-        f"below the top layer changes its stiffness by {below:+.2%}: {conclusion}."
+        f"Coating: the widest contact is {widest / thickness:.3g} of the thickness {with_unit(thickness, 'm', 3)}, and "
+        f"what lies below the top layer changes its stiffness by {below:+.2%}: {conclusion}."
     )
     return [Note(Assumption.CURVE, standing, statement, PUNCHES)]
 
@@ -106,8 +107,8 @@ def _tip_notes(model: Model, names: tuple[str, ...], widest: float) -> Iterator[
     corners = [b for b, _ in bed.kinks if 0.0 < b < math.inf]
     if corners and widest < corners[0]:
         statement = (
-            f"Tip: the widest contact, {widest:.3g} m, stays within the first part of the tip, which ends at "
-            f"{corners[0]:.3g} m; the curve does not depend on the rest."
+            f"Tip: the widest contact, {with_unit(widest, 'm', 3)}, stays within the first part of the tip, which ends "
+            f"at {with_unit(float(corners[0]), 'm', 3)}; the curve does not depend on the rest."
         )
         yield Note(Assumption.SHAPE, Standing.EXACT, statement, "corners of the profile")
     profile = bed.profile
@@ -128,7 +129,7 @@ def _tip_notes(model: Model, names: tuple[str, ...], widest: float) -> Iterator[
         conclusion = f"a ball of that radius would change the force by {share:+.2%}{end}"
     else:
         return
-    fact = f"Tip: the widest contact is {widest / radius:.3g} of the tip's radius {radius:.3g} m"
+    fact = f"Tip: the widest contact is {widest / radius:.3g} of the tip's radius {with_unit(radius, 'm', 3)}"
     yield Note(Assumption.SHAPE, standing, f"{fact}: {conclusion}.", BALLS)
 
 
@@ -166,7 +167,7 @@ def free_notes(curve: ForceCurve, contact: Array, error: float) -> list[Note]:
         count = int(np.count_nonzero(free))
         along = float(np.ptp(curve.position[free])) if count else 0.0
         share = along / max(float(np.ptp(curve.position[selected])), 1e-300)
-        parts.append(f"{count} points over {along:.3g} m ({share:.0%} of the travel) on {word}")
+        parts.append(f"{count} points over {with_unit(along, 'm', 3)} ({share:.0%} of the travel) on {word}")
         is_poor |= count < FEW_FREE or share < LEAST_FREE_SHARE
     statement = (
         f"Baseline: out of contact are {' and '.join(parts)}; the scatter is {error:.2g} of the range of forces: "

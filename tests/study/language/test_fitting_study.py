@@ -124,8 +124,8 @@ def test_mistakes_get_one_sentence(here, before, after, why):
 
 
 def test_run_sends_to_fit_and_fit_to_run(here):
-    with pytest.raises(InvalidInput, match=r"`winkler fit gel\.toml` fits it"):
-        parse_study(STUDY, file="gel.toml", folder=here)
+    with pytest.raises(InvalidInput, match=r"`winkler fit gels/gel\.toml` fits it"):
+        parse_study(STUDY, file="gel.toml", folder=Path("gels"))
     with pytest.raises(InvalidInput, match=r"no section \[fit\]"):
         parse_fit_study(STUDY.partition("[fit]")[0], file="gel.toml", folder=here)
 

@@ -1,7 +1,8 @@
 r"""Force curves in text tables: position or depth, force or deflection, and the time where it is known.
 
 Exports of nanoindenters (depth and load) are such tables as well, and those of indenters with a cantilever, whose
-stiffness stands above the table as ``k (N/m)``.
+stiffness stands above the table as ``k (N/m)``. Lines ``x [um]: 3.5`` and ``y [um]: 2`` there state the place on the
+sample.
 """
 
 from __future__ import annotations
@@ -31,6 +32,7 @@ from winkler.io.placed_curves import PlacedCurve
 from winkler.io.segments import directions
 from winkler.io.swapped_columns import swap_note
 from winkler.io.tables.header import header_lines, names_columns
+from winkler.io.tables.place_lines import place_in
 from winkler.io.tables.table import Column, read_table
 from winkler.io.tables.table_makers import maker_in
 from winkler.units import comma_hint
@@ -150,7 +152,7 @@ def read_curve_table(
         reading = f"{maker_in(head)}: " + "; ".join(fact for fact in facts if fact)
         directed = directions(position, force, segment)
         curve = ForceCurve(position, force, machine, time, directed, name, reading=reading)
-    return PlacedCurve(curve, math.nan, math.nan, continuous)
+    return PlacedCurve(curve, *place_in(head, path), continuous)
 
 
 def _origin_of_spring(stiffness: float | None, given: float | None) -> str:

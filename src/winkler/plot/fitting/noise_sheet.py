@@ -7,12 +7,14 @@ import numpy as np
 from winkler.fitting.compare import AnyFit
 from winkler.plot import style
 from winkler.plot.panel import Line, Panel, PanelAxis, Rule, Sheet
-from winkler.plot.series import Series
+from winkler.plot.series import Scale, Series
 from winkler.vocabulary import Word
 
 __all__ = ["noise_sheet"]
 
 FEWEST_SPECTRAL, BIN_RATIO = 8, 1.15
+MOST_UNEVEN = 0.01
+"""Most difference of the times between points, over their mean, for frequencies in Hz."""
 
 
 def noise_sheet(fit: AnyFit) -> Sheet:
@@ -31,10 +33,18 @@ def noise_sheet(fit: AnyFit) -> Sheet:
     dots = Line(along.content, ratio, style.BLUE, width=0.0, marker="o", size=1.5)
     rules = (Rule(0.0, colour=style.INK), *(Rule(level, dash=style.DASHED) for level in (-2.0, 2.0)))
     residuals = Panel((dots, *rules), PanelAxis.of(along, margin=0.02), PanelAxis.of(left))
-    return Sheet((residuals, _spectrum(ratio[counted])), width=3.6, height=2.4)
+    return Sheet((residuals, _spectrum(ratio[counted], _interval(fit, counted))), width=3.6, height=2.4)
 
 
-def _spectrum(ratio: np.ndarray) -> Panel:
+def _interval(fit: AnyFit, counted: np.ndarray) -> float:
+    """Return the time between two points [s]; zero if the curve has none, or its points are not evenly spaced."""
+    steps = np.diff(fit.curve.time[counted]) if fit.curve.timed else np.zeros(0)
+    if steps.size == 0 or not np.ptp(steps) <= MOST_UNEVEN * np.mean(steps):
+        return 0.0
+    return float(np.mean(steps))
+
+
+def _spectrum(ratio: np.ndarray, interval: float) -> Panel:
     from scipy.fft import dct
 
     power = dct(ratio, type=2, norm="ortho")[1:] ** 2
@@ -43,12 +53,14 @@ def _spectrum(ratio: np.ndarray) -> Panel:
     starts = edges[edges < power.size]
     sizes = np.diff(np.append(starts, power.size))
     mean, middle = np.add.reduceat(power, starts) / sizes, np.add.reduceat(frequency, starts) / sizes
-    across = Series("frequency", Word("f", "", "frequency, in cycles per point"), middle)
+    per_second = Series("frequency", Word("f", "Hz", "frequency"), middle / (interval or 1.0))
+    per_point = PanelAxis("frequency $f$", Scale(1.0, "cycles per point"), log=True)
+    across = PanelAxis.of(per_second, log=True) if interval else per_point
     upright = Series("power", Word(r"S/\sigma^2", "", "power over that of white noise"), mean)
-    line = Line(middle, np.maximum(mean, 1e-12), style.BLUE, width=1.2, marker="o", size=2.0)
+    line = Line(per_second.content, np.maximum(mean, 1e-12), style.BLUE, width=1.2, marker="o", size=2.0)
     return Panel(
         (line, Rule(1.0, colour=style.INK)),
-        PanelAxis.of(across, log=True),
+        across,
         PanelAxis.of(upright, log=True),
     )
 

@@ -98,14 +98,19 @@ def parse_study(text: str, *, file: str = "", folder: Path = Path()) -> Study:
     """
     raw = parsed(text, file)
     if "fit" in raw:
-        command = f"winkler fit {file}" if file else "winkler fit"
+        command = f"winkler fit {_typed(folder / file)}" if file else "winkler fit"
         raise InvalidInput(f"{_at(file)}the study has a section [fit]; `{command}` fits it.")
     if "function" in raw:
-        command = f"winkler validate {file}" if file else "winkler validate"
+        command = f"winkler validate {_typed(folder / file)}" if file else "winkler validate"
         raise InvalidInput(
             f"{_at(file)}the study has a section [function]: it is a case of the ledger; `{command}` runs it."
         )
     return _study(raw, file, folder)
+
+
+def _typed(path: Path) -> str:
+    """Return a path as it is typed after a command."""
+    return path_text(path) if " " not in str(path) else f'"{path_text(path)}"'
 
 
 def parsed(text: str, file: str) -> dict[str, Any]:

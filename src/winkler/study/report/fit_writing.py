@@ -62,8 +62,18 @@ def write_numbers(outcome: FitOutcome, folder: Path) -> None:
 
 
 def map_grid(outcome: FitOutcome) -> Grid | tuple[()]:
-    """Return the grid of a force map; empty if the curves do not lie on one."""
-    return grid_of(*(np.array([getattr(result, axis) for result in outcome.results]) for axis in "xy"))
+    """Return the grid of a force map; empty if the curves do not lie on one.
+
+    Files without an answer that state no place, as one among them that holds no curve, do not count.
+    """
+    x, y = (np.array([getattr(result, axis) for result in outcome.results]) for axis in "xy")
+    counted = np.isfinite(x) | np.isfinite(y) | [isinstance(result, Fitted) for result in outcome.results]
+    grid = grid_of(x[counted], y[counted])
+    if isinstance(grid, Grid):
+        index = np.zeros((x.size, 2), dtype=int)  # of the others no number is arranged
+        index[counted] = grid.index
+        grid = Grid(grid.x, grid.y, index)
+    return grid
 
 
 def _points(result: Fitted) -> list[ResultColumn]:

@@ -48,13 +48,16 @@ class FormFields:
         Names of the uploaded files.
     picker
         Script that opens the choice of a file.
+    folders
+        Folder of curves -> how many files are in it.
     """
 
-    def __init__(self, actions: FieldActions, files: tuple[str, ...], picker: str) -> None:
-        self.actions, self.files, self.picker = actions, files, picker
+    def __init__(self, actions: FieldActions, files: tuple[str, ...], picker: str, folders: dict[str, int]) -> None:
+        self.actions, self.files, self.picker, self.folders = actions, files, picker, folders
         self.inputs: dict[str, Any] = {}
         self.curves: Any = None
         self.sample: Any = None
+        self.drop_curves: Any = None
         self.messages: dict[str, ui.label] = {}
 
     def draw(self, part: FormPart) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+from collections.abc import Callable
 
 from nicegui import ui
 
@@ -11,23 +12,50 @@ from winkler.web.form import fit_form, form, measurement_form
 from winkler.web.form.fit_form import CURVE
 from winkler.web.form.measurement_form import Choice
 from winkler.web.form.sample_curve import SAMPLE_REMARKS
+from winkler.web.form.sample_folder import FOLDER_REMARK
 from winkler.web.form.study_form import StudyForm
 from winkler.web.page.fields import FormFields
+from winkler.web.session.files import Files
+from winkler.web.session.upload_folder import CURVES, SAMPLE_CURVES
 
 __all__ = ["draw_curve", "draw_free", "draw_measurement", "show_curve"]
 
-FILE_HINT = "A table with columns such as ‘piezo [nm], force [nN]’, or a file of a force microscope."
+FILE_HINT = (
+    "A table with columns such as ‘piezo [nm], force [nN]’, a file of a force microscope, also with a whole force map, "
+    "or many files that are fitted one after the other."
+)
+REMARKS = SAMPLE_REMARKS | {SAMPLE_CURVES: FOLDER_REMARK}
 OF_TABLES = ("fit.units", "fit.models", "fit.shared")
 BOUNDS_HINT = "Parameters are free between two bounds, from a start value in the first box, or without either."
 
 
-def draw_curve(fields: FormFields, entered: StudyForm) -> None:
-    """Draw the file of the curve, and the choice of its fitted part."""
+def draw_curve(fields: FormFields, entered: StudyForm, files: Files, drop: Callable[[], None]) -> None:
+    """Draw the file of the curve or the folder of curves, and the choice of the fitted part.
+
+    Parameters
+    ----------
+    fields, entered
+        The form and its study.
+    files
+        Uploads of the page.
+    drop
+        Removes the uploaded folder of curves.
+    """
     fields.heading(CURVE, "The measured curve", FILE_HINT)
     with ui.element("div").classes("entry file"):
-        fields.curves = choice = ui.select({}, label="file").props("outlined dense options-dense")
+        fields.curves = choice = ui.select({}, label="file, or folder of curves").props("outlined dense options-dense")
         choice.props["data-choice"] = CURVE
         fields.upload(CURVE)
+    with ui.element("div").classes("several"):
+        for label, icon, script, name in (
+            ("Several files", "upload_file", files.curves_picker, "several"),
+            ("A whole folder", "drive_folder_upload", files.folder_picker, "folder"),
+        ):
+            button = ui.button(label, icon=icon).props("flat dense no-caps")
+            button.props["data-upload"] = f"{CURVE}.{name}"
+            button.on("click", lambda: entered.pick(CURVE))
+            button.on("click", js_handler=script)
+        fields.drop_curves = ui.button("Remove them", icon="close", on_click=lambda: drop()).props("flat dense no-caps")
     fields.sample = ui.label().classes("meaning")
     show_curve(fields, entered)
     choice.on_value_change(lambda event: _chosen(fields, entered, event.value))
@@ -39,14 +67,16 @@ def show_curve(fields: FormFields, entered: StudyForm) -> None:
     """Show the chosen file among those that were uploaded; the other fields stay as they are."""
     chosen = str(form.at(entered.table, CURVE) or "")
     names = {name: name for name in dict.fromkeys((*fields.files, *filter(None, [chosen])))}
+    names |= {name: f"{name}: a folder of {count} files" for name, count in fields.folders.items()}
+    fields.drop_curves.set_visibility(CURVES in fields.folders)
     if fields.curves is not None:
         fields.curves.set_options(names, value=chosen or None)
         _remark(fields, chosen)
 
 
 def _remark(fields: FormFields, curve: str) -> None:
-    fields.sample.text = SAMPLE_REMARKS.get(curve, "")
-    fields.sample.set_visibility(curve in SAMPLE_REMARKS)
+    fields.sample.text = REMARKS.get(curve, "")
+    fields.sample.set_visibility(curve in REMARKS)
 
 
 def _chosen(fields: FormFields, entered: StudyForm, name: str | None) -> None:

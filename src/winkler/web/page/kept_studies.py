@@ -14,13 +14,15 @@ from winkler.study.language.reading import parsed
 from winkler.web.form.link import LONGEST_LINK, code_of, study_of
 from winkler.web.form.sample_curve import SAMPLES
 from winkler.web.form.undo import UndoStates
-from winkler.web.session.upload_folder import UploadFolder, files_in
+from winkler.web.session.upload_folder import SAMPLE_CURVES, UploadFolder, files_in
 
 __all__ = ["KeptStudies"]
 
 STUDY = "study.toml"
 MOST_KEPT_FILES = 500_000
 """Most bytes of uploaded files that are kept for a reload."""
+MADE = {*SAMPLES, SAMPLE_CURVES}
+"""Curves and folders that every page has."""
 MOST_NAMED = 50
 LONGEST_NAME = 80
 
@@ -88,13 +90,14 @@ class KeptStudies:
 
     def _keep_files(self, table: dict[str, Any]) -> None:
         """Keep the uploaded files that a study reads in the store of the tab, if they are not too large."""
-        read = {name for _, name in files_in(table) if isinstance(name, str)} & set(self.uploads.names) - set(SAMPLES)
+        read = {name for _, name in files_in(table) if isinstance(name, str)} - MADE
         names = tuple(sorted(read))
-        kept = tuple((name, (self.uploads.folder / name).stat().st_mtime_ns) for name in names)
+        files = (one for name in names for one in self.uploads.members(name))
+        kept = tuple((one, (self.uploads.folder / one).stat().st_mtime_ns) for one in files)
         if kept == self.files_kept:
             return
         self.files_kept = kept
-        archive = self.uploads.packed("", STUDY, names) if names else b""
+        archive = self.uploads.packed("", STUDY, names) if kept else b""
         content = base64.b64encode(archive).decode() if len(archive) <= MOST_KEPT_FILES else ""
         self.address.run_method("keepFiles", content)
 
@@ -155,7 +158,7 @@ class KeptStudies:
         elif not (event.args or {}).get("done"):
             ui.notify("The browser does not let the page copy: copy the address of the page.", type="warning")
         else:
-            files = sorted({str(name) for _, name in files_in(parsed(present, STUDY)) if name} - set(SAMPLES))
+            files = sorted({str(name) for _, name in files_in(parsed(present, STUDY)) if name} - MADE)
             without = f" It does not hold {', '.join(files)}: send the study file for that." if files else ""
             ui.notify(f"The link to this study is copied.{without}", type="positive")
 

@@ -13,6 +13,7 @@ from nicegui import context, ui
 from winkler.errors import InvalidInput, WinklerError, mistake_in
 from winkler.web.form import fit_form, form
 from winkler.web.form.sample_curve import SAMPLE, SAMPLES
+from winkler.web.form.sample_folder import sample_folder
 from winkler.web.form.study_form import StudyForm
 from winkler.web.form.taken import taken
 from winkler.web.page.astext import AsText
@@ -22,13 +23,14 @@ from winkler.web.page.front import Front
 from winkler.web.page.kept_studies import KeptStudies
 from winkler.web.page.question import Question
 from winkler.web.page.result import Result
+from winkler.web.page.stopping import Stopping
 from winkler.web.page.sweep_fields import draw_sweep
 from winkler.web.pictures.answer import AnswerText, DrawnSheet, InteractivePicture, MomentComplete
 from winkler.web.session.export import File
 from winkler.web.session.files import Files
 from winkler.web.session.requests import RequestQueue
 from winkler.web.session.solver import Solver, no_process
-from winkler.web.session.upload_folder import UploadFolder
+from winkler.web.session.upload_folder import CURVES, SAMPLE_CURVES, UploadFolder
 from winkler.web.session.worker import Done, Export, Look, Progress, Solve, Wrong
 
 __all__ = ["Page", "style"]
@@ -74,8 +76,11 @@ class Page:
         with contextlib.suppress(InvalidInput):  # a full disk: the form then asks for a curve
             for name, made in SAMPLES.items():
                 self.uploads.keep(name, made())
+            for name, content in sample_folder():
+                self.uploads.keep(name, content, SAMPLE_CURVES)
             form.put(self.entered.other_table, "fit.curve", SAMPLE)
         self.requests = RequestQueue(self.send)
+        self.stopping = Stopping(self)
         self.anew = True
         self.shown_task = self.entered.task
 
@@ -104,9 +109,9 @@ class Page:
                 self.text = AsText(lambda: self.entered.table, self.take_text)
             with ui.element("section").classes("answer-side").props('aria-label="The answer"') as right:
                 self.front: Front = Front(self.entered.load)
-                self.result = Result(self.show_moment, self.stop, right)
+                self.result = Result(self.show_moment, self.stopping.by_hand, right)
         self.rebuild()
-        ui.timer(0.25, self.tick)
+        ui.timer(0.25, self.stopping.tick)
 
     def begin(self) -> None:
         """Begin with the first study, as there is no earlier work."""
@@ -120,10 +125,10 @@ class Page:
         problem = fit_form.model(entered.table) if fits else form.part_of(entered.table)
         self.question.show(problem.kind)
         self.parts.clear()
-        self.fields = FormFields(entered, self.uploads.names, self.files.picker)
+        self.fields = FormFields(entered, self.uploads.names, self.files.picker, self.uploads.folders)
         with self.parts:
             if fits:
-                draw_curve(self.fields, entered)
+                draw_curve(self.fields, entered, self.files, self.drop_curves)
                 draw_free(self.fields, entered)
                 self.fields.heading("problem", "The model", fit_form.model_remark(entered.table))
             self.fields.draw(problem)
@@ -166,11 +171,19 @@ class Page:
         if form.at(self.entered.table, target) is None:
             return
         if target == fit_form.CURVE:
-            self.fields.files, self.anew = self.uploads.names, True
+            self.fields.files, self.fields.folders, self.anew = self.uploads.names, self.uploads.folders, True
             self.entered.read_curve(name)
             show_curve(self.fields, self.entered)
         else:
             self.entered.read(target, name)
+
+    def drop_curves(self) -> None:
+        """Remove the uploaded folder of curves; a study that read it goes back to the sample."""
+        self.uploads.remove_curves()
+        self.fields.folders = self.uploads.folders
+        if form.at(self.entered.table, fit_form.CURVE) == CURVES:
+            self.entered.read_curve(SAMPLE_CURVES)
+        show_curve(self.fields, self.entered)
 
     def upload_refused(self, sentence: str) -> None:
         """Show beside its field why an upload is refused."""
@@ -249,7 +262,8 @@ class Page:
         with self.client:
             match reply:
                 case Progress():
-                    self.result.show_progress(reply.done, reply.total)
+                    self.stopping.progressed()
+                    self.result.show_progress(reply)
                 case Wrong():
                     self.wrong(list(reply.sentences))
                 case AnswerText():
@@ -278,19 +292,3 @@ class Page:
         path = form.owner_of(sentence)
         short = sentence.removeprefix(path.rpartition(".")[0] + ".") if path else sentence
         return bool(path) and self.fields.show_mistake(path, short)
-
-    def tick(self) -> None:
-        """Update the elapsed time, and stop at the limit."""
-        self.result.show_elapsed(self.solver.seconds, ready=not self.solver.starting)
-        if self.solver.seconds > self.limit:
-            late = f"The study took longer than {self.limit:g} s and was stopped"
-            self.stop(f"{late}; ask for less, or run it on the command line.")
-
-    def stop(self, why: str = "Stopped.") -> None:
-        """Stop the running request."""
-        self.requests.clear()
-        try:
-            self.solver.stop()
-        except OSError as error:
-            why = f"{why} {no_process(error)}"
-        self.result.refuse([why], beside=False)

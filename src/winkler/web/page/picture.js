@@ -1,6 +1,7 @@
 // One interactive picture.  Numbers come as text and stay plain objects: plotly reads them many times, and every
 // look through the watched objects of the page would take longer than drawing.
 const PINNED = { color: "#6b5b00", width: 2, dash: "2px,3px" };
+const PAUSE = 120; // without another change, until pictures outside the window are drawn [ms]
 const MOUSE = "(hover: hover) and (pointer: fine)";
 
 const plain = (html) => (html ?? "").replace(/<sub>/g, "_").replace(/<[^>]*>/g, "");
@@ -23,24 +24,39 @@ export default {
       Plotly.Plots.resize(this.$el).catch(() => {}); // it may have been taken away by the time
     });
     this.sized.observe(this.$el);
+    this.sight = new IntersectionObserver((entries) => {
+      this.unseen = !entries.at(-1).isIntersecting;
+      if (!this.unseen && this.later) this.redraw();
+    });
+    this.sight.observe(this.$el);
   },
   beforeUnmount() {
     this.sized?.disconnect();
+    this.sight?.disconnect();
+    clearTimeout(this.later);
     this.Plotly?.purge(this.$el);
   },
   methods: {
     // All pictures that come before the next frame are drawn in it, so that the page is laid out once.
+    // One outside the window waits for a pause, so that those in sight follow the slider.
     draw(text) {
       this.newest = text;
-      this.requested ??= requestAnimationFrame(() => this.redraw());
+      this.request();
+    },
+    request() {
+      clearTimeout(this.later);
+      this.later = undefined;
+      if (this.unseen) this.later = setTimeout(() => this.redraw(), PAUSE);
+      else this.requested ??= requestAnimationFrame(() => this.redraw());
     },
     // Draw the curves of a pinned answer below all that come; an empty text takes them away.
     pin(text) {
       this.under = text ? JSON.parse(text) : null;
-      this.requested ??= requestAnimationFrame(() => this.redraw());
+      this.request();
     },
     redraw() {
-      this.requested = undefined;
+      clearTimeout(this.later);
+      this.requested = this.later = undefined;
       if (!this.Plotly || !this.$el?.isConnected) return;
       const { data, layout, config } = JSON.parse(this.newest);
       const under = this.under ? this.curvesBelow(layout) : [];
@@ -49,6 +65,10 @@ export default {
       if (this.watched) return;
       this.watched = true;
       this.$el.on("plotly_relayout", (change) => this.note(change));
+      this.$el.on("plotly_click", ({ points }) => {
+        const one = points.find(({ customdata }) => Number.isFinite(customdata));
+        if (one) this.$emit("chosen", one.customdata);
+      });
       this.$el.on("plotly_doubleclick", () => {
         this.zoomed = {};
         this.redraw();
@@ -106,6 +126,7 @@ export default {
     },
     // Save this picture: an image, or the numbers of its curves in the units of its axes.
     async save(format, name) {
+      if (this.later) this.redraw();
       const { data, layout } = JSON.parse(this.newest);
       if (format === "csv") return this.give(this.table(data, layout), "text/csv", `${name}.csv`);
       const { clientWidth: width, clientHeight: height } = this.$el;

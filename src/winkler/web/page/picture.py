@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from nicegui import ui
 
 from winkler.study.report.markup import safe
@@ -38,9 +40,11 @@ class Card:
         The picture.
     pinned
         Pictures of an answer that is drawn below, by name.
+    choose
+        Called with the number of the moment, or of the curve, that was clicked.
     """
 
-    def __init__(self, one: InteractivePicture, pinned: dict[str, str]) -> None:
+    def __init__(self, one: InteractivePicture, pinned: dict[str, str], choose: Callable[[object], None]) -> None:
         self.name, self.missing, self.chart = one.name, one.missing, one.chart
         with ui.element("figure").classes("card") as self.place:
             self.caption = ui.html(caption(one.title, one.sentence), sanitize=False)
@@ -49,6 +53,7 @@ class Card:
                 self.drawing = (Solid if is_body else PlotlyFigure)().classes("plot")
                 self.drawing.props.update({"first": one.chart, "data-picture": one.name})
                 self.drawing.props["pinned"] = self._below(pinned)
+                self.drawing.on("chosen", lambda event: choose(event.args))
                 self._save_menu(one.title, ("png",) if is_body else tuple(FORMATS))
             else:
                 ui.label(f"Not shown: {one.missing}").classes("missing")

@@ -8,9 +8,11 @@ from typing import Any
 from nicegui import ui
 
 from winkler.study.report.markup import safe
+from winkler.web.page.live import LiveText
 from winkler.web.page.picture import Card, caption
 from winkler.web.page.pinned import PinnedAnswer
 from winkler.web.pictures.answer import AnswerText, DrawnSheet, InteractivePicture, MomentComplete
+from winkler.web.session.batch import Progress
 
 __all__ = ["Result"]
 
@@ -18,6 +20,13 @@ STEP = 0.12
 """Time between two frames of an animation [s]."""
 FRAMES = 60
 """Most frames of an animation."""
+
+
+CHOSEN_ROW = """event => {
+  const row = event.target.closest('[data-curve]');
+  if (row) emit(Number(row.dataset.curve));
+}"""
+"""Tells which curve of the list was chosen."""
 
 
 class Result:
@@ -46,14 +55,17 @@ class Result:
         self.wrong = ui.element("div").classes("refused").props('role="alert"')
         self.wrong.set_visibility(False)
         ui.html("The answer", sanitize=False, tag="h2").classes("spoken")
-        self.head = ui.html("", sanitize=False).classes("paper head")
+        self.head = LiveText().classes("paper head")
         self.pinned = PinnedAnswer(self._pin)
+        self.batch = self.halting = False
+        self.curves = LiveText().classes("paper curve-list")
+        self.curves.on("click", lambda event: self.choose(event.args), js_handler=CHOSEN_ROW)
         self._film()
         self.remark = ui.label().classes("meaning")
         ui.html("Pictures", sanitize=False, tag="h2").classes("spoken")
         self.grid = ui.element("div").classes("pictures")
         self.drawn = ui.element("div").classes("paper sheets")
-        self.tail = [ui.html("", sanitize=False).classes("paper tail") for _ in range(3)]
+        self.tail = [LiveText().classes("paper tail") for _ in range(3)]
 
     def _film(self) -> None:
         with ui.element("div").classes("film") as self.film:
@@ -72,8 +84,14 @@ class Result:
             self.show_moment(int(event.value))
 
     def _count(self) -> None:
-        last = int(self.moment.props["max"])
-        self.counter.text = f"{int(self.moment.value) + 1} of {last + 1}"
+        last, now = int(self.moment.props["max"]), int(self.moment.value)
+        labels = self.answer.labels if self.answer else ()
+        self.counter.text = f"{now + 1} of {last + 1}" + (f": {labels[now]}" if now < len(labels) else "")
+
+    def choose(self, moment: object) -> None:
+        """Show another moment, or another curve of several."""
+        if isinstance(moment, int | float) and 0 <= moment <= int(self.moment.props["max"]):
+            self.moment.set_value(int(moment))
 
     def pause(self) -> None:
         """Pause the animation."""
@@ -96,19 +114,19 @@ class Result:
         """Show the results in numbers; pictures follow."""
         self.answer = answer
         self.wrong.set_visibility(False)
-        for part in (self.head, self.grid, self.drawn, *self.tail):
+        for part in (self.head, self.curves, self.grid, self.drawn, *self.tail):
             part.classes(remove="stale")
         badge = f'<p class="standing-line"><span class="standing {answer.standing}">{answer.standing}</span></p>'
         self.head.set_content(badge + answer.doubt + answer.answers)
-        self.drawn.clear()
-        self.sheets = 0
+        self.curves.set_content(answer.curves)
+        self._clear_sheets()
         self.place.classes(**{"add" if answer.points > 1 else "remove": "swept"})
         self.film.set_visibility(answer.moments > 1)
         self.pause()
         if answer.moments > 1:
             self.quiet = True
-            self.moment.props["max"] = answer.moments - 1
-            self.moment.update()
+            if self.moment.props["max"] != answer.moments - 1:
+                self.moment.props["max"] = answer.moments - 1
             self.moment.set_value(answer.moment)
             self._count()
             self.quiet = False
@@ -121,7 +139,7 @@ class Result:
             return
         self.keep_cards(place)
         with self.grid:
-            self.cards.append(Card(one, self.pinned.charts))
+            self.cards.append(Card(one, self.pinned.charts, self.choose))
 
     def _pin(self) -> None:
         """Draw the curves of the pinned answer below those that are shown, or none."""
@@ -137,8 +155,7 @@ class Result:
             return
         self.pinned.show(self.answer, {card.name: card.chart for card in self.cards if card.chart})
         for part, content in zip(self.tail, (self.answer.answers, self.answer.notes, self.answer.papers), strict=True):
-            if part.content != content:  # laying out a page again takes longer than solving
-                part.set_content(content)
+            part.set_content(content)
 
     def keep_cards(self, count: int) -> None:
         """Keep the first pictures, and remove the others."""
@@ -153,20 +170,25 @@ class Result:
             body = one.svg or f'<p class="missing">Not shown: {safe(one.missing)}</p>'
             ui.html(f"<figure>{caption(one.title, one.sentence)}{body}</figure>", sanitize=False)
 
+    def _clear_sheets(self) -> None:
+        if self.sheets:
+            self.drawn.clear()
+        self.sheets = 0
+
     def clear(self) -> None:
         """Remove the displayed results of another study."""
         self.answer, self.received = None, 0
         self.remark.text = ""
         self.keep_cards(0)
-        self.drawn.clear()
-        for part in (self.head, *self.tail):
+        self._clear_sheets()
+        for part in (self.head, self.curves, *self.tail):
             part.set_content("")
         self.film.set_visibility(False)
 
     def refuse(self, sentences: list[str], *, beside: bool) -> None:
         """Show why there are no results; the last ones stay, faded."""
         self.answer, self.received = None, 0
-        for part in (self.head, self.grid, self.drawn, *self.tail):
+        for part in (self.head, self.curves, self.grid, self.drawn, *self.tail):
             part.classes(add="stale")
         self.film.set_visibility(False)
         self.pause()
@@ -183,14 +205,16 @@ class Result:
     def state(self, word: str) -> None:
         """Set the state: running (``busy``), complete (``done``), or refused (``wrong``)."""
         self.points = ""
-        self.place.props["data-state"] = word
-        self.place.props["aria-busy"] = "true" if word == "busy" else "false"
-        self.place.update()
+        self.batch = self.halting = False
+        self.head.mark(word)
 
-    def show_progress(self, done: int, total: int | None) -> None:
-        """Show the number of solved points of a sweep or a path."""
-        many = f"{done} points" if total is None else f"{done} of {total} points"
+    def show_progress(self, progress: Progress) -> None:
+        """Show the number of solved points of a sweep or a path, or of fitted curves."""
+        done, total, what = progress
+        self.batch = what != Progress._field_defaults["what"]
+        many = f"{done} {what}" if total is None else f"{done} of {total} {what}"
         self.points = f", {many}" if total is None or done < total else ""
+        self.points += "; stopping after this one" if self.halting else ""
 
     def show_elapsed(self, seconds: float, *, ready: bool) -> None:
         """Show the elapsed time."""

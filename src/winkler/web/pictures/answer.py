@@ -28,7 +28,7 @@ from winkler.validity import worst
 from winkler.web.pictures import histories
 from winkler.web.pictures.chart import Chart, chart
 from winkler.web.pictures.comparison import NamedNumber, numbers_of
-from winkler.web.pictures.moments import Moments, contact_at
+from winkler.web.pictures.moments import Moments, contact_at, labels_of
 from winkler.web.pictures.packing import packed
 from winkler.web.pictures.solid import draw_solid
 from winkler.web.pictures.springs import moment_springs
@@ -68,6 +68,10 @@ class AnswerText(NamedTuple):
         The worst statement on the results, and what to do about it; empty where nothing is doubtful.
     numbers
         For comparing this answer with another one: the last row of its table.
+    curves
+        Of several fitted curves, a list of them.
+    labels
+        What each moment is: its time, or another number with its unit; or the name of a fitted curve.
     """
 
     standing: str
@@ -80,6 +84,8 @@ class AnswerText(NamedTuple):
     points: int = 1
     doubt: str = ""
     numbers: tuple[NamedNumber, ...] = ()
+    curves: str = ""
+    labels: tuple[str, ...] = ()
 
 
 class InteractivePicture(NamedTuple):
@@ -154,7 +160,7 @@ class DrawnSheet(NamedTuple):
     missing: str = ""
 
 
-def answer_text(outcome: Outcome, text: str, moments: int, moment: int) -> AnswerText:
+def answer_text(outcome: Outcome, text: str, moments: Moments, moment: int) -> AnswerText:
     """Return the results as text."""
     answers = "\n".join(part for part in (answer_section(outcome), failures(outcome), expected(outcome)) if part)
     return AnswerText(
@@ -163,11 +169,12 @@ def answer_text(outcome: Outcome, text: str, moments: int, moment: int) -> Answe
         trust(outcome.validity),
         papers(outcome.study),
         text,
-        moments,
+        moments.total,
         moment,
         len(outcome.points),
         doubt_line(doubt_of(outcome)),
         numbers_of(outcome),
+        labels=labels_of(outcome, shown_point(outcome), moments),
     )
 
 

@@ -49,7 +49,7 @@ LEGENDED = {
         "itemclick": False,
         "itemdoubleclick": False,
     },
-    "margin": {"l": 62, "r": 14, "t": 40, "b": 46},
+    "margin": {"l": 66, "r": 14, "t": 40, "b": 46},
 }
 """Additional layout of a figure with a legend."""
 SYMBOLS = {"o": "circle", ".": "circle", "+": "cross-thin-open", "P": "cross"}
@@ -61,7 +61,7 @@ def chart(*panels: Panel) -> Chart:
     """Return the figure of one panel, or of two above each other that share the axis across."""
     data: list[dict[str, Any]] = []
     layout: dict[str, Any] = {
-        "margin": {"l": 62, "r": 14, "t": 12, "b": 46},
+        "margin": {"l": 66, "r": 14, "t": 12, "b": 46},
         "font": {"family": FONT, "color": style.INK, "size": 12},
         "paper_bgcolor": "white",
         "plot_bgcolor": "white",
@@ -75,7 +75,7 @@ def chart(*panels: Panel) -> Chart:
     }
     for number, panel in enumerate(panels):
         name = f"y{number + 1}" if number else "y"
-        place: dict[str, Any] = {"domain": list(DOMAINS[number])} if len(panels) > 1 else {"automargin": True}
+        place: dict[str, Any] = {"domain": list(DOMAINS[number])} if len(panels) > 1 else {}
         place |= {"scaleanchor": "x", "constrain": "domain", "constraintoward": "middle"} if panel.equal else {}
         layout[f"yaxis{number + 1 if number else ''}"] = _axis(panel.upright, panel.grid == "both", **place)
         across, upright = panel.across.scale.factor, panel.upright.scale.factor

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator
 from typing import Any
 
@@ -27,6 +28,7 @@ from winkler.web.form.fit_form import key_in_words
 from winkler.web.pictures.answer import AnswerText, DrawnSheet, InteractivePicture, method_pictures, sheet_of
 from winkler.web.pictures.chart import chart
 from winkler.web.pictures.comparison import NamedNumber
+from winkler.web.pictures.curve_list import cards_of_many, curve_list, curve_names, overviews
 from winkler.web.pictures.packing import packed
 from winkler.web.pictures.view import fitting
 
@@ -43,7 +45,8 @@ METHOD_REMARK = "The pictures of the method show the fitted contact at the large
 def fit_text(outcome: FitOutcome, text: str) -> AnswerText:
     """Return the fitted parameters as text."""
     count = len(outcome.fitted)
-    answers = [_cards(outcome) if count == 1 else "", fit_tables.doubts(outcome)]
+    several = len(outcome.results) > 1
+    answers = [cards_of_many(outcome) if several else _cards(outcome), fit_tables.doubts(outcome)]
     body = [
         fit_tables.answers(outcome),
         further_section(outcome),
@@ -60,6 +63,8 @@ def fit_text(outcome: FitOutcome, text: str) -> AnswerText:
         0,
         doubt=doubt_line(worst_doubt(outcome.validity)),
         numbers=_numbers(outcome) if count == 1 else (),
+        curves=curve_list(outcome) if several else "",
+        labels=curve_names(outcome) if count > 1 else (),
     )
 
 
@@ -100,13 +105,19 @@ def fit_pictures(outcome: FitOutcome, moment: int) -> tuple[Iterator[Interactive
         Index of the fitted curve.
     """
     result = outcome.fitted[moment]
+    before = _overviews(outcome, moment) if len(outcome.results) > 1 else iter(())
     if not isinstance(result.fit, Fit):
-        return _relaxing(result), ""
+        return itertools.chain(before, _relaxing(result)), ""
     try:
         contact = result.fit.model.solve()
     except WinklerError as error:
-        return iter((_curve(result),)), f"There are no pictures of the method: {error}"
-    return _elastic(result, contact), METHOD_REMARK
+        return itertools.chain(before, (_curve(result),)), f"There are no pictures of the method: {error}"
+    return itertools.chain(before, _elastic(result, contact)), METHOD_REMARK
+
+
+def _overviews(outcome: FitOutcome, moment: int) -> Iterator[InteractivePicture]:
+    for name, title, sentence, drawn in overviews(outcome, moment):
+        yield InteractivePicture(name, title, sentence, packed(drawn))
 
 
 def drawn_points(count: int) -> Array:

@@ -10,13 +10,21 @@ from winkler.loading import Depth
 from winkler.problems.adhesion.indentation import AdhesiveIndentation, AdhesiveSolution
 from winkler.problems.answer import is_march, is_recovering, is_restorable, is_worn
 from winkler.problems.normal.indentation import Indentation
+from winkler.plot.series import name_in_words
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
+from winkler.readable import with_unit
+from winkler.study.batch.outcome import Outcome
 from winkler.study.batch.points import SolvedPoint
-from winkler.study.chapters.answer import PicturedContact
+from winkler.study.chapters.answer import ALONG, PicturedContact
 from winkler.study.chapters.contents import answer_of
+from winkler.study.language.explain import plain_symbol
 from winkler.study.report.figures import shown_contact
 
-__all__ = ["Moments", "contact_at", "initial_moment", "moments_of"]
+__all__ = ["Moments", "contact_at", "initial_moment", "labels_of", "moments_of"]
+
+
+ALONG_HISTORIES = ("time", "cycle", "distance")
+"""What a history goes along, the first of these that was computed."""
 
 
 class Moments(NamedTuple):
@@ -49,15 +57,34 @@ def moments_of(point: SolvedPoint) -> Moments:
 def initial_moment(point: SolvedPoint, moments: Moments) -> int:
     """Return the moment shown first: that of the greatest tangential load, depth or force; else the last.
 
-    Of wear it is the last.
+    Of wear it is the last. Where depths are negative too, as of bodies that adhere, it is the deepest one pressed, and
+    moments without contact do not count.
     """
     if moments.states and is_worn(moments.states[-1]):
         return moments.total - 1
+    touching = np.atleast_1d(point.answers.get("radius", np.ones(1))) > 0.0
     for name in ("shear_force", "torque", "depth", "force"):
-        content = np.abs(np.nan_to_num(point.answers.get(name, np.zeros(0))))
-        if moments.total and content.size == moments.total and np.max(content) > 0.0:
+        content = np.nan_to_num(point.answers.get(name, np.zeros(0)))
+        if not moments.total or content.size != moments.total:
+            continue
+        if name != "depth" or np.max(content) <= 0.0:
+            content = np.abs(content)
+        content = np.where(touching, content, 0.0) if touching.size in (1, content.size) else content
+        if np.max(content) > 0.0:
             return int(np.argmax(content))
     return moments.total - 1
+
+
+def labels_of(outcome: Outcome, point: SolvedPoint, moments: Moments) -> tuple[str, ...]:
+    """Return what each moment is, as ``t = 0.5 s``: its time, or what its curves are drawn over; empty if unknown."""
+    over = (*ALONG_HISTORIES, *(pair[0] for pair in answer_of(point.problem).curves), *ALONG, "force")
+    for name in over:
+        content = np.atleast_1d(point.answers.get(name, np.zeros(0)))
+        if moments.total and content.size == moments.total:
+            word = outcome.word(name)
+            lead = plain_symbol(word.symbol) or name_in_words(name)
+            return tuple(f"{lead} = {with_unit(float(one), word.unit)}" for one in content)
+    return ()
 
 
 def contact_at(point: SolvedPoint, moments: Moments, moment: int) -> tuple[Any, bool]:

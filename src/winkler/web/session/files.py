@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import io
 import zipfile
 from collections.abc import Callable
@@ -10,7 +11,7 @@ from nicegui import events, ui
 
 from winkler.errors import WinklerError
 from winkler.study.language.reading import parsed
-from winkler.web.session.upload_folder import LARGEST, UploadFolder, files_in
+from winkler.web.session.upload_folder import CURVES, LARGEST, UploadFolder, files_in
 
 __all__ = ["Files"]
 
@@ -35,7 +36,7 @@ class Files:
     opened
         Called with the text of a study.
     uploaded
-        Called with the stored name of data.
+        Called with the stored name of data; after several curves, with that of their folder.
     wrong
         Called with the reason for refusing data.
     export
@@ -55,6 +56,13 @@ class Files:
         studies.classes("unseen").props('accept=".toml,.zip"').props["data-upload"] = "study"
         self.uploads = ui.upload(on_upload=self._keep, on_rejected=_refused, auto_upload=True, max_file_size=LARGEST)
         self.uploads.classes("unseen").props["data-upload"] = "data"
+        self.curves = ui.upload(
+            on_upload=self._keep_curve, on_rejected=_refused, multiple=True, auto_upload=True, max_file_size=LARGEST
+        )
+        self.curves.classes("unseen").props["data-upload"] = "curves"
+        self.curves.on("finish", self._curves_kept)
+        self.refused_curves: list[str] = []
+        self.keeping = 0
         with ui.element("nav").classes("files"):
             button = ui.button("Open a study", icon="folder_open").props("flat dense no-caps")
             button.on("click", js_handler=_picker(studies))
@@ -66,6 +74,16 @@ class Files:
     def picker(self) -> str:
         """The script that opens the choice of a file with data."""
         return _picker(self.uploads)
+
+    @property
+    def curves_picker(self) -> str:
+        """The script that opens the choice of several files."""
+        return _picker(self.curves)
+
+    @property
+    def folder_picker(self) -> str:
+        """The script that opens the choice of a folder: all files in it are uploaded."""
+        return _picker(self.curves, folder=True)
 
     async def _open(self, event: events.UploadEventArguments) -> None:
         event.sender.reset()  # type: ignore[attr-defined]
@@ -86,10 +104,34 @@ class Files:
         except WinklerError as error:
             self.wrong(str(error))
 
+    async def _keep_curve(self, event: events.UploadEventArguments) -> None:
+        """Keep one of several curves; files that the system hides are none."""
+        if event.file.name.startswith("."):
+            return
+        self.keeping += 1
+        try:
+            self.upload_folder.keep(event.file.name, await event.file.read(), CURVES)
+        except WinklerError as error:
+            self.refused_curves.append(str(error))
+        finally:
+            self.keeping -= 1
+
+    async def _curves_kept(self) -> None:
+        """Use the folder when all of its curves have come, and the last of them is written."""
+        while self.keeping:
+            await asyncio.sleep(0.02)
+        self.curves.reset()
+        refused, self.refused_curves = self.refused_curves, []
+        if self.upload_folder.curves_in(CURVES):
+            self.uploaded(CURVES)
+        if refused:
+            more = f" {len(refused) - 1} more files were not taken." if len(refused) > 1 else ""
+            self.wrong(f"{refused[0]}{more}")
+
     def take_study(self, text: str) -> None:
         """Download a study; with the files that it reads, as one archive."""
         named = {name for _, name in files_in(parsed(text, STUDY))}
-        data = tuple(name for name in self.upload_folder.names if name in named)
+        data = tuple(sorted(name for name in named if isinstance(name, str) and self.upload_folder.members(name)))
         if data:
             ui.download.content(self.upload_folder.packed(text, STUDY, data), "study.zip")
         else:
@@ -101,6 +143,12 @@ def _refused() -> None:
     ui.notify(f"The file is not taken: it has more than {LARGEST / 1e6:.0f} MB, or another ending.", type="negative")
 
 
-def _picker(upload: ui.upload) -> str:
-    """Return the script that opens the choice of a file; it runs in the browser as part of the click."""
-    return f"() => getElement({upload.id}).$refs.qRef.pickFiles()"
+def _picker(upload: ui.upload, *, folder: bool | None = None) -> str:
+    """Return the script that opens the choice of a file; it runs in the browser as part of the click.
+
+    Quasar has no property for the choice of a folder: its hidden input gets it before it is clicked.
+    """
+    asked = (
+        f"for (const e of u.$el.querySelectorAll('input[type=file]')) e.webkitdirectory = {str(bool(folder)).lower()}; "
+    )
+    return f"() => {{ const u = getElement({upload.id}); {asked}u.$refs.qRef.pickFiles(); }}"

@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple, Protocol
 
 from winkler.io.foreign import reason_of
-from winkler.web.session.worker import Done, Solve, work
+from winkler.web.session.worker import Done, Halt, Solve, work
 
 __all__ = ["Solver", "Worker", "no_process", "started"]
 
@@ -107,8 +107,9 @@ class Solver:
     def _pass_on(self, pipe: Any, number: int, reply: Any) -> None:
         if pipe is not self.pipe:
             return
-        if number == 0:
-            self.ready, self.started_at = True, time.monotonic()
+        if number == 0:  # it is ready, or has been told to halt
+            if not self.ready:
+                self.ready, self.started_at = True, time.monotonic()
             return
         if isinstance(reply, Done):
             self.pending.discard(number)
@@ -147,6 +148,12 @@ class Solver:
     def seconds(self) -> float:
         """Time since the newest request [s]."""
         return time.monotonic() - self.started_at if self.working and self.ready else 0.0
+
+    def halt(self) -> None:
+        """End a batch of fits after the present curve; what was fitted is its answer."""
+        if self.pipe is not None:
+            with contextlib.suppress(OSError):
+                self.pipe.send(Halt())
 
     def stop(self) -> None:
         """Stop the running request by starting a new worker."""

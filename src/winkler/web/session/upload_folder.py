@@ -14,7 +14,7 @@ from winkler.errors import InvalidInput
 from winkler.io.archive_file import archive, member
 from winkler.io.foreign import reason_of
 
-__all__ = ["LARGEST", "UploadFolder", "files_in", "plain_name"]
+__all__ = ["CURVES", "LARGEST", "SAMPLE_CURVES", "UploadFolder", "files_in", "plain_name"]
 
 LARGEST = 20_000_000
 """Greatest size of an upload [bytes]."""
@@ -22,6 +22,10 @@ CURVE_KEY = "fit.curve"
 """The key of a study that names a measured curve."""
 MOST_FILES = 50
 """Most files of a page."""
+CURVES, SAMPLE_CURVES = "curves", "sample_curves"
+"""Folders of curves that are fitted together: uploaded ones, and made ones."""
+MOST_CURVES = 2000
+"""Most files of one of these folders."""
 MOST_BYTES = 100_000_000
 """Most bytes of all files of a page."""
 
@@ -69,8 +73,31 @@ class UploadFolder:
         """The files that are there."""
         return tuple(sorted(path.name for path in self.folder.iterdir() if path.is_file()))
 
-    def keep(self, name: str, content: bytes) -> str:
-        """Store an upload, and return its plain name.
+    def curves_in(self, name: str) -> tuple[str, ...]:
+        """Return the curves of one of the folders of curves; none where there is no such folder."""
+        place = self.folder / name
+        if name not in (CURVES, SAMPLE_CURVES) or not place.is_dir():
+            return ()
+        return tuple(sorted(path.name for path in place.iterdir() if path.is_file()))
+
+    @property
+    def folders(self) -> dict[str, int]:
+        """Folder of curves -> how many files are in it."""
+        counts = {name: len(self.curves_in(name)) for name in (CURVES, SAMPLE_CURVES)}
+        return {name: count for name, count in counts.items() if count}
+
+    def members(self, name: str) -> tuple[str, ...]:
+        """Return the files that a name in a study means: one, or those of a folder of curves; none if unknown."""
+        if name in self.names:
+            return (name,)
+        return tuple(f"{name}/{one}" for one in self.curves_in(name))
+
+    def remove_curves(self) -> None:
+        """Remove the uploaded folder of curves."""
+        shutil.rmtree(self.folder / CURVES, ignore_errors=True)
+
+    def keep(self, name: str, content: bytes, inside: str = "") -> str:
+        """Store an upload, in a folder of curves if `inside` names one, and return its plain name.
 
         Raises
         ------
@@ -81,19 +108,21 @@ class UploadFolder:
             raise InvalidInput(
                 f"'{name}' has {len(content) / 1e6:.1f} MB; at most {LARGEST / 1e6:.0f} MB are taken. Thin it out."
             )
-        if not content:
+        if not content and not inside:  # in a folder it gets a row that says so
             raise InvalidInput(f"'{name}' is empty; give a file with numbers.")
         plain = plain_name(name)
-        if plain not in self.names and len(self.names) >= MOST_FILES:
-            raise InvalidInput(f"there are {MOST_FILES} files already; reload the page to begin with none.")
-        others = sum((self.folder / other).stat().st_size for other in self.names if other != plain)
-        if others + len(content) > MOST_BYTES:
+        others, most = (self.curves_in(inside), MOST_CURVES) if inside else (self.names, MOST_FILES)
+        if plain not in others and len(others) >= most:
+            raise InvalidInput(f"there are {most} files already; reload the page to begin with none.")
+        place = self.folder / inside / plain
+        kept = sum(path.stat().st_size for path in self.folder.rglob("*") if path.is_file() and path != place)
+        if kept + len(content) > MOST_BYTES:
             raise InvalidInput(
                 f"'{name}': with it the files of this page would have more than {MOST_BYTES / 1e6:.0f} MB, the limit; "
                 "reload the page to begin with none."
             )
-        place = self.folder / plain
         try:
+            place.parent.mkdir(exist_ok=True)
             place.write_bytes(content)
         except OSError as error:
             place.unlink(missing_ok=True)
@@ -111,22 +140,24 @@ class UploadFolder:
             If there is no study in it, or it is damaged or too large.
         """
         remedy = "open one that this app has made"
-        with archive(content, "the upload", remedy=remedy, members=MOST_FILES + 1, size=LARGEST) as pack:
+        with archive(content, "the upload", remedy=remedy, members=MOST_FILES + MOST_CURVES + 1, size=LARGEST) as pack:
             inside = [one for one in pack.infolist() if not one.is_dir()]
             if study not in [one.filename for one in inside]:
                 raise InvalidInput(f"the archive holds no {study}; {remedy}.")
             for one in inside:
                 if one.filename != study:
-                    self.keep(one.filename, member(pack, one))
+                    folder, _, name = one.filename.rpartition("/")
+                    self.keep(name, member(pack, one), folder if folder in (CURVES, SAMPLE_CURVES) else "")
             return member(pack, study)
 
     def packed(self, text: str, study: str, names: tuple[str, ...]) -> bytes:
-        """Return a study and the files that it reads as one archive."""
+        """Return a study and the files and folders of curves that it reads as one archive."""
         store = io.BytesIO()
         with zipfile.ZipFile(store, "w", zipfile.ZIP_DEFLATED) as pack:
             pack.writestr(study, text)
             for name in names:
-                pack.write(self.folder / name, name)
+                for one in self.members(name):
+                    pack.write(self.folder / one, one)
         return store.getvalue()
 
     def check(self, table: Any) -> None:
@@ -142,7 +173,7 @@ class UploadFolder:
             if name
             else f"{key} is left out; upload a measured curve, or choose one."
             for key, name in files_in(table)
-            if isinstance(name, str) and (name != plain_name(name) or name not in self.names)
+            if isinstance(name, str) and (name != plain_name(name) or not self.members(name))
         ]
         if wrong:
             raise InvalidInput("\n".join(wrong))

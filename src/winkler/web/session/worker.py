@@ -12,13 +12,26 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from winkler.web.session.batch import Progress, fitted_batch
+
 if TYPE_CHECKING:
     from winkler.study.batch.fit_outcome import FitOutcome
     from winkler.study.batch.outcome import Outcome
     from winkler.study.language.study import Study
     from winkler.web.session.export import File
 
-__all__ = ["MOST_POINTS", "Done", "Export", "Look", "Progress", "Solve", "Wrong", "beside_the_curve", "work"]
+__all__ = [
+    "MOST_POINTS",
+    "Done",
+    "Export",
+    "Halt",
+    "Look",
+    "Progress",
+    "Solve",
+    "Wrong",
+    "beside_the_curve",
+    "work",
+]
 
 
 class Solve(NamedTuple):
@@ -52,12 +65,10 @@ class Wrong(NamedTuple):
     sentences: tuple[str, ...]
 
 
-class Progress(NamedTuple):
-    """Number of solved points of a sweep, or of a path."""
+class Halt(NamedTuple):
+    """Ends the running batch of fits after the present curve; what was fitted is the answer."""
 
-    done: int
-    total: int | None
-    """None if it is not known in advance."""
+    number: int = 0
 
 
 class Done(NamedTuple):
@@ -147,6 +158,7 @@ class _WorkerState:
         self.outcome: Outcome | FitOutcome | None = None
         self.report: Callable[[Progress], None] = lambda progress: None
         self.folder = Path()
+        self.halted = False
         text = tomli_w.dumps(initial_table("indentation"))
         list(self.replies(Solve(0, text, Path(), True)))  # so that the first request does not wait for imports
         self.view, self.outcome = NO_VIEW, None
@@ -162,6 +174,8 @@ class _WorkerState:
                     yield from self._pictures(request.moment, still=True)
                 case Export():
                     yield self._file(request.what)
+                case Halt():
+                    self.halted = True
         except StudyReplaced:
             raise
         except WinklerError as error:
@@ -177,7 +191,7 @@ class _WorkerState:
     def _solved(self, request: Solve) -> Iterator[Any]:
         from winkler.study.language.reading import parsed
 
-        self.outcome, self.moments, self.folder = None, self.none, request.folder
+        self.outcome, self.moments, self.folder, self.halted = None, self.none, request.folder, False
         if request.anew:
             self.view = self.nothing
         yield from self._fitted(request) if "fit" in parsed(request.text, STUDY) else self._answered(request)
@@ -193,7 +207,7 @@ class _WorkerState:
         point = shown_point(outcome)
         self.moments = moments_of(point)
         moment = initial_moment(point, self.moments)
-        yield self.answer.answer_text(outcome, study_text(study), self.moments.total, moment)
+        yield self.answer.answer_text(outcome, study_text(study), self.moments, moment)
         yield from self._pictures(moment, still=False)
         yield from self.answer.sheets(outcome)
 
@@ -230,13 +244,14 @@ class _WorkerState:
 
     def _fitted(self, request: Solve) -> Iterator[Any]:
         from winkler.errors import WinklerError
-        from winkler.study.batch.fit_run import fit_study
+        from winkler.study.batch.fit_run import pieces
         from winkler.study.language.fit_reading import parse_fit_study
         from winkler.web.pictures import fitted
 
+        started = time.perf_counter()
         study = parse_fit_study(request.text, file=STUDY, folder=request.folder)
         try:
-            self.outcome = fit_study(study)
+            self.outcome = yield from fitted_batch(study, pieces(study), started, lambda: self.halted)
         except WinklerError as error:
             raise type(error)(beside_the_curve(str(error))) from None
         yield fitted.fit_text(self.outcome, request.text)

@@ -30,13 +30,26 @@ def headline_section(outcome: Outcome) -> str:
     numbers = sought_numbers(outcome)
     if not numbers:
         return ""
-    lead = f'<p class="lead sought-line">{with_fixed_units(_sentence(outcome, numbers))}</p>'
-    cards = "".join(_card(one, first=place == 0) for place, one in enumerate(numbers))
+    verdict = _verdict(outcome)
+    sentence = (
+        f"The verdict on the body: {verdict}. {_sentence(outcome, numbers)}" if verdict else _sentence(outcome, numbers)
+    )
+    lead = f'<p class="lead sought-line">{with_fixed_units(sentence)}</p>'
+    cards = "".join(_card(one, first=place == 0 and not verdict) for place, one in enumerate(numbers))
+    if verdict:
+        large = f'<div class="value">{safe(verdict)}</div><div class="name">verdict on the body</div>'
+        cards = f'<div class="card sought">{large}</div>{cards}'
     shown = {one.name for one in numbers if not one.is_range}
     if "z" in outcome.answers:  # the answer itself is a place of the greatest stress
         shown |= {"von_mises"}
     state = None if outcome.study.sweep else elastic_state(shown_point(outcome))
     return f'{lead}<div class="cards">{cards}</div>{_beside(state, shown)}'
+
+
+def _verdict(outcome: Outcome) -> str:
+    """Return what kind of body a measurement speaks for, as held contacts do; empty where that is not asked."""
+    verdict = getattr(shown_point(outcome).solution, "verdict", "")
+    return verdict if isinstance(verdict, str) else ""
 
 
 def doubt_of(outcome: Outcome) -> Doubt:

@@ -1,0 +1,24 @@
+// Text that changes with every move of a slider, and the state of the answer around it.  They are written into the page
+// directly: an update of a property would make the whole page look for what has changed, which takes longer than solving.
+export default {
+  template: "<div></div>",
+  props: { first: String },
+  mounted() {
+    this.show(this.newest ?? this.first ?? "");
+    if (this.word) this.mark(this.word);
+  },
+  methods: {
+    show(html) {
+      this.newest = html;
+      if (this.$el) this.$el.innerHTML = html;
+    },
+    // State of the enclosing answer: busy, done or wrong.
+    mark(word) {
+      this.word = word;
+      const place = this.$el?.closest(".answer-side");
+      if (!place) return;
+      place.dataset.state = word;
+      place.setAttribute("aria-busy", String(word === "busy"));
+    },
+  },
+};
