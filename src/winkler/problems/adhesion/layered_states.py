@@ -10,9 +10,11 @@ import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
+from winkler.foundation.foundation import Foundation
 from winkler.laws.adhesion import Dugdale
 from winkler.media.layered.coated import LayeredMedium
 from winkler.numerics.caching import cached_by_value
+from winkler.numerics.equations.roots import rough_root
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.panels.sqrt_panels import RootPanels, fit
 from winkler.numerics.transforms import abel
@@ -214,7 +216,8 @@ def _zones(states: LayeredStates) -> RingOnLayers:
     assert isinstance(medium, LayeredMedium)
     end = min(bed.reach, bed.rim)
     springs = RingSprings(bed.gap_slope, edges_of(bed.kinks, end), bed.rising, medium.modulus, 0.0, end)
-    return RingOnLayers(springs, medium.response, springs.amplitude(law.strength), law.range)
+    widest = rough_root(bed.height, law.range) if isinstance(bed, Foundation) and not math.isfinite(end) else end
+    return RingOnLayers(springs, medium.response, springs.amplitude(law.strength), law.range, widest)
 
 
 @functools.lru_cache(maxsize=64)

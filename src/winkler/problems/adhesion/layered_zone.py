@@ -49,12 +49,16 @@ ITERATIONS = 100
 
 
 class RingOnLayers(NamedTuple):
-    """Of what the zones of one bed and law are made: springs, response, A = 2 sigma_0 / E* and w / sigma_0 [m]."""
+    """Of what the zones of one bed and law are made: springs, response, A = 2 sigma_0 / E* and w / sigma_0 [m].
+
+    `widest_guess` [m] is where a stiff body that just touches is w / sigma_0 away: searches for s do not begin beyond.
+    """
 
     springs: RingSprings
     response: WaveResponse
     amplitude: float
     distance: float
+    widest_guess: float
 
     def profile(self, radius: Array, span: Array, rule: Rule, series: Array) -> Array:
         """Return the integral of g' over the zone, times a series ``(m, n)`` of the angle."""
@@ -101,7 +105,7 @@ def layered_zone(zones: RingOnLayers, radius: Array, refuse: Callable[[Array], N
         If a ring is too wide against the layers, or the profile not smooth between its kinks.
     """
     alone = zones.distance / zones.amplitude
-    guess = np.where(radius > alone, np.sqrt(alone * radius), alone)
+    guess = np.minimum(np.where(radius > alone, np.sqrt(alone * radius), alone), zones.widest_guess)
     span, power = _span(zones, radius, guess, refuse)
     waiting, before = np.arange(radius.size), np.full(radius.shape, math.inf)
     parts: list[tuple[Array, LayeredRing]] = []
