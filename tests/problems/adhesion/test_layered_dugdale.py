@@ -72,7 +72,10 @@ def test_equal_layers_are_a_half_space(strength):
     np.testing.assert_allclose(ours.depth, theirs.depth, rtol=1e-10)
 
 
-@pytest.mark.parametrize(("radius", "outer", "stress"), [(0.5, 0.7, 0.3), (3.0, 3.4, 2.0), (1e-9, 0.8, 0.1)])
+@pytest.mark.parametrize(
+    ("radius", "outer", "stress"),
+    [(0.5, 0.7, 0.3), *(pytest.param(*each, marks=pytest.mark.slow) for each in ((3.0, 3.4, 2.0), (1e-9, 0.8, 0.1)))],
+)
 def test_a_film_against_its_line_load(radius, outer, stress):
     depth, force, opening = without_springs(0.4, radius, outer, stress)
     film = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(1.0 - 0.4**2, 0.4), 1.0)], on=wk.Rigid())
@@ -90,6 +93,7 @@ def test_great_strength_is_attraction_without_range():
     assert 0.0 < errors[1] < errors[0] / 8.0 < 2e-4
 
 
+@pytest.mark.slow
 def test_far_attraction_of_a_hard_pair_is_twice_pi_w_r():
     touching = wk.AdhesiveIndentation(bed_of(STIFF, GEL), wk.Dugdale(WORK, 3e2), wk.Radius(1e-9)).solve()
     assert touching.force == pytest.approx(-2.0 * np.pi * WORK * RADIUS, rel=2e-2)

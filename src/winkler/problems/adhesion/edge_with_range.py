@@ -171,7 +171,9 @@ def ranged_edge(
     return RangedEdge(bed, states, approach, control, curve, curve)
 
 
-def _approach(bed: Bed, law: Dugdale | DerjaguinMullerToporov, states: EdgeStates) -> SuddenPull | DiscOfStress | DiscOnLayers:
+def _approach(
+    bed: Bed, law: Dugdale | DerjaguinMullerToporov, states: EdgeStates
+) -> SuddenPull | DiscOfStress | DiscOnLayers:
     if isinstance(law, DerjaguinMullerToporov):
         return SuddenPull(-float(force_of(states, np.zeros(1))[0]))
     if not isinstance(bed.medium, HomogeneousMedium | LayeredMedium) or not bed.rising:

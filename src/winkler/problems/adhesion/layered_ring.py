@@ -49,7 +49,7 @@ class AngleRule(NamedTuple):
 
 
 class LayeredRing(NamedTuple):
-    """Rings around contacts, for a stress with A = 1; arrays ``(m,)``, and ``(m, n)`` as Chebyshev series of the angle (`read`).
+    """Rings around contacts for a stress with A = 1: arrays ``(m,)``, or series of the angle ``(m, n)`` (`read`).
 
     Parameters
     ----------

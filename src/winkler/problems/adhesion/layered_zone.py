@@ -62,7 +62,6 @@ class RingOnLayers(NamedTuple):
 
     def profile(self, radius: Array, span: Array, rule: Rule, series: Array) -> Array:
         """Return the integral of g' over the zone, times a series ``(m, n)`` of the angle."""
-
         whole = np.arctan2(span, radius)
 
         def weight(owner: Array, x: Array, rest: Array) -> Array:
@@ -149,9 +148,7 @@ def _gathered(parts: list[tuple[Array, LayeredRing]], size: int) -> LayeredRing:
     return LayeredRing(*fields)
 
 
-def _span(
-    zones: RingOnLayers, radius: Array, guess: Array, refuse: Callable[[Array], None]
-) -> tuple[Array, Array]:
+def _span(zones: RingOnLayers, radius: Array, guess: Array, refuse: Callable[[Array], None]) -> tuple[Array, Array]:
     """Return s = sqrt(c^2 - a^2) by the coarsest rule, and with which power of s the surfaces open there.
 
     The secant method in logarithms, inside a bracket that only shrinks.

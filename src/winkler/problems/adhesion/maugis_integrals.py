@@ -21,7 +21,17 @@ from winkler.numerics.integrals.quadrature import gauss_legendre, tanh_sinh
 from winkler.numerics.panels.sqrt_panels import root
 from winkler.numerics.types import Array, Curve
 
-__all__ = ["RingSprings", "Rule", "edges_of", "gap_moment", "moment", "profile_moment", "profile_part", "pulled", "turn"]
+__all__ = [
+    "RingSprings",
+    "Rule",
+    "edges_of",
+    "gap_moment",
+    "moment",
+    "profile_moment",
+    "profile_part",
+    "pulled",
+    "turn",
+]
 
 Rule = tuple[str, int]
 """``("gauss", count)`` for what is smooth in the angle, ``("double", count)``, double-exponential, for what is not."""
