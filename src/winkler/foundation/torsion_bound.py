@@ -36,7 +36,7 @@ CONCAVITY_ROUNDING = 1e-9
 
 
 SLIDING_TOLERANCE = 1e-9
-"""A load beyond what friction bears by no more than this part of it is that of sliding: tables of layers are rounded."""
+"""A load beyond what friction bears by no more than this part of it, as tables of layers err, is that of sliding."""
 
 
 class PressedState(NamedTuple):

@@ -154,8 +154,9 @@ class RingedLayers(RingedSprings):
         u over that, from the contact radius to the end of the ring.
     """
 
-    __words__ = RingedSprings.__words__ | words(
-        shares=("", "", "displacement of the ring's springs over that of equal ones on a half-space")
+    __words__ = words(
+        **RingedSprings.__words__,
+        shares=("", None, "displacement of the ring's springs over that of equal ones on a half-space"),
     )
 
     shares: Panels
