@@ -35,6 +35,10 @@ CONCAVITY_ROUNDING = 1e-9
 """Relative rise of a bound's rate from node to node that is rounding."""
 
 
+SLIDING_TOLERANCE = 1e-9
+"""A load beyond what friction bears by no more than this part of it, as tables of layers err, is that of sliding."""
+
+
 class PressedState(NamedTuple):
     """How a contact is pressed: what is prescribed (depth [m] or force [N]), its radius [m], and d - g(a) [m]."""
 
@@ -60,6 +64,8 @@ class TwistBound:
 
     owner, load, unit, motion, free_motion = "Torsion", "torque", "N m", "angle", "spin"
     """Words of messages."""
+    slides = False
+    """Whether all of the contact slides at a finite motion; a twist never moves the middle so far."""
 
     def __init__(self, bed: Bed, coefficient: float, widest: float, forced: bool) -> None:
         self.bed, self.coefficient, self.forced = bed, coefficient, forced
@@ -156,6 +162,11 @@ class TwistBound:
         if self.endless:
             return math.inf if press.radius > 0.0 else 0.0
         return 2.0 * float(self.panels.integral(self.at(press) * self.weight, np.array([press.radius]))[0])
+
+    def borne(self, load: float, limit: float) -> float:
+        """Return a load, or where it is that of sliding but for rounding, what the contact bears at most."""
+        sliding = self.slides and limit < abs(load) <= limit * (1.0 + SLIDING_TOLERANCE)
+        return math.copysign(limit, load) if sliding else load
 
 
 @functools.lru_cache(maxsize=8)

@@ -9,8 +9,6 @@ import pytest
 
 import winkler as wk
 from winkler.laws.adhesion import DerjaguinMullerToporov, Dugdale, ShortRange
-from winkler.materials.layered import Layer
-from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.problems.adhesion.model_choice import which_model
 from winkler.problems.adhesion.tabor import maugis_parameter, tabor_parameter
 
@@ -115,6 +113,3 @@ def test_what_is_refused():
         which_model(BALL, Dugdale(WORK, 1e8), tolerance=0.0)
     with pytest.raises(wk.InvalidInput, match="work is -1"):
         tabor_parameter(curvature_radius=1.0, modulus=1.0, work=-1.0, distance=1.0)
-    film = CoatedHalfSpace([Layer(wk.Elastic(2e7, 0.3), 1e-5)], on=wk.Elastic(2e6, 0.3))
-    with pytest.raises(wk.OutsideValidity, match="Dugdale"):
-        which_model(wk.Foundation(wk.Paraboloid(RADIUS), film), Dugdale(WORK, 1e8))

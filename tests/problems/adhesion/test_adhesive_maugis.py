@@ -12,9 +12,7 @@ import winkler as wk
 from winkler.errors import OutsideValidity
 from winkler.laws.adhesion import DerjaguinMullerToporov, Dugdale, ShortRange
 from winkler.materials.graded import PowerLawGraded
-from winkler.materials.layered import Layer
 from winkler.media.graded.power_law import GradedHalfSpace
-from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.problems.adhesion.cycle import AdhesiveCycle
 from winkler.problems.adhesion.edge_states import force_of
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
@@ -226,9 +224,6 @@ def test_a_wave_in_the_zone_takes_the_first_end():
 
 
 def test_refusals():
-    coated = CoatedHalfSpace((Layer(wk.Elastic(5e6, 0.4), 1e-4),), on=wk.Elastic(1e6, 0.4))
-    with pytest.raises(OutsideValidity, match="CoatedHalfSpace"):
-        PullOff(wk.Foundation(wk.Paraboloid(R), coated), law(1.0)).solve()
     gibson = GradedHalfSpace.between(PowerLawGraded(1e6, 1e-4, 1.0, 0.5))
     with pytest.raises(OutsideValidity, match="Gibson"):
         PullOff(wk.Foundation(wk.Paraboloid(R), gibson), law(1.0)).solve()

@@ -167,6 +167,19 @@ def test_springs_of_similar_kernels_miss_the_slip_on_a_hard_coating():
     assert note.standing is wk.Standing.APPROXIMATE
 
 
+@pytest.mark.parametrize("force", [0.05, pytest.param([0.02, 0.05, 0.05], marks=pytest.mark.slow)])
+def test_a_force_of_all_friction_slides_as_on_a_half_space(force):
+    steel, most = wk.Elastic(210e9, 0.3), MU * 0.05
+    path = wk.Path([0.0, 1.0, 2.0], wk.Force(force), wk.ShearForce([0.0, most, -most]))
+    coating = wk.CoatedHalfSpace([wk.Layer(steel, 2e-6)], on=steel)
+    layers = wk.CoatedTangential(wk.Foundation(wk.Paraboloid(1e-3), coating), wk.Coulomb(MU), path).solve()
+    alike = wk.Tangential(wk.Foundation(wk.Paraboloid(1e-3), wk.HalfSpace(steel)), wk.Coulomb(MU), path).solve()
+    np.testing.assert_allclose(layers.shear_force, alike.shear_force, rtol=1e-11)
+    np.testing.assert_allclose(layers.shift, alike.shift, rtol=1e-7)
+    np.testing.assert_allclose(layers.dissipation, alike.dissipation, rtol=1e-8 if force == 0.05 else 2e-4)
+    assert np.all(layers.stick_radius[1:] < 1e-4 * layers.radius[1:])
+
+
 def test_what_is_refused():
     bed = wk.Foundation(BALL, coated("hard"))
     plane = wk.Path([0.0, 1.0], wk.Depth([D, D]), wk.Shift([[0.0, 0.0], [1e-6, 1e-6]]))
@@ -175,7 +188,7 @@ def test_what_is_refused():
     line = wk.Path([0.0, 1.0], wk.Depth([D, D]), wk.ShearForce([0.0, 1.0]))
     with pytest.raises(wk.OutsideValidity, match="use Tangential for other media"):
         wk.CoatedTangential(wk.Foundation(BALL, wk.HalfSpace.between(SOLID)), wk.Coulomb(MU), line)
-    with pytest.raises(wk.OutsideValidity, match="the shear force of 1 N reaches or exceeds what friction bears"):
+    with pytest.raises(wk.OutsideValidity, match="the shear force of 1 N exceeds what friction bears"):
         wk.CoatedTangential(bed, wk.Coulomb(MU), line).solve()
     thin = wk.CoatedHalfSpace([wk.Layer(SOLID, 1e-5)], on=wk.Elastic(26.0, 0.3))
     with pytest.raises(wk.OutsideValidity, match="too wide against the length"):

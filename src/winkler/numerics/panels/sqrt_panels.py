@@ -122,6 +122,16 @@ class RootPanels:
             result[function] = rows[0][index] + t * current - last
         return result
 
+    def slope(self, x: Array) -> Array:
+        """Return the derivatives by x ``(functions, *x.shape)``; infinite just at a kink, where a root starts."""
+        width = np.diff(root(np.array([self.edges[:-1], self.edges[1:]]), self.base), axis=0)[0]
+        derived = np.polynomial.chebyshev.chebder(self.coefficients, axis=2) * (2.0 / width[:, None])
+        by_root = RootPanels(self.edges, self.base, derived)(x)
+        index = np.clip(np.searchsorted(self.edges, x, side="left") - 1, 0, self.base.size - 1)
+        y = root(np.asarray(x, dtype=float), self.base[index])
+        with np.errstate(divide="ignore"):
+            return np.asarray(np.where(self.base[index] > 0.0, by_root * (x / y), by_root))
+
 
 def fit(
     function: Callable[[Array], Array], edges: Array, kinks: Array, tolerances: Callable[[Array], Array]

@@ -35,7 +35,19 @@ from winkler.numerics.transforms.cosine_transform import WaveResponse
 from winkler.numerics.transforms.punch_tables import Punches, octave_of, tables
 from winkler.numerics.types import Array
 
-__all__ = ["Pairs", "area", "edge", "edge_slope", "mean", "on_pieces", "punches", "push", "resolvent", "slopes"]
+__all__ = [
+    "Pairs",
+    "area",
+    "edge",
+    "edge_slope",
+    "mean",
+    "moment",
+    "on_pieces",
+    "punches",
+    "push",
+    "resolvent",
+    "slopes",
+]
 
 POINTS_PER_BLOCK = 4096
 """Places at which a series is summed at once: what fits into a processor's cache."""
@@ -102,6 +114,11 @@ def resolvent(response: WaveResponse, x: Array, a: Array) -> Pairs:
     )  # tabulated is a rho
     value = moment / scale
     return Pairs(value, (by_a - value) / scale, by_ratio / scale**2)
+
+
+def moment(response: WaveResponse, x: Array, a: Array) -> Array:
+    """Return a rho(x; a) [-], for 0 <= x <= a of one shape: `resolvent` without derivatives."""
+    return _value(response, x, a, "rho")
 
 
 def punches(response: WaveResponse, x: Array, a: Array) -> Array:

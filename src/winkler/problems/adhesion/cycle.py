@@ -58,7 +58,8 @@ class AdhesiveCycle:
         The springs: Foundation(profile, medium).
     law : ShortRange, Dugdale or DerjaguinMullerToporov
         ShortRange(work), or with hysteresis ShortRange(work_closing=..., work_opening=...), on elastic media.  Under
-        laws with a range the bodies attract each other before they touch; Dugdale on homogeneous half-spaces.
+        laws with a range the bodies attract each other before they touch; Dugdale on homogeneous half-spaces
+        and on layers.
     path : Depth or Force
         Positions of the far end of the machine [m], or dead loads [N], one after the other, ``(steps,)``.  A dead load
         below the pull-off ends the path: then nothing holds the bodies any more.

@@ -20,6 +20,7 @@ from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import DerjaguinMullerToporov, Dugdale
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.layered.coated import LayeredMedium
 from winkler.numerics.equations.turning import Slopes
 from winkler.numerics.panels.chebyshev import fit_panels, stationary
 from winkler.numerics.transforms import abel
@@ -28,6 +29,7 @@ from winkler.problems.adhesion.edge import DeadLoad, LoadingMachine, last_radius
 from winkler.problems.adhesion.edge_states import EdgeStates, force_of, force_under, stored_energy
 from winkler.problems.adhesion.expected_radius import expected_radius
 from winkler.problems.adhesion.law_states import states_of
+from winkler.problems.adhesion.layered_states import DiscOnLayers, LayeredStates
 from winkler.problems.adhesion.maugis import CohesiveStates
 from winkler.problems.adhesion.stability import branches
 from winkler.problems.normal.solve_contact import end_of
@@ -101,7 +103,7 @@ class RangedEdge(NamedTuple):
     bed : Bed
     states : EdgeStates
         Of the contact.
-    approach : SuddenPull or DiscOfStress
+    approach : SuddenPull, DiscOfStress or DiscOnLayers
     control : LoadingMachine or DeadLoad
     closing, opening : Slopes
         What must be prescribed, over the places: the same for an edge that advances and one that recedes.
@@ -109,7 +111,7 @@ class RangedEdge(NamedTuple):
 
     bed: Bed
     states: EdgeStates
-    approach: SuddenPull | DiscOfStress
+    approach: SuddenPull | DiscOfStress | DiscOnLayers
     control: LoadingMachine | DeadLoad
     closing: Slopes
     opening: Slopes
@@ -169,15 +171,19 @@ def ranged_edge(
     return RangedEdge(bed, states, approach, control, curve, curve)
 
 
-def _approach(bed: Bed, law: Dugdale | DerjaguinMullerToporov, states: EdgeStates) -> SuddenPull | DiscOfStress:
+def _approach(
+    bed: Bed, law: Dugdale | DerjaguinMullerToporov, states: EdgeStates
+) -> SuddenPull | DiscOfStress | DiscOnLayers:
     if isinstance(law, DerjaguinMullerToporov):
         return SuddenPull(-float(force_of(states, np.zeros(1))[0]))
-    if not isinstance(bed.medium, HomogeneousMedium) or not bed.rising:
+    if not isinstance(bed.medium, HomogeneousMedium | LayeredMedium) or not bed.rising:
         raise OutsideValidity(
             "AdhesiveCycle: how bodies attract each other before they touch is known for Dugdale's law on homogeneous "
-            "half-spaces and for profiles that rise up to their end; use ShortRange(work), or Equilibrium and PullOff, "
-            "which begin at touch."
+            "half-spaces and on layers, and for profiles that rise up to their end; use ShortRange(work), or "
+            "Equilibrium and PullOff, which begin at touch."
         )
+    if isinstance(states, LayeredStates):
+        return DiscOnLayers(states, states.touch())
     modulus = bed.medium.modulus
     # at touch the middle of the disc has risen by 2 sigma c / E*
     length = float(-states.depth(np.zeros(1))[0]) * modulus / (2.0 * law.strength)
@@ -186,7 +192,7 @@ def _approach(bed: Bed, law: Dugdale | DerjaguinMullerToporov, states: EdgeState
 
 def _stored(states: EdgeStates, radius: Array) -> Array:
     """Return what bodies and surfaces store in equilibrium [J]: the integral of F dd from apart on."""
-    if isinstance(states, CohesiveStates):
+    if isinstance(states, CohesiveStates | LayeredStates):
         return states.energy(radius)
     depth = states.depth(radius)
     pull = force_of(states, np.zeros(1))

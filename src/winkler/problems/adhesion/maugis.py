@@ -5,8 +5,8 @@ With the ring of `winkler.problems.adhesion.maugis_zone`
 .. math:: d = g(a) - A\,s^{1-k}, \qquad
           F = k(a)\,d - \int_0^a k'g\,\mathrm dx - 2AE_s\int_a^c x^k\,(c^2-x^2)^{(1-k)/2}\,\mathrm dx .
 
-It is exact on homogeneous half-spaces and on those graded by a power of the depth: there, and only there, a stress that
-is constant over a disc has a line load of the same form for every radius.
+It is exact on homogeneous half-spaces and on those graded by a power of the depth; on layers the springs of the ring
+follow from an equation of their own (`winkler.problems.adhesion.layered_zone`).
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from winkler.problems.adhesion.maugis_integrals import RingSprings, edges_of, ga
 from winkler.problems.adhesion.maugis_zone import CohesiveZone, widest_within, zone
 from winkler.values import value, words
 
-__all__ = ["CohesiveStates", "RingedSprings"]
+__all__ = ["CLOSEST_OTHERWISE", "CohesiveStates", "RingedSprings", "beyond_profile", "no_zone"]
 
 CLOSEST_HOMOGENEOUS, CLOSEST_OTHERWISE = 16.0, 1e8
 """Closest place to the end of a ring, in units of rounding: on a homogeneous surface, and elsewhere."""
@@ -57,9 +57,8 @@ class CohesiveStates:
         medium = self.bed.medium
         if not isinstance(medium, HomogeneousMedium | GradedHalfSpace):
             raise OutsideValidity(
-                f"Dugdale: on a {type(medium).__name__} the line load of a constant stress has no closed form: it "
-                "changes with the radius of every ring; use ShortRange(work), which holds on elastic layers and "
-                "gradings, or a HalfSpace."
+                f"Dugdale: what a constant stress does to a {type(medium).__name__} is not known; use "
+                "ShortRange(work), or a HalfSpace, GradedHalfSpace, CoatedHalfSpace or DepthGradedHalfSpace."
             )
         if isinstance(medium, GradedHalfSpace) and medium.exponent >= 1.0:
             raise OutsideValidity(
@@ -158,12 +157,25 @@ def _end(states: CohesiveStates) -> float:
         return springs.end
     solved = widest_within(springs, states.law.strength, states.law.range)
     if solved <= 0.0:
-        raise OutsideValidity(
-            f"Dugdale: the attraction of {states.law.range:.3g} m reaches beyond the end of the profile "
-            f"({springs.end:.6g} m) even where the bodies only just touch; use ShortRange(work), a greater strength, "
-            "or a wider profile."
-        )
+        raise no_zone(states.law, springs.end)
     return solved
+
+
+def no_zone(law: Dugdale, end: float) -> OutsideValidity:
+    """Return the refusal of a profile that ends at `end` [m], within the reach of the attraction."""
+    return OutsideValidity(
+        f"Dugdale: the attraction of {law.range:.3g} m reaches beyond the end of the profile ({end:.6g} m) even where "
+        "the bodies only just touch; use ShortRange(work), a greater strength, or a wider profile."
+    )
+
+
+def beyond_profile(bed: Bed, radius: float) -> OutsideValidity:
+    """Return the refusal of a contact [m] whose ring would pass the end of the profile."""
+    end = "rim" if bed.rim <= bed.reach else "reach"
+    return OutsideValidity(
+        f"Dugdale: around a contact of {radius:.6g} m the surfaces attract each other beyond the {end} of the profile "
+        f"({min(bed.rim, bed.reach):.6g} m); use ShortRange(work), a greater strength, or a wider profile."
+    )
 
 
 @functools.lru_cache(maxsize=64)
@@ -172,13 +184,7 @@ def _zone(states: CohesiveStates, shape: tuple[int, ...], content: bytes) -> Coh
 
     def refuse(beyond: Array) -> None:
         if beyond.any():
-            bed = states.bed
-            end = "rim" if bed.rim <= bed.reach else "reach"
-            raise OutsideValidity(
-                f"Dugdale: around a contact of {radius.ravel()[beyond][0]:.6g} m the surfaces attract each other "
-                f"beyond the {end} of the profile ({min(bed.rim, bed.reach):.6g} m); use ShortRange(work), a greater "
-                "strength, or a wider profile."
-            )
+            raise beyond_profile(states.bed, float(radius.ravel()[beyond][0]))
 
     solved = zone(states.springs(), states.law.strength, states.law.range, radius.ravel(), refuse)
     return CohesiveZone(*(part.reshape(shape) for part in solved))
@@ -262,9 +268,12 @@ class RingedSprings(PressedSprings):
 
     def slope(self, x: Array) -> Array:
         """u'(x) [-]."""
-        x, k = np.asarray(x, dtype=float), self.exponent
+        x = np.asarray(x, dtype=float)
         inside = x <= self.contact_radius
-        place = np.minimum(x, self._last)
+        ring = np.where(x <= self._last, self._ring_slope(x), 0.0)
+        return np.where(inside, -self.bed.gap_slope(np.where(inside, x, 0.0)), ring)
+
+    def _ring_slope(self, x: Array) -> Array:
+        k, place = self.exponent, np.minimum(x, self._last)
         rest = (self.outer_radius - place) * (self.outer_radius + place)
-        ring = self.amplitude * (1.0 - k) * x * rest ** (-0.5 * (1.0 + k))
-        return np.where(inside, -self.bed.gap_slope(np.where(inside, x, 0.0)), np.where(x <= self._last, ring, 0.0))
+        return np.asarray(self.amplitude * (1.0 - k) * x * rest ** (-0.5 * (1.0 + k)))

@@ -12,6 +12,7 @@ in the root that g starts at b as well as in the root with which J ends at c.  w
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -20,7 +21,17 @@ from winkler.numerics.integrals.quadrature import gauss_legendre, tanh_sinh
 from winkler.numerics.panels.sqrt_panels import root
 from winkler.numerics.types import Array, Curve
 
-__all__ = ["RingSprings", "Rule", "edges_of", "gap_moment", "moment", "profile_part", "pulled", "turn"]
+__all__ = [
+    "RingSprings",
+    "Rule",
+    "edges_of",
+    "gap_moment",
+    "moment",
+    "profile_moment",
+    "profile_part",
+    "pulled",
+    "turn",
+]
 
 Rule = tuple[str, int]
 """``("gauss", count)`` for what is smooth in the angle, ``("double", count)``, double-exponential, for what is not."""
@@ -172,11 +183,7 @@ def profile_part(springs: RingSprings, radius: Array, span: Array, rule: Rule) -
     outer = np.hypot(radius, span)
     pieces = _pieces(springs.edges, radius, span, springs.exponent)
     total, by_outer = np.zeros(radius.shape), np.zeros(radius.shape)
-    if rule[0] == "gauss":
-        nodes, weights = gauss_legendre(rule[1])
-        complements = nodes[::-1]
-    else:
-        nodes, complements, weights = tanh_sinh(rule[1])
+    nodes, complements, weights = _points(rule)
     k, chunk = springs.exponent, max(1, POINTS_PER_BLOCK // nodes.size)
     for begin in range(0, pieces.owner.size, chunk):
         own = _IntegralPieces(*(part[begin : begin + chunk] for part in pieces))
@@ -188,6 +195,32 @@ def profile_part(springs: RingSprings, radius: Array, span: Array, rule: Rule) -
             measure *= np.where(rest > 0.0, x / np.where(rest > 0.0, rest, 1.0), 0.0) ** k
         by_outer += np.bincount(own.owner, np.sum(measure, axis=1) / c, radius.size)
     return total, by_outer
+
+
+def profile_moment(
+    springs: RingSprings, radius: Array, span: Array, rule: Rule, weight: Callable[[Array, Array, Array], Array]
+) -> Array:
+    """Return the integral of g' weight over the zone; `weight` takes owners ``(m,)``, x and sqrt(c^2 - x^2) ``(m, n)``.
+
+    For k = 0.  The weight is smooth in the angle from the contact radius on.
+    """
+    total = np.zeros(radius.shape)
+    pieces = _pieces(springs.edges, radius, span, 0.0)
+    nodes, complements, weights = _points(rule)
+    chunk = max(1, POINTS_PER_BLOCK // nodes.size)
+    for begin in range(0, pieces.owner.size, chunk):
+        own = _IntegralPieces(*(part[begin : begin + chunk] for part in pieces))
+        x, rest, measure = _on(springs, own, nodes, complements, weights)
+        total += np.bincount(own.owner, np.sum(measure * (rest / x) * weight(own.owner, x, rest), axis=1), radius.size)
+    return total
+
+
+def _points(rule: Rule) -> tuple[Array, Array, Array]:
+    """Return nodes, their distances from one, and weights."""
+    if rule[0] == "gauss":
+        nodes, weights = gauss_legendre(rule[1])
+        return nodes, nodes[::-1], weights
+    return tanh_sinh(rule[1])
 
 
 def gap_moment(springs: RingSprings, radius: Array, span: Array) -> Array:

@@ -190,7 +190,7 @@ def _reasons(
     verdicts = {
         "Hertz": f"Under {float(load.force):.4g} N adhesion changes the contact radius by less than {tolerance:.2g}: "
         "plain Indentation does; it has no pull-off.",
-        "JKR": f"JKR is within {tolerance:.2g} of Maugis, and holds on layers and cones, too: take ShortRange.",
+        "JKR": f"JKR is within {tolerance:.2g} of Maugis: take ShortRange.",
         "DMT": f"DMT is within {tolerance:.2g} of Maugis: take DerjaguinMullerToporov.",
         "Maugis": f"Neither JKR nor DMT is within {tolerance:.2g}: take Dugdale.",
     }

@@ -46,6 +46,7 @@ class PushBound(TwistBound):
     """What springs bear before they slide; parameters as of `TwistBound`, on a CoatedHalfSpace."""
 
     owner, load, unit, motion, free_motion = "CoatedTangential", "shear force", "N", "shift", "slide"
+    slides = True
 
     def _springs(self) -> TwistKernel:
         medium = pushed_body(self.bed)

@@ -128,7 +128,9 @@ def _steady(
 ) -> Iterator[HistoryPoint]:
     """Yield the points of a path under a steady load, all at once."""
     press = presses[0]
-    most = bound.most(press) * (1.0 - TORQUE_MARGIN)
+    limit = bound.most(press)
+    most = limit if bound.slides else limit * (1.0 - TORQUE_MARGIN)
+    targets = targets if moved else [bound.borne(each, limit) for each in targets]
     borne = len(targets) if moved else next((i for i, each in enumerate(targets) if abs(each) > most), len(targets))
     points = steady_points(bound, press, targets[:borne], not moved)
     yield from points

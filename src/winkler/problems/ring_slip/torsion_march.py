@@ -239,9 +239,14 @@ def _step_to(
 ) -> TorsionStep:
     """Return the step that ends at a torque, on a straight line in the angle, which is sought from `guess` on."""
     limit = bound.most(press)
-    if abs(torque) > limit * (1.0 - TORQUE_MARGIN):
+    torque = bound.borne(torque, limit)
+    most = limit * (1.0 - TORQUE_MARGIN)
+    if bound.slides and most < abs(torque) <= limit:
+        guess = 0.0  # from below the smallest motion is found under which all slides
+    elif abs(torque) > most:
+        reaches = "exceeds" if bound.slides else "reaches or exceeds"
         raise OutsideValidity(
-            f"the {bound.load} of {torque:.6g} {bound.unit} reaches or exceeds what friction bears, {limit:.6g} "
+            f"the {bound.load} of {torque:.6g} {bound.unit} {reaches} what friction bears, {limit:.6g} "
             f"{bound.unit} under this normal load: the bodies would {bound.free_motion} against each other; give a "
             f"smaller {bound.load}, a greater load, or prescribe the {bound.motion.capitalize()}."
         )
