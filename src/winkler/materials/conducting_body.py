@@ -9,7 +9,17 @@ from winkler.errors import InvalidInput
 from winkler.materials.conductor import ElectricalConductor, ThermalConductor
 from winkler.values import value, words
 
-__all__ = ["ConductingBody", "Conductor", "Plated", "Rod", "bulk_of", "layers_of", "parts_of", "resistivity_of", "surface_of"]
+__all__ = [
+    "ConductingBody",
+    "Conductor",
+    "Plated",
+    "Rod",
+    "bulk_of",
+    "layers_of",
+    "parts_of",
+    "resistivity_of",
+    "surface_of",
+]
 
 Conductor = ElectricalConductor | ThermalConductor
 """What a body may be made of."""

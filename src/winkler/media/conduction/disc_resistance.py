@@ -20,7 +20,16 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.materials.conducting_body import ConductingBody, Plated, Rod, bulk_of, layers_of, parts_of, resistivity_of, surface_of
+from winkler.materials.conducting_body import (
+    ConductingBody,
+    Plated,
+    Rod,
+    bulk_of,
+    layers_of,
+    parts_of,
+    resistivity_of,
+    surface_of,
+)
 from winkler.numerics.fields.filmed_disc import spreading
 from winkler.numerics.fields.flux_tube import LARGEST_RADIUS_RATIO, relief
 from winkler.numerics.transforms import fredholm

@@ -151,7 +151,7 @@ def _onset(bed: Bed, part: StrongPart) -> tuple[float, GreatestStress] | str:
         if flat > widest:
             return _too_wide(part, widest)
     end = min([bed.reach, bed.rim, widest, *(b for b in sharp if b > flat)])
-    a = min(_start(bed, flat, math.inf if end == widest else end, strength), 0.5 * (flat + end))
+    a = _start(bed, flat, end, strength)
     _refuse_first_touch(bed, part, a, flat, sharp)
 
     def stress(radius: float, fine: bool = True) -> GreatestStress:
@@ -243,12 +243,14 @@ def _start(bed: Bed, flat: float, end: float, strength: float) -> float:
     """Return a radius [m] where the modulus times the slope of the equivalent profile is about the strength."""
     assert isinstance(bed.medium, HalfSpace | CoatedHalfSpace)
     wanted = strength / bed.medium.modulus
-    if math.isfinite(end):
+    if isinstance(bed.medium, HalfSpace) and math.isfinite(end):
         return 0.5 * (flat + end)
-    a, before = 2.0 * flat or 1.0, math.nan
+    a, before = 0.5 * (flat + end) if math.isfinite(end) else 2.0 * flat or 1.0, math.nan
     for _ in range(OCTAVES):
         slope = float(np.abs(bed.gap_slope(np.array([a])))[0])
         if 0.25 * wanted <= slope <= 4.0 * wanted or slope == before:
+            break
+        if math.isfinite(end) and slope < wanted:
             break
         a, before = (flat + 0.25 * (a - flat), slope) if slope > wanted else (flat + 4.0 * (a - flat), slope)
     return a
